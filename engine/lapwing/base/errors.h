@@ -1,0 +1,46 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace lapwing {
+
+/// Base of everything the engine throws. `what()` names the place (file and line, vertex, JSON
+/// pointer, device) and the next step, in words a user of the command line can act on.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What the caller gave cannot be used: a malformed file, a recipe with an unknown key, a region
+/// that does not fit the mesh.
+class InputError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A system that cannot be solved, or a result that its certificate rejects.
+class SolverError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A Vulkan call failed, or no device fits.
+class GpuError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A file cannot be opened, read or written.
+class IoError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The caller's progress callback asked to stop. Nothing was changed.
+class Cancelled : public Error {
+ public:
+  Cancelled() : Error("cancelled") {}
+};
+
+}  // namespace lapwing

@@ -1,0 +1,62 @@
+#include "lapwing/base/parallel.h"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace lapwing {
+
+unsigned thread_count() {
+  static const unsigned count = [] {
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+      return static_cast<unsigned>(std::max(1, CPU_COUNT(&allowed)));
+    }
+    return std::max(1U, std::thread::hardware_concurrency());
+  }();
+  return count;
+}
+
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& body) {
+  if (count == 0) return;
+  grain = std::max<std::size_t>(grain, 1);
+  const std::size_t threads = std::min<std::size_t>(thread_count(), (count + grain - 1) / grain);
+  if (threads <= 1) {
+    body(0, count);
+    return;
+  }
+  // More chunks than threads, taken from a queue: a busy neighbour on one core then costs one
+  // chunk, not a whole thread's share.
+  const std::size_t chunk = std::max(grain, (count + 4 * threads - 1) / (4 * threads));
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto work = [&] {
+    for (;;) {
+      const std::size_t begin = next.fetch_add(chunk);
+      if (begin >= count) return;
+      try {
+        body(begin, std::min(begin + chunk, count));
+      } catch (...) {
+        const std::scoped_lock lock(failure_mutex);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (std::size_t t = 1; t < threads; ++t) helpers.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace lapwing

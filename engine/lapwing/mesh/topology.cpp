@@ -1,0 +1,100 @@
+#include "lapwing/mesh/topology.h"
+
+#include <algorithm>
+
+namespace lapwing {
+namespace {
+
+// Fills `starts` from counts per row shifted by one.
+void accumulate_starts(std::vector<Index>& starts) {
+  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+}
+
+Adjacency build_vertex_triangles(std::size_t vertex_count, std::span<const Triangle> triangles) {
+  Adjacency around;
+  around.starts.assign(vertex_count + 1, 0);
+  for (const Triangle& t : triangles) {
+    for (const Index v : t) ++around.starts[v + 1];
+  }
+  accumulate_starts(around.starts);
+  around.values.resize(around.starts.back());
+  std::vector<Index> next(around.starts.begin(), around.starts.end() - 1);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const Index v : triangles[t]) around.values[next[v]++] = static_cast<Index>(t);
+  }
+  return around;
+}
+
+Adjacency build_rings(const Adjacency& vertex_triangles, std::span<const Triangle> triangles) {
+  Adjacency rings;
+  const std::size_t n = vertex_triangles.row_count();
+  rings.starts.reserve(n + 1);
+  rings.values.reserve(triangles.size() * 3 + n);
+  std::vector<Index> ring;
+  for (std::size_t i = 0; i < n; ++i) {
+    ring.clear();
+    for (const Index t : vertex_triangles[i]) {
+      for (const Index v : triangles[t]) {
+        if (v != i) ring.push_back(v);
+      }
+    }
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    rings.values.insert(rings.values.end(), ring.begin(), ring.end());
+    rings.starts.push_back(static_cast<Index>(rings.values.size()));
+  }
+  return rings;
+}
+
+}  // namespace
+
+Topology build_topology(const Mesh& mesh) {
+  validate_indices(mesh);
+  Topology topology;
+  topology.triangles.reserve(mesh.face_vertices.size());
+  std::vector<Triangle> cut;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cut.clear();
+    triangulate_polygon(mesh.face(f), mesh.positions, cut);
+    for (const Triangle& t : cut) {
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+      topology.triangles.push_back(t);
+      topology.triangle_faces.push_back(static_cast<Index>(f));
+    }
+  }
+  topology.vertex_triangles = build_vertex_triangles(mesh.vertex_count(), topology.triangles);
+  topology.rings = build_rings(topology.vertex_triangles, topology.triangles);
+  return topology;
+}
+
+Components connected_components(const Adjacency& rings) {
+  Components components;
+  components.of_vertex.assign(rings.row_count(), kNoIndex);
+  std::vector<Index> stack;
+  for (std::size_t seed = 0; seed < rings.row_count(); ++seed) {
+    if (components.of_vertex[seed] != kNoIndex) continue;
+    const auto id = static_cast<Index>(components.count++);
+    components.of_vertex[seed] = id;
+    stack.assign(1, static_cast<Index>(seed));
+    while (!stack.empty()) {
+      const Index v = stack.back();
+      stack.pop_back();
+      for (const Index w : rings[v]) {
+        if (components.of_vertex[w] != kNoIndex) continue;
+        components.of_vertex[w] = id;
+        stack.push_back(w);
+      }
+    }
+  }
+  return components;
+}
+
+double mean_edge_length(const Adjacency& rings, std::span<const Eigen::Vector3d> positions) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rings.row_count(); ++i) {
+    for (const Index j : rings[i]) sum += (positions[i] - positions[j]).norm();
+  }
+  return rings.values.empty() ? 0.0 : sum / static_cast<double>(rings.values.size());
+}
+
+}  // namespace lapwing

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include "lapwing/mesh/topology.h"
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(Topology, RingHoldsNeighboursOfBothDirections) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  mesh.add_face(std::array<Index, 3>{0, 1, 2});
+  mesh.add_face(std::array<Index, 3>{2, 1, 3});
+  const Topology topology = build_topology(mesh);
+  EXPECT_THAT(topology.rings[0], ElementsAre(1, 2));
+  EXPECT_THAT(topology.rings[1], ElementsAre(0, 2, 3));
+  EXPECT_THAT(topology.vertex_triangles[2], ElementsAre(0, 1));
+}
+
+TEST(Topology, RingsAreSymmetric) {
+  const Topology topology = build_topology(icosphere(2));
+  for (Index i = 0; i < topology.vertex_count(); ++i) {
+    for (const Index j : topology.rings[i]) {
+      EXPECT_THAT(topology.rings[j], ::testing::Contains(i));
+    }
+  }
+}
+
+TEST(Topology, ClosedSurfacesHaveTheirEulerCharacteristic) {
+  const auto euler = [](const Mesh& mesh) {
+    const Topology topology = build_topology(mesh);
+    const auto edges = static_cast<long>(topology.rings.values.size() / 2);
+    return static_cast<long>(mesh.vertex_count()) - edges +
+           static_cast<long>(topology.triangles.size());
+  };
+  EXPECT_EQ(euler(icosphere(2)), 2);
+  EXPECT_EQ(euler(torus(12, 8, 2.0, 0.5)), 0);
+}
+
+TEST(Topology, LooseVertexHasAnEmptyRingAndItsOwnComponent) {
+  Mesh mesh = grid(2, 2);
+  mesh.positions.emplace_back(5, 5, 5);
+  const Topology topology = build_topology(mesh);
+  EXPECT_EQ(topology.rings.size(9), 0U);
+  EXPECT_EQ(connected_components(topology.rings).count, 2U);
+}
+
+TEST(Topology, FaceThatNamesAMissingVertexIsRefusedByName) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.add_face(std::array<Index, 3>{0, 1, 7});
+  try {
+    build_topology(mesh);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("face 0"),
+                                               ::testing::HasSubstr("vertex 7")));
+  }
+}
+
+double signed_area(const Triangle& t, const Positions& p) {
+  return 0.5 * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).z();
+}
+
+TEST(Triangulation, ConcavePolygonIsCutWithoutFolds) {
+  const Positions arrow{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5, 1, 0}};
+  const std::array<Index, 4> polygon{0, 1, 2, 3};
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    std::array<Index, 4> turned = polygon;
+    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(turn), turned.end());
+    std::vector<Triangle> triangles;
+    triangulate_polygon(turned, arrow, triangles);
+    ASSERT_EQ(triangles.size(), 2U);
+    EXPECT_GT(signed_area(triangles[0], arrow), 0.0);
+    EXPECT_GT(signed_area(triangles[1], arrow), 0.0);
+    EXPECT_DOUBLE_EQ(signed_area(triangles[0], arrow) + signed_area(triangles[1], arrow), 1.5);
+  }
+}
+
+TEST(Triangulation, ConvexPolygonIsTheFanOfItsFirstCorner) {
+  const Positions square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  std::vector<Triangle> triangles;
+  triangulate_polygon(std::array<Index, 4>{0, 1, 2, 3}, square, triangles);
+  EXPECT_THAT(triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+}
+
+}  // namespace
+}  // namespace lapwing

@@ -1,0 +1,38 @@
+# How every target of the project is compiled: language level, warnings, sanitizers.
+
+# The repository's own code is compiled under these warnings; dependencies come in as system headers.
+add_library(lapwing_warnings INTERFACE)
+target_compile_options(lapwing_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion)
+
+add_library(lapwing_sanitizers INTERFACE)
+if(LAPWING_SANITIZE)
+  target_compile_options(lapwing_sanitizers INTERFACE
+    -fsanitize=${LAPWING_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(lapwing_sanitizers INTERFACE -fsanitize=${LAPWING_SANITIZE})
+endif()
+
+# lapwing_add_library(NAME EXPORT_NAME): a static library of the engine, installed and exported as
+# lapwing::EXPORT_NAME. Sources are added by the CMakeLists.txt of each folder.
+function(lapwing_add_library name export_name)
+  add_library(${name} STATIC)
+  add_library(lapwing::${export_name} ALIAS ${name})
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  # One rounding per operation on every platform: results do not hang on what the compiler fuses.
+  target_compile_options(${name} PRIVATE -ffp-contract=off)
+  target_include_directories(${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${name} PRIVATE
+    $<BUILD_INTERFACE:lapwing_warnings> $<BUILD_INTERFACE:lapwing_sanitizers>)
+  set_target_properties(${name} PROPERTIES
+    EXPORT_NAME ${export_name} POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
+  install(TARGETS ${name} EXPORT lapwing ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()
+
+# lapwing_add_program(NAME SOURCES...): an executable of the project.
+function(lapwing_add_program name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE lapwing_warnings lapwing_sanitizers)
+  set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endfunction()
