@@ -1,0 +1,67 @@
+#include "lapwing/kernels/cpu_kernels.h"
+
+#include <numeric>
+
+namespace lapwing {
+namespace {
+
+// Every vertex whose normal can change when the `moving` ones do, ascending.
+std::vector<Index> with_neighbours(std::span<const Index> moving, const Adjacency& rings) {
+  std::vector<char> touched(rings.row_count(), 0);
+  for (const Index v : moving) {
+    touched[v] = 1;
+    for (const Index w : rings[v]) touched[w] = 1;
+  }
+  std::vector<Index> list;
+  for (Index v = 0; v < touched.size(); ++v) {
+    if (touched[v] != 0) list.push_back(v);
+  }
+  return list;
+}
+
+class CpuSurface final : public DeformedSurface {
+ public:
+  explicit CpuSurface(const SurfaceInput& input)
+      : rest_(input.rest.begin(), input.rest.end()),
+        triangles_(input.topology.triangles),
+        vertex_triangles_(input.topology.vertex_triangles),
+        moving_(input.moving.begin(), input.moving.end()),
+        affected_(with_neighbours(moving_, input.topology.rings)),
+        basis_(input.basis.begin(), input.basis.end()),
+        positions_(rest_),
+        normals_(rest_.size(), Eigen::Vector3d::Zero()) {
+    std::vector<Index> all(rest_.size());
+    std::iota(all.begin(), all.end(), 0U);
+    vertex_normals(positions_, triangles_, vertex_triangles_, all, normals_);
+  }
+
+  void blend(std::span<const double> parameters) override {
+    blend_response(rest_, moving_, basis_, parameters, positions_);
+    vertex_normals(positions_, triangles_, vertex_triangles_, affected_, normals_);
+  }
+  Positions positions() const override { return positions_; }
+  std::vector<Eigen::Vector3d> normals() const override { return normals_; }
+
+ private:
+  Positions rest_;
+  std::vector<Triangle> triangles_;
+  Adjacency vertex_triangles_;
+  std::vector<Index> moving_;
+  std::vector<Index> affected_;
+  std::vector<double> basis_;
+  Positions positions_;
+  std::vector<Eigen::Vector3d> normals_;
+};
+
+}  // namespace
+
+CpuKernels::CpuKernels() {
+  device_.name = "CPU";
+  device_.type = "cpu";
+}
+
+std::unique_ptr<DeformedSurface> CpuKernels::make_surface(const SurfaceInput& input) {
+  return std::make_unique<CpuSurface>(input);
+}
+
+}  // namespace lapwing

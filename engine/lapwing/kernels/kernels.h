@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing {
+
+/// What runs the kernels.
+struct DeviceInfo {
+  std::string name;    ///< "llvmpipe (LLVM 15.0.6, 256 bits)", "CPU"
+  std::string type;    ///< "discrete GPU", "integrated GPU", "software", "cpu"
+  std::string driver;  ///< driver name and version; empty for the CPU twins
+  bool float64 = true;  ///< whether `assemble_rsi` runs in float64
+};
+
+/// The one-rings a kernel gathers over. `rows` names the vertices that get a result, in order.
+struct RingProblem {
+  std::span<const Eigen::Vector3d> positions;  ///< of the whole mesh
+  const Adjacency& rings;                      ///< of the whole mesh
+  std::span<const double> weights;             ///< one per ring entry, rows summing to 1
+  std::span<const Index> rows;
+};
+
+/// What a deformed surface is made from: the rest shape and a linear basis of displacements.
+struct SurfaceInput {
+  std::span<const Eigen::Vector3d> rest;  ///< of the whole mesh
+  const Topology& topology;
+  std::span<const Index> moving;  ///< the vertices that the basis moves, ascending
+  /// `columns` columns of 3 |moving| numbers each, column after column; x, y, z of moving[0] first.
+  std::span<const double> basis;
+  std::size_t columns = 0;
+};
+
+/// Positions and normals of a mesh that live on the device, and the drag frame that renews them:
+///     positions = rest + sum_k parameters[k] basis[k]    (kernel blend_response)
+///     normals = area-weighted mean of the triangles around  (kernel vertex_normals)
+/// The renderer draws from the same memory.
+class DeformedSurface {
+ public:
+  virtual ~DeformedSurface() = default;
+
+  /// One drag frame: positions of the moving vertices, then the normals of those and of their
+  /// neighbours. `parameters` has one number per basis column. Returns when the device is done.
+  /// Allocates nothing.
+  virtual void blend(std::span<const double> parameters) = 0;
+
+  /// What the device holds, in mesh coordinates. For tests and for readers without a device; a
+  /// drag frame never calls these. Float32 devices round to the mesh's size times 2^-24.
+  virtual Positions positions() const = 0;
+  /// Unit normals; zero where a vertex has no triangle with area.
+  virtual std::vector<Eigen::Vector3d> normals() const = 0;
+};
+
+/// The kernels, as the core sees the device. Each has a CPU twin in double precision (CpuKernels)
+/// and a Vulkan twin of the same name. Calls return when the result is there. Same input, same
+/// bits, on one device. Throws GpuError when the device fails.
+class Kernels {
+ public:
+  virtual ~Kernels() = default;
+
+  virtual const DeviceInfo& device() const = 0;
+
+  /// The 3 x 3 blocks of the rows of M (DESIGN section 2):
+  ///     B_ik = delta_i x_k' / S - [delta_i]x J^-1 [x_k]x - l_ik I,   l_ii = 1, l_ij = -w_ij.
+  /// Row after row; in a row the block of i itself, then those of its ring in order; each block
+  /// column after column. `blocks` holds 9 numbers for each of sum_rows (1 + |N_i|) blocks. A
+  /// vertex without ring has the block 0.
+  virtual void assemble_rsi(const RingProblem& problem, std::span<double> blocks) = 0;
+
+  /// delta_i = sum_j w_ij (v_i - v_j) for each row (eq. 1); 0 for a vertex without ring.
+  virtual void sample_laplacians(const RingProblem& problem,
+                                 std::span<Eigen::Vector3d> laplacians) = 0;
+
+  /// A surface at rest with its normals. `topology` need not outlive it.
+  virtual std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) = 0;
+};
+
+/// Number of blocks that `assemble_rsi` writes before each row, and in all: rows + 1 numbers.
+std::vector<std::size_t> rsi_block_starts(const RingProblem& problem);
+
+}  // namespace lapwing

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing {
+
+/// How the mean of a ring is taken in L(v_i) = v_i - sum_j w_ij v_j.
+enum class LaplacianWeights {
+  uniform,    ///< w_ij = 1 / |N_i|, the paper's
+  cotangent,  ///< w_ij proportional to cot a_ij + cot b_ij, the angles opposite edge ij
+};
+
+/// One weight per entry of `topology.rings`, each row summing to 1 (a row without entries is
+/// empty). Cotangent weights are made positive: an edge counts at least kSmallestCotangentShare of
+/// its row's mean absolute weight. Without that an obtuse triangle gives a negative weight, and a
+/// row of them can sum to nothing, which takes the row's diagonal away. Rows with no finite
+/// cotangent (all triangles without area) fall back to uniform weights. Linear time.
+std::vector<double> laplacian_weights(const Topology& topology,
+                                      std::span<const Eigen::Vector3d> positions,
+                                      LaplacianWeights scheme);
+
+/// Small enough to leave ordinary meshes alone, large enough that every neighbour still holds.
+inline constexpr double kSmallestCotangentShare = 0.01;
+
+}  // namespace lapwing
