@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "lapwing/mesh/mesh.h"
+
+namespace lapwing {
+
+/// Pattern of a symmetric matrix of square blocks: the lower triangle, block column after block
+/// column. Column c holds the block rows `rows[starts[c], starts[c+1])`, ascending, the diagonal
+/// first and always present.
+struct BlockPattern {
+  std::vector<std::size_t> starts{0};
+  std::vector<Index> rows;
+
+  std::size_t size() const { return starts.size() - 1; }  ///< number of block columns
+  std::span<const Index> column(std::size_t c) const {
+    return std::span(rows).subspan(starts[c], starts[c + 1] - starts[c]);
+  }
+};
+
+/// A symmetric matrix in blocks of `block_size` x `block_size` (1 or 3) over a pattern that
+/// outlives it. `values` holds the blocks in the pattern's order, each column after column. The
+/// diagonal blocks are stored whole.
+struct BlockMatrix {
+  const BlockPattern* pattern = nullptr;
+  int block_size = 3;
+  std::vector<double> values;
+
+  std::size_t scalar_size() const {
+    return pattern->size() * static_cast<std::size_t>(block_size);
+  }
+  std::span<const double> block(std::size_t entry) const {
+    const auto b2 = static_cast<std::size_t>(block_size * block_size);
+    return std::span(values).subspan(entry * b2, b2);
+  }
+};
+
+/// y = A x for `columns` vectors, stored one after the other. Sums in a fixed order.
+void multiply(const BlockMatrix& A, std::span<const double> x, std::span<double> y,
+              std::size_t columns);
+
+/// The graph of the pattern: both triangles, without the diagonal, ascending.
+struct BlockGraph {
+  std::vector<int> starts;
+  std::vector<int> neighbours;
+};
+/// Throws SolverError when the graph has 2^31 edges or more, the limit of the ordering libraries.
+BlockGraph block_graph(const BlockPattern& pattern);
+
+}  // namespace lapwing

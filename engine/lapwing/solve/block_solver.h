@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/solve/block_matrix.h"
+
+namespace lapwing {
+
+/// The matrix has no Cholesky factor: it is singular or indefinite at `block` (a block column in
+/// the caller's numbering).
+class NotPositiveDefinite : public SolverError {
+ public:
+  NotPositiveDefinite(const std::string& what, Index at) : SolverError(what), block(at) {}
+  Index block;
+};
+
+/// Which factorization to use.
+enum class SolverKind {
+  automatic,  ///< the fastest one built in
+  cholmod,    ///< CHOLMOD's supernodal Cholesky; only with LAPWING_COPYLEFT
+  eigen,      ///< Eigen's simplicial Cholesky, always there
+};
+
+/// Sparse Cholesky factorization of a symmetric positive definite block matrix, in three steps
+/// whose results are kept: analyze once per pattern, factor once per matrix, solve as often as
+/// wanted. One object serves one thread at a time.
+class BlockSolver {
+ public:
+  virtual ~BlockSolver() = default;
+
+  /// "CHOLMOD", "Eigen": for reports.
+  virtual std::string_view name() const = 0;
+
+  /// Symbolic factorization under `order` (new to old, from `fill_reducing_order`). The pattern
+  /// must outlive the solver.
+  virtual void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) = 0;
+
+  /// Numeric factorization of a matrix with the analyzed pattern. Throws NotPositiveDefinite.
+  virtual void factor(const BlockMatrix& matrix) = 0;
+
+  /// Solves A X = B for `columns` right-hand sides stored one after the other, A.scalar_size()
+  /// numbers each. B and X may be the same memory.
+  virtual void solve(std::span<const double> B, std::span<double> X, std::size_t columns) = 0;
+};
+
+/// Makes a solver. Throws SolverError when that kind is not built in.
+std::unique_ptr<BlockSolver> make_solver(SolverKind kind = SolverKind::automatic);
+
+}  // namespace lapwing

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/SparseCore>
+
+#include "lapwing/solve/block_matrix.h"
+
+namespace lapwing {
+
+/// The scalar lower triangle of a block matrix in compressed columns, for libraries that know no
+/// blocks. Throws SolverError when it has 2^31 entries or more.
+using ScalarLower = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+/// The pattern alone, with values 0.
+ScalarLower scalar_lower_pattern(const BlockPattern& pattern, int block_size);
+
+/// Writes the values of `matrix` into `lower`, made from its pattern.
+void fill_scalar_lower(const BlockMatrix& matrix, ScalarLower& lower);
+
+/// The scalar permutation that keeps the rows of a block together.
+std::vector<int> scalar_order(std::span<const int> order, int block_size);
+
+}  // namespace lapwing
