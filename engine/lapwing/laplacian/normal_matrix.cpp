@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "lapwing/base/parallel.h"
+#include "lapwing/laplacian/rsi_system.h"
+
+namespace lapwing {
+namespace {
+
+constexpr std::size_t kColumnsPerTask = 1024;
+
+// out += A' B for 3 x 3 blocks, column after column.
+void add_transposed_product(const double* A, const double* B, double* out) {
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) {
+      out[3 * c + r] +=
+          A[3 * r] * B[3 * c] + A[3 * r + 1] * B[3 * c + 1] + A[3 * r + 2] * B[3 * c + 2];
+    }
+  }
+}
+
+}  // namespace
+
+NormalPattern::NormalPattern(const RsiRows& M, const Unknowns& unknowns) {
+  find_entries(M, unknowns);
+  blocks_.starts.assign(unknowns.size() + 1, 0);
+  find_blocks(M);
+}
+
+void NormalPattern::find_entries(const RsiRows& M, const Unknowns& unknowns) {
+  unknown_of_block_.resize(M.columns.size());
+  entry_starts_.assign(unknowns.size() + 1, 0);
+  for (std::size_t b = 0; b < M.columns.size(); ++b) {
+    const Index u = unknown_of_block_[b] = unknowns.of_vertex[M.columns[b]];
+    if (u != kNoIndex) ++entry_starts_[u + 1];
+  }
+  for (std::size_t u = 0; u < unknowns.size(); ++u) entry_starts_[u + 1] += entry_starts_[u];
+  entries_.resize(entry_starts_.back());
+  std::vector<std::size_t> next(entry_starts_.begin(), entry_starts_.end() - 1);
+  for (std::size_t row = 0; row < M.size(); ++row) {
+    for (std::size_t b = M.starts[row]; b < M.starts[row + 1]; ++b) {
+      const Index u = unknown_of_block_[b];
+      if (u != kNoIndex) entries_[next[u]++] = {static_cast<Index>(row), b};
+    }
+  }
+}
+
+// Column c of N holds every unknown r >= c that shares a row of M with c.
+void NormalPattern::find_blocks(const RsiRows& M) {
+  const std::size_t n = blocks_.size();
+  const auto collect = [&](std::size_t c, std::vector<Index>& seen, std::vector<Index>& rows) {
+    rows.assign(1, static_cast<Index>(c));
+    for (const Entry& e : entries(c)) {
+      for (std::size_t b = M.starts[e.row]; b < M.starts[e.row + 1]; ++b) {
+        const Index r = unknown_of_block_[b];
+        if (r == kNoIndex || r <= c || seen[r] == c) continue;
+        seen[r] = static_cast<Index>(c);
+        rows.push_back(r);
+      }
+    }
+  };
+  parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> seen(n, kNoIndex);
+    std::vector<Index> rows;
+    for (std::size_t c = begin; c < end; ++c) {
+      collect(c, seen, rows);
+      blocks_.starts[c + 1] = rows.size();
+    }
+  });
+  for (std::size_t c = 0; c < n; ++c) blocks_.starts[c + 1] += blocks_.starts[c];
+  blocks_.rows.resize(blocks_.starts.back());
+  parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> seen(n, kNoIndex);
+    std::vector<Index> rows;
+    for (std::size_t c = begin; c < end; ++c) {
+      collect(c, seen, rows);
+      std::sort(rows.begin(), rows.end());
+      std::copy(rows.begin(), rows.end(),
+                blocks_.rows.begin() + static_cast<std::ptrdiff_t>(blocks_.starts[c]));
+    }
+  });
+}
+
+BlockMatrix NormalPattern::normal_matrix(const RsiRows& M, std::span<const double> W) const {
+  const std::size_t n = blocks_.size();
+  BlockMatrix N{&blocks_, 3, std::vector<double>(9 * blocks_.rows.size(), 0.0)};
+  parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
+    // Where in the column at hand each row lies. Only entries of that column are read.
+    std::vector<std::size_t> place(n);
+    for (std::size_t c = begin; c < end; ++c) {
+      for (std::size_t e = blocks_.starts[c]; e < blocks_.starts[c + 1]; ++e) {
+        place[blocks_.rows[e]] = e;
+      }
+      for (const Entry& entry : entries(c)) {
+        const double* B_c = M.values.data() + 9 * entry.block;
+        for (std::size_t b = M.starts[entry.row]; b < M.starts[entry.row + 1]; ++b) {
+          const Index r = unknown_of_block_[b];
+          if (r == kNoIndex || r < c) continue;
+          add_transposed_product(M.values.data() + 9 * b, B_c, N.values.data() + 9 * place[r]);
+        }
+      }
+      double* diagonal = N.values.data() + 9 * blocks_.starts[c];
+      for (int k = 0; k < 3; ++k) diagonal[4 * k] += W[c];
+    }
+  });
+  return N;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,59 @@
+#include "lapwing/laplacian/rsi_system.h"
+
+#include "lapwing/base/parallel.h"
+
+namespace lapwing {
+namespace {
+
+constexpr std::size_t kRowsPerTask = 2048;
+
+}  // namespace
+
+RsiRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem) {
+  RsiRows M;
+  M.starts = rsi_block_starts(problem);
+  M.columns.reserve(M.starts.back());
+  for (const Index i : problem.rows) {
+    const auto ring = problem.rings[i];
+    M.columns.push_back(i);
+    M.columns.insert(M.columns.end(), ring.begin(), ring.end());
+  }
+  M.values.resize(9 * M.starts.back());
+  kernels.assemble_rsi(problem, M.values);
+  return M;
+}
+
+Unknowns::Unknowns(std::vector<Index> list, std::size_t vertex_count)
+    : vertices(std::move(list)), of_vertex(vertex_count, kNoIndex) {
+  for (std::size_t u = 0; u < vertices.size(); ++u) of_vertex[vertices[u]] = static_cast<Index>(u);
+}
+
+void multiply(const RsiRows& M, std::span<const Eigen::Vector3d> displacement,
+              std::span<double> r) {
+  parallel_for(M.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (std::size_t b = M.starts[row]; b < M.starts[row + 1]; ++b) {
+        sum += Eigen::Map<const Eigen::Matrix3d>(M.values.data() + 9 * b) *
+               displacement[M.columns[b]];
+      }
+      Eigen::Map<Eigen::Vector3d>(r.data() + 3 * row) = sum;
+    }
+  });
+}
+
+void NormalPattern::multiply_transposed(const RsiRows& M, std::span<const double> r,
+                                        std::span<double> y) const {
+  parallel_for(blocks_.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t u = begin; u < end; ++u) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const Entry& e : entries(u)) {
+        sum += Eigen::Map<const Eigen::Matrix3d>(M.values.data() + 9 * e.block).transpose() *
+               Eigen::Map<const Eigen::Vector3d>(r.data() + std::size_t{3} * e.row);
+      }
+      Eigen::Map<Eigen::Vector3d>(y.data() + 3 * u) = sum;
+    }
+  });
+}
+
+}  // namespace lapwing

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/solve/block_matrix.h"
+
+namespace lapwing {
+
+/// The sparse rows of M: row r belongs to one vertex and holds blocks for that vertex and its ring.
+struct RsiRows {
+  std::vector<std::size_t> starts{0};  ///< in blocks
+  std::vector<Index> columns;          ///< per block: a vertex of the whole mesh
+  std::vector<double> values;          ///< per block: 9 numbers, column after column
+
+  std::size_t size() const { return starts.size() - 1; }
+};
+
+/// Assembles M for `problem.rows` on the device. The cost is one kernel and one copy.
+RsiRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem);
+
+/// Which vertices are unknowns, and as which number.
+struct Unknowns {
+  std::vector<Index> vertices;   ///< unknown -> vertex, ascending
+  std::vector<Index> of_vertex;  ///< vertex -> unknown, or kNoIndex where the motion is given
+
+  Unknowns() = default;
+  Unknowns(std::vector<Index> list, std::size_t vertex_count);
+  std::size_t size() const { return vertices.size(); }
+};
+
+/// Where each unknown appears in M, and the pattern of M'M over the unknowns that follows from it.
+/// Depends on the region alone, not on positions or weights.
+class NormalPattern {
+ public:
+  NormalPattern(const RsiRows& M, const Unknowns& unknowns);
+
+  const BlockPattern& blocks() const { return blocks_; }
+
+  /// N = M'M + diag(W), W given per unknown. A gather over the rows that two unknowns share: each
+  /// block is summed by one thread in a fixed order.
+  BlockMatrix normal_matrix(const RsiRows& M, std::span<const double> W) const;
+
+  /// y = M' r over the unknowns: 3 numbers per row in, 3 per unknown out.
+  void multiply_transposed(const RsiRows& M, std::span<const double> r, std::span<double> y) const;
+
+ private:
+  struct Entry {
+    Index row;
+    std::size_t block;
+  };
+  std::span<const Entry> entries(std::size_t unknown) const {
+    return std::span(entries_).subspan(entry_starts_[unknown],
+                                       entry_starts_[unknown + 1] - entry_starts_[unknown]);
+  }
+  void find_entries(const RsiRows& M, const Unknowns& unknowns);
+  void find_blocks(const RsiRows& M);
+
+  std::vector<Index> unknown_of_block_;  ///< per block of M, or kNoIndex
+  std::vector<std::size_t> entry_starts_;
+  std::vector<Entry> entries_;
+  BlockPattern blocks_;
+};
+
+/// r = M u: `displacement` per vertex of the whole mesh in, 3 numbers per row out.
+void multiply(const RsiRows& M, std::span<const Eigen::Vector3d> displacement,
+              std::span<double> r);
+
+}  // namespace lapwing
