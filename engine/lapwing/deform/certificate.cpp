@@ -1,0 +1,112 @@
+#include "lapwing/deform/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
+#include "lapwing/laplacian/ring_fit.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Angle of a rotation; accurate at both ends of the range, where arccos alone is not.
+double rotation_angle(const Matrix3d& R) {
+  const Vector3d twice_sine(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+  return std::atan2(twice_sine.norm(), R.trace() - 1.0);
+}
+
+Vector3d area_normal(const Triangle& t, std::span<const Vector3d> p) {
+  return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+}
+
+void count_flipped(std::span<const char> in_roi, std::span<const Matrix3d> rotation_of,
+                   const Topology& topology, std::span<const Vector3d> rest,
+                   std::span<const Vector3d> current, Certificate& certificate) {
+  for (Index t = 0; t < topology.triangles.size(); ++t) {
+    const Triangle& corners = topology.triangles[t];
+    Matrix3d turn = Matrix3d::Zero();
+    bool touched = false;
+    for (const Index v : corners) {
+      touched = touched || in_roi[v] != 0;
+      turn += in_roi[v] != 0 ? rotation_of[v] : Matrix3d(Matrix3d::Identity());
+    }
+    if (!touched) continue;
+    const Vector3d expected = turn * area_normal(corners, rest);
+    if (expected.dot(area_normal(corners, current)) < 0.0) {
+      if (certificate.first_flipped_triangles.size() < kListedTriangles) {
+        certificate.first_flipped_triangles.push_back(t);
+      }
+      ++certificate.flipped_triangles;
+    }
+  }
+}
+
+}  // namespace
+
+void measure_shape(std::span<const Index> roi, const Topology& topology,
+                   std::span<const Vector3d> rest, std::span<const Vector3d> current,
+                   Certificate& certificate) {
+  for (const Index v : roi) {
+    certificate.all_finite = certificate.all_finite && current[v].allFinite();
+  }
+  if (!certificate.all_finite) return;
+
+  std::vector<double> scales(roi.size(), 1.0);
+  std::vector<char> in_roi(rest.size(), 0);
+  std::vector<Matrix3d> rotations(rest.size());
+  parallel_for(roi.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) {
+      const Index i = roi[m];
+      in_roi[i] = 1;
+      const auto ring = topology.rings[i];
+      rotations[i] = fit_rotation(i, ring, rest, current);
+      if (fit_ring(i, ring, rest).inverse_S > 0.0) {
+        scales[m] = fit_linear_similarity(i, ring, rest, current).s;
+      }
+    }
+  });
+  double largest_angle = 0.0;
+  for (std::size_t m = 0; m < roi.size(); ++m) {
+    if (m == 0 || scales[m] < certificate.smallest_scale) {
+      certificate.smallest_scale = scales[m];
+      certificate.smallest_scale_vertex = roi[m];
+    }
+    if (m == 0 || scales[m] > certificate.largest_scale) {
+      certificate.largest_scale = scales[m];
+      certificate.largest_scale_vertex = roi[m];
+    }
+    const double angle = rotation_angle(rotations[roi[m]]);
+    if (angle > largest_angle) {
+      largest_angle = angle;
+      certificate.largest_rotation_vertex = roi[m];
+    }
+  }
+  certificate.largest_rotation_degrees = largest_angle * 180.0 / std::numbers::pi;
+  count_flipped(in_roi, rotations, topology, rest, current, certificate);
+}
+
+void require_valid(const Certificate& certificate) {
+  if (!certificate.all_finite) {
+    throw SolverError(
+        "the result has positions that are not finite, so the mesh was left as it was; run "
+        "`lapwing check` on it, and see that the handle's motion is finite");
+  }
+  if (!(certificate.relative_residual <= kLargestResidual)) {
+    std::ostringstream text;
+    text << "the solution misses the equations by " << certificate.relative_residual
+         << " (at most " << kLargestResidual
+         << " is allowed), so the mesh was left as it was; the region is nearly unanchored: add "
+            "belt vertices, or raise constraint_weight";
+    throw SolverError(text.str());
+  }
+}
+
+}  // namespace lapwing

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing {
+
+/// What a result promises, measured on the result itself. Every deformation carries one.
+struct Certificate {
+  /// |N u - b| / |b| of the normal equations (2-norms); 0 when nothing moves.
+  double relative_residual = 0.0;
+  /// Largest distance between where a handle vertex is and where the motion wants it, mesh units.
+  /// Not zero with soft constraints: they share the error with the surface.
+  double handle_error = 0.0;
+  /// Smallest and largest scale s of T_i over the region (eq. 8); 1 is no change of size.
+  double smallest_scale = 1.0;
+  double largest_scale = 1.0;
+  Index smallest_scale_vertex = kNoIndex;
+  Index largest_scale_vertex = kNoIndex;
+  /// Largest angle by which a ring has turned, in degrees, 0 to 180.
+  double largest_rotation_degrees = 0.0;
+  Index largest_rotation_vertex = kNoIndex;
+  /// Triangles that face against the turned rest normal of their corners. First few by number.
+  std::size_t flipped_triangles = 0;
+  std::vector<Index> first_flipped_triangles;
+  bool all_finite = true;
+};
+
+/// A residual above this is not a solution of the system; the result is then refused.
+inline constexpr double kLargestResidual = 1e-6;
+
+/// At this many flipped triangles the list stops.
+inline constexpr std::size_t kListedTriangles = 8;
+
+/// Fills in what can be measured from the shapes alone: scales, rotations, flips, finiteness. `roi`
+/// are the vertices measured; triangles count when they touch it. Linear time.
+void measure_shape(std::span<const Index> roi, const Topology& topology,
+                   std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
+                   Certificate& certificate);
+
+/// Throws SolverError, saying what is wrong and what to try, unless the certificate holds: finite,
+/// and residual at most kLargestResidual.
+void require_valid(const Certificate& certificate);
+
+}  // namespace lapwing

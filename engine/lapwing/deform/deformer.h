@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/certificate.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/laplacian/weights.h"
+#include "lapwing/mesh/topology.h"
+#include "lapwing/region/edit_region.h"
+#include "lapwing/solve/block_solver.h"
+
+namespace lapwing {
+
+struct DeformOptions {
+  LaplacianWeights weights = LaplacianWeights::uniform;
+  /// How strongly handle and belt hold (eq. 5 has 1). Positive. Has no effect on hard constraints.
+  double constraint_weight = 1.0;
+  /// Handle and belt vertices go exactly where they should, rather than in the least squares.
+  bool hard = false;
+  SolverKind solver = SolverKind::automatic;
+};
+
+struct DeformResult {
+  Positions positions;  ///< of the whole mesh; vertices that do not move keep their bits
+  Certificate certificate;
+};
+
+/// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
+/// and 4). Construction prepares: it assembles the RSI system over the region, factors it, and
+/// solves for the response of the surface to each of a handle's 12 degrees of freedom. After that a
+/// motion is a product with those columns:
+///
+///     Deformer deformer(mesh.positions, topology, region, {}, kernels);
+///     deformer.drag(motions);                       // every frame, on the device
+///     mesh.positions = deformer.solve(motions).positions;
+///
+/// `topology` and `kernels` must outlive the deformer; positions are copied. Memory is dominated by
+/// the factor (about 8 kB a vertex) and the response (300 bytes a vertex and handle).
+class Deformer {
+ public:
+  /// Prepares. Stages reported and timed: "weights", "assemble", "normal_matrix", "order", "analyze", "factor", "response", "upload". Throws InputError for a
+  /// region that does not fit the mesh, SolverError when a component of the region is not anchored,
+  /// GpuError when the device fails, Cancelled when `progress` asks for it.
+  Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
+           const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
+  ~Deformer();
+  Deformer(Deformer&&) noexcept;
+  Deformer& operator=(Deformer&&) noexcept;
+
+  /// One frame: the surface follows the handles' motions, one per handle, each a map of space that
+  /// acts on the rest position of the handle's vertices. On the device, in its precision; allocates
+  /// nothing.
+  void drag(std::span<const Eigen::Affine3d> motions);
+
+  /// The surface that `drag` moves, for drawing.
+  DeformedSurface& surface();
+
+  /// The result in double precision, with its certificate. A motion that is the identity returns
+  /// the rest positions bit for bit. Throws SolverError when the certificate does not hold.
+  DeformResult solve(std::span<const Eigen::Affine3d> motions) const;
+
+  const EditRegion& region() const;
+  const StageTimings& timings() const;
+  std::string_view solver_name() const;
+  std::size_t unknown_count() const;  ///< vertices solved for
+  std::size_t free_count() const;     ///< of those, neither handle nor belt
+
+  /// Replaces a right-hand side of 3 unknown_count() numbers by its solution: the unit in which
+  /// benchmarks measure a drag frame.
+  void back_substitute(std::span<double> x) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lapwing

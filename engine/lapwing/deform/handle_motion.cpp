@@ -1,0 +1,44 @@
+#include "lapwing/deform/handle_motion.h"
+
+#include <algorithm>
+
+namespace lapwing {
+
+HandleFrame handle_frame(std::span<const Index> vertices,
+                         std::span<const Eigen::Vector3d> positions) {
+  HandleFrame frame;
+  if (vertices.empty()) return frame;
+  // Relative to the first vertex, so that a mesh far from the origin loses nothing.
+  const Eigen::Vector3d origin = positions[vertices.front()];
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Index v : vertices) sum += positions[v] - origin;
+  frame.centroid = origin + sum / static_cast<double>(vertices.size());
+  double radius = 0.0;
+  for (const Index v : vertices) radius = std::max(radius, (positions[v] - frame.centroid).norm());
+  if (radius > 0.0) frame.radius = radius;
+  return frame;
+}
+
+void motion_parameters(const HandleFrame& frame, const Eigen::Affine3d& motion,
+                       std::span<double> parameters) {
+  const Eigen::Matrix3d D = motion.linear() - Eigen::Matrix3d::Identity();
+  // Written as D c + t, not as motion(c) - c: exact for a pure translation wherever the mesh lies.
+  const Eigen::Vector3d at_centroid = D * frame.centroid + motion.translation();
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      parameters[static_cast<std::size_t>(4 * a + b)] = D(a, b) * frame.radius;
+    }
+    parameters[static_cast<std::size_t>(4 * a + 3)] = at_centroid(a);
+  }
+}
+
+Eigen::Vector3d unit_displacement(const HandleFrame& frame, const Eigen::Vector3d& position,
+                                  std::size_t k) {
+  const auto axis = static_cast<Eigen::Index>(k / 4);
+  const auto coordinate = static_cast<Eigen::Index>(k % 4);
+  Eigen::Vector3d u = Eigen::Vector3d::Zero();
+  u(axis) = coordinate == 3 ? 1.0 : (position - frame.centroid)(coordinate) / frame.radius;
+  return u;
+}
+
+}  // namespace lapwing

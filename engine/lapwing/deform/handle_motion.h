@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/mesh/mesh.h"
+
+namespace lapwing {
+
+/// Numbers that describe one handle's motion: a 3 x 3 linear part and a translation.
+inline constexpr std::size_t kMotionParameters = 12;
+
+/// Coordinates in which a handle's displacement is linear in 12 numbers q, all lengths:
+///     u_a(x) = sum_b q[4a + b] (x - c)_b / r + q[4a + 3],
+/// c the centroid of the handle's vertices and r their largest distance from it, so that every
+/// column moves the handle by about its parameter.
+struct HandleFrame {
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  double radius = 1.0;
+};
+HandleFrame handle_frame(std::span<const Index> vertices,
+                         std::span<const Eigen::Vector3d> positions);
+
+/// The 12 parameters of `motion`. All exactly 0 for the identity.
+void motion_parameters(const HandleFrame& frame, const Eigen::Affine3d& motion,
+                       std::span<double> parameters);
+
+/// The displacement of a point at `position` when parameter k is 1 and the others are 0.
+Eigen::Vector3d unit_displacement(const HandleFrame& frame, const Eigen::Vector3d& position,
+                                  std::size_t k);
+
+}  // namespace lapwing

@@ -1,0 +1,161 @@
+#include "lapwing/deform/rsi_solution.h"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/solve/ordering.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// Refinement stops below this: rounding in the blended columns leaves about as much.
+constexpr double kGoodResidual = 1e-10;
+constexpr int kMostRefinements = 2;
+
+double norm(std::span<const double> v) {
+  return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+}
+
+std::string component_of(Index vertex, const Topology& topology, const Unknowns& unknowns) {
+  const Components components = connected_components(topology.rings);
+  std::size_t size = 0;
+  Index first = kNoIndex;
+  for (const Index v : unknowns.vertices) {
+    if (components.of_vertex[v] != components.of_vertex[vertex]) continue;
+    ++size;
+    first = std::min(first, v);
+  }
+  return "the component of " + std::to_string(size) + " vertices that begins at vertex " +
+         std::to_string(first);
+}
+
+}  // namespace
+
+RsiSolution::RsiSolution(std::span<const Vector3d> rest, const Topology& topology,
+                         const EditRegion& region, const DeformOptions& options, Kernels& kernels,
+                         const Progress& progress, StageTimings& timings)
+    : solver_(make_solver(options.solver)) {
+  choose_unknowns(topology, region, options);
+  assemble(rest, topology, region, options, kernels, progress, timings);
+  factor(topology, progress, timings);
+}
+
+void RsiSolution::choose_unknowns(const Topology& topology, const EditRegion& region,
+                                  const DeformOptions& options) {
+  std::vector<char> anchored(topology.vertex_count(), 0);
+  for (const Index v : region.belt) anchored[v] = 1;
+  for (const auto& handle : region.handles) {
+    for (const Index v : handle) anchored[v] = 1;
+  }
+  const double w = options.constraint_weight * options.constraint_weight;
+  std::vector<Index> vertices;
+  for (const Index v : region.roi) {
+    const bool held = anchored[v] != 0;
+    if (held ? options.hard : topology.rings[v].empty()) continue;
+    vertices.push_back(v);
+    W_.push_back(held ? w : 0.0);
+  }
+  unknowns_ = Unknowns(std::move(vertices), topology.vertex_count());
+}
+
+void RsiSolution::assemble(std::span<const Vector3d> rest, const Topology& topology,
+                           const EditRegion& region, const DeformOptions& options,
+                           Kernels& kernels, const Progress& progress, StageTimings& timings) {
+  Stopwatch watch;
+  report_progress(progress, "weights", 0.0);
+  const auto weights = laplacian_weights(topology, rest, options.weights);
+  timings.add("weights", watch.elapsed_ms());
+
+  watch.restart();
+  report_progress(progress, "assemble", 0.0);
+  M_ = assemble_rsi_rows(kernels, {rest, topology.rings, weights, region.roi});
+  timings.add("assemble", watch.elapsed_ms());
+}
+
+void RsiSolution::factor(const Topology& topology, const Progress& progress,
+                         StageTimings& timings) {
+  Stopwatch watch;
+  const auto next_stage = [&](const char* done, const char* next) {
+    timings.add(done, watch.elapsed_ms());
+    report_progress(progress, next, 0.0);
+    watch.restart();
+  };
+  report_progress(progress, "normal_matrix", 0.0);
+  pattern_ = std::make_unique<NormalPattern>(M_, unknowns_);
+  const BlockMatrix N = pattern_->normal_matrix(M_, W_);
+  next_stage("normal_matrix", "order");
+  const std::vector<int> order = fill_reducing_order(pattern_->blocks());
+  next_stage("order", "analyze");
+  solver_->analyze(pattern_->blocks(), 3, order);
+  next_stage("analyze", "factor");
+  try {
+    solver_->factor(N);
+  } catch (const NotPositiveDefinite& error) {
+    const Index vertex = unknowns_.vertices[error.block];
+    throw SolverError("the system is singular at vertex " + std::to_string(vertex) + ", in " +
+                      component_of(vertex, topology, unknowns_) +
+                      ": its belt and handle do not hold it. Add belt vertices there, leave it out "
+                      "of the region, or run `lapwing check` to find degenerate triangles");
+  }
+  timings.add("factor", watch.elapsed_ms());
+}
+
+void RsiSolution::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
+  // Hard constraints: what is given moves to the right. Soft ones: wanted is 0 but on unknowns,
+  // and M'M acts on those from the left.
+  const auto held = [&](std::size_t u) { return W_[u] > 0.0; };
+  bool given_elsewhere = false;
+  std::vector<Vector3d> given(wanted.begin(), wanted.end());
+  for (const Index v : unknowns_.vertices) given[v].setZero();
+  for (const Vector3d& g : given) given_elsewhere = given_elsewhere || !g.isZero(0.0);
+  std::fill(b.begin(), b.end(), 0.0);
+  if (given_elsewhere) {
+    std::vector<double> rows(3 * M_.size());
+    multiply(M_, given, rows);
+    for (double& r : rows) r = -r;
+    pattern_->multiply_transposed(M_, rows, b);
+  }
+  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
+    if (held(u)) Eigen::Map<Vector3d>(b.data() + 3 * u) += W_[u] * wanted[unknowns_.vertices[u]];
+  }
+}
+
+void RsiSolution::solve_in_place(std::span<double> columns_of_b, std::size_t columns) const {
+  if (unknowns_.size() > 0) solver_->solve(columns_of_b, columns_of_b, columns);
+}
+
+// r = W (wanted - u) - M'M u over the unknowns, which is b - N u for either kind of constraint.
+void RsiSolution::residual(std::span<const Vector3d> wanted, std::span<const Vector3d> u,
+                           std::span<double> r) const {
+  std::vector<double> rows(3 * M_.size());
+  multiply(M_, u, rows);
+  pattern_->multiply_transposed(M_, rows, r);
+  for (std::size_t k = 0; k < unknowns_.size(); ++k) {
+    const Index v = unknowns_.vertices[k];
+    Eigen::Map<Vector3d> r_k(r.data() + 3 * k);
+    r_k = W_[k] * (wanted[v] - u[v]) - r_k;
+  }
+}
+
+double RsiSolution::refine(std::span<const Vector3d> wanted, std::vector<Vector3d>& u) const {
+  std::vector<double> r(3 * unknowns_.size());
+  right_hand_side(wanted, r);
+  const double size = norm(r);
+  if (size == 0.0) return 0.0;
+  double relative = 0.0;
+  for (int step = 0;; ++step) {
+    residual(wanted, u, r);
+    relative = norm(r) / size;
+    if (!(relative > kGoodResidual) || step == kMostRefinements) return relative;
+    solve_in_place(r, 1);
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) {
+      u[unknowns_.vertices[k]] += Eigen::Map<const Vector3d>(r.data() + 3 * k);
+    }
+  }
+}
+
+}  // namespace lapwing

@@ -1,0 +1,66 @@
+#include "lapwing/deform/certificate.h"
+
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+struct Sphere {
+  Mesh mesh = icosphere(2);
+  Topology topology = build_topology(mesh);
+  std::vector<Index> all = std::vector<Index>(mesh.vertex_count());
+  Sphere() { std::iota(all.begin(), all.end(), 0U); }
+
+  Certificate measure(const Positions& current) const {
+    Certificate certificate;
+    measure_shape(all, topology, mesh.positions, current, certificate);
+    return certificate;
+  }
+};
+
+TEST(Certificate, OfASimilarityHoldsItsScaleAndAngle) {
+  const Sphere sphere;
+  Positions moved;
+  for (const auto& p : sphere.mesh.positions) {
+    moved.emplace_back(2.0 * (Eigen::AngleAxisd(2.5, Eigen::Vector3d::UnitY()) * p));
+  }
+  const Certificate c = sphere.measure(moved);
+  EXPECT_NEAR(c.largest_rotation_degrees, 2.5 * 180.0 / std::numbers::pi, 1e-9);
+  // T_i is linear: its scale is the mean of the rotation's diagonal, weighted by the ring's shape.
+  EXPECT_LT(c.largest_scale, 2.0);
+  EXPECT_EQ(c.flipped_triangles, 0U);
+  EXPECT_TRUE(c.all_finite);
+}
+
+TEST(Certificate, NamesTheTrianglesThatFaceTheOtherWay) {
+  const Sphere sphere;
+  Positions dented = sphere.mesh.positions;
+  const Index neighbour = sphere.topology.rings[0][0];
+  dented[0] += 2.5 * (dented[neighbour] - dented[0]);
+  const Certificate c = sphere.measure(dented);
+  EXPECT_GT(c.flipped_triangles, 0U);
+  EXPECT_THAT(c.first_flipped_triangles, ::testing::Not(::testing::IsEmpty()));
+}
+
+TEST(Certificate, FailsOnWhatIsNotFiniteAndOnALargeResidual) {
+  const Sphere sphere;
+  Positions broken = sphere.mesh.positions;
+  broken[3].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(require_valid(sphere.measure(broken)), SolverError);
+  Certificate loose;
+  loose.relative_residual = 2.0 * kLargestResidual;
+  EXPECT_THROW(require_valid(loose), SolverError);
+  EXPECT_NO_THROW(require_valid(Certificate{}));
+}
+
+}  // namespace
+}  // namespace lapwing

@@ -1,0 +1,248 @@
+#include "lapwing/deform/deformer.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+
+// A bumpy tube, held at its foot and moved at its head.
+Mesh bumpy_tube() {
+  Mesh mesh = cylinder(12, 20, 0.5, 3.0);
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    mesh.positions[i].head<2>() *= 1.0 + 0.1 * std::sin(5.0 * static_cast<double>(i));
+  }
+  return mesh;
+}
+
+EditRegion foot_and_head(const Mesh& mesh) {
+  EditRegion region;
+  region.handles.resize(1);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    region.roi.push_back(v);
+    if (v < 24) region.belt.push_back(v);
+    if (v >= mesh.vertex_count() - 24) region.handles[0].push_back(v);
+  }
+  return region;
+}
+
+Affine3d bend() {
+  return Eigen::Translation3d(0.5, 0.0, -0.3) * Eigen::Translation3d(0, 0, 3) *
+         Eigen::AngleAxisd(0.6, Vector3d::UnitY()) * Eigen::Translation3d(0, 0, -3);
+}
+
+Positions deformed(const Mesh& mesh, const Affine3d& motion, const DeformOptions& options = {}) {
+  CpuKernels kernels;
+  const Topology topology = build_topology(mesh);
+  const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
+  return deformer.solve(std::array{motion}).positions;
+}
+
+double largest_distance(const Positions& a, const Positions& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
+  return largest;
+}
+
+class DeformerOptions : public ::testing::TestWithParam<DeformOptions> {};
+
+TEST_P(DeformerOptions, StillHandleGivesTheInputBackBitForBit) {
+  Mesh mesh = bumpy_tube();
+  mesh.positions[5].x() = -0.0;
+  const Positions result = deformed(mesh, Affine3d::Identity(), GetParam());
+  EXPECT_EQ(std::memcmp(result.data(), mesh.positions.data(), sizeof(Vector3d) * result.size()),
+            0);
+}
+
+TEST_P(DeformerOptions, TranslatingHandleAndBeltTogetherTranslatesTheRegion) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  EditRegion region = foot_and_head(mesh);
+  region.handles.push_back(std::move(region.belt));
+  region.belt.clear();
+  CpuKernels kernels;
+  const Deformer deformer(mesh.positions, topology, region, GetParam(), kernels);
+  const Affine3d shift(Eigen::Translation3d(1, -2, 3));
+  const auto result = deformer.solve(std::array{shift, shift});
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    EXPECT_LT((result.positions[i] - shift * mesh.positions[i]).norm(), 1e-9);
+  }
+  EXPECT_LT(result.certificate.handle_error, 1e-9);
+  EXPECT_NEAR(result.certificate.smallest_scale, 1.0, 1e-9);
+}
+
+TEST_P(DeformerOptions, ResultDoesNotDependOnPlaceUnitOrOrientation) {
+  const Mesh mesh = bumpy_tube();
+  const double diagonal = bounds_of(mesh.positions).diagonal();
+  const Positions expected = deformed(mesh, bend(), GetParam());
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    for (const double offset : {0.0, 1e4}) {
+      const Affine3d frame = Eigen::Translation3d(scale * Vector3d(offset, -offset, offset)) *
+                             Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()) *
+                             Eigen::Scaling(scale);
+      Mesh moved = mesh;
+      for (Vector3d& p : moved.positions) p = frame * p;
+      Positions result = deformed(moved, frame * bend() * frame.inverse(), GetParam());
+      for (Vector3d& p : result) p = frame.inverse() * p;
+      EXPECT_LT(largest_distance(result, expected), 1e-6 * diagonal)
+          << "scale " << scale << ", offset " << offset;
+    }
+  }
+}
+
+TEST_P(DeformerOptions, DragOnTheDeviceFollowsTheSolution) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  CpuKernels kernels;
+  Deformer deformer(mesh.positions, topology, foot_and_head(mesh), GetParam(), kernels);
+  const std::array motions{bend()};
+  deformer.drag(motions);
+  EXPECT_LT(largest_distance(deformer.surface().positions(), deformer.solve(motions).positions),
+            1e-9);
+}
+
+TEST_P(DeformerOptions, SolvesTheNormalEquations) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  CpuKernels kernels;
+  const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), GetParam(), kernels);
+  const auto result = deformer.solve(std::array{bend()});
+  EXPECT_LT(result.certificate.relative_residual, 1e-9);
+  EXPECT_TRUE(result.certificate.all_finite);
+  if (GetParam().hard) {
+    EXPECT_LT(result.certificate.handle_error, 1e-14);
+  } else {
+    EXPECT_GT(result.certificate.handle_error, 0.0);
+  }
+}
+
+DeformOptions with(LaplacianWeights weights, bool hard, SolverKind solver) {
+  DeformOptions options;
+  options.weights = weights;
+  options.hard = hard;
+  options.solver = solver;
+  return options;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DeformerOptions,
+    ::testing::Values(with(LaplacianWeights::uniform, false, SolverKind::automatic),
+                      with(LaplacianWeights::uniform, true, SolverKind::automatic),
+                      with(LaplacianWeights::cotangent, false, SolverKind::automatic),
+                      with(LaplacianWeights::uniform, false, SolverKind::eigen),
+                      with(LaplacianWeights::cotangent, true, SolverKind::eigen)),
+    [](const auto& test) {
+      const DeformOptions& o = test.param;
+      return std::string(o.weights == LaplacianWeights::uniform ? "Uniform" : "Cotangent") +
+             (o.hard ? "Hard" : "Soft") + (o.solver == SolverKind::eigen ? "Eigen" : "");
+    });
+
+TEST(Deformer, VerticesOutsideTheRegionKeepTheirBits) {
+  const Mesh mesh = icosphere(3);
+  const Topology topology = build_topology(mesh);
+  EditRegion region;
+  region.handles.resize(1);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.positions[v].z() < 0.2) continue;
+    region.roi.push_back(v);
+    if (mesh.positions[v].z() < 0.35) region.belt.push_back(v);
+    if (mesh.positions[v].z() > 0.95) region.handles[0].push_back(v);
+  }
+  CpuKernels kernels;
+  const Deformer deformer(mesh.positions, topology, region, {}, kernels);
+  const auto result = deformer.solve(std::array{Affine3d(Eigen::Translation3d(0, 0, 0.5))});
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.positions[v].z() < 0.2) {
+      EXPECT_EQ(result.positions[v], mesh.positions[v]);
+    }
+  }
+  EXPECT_GT(result.positions[region.handles[0][0]].z(), mesh.positions[region.handles[0][0]].z());
+}
+
+TEST(Deformer, LooseVertexStaysUnlessAHandleTakesIt) {
+  Mesh mesh = bumpy_tube();
+  const auto loose = static_cast<Index>(mesh.vertex_count());
+  EditRegion region = foot_and_head(mesh);
+  mesh.positions.emplace_back(7, 7, 7);
+  mesh.positions.emplace_back(8, 8, 8);
+  region.roi.push_back(loose);
+  region.roi.push_back(loose + 1);
+  region.handles[0].push_back(loose + 1);
+  CpuKernels kernels;
+  const Topology topology = build_topology(mesh);
+  const Affine3d shift(Eigen::Translation3d(0, 0, 1));
+  for (const bool hard : {false, true}) {
+    const Deformer deformer(mesh.positions, topology, region,
+                            with(LaplacianWeights::uniform, hard, SolverKind::automatic), kernels);
+    const auto result = deformer.solve(std::array{shift});
+    EXPECT_EQ(result.positions[loose], mesh.positions[loose]);
+    EXPECT_LT((result.positions[loose + 1] - Vector3d(8, 8, 9)).norm(), 1e-12);
+  }
+}
+
+TEST(Deformer, StrongerConstraintsHoldTheHandleBetter) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  CpuKernels kernels;
+  double previous = std::numeric_limits<double>::infinity();
+  for (const double weight : {0.3, 1.0, 10.0}) {
+    DeformOptions options;
+    options.constraint_weight = weight;
+    const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
+    const double error = deformer.solve(std::array{bend()}).certificate.handle_error;
+    EXPECT_LT(error, previous);
+    previous = error;
+  }
+}
+
+TEST(Deformer, ProgressCanCancelAtEveryStage) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  CpuKernels kernels;
+  std::vector<std::string> stages;
+  const auto record = [&](std::string_view stage, double) {
+    if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
+    return true;
+  };
+  const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels, record);
+  EXPECT_THAT(stages, ::testing::ElementsAre("weights", "assemble", "normal_matrix", "order",
+                                             "analyze", "factor", "response", "upload"));
+  for (const std::string& stop : stages) {
+    EXPECT_THROW(Deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels,
+                          [&](std::string_view stage, double) { return stage != stop; }),
+                 Cancelled)
+        << stop;
+  }
+}
+
+TEST(Deformer, RunsGiveTheSameBits) {
+  const Mesh mesh = bumpy_tube();
+  const Positions first = deformed(mesh, bend());
+  const Positions second = deformed(mesh, bend());
+  EXPECT_EQ(std::memcmp(first.data(), second.data(), sizeof(Vector3d) * first.size()), 0);
+}
+
+TEST(Deformer, WrongNumberOfMotionsAndWeightsAreRefused) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  CpuKernels kernels;
+  const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels);
+  EXPECT_THROW(deformer.solve({}), InputError);
+  DeformOptions options;
+  options.constraint_weight = 0.0;
+  EXPECT_THROW(Deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels),
+               InputError);
+}
+
+}  // namespace
+}  // namespace lapwing
