@@ -1,0 +1,178 @@
+#include "lapwing/region/geodesic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <string>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// A distance counts as better only by more than rounding, or two vertices could lower each other
+// by one bit for ever.
+constexpr double kSmallestGain = 1e-12;
+
+// A circular front must advance by this share of a straight one. Less means that the edge is too
+// long for the circle's bulge to be trusted: on a thin band of wide triangles it would outweigh the
+// band's height. Being positive, it also lets no vertex come before both that it depends on, so
+// that values cannot pull each other down in a ring.
+constexpr double kLeastAdvance = 0.25;
+
+// The triangle abw laid flat: a at the origin, b on the x axis at `length`, w above it.
+struct FlatTriangle {
+  double length;
+  double w_x;
+  double w_y;
+};
+
+// What a front gives at w, and whether its ray to w crosses the edge ab.
+struct Arrival {
+  double distance = kNoLimit;
+  bool crosses_edge = false;
+};
+
+// The front is a straight line.
+Arrival plane_arrival(const FlatTriangle& flat, double distance_a, double distance_b) {
+  const double n_x = (distance_b - distance_a) / flat.length;
+  if (!(std::abs(n_x) < 1.0)) return {};
+  const double n_y = std::sqrt((1.0 - n_x) * (1.0 + n_x));
+  const double crossing = flat.w_x - flat.w_y * n_x / n_y;
+  return {distance_a + n_x * flat.w_x + n_y * flat.w_y, crossing >= 0.0 && crossing <= flat.length};
+}
+
+// The front is a circle around the point below ab that lies at the two distances from a and b.
+Arrival circle_arrival(const FlatTriangle& flat, double distance_a, double distance_b) {
+  const double x =
+      0.5 * (flat.length + (distance_a - distance_b) * (distance_a + distance_b) / flat.length);
+  const double y_squared = (distance_a - x) * (distance_a + x);
+  if (!(y_squared >= 0.0)) return {};
+  const double y = -std::sqrt(y_squared);
+  const double crossing = x + (flat.w_x - x) * y / (y - flat.w_y);
+  return {std::hypot(flat.w_x - x, flat.w_y - y), crossing >= 0.0 && crossing <= flat.length};
+}
+
+// Distance at w along a straight line through the triangle abw; infinity when it has no area or no
+// line arrives through ab.
+double distance_through_triangle(const Vector3d& a, const Vector3d& b, const Vector3d& w,
+                                 double distance_a, double distance_b, bool same_source) {
+  const Vector3d edge = b - a;
+  const double length = edge.norm();
+  if (!(length > 0.0)) return kNoLimit;
+  const double w_x = (w - a).dot(edge) / length;
+  const double w_y = (w - a - edge * (w_x / length)).norm();
+  if (!(w_y > 0.0)) return kNoLimit;
+  const FlatTriangle flat{length, w_x, w_y};
+  const Arrival plane = plane_arrival(flat, distance_a, distance_b);
+  if (same_source) {
+    const Arrival circle = circle_arrival(flat, distance_a, distance_b);
+    const double nearer = std::min(distance_a, distance_b);
+    if (circle.distance - nearer >= kLeastAdvance * (plane.distance - nearer)) {
+      return circle.crosses_edge ? circle.distance : kNoLimit;
+    }
+  }
+  return plane.crosses_edge ? plane.distance : kNoLimit;
+}
+
+class Front {
+ public:
+  Front(const Topology& topology, std::span<const Vector3d> positions, double max_distance,
+        std::span<const char> allowed)
+      : topology_(topology),
+        positions_(positions),
+        max_distance_(max_distance),
+        allowed_(allowed),
+        distances_(topology.vertex_count(), kNoLimit),
+        sources_(topology.vertex_count(), kNoIndex) {}
+
+  void start_at(Index source) {
+    if (is_allowed(source)) offer(source, 0.0, source);
+  }
+
+  std::vector<double> march() {
+    while (!queue_.empty()) {
+      const auto [distance, v] = queue_.top();
+      queue_.pop();
+      if (distance > distances_[v]) continue;
+      for (const Index t : topology_.vertex_triangles[v])
+        update_triangle(topology_.triangles[t], v);
+    }
+    for (double& distance : distances_) {
+      if (distance > max_distance_) distance = kNoLimit;
+    }
+    return std::move(distances_);
+  }
+
+ private:
+  using Entry = std::pair<double, Index>;
+
+  bool is_allowed(Index v) const { return allowed_.empty() || allowed_[v] != 0; }
+
+  void update_triangle(const Triangle& triangle, Index v) {
+    const std::size_t at = triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
+    const Index u = triangle[(at + 1) % 3];
+    const Index w = triangle[(at + 2) % 3];
+    update_corner(v, u, w);
+    update_corner(v, w, u);
+  }
+
+  // Offers w the ways along the edge vw and through the triangle from the edge vu.
+  void update_corner(Index v, Index u, Index w) {
+    if (!is_allowed(w)) return;
+    double best = distances_[v] + (positions_[w] - positions_[v]).norm();
+    Index source = sources_[v];
+    if (std::isfinite(distances_[u])) {
+      const double through =
+          distance_through_triangle(positions_[v], positions_[u], positions_[w], distances_[v],
+                                    distances_[u], sources_[v] == sources_[u]);
+      if (through < best) {
+        best = through;
+        if (distances_[u] < distances_[v]) source = sources_[u];
+      }
+    }
+    // One layer of vertices beyond the limit is kept: the triangles across the limit need them.
+    if (best > max_distance_ && distances_[v] > max_distance_) return;
+    offer(w, best, source);
+  }
+
+  void offer(Index v, double distance, Index source) {
+    if (!(distance < distances_[v] * (1.0 - kSmallestGain))) return;
+    distances_[v] = distance;
+    sources_[v] = source;
+    queue_.emplace(distance, v);
+  }
+
+  const Topology& topology_;
+  std::span<const Vector3d> positions_;
+  double max_distance_;
+  std::span<const char> allowed_;
+  std::vector<double> distances_;
+  std::vector<Index> sources_;  // the source whose front reached each vertex
+  // Pairs compare by distance, then by vertex: equal distances come out in one fixed order.
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+};
+
+}  // namespace
+
+std::vector<double> geodesic_distances(const Topology& topology,
+                                       std::span<const Vector3d> positions,
+                                       std::span<const Index> sources, double max_distance,
+                                       std::span<const char> allowed) {
+  Front front(topology, positions, max_distance, allowed);
+  for (const Index source : sources) {
+    if (source >= topology.vertex_count()) {
+      throw InputError("vertex " + std::to_string(source) +
+                       " cannot be a source of distances: the mesh has " +
+                       std::to_string(topology.vertex_count()) + " vertices (numbered from 0)");
+    }
+    front.start_at(source);
+  }
+  return front.march();
+}
+
+}  // namespace lapwing
