@@ -1,0 +1,87 @@
+#include "lapwing/region/edit_region.h"
+
+#include <algorithm>
+
+#include "lapwing/base/errors.h"
+
+namespace lapwing {
+namespace {
+
+void require_members(const VertexSet& vertices, const std::string& where, const std::string& what) {
+  if (!vertices.empty()) return;
+  throw InputError(where + ": the " + what + " holds no vertex; name at least one");
+}
+
+void require_inside(const VertexSet& vertices, const VertexSet& roi, const std::string& where,
+                    const std::string& what) {
+  const VertexSet outside = subtract(vertices, roi);
+  if (outside.empty()) return;
+  throw InputError(where + ": the " + what + " leaves the roi at " + name_vertices(outside) +
+                   "; enlarge the roi, or leave them out of the " + what);
+}
+
+void require_disjoint(const VertexSet& vertices, const VertexSet& others, const std::string& where,
+                      const std::string& what) {
+  const VertexSet shared = intersect(vertices, others);
+  if (shared.empty()) return;
+  throw InputError(where + ": the handle shares " + name_vertices(shared) + " with " + what +
+                   "; leave them out of one of the two (\"minus\" does that)");
+}
+
+void require_finite(const VertexSet& roi, const Mesh& mesh, const Topology& topology,
+                    const std::string& where) {
+  const auto is_broken = [&](Index v) { return !mesh.positions[v].allFinite(); };
+  VertexSet broken;
+  for (const Index v : roi) {
+    const auto ring = topology.rings[v];
+    if (ring.empty()) continue;
+    if (is_broken(v)) broken.push_back(v);
+    std::copy_if(ring.begin(), ring.end(), std::back_inserter(broken), is_broken);
+  }
+  if (broken.empty()) return;
+  throw InputError(where + ": the roi or its rings hold " +
+                   name_vertices(make_vertex_set(std::move(broken))) +
+                   " with a position that is not finite; repair the mesh with `lapwing check "
+                   "--fix`, or keep the roi away from there");
+}
+
+VertexSet resolve_belt(const BeltSpec& spec, const VertexSet& roi,
+                       const std::vector<VertexSet>& handles, const Mesh& mesh,
+                       const Topology& topology) {
+  if (const auto* region = std::get_if<RegionSpec>(&spec)) {
+    VertexSet belt = resolve(*region, mesh, topology);
+    require_inside(belt, roi, region->where, "belt");
+    return belt;
+  }
+  VertexSet belt = resolve_border_belt(std::get<BorderBelt>(spec), roi, mesh, topology);
+  for (const VertexSet& handle : handles) belt = subtract(belt, handle);
+  return belt;
+}
+
+}  // namespace
+
+EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
+                               std::span<const RegionSpec> handles, const Mesh& mesh,
+                               const Topology& topology) {
+  EditRegion region;
+  region.roi = resolve(roi, mesh, topology);
+  require_members(region.roi, roi.where, "roi");
+  require_finite(region.roi, mesh, topology, roi.where);
+  for (const RegionSpec& spec : handles) {
+    VertexSet handle = resolve(spec, mesh, topology);
+    require_members(handle, spec.where, "handle");
+    require_inside(handle, region.roi, spec.where, "handle");
+    for (std::size_t k = 0; k < region.handles.size(); ++k) {
+      require_disjoint(handle, region.handles[k], spec.where, "handle " + std::to_string(k));
+    }
+    region.handles.push_back(std::move(handle));
+  }
+  region.belt = resolve_belt(belt, region.roi, region.handles, mesh, topology);
+  for (std::size_t k = 0; k < handles.size(); ++k) {
+    require_disjoint(region.handles[k], region.belt, handles[k].where, "the belt");
+  }
+  check_anchors(region, mesh, topology, roi.where);
+  return region;
+}
+
+}  // namespace lapwing

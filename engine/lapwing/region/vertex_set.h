@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapwing/mesh/mesh.h"
+
+namespace lapwing {
+
+/// Sets of vertices are sorted lists without repeats.
+using VertexSet = std::vector<Index>;
+
+VertexSet make_vertex_set(std::vector<Index> vertices);
+VertexSet unite(const VertexSet& a, const VertexSet& b);
+VertexSet intersect(const VertexSet& a, const VertexSet& b);
+VertexSet subtract(const VertexSet& a, const VertexSet& b);
+
+/// One entry per vertex, 1 on members, 0 elsewhere. Members must be below `vertex_count`.
+std::vector<char> vertex_mask(std::size_t vertex_count, std::span<const Index> members);
+
+/// For messages: "vertex 4", "vertices 4, 5, 9", or the first eight "and 12 more".
+std::string name_vertices(std::span<const Index> vertices);
+
+}  // namespace lapwing
