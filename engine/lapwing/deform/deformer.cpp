@@ -129,7 +129,7 @@ Deformer::Deformer(std::span<const Vector3d> rest, const Topology& topology, Edi
                      std::to_string(options.constraint_weight));
   }
   State& s = *state_;
-  check_anchors(s.region, s.rest, topology);
+  check_anchors(s.region, s.rest, topology, "region");
   for (const auto& handle : s.region.handles) s.frames.push_back(handle_frame(handle, s.rest));
   s.parameters.resize(s.column_count());
   s.solution = std::make_unique<RsiSolution>(s.rest, topology, s.region, options, kernels, progress,

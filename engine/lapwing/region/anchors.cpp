@@ -27,7 +27,7 @@ VertexSet anchors_of(const VertexSet& component, const std::vector<char>& in_roi
   return make_vertex_set(std::move(anchors));
 }
 
-bool are_collinear(const VertexSet& vertices, const Positions& positions) {
+bool are_collinear(const VertexSet& vertices, std::span<const Vector3d> positions) {
   const Vector3d& origin = positions[vertices.front()];
   Vector3d axis = Vector3d::Zero();
   for (const Index v : vertices) {
@@ -49,8 +49,8 @@ std::string describe(const VertexSet& component) {
 
 }  // namespace
 
-void check_anchors(const EditRegion& region, const Mesh& mesh, const Topology& topology,
-                   const std::string& where) {
+void check_anchors(const EditRegion& region, std::span<const Vector3d> positions,
+                   const Topology& topology, const std::string& where) {
   VertexSet held = region.belt;
   for (const VertexSet& handle : region.handles) held = unite(held, handle);
   const std::vector<char> is_held = vertex_mask(topology.vertex_count(), held);
@@ -62,7 +62,7 @@ void check_anchors(const EditRegion& region, const Mesh& mesh, const Topology& t
                        " has no anchor: no handle, belt or vertex outside the roi holds it; add a "
                        "belt there, or leave it out of the roi");
     }
-    if (are_collinear(anchors, mesh.positions)) {
+    if (are_collinear(anchors, positions)) {
       throw InputError(where + ": " + describe(component) + " can turn freely: its anchors (" +
                        name_vertices(anchors) +
                        ") lie on one line; add a belt vertex off that line, or leave the "

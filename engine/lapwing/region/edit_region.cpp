@@ -80,7 +80,7 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
   for (std::size_t k = 0; k < handles.size(); ++k) {
     require_disjoint(region.handles[k], region.belt, handles[k].where, "the belt");
   }
-  check_anchors(region, mesh, topology, roi.where);
+  check_anchors(region, mesh.positions, topology, roi.where);
   return region;
 }
 

@@ -29,7 +29,7 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
 /// vertices and its neighbours outside the ROI, and three of them must not lie on one line, or the
 /// component could turn freely. Names the component by size and smallest vertex, and `where`.
 /// Vertices with an empty ring need no anchor.
-void check_anchors(const EditRegion& region, const Mesh& mesh, const Topology& topology,
-                   const std::string& where);
+void check_anchors(const EditRegion& region, std::span<const Eigen::Vector3d> positions,
+                   const Topology& topology, const std::string& where);
 
 }  // namespace lapwing
