@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include <volk.h>
+
+namespace lapwing::gpu {
+
+class Context;
+
+/// Who touches a buffer's memory.
+enum class Memory {
+  device,    ///< the device; mapped too where that memory is as good for the host (unified memory)
+  upload,    ///< written by the host, read by the device; always mapped
+  readback,  ///< written by the device, read by the host; always mapped
+};
+
+/// Device memory for numbers, usable as storage, uniform, vertex and index buffer and in copies.
+/// Each buffer has an allocation of its own: the engine holds tens of buffers, far below any
+/// device's limit (4096), and frees them whole, so sharing blocks would save nothing.
+/// Contents are undefined at first. The context must outlive it. Movable.
+class Buffer {
+ public:
+  /// `name` appears in error messages. 0 bytes make a buffer that can be bound but holds nothing.
+  /// Throws GpuError naming the bytes and the limit when the memory cannot be had.
+  Buffer(const Context& context, std::string name, VkDeviceSize bytes,
+         Memory memory = Memory::device);
+  ~Buffer();
+  Buffer(Buffer&& other) noexcept;
+  Buffer& operator=(Buffer&& other) noexcept;
+
+  VkBuffer handle() const { return handle_; }
+  VkDeviceSize bytes() const { return bytes_; }
+  const std::string& name() const { return name_; }
+
+  /// The memory as the host sees it, coherent; empty where the host cannot (see Memory). Reading
+  /// what the device wrote, or overwriting what it reads, needs a wait first.
+  std::span<std::byte> mapped() const { return {mapped_, mapped_ == nullptr ? 0 : bytes_}; }
+  template <typename T>
+  std::span<T> mapped_as() const {
+    return {reinterpret_cast<T*>(mapped_), mapped().size() / sizeof(T)};
+  }
+
+ private:
+  void allocate(Memory memory);
+  void release() noexcept;
+
+  const Context* context_;
+  std::string name_;
+  VkDeviceSize bytes_;
+  VkBuffer handle_ = VK_NULL_HANDLE;
+  VkDeviceMemory memory_ = VK_NULL_HANDLE;
+  std::byte* mapped_ = nullptr;
+};
+
+/// A part of a buffer, as bound to a kernel; a Buffer stands for all of itself. Offsets are
+/// multiples of limits().minStorageBufferOffsetAlignment.
+struct BufferRange {
+  BufferRange(const Buffer& whole)  // NOLINT(google-explicit-constructor): that is its purpose
+      : buffer(&whole), bytes(whole.bytes()) {}
+  BufferRange(const Buffer& part_of, VkDeviceSize from, VkDeviceSize length)
+      : buffer(&part_of), offset(from), bytes(length) {}
+
+  const Buffer* buffer;
+  VkDeviceSize offset = 0;
+  VkDeviceSize bytes;
+};
+
+}  // namespace lapwing::gpu

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <volk.h>
+
+namespace lapwing::gpu {
+
+class Context;
+
+/// Commands recorded once by a Recorder and submitted any number of times. Submitting allocates
+/// nothing, so a drag frame is one `run()`. Not for use from several threads at once. The context
+/// must outlive it; the destructor waits for the list's own last submission.
+class CommandList {
+ public:
+  /// `name` appears in error messages. `timestamps` is how many `Recorder::timestamp` it can hold.
+  CommandList(Context& context, std::string name, std::uint32_t timestamps = 0);
+  ~CommandList();
+  CommandList(const CommandList&) = delete;
+  CommandList& operator=(const CommandList&) = delete;
+
+  /// Submits and returns the timeline value to wait for. Lists run one after the other, and each
+  /// sees what those submitted before it wrote. Throws GpuError if nothing was recorded. Waits
+  /// first when the list's previous submission still runs.
+  std::uint64_t submit();
+  /// Waits for this list's last submission.
+  void wait() const;
+  void run() {
+    submit();
+    wait();
+  }
+
+  /// Device time between two timestamps of the last submission, which must be done. 0 on a device
+  /// without timestamps.
+  double milliseconds_between(std::uint32_t first, std::uint32_t second) const;
+
+  Context& context() const { return context_; }
+  const std::string& name() const { return name_; }
+  VkCommandBuffer handle() const { return handle_; }
+  bool recorded() const { return recorded_; }
+
+ private:
+  friend class Recorder;
+  void release() noexcept;
+
+  Context& context_;
+  std::string name_;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+  VkCommandBuffer handle_ = VK_NULL_HANDLE;
+  VkQueryPool queries_ = VK_NULL_HANDLE;
+  std::uint32_t timestamp_capacity_;
+  std::uint64_t last_submission_ = 0;
+  bool recorded_ = false;
+};
+
+}  // namespace lapwing::gpu

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <volk.h>
+
+#include "lapwing/gpu/devices.h"
+
+namespace lapwing::gpu {
+
+class Validation;
+
+struct ContextOptions {
+  /// "auto" (discrete before integrated, virtual and software devices), an index of
+  /// `list_devices`, or a part of a device's name in any case.
+  std::string device = "auto";
+  /// Validation and synchronization validation; LAPWING_VALIDATION=1 in the environment also turns
+  /// it on. GpuError where the layers are not installed.
+  bool validation = false;
+  std::vector<const char*> instance_extensions;  ///< beside the context's own; a window's, say
+  std::vector<const char*> device_extensions;    ///< beside the context's own
+  VkPhysicalDeviceFeatures optional_features{};  ///< turned on where the device has them
+};
+
+/// An instance, one device and one queue of Vulkan 1.3, with synchronization2, dynamic rendering,
+/// timeline semaphores, push descriptors and, where the device has it, shaderFloat64. The queue has
+/// compute, and graphics where any queue of the device has both.
+///
+/// Everything made from a context refers to it and must not outlive it. `submit` may be called from
+/// several threads; contexts themselves are made and destroyed on one thread at a time.
+class Context {
+ public:
+  /// Throws GpuError saying what was tried and what to install when no device fits.
+  explicit Context(const ContextOptions& options = {});
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  const DeviceDescription& description() const { return description_; }
+  const VkPhysicalDeviceLimits& limits() const { return limits_; }
+  bool has_graphics() const { return has_graphics_; }
+
+  /// Raw handles, for what this layer does not wrap (swapchains, images, graphics pipelines).
+  /// Device functions are called through `vk()`: context.vk().vkCmdDraw(...).
+  const VolkDeviceTable& vk() const { return table_; }
+  VkInstance instance() const { return instance_; }
+  VkPhysicalDevice physical_device() const { return physical_device_; }
+  VkDevice device() const { return device_; }
+  VkQueue queue() const { return queue_; }
+  std::uint32_t queue_family() const { return queue_family_; }
+
+  /// Throws GpuError naming the call, its result and the device unless `result` is a success.
+  void check(VkResult result, const char* call) const;
+
+  /// First memory type among the bits `allowed` with all of `required` and, if there is one, all of
+  /// `preferred` too. Throws GpuError when none has `required`.
+  std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags required,
+                            VkMemoryPropertyFlags preferred = 0) const;
+  VkMemoryPropertyFlags memory_flags(std::uint32_t type) const;
+  /// Throws GpuError, naming `what`, the bytes and the limit, for an allocation of `bytes` that the
+  /// device can never make: larger than its largest buffer, its largest allocation or its memory.
+  void check_allocation_size(VkDeviceSize bytes, const std::string& what) const;
+
+  /// Submits recorded commands and returns the value that the context's one timeline reaches when
+  /// they are done. Values rise with every call. At most kMaxExtraSemaphores further waits and
+  /// signals (a swapchain's). Allocates nothing.
+  std::uint64_t submit(VkCommandBuffer commands, std::span<const VkSemaphoreSubmitInfo> waits = {},
+                       std::span<const VkSemaphoreSubmitInfo> signals = {});
+  static constexpr std::size_t kMaxExtraSemaphores = 3;
+
+  /// Blocks until the timeline reaches `value`. Throws GpuError when the device is lost.
+  void wait(std::uint64_t value) const;
+  /// The value that the timeline has reached.
+  std::uint64_t completed() const;
+  /// For another queue or a presentation to wait on.
+  VkSemaphore timeline() const { return timeline_; }
+
+  bool validation_enabled() const { return validation_ != nullptr; }
+  /// Errors and warnings of the validation layers so far; 0 without validation.
+  std::size_t validation_message_count() const;
+  std::vector<std::string> validation_messages() const;
+
+ private:
+  void create_instance(const ContextOptions& options);
+  void create_device(const ContextOptions& options);
+  void create_timeline();
+  void destroy() noexcept;
+
+  std::unique_ptr<Validation> validation_;
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkPhysicalDevice physical_device_ = VK_NULL_HANDLE;
+  DeviceDescription description_;
+  VkPhysicalDeviceLimits limits_{};
+  VkDeviceSize max_allocation_bytes_ = 0;
+  VkDeviceSize max_buffer_bytes_ = 0;
+  VkPhysicalDeviceMemoryProperties memory_{};
+  VkDevice device_ = VK_NULL_HANDLE;
+  VolkDeviceTable table_{};
+  VkQueue queue_ = VK_NULL_HANDLE;
+  std::uint32_t queue_family_ = 0;
+  bool has_graphics_ = false;
+  VkSemaphore timeline_ = VK_NULL_HANDLE;
+  std::mutex submit_mutex_;
+  std::uint64_t last_submitted_ = 0;
+};
+
+/// Validation messages of every context of this process so far, those of shutdown included.
+std::size_t total_validation_messages();
+
+}  // namespace lapwing::gpu

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <volk.h>
+
+#include "lapwing/gpu/spirv.h"
+
+namespace lapwing::gpu {
+
+class Context;
+
+/// A compute shader ready to dispatch: one descriptor set of storage buffers bound by push
+/// descriptors, and push constants. How many buffers it takes, which it only reads and which it
+/// only writes is read from the shader itself (`readonly`, `writeonly`), so that host and shader
+/// cannot disagree. The context must outlive it. Movable.
+class Kernel {
+ public:
+  /// `workgroup_size` becomes specialization constant 0 (layout(local_size_x_id = 0)).
+  /// Throws GpuError when a buffer is neither `readonly` nor `writeonly`, bindings are not
+  /// 0, 1, 2, ..., or the device cannot run the shader.
+  Kernel(const Context& context, std::string name, std::span<const std::uint32_t> spirv,
+         std::uint32_t push_constant_bytes = 0, std::uint32_t workgroup_size = 64);
+  ~Kernel();
+  Kernel(Kernel&& other) noexcept;
+  Kernel& operator=(Kernel&& other) noexcept;
+
+  const std::string& name() const { return name_; }
+  /// One entry per storage buffer, in order of binding.
+  std::span<const BindingAccess> bindings() const { return bindings_; }
+  std::uint32_t push_constant_bytes() const { return push_constant_bytes_; }
+  std::uint32_t workgroup_size() const { return workgroup_size_; }
+  VkPipeline pipeline() const { return pipeline_; }
+  VkPipelineLayout layout() const { return layout_; }
+
+ private:
+  void create_layout();
+  void create_pipeline(std::span<const std::uint32_t> spirv);
+  void release() noexcept;
+
+  const Context* context_;
+  std::string name_;
+  std::vector<BindingAccess> bindings_;
+  std::uint32_t push_constant_bytes_;
+  std::uint32_t workgroup_size_;
+  VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+}  // namespace lapwing::gpu

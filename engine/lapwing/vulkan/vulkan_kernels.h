@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lapwing/kernels/kernels.h"
+
+namespace lapwing {
+
+namespace gpu {
+class Context;
+}
+class VulkanState;
+
+/// The precision in which `assemble_rsi` and `sample_laplacians` run. Surfaces are float32 always.
+enum class Precision {
+  automatic,  ///< float64 where the device has it
+  float32,
+  float64,  ///< GpuError where the device does not have it
+};
+
+struct VulkanOptions {
+  std::string device = "auto";  ///< as in gpu::ContextOptions
+  Precision precision = Precision::automatic;
+  bool validation = false;      ///< as in gpu::ContextOptions
+};
+
+/// The kernels as Vulkan compute shaders. Not for use from several threads at once. Surfaces that
+/// `make_surface` returns are VulkanSurfaces and may outlive the object they came from.
+class VulkanKernels final : public Kernels {
+ public:
+  /// Throws GpuError saying what was tried and what to install when no device fits.
+  explicit VulkanKernels(const VulkanOptions& options = {});
+  /// On a context that something else, a window say, uses too.
+  VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision);
+  ~VulkanKernels() override;
+
+  const DeviceInfo& device() const override { return device_; }
+  void assemble_rsi(const RingProblem& problem, std::span<double> blocks) override;
+  void sample_laplacians(const RingProblem& problem,
+                         std::span<Eigen::Vector3d> laplacians) override;
+  std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) override;
+
+  const std::shared_ptr<gpu::Context>& context() const;
+
+ private:
+  std::shared_ptr<VulkanState> state_;
+  DeviceInfo device_;
+};
+
+}  // namespace lapwing

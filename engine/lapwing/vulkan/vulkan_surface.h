@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+
+#include "lapwing/gpu/buffer.h"
+#include "lapwing/gpu/command_list.h"
+#include "lapwing/kernels/kernels.h"
+
+namespace lapwing {
+
+class VulkanState;
+
+/// A deformed surface in device memory, in float32. The renderer draws from its buffers, without a
+/// copy, once `blend` has returned.
+class VulkanSurface final : public DeformedSurface {
+ public:
+  VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceInput& input);
+  ~VulkanSurface() override;
+
+  void blend(std::span<const double> parameters) override;
+  Positions positions() const override;
+  std::vector<Eigen::Vector3d> normals() const override;
+
+  gpu::Context& context() const;
+  std::size_t vertex_count() const { return vertex_count_; }
+  std::size_t triangle_count() const { return triangle_count_; }
+  /// What was subtracted from the positions: the centre of the rest shape's bounding box. Float32
+  /// positions then keep their digits wherever the mesh lies.
+  const Eigen::Vector3d& origin() const { return origin_; }
+  /// One vec4 per vertex: the position relative to `origin()`, and 1.
+  const gpu::Buffer& position_buffer() const;
+  /// One vec4 per vertex: the unit normal, or zero, and 0.
+  const gpu::Buffer& normal_buffer() const;
+  /// Three uint per triangle.
+  const gpu::Buffer& triangle_buffer() const;
+
+ private:
+  struct Buffers;
+
+  std::shared_ptr<VulkanState> state_;
+  std::size_t vertex_count_;
+  std::size_t triangle_count_;
+  std::size_t columns_;
+  Eigen::Vector3d origin_;
+  std::unique_ptr<Buffers> buffers_;
+  std::unique_ptr<gpu::CommandList> frame_;
+};
+
+}  // namespace lapwing
