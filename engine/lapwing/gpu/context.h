@@ -68,11 +68,11 @@ class Context {
   void check_allocation_size(VkDeviceSize bytes, const std::string& what) const;
 
   /// Submits recorded commands and returns the value that the context's one timeline reaches when
-  /// they are done. Values rise with every call. At most kMaxExtraSemaphores further waits and
-  /// signals (a swapchain's). Allocates nothing.
+  /// they are done. Values rise with every call. A swapchain's semaphores may be added: any number
+  /// of waits, up to kMaxExtraSignals signals. Allocates nothing.
   std::uint64_t submit(VkCommandBuffer commands, std::span<const VkSemaphoreSubmitInfo> waits = {},
                        std::span<const VkSemaphoreSubmitInfo> signals = {});
-  static constexpr std::size_t kMaxExtraSemaphores = 3;
+  static constexpr std::size_t kMaxExtraSignals = 3;
 
   /// Blocks until the timeline reaches `value`. Throws GpuError when the device is lost.
   void wait(std::uint64_t value) const;

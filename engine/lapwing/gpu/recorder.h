@@ -71,8 +71,8 @@ class Recorder {
   /// What earlier commands of this list did to one buffer.
   struct History {
     VkBuffer buffer;
-    Scope write;    ///< the last write
-    Scope visible;  ///< reads that already wait for it
+    Scope write;                        ///< the last write
+    Scope visible;                      ///< reads that already wait for it
     VkPipelineStageFlags2 read_stages;  ///< reads since
   };
 

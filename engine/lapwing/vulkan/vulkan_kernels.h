@@ -22,7 +22,7 @@ enum class Precision {
 struct VulkanOptions {
   std::string device = "auto";  ///< as in gpu::ContextOptions
   Precision precision = Precision::automatic;
-  bool validation = false;      ///< as in gpu::ContextOptions
+  bool validation = false;  ///< as in gpu::ContextOptions
 };
 
 /// The kernels as Vulkan compute shaders. Not for use from several threads at once. Surfaces that

@@ -37,10 +37,12 @@ class VulkanSurface final : public DeformedSurface {
  private:
   struct Buffers;
 
+  void upload_rest(const SurfaceInput& input);
+  void record_frame();
+
   std::shared_ptr<VulkanState> state_;
   std::size_t vertex_count_;
   std::size_t triangle_count_;
-  std::size_t columns_;
   Eigen::Vector3d origin_;
   std::unique_ptr<Buffers> buffers_;
   std::unique_ptr<gpu::CommandList> frame_;

@@ -1,0 +1,87 @@
+#include "lapwing/gpu/command_list.h"
+
+#include <exception>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/gpu/context.h"
+#include "lapwing/gpu/structure.h"
+
+namespace lapwing::gpu {
+
+CommandList::CommandList(Context& context, std::string name, std::uint32_t timestamps)
+    : context_(context),
+      name_(std::move(name)),
+      timestamp_capacity_(context.limits().timestampComputeAndGraphics != VK_FALSE ? timestamps
+                                                                                   : 0) {
+  try {
+    const auto& vk = context.vk();
+    auto pool = structure<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
+    pool.queueFamilyIndex = context.queue_family();
+    context.check(vk.vkCreateCommandPool(context.device(), &pool, nullptr, &pool_),
+                  "vkCreateCommandPool");
+    auto buffer =
+        structure<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
+    buffer.commandPool = pool_;
+    buffer.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    buffer.commandBufferCount = 1;
+    context.check(vk.vkAllocateCommandBuffers(context.device(), &buffer, &handle_),
+                  "vkAllocateCommandBuffers");
+    if (timestamp_capacity_ == 0) return;
+    auto queries = structure<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
+    queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    queries.queryCount = timestamp_capacity_;
+    context.check(vk.vkCreateQueryPool(context.device(), &queries, nullptr, &queries_),
+                  "vkCreateQueryPool");
+  } catch (...) {
+    release();
+    throw;
+  }
+}
+
+CommandList::~CommandList() {
+  try {
+    wait();
+  } catch (const std::exception&) {
+    // A lost device has nothing left to wait for.
+  }
+  release();
+}
+
+void CommandList::release() noexcept {
+  const auto& vk = context_.vk();
+  const VkDevice device = context_.device();
+  if (queries_ != VK_NULL_HANDLE) vk.vkDestroyQueryPool(device, queries_, nullptr);
+  if (pool_ != VK_NULL_HANDLE) vk.vkDestroyCommandPool(device, pool_, nullptr);
+}
+
+std::uint64_t CommandList::submit() {
+  if (!recorded_) {
+    throw GpuError("command list \"" + name_ + "\" was submitted before it was recorded");
+  }
+  wait();
+  last_submission_ = context_.submit(handle_);
+  return last_submission_;
+}
+
+void CommandList::wait() const {
+  context_.wait(last_submission_);
+}
+
+double CommandList::milliseconds_between(std::uint32_t first, std::uint32_t second) const {
+  if (queries_ == VK_NULL_HANDLE) return 0.0;
+  const auto read = [&](std::uint32_t query) {
+    std::uint64_t ticks = 0;
+    context_.check(context_.vk().vkGetQueryPoolResults(
+                       context_.device(), queries_, query, 1, sizeof ticks, &ticks, sizeof ticks,
+                       VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+                   "vkGetQueryPoolResults");
+    return ticks;
+  };
+  constexpr double kMillisecondsPerNanosecond = 1e-6;
+  const double nanoseconds =
+      static_cast<double>(read(second) - read(first)) * context_.limits().timestampPeriod;
+  return nanoseconds * kMillisecondsPerNanosecond;
+}
+
+}  // namespace lapwing::gpu

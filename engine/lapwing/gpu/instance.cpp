@@ -1,0 +1,80 @@
+#include "lapwing/gpu/instance.h"
+
+#include <cstdlib>
+#include <dlfcn.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/gpu/results.h"
+#include "lapwing/gpu/structure.h"
+#include "lapwing/gpu/validation.h"
+
+namespace lapwing::gpu {
+namespace {
+
+constexpr const char* kInstall =
+    "install a graphics driver with Vulkan 1.3 (mesa-vulkan-drivers has one that needs no GPU), or "
+    "run with --device cpu";
+
+std::string loader_file() {
+  const char* file = std::getenv("LAPWING_VULKAN_LOADER");
+  return file != nullptr && *file != '\0' ? file : "libvulkan.so.1";
+}
+
+[[noreturn]] void throw_no_loader(const std::string& file, const std::string& reason) {
+  throw GpuError("no Vulkan loader: cannot use " + file + " (" + reason +
+                 "); install libvulkan1 and mesa-vulkan-drivers, or run with --device cpu");
+}
+
+std::string last_dl_error() {
+  const char* text = dlerror();
+  return text != nullptr ? text : "unknown error";
+}
+
+}  // namespace
+
+void open_loader() {
+  const std::string file = loader_file();
+  // Never closed: drivers keep threads and thread-local data that outlive an instance.
+  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) throw_no_loader(file, last_dl_error());
+  const auto entry =
+      reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(library, "vkGetInstanceProcAddr"));
+  if (entry == nullptr) throw_no_loader(file, last_dl_error());
+  volkInitializeCustom(entry);
+  const std::uint32_t version = volkGetInstanceVersion();
+  if (version < VK_API_VERSION_1_3) {
+    throw_no_loader(file, "it is of Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
+                              std::to_string(VK_API_VERSION_MINOR(version)) + ", not 1.3");
+  }
+}
+
+VkInstance create_instance(std::span<const char* const> extensions, const Validation* validation) {
+  auto application = structure<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
+  application.pApplicationName = "lapwing";
+  application.apiVersion = VK_API_VERSION_1_3;
+
+  std::vector<const char*> enabled(extensions.begin(), extensions.end());
+  const char* layer = Validation::layer();
+  auto info = structure<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
+  info.pApplicationInfo = &application;
+  if (validation != nullptr) {
+    const auto more = Validation::instance_extensions();
+    enabled.insert(enabled.end(), more.begin(), more.end());
+    info.pNext = validation->instance_chain();
+    info.enabledLayerCount = 1;
+    info.ppEnabledLayerNames = &layer;
+  }
+  info.enabledExtensionCount = static_cast<std::uint32_t>(enabled.size());
+  info.ppEnabledExtensionNames = enabled.data();
+
+  VkInstance instance = VK_NULL_HANDLE;
+  const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
+    throw GpuError("the Vulkan loader " + loader_file() + " finds no driver; " + kInstall);
+  }
+  check_result(result, "vkCreateInstance", "the Vulkan loader");
+  volkLoadInstanceOnly(instance);
+  return instance;
+}
+
+}  // namespace lapwing::gpu

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lapwing/gpu/recorder.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/vulkan/vulkan_state.h"
+
+namespace lapwing {
+
+/// Kernel blend_response over one basis, kept on the device in float32. Vertices are split into
+/// ranges, each with a buffer of its own, where the basis is larger than a storage buffer may be.
+class BlendResponse {
+ public:
+  /// Positions are relative to `origin`. Throws GpuError when the basis does not fit.
+  BlendResponse(VulkanState& state, const SurfaceInput& input, const Eigen::Vector3d& origin);
+
+  /// Records the blend into `positions`, one vec4 per vertex of the mesh.
+  void record(gpu::Recorder& recorder, const gpu::Buffer& positions) const;
+  /// What the recorded commands use when they next run: one number per column. The device must be
+  /// done with them. Throws InputError when the number is wrong.
+  void set_parameters(std::span<const double> parameters);
+
+ private:
+  struct Range {
+    std::size_t count;
+    gpu::Buffer rests;
+    gpu::Buffer basis;
+  };
+  void add_range(const SurfaceInput& input, const Eigen::Vector3d& origin, std::size_t first,
+                 std::size_t count);
+
+  VulkanState& state_;
+  std::size_t columns_;
+  gpu::Buffer terms_;
+  std::vector<Range> ranges_;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "lapwing/gpu/buffer.h"
+#include "lapwing/gpu/command_list.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/vulkan/vulkan_state.h"
+
+namespace lapwing {
+
+/// Consecutive rows of a RingProblem.
+struct RingBatch {
+  std::size_t first_row = 0;
+  std::size_t row_count = 0;
+  std::size_t entry_count = 0;  ///< ring entries of these rows
+
+  /// Blocks of these rows of M: one for each row and each ring entry.
+  std::size_t block_count() const { return row_count + entry_count; }
+};
+
+/// A RingProblem on the device, a batch of rows at a time (layout: shaders/ring.glsl), so that the
+/// memory for one call and the range of its output stay small however many rows there are.
+class RingBatches {
+ public:
+  RingBatches(VulkanState& state, const RingProblem& problem);
+
+  const std::vector<RingBatch>& batches() const { return batches_; }
+  /// The largest of each number over all batches.
+  const RingBatch& largest() const { return largest_; }
+
+  /// Uploads `batch`, runs `kernel` on it with `output` as the last buffer, and waits.
+  void run(const RingBatch& batch, const gpu::Kernel& kernel, const gpu::Buffer& output);
+
+ private:
+  void upload_positions();
+  void upload_rows(const RingBatch& batch);
+
+  VulkanState& state_;
+  const RingProblem& problem_;
+  std::vector<RingBatch> batches_;
+  RingBatch largest_;
+  gpu::Buffer positions_;
+  gpu::Buffer rows_;
+  gpu::Buffer starts_;
+  gpu::Buffer neighbours_;
+  gpu::Buffer weights_;
+  gpu::CommandList commands_;
+};
+
+/// Bytes of `count` numbers in the state's precision.
+std::size_t real_bytes(const VulkanState& state, std::size_t count);
+
+/// Reads `numbers.size()` numbers in the state's precision from the start of `buffer`.
+void download_reals(VulkanState& state, const gpu::Buffer& buffer, std::span<double> numbers);
+
+}  // namespace lapwing

@@ -1,0 +1,92 @@
+#include "lapwing/vulkan/vertex_normals.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace lapwing {
+namespace {
+
+// A triangle around vertex i as the edge opposite to i, from corner to corner in its orientation.
+using Edge = std::pair<Index, Index>;
+
+Edge opposite_edge(const Triangle& t, Index i) {
+  const std::size_t corner = t[0] == i ? 0 : t[1] == i ? 1 : 2;
+  return {t[(corner + 1) % 3], t[(corner + 2) % 3]};
+}
+
+// Position of an edge, not before `from`, that begins at `corner`; edges.size() if there is none.
+std::size_t find_edge_from(std::span<const Edge> edges, std::size_t from, Index corner) {
+  for (std::size_t e = from; e < edges.size(); ++e) {
+    if (edges[e].first == corner) return e;
+  }
+  return edges.size();
+}
+
+// Position of an edge at which no other one ends: where an open fan begins.
+std::size_t find_open_start(std::span<const Edge> edges, std::size_t from) {
+  for (std::size_t e = from; e < edges.size(); ++e) {
+    bool continued = false;
+    for (std::size_t other = from; other < edges.size(); ++other) {
+      continued = continued || edges[other].second == edges[e].first;
+    }
+    if (!continued) return e;
+  }
+  return from;
+}
+
+// Sorts `edges` into chains by swapping and appends their corners.
+void append_fans(std::span<Edge> edges, std::vector<Index>& corners) {
+  for (std::size_t done = 0; done < edges.size();) {
+    std::swap(edges[done], edges[find_open_start(edges, done)]);
+    corners.push_back(edges[done].first | kFanBegins);
+    for (;;) {
+      const Index last = edges[done++].second;
+      corners.push_back(last);
+      const std::size_t next = find_edge_from(edges, done, last);
+      if (next == edges.size()) break;
+      std::swap(edges[done], edges[next]);
+    }
+  }
+}
+
+}  // namespace
+
+Adjacency build_fans(std::span<const Triangle> triangles, const Adjacency& vertex_triangles) {
+  Adjacency fans;
+  fans.starts.reserve(vertex_triangles.starts.size());
+  fans.values.reserve(vertex_triangles.values.size() + vertex_triangles.row_count());
+  std::vector<Edge> edges;
+  for (Index i = 0; i < vertex_triangles.row_count(); ++i) {
+    edges.clear();
+    for (const Index t : vertex_triangles[i]) edges.push_back(opposite_edge(triangles[t], i));
+    append_fans(edges, fans.values);
+    fans.starts.push_back(static_cast<Index>(fans.values.size()));
+  }
+  return fans;
+}
+
+VertexNormals::VertexNormals(VulkanState& state, const Topology& topology)
+    : VertexNormals(state, build_fans(topology.triangles, topology.vertex_triangles)) {}
+
+VertexNormals::VertexNormals(VulkanState& state, const Adjacency& fans)
+    : state_(state),
+      fan_starts_(*state.context, "fan starts", fans.starts.size() * sizeof(Index)),
+      fan_corners_(*state.context, "fan corners", fans.values.size() * sizeof(Index)) {
+  state.transfer.upload(fan_starts_, std::span<const Index>(fans.starts));
+  state.transfer.upload(fan_corners_, std::span<const Index>(fans.values));
+}
+
+gpu::Buffer VertexNormals::upload_list(std::span<const Index> which) const {
+  gpu::Buffer list(*state_.context, "vertices with new normals", which.size_bytes());
+  state_.transfer.upload(list, which);
+  return list;
+}
+
+void VertexNormals::record(gpu::Recorder& recorder, const gpu::Buffer& which,
+                           const gpu::Buffer& positions, const gpu::Buffer& normals) const {
+  const auto count = static_cast<std::uint32_t>(which.bytes() / sizeof(Index));
+  recorder.dispatch(state_.vertex_normals, count,
+                    {which, fan_starts_, fan_corners_, positions, normals}, count);
+}
+
+}  // namespace lapwing

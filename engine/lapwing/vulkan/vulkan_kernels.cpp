@@ -1,0 +1,77 @@
+#include "lapwing/vulkan/vulkan_kernels.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/shaders/assemble_rsi_float32.h"
+#include "lapwing/shaders/assemble_rsi_float64.h"
+#include "lapwing/shaders/blend_response.h"
+#include "lapwing/shaders/sample_laplacians_float32.h"
+#include "lapwing/shaders/sample_laplacians_float64.h"
+#include "lapwing/shaders/vertex_normals.h"
+#include "lapwing/vulkan/vulkan_state.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+
+namespace lapwing {
+namespace {
+
+// The push constant of every kernel: how many rows or vertices it has.
+constexpr std::uint32_t kCountBytes = sizeof(std::uint32_t);
+
+std::shared_ptr<gpu::Context> make_context(const VulkanOptions& options) {
+  gpu::ContextOptions context_options;
+  context_options.device = options.device;
+  context_options.validation = options.validation;
+  return std::make_shared<gpu::Context>(context_options);
+}
+
+bool choose_float64(const gpu::Context& context, Precision precision) {
+  const bool available = context.description().float64;
+  if (precision == Precision::float64 && !available) {
+    throw GpuError(context.description().name +
+                   " has no float64 (shaderFloat64); choose the precision float32 or another "
+                   "device");
+  }
+  return available && precision != Precision::float32;
+}
+
+DeviceInfo describe(const VulkanState& state) {
+  const gpu::DeviceDescription& device = state.context->description();
+  return {device.name, device.type, device.driver, state.float64};
+}
+
+}  // namespace
+
+VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64)
+    : context(std::move(shared_context)),
+      float64(in_float64),
+      transfer(*context),
+      assemble_rsi(*context, "assemble_rsi",
+                   float64 ? shaders::assemble_rsi_float64() : shaders::assemble_rsi_float32(),
+                   kCountBytes),
+      sample_laplacians(
+          *context, "sample_laplacians",
+          float64 ? shaders::sample_laplacians_float64() : shaders::sample_laplacians_float32(),
+          kCountBytes),
+      blend_response(*context, "blend_response", shaders::blend_response(), kCountBytes),
+      vertex_normals(*context, "vertex_normals", shaders::vertex_normals(), kCountBytes) {}
+
+VulkanKernels::VulkanKernels(const VulkanOptions& options)
+    : VulkanKernels(make_context(options), options.precision) {}
+
+VulkanKernels::VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision)
+    : state_(std::make_shared<VulkanState>(context, choose_float64(*context, precision))),
+      device_(describe(*state_)) {}
+
+VulkanKernels::~VulkanKernels() = default;
+
+std::unique_ptr<DeformedSurface> VulkanKernels::make_surface(const SurfaceInput& input) {
+  return std::make_unique<VulkanSurface>(state_, input);
+}
+
+const std::shared_ptr<gpu::Context>& VulkanKernels::context() const {
+  return state_->context;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+#include "lapwing/gpu/context.h"
+#include "lapwing/gpu/kernel.h"
+#include "lapwing/gpu/transfer.h"
+
+namespace lapwing {
+
+/// What VulkanKernels and the surfaces made by it share.
+class VulkanState {
+ public:
+  VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64);
+
+  std::shared_ptr<gpu::Context> context;
+  bool float64;  ///< assemble_rsi and sample_laplacians run in float64
+  gpu::Transfer transfer;
+  gpu::Kernel assemble_rsi;
+  gpu::Kernel sample_laplacians;
+  gpu::Kernel blend_response;
+  gpu::Kernel vertex_normals;
+};
+
+}  // namespace lapwing

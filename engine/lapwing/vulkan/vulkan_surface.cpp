@@ -1,0 +1,127 @@
+#include "lapwing/vulkan/vulkan_surface.h"
+
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "lapwing/gpu/recorder.h"
+#include "lapwing/vulkan/blend_response.h"
+#include "lapwing/vulkan/vertex_normals.h"
+#include "lapwing/vulkan/vulkan_state.h"
+
+namespace lapwing {
+namespace {
+
+using Vec4 = std::array<float, 4>;
+
+// Every vertex whose normal can change when the `moving` ones do, ascending.
+std::vector<Index> with_neighbours(std::span<const Index> moving, const Adjacency& rings) {
+  std::vector<char> touched(rings.row_count(), 0);
+  for (const Index v : moving) {
+    touched[v] = 1;
+    for (const Index w : rings[v]) touched[w] = 1;
+  }
+  std::vector<Index> list;
+  for (Index v = 0; v < touched.size(); ++v) {
+    if (touched[v] != 0) list.push_back(v);
+  }
+  return list;
+}
+
+std::vector<Eigen::Vector3d> download_vectors(VulkanState& state, const gpu::Buffer& buffer,
+                                              const Eigen::Vector3d& offset) {
+  std::vector<Vec4> values(buffer.bytes() / sizeof(Vec4));
+  state.transfer.download(buffer, std::span<Vec4>(values));
+  std::vector<Eigen::Vector3d> vectors;
+  vectors.reserve(values.size());
+  for (const Vec4& v : values) vectors.emplace_back(Eigen::Vector3d(v[0], v[1], v[2]) + offset);
+  return vectors;
+}
+
+}  // namespace
+
+struct VulkanSurface::Buffers {
+  Buffers(VulkanState& state, const SurfaceInput& input, const Eigen::Vector3d& origin)
+      : positions(*state.context, "positions", input.rest.size() * sizeof(Vec4)),
+        normals(*state.context, "normals", input.rest.size() * sizeof(Vec4)),
+        triangles(*state.context, "triangles", input.topology.triangles.size() * sizeof(Triangle)),
+        blend_response(state, input, origin),
+        vertex_normals(state, input.topology),
+        affected(vertex_normals.upload_list(with_neighbours(input.moving, input.topology.rings))) {}
+
+  gpu::Buffer positions;
+  gpu::Buffer normals;
+  gpu::Buffer triangles;
+  BlendResponse blend_response;
+  VertexNormals vertex_normals;
+  gpu::Buffer affected;  // the vertices whose normals a drag frame renews
+};
+
+VulkanSurface::VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceInput& input)
+    : state_(std::move(state)),
+      vertex_count_(input.rest.size()),
+      triangle_count_(input.topology.triangles.size()),
+      origin_(bounds_of(input.rest).center()),
+      buffers_(std::make_unique<Buffers>(*state_, input, origin_)),
+      frame_(std::make_unique<gpu::CommandList>(*state_->context, "drag frame")) {
+  upload_rest(input);
+  record_frame();
+}
+
+VulkanSurface::~VulkanSurface() = default;
+
+void VulkanSurface::upload_rest(const SurfaceInput& input) {
+  std::vector<Vec4> positions;
+  positions.reserve(vertex_count_);
+  for (const Eigen::Vector3d& rest : input.rest) {
+    const Eigen::Vector3f place = (rest - origin_).cast<float>();
+    positions.push_back({place.x(), place.y(), place.z(), 1.0F});
+  }
+  state_->transfer.upload(buffers_->positions, std::span<const Vec4>(positions));
+  state_->transfer.upload(buffers_->triangles, std::span<const Triangle>(input.topology.triangles));
+
+  std::vector<Index> all(vertex_count_);
+  std::iota(all.begin(), all.end(), 0U);
+  const gpu::Buffer everything = buffers_->vertex_normals.upload_list(all);
+  gpu::CommandList rest_normals(*state_->context, "rest normals");
+  gpu::Recorder recorder(rest_normals);
+  buffers_->vertex_normals.record(recorder, everything, buffers_->positions, buffers_->normals);
+  recorder.finish();
+  rest_normals.run();
+}
+
+void VulkanSurface::record_frame() {
+  gpu::Recorder recorder(*frame_);
+  buffers_->blend_response.record(recorder, buffers_->positions);
+  buffers_->vertex_normals.record(recorder, buffers_->affected, buffers_->positions,
+                                  buffers_->normals);
+  recorder.finish();
+}
+
+void VulkanSurface::blend(std::span<const double> parameters) {
+  buffers_->blend_response.set_parameters(parameters);
+  frame_->run();
+}
+
+Positions VulkanSurface::positions() const {
+  return download_vectors(*state_, buffers_->positions, origin_);
+}
+
+std::vector<Eigen::Vector3d> VulkanSurface::normals() const {
+  return download_vectors(*state_, buffers_->normals, Eigen::Vector3d::Zero());
+}
+
+gpu::Context& VulkanSurface::context() const {
+  return *state_->context;
+}
+const gpu::Buffer& VulkanSurface::position_buffer() const {
+  return buffers_->positions;
+}
+const gpu::Buffer& VulkanSurface::normal_buffer() const {
+  return buffers_->normals;
+}
+const gpu::Buffer& VulkanSurface::triangle_buffer() const {
+  return buffers_->triangles;
+}
+
+}  // namespace lapwing

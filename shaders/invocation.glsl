@@ -1,0 +1,8 @@
+// Work groups of the size that the host chooses, in rows where one row of them would be too long.
+
+layout(local_size_x_id = 0) in;
+
+uint invocation() {
+  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  return group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+}

@@ -1,0 +1,37 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// Unit area-weighted normals (twin: kernels/vertex_normals.cpp) of the vertices `which`; zero where
+// no triangle around has area. One invocation per vertex.
+
+#include "invocation.glsl"
+
+layout(std430, binding = 0) readonly buffer Which { uint which[]; };
+// The triangles around vertex i as fans (vulkan/vertex_normals.h): entries
+// [fan_starts[i], fan_starts[i + 1]) of fan_corners.
+layout(std430, binding = 1) readonly buffer FanStarts { uint fan_starts[]; };
+layout(std430, binding = 2) readonly buffer FanCorners { uint fan_corners[]; };
+layout(std430, binding = 3) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = 4) writeonly buffer Normals { vec4 normals[]; };
+
+layout(push_constant) uniform Push { uint vertex_count; };
+
+const uint kFanBegins = 0x80000000u;
+
+void main() {
+  const uint m = invocation();
+  if (m >= vertex_count) return;
+  const uint i = which[m];
+  const vec3 here = positions[i].xyz;
+  const uint end = fan_starts[i + 1];
+  vec3 sum = vec3(0);
+  vec3 previous = vec3(0);
+  for (uint e = fan_starts[i]; e < end; ++e) {
+    const uint corner = fan_corners[e];
+    const vec3 next = positions[corner & ~kFanBegins].xyz - here;
+    if ((corner & kFanBegins) == 0) sum += cross(previous, next);
+    previous = next;
+  }
+  const float size = length(sum);
+  normals[i] = vec4(size > 0 ? sum / size : vec3(0), 0);
+}
