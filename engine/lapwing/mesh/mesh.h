@@ -39,11 +39,14 @@ struct MeshAttributes {
   std::vector<std::string> material_libraries;
   std::vector<std::string> materials;      ///< names
   std::vector<Index> face_materials;       ///< per face: into `materials`, or kNoIndex
-  std::vector<std::string> groups;         ///< names
+  std::vector<std::string> groups;         ///< names (OBJ groups, STL solids)
   std::vector<Index> face_groups;          ///< per face: into `groups`, or kNoIndex
   std::vector<std::string> comments;
   std::vector<ExtraAttribute> vertex_extras;
   std::vector<ExtraAttribute> face_extras;
+  /// What the file holds beside all this, counted by name: "line elements (6)". Only a write of the
+  /// same format, to an unchanged topology, keeps it.
+  std::vector<std::string> uneditable;
 };
 
 /// What a reader keeps of the file so that the writer of the same format can put back all that an

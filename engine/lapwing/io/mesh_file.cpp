@@ -1,0 +1,112 @@
+#include "lapwing/io/mesh_file.h"
+
+#include <memory>
+#include <system_error>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/atomic_file.h"
+#include "lapwing/io/formats.h"
+#include "lapwing/io/source_patch.h"
+#include "lapwing/io/stored_normals.h"
+#include "lapwing/io/writing.h"
+
+namespace lapwing {
+namespace {
+
+Mesh read_format(SourceFile& file) {
+  switch (file.format()) {
+    case MeshFormat::kObj:
+      return read_obj(file);
+    case MeshFormat::kOff:
+      return read_off(file);
+    case MeshFormat::kPly:
+      return read_ply(file);
+    case MeshFormat::kStl:
+      return read_stl(file);
+  }
+  return {};
+}
+
+// The file that the mesh was read from, if it still has the mesh's vertices and faces.
+const SourceFile* find_source(const Mesh& mesh) {
+  const SourceFile* const source = mesh.source.get();
+  return source != nullptr && source->describes(mesh) ? source : nullptr;
+}
+
+// OBJ and OFF are text, whatever is asked for.
+Encoding choose_encoding(MeshFormat format, const SourceFile* source, const WriteOptions& options) {
+  if (format == MeshFormat::kObj || format == MeshFormat::kOff) {
+    if (options.encoding.value_or(Encoding::kAscii) == Encoding::kAscii) return Encoding::kAscii;
+    throw InputError(std::string(name_of(format)) + " has no binary form here; write ascii");
+  }
+  if (options.encoding) return *options.encoding;
+  return source != nullptr && source->format() == format ? source->encoding
+                                                         : Encoding::kLittleEndian;
+}
+
+std::string write_anew(const Mesh& mesh, MeshFormat format, Encoding encoding,
+                       WriteReport& report) {
+  switch (format) {
+    case MeshFormat::kObj:
+      return write_obj(mesh, report);
+    case MeshFormat::kOff:
+      return write_off(mesh, report);
+    case MeshFormat::kPly:
+      return write_ply(mesh, encoding, report);
+    case MeshFormat::kStl:
+      return write_stl(mesh, encoding, report);
+  }
+  return {};
+}
+
+// A mesh whose stored normals fit its positions: those of a mesh whose file is unknown may not.
+std::string write_with_new_normals(const Mesh& mesh, const SourceFile* source, MeshFormat format,
+                                   Encoding encoding, WriteReport& report) {
+  if (mesh.attributes.normals.empty()) return write_anew(mesh, format, encoding, report);
+  const Positions rest = source == nullptr ? Positions() : source_positions(*source, mesh);
+  StoredNormals updated = updated_normals(mesh, rest);
+  Mesh refreshed = mesh;
+  refreshed.attributes.normals = std::move(updated.normals);
+  refreshed.attributes.corner_normals = std::move(updated.corner_normals);
+  return write_anew(refreshed, format, encoding, report);
+}
+
+void note_missing_libraries(const Mesh& mesh, const std::filesystem::path& path,
+                            WriteReport& report) {
+  for (const std::string& library : mesh.attributes.material_libraries) {
+    std::error_code error;
+    if (std::filesystem::exists(path.parent_path() / library, error)) continue;
+    report.notes.push_back("material library '" + library + "' is not beside " + path.string() +
+                           "; copy it there");
+  }
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& path) {
+  const auto source = std::make_shared<SourceFile>(path, format_of(path));
+  Mesh mesh = read_format(*source);
+  source->remember_topology(mesh);
+  mesh.source = source;
+  return mesh;
+}
+
+WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
+                       const WriteOptions& options) {
+  const MeshFormat format = format_of(path);
+  validate_for_writing(mesh);
+  const SourceFile* const source = find_source(mesh);
+  const Encoding encoding = choose_encoding(format, source, options);
+
+  WriteReport report;
+  std::optional<std::string> bytes;
+  if (source != nullptr && source->format() == format && source->encoding == encoding) {
+    bytes = patch_source(*source, mesh);
+  }
+  if (!bytes) bytes = write_with_new_normals(mesh, source, format, encoding, report);
+  if (format == MeshFormat::kObj) note_missing_libraries(mesh, path, report);
+  replace_file(path, *bytes);
+  return report;
+}
+
+}  // namespace lapwing

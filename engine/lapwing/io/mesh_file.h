@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lapwing/io/mesh_format.h"
+#include "lapwing/mesh/mesh.h"
+
+namespace lapwing {
+
+/// Reads an OBJ, OFF, PLY or STL file; the extension says which, the content whether it is ascii or
+/// binary. Vertex and face order are the file's; STL vertices are welded where their positions are
+/// equal, in order of appearance. Point clouds and empty files of the format are read too. Throws
+/// IoError when the file cannot be read, InputError "path:line: expected ..., found ..." (binary:
+/// "path: byte offset: ...") when it is malformed. Time and memory are linear in the file's size,
+/// whatever its header promises.
+Mesh read_mesh(const std::filesystem::path& path);
+
+struct WriteOptions {
+  /// Unset: as in the file the mesh was read from, else binary where the format has it.
+  std::optional<Encoding> encoding;
+};
+
+/// What the user should know about a file that was written.
+struct WriteReport {
+  /// What the format has no place for: "texture coordinates (14,290): OFF has no place for them".
+  std::vector<std::string> not_carried;
+  /// What else to look after: "material library 'a.mtl' is not beside out.obj; copy it there".
+  std::vector<std::string> notes;
+};
+
+/// Writes `mesh` in the format that the extension of `path` names, replacing the file in one step
+/// (see replace_file). A mesh read from the same format, with its vertices and faces unchanged,
+/// comes back as the file it was read from, byte for byte, but for the coordinates that moved
+/// and the stored normals there, which are recomputed. Otherwise the file is made anew from the
+/// mesh and its attributes, with every double printed so that it reads back exactly. Throws IoError
+/// when the file cannot be written and InputError when the mesh is inconsistent or its numbers do
+/// not fit the format; the old file is then still there.
+WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
+                       const WriteOptions& options = {});
+
+}  // namespace lapwing

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace lapwing {
+
+enum class MeshFormat : std::uint8_t { kObj, kOff, kPly, kStl };
+
+/// How a file stores its numbers. OBJ and OFF are always ascii, binary STL is little endian.
+enum class Encoding : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
+
+/// Number types a file can declare (PLY); the others use kFloat64 in text, kFloat32 in binary.
+enum class Scalar : std::uint8_t {
+  kInt8,
+  kUint8,
+  kInt16,
+  kUint16,
+  kInt32,
+  kUint32,
+  kFloat32,
+  kFloat64
+};
+
+/// Bytes of one number.
+std::size_t size_of(Scalar type);
+bool is_integer(Scalar type);
+
+/// The format that the extension of `path` names, in either case: .obj, .off (and .coff, .noff,
+/// .cnoff), .ply, .stl. Throws InputError for any other.
+MeshFormat format_of(const std::filesystem::path& path);
+
+/// "OBJ", "OFF", "PLY", "STL".
+std::string_view name_of(MeshFormat format);
+
+}  // namespace lapwing

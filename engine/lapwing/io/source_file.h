@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "lapwing/io/file_bytes.h"
+#include "lapwing/io/mesh_format.h"
+#include "lapwing/mesh/mesh.h"
+
+namespace lapwing {
+
+/// Where a file keeps one kind of record of three numbers: its positions, or its normals.
+struct NumberTriples {
+  std::size_t count = 0;
+  std::array<Scalar, 3> types{Scalar::kFloat64, Scalar::kFloat64, Scalar::kFloat64};
+  std::vector<std::uint64_t> offsets;  ///< of each number, three per record; empty when regular
+  std::uint64_t first = 0;             ///< regular: number k of record r starts at byte
+  std::uint64_t stride = 0;            ///< first + r * stride + places[k]
+  std::array<std::uint64_t, 3> places{};
+
+  std::uint64_t offset(std::size_t record, std::size_t k) const {
+    return offsets.empty() ? first + record * stride + places[k] : offsets[3 * record + k];
+  }
+  void add(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+    offsets.insert(offsets.end(), {x, y, z});
+    ++count;
+  }
+};
+
+/// A file as it was read, and where in it the numbers stand that an edit changes. The writer of the
+/// same format copies the bytes and replaces those numbers alone. Position record i belongs to
+/// vertex i, or, in files that repeat a vertex for every corner (STL), to corner i; normal record i
+/// to entry i of MeshAttributes::normals.
+class SourceFile {
+ public:
+  SourceFile(std::filesystem::path path, MeshFormat format)
+      : path_(std::move(path)), format_(format), bytes_(FileBytes::read(path_)) {}
+
+  const std::filesystem::path& path() const { return path_; }
+  MeshFormat format() const { return format_; }
+  std::string_view bytes() const { return bytes_.view(); }
+
+  Encoding encoding = Encoding::kAscii;
+  NumberTriples positions;
+  NumberTriples normals;
+  bool positions_by_corner = false;
+
+  /// The three numbers of a record, as the reader understood them.
+  Eigen::Vector3d read_triple(const NumberTriples& triples, std::size_t record) const;
+
+  /// Vertex of position record `record` in a mesh that this file `describes`.
+  std::size_t vertex_of(const Mesh& mesh, std::size_t record) const {
+    return positions_by_corner ? mesh.face_vertices[record] : record;
+  }
+
+  /// Fixes the connectivity that the file stands for; called once, by the reader.
+  void remember_topology(const Mesh& mesh);
+  /// Whether `mesh` still has the vertices and faces of the file, number for number.
+  bool describes(const Mesh& mesh) const;
+
+  /// Throws InputError "path:line: message; next step", the line being that of byte `offset`.
+  [[noreturn]] void fail_at_line(std::uint64_t offset, const std::string& message) const;
+  /// The same with "path: byte offset: ..." when the encoding is binary.
+  [[noreturn]] void fail(std::uint64_t offset, const std::string& message) const;
+
+ private:
+  std::filesystem::path path_;
+  MeshFormat format_;
+  FileBytes bytes_;
+  std::size_t vertex_count_ = 0;
+  std::uint64_t topology_hash_ = 0;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,137 @@
+#include <array>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/binary_numbers.h"
+#include "lapwing/io/formats.h"
+#include "lapwing/io/writing.h"
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing {
+namespace {
+
+constexpr MeshFormat kFormat = MeshFormat::kStl;
+
+// The triangles of a mesh, and the face each came from.
+struct Facets {
+  std::vector<Triangle> triangles;
+  std::vector<Index> faces;
+};
+
+Facets cut_into_triangles(const Mesh& mesh) {
+  Facets facets;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    triangulate_polygon(mesh.face(f), mesh.positions, facets.triangles);
+    facets.faces.resize(facets.triangles.size(), static_cast<Index>(f));
+  }
+  return facets;
+}
+
+Eigen::Vector3d facet_normal(const Triangle& t, const Positions& p) {
+  const Eigen::Vector3d normal = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).normalized();
+  return normal.allFinite() ? normal : Eigen::Vector3d::Zero();
+}
+
+std::string write_ascii(const Mesh& mesh, const Facets& facets) {
+  const MeshAttributes& a = mesh.attributes;
+  const auto name_of_group = [&a](Index group) {
+    return group == kNoIndex || a.groups[group].empty() ? std::string() : " " + a.groups[group];
+  };
+  const auto group_of = [&](std::size_t t) {
+    return a.face_groups.empty() ? kNoIndex : a.face_groups[facets.faces[t]];
+  };
+  Index group = facets.triangles.empty() ? kNoIndex : group_of(0);
+  std::string out = "solid" + name_of_group(group) + "\n";
+  for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
+    if (group_of(t) != group) {
+      out += "endsolid" + name_of_group(group) + "\n";
+      group = group_of(t);
+      out += "solid" + name_of_group(group) + "\n";
+    }
+    out += "facet normal";
+    append_numbers(out, facet_normal(facets.triangles[t], mesh.positions));
+    out += "\nouter loop\n";
+    for (const Index v : facets.triangles[t]) {
+      out += "vertex";
+      append_numbers(out, mesh.positions[v]);
+      out += '\n';
+    }
+    out += "endloop\nendfacet\n";
+  }
+  return out + "endsolid" + name_of_group(group) + "\n";
+}
+
+const ExtraAttribute* attribute_words(const Mesh& mesh) {
+  for (const ExtraAttribute& extra : mesh.attributes.face_extras) {
+    if (extra.name == "attribute" && extra.type == "ushort") return &extra;
+  }
+  return nullptr;
+}
+
+std::string write_binary(const Mesh& mesh, const Facets& facets) {
+  constexpr std::size_t kHeader = 80;
+  constexpr std::size_t kFacetSize = 50;
+  constexpr Encoding kOrder = Encoding::kLittleEndian;
+  std::string out = "binary STL";
+  out.resize(kHeader, ' ');
+  out.reserve(kHeader + 4 + kFacetSize * facets.triangles.size());
+  const auto append = [&out](double value, Scalar type) {
+    append_binary(out, value, type, kOrder);
+  };
+  append(static_cast<double>(facets.triangles.size()), Scalar::kUint32);
+  const ExtraAttribute* const words = attribute_words(mesh);
+  for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
+    for (const double x : facet_normal(facets.triangles[t], mesh.positions)) {
+      append(x, Scalar::kFloat32);
+    }
+    for (const Index v : facets.triangles[t]) {
+      for (const double x : mesh.positions[v]) append(x, Scalar::kFloat32);
+    }
+    append(words == nullptr ? 0.0 : words->values[facets.faces[t]], Scalar::kUint16);
+  }
+  return out;
+}
+
+void report_losses(const Mesh& mesh, const Facets& facets, bool ascii, WriteReport& report) {
+  const MeshAttributes& a = mesh.attributes;
+  std::size_t polygons = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) polygons += mesh.face(f).size() > 3 ? 1 : 0;
+  std::vector<bool> used(mesh.vertex_count(), false);
+  for (const Triangle& t : facets.triangles) {
+    for (const Index v : t) used[v] = true;
+  }
+  const auto loose = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+
+  report_loss(report, kFormat, "polygons, which were cut into triangles,", polygons);
+  report_loss(report, kFormat, "vertices without a face", loose);
+  if (!ascii && narrowest_type(numbers_of(mesh.positions)) != Scalar::kFloat32) {
+    report_loss(report, kFormat, "positions beyond 32-bit floats, to which they were rounded,",
+                mesh.vertex_count());
+  }
+  report_loss(report, kFormat, "texture coordinates", a.uvs.size());
+  if (a.normals.size() != mesh.face_count()) {
+    report_loss(report, kFormat, "normals other than those of triangles", a.normals.size());
+  }
+  report_loss(report, kFormat, "vertex colours", a.vertex_colors.size());
+  report_loss(report, kFormat, "face colours", a.face_colors.size());
+  report_materials(report, kFormat, a);
+  if (!ascii) report_loss(report, kFormat, "groups", a.groups.size());
+  report_loss(report, kFormat, "comments", a.comments.size());
+  report_extras(report, kFormat, a);
+  report_uneditable(report, kFormat, a);
+}
+
+}  // namespace
+
+std::string write_stl(const Mesh& mesh, Encoding encoding, WriteReport& report) {
+  if (encoding == Encoding::kBigEndian) {
+    throw InputError("STL has no big-endian form; write it as ascii or little endian");
+  }
+  const Facets facets = cut_into_triangles(mesh);
+  const bool ascii = encoding == Encoding::kAscii;
+  report_losses(mesh, facets, ascii, report);
+  return ascii ? write_ascii(mesh, facets) : write_binary(mesh, facets);
+}
+
+}  // namespace lapwing

@@ -1,0 +1,158 @@
+#include "lapwing/io/stored_normals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSameNormal = 1e-6;  // finer than the digits that files print
+
+Vector3d area_vector(std::span<const Index> face, std::span<const Vector3d> positions) {
+  Vector3d sum = Vector3d::Zero();
+  const Vector3d& origin = positions[face[0]];
+  for (std::size_t i = 2; i < face.size(); ++i) {
+    sum += (positions[face[i - 1]] - origin).cross(positions[face[i]] - origin);
+  }
+  return 0.5 * sum;
+}
+
+// Zero for a sum without direction.
+Vector3d direction(const Vector3d& sum) {
+  const double length = sum.norm();
+  return length > 0.0 && std::isfinite(length) ? Vector3d(sum / length) : Vector3d::Zero();
+}
+
+// A corner of some face that uses a normal.
+struct Use {
+  Index normal;
+  Index vertex;
+  Index corner;
+  Index face;
+  bool operator<(const Use& other) const {
+    return std::tie(normal, vertex, corner) < std::tie(other.normal, other.vertex, other.corner);
+  }
+};
+
+class NormalUpdate {
+ public:
+  NormalUpdate(const Mesh& mesh, std::span<const Vector3d> rest)
+      : mesh_(mesh),
+        rest_(rest),
+        stored_{mesh.attributes.normals, mesh.attributes.corner_normals} {}
+
+  StoredNormals run() {
+    const std::vector<Use> uses = uses_of_changed_normals();
+    for (auto begin = uses.begin(); begin != uses.end();) {
+      const auto end = std::find_if(begin, uses.end(),
+                                    [&](const Use& use) { return use.normal != begin->normal; });
+      update_normal({begin, end});
+      begin = end;
+    }
+    return std::move(stored_);
+  }
+
+ private:
+  // What the corners of one vertex that share a normal turn it into.
+  struct Group {
+    std::span<const Use> uses;
+    Vector3d normal;
+    bool changed;
+  };
+
+  Index normal_of(std::size_t corner) const {
+    if (mesh_.attributes.has_vertex_normals) return mesh_.face_vertices[corner];
+    return mesh_.attributes.corner_normals.empty() ? kNoIndex
+                                                   : mesh_.attributes.corner_normals[corner];
+  }
+
+  bool moved(std::size_t face) const {
+    if (rest_.empty()) return true;
+    const auto vertices = mesh_.face(face);
+    return std::any_of(vertices.begin(), vertices.end(),
+                       [&](Index v) { return mesh_.positions[v] != rest_[v]; });
+  }
+
+  std::vector<Use> uses_of_changed_normals() const {
+    std::vector<bool> changed(stored_.normals.size(), false);
+    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      if (!moved(f)) continue;
+      for (Index c = mesh_.face_starts[f]; c < mesh_.face_starts[f + 1]; ++c) {
+        if (normal_of(c) != kNoIndex) changed[normal_of(c)] = true;
+      }
+    }
+    std::vector<Use> uses;
+    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      for (Index c = mesh_.face_starts[f]; c < mesh_.face_starts[f + 1]; ++c) {
+        const Index normal = normal_of(c);
+        if (normal == kNoIndex || !changed[normal]) continue;
+        uses.push_back({normal, mesh_.face_vertices[c], c, static_cast<Index>(f)});
+      }
+    }
+    std::sort(uses.begin(), uses.end());
+    return uses;
+  }
+
+  Group make_group(std::span<const Use> uses) const {
+    Vector3d now = Vector3d::Zero();
+    Vector3d before = Vector3d::Zero();
+    for (const Use& use : uses) {
+      now += area_vector(mesh_.face(use.face), mesh_.positions);
+      if (!rest_.empty()) before += area_vector(mesh_.face(use.face), rest_);
+    }
+    now = direction(now);
+    before = direction(before);
+    const bool changed = !now.isZero(0.0) && !((now - before).norm() <= kSameNormal);
+    const bool inward = before.dot(stored_.normals[uses.front().normal]) < 0.0;
+    return {uses, inward ? Vector3d(-now) : now, changed};
+  }
+
+  void update_normal(std::span<const Use> uses) {
+    std::vector<Group> groups;
+    for (auto begin = uses.begin(); begin != uses.end();) {
+      const auto end =
+          std::find_if(begin, uses.end(), [&](const Use& u) { return u.vertex != begin->vertex; });
+      groups.push_back(make_group({begin, end}));
+      begin = end;
+    }
+    bool free = std::all_of(groups.begin(), groups.end(), [](const Group& g) { return g.changed; });
+    std::map<std::array<std::int64_t, 3>, Index> numbers;
+    for (const Group& group : groups) {
+      if (!group.changed) continue;
+      const Eigen::Array3d scaled = (group.normal / kSameNormal).array().round();
+      const auto [entry, added] = numbers.try_emplace(
+          {static_cast<std::int64_t>(scaled.x()), static_cast<std::int64_t>(scaled.y()),
+           static_cast<std::int64_t>(scaled.z())},
+          uses.front().normal);
+      if (added && free) {
+        stored_.normals[uses.front().normal] = group.normal;
+        free = false;
+      } else if (added) {
+        entry->second = static_cast<Index>(stored_.normals.size());
+        stored_.normals.push_back(group.normal);
+      }
+      if (entry->second == uses.front().normal) continue;
+      for (const Use& use : group.uses) stored_.corner_normals[use.corner] = entry->second;
+    }
+  }
+
+  const Mesh& mesh_;
+  std::span<const Vector3d> rest_;
+  StoredNormals stored_;
+};
+
+}  // namespace
+
+StoredNormals updated_normals(const Mesh& mesh, std::span<const Vector3d> rest) {
+  return NormalUpdate(mesh, rest).run();
+}
+
+}  // namespace lapwing

@@ -1,0 +1,47 @@
+#include "lapwing/io/welder.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace lapwing {
+namespace {
+
+std::uint64_t hash(const Eigen::Vector3d& position) {
+  std::uint64_t state = 0;
+  for (const double x : position) {
+    state = (state ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;  // -0 + 0 is 0
+    state ^= state >> 32U;
+  }
+  return state;
+}
+
+}  // namespace
+
+Index Welder::vertex_at(const Eigen::Vector3d& position) {
+  if (2 * (positions_.size() + 1) > slots_.size()) grow();
+  const auto vertex = static_cast<Index>(positions_.size());
+  // Unequal to all, these would pile up in one place of the table.
+  if (!position.hasNaN()) {
+    const std::size_t slot = find_slot(position);
+    if (slots_[slot] != kNoIndex) return slots_[slot];
+    slots_[slot] = vertex;
+  }
+  positions_.push_back(position);
+  return vertex;
+}
+
+std::size_t Welder::find_slot(const Eigen::Vector3d& position) const {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t slot = hash(position) & mask;
+  while (slots_[slot] != kNoIndex && positions_[slots_[slot]] != position) slot = (slot + 1) & mask;
+  return slot;
+}
+
+void Welder::grow() {
+  slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), kNoIndex);
+  for (std::size_t v = 0; v < positions_.size(); ++v) {
+    if (!positions_[v].hasNaN()) slots_[find_slot(positions_[v])] = static_cast<Index>(v);
+  }
+}
+
+}  // namespace lapwing

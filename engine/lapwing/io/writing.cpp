@@ -1,0 +1,127 @@
+#include "lapwing/io/writing.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/reading.h"
+
+namespace lapwing {
+namespace {
+
+template <class Number>
+void append_shortest(std::string& out, Number value) {
+  std::array<char, 32> text{};  // the longest shortest double has 24 characters
+  const std::to_chars_result end = std::to_chars(text.begin(), text.end(), value);
+  out.append(text.begin(), end.ptr);
+}
+
+void check_size(std::string_view name, std::size_t size, std::size_t expected) {
+  if (size == 0 || size == expected) return;
+  throw InputError("the mesh has " + std::to_string(size) + " " + std::string(name) + " for " +
+                   std::to_string(expected) + " elements; give one for each or none");
+}
+
+void check_range(std::string_view name, const std::vector<Index>& indices, std::size_t count) {
+  const auto bad = std::find_if(indices.begin(), indices.end(),
+                                [&](Index i) { return i != kNoIndex && i >= count; });
+  if (bad == indices.end()) return;
+  throw InputError("entry " + std::to_string(bad - indices.begin()) + " of the mesh's " +
+                   std::string(name) + " is " + std::to_string(*bad) + ", but there are " +
+                   std::to_string(count) + "; correct the index");
+}
+
+}  // namespace
+
+void append_number(std::string& out, double value) {
+  append_shortest(out, value);
+}
+void append_number(std::string& out, float value) {
+  append_shortest(out, value);
+}
+void append_number(std::string& out, std::size_t value) {
+  append_shortest(out, value);
+}
+
+void append_number(std::string& out, double value, Scalar type) {
+  if (type == Scalar::kFloat64) {
+    append_number(out, value);
+  } else if (type == Scalar::kFloat32) {
+    append_number(out, static_cast<float>(value));
+  } else {
+    append_number(out, std::round(value));
+  }
+}
+
+void report_loss(WriteReport& report, MeshFormat format, std::string_view what, std::size_t count) {
+  if (count == 0) return;
+  report.not_carried.push_back(std::string(what) + " (" + grouped(count) +
+                               "): " + std::string(name_of(format)) + " has no place for them");
+}
+
+void report_extras(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {
+  for (const ExtraAttribute& extra : attributes.vertex_extras) {
+    report_loss(report, format, "vertex property '" + extra.name + "'", extra.values.size());
+  }
+  for (const ExtraAttribute& extra : attributes.face_extras) {
+    report_loss(report, format, "face property '" + extra.name + "'", extra.values.size());
+  }
+}
+
+void report_materials(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {
+  report_loss(report, format, "material libraries", attributes.material_libraries.size());
+  report_loss(report, format, "materials", attributes.materials.size());
+}
+
+void report_uneditable(WriteReport& report, MeshFormat format, const MeshAttributes& attributes) {
+  for (const std::string& what : attributes.uneditable) {
+    report.not_carried.push_back(what + ": kept only in the file they came from, not in a new " +
+                                 std::string(name_of(format)) + " file");
+  }
+}
+
+Scalar narrowest_type(std::span<const double> numbers) {
+  const bool floats = std::all_of(numbers.begin(), numbers.end(), [](double x) {
+    return std::isnan(x) || double{static_cast<float>(x)} == x;
+  });
+  return floats ? Scalar::kFloat32 : Scalar::kFloat64;
+}
+
+bool fit_bytes(std::span<const Eigen::Vector4f> colors) {
+  return std::all_of(colors.begin(), colors.end(), [](const Eigen::Vector4f& color) {
+    return std::all_of(color.begin(), color.end(), [](float x) {
+      return x >= 0.0F && x <= 1.0F && static_cast<float>(std::round(x * 255.0) / 255.0) == x;
+    });
+  });
+}
+
+bool has_alpha(std::span<const Eigen::Vector4f> colors) {
+  return std::any_of(colors.begin(), colors.end(),
+                     [](const Eigen::Vector4f& color) { return color[3] != 1.0F; });
+}
+
+void validate_for_writing(const Mesh& mesh) {
+  validate_indices(mesh);
+  const MeshAttributes& a = mesh.attributes;
+  check_size("corner_uvs", a.corner_uvs.size(), mesh.face_vertices.size());
+  check_size("corner_normals", a.corner_normals.size(), mesh.face_vertices.size());
+  check_size("vertex_colors", a.vertex_colors.size(), mesh.vertex_count());
+  check_size("face_colors", a.face_colors.size(), mesh.face_count());
+  check_size("face_materials", a.face_materials.size(), mesh.face_count());
+  check_size("face_groups", a.face_groups.size(), mesh.face_count());
+  check_range("corner_uvs", a.corner_uvs, a.uvs.size());
+  check_range("corner_normals", a.corner_normals, a.normals.size());
+  check_range("face_materials", a.face_materials, a.materials.size());
+  check_range("face_groups", a.face_groups, a.groups.size());
+  if (a.has_vertex_normals) check_size("vertex normals", a.normals.size(), mesh.vertex_count());
+  for (const ExtraAttribute& extra : a.vertex_extras) {
+    check_size(extra.name, extra.values.size(), mesh.vertex_count());
+  }
+  for (const ExtraAttribute& extra : a.face_extras) {
+    check_size(extra.name, extra.values.size(), mesh.face_count());
+  }
+}
+
+}  // namespace lapwing
