@@ -1,0 +1,186 @@
+#include "lapwing/doctor/check.h"
+
+#include <algorithm>
+#include <span>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/doctor/fans.h"
+#include "lapwing/doctor/mend_faces.h"
+#include "lapwing/doctor/orientation.h"
+#include "lapwing/doctor/repeated_faces.h"
+#include "lapwing/doctor/seams.h"
+#include "lapwing/mesh/coincident.h"
+#include "lapwing/mesh/edges.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// Squares of lengths below this share of the largest count as zero; the fit of the one-rings cuts
+// off its eigenvalues there too.
+constexpr double kZeroShare = 1e-12;
+
+// Appends the defect unless nothing was found.
+void add(CheckReport& report, DefectKind kind, std::span<const Index> found) {
+  if (found.empty()) return;
+  const std::size_t width = describe(kind).element == Element::kEdge ? 2 : 1;
+  const auto listed = found.first(std::min(found.size(), kMaxListed * width));
+  report.defects.push_back({kind, found.size() / width, {listed.begin(), listed.end()}});
+}
+
+// The ends of the edges, one after another.
+std::vector<Index> ends_of(const Edges& edges, std::span<const Index> list) {
+  std::vector<Index> ends;
+  ends.reserve(2 * list.size());
+  for (const Index e : list) ends.insert(ends.end(), edges.ends[e].begin(), edges.ends[e].end());
+  return ends;
+}
+
+template <typename Predicate>
+std::vector<Index> indices_where(std::size_t count, Predicate&& holds) {
+  std::vector<Index> found;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (holds(static_cast<Index>(i))) found.push_back(static_cast<Index>(i));
+  }
+  return found;
+}
+
+std::vector<unsigned char> mask_of(std::size_t count, std::span<const Index> members) {
+  std::vector<unsigned char> mask(count, 0);
+  for (const Index i : members) mask[i] = 1;
+  return mask;
+}
+
+bool has_usable_face(const Mesh& mesh, const Topology& topology) {
+  return std::ranges::any_of(topology.triangles, [&](const Triangle& triangle) {
+    return std::ranges::all_of(triangle, [&](Index v) { return mesh.positions[v].allFinite(); });
+  });
+}
+
+std::vector<Index> find_zero_area_faces(const Mesh& mesh, const Topology& topology) {
+  std::vector<Index> found;
+  for (std::size_t t = 0; t < topology.triangles.size();) {
+    const Index face = topology.triangle_faces[t];
+    double area = 0.0;
+    double longest = 0.0;
+    for (; t < topology.triangles.size() && topology.triangle_faces[t] == face; ++t) {
+      const auto& [a, b, c] = topology.triangles[t];
+      const Vector3d ab = mesh.positions[b] - mesh.positions[a];
+      const Vector3d ac = mesh.positions[c] - mesh.positions[a];
+      area += ab.cross(ac).norm();
+      longest = std::max({longest, ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
+    }
+    if (area <= kZeroShare * longest) found.push_back(face);
+  }
+  return found;
+}
+
+enum class RingShape { kProper, kLine, kPoint };
+
+RingShape shape_of_ring(Index i, std::span<const Index> ring, const Positions& positions) {
+  Vector3d center = Vector3d::Zero();
+  for (const Index j : ring) center += positions[j] - positions[i];
+  center /= static_cast<double>(ring.size() + 1);
+  // The farthest member from the mean gives the only line that could hold them all.
+  double size = center.squaredNorm();
+  Vector3d farthest = -center;
+  for (const Index j : ring) {
+    const Vector3d x = positions[j] - positions[i] - center;
+    size += x.squaredNorm();
+    if (x.squaredNorm() > farthest.squaredNorm()) farthest = x;
+  }
+  if (size == 0.0) return RingShape::kPoint;
+  const Vector3d line = farthest.normalized();
+  double off_line = center.cross(line).squaredNorm();
+  for (const Index j : ring) {
+    off_line += (positions[j] - positions[i] - center).cross(line).squaredNorm();
+  }
+  return off_line <= kZeroShare * size ? RingShape::kLine : RingShape::kProper;
+}
+
+void check_faces(const Mesh& mesh, const Topology& topology, CheckReport& report) {
+  add(report, DefectKind::kDegenerateFace,
+      indices_where(mesh.face_count(), [&](Index f) { return is_degenerate(mesh.face(f)); }));
+  add(report, DefectKind::kRepeatedFace, find_repeated_faces(mesh));
+  add(report, DefectKind::kZeroAreaFace, find_zero_area_faces(mesh, topology));
+}
+
+void check_vertices_and_seams(const Mesh& mesh, const Edges& edges, CheckReport& report) {
+  const std::vector<unsigned char> on_face = mask_of(mesh.vertex_count(), mesh.face_vertices);
+  add(report, DefectKind::kLooseVertex,
+      indices_where(mesh.vertex_count(), [&](Index v) { return !on_face[v]; }));
+  const std::vector<Index> first_at_position = first_at_same_position(mesh.positions);
+  add(report, DefectKind::kDuplicateVertex,
+      indices_where(mesh.vertex_count(), [&](Index v) { return first_at_position[v] != v; }));
+  std::vector<Index> seam_edges = find_seams(mesh, edges, first_at_position).values;
+  std::ranges::sort(seam_edges);
+  add(report, DefectKind::kUnweldedSeam, ends_of(edges, seam_edges));
+}
+
+void check_rings(const Mesh& mesh, const Topology& topology, CheckReport& report) {
+  std::vector<Index> points;
+  std::vector<Index> lines;
+  for (Index v = 0; v < topology.vertex_count(); ++v) {
+    if (topology.rings.size(v) == 0) continue;
+    const RingShape shape = shape_of_ring(v, topology.rings[v], mesh.positions);
+    if (shape == RingShape::kPoint) points.push_back(v);
+    if (shape == RingShape::kLine) lines.push_back(v);
+  }
+  add(report, DefectKind::kPointRing, points);
+  add(report, DefectKind::kCollinearRing, lines);
+}
+
+void check_components(const Topology& topology, CheckReport& report) {
+  const Components components = connected_components(topology.rings);
+  std::vector<unsigned char> seen(components.count, 0);
+  const std::vector<Index> first = indices_where(topology.vertex_count(), [&](Index v) {
+    if (topology.rings.size(v) == 0 || seen[components.of_vertex[v]]) return false;
+    seen[components.of_vertex[v]] = 1;
+    return true;
+  });
+  if (first.size() > 1) add(report, DefectKind::kSeveralComponents, first);
+}
+
+}  // namespace
+
+const Defect* CheckReport::find(DefectKind kind) const {
+  const auto it = std::ranges::find(defects, kind, &Defect::kind);
+  return it == defects.end() ? nullptr : &*it;
+}
+
+bool CheckReport::has_problems() const {
+  return std::ranges::any_of(
+      defects, [](const Defect& d) { return describe(d.kind).severity != Severity::kInfo; });
+}
+
+bool CheckReport::is_fixable() const {
+  return std::ranges::any_of(defects, [](const Defect& d) { return describe(d.kind).fixable; });
+}
+
+CheckReport check(const Mesh& mesh, const Topology& topology) {
+  const Edges edges = build_edges(mesh, mask_of(mesh.face_count(), topology.triangle_faces));
+  const Fans fans = find_fans(mesh, edges);
+  const Orientation orientation = analyze_orientation(mesh, edges);
+
+  CheckReport report;
+  report.statistics = measure(mesh, topology, edges, fans, orientation);
+  if (!has_usable_face(mesh, topology)) {
+    report.defects.push_back({DefectKind::kNoFaces, 1, {}});
+  }
+  add(report, DefectKind::kNonFiniteVertex,
+      indices_where(mesh.vertex_count(), [&](Index v) { return !mesh.positions[v].allFinite(); }));
+  check_faces(mesh, topology, report);
+  check_vertices_and_seams(mesh, edges, report);
+  const auto crowded = [&](Index e) { return edges.sides.size(e) > 2; };
+  add(report, DefectKind::kNonManifoldEdge, ends_of(edges, indices_where(edges.count(), crowded)));
+  add(report, DefectKind::kBowTieVertex, fans.bow_tie_vertices);
+  add(report, DefectKind::kInconsistentOrientation, ends_of(edges, orientation.inconsistent_edges));
+  add(report, DefectKind::kOneSidedSurface, ends_of(edges, orientation.one_sided_edges));
+  check_rings(mesh, topology, report);
+  check_components(topology, report);
+  return report;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,169 @@
+#include "lapwing/doctor/format.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace lapwing {
+namespace {
+
+constexpr std::size_t kMaxListedComponents = 5;
+constexpr int kLabelWidth = 14;
+constexpr int kSeverityWidth = 9;
+
+// A stream that writes numbers the same way in every locale.
+std::ostringstream plain_stream() {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  return out;
+}
+
+int digits_of(std::size_t value) {
+  return static_cast<int>(std::to_string(value).size());
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count).append(" ").append(noun).append(count == 1 ? "" : "s");
+}
+
+void write_label(std::ostream& out, std::string_view label) {
+  out << std::left << std::setw(kLabelWidth) << label;
+}
+
+void write_point(std::ostream& out, const Eigen::Vector3d& p) {
+  out << '(' << p.x() << ", " << p.y() << ", " << p.z() << ')';
+}
+
+void write_components(std::ostream& out, const std::vector<std::size_t>& sizes) {
+  write_label(out, "components");
+  out << sizes.size();
+  const std::size_t listed = std::min(sizes.size(), kMaxListedComponents);
+  if (sizes.size() > 1) {
+    for (std::size_t i = 0; i < listed; ++i) out << (i == 0 ? " of " : ", ") << sizes[i];
+    out << (listed < sizes.size() ? ", ... vertices" : " vertices");
+  }
+  out << '\n';
+}
+
+std::string_view name_of(Severity severity) {
+  switch (severity) {
+    case Severity::kInfo:
+      return "info";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kError:
+      return "error";
+  }
+  return "";
+}
+
+std::string_view plural_of(Element element) {
+  switch (element) {
+    case Element::kNone:
+      return "";
+    case Element::kVertex:
+      return "vertices";
+    case Element::kFace:
+      return "faces";
+    case Element::kEdge:
+      return "edges";
+    case Element::kComponent:
+      return "at vertices";
+  }
+  return "";
+}
+
+// "vertices 3, 7, 12, ..." or "edges 3-7, 12-15".
+void write_places(std::ostream& out, const Defect& defect) {
+  const Element element = describe(defect.kind).element;
+  const std::size_t width = element == Element::kEdge ? 2 : 1;
+  out << plural_of(element);
+  for (std::size_t i = 0; i < defect.first.size(); i += width) {
+    out << (i == 0 ? " " : ", ") << defect.first[i];
+    if (width == 2) out << '-' << defect.first[i + 1];
+  }
+  if (defect.first.size() / width < defect.count) out << ", ...";
+}
+
+void write_defect(std::ostream& out, const Defect& defect, int count_width, int name_width) {
+  const DefectInfo& info = describe(defect.kind);
+  const std::string indent(kSeverityWidth, ' ');
+  out << std::left << std::setw(kSeverityWidth) << name_of(info.severity);
+  if (info.element == Element::kNone) {
+    out << info.name;
+  } else {
+    out << std::right << std::setw(count_width) << defect.count << ' ' << std::left
+        << std::setw(name_width) << info.name;
+    write_places(out, defect);
+  }
+  out << '\n' << indent << info.meaning << '\n';
+  if (!info.next_step.empty()) out << indent << "-> " << info.next_step << '\n';
+}
+
+}  // namespace
+
+std::string format(const MeshStatistics& s) {
+  std::ostringstream out = plain_stream();
+  write_label(out, "vertices");
+  out << s.vertices << '\n';
+  write_label(out, "faces");
+  out << s.faces << ", " << counted(s.triangles, "triangle") << '\n';
+  write_label(out, "edges");
+  out << s.edges << ", length " << s.min_edge_length << " to " << s.max_edge_length << ", mean "
+      << s.mean_edge_length << '\n';
+  write_label(out, "boundary");
+  if (s.boundary_edges == 0) {
+    out << "none\n";
+  } else {
+    out << counted(s.boundary_edges, "edge") << " in " << counted(s.boundary_loops, "loop") << '\n';
+  }
+  write_components(out, s.component_sizes);
+  write_label(out, "Euler number");
+  out << s.euler_characteristic;
+  if (s.genus) out << ", genus " << *s.genus;
+  out << '\n';
+  write_label(out, "bounds");
+  write_point(out, s.bounds.min);
+  out << " to ";
+  write_point(out, s.bounds.max);
+  out << '\n';
+  write_label(out, "area");
+  out << s.area << '\n';
+  return out.str();
+}
+
+std::string format(const CheckReport& report) {
+  int count_width = 0;
+  int name_width = 0;
+  std::size_t problems = 0;
+  std::size_t fixable = 0;
+  for (const Defect& defect : report.defects) {
+    const DefectInfo& info = describe(defect.kind);
+    count_width = std::max(count_width, digits_of(defect.count));
+    name_width = std::max(name_width, static_cast<int>(info.name.size()) + 2);
+    if (info.severity != Severity::kInfo) ++problems;
+    if (info.fixable) ++fixable;
+  }
+  std::ostringstream out = plain_stream();
+  for (const Defect& defect : report.defects) write_defect(out, defect, count_width, name_width);
+  if (problems == 0) {
+    out << "no defects\n";
+  } else {
+    out << counted(problems, "kind") << " of defect, " << fixable << " repairable\n";
+  }
+  return out.str();
+}
+
+std::string format(const FixReport& report) {
+  if (!report.changed()) return "nothing to repair\n";
+  int width = 0;
+  for (const Repair& repair : report.repairs) width = std::max(width, digits_of(repair.count));
+  std::ostringstream out = plain_stream();
+  for (const Repair& repair : report.repairs) {
+    out << std::setw(width) << repair.count << ' ' << describe(repair.kind).text << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace lapwing

@@ -1,0 +1,89 @@
+#include "lapwing/doctor/mend_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing {
+namespace {
+
+std::vector<Index> vertices_of(const Mesh& mesh, std::span<const Index> corners) {
+  std::vector<Index> vertices;
+  vertices.reserve(corners.size());
+  for (const Index c : corners) vertices.push_back(mesh.face_vertices[c]);
+  return vertices;
+}
+
+// The corners of face f without those that repeat the vertex of the corner before.
+std::vector<Index> without_successive_repeats(const Mesh& mesh, std::size_t f) {
+  const std::vector<Index>& vertex_of = mesh.face_vertices;
+  std::vector<Index> corners;
+  for (Index c = mesh.face_starts[f]; c < mesh.face_starts[f + 1]; ++c) {
+    if (corners.empty() || vertex_of[corners.back()] != vertex_of[c]) corners.push_back(c);
+  }
+  while (corners.size() > 1 && vertex_of[corners.back()] == vertex_of[corners.front()]) {
+    corners.pop_back();
+  }
+  return corners;
+}
+
+void add_face(FaceSources& sources, std::size_t face, std::span<const Index> corners) {
+  sources.faces.push_back(static_cast<Index>(face));
+  sources.corners.insert(sources.corners.end(), corners.begin(), corners.end());
+  sources.starts.push_back(static_cast<Index>(sources.corners.size()));
+}
+
+// Adds the proper triangles of the polygon, or nothing.
+void add_triangles(const Mesh& mesh, std::size_t face, std::span<const Index> corners,
+                   FaceSources& sources) {
+  Positions positions;
+  for (const Index c : corners) positions.push_back(mesh.positions[mesh.face_vertices[c]]);
+  std::vector<Index> polygon(corners.size());
+  std::iota(polygon.begin(), polygon.end(), Index{0});
+  std::vector<Triangle> triangles;
+  triangulate_polygon(polygon, positions, triangles);
+  for (const auto& [a, b, c] : triangles) {
+    const std::array<Index, 3> triangle{corners[a], corners[b], corners[c]};
+    if (!is_degenerate(vertices_of(mesh, triangle))) add_face(sources, face, triangle);
+  }
+}
+
+}  // namespace
+
+bool is_degenerate(std::span<const Index> polygon) {
+  const std::size_t n = polygon.size();
+  if (n < 3) return true;
+  if (n == 3) {
+    return polygon[0] == polygon[1] || polygon[1] == polygon[2] || polygon[2] == polygon[0];
+  }
+  std::vector<Index> vertices(polygon.begin(), polygon.end());
+  std::ranges::sort(vertices);
+  return std::ranges::adjacent_find(vertices) != vertices.end();
+}
+
+MendedFaces mend_faces(const Mesh& mesh) {
+  MendedFaces result;
+  std::vector<Index> corners(mesh.face_vertices.size());
+  std::iota(corners.begin(), corners.end(), Index{0});
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (!is_degenerate(mesh.face(f))) {
+      add_face(result.sources, f,
+               std::span(corners).subspan(mesh.face_starts[f], mesh.face(f).size()));
+      continue;
+    }
+    const std::size_t faces_before = result.sources.faces.size();
+    const std::vector<Index> kept = without_successive_repeats(mesh, f);
+    if (!is_degenerate(vertices_of(mesh, kept))) {
+      add_face(result.sources, f, kept);
+    } else {
+      add_triangles(mesh, f, kept, result.sources);
+    }
+    ++(result.sources.faces.size() > faces_before ? result.mended : result.removed);
+  }
+  return result;
+}
+
+}  // namespace lapwing

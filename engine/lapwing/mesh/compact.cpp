@@ -1,0 +1,116 @@
+#include "lapwing/mesh/compact.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+
+namespace lapwing {
+namespace {
+
+void require_length(const std::string& name, std::size_t length, std::size_t wanted) {
+  if (length == 0 || length == wanted) return;
+  throw InputError("the mesh carries " + std::to_string(length) + " values of '" + name +
+                   "' where " + std::to_string(wanted) + " belong; empty the list or complete it");
+}
+
+void require_extras(const std::vector<ExtraAttribute>& extras, std::size_t elements) {
+  for (const ExtraAttribute& extra : extras) {
+    require_length(extra.name, extra.values.size(),
+                   elements * static_cast<std::size_t>(extra.components));
+  }
+}
+
+// Replaces values by values[sources[i]]; an attribute that the mesh does not carry stays empty.
+template <typename Value>
+void gather(std::vector<Value>& values, std::span<const Index> sources,
+            std::size_t components = 1) {
+  if (values.empty()) return;
+  std::vector<Value> gathered;
+  gathered.reserve(sources.size() * components);
+  for (const Index source : sources) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(source * components);
+    gathered.insert(gathered.end(), first, first + static_cast<std::ptrdiff_t>(components));
+  }
+  values = std::move(gathered);
+}
+
+void gather(std::vector<ExtraAttribute>& extras, std::span<const Index> sources) {
+  for (ExtraAttribute& extra : extras) {
+    gather(extra.values, sources, static_cast<std::size_t>(extra.components));
+  }
+}
+
+}  // namespace
+
+void validate_attributes(const Mesh& mesh) {
+  const MeshAttributes& a = mesh.attributes;
+  require_length("corner UVs", a.corner_uvs.size(), mesh.face_vertices.size());
+  require_length("corner normals", a.corner_normals.size(), mesh.face_vertices.size());
+  require_length("face colours", a.face_colors.size(), mesh.face_count());
+  require_length("face materials", a.face_materials.size(), mesh.face_count());
+  require_length("face groups", a.face_groups.size(), mesh.face_count());
+  require_extras(a.face_extras, mesh.face_count());
+  require_length("vertex colours", a.vertex_colors.size(), mesh.vertex_count());
+  if (a.has_vertex_normals) {
+    require_length("vertex normals", a.normals.size(), mesh.vertex_count());
+  }
+  require_extras(a.vertex_extras, mesh.vertex_count());
+}
+
+void replace_faces(Mesh& mesh, const FaceSources& sources) {
+  validate_attributes(mesh);
+  mesh.face_starts = sources.starts;
+  gather(mesh.face_vertices, sources.corners);
+  gather(mesh.attributes.corner_uvs, sources.corners);
+  gather(mesh.attributes.corner_normals, sources.corners);
+  gather(mesh.attributes.face_colors, sources.faces);
+  gather(mesh.attributes.face_materials, sources.faces);
+  gather(mesh.attributes.face_groups, sources.faces);
+  gather(mesh.attributes.face_extras, sources.faces);
+  mesh.source.reset();
+}
+
+void keep_faces(Mesh& mesh, const KeepMask& keep) {
+  FaceSources sources;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (!keep[f]) continue;
+    sources.faces.push_back(static_cast<Index>(f));
+    for (Index c = mesh.face_starts[f]; c < mesh.face_starts[f + 1]; ++c) {
+      sources.corners.push_back(c);
+    }
+    sources.starts.push_back(static_cast<Index>(sources.corners.size()));
+  }
+  replace_faces(mesh, sources);
+}
+
+void replace_vertices(Mesh& mesh, std::span<const Index> sources) {
+  validate_attributes(mesh);
+  gather(mesh.positions, sources);
+  gather(mesh.attributes.vertex_colors, sources);
+  if (mesh.attributes.has_vertex_normals) gather(mesh.attributes.normals, sources);
+  gather(mesh.attributes.vertex_extras, sources);
+  mesh.source.reset();
+}
+
+std::vector<Index> keep_vertices(Mesh& mesh, const KeepMask& keep) {
+  validate_attributes(mesh);
+  KeepMask keep_face(mesh.face_count());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    keep_face[f] = std::ranges::all_of(mesh.face(f), [&](Index v) { return keep[v] != 0; });
+  }
+  keep_faces(mesh, keep_face);
+  std::vector<Index> sources;
+  std::vector<Index> renumbered(mesh.vertex_count(), kNoIndex);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (!keep[v]) continue;
+    renumbered[v] = static_cast<Index>(sources.size());
+    sources.push_back(static_cast<Index>(v));
+  }
+  for (Index& v : mesh.face_vertices) v = renumbered[v];
+  replace_vertices(mesh, sources);
+  return sources;
+}
+
+}  // namespace lapwing
