@@ -6,7 +6,7 @@
 namespace lapwing {
 namespace {
 
-constexpr std::string_view kFixIt = "repair it with `lapwing check --fix OUT`";
+constexpr std::string_view kFixIt = "repair it with `lapwing check MESH --fix OUT`";
 
 // In the order of DefectKind.
 constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
@@ -15,7 +15,7 @@ constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
      "export the mesh again with its faces", Severity::kError, Element::kNone, false},
     {"non_finite_vertex", "non-finite vertices",
      "a coordinate is infinite or not a number: no edit can include the vertex or its neighbours",
-     "correct it in the file, or remove it and its faces with `lapwing check --fix OUT`",
+     "correct it in the file, or remove it and its faces with `lapwing check MESH --fix OUT`",
      Severity::kError, Element::kVertex, true},
     {"degenerate_face", "faces that repeat a vertex",
      "fewer than three corners, or one vertex named twice: the part without extent is ignored",
@@ -35,14 +35,14 @@ constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
      false},
     {"unwelded_seam", "unwelded seam edges",
      "boundary edges at one place with different vertices: the two sides move apart when edited",
-     "weld them with `lapwing check --fix OUT`", Severity::kWarning, Element::kEdge, true},
+     "weld them with `lapwing check MESH --fix OUT`", Severity::kWarning, Element::kEdge, true},
     {"non_manifold_edge", "edges with more than two faces",
      "legal to edit: all its faces move together, and the normal there is their mean", "",
      Severity::kWarning, Element::kEdge, false},
     {"bow_tie_vertex", "bow-tie vertices",
      "surfaces touch at one vertex only: legal to edit, but one mean of both stands for their "
      "shape",
-     "give each surface its own vertex with `lapwing check --fix OUT`; they can then move apart",
+     "give each surface its own vertex with `lapwing check MESH --fix OUT`; they can then move apart",
      Severity::kWarning, Element::kVertex, true},
     {"inconsistent_orientation", "edges between faces of opposite orientation",
      "neighbouring faces disagree about which side is out: normals cancel and shading is wrong",

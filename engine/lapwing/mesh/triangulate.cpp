@@ -55,7 +55,8 @@ bool is_ear(const std::vector<Vector2d>& plane, const std::vector<std::size_t>& 
   const std::size_t c = left[(at + 1) % m];
   if (!(orient(plane[a], plane[b], plane[c]) > 0.0)) return false;
   return std::none_of(left.begin(), left.end(), [&](std::size_t p) {
-    if (p == a || p == b || p == c) return false;
+    // A corner at the same point, as where a bridge to a hole comes back, does not block the ear.
+    if (plane[p] == plane[a] || plane[p] == plane[b] || plane[p] == plane[c]) return false;
     return orient(plane[a], plane[b], plane[p]) >= 0.0 &&
            orient(plane[b], plane[c], plane[p]) >= 0.0 &&
            orient(plane[c], plane[a], plane[p]) >= 0.0;

@@ -1,0 +1,189 @@
+#include "lapwing/doctor/check.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "doctor/broken_meshes.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+CheckReport check(const Mesh& mesh) {
+  return check(mesh, build_topology(mesh));
+}
+
+// Expects `mesh` to have this defect, `count` times, listed as `first`.
+void expect_defect(const Mesh& mesh, DefectKind kind, std::size_t count,
+                   const std::vector<Index>& first) {
+  const CheckReport report = check(mesh);
+  const Defect* defect = report.find(kind);
+  ASSERT_NE(defect, nullptr) << describe(kind).key;
+  EXPECT_EQ(defect->count, count);
+  EXPECT_EQ(defect->first, first);
+}
+
+class CleanShape : public ::testing::TestWithParam<Mesh> {};
+
+TEST_P(CleanShape, HasNoDefects) {
+  for (const Defect& defect : check(GetParam()).defects) {
+    ADD_FAILURE() << defect.count << " " << describe(defect.kind).name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Check, CleanShape,
+                         ::testing::Values(grid(5, 4), icosphere(2), cylinder(9, 5, 1.0, 2.0),
+                                           torus(9, 6, 2.0, 0.5)));
+
+TEST(Check, NamesNonFiniteVerticesAsErrors) {
+  Mesh mesh = grid(3, 3);
+  mesh.positions[2].x() = std::numeric_limits<double>::quiet_NaN();
+  mesh.positions[7].z() = std::numeric_limits<double>::infinity();
+  expect_defect(mesh, DefectKind::kNonFiniteVertex, 2, {2, 7});
+  EXPECT_EQ(describe(DefectKind::kNonFiniteVertex).severity, Severity::kError);
+}
+
+TEST(Check, NamesLooseVertices) {
+  Mesh mesh = grid(1, 1);
+  mesh.positions.emplace_back(5, 5, 5);
+  mesh.positions.emplace_back(6, 5, 5);
+  expect_defect(mesh, DefectKind::kLooseVertex, 2, {4, 5});
+  EXPECT_EQ(check(mesh).find(DefectKind::kSeveralComponents), nullptr);
+}
+
+TEST(Check, NamesFacesThatRepeatAVertex) {
+  Mesh mesh = grid(1, 1);
+  add_polygon(mesh, {0, 1, 0});
+  add_polygon(mesh, {0, 1});
+  add_polygon(mesh, {0, 1, 1, 2});
+  expect_defect(mesh, DefectKind::kDegenerateFace, 3, {2, 3, 4});
+}
+
+TEST(Check, NamesFacesThatRepeatAnEarlierOneInAnyOrder) {
+  Mesh mesh = grid(1, 1);
+  const auto [a, b, c] = std::array{mesh.face(1)[0], mesh.face(1)[1], mesh.face(1)[2]};
+  add_polygon(mesh, {c, a, b});
+  add_polygon(mesh, {b, a, c});
+  expect_defect(mesh, DefectKind::kRepeatedFace, 2, {2, 3});
+}
+
+TEST(Check, NamesZeroAreaFacesAndTheirCollinearRings) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}};
+  add_polygon(mesh, {0, 1, 2});
+  expect_defect(mesh, DefectKind::kZeroAreaFace, 1, {0});
+  expect_defect(mesh, DefectKind::kCollinearRing, 3, {0, 1, 2});
+}
+
+TEST(Check, FlatnessDoesNotDependOnSizeOrPlace) {
+  Mesh sliver;
+  sliver.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-4, 0}};
+  add_polygon(sliver, {0, 1, 2});
+  for (const double scale : {1e-9, 1.0, 1e9}) {
+    Mesh mesh = sliver;
+    for (Eigen::Vector3d& p : mesh.positions) p *= scale;
+    EXPECT_THAT(check(mesh).defects, IsEmpty()) << scale;
+  }
+}
+
+TEST(Check, NamesRingsWhoseVerticesAreAllAtOnePoint) {
+  Mesh mesh = grid(1, 1);
+  for (int i = 0; i < 3; ++i) mesh.positions.emplace_back(7, 7, 7);
+  add_polygon(mesh, {4, 5, 6});
+  expect_defect(mesh, DefectKind::kPointRing, 3, {4, 5, 6});
+  EXPECT_EQ(check(mesh).find(DefectKind::kCollinearRing), nullptr);
+}
+
+TEST(Check, NamesBothSidesOfAnUnweldedSeamAndItsDuplicates) {
+  expect_defect(unwelded_square(), DefectKind::kUnweldedSeam, 2, {1, 2, 3, 4});
+  expect_defect(unwelded_square(), DefectKind::kDuplicateVertex, 2, {3, 4});
+  expect_defect(unwelded_square(), DefectKind::kSeveralComponents, 2, {0, 3});
+}
+
+TEST(Check, PiecesThatTouchAtOnePointHaveNoSeam) {
+  Mesh mesh = bow_tie();
+  mesh.positions.push_back(mesh.positions[0]);
+  mesh.face_vertices[3] = 5;
+  EXPECT_EQ(check(mesh).find(DefectKind::kUnweldedSeam), nullptr);
+  EXPECT_FALSE(check(mesh).has_problems());
+  EXPECT_NE(check(mesh).find(DefectKind::kDuplicateVertex), nullptr);
+}
+
+TEST(Check, NamesEdgesWithMoreThanTwoFaces) {
+  expect_defect(three_winged_edge(), DefectKind::kNonManifoldEdge, 1, {0, 1});
+  EXPECT_EQ(check(three_winged_edge()).find(DefectKind::kBowTieVertex), nullptr);
+}
+
+TEST(Check, NamesBowTieVertices) {
+  expect_defect(bow_tie(), DefectKind::kBowTieVertex, 1, {0});
+}
+
+TEST(Check, NamesEdgesOfAFlippedFace) {
+  Mesh mesh = icosphere(1);
+  std::swap(mesh.face_vertices[0], mesh.face_vertices[1]);
+  const CheckReport report = check(mesh);
+  const Defect* defect = report.find(DefectKind::kInconsistentOrientation);
+  ASSERT_NE(defect, nullptr);
+  EXPECT_EQ(defect->count, 3U);
+  for (const Index v : defect->first) EXPECT_THAT(mesh.face(0), ::testing::Contains(v));
+}
+
+TEST(Check, ConsistentlyInwardSurfaceIsNoDefect) {
+  Mesh mesh = icosphere(1);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    std::swap(mesh.face_vertices[3 * f], mesh.face_vertices[3 * f + 1]);
+  }
+  EXPECT_THAT(check(mesh).defects, IsEmpty());
+}
+
+TEST(Check, MoebiusStripIsOneSidedAndNotFixable) {
+  const CheckReport report = check(moebius_strip());
+  ASSERT_NE(report.find(DefectKind::kOneSidedSurface), nullptr);
+  EXPECT_EQ(report.find(DefectKind::kInconsistentOrientation), nullptr);
+  EXPECT_FALSE(report.is_fixable());
+  EXPECT_FALSE(report.statistics.genus.has_value());
+}
+
+TEST(Check, PointCloudHasNoUsableFace) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}};
+  const CheckReport report = check(mesh);
+  ASSERT_NE(report.find(DefectKind::kNoFaces), nullptr);
+  EXPECT_TRUE(report.has_problems());
+}
+
+TEST(Check, EmptyMeshHasNoUsableFaceAndZeroStatistics) {
+  const CheckReport report = check(Mesh{});
+  ASSERT_EQ(report.defects.size(), 1U);
+  EXPECT_EQ(report.defects[0].kind, DefectKind::kNoFaces);
+  EXPECT_EQ(report.statistics.mean_edge_length, 0.0);
+}
+
+TEST(Check, ListsTheFirstOfManyPlaces) {
+  Mesh mesh = grid(1, 1);
+  for (int i = 0; i < 20; ++i) mesh.positions.emplace_back(i, 9, 9);
+  expect_defect(mesh, DefectKind::kLooseVertex, 20, {4, 5, 6, 7, 8, 9, 10, 11});
+}
+
+TEST(DefectInfo, EveryKindHasItsOwnKeyAndWords) {
+  std::vector<std::string_view> keys;
+  for (int k = 0; k < kDefectKindCount; ++k) {
+    const DefectInfo& info = describe(static_cast<DefectKind>(k));
+    keys.push_back(info.key);
+    EXPECT_FALSE(info.name.empty());
+    EXPECT_FALSE(info.meaning.empty()) << info.key;
+  }
+  std::ranges::sort(keys);
+  EXPECT_EQ(std::ranges::adjacent_find(keys), keys.end());
+}
+
+}  // namespace
+}  // namespace lapwing
