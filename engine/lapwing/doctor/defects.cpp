@@ -31,8 +31,8 @@ constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
      Element::kVertex, true},
     {"duplicate_vertex", "duplicate vertices",
      "at the position of an earlier vertex, but not joined to it: an edit can move them apart",
-     "weld them in a modelling tool if they should move as one", Severity::kInfo, Element::kVertex,
-     false},
+     "`lapwing check MESH --fix OUT` welds those along unwelded seams and leaves the others",
+     Severity::kInfo, Element::kVertex, false},
     {"unwelded_seam", "unwelded seam edges",
      "boundary edges at one place with different vertices: the two sides move apart when edited",
      "weld them with `lapwing check MESH --fix OUT`", Severity::kWarning, Element::kEdge, true},
@@ -42,7 +42,8 @@ constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
     {"bow_tie_vertex", "bow-tie vertices",
      "surfaces touch at one vertex only: legal to edit, but one mean of both stands for their "
      "shape",
-     "give each surface its own vertex with `lapwing check MESH --fix OUT`; they can then move apart",
+     "give each surface its own vertex with `lapwing check MESH --fix OUT`; they can then move "
+     "apart",
      Severity::kWarning, Element::kVertex, true},
     {"inconsistent_orientation", "edges between faces of opposite orientation",
      "neighbouring faces disagree about which side is out: normals cancel and shading is wrong",
