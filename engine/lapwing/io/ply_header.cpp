@@ -24,6 +24,14 @@ class HeaderReader {
   explicit HeaderReader(const SourceFile& file) : file_(file), scan_(file, '\0') {}
 
   PlyHeader read() {
+    read_lines();
+    header_.data_offset = scan_.offset();
+    check_room();
+    return std::move(header_);
+  }
+
+ private:
+  void read_lines() {
     if (scan_.word() != "ply") file_.fail_at_line(0, "expected 'ply' on the first line");
     bool has_format = false;
     for (;;) {
@@ -42,17 +50,15 @@ class HeaderReader {
       } else if (keyword == "property") {
         read_property(line);
       } else if (!keyword.empty()) {
-        line.fail_expected("'format', 'comment', 'element', 'property' or 'end_header'");
+        // Some exporters forget the keyword of a comment.
+        TextScanner whole = line;
+        header_.comments.emplace_back(whole.rest_of_line());
       }
     }
     if (!has_format) scan_.fail_expected("a 'format' line before 'end_header'");
     scan_.next_line();
-    header_.data_offset = scan_.offset();
-    check_room();
-    return std::move(header_);
   }
 
- private:
   void read_format() {
     const TextScanner start = scan_;
     const std::string_view name = scan_.word();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "lapwing/io/binary_numbers.h"

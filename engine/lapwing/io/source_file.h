@@ -20,12 +20,17 @@ struct NumberTriples {
   std::size_t count = 0;
   std::array<Scalar, 3> types{Scalar::kFloat64, Scalar::kFloat64, Scalar::kFloat64};
   std::vector<std::uint64_t> offsets;  ///< of each number, three per record; empty when regular
-  std::uint64_t first = 0;             ///< regular: number k of record r starts at byte
-  std::uint64_t stride = 0;            ///< first + r * stride + places[k]
+  /// Regular: blocks of `stride` bytes from byte `first` on hold `per_block` records each, one
+  /// `spacing` bytes after the other, with number k of the first at places[k].
+  std::uint64_t first = 0;
+  std::uint64_t stride = 0;
+  std::uint64_t per_block = 1;
+  std::uint64_t spacing = 0;
   std::array<std::uint64_t, 3> places{};
 
   std::uint64_t offset(std::size_t record, std::size_t k) const {
-    return offsets.empty() ? first + record * stride + places[k] : offsets[3 * record + k];
+    if (!offsets.empty()) return offsets[3 * record + k];
+    return first + record / per_block * stride + record % per_block * spacing + places[k];
   }
   void add(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
     offsets.insert(offsets.end(), {x, y, z});

@@ -92,7 +92,7 @@ class AsciiStlReader {
   void expect(std::string_view keyword) {
     scan_.skip_space();
     const TextScanner start = scan_;
-    if (lower_word(scan_) != keyword) start.fail_expected("'" + std::string(keyword) + "'");
+    if (lower_word(scan_) != keyword) start.fail_expected(keyword);
   }
 
   Eigen::Vector3d read_triple(NumberTriples& places) {
@@ -133,20 +133,19 @@ void check_binary_size(const SourceFile& file) {
 }
 
 void describe_places(SourceFile& file, std::size_t count) {
-  constexpr std::array<Scalar, 3> kTypes{Scalar::kFloat32, Scalar::kFloat32, Scalar::kFloat32};
+  NumberTriples regular;
+  regular.types = {Scalar::kFloat32, Scalar::kFloat32, Scalar::kFloat32};
+  regular.first = kHeaderSize;
+  regular.stride = kFacetSize;
+  regular.places = {0, 4, 8};
+
+  file.normals = regular;
   file.normals.count = count;
-  file.normals.types = kTypes;
-  file.normals.first = kHeaderSize;
-  file.normals.stride = kFacetSize;
-  file.normals.places = {0, 4, 8};
+  file.positions = regular;
   file.positions.count = 3 * count;
-  file.positions.types = kTypes;
-  file.positions.offsets.reserve(9 * count);
-  for (std::uint64_t f = 0; f < count; ++f) {
-    for (std::uint64_t number = 0; number < 9; ++number) {
-      file.positions.offsets.push_back(kHeaderSize + f * kFacetSize + 12 + 4 * number);
-    }
-  }
+  file.positions.places = {12, 16, 20};
+  file.positions.per_block = 3;
+  file.positions.spacing = 12;
 }
 
 Mesh read_binary(SourceFile& file) {
@@ -158,7 +157,12 @@ Mesh read_binary(SourceFile& file) {
 
   Mesh mesh;
   Welder welder(mesh.positions);
+  welder.reserve(count / 2);  // what a closed surface has
   MeshAttributes& attributes = mesh.attributes;
+  attributes.normals.reserve(count);
+  attributes.corner_normals.reserve(3 * count);
+  mesh.face_vertices.reserve(3 * count);
+  mesh.face_starts.reserve(count + 1);
   ExtraAttribute words{"attribute", "ushort", 1, std::vector<double>(count)};
   bool any_word = false;
   for (std::size_t f = 0; f < count; ++f) {

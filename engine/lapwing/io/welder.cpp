@@ -1,5 +1,6 @@
 #include "lapwing/io/welder.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -18,7 +19,8 @@ std::uint64_t hash(const Eigen::Vector3d& position) {
 }  // namespace
 
 Index Welder::vertex_at(const Eigen::Vector3d& position) {
-  if (2 * (positions_.size() + 1) > slots_.size()) grow();
+  if (2 * (positions_.size() + 1) > slots_.size())
+    resize_table(std::max<std::size_t>(64, 2 * slots_.size()));
   const auto vertex = static_cast<Index>(positions_.size());
   // Unequal to all, these would pile up in one place of the table.
   if (!position.hasNaN()) {
@@ -37,8 +39,13 @@ std::size_t Welder::find_slot(const Eigen::Vector3d& position) const {
   return slot;
 }
 
-void Welder::grow() {
-  slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), kNoIndex);
+void Welder::reserve(std::size_t count) {
+  positions_.reserve(count);
+  resize_table(std::bit_ceil(2 * (count + 1)));
+}
+
+void Welder::resize_table(std::size_t size) {
+  slots_.assign(size, kNoIndex);
   for (std::size_t v = 0; v < positions_.size(); ++v) {
     if (!positions_[v].hasNaN()) slots_[find_slot(positions_[v])] = static_cast<Index>(v);
   }

@@ -13,13 +13,16 @@ class Welder {
   /// `positions` outlives the welder and is changed by it alone.
   explicit Welder(Positions& positions) : positions_(positions) {}
 
+  /// Makes room for `count` vertices.
+  void reserve(std::size_t count);
+
   /// Expected constant time.
   Index vertex_at(const Eigen::Vector3d& position);
 
  private:
   // Where the position's vertex is, or the free slot where it would go.
   std::size_t find_slot(const Eigen::Vector3d& position) const;
-  void grow();
+  void resize_table(std::size_t size);
 
   Positions& positions_;
   std::vector<Index> slots_;  // open addressing, a power of two in size, at most half full

@@ -51,7 +51,9 @@ void append_number(std::string& out, double value, Scalar type) {
   } else if (type == Scalar::kFloat32) {
     append_number(out, static_cast<float>(value));
   } else {
-    append_number(out, std::round(value));
+    constexpr double kLargest = 4294967295.0;  // beyond every integer type of a file
+    append_shortest(out,
+                    std::isnan(value) ? 0 : std::llround(std::clamp(value, -kLargest, kLargest)));
   }
 }
 
