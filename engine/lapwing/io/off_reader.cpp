@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "lapwing/io/formats.h"
@@ -21,7 +21,7 @@ class OffReader {
 
   Mesh read() {
     skip_space();
-    if (std::isdigit(static_cast<unsigned char>(scan_.peek())) == 0) read_header_word();
+    if (!starts_with_counts()) read_header_word();
     read_counts();
     for (std::size_t v = 0; v < vertex_count_; ++v) read_vertex();
     for (std::size_t f = 0; f < face_count_; ++f) read_face();
@@ -39,6 +39,13 @@ class OffReader {
       }
       scan_.next_line();
     }
+  }
+
+  // The header word may be missing.
+  bool starts_with_counts() const {
+    TextScanner ahead = scan_;
+    const std::string_view word = ahead.word();
+    return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
   }
 
   void read_header_word() {
@@ -75,8 +82,7 @@ class OffReader {
     vertex_count_ = read_count("the number of vertices");
     skip_space();
     face_count_ = read_count("the number of faces");
-    // The number of edges is often left out and means nothing.
-    scan_.next_line();
+    skip_edge_count();
     // A vertex takes at least 6 bytes ("0 0 0\n"), a face 8 ("3 0 0 0\n"), but for the last line
     // end.
     const std::uint64_t room = file_.bytes().size() - scan_.offset() + 1;
@@ -89,6 +95,16 @@ class OffReader {
     mesh_.face_starts.reserve(face_count_ + 1);
     mesh_.face_vertices.reserve(3 * face_count_);
     file_.positions.offsets.reserve(3 * vertex_count_);
+  }
+
+  // It means nothing, is often left out, and may have a line of its own.
+  void skip_edge_count() {
+    TextScanner ahead = scan_;
+    const bool on_this_line = !ahead.at_line_end();
+    ahead.skip_space();
+    ahead.word();
+    if (on_this_line || ahead.at_line_end()) scan_ = ahead;
+    scan_.next_line();
   }
 
   std::uint64_t read_count(std::string_view what) {

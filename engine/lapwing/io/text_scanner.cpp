@@ -45,7 +45,7 @@ const char* parse_number(const char* begin, const char* end, double& value) {
 }
 
 TextScanner::TextScanner(const SourceFile& file, char comment, std::uint64_t begin)
-    : file_(file),
+    : file_(&file),
       begin_(file.bytes().data()),
       here_(begin_ + begin),
       end_(begin_ + file.bytes().size()),
@@ -136,7 +136,7 @@ void TextScanner::fail_expected(std::string_view what) const {
     }
     message += "'" + word + "'";
   }
-  file_.fail_at_line(offset(), message);
+  file_->fail_at_line(offset(), message);
 }
 
 TextScanner scan_text(const SourceFile& file, char comment) {

@@ -69,7 +69,7 @@ class TextScanner {
   bool skip_continuation();
   [[noreturn]] void fail_word(std::string_view what);
 
-  const SourceFile& file_;
+  const SourceFile* file_;
   const char* begin_;
   const char* here_;
   const char* end_;

@@ -1,0 +1,117 @@
+#include "lapwing/io/atomic_file.h"
+
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+namespace fs = std::filesystem;
+
+// No file of this process may grow beyond the limit while it lives: a full disk, in effect.
+class SmallFilesOnly {
+ public:
+  explicit SmallFilesOnly(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    old_handler_ = ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SmallFilesOnly() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    ::signal(SIGXFSZ, old_handler_);
+  }
+  SmallFilesOnly(const SmallFilesOnly&) = delete;
+  SmallFilesOnly& operator=(const SmallFilesOnly&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*old_handler_)(int) = nullptr;
+};
+
+std::size_t files_in(const TemporaryFolder& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
+}
+
+TEST(ReplaceFile, MakesAFileAndReplacesIt) {
+  const TemporaryFolder folder;
+  replace_file(folder / "a.txt", "one");
+  replace_file(folder / "a.txt", "two and more");
+  EXPECT_EQ(content_of(folder / "a.txt"), "two and more");
+  EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(ReplaceFile, FailedWriteLeavesTheOldFileAndNoTemporary) {
+  const TemporaryFolder folder;
+  folder.file("mesh.obj", "v 1 2 3\n");
+  {
+    const SmallFilesOnly full(1024);
+    EXPECT_THROW(write_mesh(icosphere(2), folder / "mesh.obj"), IoError);
+  }
+  EXPECT_EQ(content_of(folder / "mesh.obj"), "v 1 2 3\n");
+  EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(ReplaceFile, KeepsPermissionBits) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("a.txt", "one");
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  replace_file(path, "two");
+  EXPECT_EQ(fs::status(path).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+}
+
+TEST(ReplaceFile, FollowsASymbolicLinkAndKeepsIt) {
+  const TemporaryFolder folder;
+  folder.file("target.txt", "one");
+  fs::create_symlink("target.txt", folder / "link.txt");
+  replace_file(folder / "link.txt", "two");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
+  EXPECT_EQ(content_of(folder / "target.txt"), "two");
+}
+
+TEST(ReplaceFile, MakesTheTargetOfADanglingLink) {
+  const TemporaryFolder folder;
+  fs::create_symlink("later.txt", folder / "link.txt");
+  replace_file(folder / "link.txt", "here");
+  EXPECT_EQ(content_of(folder / "later.txt"), "here");
+}
+
+TEST(ReplaceFile, RefusesWhatCannotBeReplacedWithTheReason) {
+  const TemporaryFolder folder;
+  fs::create_symlink("b", folder / "a");
+  fs::create_symlink("a", folder / "b");
+  const auto reason_of = [](const fs::path& path) {
+    try {
+      replace_file(path, "x");
+    } catch (const IoError& error) {
+      return std::string(error.what());
+    }
+    return std::string("written");
+  };
+  EXPECT_THAT(reason_of(folder.path()), ::testing::HasSubstr("Is a directory"));
+  EXPECT_THAT(reason_of(folder / "none/a.txt"), ::testing::HasSubstr("No such file"));
+  EXPECT_THAT(reason_of(folder / "a"), ::testing::HasSubstr("symbolic links"));
+  EXPECT_THAT(reason_of("/dev/null"), ::testing::HasSubstr("not a regular file"));
+}
+
+TEST(ReplaceFile, ReadOnlyFileStays) {
+  if (::geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("a.txt", "one");
+  fs::permissions(path, fs::perms::owner_read);
+  EXPECT_THROW(replace_file(path, "two"), IoError);
+  EXPECT_EQ(content_of(path), "one");
+}
+
+}  // namespace
+}  // namespace lapwing

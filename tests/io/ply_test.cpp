@@ -1,0 +1,109 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::ElementsAre;
+
+Mesh read_ply_text(std::string_view text) {
+  const TemporaryFolder folder;
+  return read_mesh(folder.file("a.ply", text));
+}
+
+TEST(Ply, EveryPropertyFindsItsPlace) {
+  const Mesh mesh = read_ply_text(
+      "ply\nformat ascii 1.0\ncomment by hand\nobj_info more\nelement vertex 3\n"
+      "property uchar blue\nproperty double z\nproperty float x\nproperty float y\n"
+      "property list uchar float weights\nproperty uchar red\nproperty uchar green\n"
+      "property float s\nproperty float t\nproperty int label\n"
+      "element face 1\nproperty float quality\nproperty list uchar int vertex_index\n"
+      "element edge 2\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+      "255 3 1 2 2 0.5 0.5 0 51 0.25 0.75 7\n0 0 0 0 0 0 0 0 0 8\n0 0 0 1 1 9 0 0 1 1 9\n"
+      "0.5 3 0 1 2\n0 1\n1 2\n");
+  const MeshAttributes& a = mesh.attributes;
+  EXPECT_EQ(mesh.positions[0], Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(a.vertex_colors[0], Eigen::Vector4f(0, 0.2F, 1, 1));
+  EXPECT_EQ(a.uvs[0], Eigen::Vector2d(0.25, 0.75));
+  EXPECT_THAT(a.corner_uvs, ElementsAre(0, 1, 2));
+  ASSERT_EQ(a.vertex_extras.size(), 1U);
+  EXPECT_EQ(a.vertex_extras[0].name, "label");
+  EXPECT_THAT(a.vertex_extras[0].values, ElementsAre(7, 8, 9));
+  ASSERT_EQ(a.face_extras.size(), 1U);
+  EXPECT_THAT(a.face_extras[0].values, ElementsAre(0.5));
+  EXPECT_THAT(a.comments, ElementsAre("by hand", "more"));
+  EXPECT_THAT(a.uneditable, ElementsAre("'edge' elements (2)", "'weights' lists (3)"));
+}
+
+TEST(Ply, TextureCoordinatesPerCornerAreRead) {
+  const Mesh mesh = read_ply_text(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+      "property list uchar float texcoord\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+      "3 0 1 2 6 0 0 1 0 0 1\n3 2 1 0 0\n");
+  EXPECT_EQ(mesh.attributes.uvs[1], Eigen::Vector2d(1, 0));
+  EXPECT_THAT(mesh.attributes.corner_uvs, ElementsAre(0, 1, 2, kNoIndex, kNoIndex, kNoIndex));
+}
+
+TEST(Ply, FacesMayComeBeforeVertices) {
+  const Mesh mesh = read_ply_text(
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+      "3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n");
+  EXPECT_THAT(mesh.face_vertices, ElementsAre(0, 1, 2));
+  EXPECT_EQ(mesh.positions[2], Eigen::Vector3d(0, 1, 0));
+}
+
+TEST(Ply, HeaderMayEndItsLinesInCarriageReturnAndLineFeed) {
+  using std::string_literals::operator""s;
+  const Mesh mesh = read_ply_text(
+      "ply\r\nformat binary_big_endian 1.0\r\nelement vertex 1\r\nproperty short x\r\n"
+      "property short y\r\nproperty short z\r\nend_header\r\n\1\0\0\x02\xFF\xFF"s);
+  EXPECT_EQ(mesh.positions[0], Eigen::Vector3d(256, 2, -1));
+}
+
+TEST(Ply, PointCloudWithoutFacesIsRead) {
+  const Mesh mesh = read_ply_text(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nend_header\n1 2 3\n");
+  EXPECT_EQ(mesh.vertex_count(), 1U);
+  EXPECT_EQ(mesh.face_count(), 0U);
+}
+
+TEST(Ply, PositionsOfFloatsAreWrittenAsFloatsOthersAsDoubles) {
+  const TemporaryFolder folder;
+  Mesh mesh = grid(2, 2);
+  write_mesh(mesh, folder / "a.ply");
+  EXPECT_THAT(content_of(folder / "a.ply"), ::testing::HasSubstr("property float x"));
+  mesh.positions[0].x() = 0.1;
+  write_mesh(mesh, folder / "a.ply");
+  EXPECT_THAT(content_of(folder / "a.ply"), ::testing::HasSubstr("property double x"));
+  EXPECT_EQ(read_mesh(folder / "a.ply").positions, mesh.positions);
+}
+
+TEST(Ply, LargeIndicesArePrintedInFull) {
+  const TemporaryFolder folder;
+  Mesh mesh;
+  mesh.positions.assign(100001, Eigen::Vector3d::Zero());
+  mesh.add_face(std::array<Index, 3>{0, 1, 100000});
+  write_mesh(mesh, folder / "a.ply", {.encoding = Encoding::kAscii});
+  EXPECT_EQ(read_mesh(folder / "a.ply").face_vertices, mesh.face_vertices);
+}
+
+TEST(Ply, MovedVertexOfAnIntegerFileGetsRealCoordinates) {
+  const TemporaryFolder folder;
+  Mesh mesh = read_mesh(folder.file(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n"
+      "end_header\n1 2 3\n"));
+  mesh.positions[0].x() = 1.5;
+  write_mesh(mesh, folder / "a.ply");
+  EXPECT_EQ(read_mesh(folder / "a.ply").positions, mesh.positions);
+}
+
+}  // namespace
+}  // namespace lapwing

@@ -1,0 +1,94 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr WriteOptions kAscii{.encoding = Encoding::kAscii};
+
+TEST(Stl, CornersAreWeldedWhereTheirPositionsAreEqual) {
+  const TemporaryFolder folder;
+  const Mesh sphere = icosphere(2);
+  write_mesh(sphere, folder / "a.stl", kAscii);
+  const Mesh mesh = read_mesh(folder / "a.stl");
+  EXPECT_EQ(mesh.vertex_count(), sphere.vertex_count());
+  EXPECT_EQ(mesh.face_count(), sphere.face_count());
+}
+
+TEST(Stl, BothZerosAreOnePosition) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_mesh(folder.file(
+      "a.stl",
+      "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex -0 0 -0\n"
+      "endloop\nendfacet\nendsolid\n"));
+  EXPECT_THAT(mesh.face_vertices, ElementsAre(0, 1, 0));
+}
+
+TEST(Stl, BinaryFileMayStartWithTheWordSolid) {
+  const TemporaryFolder folder;
+  write_mesh(icosphere(1), folder / "a.stl");
+  std::string bytes = content_of(folder / "a.stl");
+  bytes.replace(0, 12, "solid sphere");
+  const Mesh mesh = read_mesh(folder.file("b.stl", bytes));
+  EXPECT_EQ(mesh.vertex_count(), icosphere(1).vertex_count());
+}
+
+TEST(Stl, SolidsAreGroups) {
+  const TemporaryFolder folder;
+  const std::string facet =
+      "  FACET normal 0 0 1\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n vertex 0 1 0\n endloop\n"
+      " endfacet\n";
+  const std::string text = "solid left arm\n" + facet +
+                           "endsolid left arm\nsolid empty\nendsolid\nsolid b\n" + facet +
+                           "endsolid b\n";
+  const Mesh mesh = read_mesh(folder.file("a.stl", text));
+  EXPECT_THAT(mesh.attributes.groups, ElementsAre("left arm", "empty", "b"));
+  EXPECT_THAT(mesh.attributes.face_groups, ElementsAre(0, 2));
+}
+
+TEST(Stl, AttributeWordsAreCarried) {
+  const TemporaryFolder folder;
+  Mesh mesh = grid(1, 1);
+  mesh.attributes.face_extras.push_back({"attribute", "ushort", 1, {0, 40000}});
+  write_mesh(mesh, folder / "a.stl");
+  const Mesh again = read_mesh(folder / "a.stl");
+  ASSERT_EQ(again.attributes.face_extras.size(), 1U);
+  EXPECT_THAT(again.attributes.face_extras[0].values, ElementsAre(0, 40000));
+}
+
+TEST(Stl, FewBytesBehindTheLastTriangleAreKept) {
+  const TemporaryFolder folder;
+  write_mesh(grid(1, 1), folder / "a.stl");
+  const std::string bytes = content_of(folder / "a.stl") + "made by hand";
+  write_mesh(read_mesh(folder.file("b.stl", bytes)), folder / "c.stl");
+  EXPECT_EQ(content_of(folder / "c.stl"), bytes);
+}
+
+TEST(Stl, ReportSaysWhatTrianglesCannotHold) {
+  const TemporaryFolder folder;
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 5, 0.1}};
+  mesh.add_face(std::array<Index, 4>{0, 1, 2, 3});
+  const WriteReport report = write_mesh(mesh, folder / "a.stl");
+  EXPECT_THAT(report.not_carried, Contains(HasSubstr("polygons")));
+  EXPECT_THAT(report.not_carried, Contains(HasSubstr("vertices without a face (1)")));
+  EXPECT_THAT(report.not_carried, Contains(HasSubstr("32-bit floats")));
+}
+
+TEST(Stl, BigEndianIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_mesh(grid(1, 1), folder / "a.stl", {.encoding = Encoding::kBigEndian}),
+               InputError);
+}
+
+}  // namespace
+}  // namespace lapwing
