@@ -84,6 +84,20 @@ TEST(Triangulation, ConcavePolygonIsCutWithoutFolds) {
   }
 }
 
+TEST(Triangulation, PolygonBridgedToItsHoleIsCutWithoutFolds) {
+  const Positions square_and_hole{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0},
+                                  {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}};
+  std::vector<Triangle> triangles;
+  triangulate_polygon(std::array<Index, 10>{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}, square_and_hole,
+                      triangles);
+  double area = 0.0;
+  for (const Triangle& t : triangles) {
+    EXPECT_GE(signed_area(t, square_and_hole), 0.0);
+    area += signed_area(t, square_and_hole);
+  }
+  EXPECT_DOUBLE_EQ(area, 8.0);
+}
+
 TEST(Triangulation, ConvexPolygonIsTheFanOfItsFirstCorner) {
   const Positions square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   std::vector<Triangle> triangles;
