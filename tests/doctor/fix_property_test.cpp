@@ -2,6 +2,8 @@
 #include <array>
 #include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -130,6 +132,14 @@ void for_each_broken_mesh(Body&& body) {
     const FixReport report = fix(fixed);
     body(broken, fixed, report);
   }
+}
+
+TEST(FixProperty, TheseMeshesNeedEveryRepair) {
+  std::array<bool, kRepairKindCount> seen{};
+  for_each_broken_mesh([&](const Mesh&, const Mesh&, const FixReport& report) {
+    for (const Repair& repair : report.repairs) seen[static_cast<std::size_t>(repair.kind)] = true;
+  });
+  EXPECT_THAT(seen, ::testing::Each(true));
 }
 
 TEST(FixProperty, LeavesNoFixableDefect) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <string>
 #include <utility>
 
 #include "lapwing/base/errors.h"
@@ -201,6 +202,14 @@ FixReport Repairs::report() && {
   return report;
 }
 
+std::string nothing_left_message(const Mesh& mesh) {
+  const std::string cause = mesh.face_count() == 0
+                                ? "it has no faces"
+                                : "none of its " + std::to_string(mesh.face_count()) +
+                                      " faces has three different, finite vertices";
+  return "repairing the mesh would leave nothing: " + cause + "; export it again with its faces";
+}
+
 }  // namespace
 
 const RepairInfo& describe(RepairKind kind) {
@@ -225,9 +234,7 @@ FixReport fix(Mesh& mesh) {
   } while (repairs.weld_seams());
   repairs.remove_loose_vertices();
   if (repairs.mesh().face_count() == 0 && mesh.vertex_count() > 0) {
-    throw InputError("nothing would be left of the mesh: none of its " +
-                     std::to_string(mesh.face_count()) +
-                     " faces has three different, finite vertices; export it again with its faces");
+    throw InputError(nothing_left_message(mesh));
   }
   repairs.split_bow_ties();
   repairs.orient();
