@@ -1,0 +1,203 @@
+#include "lapwing/region/edit_region.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/mesh/shapes.h"
+#include "support/error_message.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+RegionSpec all() {
+  return {AllVertices{}, "/roi"};
+}
+RegionSpec listed(std::vector<Index> vertices, std::string where) {
+  return {ListedVertices{std::move(vertices)}, std::move(where)};
+}
+RegionSpec handle(std::vector<Index> vertices) {
+  return listed(std::move(vertices), "/handles/0/region");
+}
+
+EditRegion bind(const Mesh& mesh, const RegionSpec& roi, const BeltSpec& belt,
+                const std::vector<RegionSpec>& handles) {
+  return resolve_edit_region(roi, belt, handles, mesh, build_topology(mesh));
+}
+
+std::string error_of(const Mesh& mesh, const RegionSpec& roi, const BeltSpec& belt,
+                     const std::vector<RegionSpec>& handles) {
+  return error_message<InputError>([&] { bind(mesh, roi, belt, handles); });
+}
+
+Mesh beside(const Mesh& a, const Mesh& b) {
+  Mesh both = a;
+  const auto first = static_cast<Index>(a.vertex_count());
+  for (const Vector3d& p : b.positions) both.positions.push_back(p + Vector3d(5, 0, 0));
+  for (std::size_t f = 0; f < b.face_count(); ++f) {
+    std::vector<Index> face(b.face(f).begin(), b.face(f).end());
+    for (Index& v : face) v += first;
+    both.add_face(face);
+  }
+  return both;
+}
+
+TEST(BorderBelt, OfADiskIsARingOfTheFractionsWidth) {
+  const Mesh mesh = grid(40, 40);
+  const Index center = 20 * 41 + 20;
+  const RegionSpec disk{GeodesicDisk{center, 0.4}, "/roi"};
+  const EditRegion region = bind(mesh, disk, BorderBelt{0.25, "/belt"}, {handle({center})});
+  for (const Index v : region.roi) {
+    const double radius = (mesh.positions[v] - mesh.positions[center]).norm();
+    const bool in_belt = std::binary_search(region.belt.begin(), region.belt.end(), v);
+    // The border runs along the grid, up to an edge diagonal (0.035) within the circle.
+    if (radius > 0.31) {
+      EXPECT_TRUE(in_belt) << radius;
+    }
+    if (radius < 0.26) {
+      EXPECT_FALSE(in_belt) << radius;
+    }
+  }
+}
+
+TEST(BorderBelt, OfFractionZeroIsTheBorder) {
+  const Mesh mesh = grid(4, 4);
+  const Topology topology = build_topology(mesh);
+  const VertexSet roi{6, 7, 8, 11, 12, 13, 16, 17, 18};
+  EXPECT_THAT(resolve_border_belt({0.0, "/belt"}, roi, mesh, topology),
+              ElementsAre(6, 7, 8, 11, 13, 16, 17, 18));
+}
+
+TEST(BorderBelt, OfAWholeOpenMeshFollowsTheMeshBoundary) {
+  const Mesh mesh = grid(4, 4);
+  const EditRegion region = bind(mesh, all(), BorderBelt{}, {handle({12})});
+  EXPECT_EQ(region.belt.size(), 16U);
+}
+
+TEST(BorderBelt, LeavesTheHandleOut) {
+  const Mesh mesh = grid(4, 4);
+  const EditRegion region = bind(mesh, all(), BorderBelt{}, {handle({0, 1, 12})});
+  EXPECT_EQ(region.belt.size(), 14U);
+  EXPECT_THAT(intersect(region.belt, region.handles[0]), IsEmpty());
+}
+
+TEST(BorderBelt, IsEmptyOnAWholeClosedMesh) {
+  const Mesh mesh = icosphere(1);
+  const EditRegion region = bind(mesh, all(), BorderBelt{}, {handle({0, 1, 2})});
+  EXPECT_THAT(region.belt, IsEmpty());
+}
+
+TEST(BorderBelt, MeasuresEachComponentByItself) {
+  Mesh small = grid(4, 4);
+  for (Vector3d& p : small.positions) p *= 0.01;
+  const Mesh mesh = beside(grid(10, 10), small);
+  const EditRegion region = bind(mesh, all(), BorderBelt{0.25, "/belt"}, {handle({60})});
+  EXPECT_EQ(subtract(region.roi, region.belt).front(), 24U);
+  EXPECT_EQ(subtract(region.roi, region.belt).back(), 121U + 18U);
+}
+
+TEST(BorderBelt, FractionOutsideZeroToOneIsRefused) {
+  EXPECT_EQ(error_of(grid(4, 4), all(), BorderBelt{1.5, "/belt"}, {handle({12})}),
+            "/belt/fraction: expected a number from 0 to 1, got 1.5");
+}
+
+TEST(EditRegion, KeepsWhatWasAsked) {
+  const EditRegion region = bind(grid(4, 4), all(), listed({4, 0, 24}, "/belt"),
+                                 {handle({13, 12}), listed({6}, "/handles/1/region")});
+  EXPECT_EQ(region.roi.size(), 25U);
+  EXPECT_THAT(region.belt, ElementsAre(0, 4, 24));
+  EXPECT_THAT(region.handles, ElementsAre(ElementsAre(12, 13), ElementsAre(6)));
+}
+
+TEST(EditRegion, HandleInTheBeltIsRefusedWithItsVertices) {
+  EXPECT_EQ(error_of(grid(4, 4), all(), listed({0, 1, 2, 3}, "/belt"), {handle({2, 3, 12})}),
+            "/handles/0/region: the handle shares vertices 2, 3 with the belt; leave them out of "
+            "one of the two (\"minus\" does that)");
+}
+
+TEST(EditRegion, LongListsOfVerticesAreCutAtEight) {
+  const std::vector<Index> many{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  EXPECT_THAT(error_of(grid(4, 4), all(), listed(many, "/belt"), {handle(many)}),
+              HasSubstr("vertices 0, 1, 2, 3, 4, 5, 6, 7 and 3 more"));
+}
+
+TEST(EditRegion, HandlesThatShareVerticesAreRefused) {
+  EXPECT_THAT(error_of(grid(4, 4), all(), listed({0, 4, 24}, "/belt"),
+                       {handle({12, 13}), listed({13}, "/handles/1/region")}),
+              HasSubstr("/handles/1/region: the handle shares vertex 13 with handle 0"));
+}
+
+TEST(EditRegion, HandleAndBeltStayInTheRoi) {
+  const RegionSpec roi = listed({6, 7, 8, 11, 12, 13, 16, 17, 18}, "/roi");
+  EXPECT_THAT(error_of(grid(4, 4), roi, BorderBelt{}, {handle({12, 24})}),
+              HasSubstr("/handles/0/region: the handle leaves the roi at vertex 24"));
+  EXPECT_THAT(error_of(grid(4, 4), roi, listed({0, 6}, "/belt"), {handle({12})}),
+              HasSubstr("/belt: the belt leaves the roi at vertex 0"));
+}
+
+TEST(EditRegion, EmptyRoiAndHandleAreRefused) {
+  EXPECT_THAT(error_of(grid(4, 4), all(), BorderBelt{}, {handle({})}),
+              HasSubstr("/handles/0/region: the handle holds no vertex"));
+  EXPECT_THAT(error_of(grid(4, 4), listed({}, "/roi"), BorderBelt{}, {}),
+              HasSubstr("/roi: the roi holds no vertex"));
+}
+
+TEST(EditRegion, VertexThatIsNotFiniteIsNamedUnlessItIsLoose) {
+  Mesh mesh = grid(4, 4);
+  mesh.positions.emplace_back(std::nan(""), 0, 0);
+  EXPECT_EQ(bind(mesh, all(), BorderBelt{}, {handle({12})}).roi.size(), 26U);
+  mesh.positions[24].z() = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(error_of(mesh, all(), BorderBelt{}, {handle({12})}),
+              HasSubstr("/roi: the roi or its rings hold vertex 24 with a position that is not"));
+}
+
+TEST(Anchors, ComponentThatNothingHoldsIsNamed) {
+  const Mesh mesh = beside(grid(4, 4), icosphere(0));
+  EXPECT_EQ(
+      error_of(mesh, all(), BorderBelt{}, {handle({12})}),
+      "/roi: the component of 12 vertices from vertex 25 on has no anchor: no handle, belt or "
+      "vertex outside the roi holds it; add a belt there, or leave it out of the roi");
+}
+
+TEST(Anchors, OnOneLineLetTheComponentTurn) {
+  EXPECT_EQ(error_of(grid(4, 4), all(), listed({0, 1, 4}, "/belt"), {handle({2})}),
+            "/roi: the component of 25 vertices from vertex 0 on can turn freely: its anchors "
+            "(vertices 0, 1, 2, 4) lie on one line; add a belt vertex off that line, or leave the "
+            "component out of the roi");
+  EXPECT_THAT(error_of(grid(4, 4), all(), listed({}, "/belt"), {handle({12})}),
+              HasSubstr("can turn freely: its anchors (vertex 12) lie on one line"));
+}
+
+TEST(Anchors, CollinearityDoesNotDependOnPlaceOrUnit) {
+  for (const double unit : {1e-3, 1.0, 1e3}) {
+    Mesh mesh = grid(4, 4);
+    for (Vector3d& p : mesh.positions) p = unit * (p + Vector3d(1e4, 0, 0));
+    EXPECT_THAT(error_of(mesh, all(), listed({0, 4}, "/belt"), {handle({2})}),
+                HasSubstr("lie on one line"));
+    EXPECT_EQ(error_of(mesh, all(), listed({0, 4}, "/belt"), {handle({7})}), "");
+  }
+}
+
+TEST(Anchors, VerticesOutsideTheRoiHoldIt) {
+  const RegionSpec roi = listed({6, 7, 11, 12}, "/roi");
+  EXPECT_EQ(error_of(grid(4, 4), roi, listed({}, "/belt"), {handle({12})}), "");
+}
+
+TEST(Anchors, LooseVerticesNeedNone) {
+  Mesh mesh = grid(4, 4);
+  mesh.positions.emplace_back(9, 9, 9);
+  EXPECT_EQ(error_of(mesh, all(), BorderBelt{}, {handle({12})}), "");
+}
+
+}  // namespace
+}  // namespace lapwing
