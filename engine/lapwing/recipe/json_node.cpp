@@ -1,0 +1,222 @@
+#include "lapwing/recipe/json_node.h"
+
+#include <algorithm>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/recipe/suggest.h"
+
+namespace lapwing {
+
+using Json = nlohmann::json;
+
+struct JsonNode::Value {
+  std::shared_ptr<const Json> document;
+  const Json* json;
+};
+
+namespace {
+
+// What a message says was found.
+std::string in_words(const Json& json) {
+  switch (json.type()) {
+    case Json::value_t::null:
+      return "null";
+    case Json::value_t::object:
+      return "an object";
+    case Json::value_t::array:
+      return "a list of " + std::to_string(json.size());
+    case Json::value_t::string: {
+      constexpr std::size_t kShown = 40;
+      const auto& text = json.get_ref<const std::string&>();
+      return text.size() <= kShown ? "the text \"" + text + "\"" : "a long text";
+    }
+    default:
+      return json.dump();
+  }
+}
+
+// Key `key` as a token of a JSON pointer (RFC 6901).
+std::string pointer_token(std::string_view key) {
+  std::string token;
+  for (const char c : key) {
+    if (c == '~') {
+      token += "~0";
+    } else if (c == '/') {
+      token += "~1";
+    } else {
+      token += c;
+    }
+  }
+  return token;
+}
+
+std::string line_and_column(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_start = before.rfind('\n') + 1;
+  return std::to_string(line) + ":" + std::to_string(before.size() - line_start + 1);
+}
+
+// The library's message without its own prefix of class, number and position.
+std::string bare_message(const Json::exception& error) {
+  const std::string_view text = error.what();
+  const std::size_t at = text.find("syntax error");
+  return std::string(at == std::string_view::npos ? text : text.substr(at));
+}
+
+Json parse_text(std::string_view text, const std::string& name) {
+  std::vector<std::set<std::string>> keys;
+  const auto refuse_repeated_keys = [&](int, Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key) {
+      const auto& key = parsed.get_ref<const std::string&>();
+      if (!keys.back().insert(key).second) {
+        throw InputError(name + ": the key \"" + key +
+                         "\" stands twice in one object; remove one of the two");
+      }
+    }
+    return true;
+  };
+  try {
+    return Json::parse(text, refuse_repeated_keys);
+  } catch (const Json::parse_error& error) {
+    throw InputError(name + ":" + line_and_column(text, error.byte) + ": " + bare_message(error) +
+                     "; check commas, quotes and brackets before this place");
+  } catch (const Json::exception& error) {
+    throw InputError(name + ": " + bare_message(error));
+  }
+}
+
+}  // namespace
+
+JsonNode::JsonNode(std::shared_ptr<const Value> value, std::string where)
+    : value_(std::move(value)), where_(std::move(where)) {}
+
+JsonNode JsonNode::parse(std::string_view text, const std::string& name) {
+  auto document = std::make_shared<const Json>(parse_text(text, name));
+  const Json* root = document.get();
+  return {std::make_shared<const Value>(Value{std::move(document), root}), name};
+}
+
+JsonNode JsonNode::child(const void* json, const std::string& token) const {
+  const bool is_root = value_->json == value_->document.get();
+  return {std::make_shared<const Value>(Value{value_->document, static_cast<const Json*>(json)}),
+          where_ + (is_root ? ": /" : "/") + token};
+}
+
+void JsonNode::fail(const std::string& message) const {
+  throw InputError(where_ + ": " + message);
+}
+
+void JsonNode::fail_expecting(const std::string& what) const {
+  fail("expected " + what + ", got " + in_words(*value_->json));
+}
+
+void JsonNode::require_object() const {
+  if (!value_->json->is_object()) fail_expecting("an object");
+}
+
+void JsonNode::require_list(const std::string& what) const {
+  if (!value_->json->is_array()) fail_expecting(what);
+}
+
+void JsonNode::require_keys(std::initializer_list<std::string_view> known) const {
+  require_object();
+  for (const auto& [key, value] : value_->json->items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      child(&value, pointer_token(key)).fail("unknown key; " + suggest(key, known));
+    }
+  }
+}
+
+bool JsonNode::has(std::string_view key) const {
+  require_object();
+  return value_->json->contains(key);
+}
+
+JsonNode JsonNode::at(std::string_view key) const {
+  if (auto found = find(key)) return *std::move(found);
+  fail("the key \"" + std::string(key) + "\" is missing; add it");
+}
+
+std::optional<JsonNode> JsonNode::find(std::string_view key) const {
+  require_object();
+  const auto found = value_->json->find(key);
+  if (found == value_->json->end()) return std::nullopt;
+  return child(&*found, pointer_token(key));
+}
+
+std::string_view JsonNode::only_key_of(std::initializer_list<std::string_view> keys,
+                                       const std::string& what) const {
+  std::vector<std::string_view> present;
+  std::copy_if(keys.begin(), keys.end(), std::back_inserter(present),
+               [&](std::string_view key) { return has(key); });
+  if (present.size() == 1) return present.front();
+  if (present.empty()) fail(what + " needs one of " + quoted_list(keys));
+  fail(what + " takes one of " + quoted_list(keys) + ", got " + quoted_list(present));
+}
+
+std::vector<JsonNode> JsonNode::elements() const {
+  require_list("a list");
+  std::vector<JsonNode> nodes;
+  for (std::size_t k = 0; k < value_->json->size(); ++k) {
+    nodes.push_back(child(&(*value_->json)[k], std::to_string(k)));
+  }
+  return nodes;
+}
+
+bool JsonNode::boolean() const {
+  if (!value_->json->is_boolean()) fail_expecting("true or false");
+  return value_->json->get<bool>();
+}
+
+std::string JsonNode::string() const {
+  if (!value_->json->is_string()) fail_expecting("a text in quotes");
+  return value_->json->get<std::string>();
+}
+
+double JsonNode::number() const {
+  if (!value_->json->is_number()) fail_expecting("a number");
+  return value_->json->get<double>();
+}
+
+double JsonNode::positive_number() const {
+  const Json& json = *value_->json;
+  if (!json.is_number() || !(json.get<double>() > 0.0)) fail_expecting("a number above 0");
+  return json.get<double>();
+}
+
+Index JsonNode::vertex() const {
+  const Json& json = *value_->json;
+  if (!json.is_number_unsigned() || json.get<std::uint64_t>() >= kNoIndex) {
+    fail_expecting("a vertex number (whole, from 0)");
+  }
+  return json.get<Index>();
+}
+
+std::vector<Index> JsonNode::vertices() const {
+  require_list("a list of vertex numbers");
+  std::vector<Index> indices;
+  for (const JsonNode& element : elements()) indices.push_back(element.vertex());
+  return indices;
+}
+
+std::vector<double> JsonNode::numbers() const {
+  require_list("a list of numbers");
+  std::vector<double> values;
+  for (const JsonNode& element : elements()) values.push_back(element.number());
+  return values;
+}
+
+Eigen::Vector3d JsonNode::vector3() const {
+  require_list("3 numbers");
+  const std::vector<double> values = numbers();
+  if (values.size() != 3) fail("expected 3 numbers, got " + std::to_string(values.size()));
+  return {values[0], values[1], values[2]};
+}
+
+}  // namespace lapwing

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "lapwing/mesh/mesh.h"
+
+namespace lapwing {
+
+/// A value in a JSON document that knows where it stands. Every accessor checks the type and throws
+/// InputError "NAME: /json/pointer: expected ..., got ..." otherwise. Cheap to copy; keeps the
+/// document alive.
+class JsonNode {
+ public:
+  /// The root of `text`. Throws InputError with line and column when it is no JSON, and when an
+  /// object names a key twice.
+  static JsonNode parse(std::string_view text, const std::string& name);
+
+  /// Document and JSON pointer, as messages begin.
+  const std::string& where() const { return where_; }
+  [[noreturn]] void fail(const std::string& message) const;
+  [[noreturn]] void fail_expecting(const std::string& what) const;
+
+  /// This is an object and has no other keys; an unknown one is answered with the nearest.
+  void require_keys(std::initializer_list<std::string_view> known) const;
+  bool has(std::string_view key) const;
+  JsonNode at(std::string_view key) const;
+  std::optional<JsonNode> find(std::string_view key) const;
+  /// The one of `keys` that this object has; none and several are errors about `what`.
+  std::string_view only_key_of(std::initializer_list<std::string_view> keys,
+                               const std::string& what) const;
+
+  std::vector<JsonNode> elements() const;
+  bool boolean() const;
+  std::string string() const;
+  double number() const;
+  double positive_number() const;
+  Index vertex() const;
+  std::vector<Index> vertices() const;
+  std::vector<double> numbers() const;
+  Eigen::Vector3d vector3() const;
+
+ private:
+  struct Value;
+  JsonNode(std::shared_ptr<const Value> value, std::string where);
+  JsonNode child(const void* json, const std::string& token) const;
+  void require_object() const;
+  void require_list(const std::string& what) const;
+
+  std::shared_ptr<const Value> value_;
+  std::string where_;
+};
+
+}  // namespace lapwing

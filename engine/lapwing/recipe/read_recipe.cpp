@@ -1,0 +1,56 @@
+#include <fstream>
+#include <iterator>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/recipe/read_step.h"
+#include "lapwing/recipe/recipe.h"
+
+namespace lapwing {
+namespace {
+
+void require_version(const JsonNode& root) {
+  const std::string current = std::to_string(kRecipeVersion);
+  const auto version = root.find("lapwing");
+  if (!version) {
+    root.fail("the key \"lapwing\" is missing; a recipe says \"lapwing\": " + current +
+              ", the version of its format");
+  }
+  if (version->number() != kRecipeVersion) {
+    version->fail_expecting("version " + current + ", the one that this program reads");
+  }
+}
+
+std::filesystem::path read_path(const JsonNode& node) {
+  const std::string text = node.string();
+  if (text.empty()) node.fail("expected the name of a file, got an empty text");
+  return text;
+}
+
+}  // namespace
+
+Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& base_directory,
+                    const std::string& name) {
+  const JsonNode root = JsonNode::parse(json_text, name);
+  root.require_keys({"lapwing", "mesh", "steps", "save"});
+  require_version(root);
+  Recipe recipe;
+  recipe.base_directory = base_directory;
+  recipe.mesh = read_path(root.at("mesh"));
+  for (const JsonNode& step : root.at("steps").elements()) recipe.steps.push_back(read_step(step));
+  if (const auto save = root.find("save")) recipe.save = read_path(*save);
+  return recipe;
+}
+
+Recipe read_recipe(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  // A folder opens like a file and fails only when read.
+  if (!file || std::filesystem::is_directory(path)) {
+    throw IoError(path.string() +
+                  ": cannot be read; check that the recipe exists and that you "
+                  "may read it");
+  }
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return parse_recipe(text, path.parent_path(), path.string());
+}
+
+}  // namespace lapwing

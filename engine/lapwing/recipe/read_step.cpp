@@ -1,0 +1,100 @@
+#include "lapwing/recipe/read_step.h"
+
+#include <array>
+
+#include "lapwing/recipe/read_region.h"
+#include "lapwing/recipe/suggest.h"
+
+namespace lapwing {
+namespace {
+
+using RowMajor4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
+
+AxisRotation read_rotation(const JsonNode& node) {
+  node.require_keys({"axis", "degrees"});
+  const AxisRotation rotation{node.at("axis").vector3(), node.at("degrees").number()};
+  if (!(rotation.axis.norm() > 0.0))
+    node.at("axis").fail("the axis has no length; name a direction");
+  return rotation;
+}
+
+MatrixMove read_matrix(const JsonNode& node) {
+  const std::vector<double> values = node.numbers();
+  if (values.size() != 12 && values.size() != 16) {
+    node.fail("expected 12 or 16 numbers, row by row, got " + std::to_string(values.size()));
+  }
+  RowMajor4 matrix = RowMajor4::Identity();
+  std::copy(values.begin(), values.end(), matrix.data());
+  if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+    node.fail("expected the last row 0 0 0 1: a handle's motion is affine");
+  }
+  return {matrix.topRows<3>()};
+}
+
+LaplacianWeights read_weights(const JsonNode& node) {
+  constexpr std::array<std::string_view, 2> kNames{"uniform", "cotangent"};
+  const std::string name = node.string();
+  if (name == kNames[0]) return LaplacianWeights::uniform;
+  if (name == kNames[1]) return LaplacianWeights::cotangent;
+  node.fail("unknown weights \"" + name + "\"; " + suggest(name, kNames));
+}
+
+MovedHandle read_handle(const JsonNode& node) {
+  node.require_keys({"region", "move"});
+  return {read_region(node.at("region")), read_move(node.at("move"))};
+}
+
+void refuse_settling(const JsonNode& node) {
+  if (node.boolean()) {
+    node.fail("settling is not available in this version; write false, or leave it out");
+  }
+}
+
+Step read_deform(const JsonNode& node) {
+  node.require_keys(
+      {"op", "roi", "belt", "handles", "weights", "constraint_weight", "hard", "settle"});
+  DeformStep step;
+  step.roi = read_region(node.at("roi"));
+  step.belt = BorderBelt{.where = node.where() + "/belt"};
+  if (const auto belt = node.find("belt")) step.belt = read_belt(*belt);
+  const JsonNode handles = node.at("handles");
+  for (const JsonNode& handle : handles.elements()) step.handles.push_back(read_handle(handle));
+  if (step.handles.empty()) handles.fail("expected at least one handle");
+  if (const auto weights = node.find("weights")) step.weights = read_weights(*weights);
+  if (const auto weight = node.find("constraint_weight")) {
+    step.constraint_weight = weight->positive_number();
+  }
+  if (const auto hard = node.find("hard")) step.hard = hard->boolean();
+  if (const auto settle = node.find("settle")) refuse_settling(*settle);
+  return step;
+}
+
+}  // namespace
+
+Move read_move(const JsonNode& node) {
+  node.require_keys({"translate", "rotate", "scale", "pivot", "matrix"});
+  if (const auto matrix = node.find("matrix")) {
+    for (const std::string_view other : {"translate", "rotate", "scale", "pivot"}) {
+      if (!node.has(other)) continue;
+      node.at(other).fail("\"matrix\" stands in place of \"" + std::string(other) +
+                          "\"; remove one of the two");
+    }
+    return read_matrix(*matrix);
+  }
+  SimilarityMove move;
+  if (const auto translate = node.find("translate")) move.translate = translate->vector3();
+  if (const auto rotate = node.find("rotate")) move.rotate = read_rotation(*rotate);
+  if (const auto scale = node.find("scale")) move.scale = scale->positive_number();
+  if (const auto pivot = node.find("pivot")) move.pivot = pivot->vector3();
+  return move;
+}
+
+Step read_step(const JsonNode& node) {
+  constexpr std::array<std::string_view, 1> kOps{"deform"};
+  const JsonNode op = node.at("op");
+  const std::string name = op.string();
+  if (name == kOps[0]) return read_deform(node);
+  op.fail("unknown op \"" + name + "\"; " + suggest(name, kOps));
+}
+
+}  // namespace lapwing

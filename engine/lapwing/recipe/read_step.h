@@ -1,0 +1,12 @@
+#pragma once
+
+#include "lapwing/recipe/json_node.h"
+#include "lapwing/recipe/recipe.h"
+
+namespace lapwing {
+
+/// The step or move that `node` describes. Throws InputError with the place.
+Step read_step(const JsonNode& node);
+Move read_move(const JsonNode& node);
+
+}  // namespace lapwing

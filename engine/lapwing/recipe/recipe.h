@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lapwing/laplacian/weights.h"
+#include "lapwing/recipe/move.h"
+#include "lapwing/region/border_belt.h"
+#include "lapwing/region/region_spec.h"
+
+namespace lapwing {
+
+/// The version of the format that this program reads and writes, the file's "lapwing".
+inline constexpr int kRecipeVersion = 1;
+
+struct MovedHandle {
+  RegionSpec region;
+  Move move;
+  bool operator==(const MovedHandle&) const = default;
+};
+
+/// {"op": "deform"}: bend the ROI by moving its handles.
+struct DeformStep {
+  RegionSpec roi;
+  BeltSpec belt = BorderBelt{};
+  std::vector<MovedHandle> handles;  ///< at least one
+  LaplacianWeights weights = LaplacianWeights::uniform;
+  double constraint_weight = 1.0;  ///< above 0
+  bool hard = false;               ///< belt and handles held exactly, not by weight
+  bool operator==(const DeformStep&) const = default;
+};
+
+/// One operation of a recipe. A new one is a type here, its reader in read_step.cpp and its writer
+/// in write_recipe.cpp.
+using Step = std::variant<DeformStep>;
+
+/// A whole edit: a mesh, what is done to it, and where the result goes.
+struct Recipe {
+  std::filesystem::path mesh;            ///< as written
+  std::vector<Step> steps;               ///< in order; may be empty
+  std::filesystem::path save;            ///< as written; empty when the recipe does not say
+  std::filesystem::path base_directory;  ///< what the relative paths above are relative to
+
+  std::filesystem::path mesh_path() const { return base_directory / mesh; }
+  /// Empty when `save` is.
+  std::filesystem::path save_path() const { return save.empty() ? save : base_directory / save; }
+  bool operator==(const Recipe&) const = default;
+};
+
+/// Reads a recipe from JSON text; `name` is what messages call it. Everything that needs no mesh is
+/// checked. Throws InputError with the JSON pointer of the place, what is expected there and what
+/// was found; line and column when the text is no JSON.
+Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& base_directory,
+                    const std::string& name);
+
+/// Reads a recipe file; its folder is the base directory. Throws IoError when it cannot be read,
+/// and what `parse_recipe` throws.
+Recipe read_recipe(const std::filesystem::path& path);
+
+/// The recipe as JSON that `parse_recipe` reads back to an equal one. Two spaces of indentation;
+/// what fits on a line stays on one. Numbers must be finite. Throws InputError when a path is not
+/// UTF-8.
+std::string to_json(const Recipe& recipe);
+
+}  // namespace lapwing

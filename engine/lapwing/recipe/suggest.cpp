@@ -1,0 +1,55 @@
+#include "lapwing/recipe/suggest.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace lapwing {
+namespace {
+
+// Insertions, deletions and substitutions that turn a into b (Levenshtein).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string quoted_list(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) {
+    if (!text.empty()) text += ", ";
+    text.append("\"").append(name).append("\"");
+  }
+  return text;
+}
+
+std::string suggest(std::string_view name, std::span<const std::string_view> known) {
+  // Half of the letters wrong is another word, not a slip.
+  std::size_t least = std::max<std::size_t>(name.size() / 2, 1) + 1;
+  std::string_view nearest;
+  for (const std::string_view candidate : known) {
+    // A name cut short is as good as one wrong letter.
+    const bool is_start = !name.empty() && candidate.starts_with(name);
+    const std::size_t distance = is_start ? 1 : edit_distance(name, candidate);
+    if (distance < least) {
+      least = distance;
+      nearest = candidate;
+    }
+  }
+  std::string text;
+  if (!nearest.empty()) text.append("did you mean \"").append(nearest).append("\"? ");
+  return text + "Known here: " + quoted_list(known);
+}
+
+}  // namespace lapwing

@@ -1,0 +1,174 @@
+#include <array>
+#include <charconv>
+
+#include <nlohmann/json.hpp>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/recipe/recipe.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLineWidth = 96;
+
+Json json_of(const Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+Json json_of(const RegionSpec& spec);
+Json json_of(const DeformStep& step);
+
+Json json_of(const std::vector<RegionSpec>& parts) {
+  Json list = Json::array();
+  for (const RegionSpec& part : parts) list.push_back(json_of(part));
+  return list;
+}
+
+// One overload per form.
+struct FormWriter {
+  Json operator()(const AllVertices&) const { return {{"all", true}}; }
+  Json operator()(const ListedVertices& list) const { return {{"vertices", list.vertices}}; }
+  Json operator()(const GeodesicDisk& disk) const {
+    Json keys;
+    if (const auto* vertex = std::get_if<Index>(&disk.center)) {
+      keys["center"] = *vertex;
+    } else {
+      keys["near"] = json_of(std::get<Vector3d>(disk.center));
+    }
+    keys["radius"] = disk.radius;
+    return {{"disk", std::move(keys)}};
+  }
+  Json operator()(const Box& box) const {
+    return {{"box", {{"min", json_of(box.min)}, {"max", json_of(box.max)}}}};
+  }
+  Json operator()(const LoopRegion& region) const {
+    return {{"loop", region.loop}, {"inside", region.inside}};
+  }
+  Json operator()(const UnionRegion& region) const { return {{"union", json_of(region.parts)}}; }
+  Json operator()(const DifferenceRegion& region) const {
+    return {{"minus", json_of(region.parts)}};
+  }
+};
+
+Json json_of(const RegionSpec& spec) {
+  return std::visit(FormWriter{}, spec.form);
+}
+Json json_of(const BorderBelt& belt) {
+  return {{"fraction", belt.fraction}};
+}
+
+Json json_of(const SimilarityMove& move) {
+  Json keys{{"translate", json_of(move.translate)}};
+  if (move.rotate != AxisRotation{}) {
+    keys["rotate"] = {{"axis", json_of(move.rotate.axis)}, {"degrees", move.rotate.degrees}};
+  }
+  if (move.scale != 1.0) keys["scale"] = move.scale;
+  if (move.pivot) keys["pivot"] = json_of(*move.pivot);
+  return keys;
+}
+
+Json json_of(const MatrixMove& move) {
+  Json list = Json::array();
+  for (const auto row : move.matrix.rowwise()) {
+    for (const double value : row) list.push_back(value);
+  }
+  return {{"matrix", std::move(list)}};
+}
+
+// A region, belt, move or step by the overload for what it holds.
+template <class... Forms>
+Json json_of_any(const std::variant<Forms...>& any) {
+  return std::visit([](const auto& form) { return json_of(form); }, any);
+}
+
+Json json_of(const DeformStep& step) {
+  Json handles = Json::array();
+  for (const MovedHandle& handle : step.handles) {
+    handles.push_back({{"region", json_of(handle.region)}, {"move", json_of_any(handle.move)}});
+  }
+  return {{"op", "deform"},
+          {"roi", json_of(step.roi)},
+          {"belt", json_of_any(step.belt)},
+          {"handles", std::move(handles)},
+          {"weights", step.weights == LaplacianWeights::uniform ? "uniform" : "cotangent"},
+          {"constraint_weight", step.constraint_weight},
+          {"hard", step.hard}};
+}
+
+std::string atom(const Json& json) {
+  if (!json.is_number_float()) return json.dump();
+  // Shortest digits that read back to the same bits; 10, where the library writes 10.0.
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), json.get<double>());
+  return {digits.data(), end.ptr};
+}
+
+// `json` on one line.
+std::string flat(const Json& json) {
+  if (!json.is_structured()) return atom(json);
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    if (!text.empty()) text += ", ";
+    if (json.is_object()) text += Json(key).dump() + ": ";
+    text += flat(value);
+  }
+  return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+// Numbers in lines filled up to the width.
+std::string filled(const Json& list, const std::string& indent) {
+  std::string text = "[";
+  std::size_t column = kLineWidth;
+  for (const Json& value : list) {
+    const std::string number = atom(value);
+    if (text.size() > 1) text += ",";
+    if (column + number.size() + 2 > kLineWidth) {
+      text += "\n" + indent + "  ";
+      column = indent.size() + 2;
+    } else {
+      text += " ";
+      ++column;
+    }
+    text += number;
+    column += number.size() + 1;
+  }
+  return text + "\n" + indent + "]";
+}
+
+// `json` on one line where it fits behind what already stands there, else one child a line.
+std::string pretty(const Json& json, const std::string& indent, std::size_t column) {
+  const std::string line = flat(json);
+  if (column + line.size() < kLineWidth || !json.is_structured()) return line;
+  if (json.is_array() && json.front().is_number()) return filled(json, indent);
+  const std::string inner = indent + "  ";
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    const std::string label = json.is_object() ? Json(key).dump() + ": " : "";
+    text += (text.empty() ? "\n" : ",\n") + inner + label;
+    text += pretty(value, inner, inner.size() + label.size());
+  }
+  text += "\n" + indent;
+  return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+}  // namespace
+
+std::string to_json(const Recipe& recipe) {
+  Json steps = Json::array();
+  for (const Step& step : recipe.steps) steps.push_back(json_of_any(step));
+  Json root{
+      {"lapwing", kRecipeVersion}, {"mesh", recipe.mesh.string()}, {"steps", std::move(steps)}};
+  if (!recipe.save.empty()) root["save"] = recipe.save.string();
+  try {
+    // Counted as standing at the line's end, so that the root always opens up.
+    return pretty(root, "", kLineWidth) + "\n";
+  } catch (const Json::type_error&) {
+    throw InputError(
+        "the name of the mesh or of the result is not UTF-8, which a recipe is "
+        "written in; rename the file");
+  }
+}
+
+}  // namespace lapwing

@@ -1,0 +1,229 @@
+#include <ostream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/recipe/recipe.h"
+#include "support/error_message.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// One recipe text and all of the message that answers it.
+struct Mistake {
+  std::string name;
+  std::string text;
+  std::string message;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+  *out << mistake.text;
+}
+
+std::string recipe(const std::string& steps) {
+  return R"({"lapwing": 1, "mesh": "a.obj", "steps": )" + steps + "}";
+}
+std::string step(const std::string& keys) {
+  return recipe(R"([{"op": "deform", )" + keys + "}]");
+}
+std::string with_roi(const std::string& roi) {
+  return step(R"("roi": )" + roi + R"(, "handles": [{"region": {"vertices": [1]}, "move": {}}])");
+}
+std::string with_belt(const std::string& belt) {
+  return step(R"("roi": {"all": true}, "belt": )" + belt +
+              R"(, "handles": [{"region": {"vertices": [1]}, "move": {}}])");
+}
+std::string with_move(const std::string& move) {
+  return step(R"("roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": )" + move +
+              "}]");
+}
+std::string with_option(const std::string& option) {
+  return step(R"("roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}], )" +
+              option);
+}
+
+class RecipeMistake : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(RecipeMistake, IsAnsweredWithThePlaceAndTheNextStep) {
+  const std::string said =
+      error_message<InputError>([] { parse_recipe(GetParam().text, "/data", "bend.json"); });
+  EXPECT_EQ(said, "bend.json" + GetParam().message);
+}
+
+constexpr auto kName = [](const ::testing::TestParamInfo<Mistake>& mistake) {
+  return mistake.param.name;
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Document, RecipeMistake,
+    ::testing::Values(
+        Mistake{"NoObject", "[]", ": expected an object, got a list of 0"},
+        Mistake{"UnknownKey", R"({"lapwing": 1, "mehs": "a.obj", "steps": []})",
+                ": /mehs: unknown key; did you mean \"mesh\"? Known here: \"lapwing\", \"mesh\", "
+                "\"steps\", \"save\""},
+        Mistake{"KeyWithASlash", R"({"a/b~c": 1})",
+                ": /a~1b~0c: unknown key; Known here: \"lapwing\", \"mesh\", \"steps\", \"save\""},
+        Mistake{
+            "NoVersion", R"({"mesh": "a.obj", "steps": []})",
+            ": the key \"lapwing\" is missing; a recipe says \"lapwing\": 1, the version of its "
+            "format"},
+        Mistake{"OtherVersion", R"({"lapwing": 2, "mesh": "a.obj", "steps": []})",
+                ": /lapwing: expected version 1, the one that this program reads, got 2"},
+        Mistake{"NoMesh", R"({"lapwing": 1, "steps": []})",
+                ": the key \"mesh\" is missing; add it"},
+        Mistake{"EmptyName", R"({"lapwing": 1, "mesh": "", "steps": []})",
+                ": /mesh: expected the name of a file, got an empty text"},
+        Mistake{"NumberForAName", R"({"lapwing": 1, "mesh": 3, "steps": []})",
+                ": /mesh: expected a text in quotes, got 3"},
+        Mistake{"NoSteps", R"({"lapwing": 1, "mesh": "a.obj", "steps": {}})",
+                ": /steps: expected a list, got an object"},
+        Mistake{"KeyTwice", R"({"lapwing": 1, "mesh": "a", "mesh": "b", "steps": []})",
+                ": the key \"mesh\" stands twice in one object; remove one of the two"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Step, RecipeMistake,
+    ::testing::Values(
+        Mistake{"NoOp", recipe("[{}]"), ": /steps/0: the key \"op\" is missing; add it"},
+        Mistake{"UnknownOp", recipe(R"([{"op": "defrom"}])"),
+                ": /steps/0/op: unknown op \"defrom\"; did you mean \"deform\"? Known here: "
+                "\"deform\""},
+        Mistake{"NoRoi", step(R"("handles": [])"),
+                ": /steps/0: the key \"roi\" is missing; add it"},
+        Mistake{"NoHandle", step(R"("roi": {"all": true}, "handles": [])"),
+                ": /steps/0/handles: expected at least one handle"},
+        Mistake{"NoMove", step(R"("roi": {"all": true}, "handles": [{"region": {"all": true}}])"),
+                ": /steps/0/handles/0: the key \"move\" is missing; add it"},
+        Mistake{"UnknownWeights", with_option(R"("weights": "cotan")"),
+                ": /steps/0/weights: unknown weights \"cotan\"; did you mean \"cotangent\"? Known "
+                "here: \"uniform\", \"cotangent\""},
+        Mistake{"ZeroWeight", with_option(R"("constraint_weight": 0)"),
+                ": /steps/0/constraint_weight: expected a number above 0, got 0"},
+        Mistake{"HardAsText", with_option(R"("hard": "yes")"),
+                ": /steps/0/hard: expected true or false, got the text \"yes\""},
+        Mistake{"Settle", with_option(R"("settle": true)"),
+                ": /steps/0/settle: settling is not available in this version; write false, or "
+                "leave it out"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Region, RecipeMistake,
+    ::testing::Values(
+        Mistake{"NoForm", with_roi("{}"),
+                ": /steps/0/roi: a region needs one of \"all\", \"vertices\", \"disk\", \"box\", "
+                "\"loop\", \"union\", \"minus\""},
+        Mistake{"TwoForms", with_roi(R"({"all": true, "vertices": [1]})"),
+                ": /steps/0/roi: a region takes one of \"all\", \"vertices\", \"disk\", \"box\", "
+                "\"loop\", \"union\", \"minus\", got \"all\", \"vertices\""},
+        Mistake{"AllFalse", with_roi(R"({"all": false})"),
+                ": /steps/0/roi/all: expected true, the only value; name vertices otherwise"},
+        Mistake{"NegativeVertex", with_roi(R"({"vertices": [1, -1]})"),
+                ": /steps/0/roi/vertices/1: expected a vertex number (whole, from 0), got -1"},
+        Mistake{"FractionalVertex", with_roi(R"({"vertices": [1.5]})"),
+                ": /steps/0/roi/vertices/0: expected a vertex number (whole, from 0), got 1.5"},
+        Mistake{"HugeVertex", with_roi(R"({"vertices": [4294967295]})"),
+                ": /steps/0/roi/vertices/0: expected a vertex number (whole, from 0), got "
+                "4294967295"},
+        Mistake{"VerticesNoList", with_roi(R"({"vertices": 3})"),
+                ": /steps/0/roi/vertices: expected a list of vertex numbers, got 3"},
+        Mistake{"DiskWithoutCenter", with_roi(R"({"disk": {"radius": 1}})"),
+                ": /steps/0/roi/disk: a disk needs one of \"center\", \"near\""},
+        Mistake{"DiskWithoutSize", with_roi(R"({"disk": {"center": 1, "radius": 0}})"),
+                ": /steps/0/roi/disk/radius: expected a number above 0, got 0"},
+        Mistake{"DiskMisspelt", with_roi(R"({"disk": {"centre": 1, "radius": 0}})"),
+                ": /steps/0/roi/disk/centre: unknown key; did you mean \"center\"? Known here: "
+                "\"center\", \"near\", \"radius\""},
+        Mistake{"BoxInsideOut", with_roi(R"({"box": {"min": [0, 2, 0], "max": [1, 1, 1]}})"),
+                ": /steps/0/roi/box: min lies above max in y; exchange them"},
+        Mistake{"BoxOfTwo", with_roi(R"({"box": {"min": [0, 0], "max": [1, 1, 1]}})"),
+                ": /steps/0/roi/box/min: expected 3 numbers, got 2"},
+        Mistake{"BoxOfNull", with_roi(R"({"box": {"min": [0, null, 0], "max": [1, 1, 1]}})"),
+                ": /steps/0/roi/box/min/1: expected a number, got null"},
+        Mistake{"ShortLoop", with_roi(R"({"loop": [1, 2], "inside": 4})"),
+                ": /steps/0/roi/loop: expected at least 3 vertices, got 2"},
+        Mistake{"LoopWithoutInside", with_roi(R"({"loop": [1, 2, 3]})"),
+                ": /steps/0/roi: the key \"inside\" is missing; add it"},
+        Mistake{"InsideWithoutLoop", with_roi(R"({"all": true, "inside": 4})"),
+                ": /steps/0/roi/inside: \"inside\" goes with \"loop\" only; remove it"},
+        Mistake{"EmptyUnion", with_roi(R"({"union": []})"),
+                ": /steps/0/roi/union: expected at least 1 region, got 0"},
+        Mistake{"MinusOfOne", with_roi(R"({"minus": [{"all": true}]})"),
+                ": /steps/0/roi/minus: expected at least 2 regions, got 1"},
+        Mistake{"InnerRegion", with_roi(R"({"union": [{"all": true}, {"disc": {}}]})"),
+                ": /steps/0/roi/union/1/disc: unknown key; did you mean \"disk\"? Known here: "
+                "\"all\", \"vertices\", \"disk\", \"box\", \"loop\", \"inside\", \"union\", "
+                "\"minus\""},
+        Mistake{"FractionForARoi", with_roi(R"({"fraction": 0.1})"),
+                ": /steps/0/roi/fraction: unknown key; Known here: "
+                "\"all\", \"vertices\", \"disk\", \"box\", \"loop\", \"inside\", \"union\", "
+                "\"minus\""},
+        Mistake{"FractionTooLarge", with_belt(R"({"fraction": 2})"),
+                ": /steps/0/belt/fraction: expected a number from 0 to 1, got 2"},
+        Mistake{"FractionAndMore", with_belt(R"({"fraction": 0.1, "all": true})"),
+                ": /steps/0/belt/all: unknown key; Known here: \"fraction\""}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Move, RecipeMistake,
+    ::testing::Values(
+        Mistake{"AxisOfTwo", with_move(R"({"rotate": {"axis": [0, 1], "degrees": 30}})"),
+                ": /steps/0/handles/0/move/rotate/axis: expected 3 numbers, got 2"},
+        Mistake{"AxisNoList", with_move(R"({"rotate": {"axis": "z", "degrees": 30}})"),
+                ": /steps/0/handles/0/move/rotate/axis: expected 3 numbers, got the text \"z\""},
+        Mistake{"AxisOfNoLength", with_move(R"({"rotate": {"axis": [0, 0, 0], "degrees": 30}})"),
+                ": /steps/0/handles/0/move/rotate/axis: the axis has no length; name a direction"},
+        Mistake{"NoDegrees", with_move(R"({"rotate": {"axis": [0, 0, 1]}})"),
+                ": /steps/0/handles/0/move/rotate: the key \"degrees\" is missing; add it"},
+        Mistake{"NegativeScale", with_move(R"({"scale": -1})"),
+                ": /steps/0/handles/0/move/scale: expected a number above 0, got -1"},
+        Mistake{"MatrixOfNine", with_move(R"({"matrix": [1, 0, 0, 0, 1, 0, 0, 0, 1]})"),
+                ": /steps/0/handles/0/move/matrix: expected 12 or 16 numbers, row by row, got 9"},
+        Mistake{
+            "ProjectiveMatrix",
+            with_move(R"({"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1]})"),
+            ": /steps/0/handles/0/move/matrix: expected the last row 0 0 0 1: a handle's motion "
+            "is affine"},
+        Mistake{"MatrixAndScale",
+                with_move(R"({"scale": 2, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]})"),
+                ": /steps/0/handles/0/move/scale: \"matrix\" stands in place of \"scale\"; remove "
+                "one of the two"},
+        Mistake{"UnknownKey", with_move(R"({"translation": [0, 0, 1]})"),
+                ": /steps/0/handles/0/move/translation: unknown key; did you mean \"translate\"? "
+                "Known here: \"translate\", \"rotate\", \"scale\", \"pivot\", \"matrix\""}),
+    kName);
+
+std::string error_of(const std::string& text) {
+  return error_message<InputError>([&] { parse_recipe(text, "/data", "bend.json"); });
+}
+
+TEST(RecipeSyntax, ErrorHasLineAndColumn) {
+  const std::string said = error_of("{\n  \"lapwing\": 1,\n  \"mesh\" \"a.obj\"\n}");
+  EXPECT_THAT(said, HasSubstr("bend.json:3:16: syntax error"));
+  EXPECT_THAT(said, HasSubstr("check commas, quotes and brackets before this place"));
+}
+
+TEST(RecipeSyntax, EndsTooEarlyOrTooLate) {
+  EXPECT_THAT(error_of(""), HasSubstr("bend.json:1:1: syntax error"));
+  EXPECT_THAT(error_of("{\n"), HasSubstr("bend.json:2:1: syntax error"));
+  EXPECT_THAT(error_of("{} {}"), HasSubstr("bend.json:1:4: syntax error"));
+}
+
+TEST(RecipeSyntax, NumberTooLargeForDoubleIsRefused) {
+  EXPECT_THAT(error_of(with_move(R"({"scale": 1e999})")), HasSubstr("1e999"));
+}
+
+TEST(RecipeSyntax, BytesThatAreNotUtf8AreRefused) {
+  EXPECT_THAT(error_of("{\"mesh\": \"caf\xe9\"}"), HasSubstr("bend.json:1:"));
+}
+
+TEST(RecipeSyntax, RegionsNestedWithoutEndAreRefused) {
+  std::string roi = R"({"all": true})";
+  for (int depth = 0; depth < 1000; ++depth) roi = R"({"union": [)" + roi + "]}";
+  EXPECT_THAT(error_of(with_roi(roi)), HasSubstr("regions are nested more than 64 deep"));
+}
+
+}  // namespace
+}  // namespace lapwing

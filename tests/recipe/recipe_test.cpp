@@ -1,0 +1,213 @@
+#include "lapwing/recipe/recipe.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "support/error_message.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+using ::testing::HasSubstr;
+
+// The example of the documentation.
+constexpr const char* kExample = R"({ "lapwing": 1, "mesh": "armadillo.off",
+  "steps": [ { "op": "deform",
+      "roi":  {"all": true},
+      "belt": {"vertices": [0, 1, 2]},
+      "handles": [ { "region": {"vertices": [7, 8]},
+                     "move": {"translate": [0, 10, 0],
+                              "rotate": {"axis": [0, 0, 1], "degrees": 30},
+                              "scale": 1.5, "pivot": [0, 0, 0]} } ],
+      "weights": "cotangent", "constraint_weight": 2.0, "hard": true, "settle": false } ],
+  "save": "out.obj" })";
+
+Recipe parse(const std::string& text) {
+  return parse_recipe(text, "/data", "bend.json");
+}
+
+const DeformStep& first_step(const Recipe& recipe) {
+  return std::get<DeformStep>(recipe.steps[0]);
+}
+
+// A recipe of one step with these regions.
+std::string with_regions(const std::string& roi, const std::string& belt) {
+  return R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform", "roi": )" + roi +
+         R"(, "belt": )" + belt +
+         R"(, "handles": [{"region": {"vertices": [1]}, "move": {"translate": [0, 0, 1]}}]}]})";
+}
+RegionSpec roi_of(const std::string& roi) {
+  return first_step(parse(with_regions(roi, R"({"fraction": 0.1})"))).roi;
+}
+
+TEST(Recipe, ReadsTheExample) {
+  const Recipe recipe = parse(kExample);
+  EXPECT_EQ(recipe.mesh_path(), "/data/armadillo.off");
+  EXPECT_EQ(recipe.save_path(), "/data/out.obj");
+  const DeformStep& step = first_step(recipe);
+  EXPECT_EQ(step.roi, RegionSpec{AllVertices{}});
+  EXPECT_EQ(std::get<RegionSpec>(step.belt), (RegionSpec{ListedVertices{{0, 1, 2}}}));
+  ASSERT_EQ(step.handles.size(), 1U);
+  EXPECT_EQ(step.handles[0].region, (RegionSpec{ListedVertices{{7, 8}}}));
+  EXPECT_EQ(
+      step.handles[0].move,
+      Move(SimilarityMove{{0, 10, 0}, {Vector3d::UnitZ(), 30.0}, 1.5, Vector3d(Vector3d::Zero())}));
+  EXPECT_EQ(step.weights, LaplacianWeights::cotangent);
+  EXPECT_EQ(step.constraint_weight, 2.0);
+  EXPECT_TRUE(step.hard);
+}
+
+TEST(Recipe, DefaultsAreThoseOfThePaper) {
+  const Recipe recipe = parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
+      "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}]}]})");
+  const DeformStep& step = first_step(recipe);
+  EXPECT_EQ(step.belt, BeltSpec(BorderBelt{0.1, ""}));
+  EXPECT_EQ(step.handles[0].move, Move(SimilarityMove{}));
+  EXPECT_EQ(step.weights, LaplacianWeights::uniform);
+  EXPECT_EQ(step.constraint_weight, 1.0);
+  EXPECT_FALSE(step.hard);
+  EXPECT_TRUE(recipe.save_path().empty());
+}
+
+TEST(Recipe, ReadsEveryFormOfRegion) {
+  EXPECT_EQ(roi_of(R"({"disk": {"center": 4, "radius": 0.5}})"),
+            (RegionSpec{GeodesicDisk{Index{4}, 0.5}}));
+  EXPECT_EQ(roi_of(R"({"disk": {"near": [1, 2, 3], "radius": 2}})"),
+            (RegionSpec{GeodesicDisk{Vector3d(1, 2, 3), 2.0}}));
+  EXPECT_EQ(roi_of(R"({"box": {"min": [0, 0, 0], "max": [1, 2, 3]}})"),
+            (RegionSpec{Box{{0, 0, 0}, {1, 2, 3}}}));
+  EXPECT_EQ(roi_of(R"({"loop": [3, 4, 5], "inside": 9})"), (RegionSpec{LoopRegion{{3, 4, 5}, 9}}));
+  EXPECT_EQ(
+      roi_of(R"({"union": [{"vertices": [1]}, {"minus": [{"all": true},
+                                                               {"vertices": [2]}]}]})"),
+      (RegionSpec{UnionRegion{
+          {{ListedVertices{{1}}}, {DifferenceRegion{{{AllVertices{}}, {ListedVertices{{2}}}}}}}}}));
+}
+
+TEST(Recipe, RegionsKnowWhereTheyWereWritten) {
+  const Recipe recipe = parse(
+      with_regions(R"({"union": [{"all": true}, {"vertices": [2]}]})", R"({"fraction": 0.2})"));
+  const DeformStep& step = first_step(recipe);
+  EXPECT_EQ(step.roi.where, "bend.json: /steps/0/roi");
+  EXPECT_EQ(std::get<UnionRegion>(step.roi.form).parts[1].where, "bend.json: /steps/0/roi/union/1");
+  EXPECT_EQ(std::get<BorderBelt>(step.belt).where, "bend.json: /steps/0/belt");
+  EXPECT_EQ(step.handles[0].region.where, "bend.json: /steps/0/handles/0/region");
+}
+
+TEST(Recipe, MatrixOfTwelveOrSixteenNumbersIsRowByRow) {
+  const auto move_of = [](const std::string& numbers) {
+    return first_step(parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
+        "roi": {"all": true}, "handles": [{"region": {"vertices": [1]},
+        "move": {"matrix": [)" +
+                            numbers + "]}}]}]}"))
+        .handles[0]
+        .move;
+  };
+  MatrixMove expected;
+  expected.matrix << 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12;
+  EXPECT_EQ(move_of("1,2,3,4,5,6,7,8,9,10,11,12"), Move(expected));
+  EXPECT_EQ(move_of("1,2,3,4,5,6,7,8,9,10,11,12,0,0,0,1"), Move(expected));
+}
+
+// A recipe that uses every form with numbers that are hard to print.
+Recipe full_recipe() {
+  DeformStep step;
+  std::vector<Index> many(300);
+  for (Index k = 0; k < 300; ++k) many[k] = 7 * k;
+  const RegionSpec disk{GeodesicDisk{Vector3d(0.1, -1e-300, 1.0 / 3.0), 1e22}};
+  const RegionSpec box{Box{{-1, -2, -3}, {4, 5, 6}}};
+  const RegionSpec loop{LoopRegion{{5, 6, 7, 8}, 1}};
+  step.roi = {UnionRegion{{disk, box, {DifferenceRegion{{{AllVertices{}}, loop}}}}}};
+  step.belt = BorderBelt{0.15, ""};
+  step.handles.push_back({{ListedVertices{many}}, SimilarityMove{}});
+  step.handles.push_back(
+      {{GeodesicDisk{Index{3}, 0.25}},
+       SimilarityMove{{1, 2.5, -3}, {Vector3d(1, 1, 0), -12.5}, 0.3, Vector3d(9, 8, 7)}});
+  MatrixMove matrix;
+  matrix.matrix(0, 3) = 0.1 + 0.2;
+  step.handles.push_back({{ListedVertices{}}, matrix});
+  step.weights = LaplacianWeights::cotangent;
+  step.constraint_weight = 10.0;
+  step.hard = true;
+  DeformStep other;
+  other.belt = RegionSpec{ListedVertices{{1, 2}}};
+  other.handles.push_back({{ListedVertices{{4}}}, SimilarityMove{}});
+  return {"meshes/a \"b\".obj", {step, other}, "out.ply", "/data"};
+}
+
+TEST(Recipe, ReadsBackWhatItWrites) {
+  const Recipe recipe = full_recipe();
+  const std::string text = to_json(recipe);
+  EXPECT_EQ(parse(text), recipe);
+  EXPECT_EQ(to_json(parse(text)), text);
+}
+
+TEST(Recipe, IsWrittenForReaders) {
+  Recipe recipe = parse(kExample);
+  EXPECT_EQ(to_json(recipe), R"({
+  "lapwing": 1,
+  "mesh": "armadillo.off",
+  "steps": [
+    {
+      "op": "deform",
+      "roi": {"all": true},
+      "belt": {"vertices": [0, 1, 2]},
+      "handles": [
+        {
+          "region": {"vertices": [7, 8]},
+          "move": {
+            "translate": [0, 10, 0],
+            "rotate": {"axis": [0, 0, 1], "degrees": 30},
+            "scale": 1.5,
+            "pivot": [0, 0, 0]
+          }
+        }
+      ],
+      "weights": "cotangent",
+      "constraint_weight": 2,
+      "hard": true
+    }
+  ],
+  "save": "out.obj"
+}
+)");
+}
+
+TEST(Recipe, LongListsFillTheirLines) {
+  const std::string text = to_json(full_recipe());
+  std::size_t begin = 0;
+  for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    EXPECT_LE(end - begin, 100U);
+  }
+  EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 90);
+}
+
+TEST(Recipe, FileGivesTheBaseDirectory) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "lapwing_recipe_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "bend.json") << kExample;
+  EXPECT_EQ(read_recipe(folder / "bend.json").mesh_path(), folder / "armadillo.off");
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Recipe, FileThatCannotBeReadIsNamed) {
+  EXPECT_THAT(error_message<IoError>([] { read_recipe("/nowhere/bend.json"); }),
+              HasSubstr("/nowhere/bend.json: cannot be read"));
+  EXPECT_THAT(error_message<IoError>([] { read_recipe(::testing::TempDir()); }),
+              HasSubstr("cannot be read"));
+}
+
+TEST(Recipe, NameThatIsNotUtf8CannotBeWritten) {
+  Recipe recipe;
+  recipe.mesh = "caf\xe9.obj";
+  EXPECT_THAT(error_message<InputError>([&] { to_json(recipe); }), HasSubstr("is not UTF-8"));
+}
+
+}  // namespace
+}  // namespace lapwing
