@@ -38,6 +38,10 @@ std::string in_words(const Json& json) {
   }
 }
 
+bool is_vertex(const Json& json) {
+  return json.is_number_unsigned() && json.get<std::uint64_t>() < kNoIndex;
+}
+
 // Key `key` as a token of a JSON pointer (RFC 6901).
 std::string pointer_token(std::string_view key) {
   std::string token;
@@ -191,17 +195,20 @@ double JsonNode::positive_number() const {
 }
 
 Index JsonNode::vertex() const {
-  const Json& json = *value_->json;
-  if (!json.is_number_unsigned() || json.get<std::uint64_t>() >= kNoIndex) {
-    fail_expecting("a vertex number (whole, from 0)");
-  }
-  return json.get<Index>();
+  if (!is_vertex(*value_->json)) fail_expecting("a vertex number (whole, from 0)");
+  return value_->json->get<Index>();
 }
 
 std::vector<Index> JsonNode::vertices() const {
   require_list("a list of vertex numbers");
   std::vector<Index> indices;
-  for (const JsonNode& element : elements()) indices.push_back(element.vertex());
+  indices.reserve(value_->json->size());
+  // Lists of a million are common: an element gets a node of its own only to complain.
+  for (const Json& element : *value_->json) {
+    indices.push_back(is_vertex(element)
+                          ? element.get<Index>()
+                          : child(&element, std::to_string(indices.size())).vertex());
+  }
   return indices;
 }
 

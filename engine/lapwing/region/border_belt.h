@@ -11,7 +11,7 @@ namespace lapwing {
 /// 1) of its radius wide.
 struct BorderBelt {
   double fraction = 0.1;
-  std::string where = {};  ///< as in RegionSpec; no part of the value
+  std::string where = "belt";  ///< as in RegionSpec; no part of the value
 
   bool operator==(const BorderBelt& other) const { return fraction == other.fraction; }
 };

@@ -64,7 +64,7 @@ struct RegionSpec {
                DifferenceRegion>
       form;
   /// Where it was written, as messages name it ("bend.json: /steps/0/roi"); no part of the value.
-  std::string where = {};
+  std::string where = "region";
 
   bool operator==(const RegionSpec& other) const { return form == other.form; }
 };
