@@ -198,9 +198,9 @@ TEST(Recipe, FileGivesTheBaseDirectory) {
 
 TEST(Recipe, FileThatCannotBeReadIsNamed) {
   EXPECT_THAT(error_message<IoError>([] { read_recipe("/nowhere/bend.json"); }),
-              HasSubstr("/nowhere/bend.json: cannot be read"));
+              HasSubstr("cannot read /nowhere/bend.json: No such file"));
   EXPECT_THAT(error_message<IoError>([] { read_recipe(::testing::TempDir()); }),
-              HasSubstr("cannot be read"));
+              HasSubstr("not a regular file"));
 }
 
 TEST(Recipe, NameThatIsNotUtf8CannotBeWritten) {

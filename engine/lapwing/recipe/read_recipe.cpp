@@ -1,7 +1,4 @@
-#include <fstream>
-#include <iterator>
-
-#include "lapwing/base/errors.h"
+#include "lapwing/io/file_bytes.h"
 #include "lapwing/recipe/read_step.h"
 #include "lapwing/recipe/recipe.h"
 
@@ -42,15 +39,8 @@ Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& bas
 }
 
 Recipe read_recipe(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  // A folder opens like a file and fails only when read.
-  if (!file || std::filesystem::is_directory(path)) {
-    throw IoError(path.string() +
-                  ": cannot be read; check that the recipe exists and that you "
-                  "may read it");
-  }
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return parse_recipe(text, path.parent_path(), path.string());
+  const FileBytes bytes = FileBytes::read(path);
+  return parse_recipe(bytes.view(), path.parent_path(), path.string());
 }
 
 }  // namespace lapwing
