@@ -2,28 +2,26 @@
 #extension GL_GOOGLE_include_directive : require
 
 // positions = rest + sum_k parameters[k] basis[k] (twin: kernels/blend_response.cpp) for a range of
-// the moving vertices. One invocation per vertex. The host lists only parameters other than 0.
+// the moving vertices. One invocation per vertex. Columns come in groups of four; the host lists
+// only groups with a parameter other than 0.
 
 #include "invocation.glsl"
 
-struct Term {
-  uint column;
-  float parameter;
+struct Group {
+  vec4 parameters;
+  uint number;
 };
-layout(std430, binding = 0) readonly buffer Terms {
-  uint term_count;
-  Term terms[];
+layout(std430, binding = 0) readonly buffer Groups {
+  uint group_count;
+  Group groups[];
 };
-// The rest position and the number of each moving vertex of the range.
-struct Rest {
-  float x, y, z;
-  uint vertex;
-};
-layout(std430, binding = 1) readonly buffer Rests { Rest rests[]; };
-// Per column all x, then all y, then all z of the range: neighbours in a work group read neighbours
-// in memory.
-layout(std430, binding = 2) readonly buffer Basis { float basis[]; };
-layout(std430, binding = 3) writeonly buffer Positions { vec4 positions[]; };
+layout(binding = 1) uniform usamplerBuffer moving;
+layout(binding = 2) uniform samplerBuffer rests;
+// Per group and axis, one texel for each vertex of the range: four columns of that axis. Neighbours
+// in a work group read neighbours in memory.
+layout(binding = 3) uniform samplerBuffer basis;
+// vec4 per vertex; w stays.
+layout(std430, binding = 4) writeonly buffer Positions { float positions[]; };
 
 layout(push_constant) uniform Push { uint vertex_count; };
 
@@ -31,11 +29,17 @@ void main() {
   const uint m = invocation();
   if (m >= vertex_count) return;
   vec3 displacement = vec3(0);
-  for (uint t = 0; t < term_count; ++t) {
-    const uint at = 3 * terms[t].column * vertex_count + m;
-    displacement += terms[t].parameter *
-                    vec3(basis[at], basis[at + vertex_count], basis[at + 2 * vertex_count]);
+  for (uint g = 0; g < group_count; ++g) {
+    const vec4 parameters = groups[g].parameters;
+    const int at = int(3 * groups[g].number * vertex_count + m);
+    const int next = int(vertex_count);
+    displacement += vec3(dot(texelFetch(basis, at), parameters),
+                         dot(texelFetch(basis, at + next), parameters),
+                         dot(texelFetch(basis, at + 2 * next), parameters));
   }
-  const Rest rest = rests[m];
-  positions[rest.vertex] = vec4(vec3(rest.x, rest.y, rest.z) + displacement, 1);
+  const vec3 position = texelFetch(rests, int(m)).xyz + displacement;
+  const uint out_at = 4 * texelFetch(moving, int(m)).x;
+  positions[out_at] = position.x;
+  positions[out_at + 1] = position.y;
+  positions[out_at + 2] = position.z;
 }

@@ -14,8 +14,10 @@ namespace lapwing::gpu {
 
 class Context;
 
-/// A compute shader ready to dispatch: one descriptor set of storage buffers bound by push
-/// descriptors, and push constants. How many buffers it takes, which it only reads and which it
+VkDescriptorType descriptor_type(BindingAccess access);
+
+/// A compute shader ready to dispatch: one descriptor set of buffers bound by push descriptors, and
+/// push constants. How many buffers it takes, which it only reads and which it
 /// only writes is read from the shader itself (`readonly`, `writeonly`), so that host and shader
 /// cannot disagree. The context must outlive it. Movable.
 class Kernel {
@@ -30,7 +32,7 @@ class Kernel {
   Kernel& operator=(Kernel&& other) noexcept;
 
   const std::string& name() const { return name_; }
-  /// One entry per storage buffer, in order of binding.
+  /// One entry per buffer, in order of binding.
   std::span<const BindingAccess> bindings() const { return bindings_; }
   std::uint32_t push_constant_bytes() const { return push_constant_bytes_; }
   std::uint32_t workgroup_size() const { return workgroup_size_; }

@@ -25,6 +25,20 @@ void barrier(const Context& context, VkCommandBuffer commands, const VkMemoryBar
   context.vk().vkCmdPipelineBarrier2(commands, &info);
 }
 
+VkAccessFlags2 shader_access(BindingAccess access) {
+  switch (access) {
+    case BindingAccess::read:
+      return VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
+    case BindingAccess::write:
+      return VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+    case BindingAccess::read_write:
+      return VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+    case BindingAccess::read_texels:
+      return VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
+  }
+  return 0;
+}
+
 [[noreturn]] void throw_dispatch_error(const Kernel& kernel, const std::string& what) {
   throw GpuError("dispatch of kernel " + kernel.name() + ": " + what);
 }
@@ -125,7 +139,12 @@ void Recorder::check_dispatch(const Kernel& kernel, std::span<const BufferRange>
   }
   for (std::size_t b = 0; b < buffers.size(); ++b) {
     const std::string name = "the buffer \"" + buffers[b].buffer->name() + "\"";
-    if (buffers[b].bytes > limits.maxStorageBufferRange) {
+    const bool texels = bindings[b] == BindingAccess::read_texels;
+    if (texels != (buffers[b].view != VK_NULL_HANDLE)) {
+      throw_dispatch_error(
+          kernel, name + (texels ? " must be" : " must not be") + " bound through a TexelBuffer");
+    }
+    if (!texels && buffers[b].bytes > limits.maxStorageBufferRange) {
       throw_dispatch_error(kernel, name + " is bound with " + std::to_string(buffers[b].bytes) +
                                        " bytes, beyond the device's limit of " +
                                        std::to_string(limits.maxStorageBufferRange));
@@ -135,7 +154,9 @@ void Recorder::check_dispatch(const Kernel& kernel, std::span<const BufferRange>
                                        std::to_string(limits.minStorageBufferOffsetAlignment));
     }
     for (std::size_t other = 0; other < b; ++other) {
-      if (buffers[other].buffer == buffers[b].buffer && bindings[other] != bindings[b]) {
+      const bool one_writes =
+          (bindings[other] == BindingAccess::write) != (bindings[b] == BindingAccess::write);
+      if (buffers[other].buffer == buffers[b].buffer && one_writes) {
         throw_dispatch_error(kernel, name + " is bound both to be read and to be written");
       }
     }
@@ -155,8 +176,9 @@ void Recorder::bind(const Kernel& kernel, std::span<const BufferRange> buffers,
     writes[b] = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     writes[b].dstBinding = b;
     writes[b].descriptorCount = 1;
-    writes[b].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    writes[b].descriptorType = descriptor_type(kernel.bindings()[b]);
     writes[b].pBufferInfo = &infos[b];
+    writes[b].pTexelBufferView = &range.view;
   }
   vk.vkCmdBindPipeline(handle(), VK_PIPELINE_BIND_POINT_COMPUTE, kernel.pipeline());
   if (!buffers.empty()) {
@@ -174,10 +196,8 @@ void Recorder::dispatch(const Kernel& kernel, std::uint64_t invocations,
   check_dispatch(kernel, buffers, push);
   if (invocations == 0) return;
   for (std::size_t b = 0; b < buffers.size(); ++b) {
-    const bool reads = kernel.bindings()[b] == BindingAccess::read;
     require(buffers[b].buffer->handle(),
-            {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-             reads ? VK_ACCESS_2_SHADER_STORAGE_READ_BIT : VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+            {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, shader_access(kernel.bindings()[b])});
   }
   place_pending_barrier();
   bind(kernel, buffers, push);

@@ -26,9 +26,10 @@ class Recorder {
 
   /// Runs `kernel` for at least `invocations` invocations, rounded up to whole workgroups; the
   /// shader ignores the surplus (shaders/invocation.glsl). `buffers` by binding. Throws GpuError,
-  /// naming the kernel, when their number is not the kernel's, one exceeds
-  /// limits().maxStorageBufferRange or is misaligned, one is bound both to be read and written, or
-  /// `push` is not of the kernel's size. 0 invocations record nothing.
+  /// naming the kernel, when their number is not the kernel's, one is a TexelBuffer where the
+  /// kernel takes a buffer or the reverse, one exceeds limits().maxStorageBufferRange or is
+  /// misaligned, one is bound both to be read and written, or `push` is not of the kernel's size. 0
+  /// invocations record nothing.
   void dispatch(const Kernel& kernel, std::uint64_t invocations,
                 std::span<const BufferRange> buffers, std::span<const std::byte> push);
   void dispatch(const Kernel& kernel, std::uint64_t invocations,

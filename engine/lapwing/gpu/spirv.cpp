@@ -1,6 +1,7 @@
 #include "lapwing/gpu/spirv.h"
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "lapwing/base/errors.h"
@@ -13,6 +14,8 @@ constexpr std::uint32_t kMagic = 0x07230203;
 constexpr std::size_t kHeaderWords = 5;
 enum Op : std::uint32_t {
   kOpCapability = 17,
+  kOpTypeImage = 25,
+  kOpTypeSampledImage = 27,
   kOpTypePointer = 32,
   kOpVariable = 59,
   kOpDecorate = 71,
@@ -24,7 +27,9 @@ enum Decoration : std::uint32_t {
   kBinding = 33,
   kDescriptorSet = 34,
 };
+constexpr std::uint32_t kUniformConstantClass = 0;
 constexpr std::uint32_t kStorageBufferClass = 12;
+constexpr std::uint32_t kBufferDimension = 5;
 
 struct Decorations {
   bool non_writable = false;
@@ -33,11 +38,18 @@ struct Decorations {
   std::uint32_t set = 0;
 };
 
+struct Variable {
+  std::uint32_t id;
+  std::uint32_t pointer_type;
+  bool is_storage;
+};
+
 struct Module {
   std::vector<std::uint32_t> capabilities;
   std::map<std::uint32_t, Decorations> decorations;  // by id; a block's members count as the block
   std::map<std::uint32_t, std::uint32_t> pointees;   // pointer type -> type
-  std::map<std::uint32_t, std::uint32_t> buffers;    // storage buffer variable -> pointer type
+  std::set<std::uint32_t> texel_buffers;             // types
+  std::vector<Variable> bound;
 };
 
 void decorate(Decorations& target, std::uint32_t decoration, std::span<const std::uint32_t> rest) {
@@ -69,8 +81,13 @@ void read_instruction(Module& module, std::uint32_t op, std::span<const std::uin
     decorate(module.decorations[operands[0]], operands[2], operands.subspan(3));
   } else if (op == kOpTypePointer && n >= 3) {
     module.pointees[operands[0]] = operands[2];
-  } else if (op == kOpVariable && n >= 3 && operands[2] == kStorageBufferClass) {
-    module.buffers[operands[1]] = operands[0];
+  } else if (op == kOpTypeImage && n >= 3 && operands[2] == kBufferDimension) {
+    module.texel_buffers.insert(operands[0]);
+  } else if (op == kOpTypeSampledImage && n >= 2 && module.texel_buffers.contains(operands[1])) {
+    module.texel_buffers.insert(operands[0]);
+  } else if (op == kOpVariable && n >= 3 &&
+             (operands[2] == kStorageBufferClass || operands[2] == kUniformConstantClass)) {
+    module.bound.push_back({operands[1], operands[0], operands[2] == kStorageBufferClass});
   }
 }
 
@@ -88,9 +105,16 @@ Module read_module(std::span<const std::uint32_t> words) {
   return module;
 }
 
-BindingAccess access_of(const Decorations& variable, const Decorations& block) {
-  if (variable.non_writable || block.non_writable) return BindingAccess::read;
-  if (variable.non_readable || block.non_readable) return BindingAccess::write;
+BindingAccess access_of(Module& module, const Variable& variable) {
+  const std::uint32_t type = module.pointees[variable.pointer_type];
+  if (!variable.is_storage) {
+    if (!module.texel_buffers.contains(type)) throw GpuError("a kernel can bind only buffers");
+    return BindingAccess::read_texels;
+  }
+  const Decorations& own = module.decorations[variable.id];
+  const Decorations& block = module.decorations[type];
+  if (own.non_writable || block.non_writable) return BindingAccess::read;
+  if (own.non_readable || block.non_readable) return BindingAccess::write;
   return BindingAccess::read_write;
 }
 
@@ -99,18 +123,17 @@ BindingAccess access_of(const Decorations& variable, const Decorations& block) {
 ShaderInterface read_interface(std::span<const std::uint32_t> words) {
   Module module = read_module(words);
   std::map<std::uint32_t, BindingAccess> by_binding;
-  for (const auto& [variable, pointer] : module.buffers) {
-    const Decorations& own = module.decorations[variable];
-    const Decorations& block = module.decorations[module.pointees[pointer]];
-    if (own.set != 0 || !by_binding.emplace(own.binding, access_of(own, block)).second) {
-      throw GpuError("storage buffers of a shader must have bindings of their own in set 0");
+  for (const Variable& variable : module.bound) {
+    const Decorations own = module.decorations[variable.id];
+    if (own.set != 0 || !by_binding.emplace(own.binding, access_of(module, variable)).second) {
+      throw GpuError("buffers of a shader must have bindings of their own in set 0");
     }
   }
   ShaderInterface result;
   result.capabilities = std::move(module.capabilities);
   for (const auto& [binding, access] : by_binding) {
     if (binding != result.bindings.size()) {
-      throw GpuError("no storage buffer of the shader has the binding " +
+      throw GpuError("no buffer of the shader has the binding " +
                      std::to_string(result.bindings.size()));
     }
     result.bindings.push_back(access);

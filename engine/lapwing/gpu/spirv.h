@@ -6,17 +6,22 @@
 
 namespace lapwing::gpu {
 
-/// What a shader may do with a storage buffer.
-enum class BindingAccess { read, write, read_write };
+/// What a shader may do with a buffer bound to it.
+enum class BindingAccess {
+  read,         ///< storage buffer, `readonly`
+  write,        ///< storage buffer, `writeonly`
+  read_write,   ///< storage buffer, neither
+  read_texels,  ///< `samplerBuffer` and its kin
+};
 
 /// What the host needs to know of a shader.
 struct ShaderInterface {
   std::vector<std::uint32_t> capabilities;  ///< SPIR-V capability numbers, in order of declaration
-  std::vector<BindingAccess> bindings;      ///< storage buffers of set 0, by binding
+  std::vector<BindingAccess> bindings;      ///< of set 0
 };
 
 /// Reads the declarations of a SPIR-V module. Throws GpuError when `words` is no SPIR-V module, or
-/// when its storage buffers do not have the bindings 0, 1, 2, ... of set 0.
+/// when it binds anything but buffers, or not at 0, 1, 2, ... of set 0.
 ShaderInterface read_interface(std::span<const std::uint32_t> words);
 
 }  // namespace lapwing::gpu

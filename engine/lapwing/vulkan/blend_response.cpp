@@ -1,6 +1,7 @@
 #include "lapwing/vulkan/blend_response.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -10,32 +11,50 @@
 namespace lapwing {
 namespace {
 
-// Layouts of shaders/blend_response.comp.
-struct Term {
-  std::uint32_t column;
-  float parameter;
-};
-struct Rest {
-  float x, y, z;
-  std::uint32_t vertex;
-};
-constexpr std::size_t kTermsOffset = sizeof(std::uint32_t);
+using Vec4 = std::array<float, 4>;
+using Format = gpu::TexelBuffer::Format;
 
-// As many vertices as one storage buffer can hold `columns` columns of.
-std::size_t vertices_per_range(const VkPhysicalDeviceLimits& limits, std::size_t columns) {
-  const std::size_t bytes_per_vertex = std::max(sizeof(Rest), 3 * sizeof(float) * columns);
-  return std::max<std::size_t>(1, limits.maxStorageBufferRange / bytes_per_vertex);
+// Layouts of shaders/blend_response.comp.
+constexpr std::size_t kColumnsPerGroup = 4;
+struct alignas(16) Group {
+  Vec4 parameters;
+  std::uint32_t number;
+};
+struct alignas(16) GroupHeader {
+  std::uint32_t group_count;
+};
+
+std::size_t groups_of(std::size_t columns) {
+  return (columns + kColumnsPerGroup - 1) / kColumnsPerGroup;
+}
+
+// The basis of vertices [first, first + count) in texels: per group and axis, then per vertex.
+std::vector<Vec4> pack_basis(const SurfaceInput& input, std::size_t first, std::size_t count) {
+  std::vector<Vec4> texels(3 * groups_of(input.columns) * count, Vec4{});
+  for (std::size_t k = 0; k < input.columns; ++k) {
+    const double* column = input.basis.data() + 3 * (k * input.moving.size() + first);
+    const std::size_t slot = k % kColumnsPerGroup;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Vec4* out = texels.data() + (3 * (k / kColumnsPerGroup) + axis) * count;
+      for (std::size_t m = 0; m < count; ++m) {
+        out[m][slot] = static_cast<float>(column[3 * m + axis]);
+      }
+    }
+  }
+  return texels;
 }
 
 }  // namespace
 
 BlendResponse::BlendResponse(VulkanState& state, const SurfaceInput& input,
-                             const Eigen::Vector3d& origin)
+                             const Eigen::Vector3d& origin, std::size_t most_texels)
     : state_(state),
       columns_(input.columns),
-      terms_(*state.context, "blend parameters", kTermsOffset + columns_ * sizeof(Term),
-             gpu::Memory::upload) {
-  const std::size_t most = vertices_per_range(state.context->limits(), columns_);
+      groups_(*state.context, "blend parameters",
+              sizeof(GroupHeader) + groups_of(columns_) * sizeof(Group), gpu::Memory::upload) {
+  if (most_texels == 0) most_texels = state.context->limits().maxTexelBufferElements;
+  const std::size_t texels_per_vertex = std::max<std::size_t>(1, 3 * groups_of(columns_));
+  const std::size_t most = std::max<std::size_t>(1, most_texels / texels_per_vertex);
   for (std::size_t first = 0; first < input.moving.size(); first += most) {
     add_range(input, origin, first, std::min(most, input.moving.size() - first));
   }
@@ -44,31 +63,28 @@ BlendResponse::BlendResponse(VulkanState& state, const SurfaceInput& input,
 
 void BlendResponse::add_range(const SurfaceInput& input, const Eigen::Vector3d& origin,
                               std::size_t first, std::size_t count) {
-  std::vector<Rest> rests(count);
-  for (std::size_t m = 0; m < count; ++m) {
-    const Index vertex = input.moving[first + m];
+  const auto moving = input.moving.subspan(first, count);
+  std::vector<Vec4> rests;
+  rests.reserve(count);
+  for (const Index vertex : moving) {
     const Eigen::Vector3f place = (input.rest[vertex] - origin).cast<float>();
-    rests[m] = {place.x(), place.y(), place.z(), vertex};
+    rests.push_back({place.x(), place.y(), place.z(), 1.0F});
   }
-  std::vector<float> basis(3 * columns_ * count);
-  for (std::size_t k = 0; k < columns_; ++k) {
-    const double* column = input.basis.data() + 3 * (k * input.moving.size() + first);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      float* out = basis.data() + (3 * k + axis) * count;
-      for (std::size_t m = 0; m < count; ++m) out[m] = static_cast<float>(column[3 * m + axis]);
-    }
-  }
+  const std::vector<Vec4> basis = pack_basis(input, first, count);
   const gpu::Context& context = *state_.context;
-  ranges_.push_back({count, gpu::Buffer(context, "rest positions", count * sizeof(Rest)),
-                     gpu::Buffer(context, "response basis", basis.size() * sizeof(float))});
-  state_.transfer.upload(ranges_.back().rests, std::span<const Rest>(rests));
-  state_.transfer.upload(ranges_.back().basis, std::span<const float>(basis));
+  ranges_.push_back({count, gpu::TexelBuffer(context, "moving vertices", Format::uint, count),
+                     gpu::TexelBuffer(context, "rest positions", Format::vec4, count),
+                     gpu::TexelBuffer(context, "response basis", Format::vec4, basis.size())});
+  const Range& range = ranges_.back();
+  state_.transfer.upload(range.moving.buffer(), moving);
+  state_.transfer.upload(range.rests.buffer(), std::span<const Vec4>(rests));
+  state_.transfer.upload(range.basis.buffer(), std::span<const Vec4>(basis));
 }
 
 void BlendResponse::record(gpu::Recorder& recorder, const gpu::Buffer& positions) const {
   for (const Range& range : ranges_) {
     recorder.dispatch(state_.blend_response, range.count,
-                      {terms_, range.rests, range.basis, positions},
+                      {groups_, range.moving, range.rests, range.basis, positions},
                       static_cast<std::uint32_t>(range.count));
   }
 }
@@ -78,13 +94,18 @@ void BlendResponse::set_parameters(std::span<const double> parameters) {
     throw InputError("a blend of " + std::to_string(columns_) + " basis columns was given " +
                      std::to_string(parameters.size()) + " parameters");
   }
-  const std::span<std::byte> memory = terms_.mapped();
-  auto* const terms = reinterpret_cast<Term*>(memory.data() + kTermsOffset);
+  const std::span<std::byte> memory = groups_.mapped();
+  auto* const groups = reinterpret_cast<Group*>(memory.data() + sizeof(GroupHeader));
   std::uint32_t count = 0;
-  for (std::uint32_t k = 0; k < parameters.size(); ++k) {
-    if (parameters[k] != 0.0) terms[count++] = {k, static_cast<float>(parameters[k])};
+  for (std::size_t k = 0; k < columns_; k += kColumnsPerGroup) {
+    const auto group = parameters.subspan(k, std::min(kColumnsPerGroup, columns_ - k));
+    if (std::all_of(group.begin(), group.end(), [](double p) { return p == 0.0; })) continue;
+    Group& out = groups[count++];
+    out = {{}, static_cast<std::uint32_t>(k / kColumnsPerGroup)};
+    std::transform(group.begin(), group.end(), out.parameters.begin(),
+                   [](double p) { return static_cast<float>(p); });
   }
-  *reinterpret_cast<std::uint32_t*>(memory.data()) = count;
+  reinterpret_cast<GroupHeader*>(memory.data())->group_count = count;
 }
 
 }  // namespace lapwing

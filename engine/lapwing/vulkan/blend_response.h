@@ -4,19 +4,22 @@
 #include <vector>
 
 #include "lapwing/gpu/recorder.h"
+#include "lapwing/gpu/texel_buffer.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/vulkan/vulkan_state.h"
 
 namespace lapwing {
 
 /// Kernel blend_response over one basis, kept on the device in float32. Vertices are split into
-/// ranges, each with a buffer of its own, where the basis is larger than a storage buffer may be.
+/// ranges, each with buffers of its own, where the basis has more texels than a buffer may.
 class BlendResponse {
  public:
-  /// Positions are relative to `origin`. Throws GpuError when the basis does not fit.
-  BlendResponse(VulkanState& state, const SurfaceInput& input, const Eigen::Vector3d& origin);
+  /// Positions are relative to `origin`. `most_texels` in one buffer; the device's limit if 0.
+  /// Throws GpuError when the basis does not fit in the device's memory.
+  BlendResponse(VulkanState& state, const SurfaceInput& input, const Eigen::Vector3d& origin,
+                std::size_t most_texels = 0);
 
-  /// Records the blend into `positions`, one vec4 per vertex of the mesh.
+  /// Records the blend into `positions`, one vec4 per vertex of the mesh, whose w stays.
   void record(gpu::Recorder& recorder, const gpu::Buffer& positions) const;
   /// What the recorded commands use when they next run: one number per column. The device must be
   /// done with them. Throws InputError when the number is wrong.
@@ -25,15 +28,16 @@ class BlendResponse {
  private:
   struct Range {
     std::size_t count;
-    gpu::Buffer rests;
-    gpu::Buffer basis;
+    gpu::TexelBuffer moving;
+    gpu::TexelBuffer rests;
+    gpu::TexelBuffer basis;
   };
   void add_range(const SurfaceInput& input, const Eigen::Vector3d& origin, std::size_t first,
                  std::size_t count);
 
   VulkanState& state_;
   std::size_t columns_;
-  gpu::Buffer terms_;
+  gpu::Buffer groups_;
   std::vector<Range> ranges_;
 };
 

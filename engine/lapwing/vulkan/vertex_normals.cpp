@@ -6,6 +6,8 @@
 namespace lapwing {
 namespace {
 
+using Format = gpu::TexelBuffer::Format;
+
 // A triangle around vertex i as the edge opposite to i, from corner to corner in its orientation.
 using Edge = std::pair<Index, Index>;
 
@@ -70,21 +72,21 @@ VertexNormals::VertexNormals(VulkanState& state, const Topology& topology)
 
 VertexNormals::VertexNormals(VulkanState& state, const Adjacency& fans)
     : state_(state),
-      fan_starts_(*state.context, "fan starts", fans.starts.size() * sizeof(Index)),
-      fan_corners_(*state.context, "fan corners", fans.values.size() * sizeof(Index)) {
-  state.transfer.upload(fan_starts_, std::span<const Index>(fans.starts));
-  state.transfer.upload(fan_corners_, std::span<const Index>(fans.values));
+      fan_starts_(*state.context, "fan starts", Format::uint, fans.starts.size()),
+      fan_corners_(*state.context, "fan corners", Format::uint, fans.values.size()) {
+  state.transfer.upload(fan_starts_.buffer(), std::span<const Index>(fans.starts));
+  state.transfer.upload(fan_corners_.buffer(), std::span<const Index>(fans.values));
 }
 
-gpu::Buffer VertexNormals::upload_list(std::span<const Index> which) const {
-  gpu::Buffer list(*state_.context, "vertices with new normals", which.size_bytes());
-  state_.transfer.upload(list, which);
+gpu::TexelBuffer VertexNormals::upload_list(std::span<const Index> which) const {
+  gpu::TexelBuffer list(*state_.context, "vertices with new normals", Format::uint, which.size());
+  state_.transfer.upload(list.buffer(), which);
   return list;
 }
 
-void VertexNormals::record(gpu::Recorder& recorder, const gpu::Buffer& which,
-                           const gpu::Buffer& positions, const gpu::Buffer& normals) const {
-  const auto count = static_cast<std::uint32_t>(which.bytes() / sizeof(Index));
+void VertexNormals::record(gpu::Recorder& recorder, const gpu::TexelBuffer& which,
+                           const gpu::TexelBuffer& positions, const gpu::Buffer& normals) const {
+  const auto count = static_cast<std::uint32_t>(which.buffer().bytes() / sizeof(Index));
   recorder.dispatch(state_.vertex_normals, count,
                     {which, fan_starts_, fan_corners_, positions, normals}, count);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lapwing/gpu/recorder.h"
+#include "lapwing/gpu/texel_buffer.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/vulkan/vulkan_state.h"
 
@@ -22,16 +23,17 @@ class VertexNormals {
   VertexNormals(VulkanState& state, const Topology& topology);
 
   /// The vertices `which` as `record` takes them.
-  gpu::Buffer upload_list(std::span<const Index> which) const;
-  void record(gpu::Recorder& recorder, const gpu::Buffer& which, const gpu::Buffer& positions,
-              const gpu::Buffer& normals) const;
+  gpu::TexelBuffer upload_list(std::span<const Index> which) const;
+  /// Records the normals of `which` into `normals`, whose w stays.
+  void record(gpu::Recorder& recorder, const gpu::TexelBuffer& which,
+              const gpu::TexelBuffer& positions, const gpu::Buffer& normals) const;
 
  private:
   VertexNormals(VulkanState& state, const Adjacency& fans);
 
   VulkanState& state_;
-  gpu::Buffer fan_starts_;
-  gpu::Buffer fan_corners_;
+  gpu::TexelBuffer fan_starts_;
+  gpu::TexelBuffer fan_corners_;
 };
 
 }  // namespace lapwing

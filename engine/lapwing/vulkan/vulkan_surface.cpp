@@ -42,19 +42,19 @@ std::vector<Eigen::Vector3d> download_vectors(VulkanState& state, const gpu::Buf
 
 struct VulkanSurface::Buffers {
   Buffers(VulkanState& state, const SurfaceInput& input, const Eigen::Vector3d& origin)
-      : positions(*state.context, "positions", input.rest.size() * sizeof(Vec4)),
+      : positions(*state.context, "positions", gpu::TexelBuffer::Format::vec4, input.rest.size()),
         normals(*state.context, "normals", input.rest.size() * sizeof(Vec4)),
         triangles(*state.context, "triangles", input.topology.triangles.size() * sizeof(Triangle)),
         blend_response(state, input, origin),
         vertex_normals(state, input.topology),
         affected(vertex_normals.upload_list(with_neighbours(input.moving, input.topology.rings))) {}
 
-  gpu::Buffer positions;
+  gpu::TexelBuffer positions;
   gpu::Buffer normals;
   gpu::Buffer triangles;
   BlendResponse blend_response;
   VertexNormals vertex_normals;
-  gpu::Buffer affected;  // the vertices whose normals a drag frame renews
+  gpu::TexelBuffer affected;  // the vertices whose normals a drag frame renews
 };
 
 VulkanSurface::VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceInput& input)
@@ -77,14 +77,15 @@ void VulkanSurface::upload_rest(const SurfaceInput& input) {
     const Eigen::Vector3f place = (rest - origin_).cast<float>();
     positions.push_back({place.x(), place.y(), place.z(), 1.0F});
   }
-  state_->transfer.upload(buffers_->positions, std::span<const Vec4>(positions));
+  state_->transfer.upload(buffers_->positions.buffer(), std::span<const Vec4>(positions));
   state_->transfer.upload(buffers_->triangles, std::span<const Triangle>(input.topology.triangles));
 
   std::vector<Index> all(vertex_count_);
   std::iota(all.begin(), all.end(), 0U);
-  const gpu::Buffer everything = buffers_->vertex_normals.upload_list(all);
+  const gpu::TexelBuffer everything = buffers_->vertex_normals.upload_list(all);
   gpu::CommandList rest_normals(*state_->context, "rest normals");
   gpu::Recorder recorder(rest_normals);
+  recorder.fill(buffers_->normals, 0);
   buffers_->vertex_normals.record(recorder, everything, buffers_->positions, buffers_->normals);
   recorder.finish();
   rest_normals.run();
@@ -92,7 +93,7 @@ void VulkanSurface::upload_rest(const SurfaceInput& input) {
 
 void VulkanSurface::record_frame() {
   gpu::Recorder recorder(*frame_);
-  buffers_->blend_response.record(recorder, buffers_->positions);
+  buffers_->blend_response.record(recorder, buffers_->positions.buffer());
   buffers_->vertex_normals.record(recorder, buffers_->affected, buffers_->positions,
                                   buffers_->normals);
   recorder.finish();
@@ -104,7 +105,7 @@ void VulkanSurface::blend(std::span<const double> parameters) {
 }
 
 Positions VulkanSurface::positions() const {
-  return download_vectors(*state_, buffers_->positions, origin_);
+  return download_vectors(*state_, buffers_->positions.buffer(), origin_);
 }
 
 std::vector<Eigen::Vector3d> VulkanSurface::normals() const {
@@ -115,7 +116,7 @@ gpu::Context& VulkanSurface::context() const {
   return *state_->context;
 }
 const gpu::Buffer& VulkanSurface::position_buffer() const {
-  return buffers_->positions;
+  return buffers_->positions.buffer();
 }
 const gpu::Buffer& VulkanSurface::normal_buffer() const {
   return buffers_->normals;
