@@ -77,7 +77,8 @@ void Buffer::allocate(Memory memory) {
   context_->check(vk.vkBindBufferMemory(context_->device(), handle_, memory_, 0),
                   "vkBindBufferMemory");
   const VkMemoryPropertyFlags flags = context_->memory_flags(type);
-  if (memory == Memory::device && (flags & kUnified) != kUnified) return;
+  const bool unified = context_->maps_device_memory() && (flags & kUnified) == kUnified;
+  if (memory == Memory::device && !unified) return;
   void* address = nullptr;
   context_->check(vk.vkMapMemory(context_->device(), memory_, 0, VK_WHOLE_SIZE, 0, &address),
                   "vkMapMemory");

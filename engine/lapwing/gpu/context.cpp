@@ -59,7 +59,7 @@ std::vector<DeviceDescription> list_devices() {
   return list;
 }
 
-Context::Context(const ContextOptions& options) {
+Context::Context(const ContextOptions& options) : maps_device_memory_(options.map_device_memory) {
   try {
     create_instance(options);
     create_device(options);

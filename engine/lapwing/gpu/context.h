@@ -26,6 +26,9 @@ struct ContextOptions {
   std::vector<const char*> instance_extensions;  ///< beside the context's own; a window's, say
   std::vector<const char*> device_extensions;    ///< beside the context's own
   VkPhysicalDeviceFeatures optional_features{};  ///< turned on where the device has them
+  /// False: memory of the device is never mapped, as on a discrete GPU, so that every copy is
+  /// staged. For tests.
+  bool map_device_memory = true;
 };
 
 /// An instance, one device and one queue of Vulkan 1.3, with synchronization2, dynamic rendering,
@@ -45,6 +48,7 @@ class Context {
   const DeviceDescription& description() const { return description_; }
   const VkPhysicalDeviceLimits& limits() const { return limits_; }
   bool has_graphics() const { return has_graphics_; }
+  bool maps_device_memory() const { return maps_device_memory_; }
 
   /// Raw handles, for what this layer does not wrap (swapchains, images, graphics pipelines).
   /// Device functions are called through `vk()`: context.vk().vkCmdDraw(...).
@@ -105,6 +109,7 @@ class Context {
   VkQueue queue_ = VK_NULL_HANDLE;
   std::uint32_t queue_family_ = 0;
   bool has_graphics_ = false;
+  bool maps_device_memory_;
   VkSemaphore timeline_ = VK_NULL_HANDLE;
   std::mutex submit_mutex_;
   std::uint64_t last_submitted_ = 0;

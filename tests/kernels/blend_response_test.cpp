@@ -1,0 +1,144 @@
+#include "lapwing/vulkan/blend_response.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "kernels/awkward_meshes.h"
+#include "kernels/twins.h"
+#include "lapwing/base/errors.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+using test::Sample;
+
+std::vector<double> random_numbers(std::size_t count, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<double> numbers(count);
+  for (double& number : numbers) number = uniform(generator);
+  return numbers;
+}
+
+// Every third vertex moves, by `columns` random columns.
+struct Drag {
+  Drag(const Sample& on, std::size_t column_count, unsigned seed)
+      : sample(on), columns(column_count) {
+    for (Index v = 0; v < on.vertices.size(); v += 3) moving.push_back(v);
+    basis = random_numbers(3 * moving.size() * columns, seed);
+    parameters = random_numbers(columns, seed + 1);
+  }
+  SurfaceInput input() const {
+    return {sample.mesh.positions, sample.topology, moving, basis, columns};
+  }
+
+  const Sample& sample;
+  std::size_t columns;
+  std::vector<Index> moving;
+  std::vector<double> basis;
+  std::vector<double> parameters;
+};
+
+double largest_distance(const Positions& a, const Positions& b) {
+  double largest = a.size() == b.size() ? 0.0 : 1e300;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
+  return largest;
+}
+
+class BlendResponseKernel : public test::KernelTest {};
+
+TEST_P(BlendResponseKernel, AgreesWithTheCpuTwin) {
+  CpuKernels cpu;
+  for (const Sample& sample : test::awkward_meshes()) {
+    // Numbers of columns around the groups of four that devices read.
+    for (const std::size_t columns : {0U, 1U, 4U, 5U, 12U, 13U}) {
+      const Drag drag(sample, columns, 11);
+      const auto expected = cpu.make_surface(drag.input());
+      const auto surface = kernels->make_surface(drag.input());
+      expected->blend(drag.parameters);
+      surface->blend(drag.parameters);
+      const double size =
+          bounds_of(sample.mesh.positions).diagonal() + static_cast<double>(columns);
+      EXPECT_LE(largest_distance(surface->positions(), expected->positions()),
+                surface_tolerance() * size)
+          << sample.name << " columns " << columns;
+    }
+  }
+}
+
+TEST_P(BlendResponseKernel, StillHandleBringsTheRestShapeBack) {
+  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 12));
+  Drag drag(sample, 12, 13);
+  const auto surface = kernels->make_surface(drag.input());
+  const Positions rest = surface->positions();
+  EXPECT_LE(largest_distance(rest, sample.mesh.positions), surface_tolerance());
+  surface->blend(drag.parameters);
+  EXPECT_GT(largest_distance(rest, surface->positions()), 0.1);
+  surface->blend(std::vector(12, 0.0));
+  EXPECT_EQ(surface->positions(), rest);
+}
+
+TEST_P(BlendResponseKernel, SkippedColumnsAddNothing) {
+  const Sample sample("rough sphere", test::rough_sphere(1, 0.2, 14));
+  Drag drag(sample, 12, 15);
+  CpuKernels cpu;
+  const auto expected = cpu.make_surface(drag.input());
+  const auto surface = kernels->make_surface(drag.input());
+  for (std::size_t only = 0; only < drag.columns; ++only) {
+    std::vector parameters(drag.columns, 0.0);
+    parameters[only] = 0.7;
+    expected->blend(parameters);
+    surface->blend(parameters);
+    EXPECT_LE(largest_distance(surface->positions(), expected->positions()),
+              4 * surface_tolerance())
+        << "column " << only;
+  }
+}
+
+TEST_P(BlendResponseKernel, RepeatsBitForBit) {
+  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 16));
+  const Drag drag(sample, 12, 17);
+  const auto surface = kernels->make_surface(drag.input());
+  surface->blend(drag.parameters);
+  const Positions first = surface->positions();
+  surface->blend(std::vector(12, 1.0));
+  surface->blend(drag.parameters);
+  EXPECT_EQ(surface->positions(), first);
+}
+
+LAPWING_ON_ALL_TWINS(BlendResponseKernel);
+
+TEST(BlendResponse, SplitBasisGivesTheSameBits) {
+  LAPWING_NEEDS_GPU();
+  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 18));
+  const Drag drag(sample, 12, 19);
+  VulkanState state(std::make_shared<gpu::Context>(), false);
+  const auto blend = [&](std::size_t most_texels) {
+    BlendResponse response(state, drag.input(), Vector3d::Zero(), most_texels);
+    const gpu::Buffer positions(*state.context, "positions", 16 * sample.vertices.size());
+    gpu::CommandList list(*state.context, "blend");
+    gpu::Recorder recorder(list);
+    recorder.fill(positions, 0);
+    response.record(recorder, positions);
+    recorder.finish();
+    response.set_parameters(drag.parameters);
+    list.run();
+    std::vector<float> values(4 * sample.vertices.size());
+    state.transfer.download(positions, std::span(values));
+    return values;
+  };
+  EXPECT_EQ(blend(100), blend(0));
+}
+
+TEST(BlendResponse, WrongNumberOfParametersIsRefused) {
+  LAPWING_NEEDS_GPU();
+  const Sample sample("rough sphere", test::rough_sphere(1, 0.2, 20));
+  const Drag drag(sample, 3, 21);
+  VulkanKernels kernels;
+  EXPECT_THROW(kernels.make_surface(drag.input())->blend(std::vector(4, 1.0)), InputError);
+}
+
+}  // namespace
+}  // namespace lapwing

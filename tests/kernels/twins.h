@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+#include "support/gpu.h"
+
+namespace lapwing::test {
+
+/// One implementation of the kernels, and how far it may stray from the CPU twin.
+struct Twin {
+  const char* name;
+  bool on_gpu;
+  Precision precision;
+  bool mapped;       ///< false: every copy staged, as on a discrete GPU
+  double tolerance;  ///< of assemble_rsi and sample_laplacians, relative
+};
+
+inline constexpr double kFloat64Tolerance = 1e-12;
+inline constexpr double kFloat32Tolerance = 1e-5;
+inline constexpr Twin kTwins[] = {
+    {"cpu", false, Precision::float64, true, kFloat64Tolerance},
+    {"vulkan_float64", true, Precision::float64, true, kFloat64Tolerance},
+    {"vulkan_float32", true, Precision::float32, true, kFloat32Tolerance},
+    {"vulkan_float32_staged", true, Precision::float32, false, kFloat32Tolerance},
+};
+
+/// A test that runs on each twin; skips those that this machine does not have.
+class KernelTest : public ::testing::TestWithParam<Twin> {
+ protected:
+  void SetUp() override {
+    if (!GetParam().on_gpu) {
+      kernels = std::make_unique<CpuKernels>();
+      return;
+    }
+    LAPWING_NEEDS_GPU();
+    gpu::ContextOptions options;
+    options.map_device_memory = GetParam().mapped;
+    auto context = std::make_shared<gpu::Context>(options);
+    if (GetParam().precision == Precision::float64 && !context->description().float64) {
+      GTEST_SKIP() << "no float64 on " << context->description().name;
+    }
+    kernels = std::make_unique<VulkanKernels>(std::move(context), GetParam().precision);
+  }
+
+  /// Of positions and normals, which devices keep in float32: relative to the mesh's size.
+  double surface_tolerance() const { return GetParam().on_gpu ? 1e-6 : 1e-13; }
+
+  std::unique_ptr<Kernels> kernels;
+};
+
+#define LAPWING_ON_ALL_TWINS(fixture)                                         \
+  INSTANTIATE_TEST_SUITE_P(Twins, fixture, ::testing::ValuesIn(test::kTwins), \
+                           [](const auto& test) { return std::string(test.param.name); })
+
+}  // namespace lapwing::test

@@ -1,0 +1,137 @@
+#include "lapwing/vulkan/vertex_normals.h"
+
+#include <algorithm>
+#include <array>
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "kernels/awkward_meshes.h"
+#include "kernels/twins.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+using test::Sample;
+using ::testing::ElementsAre;
+using ::testing::UnorderedElementsAreArray;
+
+class VertexNormalsKernel : public test::KernelTest {
+ protected:
+  std::unique_ptr<DeformedSurface> at_rest(const Sample& sample) const {
+    return kernels->make_surface({sample.mesh.positions, sample.topology, {}, {}, 0});
+  }
+};
+
+TEST_P(VertexNormalsKernel, AgreesWithTheCpuTwin) {
+  CpuKernels cpu;
+  for (const Sample& sample : test::awkward_meshes()) {
+    // Without area the direction is rounding noise.
+    if (sample.name.starts_with("ring on a line")) continue;
+    const SurfaceInput input{sample.mesh.positions, sample.topology, {}, {}, 0};
+    const auto expected = cpu.make_surface(input)->normals();
+    const auto normals = kernels->make_surface(input)->normals();
+    ASSERT_EQ(normals.size(), expected.size());
+    // Positions that the device rounds to 2^-24 of the mesh turn a normal by that over the edges'
+    // length.
+    const double tolerance = 100 * surface_tolerance();
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      EXPECT_LE((normals[i] - expected[i]).norm(), tolerance) << sample.name << " vertex " << i;
+    }
+  }
+}
+
+TEST_P(VertexNormalsKernel, PointOutOfASphere) {
+  const Sample sample("sphere", icosphere(3));
+  const auto normals = at_rest(sample)->normals();
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    EXPECT_NEAR(normals[i].norm(), 1.0, surface_tolerance());
+    EXPECT_GT(normals[i].dot(sample.mesh.positions[i]), 0.999);
+  }
+}
+
+TEST_P(VertexNormalsKernel, AreZeroWhereThereIsNoArea) {
+  Mesh mesh;
+  mesh.positions = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {5, 5, 5}};
+  mesh.add_face(std::array<Index, 3>{0, 1, 2});
+  const auto normals = at_rest(Sample("point", mesh))->normals();
+  EXPECT_THAT(normals, ::testing::Each(Vector3d(0, 0, 0)));
+}
+
+// A vertex that moves takes the normals of its neighbours along, and no others.
+TEST_P(VertexNormalsKernel, FollowAMovingVertex) {
+  const Sample sample("grid", grid(6, 6));
+  const std::vector<Index> moving{24};
+  const std::vector<double> basis{0.0, 0.0, 1.0};
+  const SurfaceInput input{sample.mesh.positions, sample.topology, moving, basis, 1};
+  const auto surface = kernels->make_surface(input);
+  surface->blend(std::vector{0.1});
+
+  Sample bumped = sample;
+  bumped.mesh.positions[24].z() = 0.1;
+  const auto expected = at_rest(bumped)->normals();
+  const auto normals = surface->normals();
+  const auto ring = sample.topology.rings[24];
+  for (Index i = 0; i < normals.size(); ++i) {
+    EXPECT_LE((normals[i] - expected[i]).norm(), 10 * surface_tolerance()) << "vertex " << i;
+    const bool touched = i == 24 || std::ranges::find(ring, i) != ring.end();
+    if (!touched) {
+      EXPECT_EQ(normals[i], Vector3d(0, 0, 1)) << "vertex " << i;
+    }
+  }
+}
+
+LAPWING_ON_ALL_TWINS(VertexNormalsKernel);
+
+// The triangles around vertex i that a fan list stands for, each from its smallest corner.
+std::vector<Triangle> triangles_of(const Adjacency& fans, Index i) {
+  std::vector<Triangle> list;
+  const auto corners = fans[i];
+  for (std::size_t c = 1; c < corners.size(); ++c) {
+    if ((corners[c] & kFanBegins) != 0) continue;
+    Triangle t{i, corners[c - 1] & ~kFanBegins, corners[c]};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    list.push_back(t);
+  }
+  return list;
+}
+
+TEST(Fans, ListEveryTriangleOnceWithItsOrientation) {
+  // Two fans meet in vertex 0 (a bow tie), edge 0-1 has three triangles, one of them turned round.
+  Mesh mesh;
+  mesh.positions.assign(9, Vector3d::Zero());
+  const std::vector<Triangle> faces{{0, 1, 2}, {0, 2, 3}, {0, 1, 4},
+                                    {5, 6, 0}, {6, 7, 0}, {1, 0, 8}};
+  for (const Triangle& face : faces) mesh.add_face(face);
+  const Topology topology = build_topology(mesh);
+  const Adjacency fans = build_fans(topology.triangles, topology.vertex_triangles);
+  for (Index i = 0; i < 9; ++i) {
+    std::vector<Triangle> expected;
+    for (const Index t : topology.vertex_triangles[i]) {
+      Triangle face = topology.triangles[t];
+      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+      expected.push_back(face);
+    }
+    EXPECT_THAT(triangles_of(fans, i), UnorderedElementsAreArray(expected)) << "vertex " << i;
+  }
+}
+
+TEST(Fans, ManifoldVertexHasOne) {
+  const Topology sphere = build_topology(icosphere(1));
+  const Adjacency fans = build_fans(sphere.triangles, sphere.vertex_triangles);
+  for (Index i = 0; i < sphere.vertex_count(); ++i) {
+    EXPECT_EQ(fans.size(i), sphere.vertex_triangles.size(i) + 1);
+  }
+  Mesh corner;
+  corner.positions.assign(3, Vector3d::Zero());
+  corner.add_face(std::array<Index, 3>{0, 1, 2});
+  const Topology triangle = build_topology(corner);
+  EXPECT_THAT(build_fans(triangle.triangles, triangle.vertex_triangles)[1],
+              ElementsAre(2 | kFanBegins, 0));
+}
+
+}  // namespace
+}  // namespace lapwing
