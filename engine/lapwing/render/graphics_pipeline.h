@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include <volk.h>
+
+namespace lapwing {
+
+namespace gpu {
+class Buffer;
+class Context;
+}  // namespace gpu
+
+/// What pipelines draw into: a window's images or an offscreen target. Shaders write linear light,
+/// so the colour format is an _SRGB one, which encodes it.
+struct TargetFormat {
+  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;
+  VkFormat depth = VK_FORMAT_D32_SFLOAT;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+};
+
+struct GraphicsPipelineInfo {
+  std::string name;  ///< appears in error messages
+  std::span<const std::uint32_t> vertex_spirv;
+  std::span<const std::uint32_t> fragment_spirv;
+  std::uint32_t storage_buffers = 0;  ///< bindings 0, 1, ... of both stages, which only read them
+  std::uint32_t push_constant_bytes = 0;
+  bool depth = false;  ///< test and write depth: nearer, that is greater, wins
+};
+
+/// A pipeline that draws triangles without vertex or index buffers: shaders pull what they need
+/// from storage buffers. Both faces are drawn; viewport and scissor are dynamic. The context must
+/// outlive it.
+class GraphicsPipeline {
+ public:
+  /// Throws GpuError, naming the pipeline, when the device cannot draw or refuses it.
+  GraphicsPipeline(const gpu::Context& context, const TargetFormat& target,
+                   const GraphicsPipelineInfo& info);
+  ~GraphicsPipeline();
+  GraphicsPipeline(const GraphicsPipeline&) = delete;
+  GraphicsPipeline& operator=(const GraphicsPipeline&) = delete;
+
+  /// Records a draw of `vertices` vertices in a rendering scope. `buffers` by binding.
+  template <typename Push>
+  void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
+            const Push& push, std::uint32_t vertices) const {
+    static_assert(std::is_trivially_copyable_v<Push>);
+    draw(commands, {buffers.begin(), buffers.size()}, std::as_bytes(std::span(&push, 1)), vertices);
+  }
+
+ private:
+  void create_layout(const GraphicsPipelineInfo& info);
+  void create_pipeline(const TargetFormat& target, const GraphicsPipelineInfo& info);
+  void draw(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
+            std::span<const std::byte> push, std::uint32_t vertices) const;
+  void release() noexcept;
+
+  const gpu::Context& context_;
+  std::string name_;
+  VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+/// Throws GpuError, saying what to do, when the context's queue has no graphics.
+void require_graphics(const gpu::Context& context);
+
+}  // namespace lapwing

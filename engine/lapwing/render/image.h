@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lapwing {
+
+/// A picture in memory: rows from the top, four bytes per pixel (red, green, blue in sRGB, and
+/// opacity, which the colours are not multiplied by).
+struct Image {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<std::uint8_t> rgba;  ///< 4 width height bytes
+
+  /// Of column `x` and row `y`, both inside.
+  std::array<std::uint8_t, 4> pixel(std::uint32_t x, std::uint32_t y) const {
+    const std::uint8_t* p = rgba.data() + 4 * (std::size_t{y} * width + x);
+    return {p[0], p[1], p[2], p[3]};
+  }
+};
+
+/// Turns colours that were multiplied by their opacity (in linear light) into plain ones.
+void divide_by_opacity(Image& image);
+
+/// The bytes of a PNG file; without the fourth channel where all of the image is opaque.
+std::string encode_png(const Image& image);
+
+/// Writes a PNG file, replacing `path` in one step. Throws IoError with the system's reason.
+void write_png(const std::filesystem::path& path, const Image& image);
+
+}  // namespace lapwing

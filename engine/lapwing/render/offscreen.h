@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "lapwing/gpu/buffer.h"
+#include "lapwing/gpu/command_list.h"
+#include "lapwing/render/device_image.h"
+#include "lapwing/render/graphics_pipeline.h"
+#include "lapwing/render/image.h"
+
+namespace lapwing {
+
+/// A picture to draw into that is not on a screen, with antialiasing. The context must outlive it.
+class OffscreenTarget {
+ public:
+  /// `samples` per pixel are wanted; as many as the device has are taken, up to that. Throws
+  /// GpuError, naming the limit, for a picture that is empty or larger than the device's largest,
+  /// and when the context's queue has no graphics.
+  OffscreenTarget(gpu::Context& context, std::uint32_t width, std::uint32_t height,
+                  std::uint32_t samples = 4);
+
+  const TargetFormat& format() const { return format_; }
+  VkExtent2D extent() const { return extent_; }
+
+  /// Runs what `draw` records into a rendering scope and returns the pixels. Colours are those
+  /// written, multiplied by their opacity where that is how `draw` leaves them at edges.
+  Image render(const std::function<void(VkCommandBuffer commands)>& draw);
+
+ private:
+  void record_scope(VkCommandBuffer commands, const std::function<void(VkCommandBuffer)>& draw);
+
+  gpu::Context& context_;
+  VkExtent2D extent_;
+  TargetFormat format_;
+  DeviceImage color_;  ///< what is read back: drawn into, or resolved into
+  DeviceImage depth_;
+  std::optional<DeviceImage> multisampled_;  ///< drawn into, with more than one sample
+  gpu::Buffer pixels_;
+  gpu::CommandList commands_;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,66 @@
+#include "lapwing/render/overlay.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <stb/stb_easy_font.h>
+
+#include "lapwing/vulkan/vulkan_surface.h"
+
+namespace lapwing {
+namespace {
+
+// What the font's table covers, as the mutable string that it takes. Its barred 0 reads as an 8.
+std::string printable(std::string_view text) {
+  std::string line(text);
+  for (char& c : line) {
+    if (c < ' ' || c > '~') c = '?';
+    if (c == '0') c = 'O';
+  }
+  return line;
+}
+
+// A corner as the font writes it, four to a rectangle.
+struct FontCorner {
+  float x, y, z;
+  std::uint32_t color;
+};
+
+// The font draws a letter with at most so many rectangles.
+constexpr std::size_t kRectanglesPerLetter = 24;
+
+}  // namespace
+
+void Overlay::add_rectangle(float left, float top, float right, float bottom,
+                            const Eigen::Vector3f& linear_color) {
+  rectangles_.push_back(
+      {{left, top, right, bottom}, {linear_color.x(), linear_color.y(), linear_color.z(), 1.0F}});
+}
+
+void Overlay::add_text(float x, float y, float scale, const Eigen::Vector3f& linear_color,
+                       std::string_view text) {
+  std::string line = printable(text);
+  std::vector<FontCorner> corners(4 * kRectanglesPerLetter * line.size() + 4);
+  const int count = stb_easy_font_print(0.0F, 0.0F, line.data(), nullptr, corners.data(),
+                                        static_cast<int>(corners.size() * sizeof(FontCorner)));
+  for (int r = 0; r < count; ++r) {
+    const FontCorner& first = corners[4 * static_cast<std::size_t>(r)];
+    const FontCorner& opposite = corners[4 * static_cast<std::size_t>(r) + 2];
+    add_rectangle(x + scale * first.x, y + scale * first.y, x + scale * opposite.x,
+                  y + scale * opposite.y, linear_color);
+  }
+}
+
+float Overlay::text_width(float scale, std::string_view text) {
+  return scale * static_cast<float>(stb_easy_font_width(printable(text).data()));
+}
+
+OverlayBuffer::OverlayBuffer(gpu::Context& context, const Overlay& overlay)
+    : count_(static_cast<std::uint32_t>(overlay.rectangles().size())),
+      buffer_(context, "overlay", overlay.rectangles().size() * sizeof(OverlayRectangle),
+              gpu::Memory::upload) {
+  std::copy(overlay.rectangles().begin(), overlay.rectangles().end(),
+            buffer_.mapped_as<OverlayRectangle>().begin());
+}
+
+}  // namespace lapwing

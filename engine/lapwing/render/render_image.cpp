@@ -1,0 +1,31 @@
+#include "lapwing/render/render_image.h"
+
+#include <optional>
+
+#include "lapwing/render/offscreen.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+
+namespace lapwing {
+
+Image render_image(const VulkanSurface& surface, const SurfacePaint& paint, const Camera& camera,
+                   const RenderOptions& options) {
+  gpu::Context& context = surface.context();
+  OffscreenTarget target(context, options.width, options.height, options.samples);
+  const Renderer renderer(context, target.format());
+  std::optional<OverlayBuffer> legend;
+  if (options.legend && options.style.color == SurfaceColor::scalar) {
+    legend.emplace(context,
+                   legend_overlay({options.style.color_map, color_range(options.style, paint),
+                                   options.legend_title},
+                                  options.width, options.height));
+  }
+  Image image = target.render([&](VkCommandBuffer commands) {
+    renderer.begin(commands, target.extent(), options.background);
+    renderer.draw(commands, target.extent(), surface, paint, camera, options.style);
+    if (legend) renderer.draw(commands, target.extent(), *legend);
+  });
+  if (options.background == Background::transparent) divide_by_opacity(image);
+  return image;
+}
+
+}  // namespace lapwing

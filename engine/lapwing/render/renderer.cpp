@@ -1,0 +1,160 @@
+#include "lapwing/render/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "lapwing/gpu/context.h"
+#include "lapwing/gpu/transfer.h"
+#include "lapwing/shaders/background_frag.h"
+#include "lapwing/shaders/background_vert.h"
+#include "lapwing/shaders/overlay_frag.h"
+#include "lapwing/shaders/overlay_vert.h"
+#include "lapwing/shaders/surface_frag.h"
+#include "lapwing/shaders/surface_vert.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+
+namespace lapwing {
+namespace {
+
+// What the shaders of the same names take; std430.
+struct BackgroundPush {
+  std::array<float, 4> top;  // sRGB and opacity
+  std::array<float, 4> bottom;
+};
+
+struct SurfacePush {
+  std::array<float, 16> clip_from_surface;  // columns
+  std::array<float, 12> view_from_surface;  // rows
+  std::uint32_t flags;
+  float scalar_low;
+  float scalar_scale;
+  float line_width;
+};
+static_assert(sizeof(SurfacePush) == 128, "what every device offers");
+
+struct OverlayPush {
+  std::array<float, 2> clip_per_pixel;
+};
+
+// Bits of SurfacePush::flags; shaders/surface.glsl.
+enum SurfaceFlag : std::uint32_t {
+  kRegions = 1,
+  kScalar = 2,
+  kWireframe = 4,
+  kFlat = 8,
+  kDiverging = 16,
+  kOrthographic = 32,
+};
+
+constexpr std::size_t kColorMapEntries = 256;  // per map; shaders/surface.frag
+
+std::uint32_t flags_of(const SurfaceStyle& style, const Camera& camera) {
+  std::uint32_t flags = 0;
+  if (style.color == SurfaceColor::regions) flags |= kRegions;
+  if (style.color == SurfaceColor::scalar) flags |= kScalar;
+  if (style.wireframe) flags |= kWireframe;
+  if (style.flat) flags |= kFlat;
+  if (style.color_map == ColorMap::diverging) flags |= kDiverging;
+  if (camera.orthographic) flags |= kOrthographic;
+  return flags;
+}
+
+gpu::Buffer make_color_maps(gpu::Context& context) {
+  std::vector<std::array<float, 4>> entries;
+  for (const ColorMap map : {ColorMap::sequential, ColorMap::diverging}) {
+    for (std::size_t e = 0; e < kColorMapEntries; ++e) {
+      const Eigen::Vector3f color =
+          map_color(map, static_cast<float>(e) / static_cast<float>(kColorMapEntries - 1));
+      entries.push_back({color.x(), color.y(), color.z(), 1.0F});
+    }
+  }
+  gpu::Buffer buffer(context, "colour maps", entries.size() * sizeof entries[0]);
+  gpu::Transfer(context).upload(buffer, std::as_bytes(std::span(entries)));
+  return buffer;
+}
+
+BackgroundPush background_push(Background background) {
+  switch (background) {
+    case Background::gradient:
+      return {{0.960F, 0.967F, 0.975F, 1.0F}, {0.800F, 0.818F, 0.840F, 1.0F}};
+    case Background::white:
+      return {{1.0F, 1.0F, 1.0F, 1.0F}, {1.0F, 1.0F, 1.0F, 1.0F}};
+    case Background::transparent:
+      break;
+  }
+  return {};
+}
+
+SurfacePush surface_push(VkExtent2D extent, const Eigen::Vector3d& origin, const Camera& camera,
+                         const SurfaceStyle& style, const ScalarRange& range) {
+  const double aspect = static_cast<double>(extent.width) / static_cast<double>(extent.height);
+  // In float64 up to here, so that a mesh far from the origin keeps its digits.
+  Eigen::Matrix4d view = camera.view();
+  view.topRightCorner<3, 1>() += view.topLeftCorner<3, 3>() * origin;
+  SurfacePush push{};
+  Eigen::Map<Eigen::Matrix4f>(push.clip_from_surface.data()) =
+      (camera.projection(aspect) * view).cast<float>();
+  Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(push.view_from_surface.data()) =
+      view.topRows<3>().cast<float>();
+  push.flags = flags_of(style, camera);
+  push.scalar_low = range.low;
+  push.scalar_scale = range.high > range.low ? 1.0F / (range.high - range.low) : 0.0F;
+  push.line_width = style.line_width;
+  return push;
+}
+
+}  // namespace
+
+ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint) {
+  if (style.range) return *style.range;
+  const ScalarRange range = paint.scalar_range();
+  if (style.color_map == ColorMap::sequential) return range;
+  const float largest = std::max(std::abs(range.low), std::abs(range.high));
+  return {-largest, largest};
+}
+
+Renderer::Renderer(gpu::Context& context, const TargetFormat& target)
+    : context_(context),
+      background_(context, target,
+                  {"the background", shaders::background_vert(), shaders::background_frag(), 0,
+                   sizeof(BackgroundPush), false}),
+      surface_(context, target,
+               {"a surface", shaders::surface_vert(), shaders::surface_frag(), 7,
+                sizeof(SurfacePush), true}),
+      overlay_(context, target,
+               {"an overlay", shaders::overlay_vert(), shaders::overlay_frag(), 1,
+                sizeof(OverlayPush), false}),
+      color_maps_(make_color_maps(context)) {}
+
+void Renderer::begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const {
+  const VkViewport viewport{
+      0.0F, 0.0F, static_cast<float>(extent.width), static_cast<float>(extent.height), 0.0F, 1.0F};
+  const VkRect2D scissor{{0, 0}, extent};
+  context_.vk().vkCmdSetViewport(commands, 0, 1, &viewport);
+  context_.vk().vkCmdSetScissor(commands, 0, 1, &scissor);
+  background_.draw(commands, {}, background_push(background), 3);
+}
+
+void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const VulkanSurface& surface,
+                    const SurfacePaint& paint, const Camera& camera,
+                    const SurfaceStyle& style) const {
+  if (surface.triangle_count() == 0) return;
+  surface_.draw(commands,
+                {&surface.position_buffer(), &surface.normal_buffer(), &surface.triangle_buffer(),
+                 &paint.class_buffer(), &paint.scalar_buffer(), &paint.edge_buffer(), &color_maps_},
+                surface_push(extent, surface.origin(), camera, style, color_range(style, paint)),
+                static_cast<std::uint32_t>(3 * surface.triangle_count()));
+}
+
+void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent,
+                    const OverlayBuffer& overlay) const {
+  if (overlay.rectangle_count() == 0) return;
+  const OverlayPush push{
+      {2.0F / static_cast<float>(extent.width), 2.0F / static_cast<float>(extent.height)}};
+  overlay_.draw(commands, {&overlay.buffer()}, push, 6 * overlay.rectangle_count());
+}
+
+}  // namespace lapwing

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+
+#include <volk.h>
+
+#include "lapwing/gpu/buffer.h"
+#include "lapwing/render/camera.h"
+#include "lapwing/render/color_map.h"
+#include "lapwing/render/graphics_pipeline.h"
+#include "lapwing/render/overlay.h"
+#include "lapwing/render/surface_paint.h"
+
+namespace lapwing {
+
+class VulkanSurface;
+
+enum class Background { gradient, white, transparent };
+
+enum class SurfaceColor {
+  plain,    ///< one light clay
+  regions,  ///< by class: outside grey, ROI bluish, belt red, handle yellow
+  scalar,   ///< by number, through the colour map
+};
+
+/// How a surface looks.
+struct SurfaceStyle {
+  SurfaceColor color = SurfaceColor::plain;
+  ColorMap color_map = ColorMap::sequential;
+  std::optional<ScalarRange> range;  ///< of the colour map; of the numbers themselves by default
+  bool wireframe = false;            ///< polygon edges over the surface
+  bool flat = false;                 ///< one normal per triangle
+  float line_width = 1.0F;           ///< of the wireframe, in pixels
+};
+
+/// The range that `style` gives the colour map. By default that of the paint's numbers, made
+/// symmetric around 0 for a diverging map.
+ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint);
+
+/// Records draws into a rendering scope (vkCmdBeginRendering) that someone else began, on images
+/// that someone else owns: a window's or an OffscreenTarget's. Draws from the buffers of the
+/// surface as they are when the commands run; nothing is copied or uploaded. The context must
+/// outlive the renderer, and what is drawn must live until the commands are done.
+class Renderer {
+ public:
+  /// Throws GpuError when the context's queue has no graphics.
+  Renderer(gpu::Context& context, const TargetFormat& target);
+
+  /// Sets viewport and scissor and fills the picture. First in every scope.
+  void begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const;
+  /// Both sides of the surface, the back darker. Commands recorded before must have made its
+  /// buffers visible to the vertex stage (a gpu::Recorder begins with that).
+  void draw(VkCommandBuffer commands, VkExtent2D extent, const VulkanSurface& surface,
+            const SurfacePaint& paint, const Camera& camera, const SurfaceStyle& style) const;
+  void draw(VkCommandBuffer commands, VkExtent2D extent, const OverlayBuffer& overlay) const;
+
+ private:
+  const gpu::Context& context_;
+  GraphicsPipeline background_;
+  GraphicsPipeline surface_;
+  GraphicsPipeline overlay_;
+  gpu::Buffer color_maps_;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,95 @@
+#include "lapwing/render/surface_paint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+
+namespace lapwing {
+namespace {
+
+constexpr std::uint32_t kAllEdges = 0b111;
+
+void check_count(std::size_t given, std::size_t expected, const char* what) {
+  if (given == expected) return;
+  throw InputError(std::to_string(given) + " " + what + " were given to draw a surface that has " +
+                   std::to_string(expected));
+}
+
+bool is_polygon_edge(std::span<const Index> polygon, Index a, Index b) {
+  for (std::size_t corner = 0; corner < polygon.size(); ++corner) {
+    const Index here = polygon[corner];
+    const Index next = polygon[(corner + 1) % polygon.size()];
+    if ((here == a && next == b) || (here == b && next == a)) return true;
+  }
+  return false;
+}
+
+ScalarRange range_of(std::span<const float> scalars) {
+  ScalarRange range{std::numeric_limits<float>::infinity(),
+                    -std::numeric_limits<float>::infinity()};
+  for (const float value : scalars) {
+    if (!std::isfinite(value)) continue;
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
+  }
+  return range.low <= range.high ? range : ScalarRange{};
+}
+
+}  // namespace
+
+SurfacePaint::SurfacePaint(const VulkanSurface& surface)
+    : vertex_count_(surface.vertex_count()),
+      triangle_count_(surface.triangle_count()),
+      transfer_(surface.context()),
+      classes_(surface.context(), "vertex classes", vertex_count_ * sizeof(VertexClass)),
+      scalars_(surface.context(), "vertex scalars", vertex_count_ * sizeof(float)),
+      edges_(surface.context(), "shown edges", triangle_count_ * sizeof(kAllEdges)) {
+  set_classes(std::vector<VertexClass>(vertex_count_, VertexClass::outside));
+  set_scalars(std::vector<float>(vertex_count_, 0.0F));
+  const std::vector<std::uint32_t> edges(triangle_count_, kAllEdges);
+  transfer_.upload(edges_, std::span(edges));
+}
+
+void SurfacePaint::set_classes(std::span<const VertexClass> classes) {
+  check_count(classes.size(), vertex_count_, "vertex classes");
+  transfer_.upload(classes_, classes);
+}
+
+void SurfacePaint::set_scalars(std::span<const float> scalars) {
+  check_count(scalars.size(), vertex_count_, "vertex scalars");
+  transfer_.upload(scalars_, scalars);
+  scalar_range_ = range_of(scalars);
+}
+
+void SurfacePaint::set_polygons(const Mesh& mesh, const Topology& topology) {
+  check_count(topology.triangles.size(), triangle_count_, "triangles");
+  const std::vector<std::uint32_t> edges = polygon_edges(mesh, topology);
+  transfer_.upload(edges_, std::span(edges));
+}
+
+std::vector<std::uint32_t> polygon_edges(const Mesh& mesh, const Topology& topology) {
+  std::vector<std::uint32_t> edges(topology.triangles.size(), 0);
+  for (std::size_t t = 0; t < edges.size(); ++t) {
+    const Triangle& triangle = topology.triangles[t];
+    const std::span<const Index> polygon = mesh.face(topology.triangle_faces[t]);
+    for (std::size_t e = 0; e < 3; ++e) {
+      if (is_polygon_edge(polygon, triangle[e], triangle[(e + 1) % 3])) edges[t] |= 1U << e;
+    }
+  }
+  return edges;
+}
+
+std::vector<float> displacement_lengths(std::span<const Eigen::Vector3d> rest,
+                                        std::span<const Eigen::Vector3d> current) {
+  std::vector<float> lengths(rest.size());
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    lengths[v] = static_cast<float>((current[v] - rest[v]).norm());
+  }
+  return lengths;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lapwing/gpu/buffer.h"
+#include "lapwing/gpu/transfer.h"
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing {
+
+class VulkanSurface;
+
+/// What a vertex is in an edit.
+enum class VertexClass : std::uint32_t { outside, roi, belt, handle };
+
+/// Smallest and largest of some numbers.
+struct ScalarRange {
+  float low = 0.0F;
+  float high = 0.0F;
+};
+
+/// What one needs besides positions and normals to colour a surface: classes and numbers per
+/// vertex, and which triangle edges the wireframe shows. In device memory, 4 bytes each; apart from
+/// the surface, so that it is uploaded when it changes and not when the surface moves. The device
+/// must be done with it when it is changed. The surface's context must outlive it.
+class SurfacePaint {
+ public:
+  /// All vertices outside, all numbers 0, all triangle edges shown.
+  explicit SurfacePaint(const VulkanSurface& surface);
+
+  /// One per vertex of the surface; InputError otherwise.
+  void set_classes(std::span<const VertexClass> classes);
+  /// One per vertex of the surface; InputError otherwise. Vertices whose number is not finite are
+  /// drawn without a colour.
+  void set_scalars(std::span<const float> scalars);
+  /// Hides the edges by which `topology` cut polygons of `mesh` into triangles. Both those of the
+  /// surface; InputError otherwise.
+  void set_polygons(const Mesh& mesh, const Topology& topology);
+
+  /// Of the finite numbers; 0 and 0 if there are none.
+  const ScalarRange& scalar_range() const { return scalar_range_; }
+
+  const gpu::Buffer& class_buffer() const { return classes_; }   ///< uint per vertex
+  const gpu::Buffer& scalar_buffer() const { return scalars_; }  ///< float per vertex
+  /// uint per triangle: bit e is set if the edge from corner e to corner e + 1 (mod 3) is shown.
+  const gpu::Buffer& edge_buffer() const { return edges_; }
+
+ private:
+  std::size_t vertex_count_;
+  std::size_t triangle_count_;
+  gpu::Transfer transfer_;
+  gpu::Buffer classes_;
+  gpu::Buffer scalars_;
+  gpu::Buffer edges_;
+  ScalarRange scalar_range_;
+};
+
+/// For each triangle, the bits of `SurfacePaint::edge_buffer`: set for edges of its polygon.
+std::vector<std::uint32_t> polygon_edges(const Mesh& mesh, const Topology& topology);
+
+/// How far each vertex is from its rest position: a field for `SurfacePaint::set_scalars`. Both of
+/// the same length.
+std::vector<float> displacement_lengths(std::span<const Eigen::Vector3d> rest,
+                                        std::span<const Eigen::Vector3d> current);
+
+}  // namespace lapwing

@@ -1,0 +1,121 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// Matte clay under a key, a fill and a rim light that move with the camera.
+
+#include "srgb.glsl"
+#include "surface.glsl"
+
+layout(std430, binding = 6) readonly buffer ColorMaps { vec4 color_maps[]; };
+
+layout(location = 0) in vec3 view_position;
+layout(location = 1) in vec3 view_normal;
+layout(location = 2) in vec3 barycentric;
+layout(location = 3) in vec4 class_weights;
+layout(location = 4) in float scalar;
+layout(location = 5) flat in uint shown_edges;
+
+layout(location = 0) out vec4 written;
+
+// sRGB.
+const vec3 kClay = vec3(0.77, 0.73, 0.68);
+const vec3 kClassColors[4] =
+    vec3[](vec3(0.76, 0.76, 0.76), vec3(0.64, 0.75, 0.88), vec3(0.80, 0.20, 0.17),
+           vec3(0.97, 0.77, 0.16));
+const vec3 kNoNumber = vec3(0.55, 0.55, 0.55);
+const vec3 kBack = vec3(0.45, 0.40, 0.42);
+const vec3 kLine = vec3(0.10, 0.11, 0.13);
+
+const int kColorMapEntries = 256;  // per map; render/renderer.cpp
+
+// Each pixel has the colour of the class with the largest weight; the border is a pixel wide.
+vec3 class_color() {
+  vec3 sum = vec3(0);
+  float total = 0;
+  for (int c = 0; c < 4; ++c) {
+    vec4 others = class_weights;
+    others[c] = 0;
+    const float lead =
+        class_weights[c] - max(max(others.x, others.y), max(others.z, others.w));
+    const float covered = clamp(lead / max(fwidth(lead), 1e-6) + 0.5, 0.0, 1.0);
+    sum += covered * linear_of(kClassColors[c]);
+    total += covered;
+  }
+  return sum / max(total, 1e-6);
+}
+
+vec3 map_color() {
+  if (isnan(scalar) || isinf(scalar)) return linear_of(kNoNumber);
+  const float at = clamp(scalar, 0.0, 1.0) * float(kColorMapEntries - 1);
+  const int first = min(int(at), kColorMapEntries - 2);
+  const int map = has(kDiverging) ? kColorMapEntries : 0;
+  return mix(color_maps[map + first].rgb, color_maps[map + first + 1].rgb, at - float(first));
+}
+
+vec3 surface_color() {
+  if (!gl_FrontFacing) return linear_of(kBack);
+  if (has(kRegions)) return class_color();
+  if (has(kScalar)) return map_color();
+  return linear_of(kClay);
+}
+
+// Towards the viewer's side.
+vec3 shading_normal() {
+  const vec3 across = cross(dFdx(view_position), dFdy(view_position));
+  const bool smooth_normal = !has(kFlat) && dot(view_normal, view_normal) > 1e-12;
+  const vec3 toward_viewer = has(kOrthographic) ? vec3(0, 0, 1) : -view_position;
+  if (smooth_normal) return normalize(gl_FrontFacing ? view_normal : -view_normal);
+  if (dot(across, across) == 0) return normalize(toward_viewer);
+  return normalize(dot(across, toward_viewer) < 0 ? -across : across);
+}
+
+// How much the surface bends outwards (positive) or inwards over a few pixels: hollows darker and
+// ridges lighter make detail legible that the lights alone flatten. In [-1, 1].
+float bend(vec3 normal) {
+  const float pixels = 6.0;
+  const vec3 px = dFdx(view_position);
+  const vec3 py = dFdy(view_position);
+  const float along_x = dot(dFdx(normal), px) / max(length(px), 1e-20);
+  const float along_y = dot(dFdy(normal), py) / max(length(py), 1e-20);
+  const float angle = pixels * (along_x + along_y);
+  return angle / (0.6 + abs(angle));
+}
+
+vec3 shade(vec3 albedo, vec3 normal, vec3 eye) {
+  const vec3 key = normalize(vec3(-0.50, 0.62, 0.60));
+  const vec3 fill = normalize(vec3(0.85, 0.05, 0.45));
+  const float key_light = max(dot(normal, key), 0.0);
+  const float fill_light = max(dot(normal, fill), 0.0);
+  const float height = normal.y * 0.5 + 0.5;
+  const vec3 ambient = mix(vec3(0.10, 0.085, 0.08), vec3(0.22, 0.24, 0.28), height);
+  const vec3 light = 1.0 * key_light * vec3(1.0, 0.965, 0.91) +
+                     0.22 * fill_light * vec3(0.75, 0.87, 1.0) + ambient;
+  const float gloss = pow(max(dot(normal, normalize(key + eye)), 0.0), 40.0);
+  const float rim = pow(1.0 - max(dot(normal, eye), 0.0), 4.0) * height;
+  const float relief = 1.0 + 0.30 * bend(normal);
+  return albedo * light * relief + 0.05 * gloss + 0.20 * rim * vec3(0.85, 0.93, 1.0);
+}
+
+// How much of the pixel shown edges cover. Where triangles are only few pixels high, lines fade, so
+// that a dense mesh does not turn black.
+float line_coverage() {
+  const vec3 gradient = sqrt(dFdx(barycentric) * dFdx(barycentric) +
+                             dFdy(barycentric) * dFdy(barycentric));
+  const vec3 height = 1.0 / max(gradient, vec3(1e-6));  // of the triangle over each edge, in pixels
+  const vec3 pixels = barycentric * height;
+  const vec3 covered = clamp(0.5 * line_width + 0.5 - pixels, 0.0, 1.0) *
+                       clamp(height / (6.0 * line_width), 0.25, 1.0);
+  // Edge e joins corners e and e + 1: the weight of the third corner is 0 on it.
+  float most = 0;
+  for (int e = 0; e < 3; ++e) {
+    if ((shown_edges & (1u << e)) != 0) most = max(most, covered[(e + 2) % 3]);
+  }
+  return most;
+}
+
+void main() {
+  const vec3 eye = has(kOrthographic) ? vec3(0, 0, 1) : normalize(-view_position);
+  vec3 color = shade(surface_color(), shading_normal(), eye);
+  if (has(kWireframe)) color = mix(color, linear_of(kLine), 0.75 * line_coverage());
+  written = vec4(color, 1);
+}

@@ -1,0 +1,18 @@
+// What the stages of the surface pipeline share with render/renderer.cpp.
+layout(push_constant) uniform Push {
+  mat4 clip_from_surface;
+  vec4 view_from_surface[3];  // rows
+  uint flags;
+  float scalar_low;
+  float scalar_scale;  // 1 / (high - low)
+  float line_width;    // of the wireframe, in pixels
+};
+
+const uint kRegions = 1;
+const uint kScalar = 2;
+const uint kWireframe = 4;
+const uint kFlat = 8;
+const uint kDiverging = 16;
+const uint kOrthographic = 32;
+
+bool has(uint flag) { return (flags & flag) != 0; }

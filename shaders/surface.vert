@@ -1,0 +1,39 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// Corner gl_VertexIndex of a triangle list, pulled from the surface's own buffers.
+
+#include "surface.glsl"
+
+layout(std430, binding = 0) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = 1) readonly buffer Normals { vec4 normals[]; };
+layout(std430, binding = 2) readonly buffer Triangles { uint corners[]; };
+layout(std430, binding = 3) readonly buffer Classes { uint classes[]; };
+layout(std430, binding = 4) readonly buffer Scalars { float scalars[]; };
+layout(std430, binding = 5) readonly buffer Edges { uint edges[]; };
+
+layout(location = 0) out vec3 view_position;
+layout(location = 1) out vec3 view_normal;
+layout(location = 2) out vec3 barycentric;
+layout(location = 3) out vec4 class_weights;  // outside, ROI, belt, handle
+layout(location = 4) out float scalar;        // in [0, 1] over the colour map's range
+layout(location = 5) flat out uint shown_edges;
+
+vec3 rotate_to_view(vec3 v) {
+  return vec3(dot(view_from_surface[0].xyz, v), dot(view_from_surface[1].xyz, v),
+              dot(view_from_surface[2].xyz, v));
+}
+
+void main() {
+  const uint corner = gl_VertexIndex % 3;
+  const uint vertex = corners[gl_VertexIndex];
+  const vec3 position = positions[vertex].xyz;
+  view_position = rotate_to_view(position) +
+                  vec3(view_from_surface[0].w, view_from_surface[1].w, view_from_surface[2].w);
+  view_normal = rotate_to_view(normals[vertex].xyz);
+  barycentric = vec3(corner == 0, corner == 1, corner == 2);
+  class_weights = vec4(equal(uvec4(0, 1, 2, 3), uvec4(classes[vertex])));
+  scalar = (scalars[vertex] - scalar_low) * scalar_scale;
+  shown_edges = edges[gl_VertexIndex / 3];
+  gl_Position = clip_from_surface * vec4(position, 1);
+}
