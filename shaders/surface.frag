@@ -23,7 +23,7 @@ const vec3 kClassColors[4] =
     vec3[](vec3(0.76, 0.76, 0.76), vec3(0.64, 0.75, 0.88), vec3(0.80, 0.20, 0.17),
            vec3(0.97, 0.77, 0.16));
 const vec3 kNoNumber = vec3(0.55, 0.55, 0.55);
-const vec3 kBack = vec3(0.45, 0.40, 0.42);
+const vec3 kBackTint = vec3(0.62, 0.55, 0.60);  // multiplies the front's colour
 const vec3 kLine = vec3(0.10, 0.11, 0.13);
 
 const int kColorMapEntries = 256;  // per map; render/renderer.cpp
@@ -53,10 +53,10 @@ vec3 map_color() {
 }
 
 vec3 surface_color() {
-  if (!gl_FrontFacing) return linear_of(kBack);
-  if (has(kRegions)) return class_color();
-  if (has(kScalar)) return map_color();
-  return linear_of(kClay);
+  const vec3 tint = gl_FrontFacing ? vec3(1) : linear_of(kBackTint);
+  if (has(kRegions)) return class_color() * tint;
+  if (has(kScalar)) return map_color() * tint;
+  return linear_of(kClay) * tint;
 }
 
 // Towards the viewer's side.

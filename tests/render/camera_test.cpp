@@ -45,9 +45,8 @@ TEST_P(FitAnyView, ShowsAllPointsAsLargeAsTheMarginAllows) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Projections, FitAnyView, ::testing::Bool(), [](const auto& p) {
-  return p.param ? "Orthographic" : "Perspective";
-});
+INSTANTIATE_TEST_SUITE_P(Projections, FitAnyView, ::testing::Bool(),
+                         [](const auto& p) { return p.param ? "Orthographic" : "Perspective"; });
 
 TEST(Camera, ViewIsARotationThatLooksAtTheTarget) {
   for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
@@ -104,6 +103,15 @@ TEST(Camera, FitOfOnePointShowsTheUnitCubeAroundIt) {
   EXPECT_TRUE(camera.target.isApprox(points[0], 0.1));
   EXPECT_LT(to_clip(camera, 1.0, {3.4, 4.4, 5.4}).head<2>().cwiseAbs().maxCoeff(), 1.0);
   EXPECT_GT((camera.eye - points[0]).norm(), 1.0);
+}
+
+TEST(Camera, FitOfALineSeenEndOnIsFinite) {
+  const Positions points{{0, 0, -1}, {0, 0, 1}};
+  for (const bool orthographic : {false, true}) {
+    const Camera camera = fit(points, view_axes(View::front), 1.0, {.orthographic = orthographic});
+    EXPECT_GT((camera.eye - camera.target).norm(), 0.0);
+    EXPECT_TRUE(to_clip(camera, 1.0, {0, 0, -1}).allFinite());
+  }
 }
 
 TEST(Camera, FitDepthHoldsTheBoundsOfAMovedCamera) {

@@ -71,10 +71,11 @@ struct Framed {
   std::vector<Vector3d> points;
   Interval x, y;
   double right_tangent, up_tangent;  // of half the picture less its margin
+  double smallest;                   // what is shown, so that a line seen end-on has a distance
 
   // Distance from the centre, moved by (dx, dy), at which every point is in the picture.
   double distance(double dx, double dy, bool orthographic) const {
-    double least = 0.0;
+    double least = smallest / up_tangent;
     for (const Vector3d& p : points) {
       const double size =
           std::max(std::abs(p.x() - dx) / right_tangent, std::abs(p.y() - dy) / up_tangent);
@@ -194,7 +195,8 @@ Camera fit(std::span<const Vector3d> points, const ViewAxes& axes, double aspect
   }
   const Eigen::Matrix3d rows = camera_axes(axes.toward_eye, axes.up);
   const double tangent = half_tangent(framing.field_of_view) * (1.0 - 2.0 * framing.margin);
-  Framed framed{{}, {}, {}, tangent * aspect, tangent};
+  constexpr double kSmallestPart = 1e-3;
+  Framed framed{{}, {}, {}, tangent * aspect, tangent, kSmallestPart * bounds.diagonal()};
   framed.points.reserve(points.size());
   Interval z;
   for (const Vector3d& point : points) {

@@ -158,8 +158,8 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
                  ("vkCreateGraphicsPipelines for " + name_).c_str());
 }
 
-void GraphicsPipeline::draw(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
-                            std::span<const std::byte> push, std::uint32_t vertices) const {
+void GraphicsPipeline::record(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
+                              std::span<const std::byte> push, std::uint32_t vertices) const {
   const VkDeviceSize limit = context_.limits().maxStorageBufferRange;
   std::array<VkDescriptorBufferInfo, kMaxBuffers> infos;
   std::array<VkWriteDescriptorSet, kMaxBuffers> writes;

@@ -50,14 +50,15 @@ class GraphicsPipeline {
   void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
             const Push& push, std::uint32_t vertices) const {
     static_assert(std::is_trivially_copyable_v<Push>);
-    draw(commands, {buffers.begin(), buffers.size()}, std::as_bytes(std::span(&push, 1)), vertices);
+    record(commands, {buffers.begin(), buffers.size()}, std::as_bytes(std::span(&push, 1)),
+           vertices);
   }
 
  private:
   void create_layout(const GraphicsPipelineInfo& info);
   void create_pipeline(const TargetFormat& target, const GraphicsPipelineInfo& info);
-  void draw(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
-            std::span<const std::byte> push, std::uint32_t vertices) const;
+  void record(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
+              std::span<const std::byte> push, std::uint32_t vertices) const;
   void release() noexcept;
 
   const gpu::Context& context_;

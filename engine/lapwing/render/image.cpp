@@ -16,6 +16,8 @@ namespace lapwing {
 namespace {
 
 constexpr std::uint8_t kOpaque = 255;
+// The encoder counts in int, with room for its own overhead.
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 29U;
 
 // IEC 61966-2-1.
 float linear_of(std::uint8_t encoded) {
@@ -52,6 +54,11 @@ void divide_by_opacity(Image& image) {
 }
 
 std::string encode_png(const Image& image) {
+  if (std::uint64_t{4} * image.width * image.height > kMaxBytes) {
+    throw IoError("an image of " + std::to_string(image.width) + " x " +
+                  std::to_string(image.height) +
+                  " pixels is too large for a PNG file; choose a smaller size");
+  }
   bool opaque = true;
   for (std::size_t at = 3; at < image.rgba.size(); at += 4) opaque &= image.rgba[at] == kOpaque;
   const std::vector<std::uint8_t> pixels = opaque ? without_opacity(image) : image.rgba;
@@ -65,7 +72,8 @@ std::string encode_png(const Image& image) {
   if (stbi_write_png_to_func(append, &bytes, width, static_cast<int>(image.height), channels,
                              pixels.data(), width * channels) == 0) {
     throw IoError("an image of " + std::to_string(image.width) + " x " +
-                  std::to_string(image.height) + " pixels cannot be encoded as PNG");
+                  std::to_string(image.height) +
+                  " pixels cannot be encoded as PNG: no memory, or no pixels");
   }
   return bytes;
 }

@@ -26,7 +26,8 @@ struct Image {
 /// Turns colours that were multiplied by their opacity (in linear light) into plain ones.
 void divide_by_opacity(Image& image);
 
-/// The bytes of a PNG file; without the fourth channel where all of the image is opaque.
+/// The bytes of a PNG file; without the fourth channel where all of the image is opaque. Throws
+/// IoError for more than 2^29 bytes of pixels.
 std::string encode_png(const Image& image);
 
 /// Writes a PNG file, replacing `path` in one step. Throws IoError with the system's reason.

@@ -24,8 +24,9 @@ class OffscreenTarget {
   const TargetFormat& format() const { return format_; }
   VkExtent2D extent() const { return extent_; }
 
-  /// Runs what `draw` records into a rendering scope and returns the pixels. Colours are those
-  /// written, multiplied by their opacity where that is how `draw` leaves them at edges.
+  /// Runs what `draw` records into a rendering scope and returns the pixels. At edges what was
+  /// drawn is averaged with what lies behind; where that is transparent, colours come out
+  /// multiplied by their opacity (see divide_by_opacity).
   Image render(const std::function<void(VkCommandBuffer commands)>& draw);
 
  private:

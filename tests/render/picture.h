@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lapwing/render/render_image.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+
+namespace lapwing::test {
+
+/// A mesh on the device, ready to be drawn: seen from the front without perspective, so that what
+/// lies where in the picture is easily told.
+class Subject {
+ public:
+  explicit Subject(const Mesh& subject_mesh)
+      : mesh(subject_mesh),
+        topology(build_topology(mesh)),
+        surface(make_surface(mesh, topology)),
+        paint(*surface),
+        camera(fit(mesh.positions, view_axes(View::front), 1.0,
+                   {.orthographic = true, .margin = kMargin})) {
+    options.width = kSize;
+    options.height = kSize;
+  }
+
+  Image render() const { return render_image(*surface, paint, camera, options); }
+
+  static constexpr std::uint32_t kSize = 128;
+  static constexpr double kMargin = 0.1;
+
+  Mesh mesh;
+  Topology topology;
+  std::unique_ptr<VulkanSurface> surface;  ///< one column moves all of it by 1 along x
+  SurfacePaint paint;
+  Camera camera;
+  RenderOptions options;
+
+ private:
+  static std::unique_ptr<VulkanSurface> make_surface(const Mesh& mesh, const Topology& topology) {
+    std::vector<Index> moving;
+    std::vector<double> basis;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      moving.push_back(v);
+      basis.insert(basis.end(), {1.0, 0.0, 0.0});
+    }
+    VulkanKernels kernels;
+    auto made = kernels.make_surface({mesh.positions, topology, moving, basis, 1});
+    return std::unique_ptr<VulkanSurface>(&dynamic_cast<VulkanSurface&>(*made.release()));
+  }
+};
+
+/// Fraction of the picture that is not transparent.
+inline double coverage(const Image& image) {
+  double sum = 0.0;
+  for (std::size_t at = 3; at < image.rgba.size(); at += 4) sum += image.rgba[at];
+  return sum / (255.0 * image.width * image.height);
+}
+
+/// Mean difference of the channels of two pictures of one size, of 255.
+inline double mean_difference(const Image& a, const Image& b) {
+  double sum = 0.0;
+  for (std::size_t at = 0; at < a.rgba.size(); ++at) sum += std::abs(a.rgba[at] - b.rgba[at]);
+  return sum / static_cast<double>(a.rgba.size());
+}
+
+inline int brightness(const Image& image, std::uint32_t x, std::uint32_t y) {
+  const auto p = image.pixel(x, y);
+  return p[0] + p[1] + p[2];
+}
+
+}  // namespace lapwing::test

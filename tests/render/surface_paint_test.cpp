@@ -1,0 +1,66 @@
+#include "lapwing/render/surface_paint.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/mesh/shapes.h"
+#include "render/picture.h"
+#include "support/gpu.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST(PolygonEdges, HideTheDiagonalsOfPolygons) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}, {-1, 1, 0}};
+  mesh.add_face(std::array<Index, 6>{0, 1, 2, 3, 4, 5});
+  const Topology topology = build_topology(mesh);
+  int shown = 0;
+  for (const std::uint32_t edges : polygon_edges(mesh, topology)) shown += std::popcount(edges);
+  EXPECT_EQ(topology.triangles.size(), 4U);
+  EXPECT_EQ(shown, 6);
+}
+
+TEST(PolygonEdges, ShowAllEdgesOfTriangles) {
+  const Mesh mesh = icosphere(1);
+  EXPECT_THAT(polygon_edges(mesh, build_topology(mesh)), ::testing::Each(7U));
+}
+
+TEST(DisplacementLengths, AreDistances) {
+  const Positions rest{{0, 0, 0}, {1, 1, 1}};
+  const Positions current{{3, 4, 0}, {1, 1, 1}};
+  EXPECT_THAT(displacement_lengths(rest, current), ::testing::ElementsAre(5.0F, 0.0F));
+}
+
+TEST(SurfacePaint, RangeIsThatOfTheFiniteNumbers) {
+  LAPWING_NEEDS_GPU();
+  test::Subject subject(grid(1, 1));
+  subject.paint.set_scalars(std::array{NAN, -2.0F, INFINITY, 3.0F});
+  EXPECT_EQ(subject.paint.scalar_range().low, -2.0F);
+  EXPECT_EQ(subject.paint.scalar_range().high, 3.0F);
+  subject.paint.set_scalars(std::array{NAN, NAN, NAN, NAN});
+  EXPECT_EQ(subject.paint.scalar_range().high, 0.0F);
+}
+
+TEST(SurfacePaint, WrongNumberOfValuesIsRefusedWithBothNumbers) {
+  LAPWING_NEEDS_GPU();
+  test::Subject subject(grid(1, 1));
+  try {
+    subject.paint.set_scalars(std::array{1.0F, 2.0F, 3.0F});
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("3 vertex scalars"), HasSubstr("4")));
+  }
+  EXPECT_THROW(subject.paint.set_classes(std::array{VertexClass::roi}), InputError);
+}
+
+}  // namespace
+}  // namespace lapwing
