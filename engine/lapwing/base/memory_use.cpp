@@ -1,0 +1,13 @@
+#include "lapwing/base/memory_use.h"
+
+#include <sys/resource.h>
+
+namespace lapwing {
+
+std::size_t peak_memory_bytes() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+}  // namespace lapwing

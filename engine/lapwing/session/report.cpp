@@ -1,0 +1,101 @@
+#include "lapwing/session/report.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+namespace lapwing {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json vertex(Index v) { return v == kNoIndex ? Json(nullptr) : Json(v); }
+
+Json vector(const Eigen::Vector3d& v) {
+  return Json::array({number(v.x()), number(v.y()), number(v.z())});
+}
+
+// To a microsecond: digits beyond that are noise.
+Json as_json(const StageTimings& timings) {
+  Json json = Json::object();
+  for (const auto& [stage, ms] : timings.stages()) json[stage] = std::round(ms * 1e3) / 1e3;
+  return json;
+}
+
+Json as_json(const Certificate& c) {
+  return {{"relative_residual", number(c.relative_residual)},
+          {"handle_error", number(c.handle_error)},
+          {"smallest_scale", number(c.smallest_scale)},
+          {"smallest_scale_vertex", vertex(c.smallest_scale_vertex)},
+          {"largest_scale", number(c.largest_scale)},
+          {"largest_scale_vertex", vertex(c.largest_scale_vertex)},
+          {"largest_rotation_degrees", number(c.largest_rotation_degrees)},
+          {"largest_rotation_vertex", vertex(c.largest_rotation_vertex)},
+          {"flipped_triangles", c.flipped_triangles},
+          {"first_flipped_triangles", c.first_flipped_triangles},
+          {"all_finite", c.all_finite}};
+}
+
+Json as_json(const StepReport& step) {
+  std::size_t handle = 0;
+  for (const std::size_t count : step.handles) handle += count;
+  return {{"op", step.op},
+          {"roi", step.roi},
+          {"free", step.free},
+          {"handle", handle},
+          {"handles", step.handles},
+          {"belt", step.belt},
+          {"solver", step.solver},
+          {"timings_ms", as_json(step.timings)},
+          {"certificate", as_json(step.certificate)}};
+}
+
+void append_stages(const StageTimings& timings, std::string& text) {
+  char line[80];
+  for (const auto& [stage, ms] : timings.stages()) {
+    std::snprintf(line, sizeof line, "  %-18s %10.2f ms\n", stage.c_str(), ms);
+    text += line;
+  }
+}
+
+}  // namespace
+
+std::string to_json(const RunReport& report) {
+  Json json = {
+      {"device",
+       {{"name", report.device.name},
+        {"type", report.device.type},
+        {"driver", report.device.driver},
+        {"float64", report.device.float64}}},
+      {"mesh",
+       {{"file", report.mesh},
+        {"vertices", report.vertices},
+        {"faces", report.faces},
+        {"triangles", report.triangles},
+        {"components", report.components},
+        {"bounds", {{"min", vector(report.bounds.min)}, {"max", vector(report.bounds.max)}}},
+        {"diagonal", number(report.bounds.diagonal())}}},
+      {"warnings", report.warnings},
+      {"timings_ms", as_json(report.timings)},
+      {"steps", Json::array()},
+      {"peak_memory_bytes", report.peak_memory_bytes}};
+  for (const StepReport& step : report.steps) json["steps"].push_back(as_json(step));
+  return json.dump(2) + "\n";
+}
+
+std::string format_stages(const RunReport& report) {
+  std::string text = "device: " + report.device.name + " (" + report.device.type + ")\n";
+  append_stages(report.timings, text);
+  for (std::size_t i = 0; i < report.steps.size(); ++i) {
+    const StepReport& step = report.steps[i];
+    text += "step " + std::to_string(i + 1) + ", " + step.op + ": " + std::to_string(step.free) +
+            " free vertices, solver " + step.solver + "\n";
+    append_stages(step.timings, text);
+  }
+  return text;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/certificate.h"
+#include "lapwing/kernels/kernels.h"
+
+namespace lapwing {
+
+/// What one step of a recipe did.
+struct StepReport {
+  std::string op;
+  std::size_t roi = 0;  ///< vertices
+  std::size_t free = 0;
+  std::size_t belt = 0;
+  std::vector<std::size_t> handles;  ///< vertices of each
+  std::string solver;
+  StageTimings timings;
+  Certificate certificate;
+};
+
+/// What running a recipe did, on what, and how long each stage took.
+struct RunReport {
+  DeviceInfo device;
+  std::string mesh;
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  std::size_t triangles = 0;
+  std::size_t components = 0;
+  Bounds bounds;
+  std::vector<std::string> warnings;  ///< the mesh doctor's, and those of reading and writing
+  StageTimings timings;               ///< of the run as a whole: read, topology, check, write
+  std::vector<StepReport> steps;
+  std::size_t peak_memory_bytes = 0;
+};
+
+/// The report as JSON, indented, keys in a fixed order. Numbers that are not finite become null.
+std::string to_json(const RunReport& report);
+
+/// The stages of the run and of each step with their milliseconds, as lines for a terminal.
+std::string format_stages(const RunReport& report);
+
+}  // namespace lapwing

@@ -1,0 +1,123 @@
+#include "lapwing/session/run_recipe.h"
+
+#include <variant>
+
+#include "lapwing/base/memory_use.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/doctor/check.h"
+#include "lapwing/io/mesh_file.h"
+
+namespace lapwing {
+namespace {
+
+// Runs `body` as a stage: announced, and its time added to `timings`.
+template <typename Body>
+void stage(const char* name, StageTimings& timings, const Progress& progress, Body body) {
+  report_progress(progress, name, 0.0);
+  const Stopwatch watch;
+  body();
+  timings.add(name, watch.elapsed_ms());
+}
+
+std::vector<std::string> doctor_warnings(const CheckReport& report) {
+  std::vector<std::string> warnings;
+  for (const Defect& defect : report.defects) {
+    const DefectInfo& info = describe(defect.kind);
+    if (info.severity == Severity::kInfo) continue;
+    std::string text = std::to_string(defect.count) + " " + std::string(info.name);
+    for (std::size_t i = 0; i < defect.first.size(); ++i) {
+      text += (i == 0 ? " (" : ", ") + std::to_string(defect.first[i]);
+    }
+    if (!defect.first.empty()) text += defect.first.size() < defect.count ? ", ...)" : ")";
+    warnings.push_back(text + ": " + std::string(info.meaning));
+  }
+  return warnings;
+}
+
+void load(const Recipe& recipe, const Progress& progress, RunResult& result) {
+  RunReport& report = result.report;
+  const auto path = recipe.mesh_path();
+  report.mesh = path.string();
+  stage("read", report.timings, progress, [&] { result.mesh = read_mesh(path); });
+  result.original = result.mesh.positions;
+  stage("topology", report.timings, progress,
+        [&] { result.topology = build_topology(result.mesh); });
+  stage("check", report.timings, progress, [&] {
+    const CheckReport check_report = check(result.mesh, result.topology);
+    report.warnings = doctor_warnings(check_report);
+    report.components = check_report.statistics.component_sizes.size();
+    report.bounds = check_report.statistics.bounds;
+  });
+  report.vertices = result.mesh.vertex_count();
+  report.faces = result.mesh.face_count();
+  report.triangles = result.topology.triangles.size();
+}
+
+Eigen::Vector3d centroid(const VertexSet& vertices, const Positions& positions) {
+  return handle_frame(vertices, positions).centroid;
+}
+
+StepReport run_step(const DeformStep& step, Kernels& kernels, const Progress& progress,
+                    RunResult& result) {
+  StepReport report;
+  report.op = "deform";
+  EditRegion region;
+  stage("region", report.timings, progress, [&] {
+    std::vector<RegionSpec> handles;
+    for (const MovedHandle& handle : step.handles) handles.push_back(handle.region);
+    region = resolve_edit_region(step.roi, step.belt, handles, result.mesh, result.topology);
+  });
+  std::vector<Eigen::Affine3d> motions;
+  for (std::size_t h = 0; h < step.handles.size(); ++h) {
+    motions.push_back(to_affine(step.handles[h].move,
+                                centroid(region.handles[h], result.mesh.positions)));
+  }
+  DeformOptions options;
+  options.weights = step.weights;
+  options.constraint_weight = step.constraint_weight;
+  options.hard = step.hard;
+  result.last = std::make_unique<Deformer>(result.mesh.positions, result.topology,
+                                           std::move(region), options, kernels, progress);
+  Deformer& deformer = *result.last;
+  for (const auto& [name, ms] : deformer.timings().stages()) report.timings.add(name, ms);
+  stage("drag", report.timings, progress, [&] { deformer.drag(motions); });
+  stage("solve", report.timings, progress, [&] {
+    DeformResult solved = deformer.solve(motions);
+    result.mesh.positions = std::move(solved.positions);
+    report.certificate = std::move(solved.certificate);
+  });
+  report.roi = deformer.region().roi.size();
+  report.belt = deformer.region().belt.size();
+  for (const auto& handle : deformer.region().handles) report.handles.push_back(handle.size());
+  report.free = deformer.free_count();
+  report.solver = deformer.solver_name();
+  return report;
+}
+
+}  // namespace
+
+std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
+                                      const Progress& progress) {
+  auto result = std::make_unique<RunResult>();
+  result->report.device = kernels.device();
+  load(recipe, progress, *result);
+  for (const Step& step : recipe.steps) {
+    result->report.steps.push_back(std::visit(
+        [&](const auto& s) { return run_step(s, kernels, progress, *result); }, step));
+  }
+  result->report.peak_memory_bytes = peak_memory_bytes();
+  return result;
+}
+
+void save_result(RunResult& result, const std::filesystem::path& path) {
+  const Stopwatch watch;
+  const WriteReport written = write_mesh(result.mesh, path);
+  result.report.timings.add("write", watch.elapsed_ms());
+  for (const std::string& line : written.not_carried) {
+    result.report.warnings.push_back("not carried over: " + line);
+  }
+  result.report.warnings.insert(result.report.warnings.end(), written.notes.begin(),
+                                written.notes.end());
+}
+
+}  // namespace lapwing

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "lapwing/deform/deformer.h"
+#include "lapwing/mesh/topology.h"
+#include "lapwing/recipe/recipe.h"
+#include "lapwing/session/report.h"
+
+namespace lapwing {
+
+/// What running a recipe leaves behind.
+struct RunResult {
+  Mesh mesh;           ///< with the edited positions
+  Positions original;  ///< the positions that were read
+  Topology topology;   ///< of the mesh: steps change positions only
+  /// The last step's deformer, its surface on the device in the final pose. Null without steps.
+  std::unique_ptr<Deformer> last;
+  RunReport report;
+};
+
+/// Reads the recipe's mesh, examines it, and carries the steps out one after the other on `kernels`,
+/// which must outlive the result. Writes nothing. Each step ends certified; a step that fails throws
+/// what `Deformer`, `resolve_edit_region` or `read_mesh` throw, and no result is left. `progress`
+/// hears the stages of reading and of every step.
+std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
+                                      const Progress& progress = {});
+
+/// Writes the result's mesh and adds to its report what the format could not carry, and the time.
+void save_result(RunResult& result, const std::filesystem::path& path);
+
+}  // namespace lapwing

@@ -1,0 +1,21 @@
+#include "lapwing/vulkan/open_device.h"
+
+#include "lapwing/base/errors.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+
+namespace lapwing {
+
+std::unique_ptr<Kernels> open_device(const std::string& name) {
+  if (name == "cpu") return std::make_unique<CpuKernels>();
+  try {
+    VulkanOptions options;
+    options.device = name;
+    return std::make_unique<VulkanKernels>(options);
+  } catch (const GpuError& error) {
+    throw GpuError(std::string(error.what()) +
+                   "\nWithout Vulkan, `--device cpu` runs the same edit on the CPU.");
+  }
+}
+
+}  // namespace lapwing

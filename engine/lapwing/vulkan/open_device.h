@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lapwing/kernels/kernels.h"
+
+namespace lapwing {
+
+/// The kernels on the device that `name` asks for: "cpu" (double precision, no Vulkan needed),
+/// "auto" (the best Vulkan device), an index of `gpu::list_devices`, or a part of a device's name.
+/// Throws GpuError saying what was tried, what to install, and that "cpu" always works.
+std::unique_ptr<Kernels> open_device(const std::string& name);
+
+}  // namespace lapwing

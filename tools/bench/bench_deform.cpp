@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <numeric>
+
+#include <Eigen/SparseCore>
+
+#include "benches.h"
+#include "lapwing/base/memory_use.h"
+#include "lapwing/deform/deformer.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/vulkan/open_device.h"
+#include "measure.h"
+
+namespace lapwing::bench {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+// Belt: the lowest 5% of the vertices in y; handle: the highest 5%.
+EditRegion lowest_and_highest(const Mesh& mesh) {
+  std::vector<Index> by_height(mesh.vertex_count());
+  std::iota(by_height.begin(), by_height.end(), 0U);
+  EditRegion region;
+  region.roi = by_height;
+  std::stable_sort(by_height.begin(), by_height.end(), [&](Index a, Index b) {
+    return mesh.positions[a].y() < mesh.positions[b].y();
+  });
+  const auto share = static_cast<std::ptrdiff_t>(mesh.vertex_count() / 20);
+  region.belt.assign(by_height.begin(), by_height.begin() + share);
+  region.handles.emplace_back(by_height.end() - share, by_height.end());
+  std::sort(region.belt.begin(), region.belt.end());
+  std::sort(region.handles[0].begin(), region.handles[0].end());
+  return region;
+}
+
+Sparse as_sparse(const RsiRows& M, std::size_t vertex_count) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(9 * M.columns.size());
+  for (std::size_t r = 0; r < M.size(); ++r) {
+    for (std::size_t b = M.starts[r]; b < M.starts[r + 1]; ++b) {
+      for (std::size_t k = 0; k < 9; ++k) {
+        entries.emplace_back(static_cast<int>(3 * r + k % 3),
+                             static_cast<int>(3 * M.columns[b] + k / 3), M.values[9 * b + k]);
+      }
+    }
+  }
+  Sparse S(static_cast<int>(3 * M.size()), static_cast<int>(3 * vertex_count));
+  S.setFromTriplets(entries.begin(), entries.end());
+  return S;
+}
+
+Samples eigen_product(const Mesh& mesh, const Topology& topology, const EditRegion& region,
+                      Kernels& kernels, int repeats) {
+  const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
+  const Sparse M = as_sparse(
+      assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, region.roi}),
+      mesh.vertex_count());
+  const Sparse Mt = M.transpose();
+  return measure(repeats, [&] { const Sparse N = Mt * M; });
+}
+
+void print_row(const char* name, const Samples& samples) {
+  std::printf("  %-28s %10.2f %10.2f %10.2f\n", name, samples.median(), samples.min(),
+              samples.max());
+}
+
+}  // namespace
+
+void bench_deform(const std::filesystem::path& path, const std::string& device, int repeats) {
+  const Mesh mesh = read_mesh(path);
+  const Topology topology = build_topology(mesh);
+  const EditRegion region = lowest_and_highest(mesh);
+  const auto kernels = open_device(device);
+  const std::array motions{Eigen::Affine3d(
+      Eigen::Translation3d(0.0, 0.2 * bounds_of(mesh.positions).diagonal(), 0.0))};
+
+  // Stages of one preparation are read from the deformer itself; only the total is timed here.
+  std::vector<std::string> order;
+  std::map<std::string, Samples> stages;
+  std::unique_ptr<Deformer> deformer;
+  const Samples total = measure(repeats, [&] {
+    deformer.reset();
+    deformer = std::make_unique<Deformer>(mesh.positions, topology, region, DeformOptions{},
+                                          *kernels);
+    for (const auto& [name, ms] : deformer->timings().stages()) {
+      if (!stages.contains(name)) order.push_back(name);
+      stages[name].milliseconds.push_back(ms);
+    }
+  });
+  const Samples drag = measure(20 * repeats, [&] { deformer->drag(motions); });
+  std::vector<double> x(3 * deformer->unknown_count(), 1.0);
+  const Samples back = measure(repeats, [&] { deformer->back_substitute(x); });
+  const Samples commit = measure(repeats, [&] { deformer->solve(motions); });
+  const Samples product = eigen_product(mesh, topology, region, *kernels, repeats);
+
+  std::printf("%s: %zu vertices, device %s, solver %s, %d runs\n", path.filename().c_str(),
+              mesh.vertex_count(), kernels->device().name.c_str(),
+              std::string(deformer->solver_name()).c_str(), repeats);
+  std::printf("  %-28s %10s %10s %10s\n", "milliseconds", "median", "min", "max");
+  for (const std::string& name : order) print_row(name.c_str(), stages[name]);
+  print_row("whole preparation", total);
+  print_row("drag frame with normals", drag);
+  print_row("one back-substitution", back);
+  print_row("solve with certificate", commit);
+  print_row("Eigen's sparse product M'M", product);
+  std::printf("  normal matrix / Eigen's product   %.3f\n",
+              stages["normal_matrix"].median() / product.median());
+  std::printf("  whole preparation / factorization %.3f\n",
+              total.median() / stages["factor"].median());
+  std::printf("  drag frame / back-substitution    %.3f\n", drag.median() / back.median());
+  std::printf("  peak memory                       %.0f MB\n",
+              static_cast<double>(peak_memory_bytes()) / 1e6);
+}
+
+}  // namespace lapwing::bench

@@ -1,0 +1,60 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+#include "exit_code.h"
+#include "lapwing/doctor/format.h"
+#include "lapwing/io/mesh_file.h"
+#include "mesh_output.h"
+
+namespace lapwing::cli {
+namespace {
+
+struct CheckArguments {
+  std::string mesh;
+  std::string fix;
+};
+
+bool has_errors(const CheckReport& report) {
+  for (const Defect& defect : report.defects) {
+    if (describe(defect.kind).severity == Severity::kError) return true;
+  }
+  return false;
+}
+
+CheckReport examine_and_print(const Mesh& mesh) {
+  const CheckReport report = check(mesh, build_topology(mesh));
+  std::fputs(format(report.statistics).c_str(), stdout);
+  std::fputs(format(report).c_str(), stdout);
+  return report;
+}
+
+void check_mesh(const CheckArguments& arguments) {
+  Mesh mesh = read_mesh(arguments.mesh);
+  CheckReport report = examine_and_print(mesh);
+  if (!arguments.fix.empty()) {
+    const FixReport repairs = fix(mesh);
+    std::printf("\nRepairs\n%s", format(repairs).c_str());
+    print_notes(write_mesh(mesh, arguments.fix));
+    std::printf("\nAfter the repairs: %s\n", arguments.fix.c_str());
+    report = examine_and_print(mesh);
+  }
+  if (has_errors(report)) throw ExitWith{kInput};
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "check", "the mesh doctor: what is wrong with a mesh, and what that means for editing it");
+  auto arguments = std::make_shared<CheckArguments>();
+  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("--fix", arguments->fix, "write the mesh here with what can be repaired");
+  command->footer("Exits with 3 when the mesh has defects that make it impossible to edit there.");
+  command->callback([arguments] { check_mesh(*arguments); });
+}
+
+}  // namespace lapwing::cli

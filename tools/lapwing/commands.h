@@ -1,0 +1,20 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace lapwing::cli {
+
+/// Each adds one subcommand to `app` and runs it when it was chosen; errors leave as exceptions.
+void add_run(CLI::App& app);
+void add_deform(CLI::App& app);
+void add_render(CLI::App& app);
+void add_check(CLI::App& app);
+void add_convert(CLI::App& app);
+void add_info(CLI::App& app);
+
+/// Thrown by a command that did its work and still has something to tell the shell.
+struct ExitWith {
+  int code;
+};
+
+}  // namespace lapwing::cli

@@ -1,0 +1,110 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+#include "edit_output.h"
+#include "lapwing/io/atomic_file.h"
+#include "region_text.h"
+
+namespace lapwing::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DeformArguments {
+  std::string mesh;
+  std::string roi = "all";
+  std::string belt = "fraction:0.1";
+  std::string handle;
+  std::vector<double> translate;
+  std::vector<double> rotate;
+  std::vector<double> pivot;
+  std::vector<double> matrix;
+  double scale = 1.0;
+  std::string weights = "uniform";
+  double constraint_weight = 1.0;
+  bool hard = false;
+  std::string recipe;
+  EditOutput output;
+};
+
+Json move_json(const DeformArguments& a) {
+  if (!a.matrix.empty()) return {{"matrix", a.matrix}};
+  Json move = Json::object();
+  if (!a.translate.empty()) move["translate"] = a.translate;
+  if (!a.rotate.empty()) {
+    move["rotate"] = {{"axis", Json::array({a.rotate[0], a.rotate[1], a.rotate[2]})},
+                      {"degrees", a.rotate[3]}};
+  }
+  if (a.scale != 1.0) move["scale"] = a.scale;
+  if (!a.pivot.empty()) move["pivot"] = a.pivot;
+  return move;
+}
+
+// The flags as a recipe: one path from text to edit, and one set of error messages.
+Recipe as_recipe(const DeformArguments& a) {
+  const auto base = std::filesystem::absolute(a.recipe).parent_path();
+  const auto from_base = [&](const std::string& path) {
+    return std::filesystem::proximate(std::filesystem::absolute(path), base).string();
+  };
+  const Json handle = {{"region", region_json("--handle", a.handle)}, {"move", move_json(a)}};
+  const Json step = {{"op", "deform"},
+                     {"roi", region_json("--roi", a.roi)},
+                     {"belt", region_json("--belt", a.belt)},
+                     {"handles", Json::array({handle})},
+                     {"weights", a.weights},
+                     {"constraint_weight", a.constraint_weight},
+                     {"hard", a.hard}};
+  Json recipe = {{"lapwing", kRecipeVersion},
+                 {"mesh", from_base(a.mesh)},
+                 {"steps", Json::array({step})}};
+  if (!a.output.save.empty()) recipe["save"] = from_base(a.output.save);
+  return parse_recipe(recipe.dump(), base, "flags of lapwing deform");
+}
+
+void deform(const DeformArguments& a) {
+  if (a.output.save.empty() && a.output.render.empty() && a.recipe.empty() &&
+      a.output.report.empty()) {
+    throw CLI::RequiredError("one of --save, --render, --report and --recipe");
+  }
+  const Recipe recipe = as_recipe(a);
+  a.output.run(recipe);
+  if (!a.recipe.empty()) replace_file(a.recipe, to_json(recipe));
+}
+
+}  // namespace
+
+void add_deform(CLI::App& app) {
+  auto* command = app.add_subcommand("deform", "one deformation by flags: a region with a handle");
+  auto a = std::make_shared<DeformArguments>();
+  command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("--roi", a->roi, kRegionHelp)->capture_default_str();
+  command->add_option("--belt", a->belt, std::string("stationary anchors: fraction:F | ") +
+                                             kRegionHelp)
+      ->capture_default_str();
+  command->add_option("--handle", a->handle, kRegionHelp)->required();
+  command->add_option("--translate", a->translate, "X,Y,Z")->delimiter(',')->expected(3);
+  command->add_option("--rotate", a->rotate, "AXIS_X,AXIS_Y,AXIS_Z,DEGREES")
+      ->delimiter(',')
+      ->expected(4);
+  command->add_option("--scale", a->scale, "of the handle about its pivot");
+  command->add_option("--pivot", a->pivot, "X,Y,Z; the handle's centroid if not given")
+      ->delimiter(',')
+      ->expected(3);
+  command->add_option("--matrix", a->matrix, "12 or 16 numbers by rows, in place of the above")
+      ->delimiter(',')
+      ->expected(12, 16);
+  command->add_option("--weights", a->weights)
+      ->check(CLI::IsMember({"uniform", "cotangent"}))
+      ->capture_default_str();
+  command->add_option("--constraint-weight", a->constraint_weight)->capture_default_str();
+  command->add_flag("--hard", a->hard, "hold belt and handle exactly");
+  command->add_option("--recipe", a->recipe, "write this edit as a recipe");
+  a->output.add_to(*command);
+  command->callback([a] { deform(*a); });
+}
+
+}  // namespace lapwing::cli

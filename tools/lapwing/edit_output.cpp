@@ -1,0 +1,115 @@
+#include "edit_output.h"
+
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+
+#include "lapwing/io/atomic_file.h"
+#include "lapwing/render/render_image.h"
+#include "lapwing/vulkan/open_device.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+#include "progress_display.h"
+
+namespace lapwing::cli {
+namespace {
+
+std::vector<VertexClass> classes_of(const EditRegion& region, std::size_t vertex_count) {
+  std::vector<VertexClass> classes(vertex_count, VertexClass::outside);
+  for (const Index v : region.roi) classes[v] = VertexClass::roi;
+  for (const Index v : region.belt) classes[v] = VertexClass::belt;
+  for (const auto& handle : region.handles) {
+    for (const Index v : handle) classes[v] = VertexClass::handle;
+  }
+  return classes;
+}
+
+void print_certificate(const Certificate& c, double diagonal) {
+  std::printf("  residual %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
+              "  largest rotation %.1f degrees, %zu flipped triangles\n",
+              c.relative_residual, diagonal > 0.0 ? c.handle_error / diagonal : 0.0,
+              c.smallest_scale, c.largest_scale, c.largest_rotation_degrees, c.flipped_triangles);
+}
+
+void print_summary(const RunReport& report) {
+  std::printf("%s: %zu vertices, %zu faces\n%s", report.mesh.c_str(), report.vertices,
+              report.faces, format_stages(report).c_str());
+  for (const StepReport& step : report.steps) {
+    print_certificate(step.certificate, report.bounds.diagonal());
+  }
+  std::printf("  peak memory %.0f MB\n", static_cast<double>(report.peak_memory_bytes) / 1e6);
+}
+
+}  // namespace
+
+void EditOutput::add_to(CLI::App& command) {
+  command.add_option("--save", save, "write the edited mesh here");
+  command.add_option("--report", report, "write device, sizes, timings and certificates as JSON");
+  command.add_option("--render", render, "write a picture of the result (PNG)");
+  command.add_option("--render-before", render_before, "the same picture before the edit (PNG)");
+  command.add_option("--color", color, "what the pictures show")
+      ->check(CLI::IsMember({"regions", "displacement", "plain"}))
+      ->capture_default_str();
+  command.add_option("--device", device, "auto, cpu, an index or a part of a name (lapwing info)")
+      ->capture_default_str();
+  command.add_flag("--quiet", quiet, "print errors only");
+  picture.add_to(command);
+}
+
+void EditOutput::run(const Recipe& recipe) const {
+  // A picture's options are checked before the work, not after.
+  picture.render_options();
+  const auto kernels = open_device(device);
+  ProgressDisplay display(quiet);
+  display.note("device: " + kernels->device().name);
+  const auto result = run_recipe(recipe, *kernels, display.callback());
+  const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
+  if (!target.empty()) save_result(*result, target);
+  if (!render.empty() || !render_before.empty()) draw(*result, *kernels);
+  for (const std::string& warning : result->report.warnings) display.note("note: " + warning);
+  if (!report.empty()) replace_file(report, to_json(result->report));
+  if (!quiet) {
+    print_summary(result->report);
+    if (!target.empty()) std::printf("wrote %s\n", target.c_str());
+  }
+}
+
+void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
+  // The result is drawn from the buffers that the drag wrote. An edit on the CPU has none, so a
+  // Vulkan device is opened for the picture alone.
+  std::unique_ptr<Kernels> drawing;
+  Kernels* maker = dynamic_cast<VulkanKernels*>(&kernels);
+  if (maker == nullptr) maker = (drawing = open_device("auto")).get();
+  const auto still = [&](std::span<const Eigen::Vector3d> positions) {
+    return maker->make_surface({positions, result.topology, {}, {}, 0});
+  };
+  std::unique_ptr<DeformedSurface> made;
+  auto* after = result.last ? dynamic_cast<VulkanSurface*>(&result.last->surface()) : nullptr;
+  if (after == nullptr) {
+    made = still(result.mesh.positions);
+    after = dynamic_cast<VulkanSurface*>(made.get());
+  }
+
+  SurfacePaint paint(*after);
+  paint.set_polygons(result.mesh, result.topology);
+  RenderOptions options = picture.render_options();
+  if (color == "displacement") {
+    options.style.color = SurfaceColor::scalar;
+    options.legend_title = "displacement";
+    paint.set_scalars(displacement_lengths(result.original, result.mesh.positions));
+  } else if (color == "regions" && result.last) {
+    options.style.color = SurfaceColor::regions;
+    paint.set_classes(classes_of(result.last->region(), result.mesh.vertex_count()));
+  }
+  Positions both = result.original;
+  both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());
+  const Camera camera = picture.camera(both);
+  if (!render.empty()) write_png(render, render_image(*after, paint, camera, options));
+  if (!render_before.empty()) {
+    const auto before = still(result.original);
+    write_png(render_before, render_image(dynamic_cast<VulkanSurface&>(*before), paint, camera,
+                                          options));
+  }
+}
+
+}  // namespace lapwing::cli

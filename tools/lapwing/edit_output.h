@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "lapwing/session/run_recipe.h"
+#include "picture_options.h"
+
+namespace lapwing::cli {
+
+/// What `run` and `deform` do with a recipe, and where the results go.
+struct EditOutput {
+  std::string save;
+  std::string report;
+  std::string render;
+  std::string render_before;
+  std::string color = "regions";
+  std::string device = "auto";
+  bool quiet = false;
+  PictureOptions picture;
+
+  void add_to(CLI::App& command);
+  /// Runs `recipe` and writes what was asked for; prints progress, stages and certificate.
+  void run(const Recipe& recipe) const;
+
+ private:
+  void draw(const RunResult& result, Kernels& kernels) const;
+};
+
+}  // namespace lapwing::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace lapwing::cli {
+
+/// What the command line returns.
+enum ExitCode : int {
+  kDone = 0,
+  kUsage = 2,
+  kInput = 3,      ///< mesh or recipe
+  kSolver = 4,
+  kDevice = 5,
+  kFile = 6,
+  kCancelled = 130,  ///< as a shell reports an interrupt
+};
+
+}  // namespace lapwing::cli

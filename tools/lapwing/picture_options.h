@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "lapwing/render/render_image.h"
+
+namespace lapwing::cli {
+
+/// The options of every command that makes a picture.
+struct PictureOptions {
+  std::string size = "1280x960";
+  std::string view = "three-quarter";
+  std::vector<double> from;  ///< direction to the eye, in place of a named view
+  std::string up = "y";
+  std::string background = "gradient";
+  bool orthographic = false;
+  bool wireframe = false;
+  bool flat = false;
+
+  void add_to(CLI::App& command);
+  /// Throws CLI::ValidationError for a size that is none.
+  RenderOptions render_options() const;
+  /// Frames all of `points`.
+  Camera camera(std::span<const Eigen::Vector3d> points) const;
+};
+
+}  // namespace lapwing::cli

@@ -1,0 +1,68 @@
+#include "region_text.h"
+
+#include <charconv>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace lapwing::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void fail(const std::string& flag, const std::string& text) {
+  throw CLI::ValidationError(flag, "cannot read \"" + text + "\"; expected " + kRegionHelp);
+}
+
+// Numbers between commas, exactly `count` of them unless that is 0.
+std::vector<Json> numbers(const std::string& flag, const std::string& text,
+                          const std::string& list, std::size_t count) {
+  std::vector<Json> values;
+  const char* at = list.data();
+  const char* end = at + list.size();
+  for (;;) {
+    double value = 0.0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error != std::errc()) fail(flag, text);
+    // Vertex numbers must reach the recipe as integers.
+    const auto whole = static_cast<long long>(value);
+    values.push_back(static_cast<double>(whole) == value ? Json(whole) : Json(value));
+    if (next == end) break;
+    if (*next != ',') fail(flag, text);
+    at = next + 1;
+  }
+  if (count != 0 && values.size() != count) fail(flag, text);
+  return values;
+}
+
+}  // namespace
+
+Json region_json(const std::string& flag, const std::string& text) {
+  if (text == "all") return {{"all", true}};
+  if (text.starts_with('{')) {
+    Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) fail(flag, text);
+    return json;
+  }
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return {{"vertices", numbers(flag, text, text, 0)}};
+  const std::string form = text.substr(0, colon);
+  const std::string list = text.substr(colon + 1);
+  if (form == "disk") {
+    const auto v = numbers(flag, text, list, 2);
+    return {{"disk", {{"center", v[0]}, {"radius", v[1]}}}};
+  }
+  if (form == "near") {
+    const auto v = numbers(flag, text, list, 4);
+    return {{"disk", {{"near", Json::array({v[0], v[1], v[2]})}, {"radius", v[3]}}}};
+  }
+  if (form == "box") {
+    const auto v = numbers(flag, text, list, 6);
+    return {{"box",
+             {{"min", Json::array({v[0], v[1], v[2]})}, {"max", Json::array({v[3], v[4], v[5]})}}}};
+  }
+  if (form == "fraction") return {{"fraction", numbers(flag, text, list, 1)[0]}};
+  fail(flag, text);
+}
+
+}  // namespace lapwing::cli

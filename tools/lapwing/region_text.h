@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace lapwing::cli {
+
+/// A region as it is written after a flag, as the JSON that a recipe has in its place:
+///     all | 3,17,256 | disk:VERTEX,RADIUS | near:X,Y,Z,RADIUS | box:X,Y,Z,X,Y,Z | fraction:F
+/// or JSON itself. Throws CLI::ValidationError naming `flag`.
+nlohmann::ordered_json region_json(const std::string& flag, const std::string& text);
+
+/// What the help of such a flag says.
+inline constexpr const char* kRegionHelp =
+    "all | 3,17,256 | disk:VERTEX,RADIUS | near:X,Y,Z,RADIUS | box:X,Y,Z,X,Y,Z | recipe JSON";
+
+}  // namespace lapwing::cli

@@ -1,0 +1,69 @@
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+#include "picture_options.h"
+
+namespace lapwing::cli {
+namespace {
+
+struct RenderArguments {
+  std::string mesh;
+  std::string image;
+  std::string displacement_from;
+  std::string device = "auto";
+  PictureOptions picture;
+};
+
+std::vector<float> displacement_from(const std::string& path, const Mesh& mesh) {
+  const Mesh rest = read_mesh(path);
+  if (rest.vertex_count() != mesh.vertex_count()) {
+    throw InputError(path + " has " + std::to_string(rest.vertex_count()) +
+                     " vertices and the mesh to draw " + std::to_string(mesh.vertex_count()) +
+                     "; displacement needs two poses of one mesh");
+  }
+  return displacement_lengths(rest.positions, mesh.positions);
+}
+
+void render(const RenderArguments& arguments) {
+  RenderOptions options = arguments.picture.render_options();
+  const Mesh mesh = read_mesh(arguments.mesh);
+  const Topology topology = build_topology(mesh);
+  VulkanOptions device;
+  device.device = arguments.device;
+  VulkanKernels kernels(device);
+  const auto surface = kernels.make_surface({mesh.positions, topology, {}, {}, 0});
+  auto& drawn = dynamic_cast<VulkanSurface&>(*surface);
+  SurfacePaint paint(drawn);
+  paint.set_polygons(mesh, topology);
+  if (!arguments.displacement_from.empty()) {
+    options.style.color = SurfaceColor::scalar;
+    options.legend_title = "displacement";
+    paint.set_scalars(displacement_from(arguments.displacement_from, mesh));
+  }
+  write_png(arguments.image,
+            render_image(drawn, paint, arguments.picture.camera(mesh.positions), options));
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+  auto* command = app.add_subcommand("render", "a picture of a mesh, without a display");
+  auto arguments = std::make_shared<RenderArguments>();
+  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("-o,--output", arguments->image, "PNG")->required();
+  command->add_option("--displacement-from", arguments->displacement_from,
+                      "colour by the distance from this pose of the same mesh");
+  command->add_option("--device", arguments->device, "auto, an index or a part of a name")
+      ->capture_default_str();
+  arguments->picture.add_to(*command);
+  command->callback([arguments] { render(*arguments); });
+}
+
+}  // namespace lapwing::cli
