@@ -59,16 +59,6 @@ vec3 surface_color() {
   return linear_of(kClay) * tint;
 }
 
-// Towards the viewer's side.
-vec3 shading_normal() {
-  const vec3 across = cross(dFdx(view_position), dFdy(view_position));
-  const bool smooth_normal = !has(kFlat) && dot(view_normal, view_normal) > 1e-12;
-  const vec3 toward_viewer = has(kOrthographic) ? vec3(0, 0, 1) : -view_position;
-  if (smooth_normal) return normalize(gl_FrontFacing ? view_normal : -view_normal);
-  if (dot(across, across) == 0) return normalize(toward_viewer);
-  return normalize(dot(across, toward_viewer) < 0 ? -across : across);
-}
-
 // How much the surface bends outwards (positive) or inwards over a few pixels: hollows darker and
 // ridges lighter make detail legible that the lights alone flatten. In [-1, 1].
 float bend(vec3 normal) {
@@ -115,7 +105,8 @@ float line_coverage() {
 
 void main() {
   const vec3 eye = has(kOrthographic) ? vec3(0, 0, 1) : normalize(-view_position);
-  vec3 color = shade(surface_color(), shading_normal(), eye);
+  const vec3 normal = normalize(gl_FrontFacing ? view_normal : -view_normal);
+  vec3 color = shade(surface_color(), normal, eye);
   if (has(kWireframe)) color = mix(color, linear_of(kLine), 0.75 * line_coverage());
   written = vec4(color, 1);
 }

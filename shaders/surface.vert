@@ -24,13 +24,29 @@ vec3 rotate_to_view(vec3 v) {
               dot(view_from_surface[2].xyz, v));
 }
 
+// The vertex normal, but the triangle's own where the two disagree, as at the edges of a machined
+// part, or where there is no vertex normal.
+vec3 corner_normal(vec3 vertex_normal, uint first) {
+  const vec3 a = positions[corners[first]].xyz;
+  const vec3 across = cross(positions[corners[first + 1]].xyz - a,
+                            positions[corners[first + 2]].xyz - a);
+  const float size = length(across);
+  if (size == 0) return vertex_normal;
+  const vec3 face_normal = across / size;
+  if (has(kFlat)) return face_normal;
+  const float cos_smooth = 0.87;  // 30 degrees and less
+  const float cos_sharp = 0.76;   // 40 degrees and more
+  return mix(face_normal, vertex_normal,
+             smoothstep(cos_sharp, cos_smooth, dot(vertex_normal, face_normal)));
+}
+
 void main() {
   const uint corner = gl_VertexIndex % 3;
   const uint vertex = corners[gl_VertexIndex];
   const vec3 position = positions[vertex].xyz;
   view_position = rotate_to_view(position) +
                   vec3(view_from_surface[0].w, view_from_surface[1].w, view_from_surface[2].w);
-  view_normal = rotate_to_view(normals[vertex].xyz);
+  view_normal = rotate_to_view(corner_normal(normals[vertex].xyz, gl_VertexIndex - corner));
   barycentric = vec3(corner == 0, corner == 1, corner == 2);
   class_weights = vec4(equal(uvec4(0, 1, 2, 3), uvec4(classes[vertex])));
   scalar = (scalars[vertex] - scalar_low) * scalar_scale;

@@ -75,10 +75,10 @@ struct Framed {
 
   // Distance from the centre, moved by (dx, dy), at which every point is in the picture.
   double distance(double dx, double dy, bool orthographic) const {
-    double least = smallest / up_tangent;
+    double least = 0.0;
     for (const Vector3d& p : points) {
-      const double size =
-          std::max(std::abs(p.x() - dx) / right_tangent, std::abs(p.y() - dy) / up_tangent);
+      const double size = std::max({std::abs(p.x() - dx) / right_tangent,
+                                    std::abs(p.y() - dy) / up_tangent, smallest / up_tangent});
       least = std::max(least, orthographic ? size : size + p.z());
     }
     return least;
