@@ -182,6 +182,19 @@ TEST(RenderImage, FlatShadingHasOneColorPerTriangle) {
   EXPECT_LT(4 * colors_of_middle(), smooth);
 }
 
+TEST(RenderImage, SharpEdgesAreDrawnSharp) {
+  LAPWING_NEEDS_GPU();
+  Mesh roof = quads(2, 1);
+  for (Eigen::Vector3d& p : roof.positions) p.z() = -std::abs(p.x() - 0.5);
+  const Image image = Subject(roof).render();
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_NEAR(brightness(image, column(0.5 + 0.05 * sign), kMiddle),
+                brightness(image, column(0.5 + 0.35 * sign), kMiddle), 6);
+  }
+  EXPECT_GT(brightness(image, column(0.45), kMiddle),
+            brightness(image, column(0.55), kMiddle) + 60);
+}
+
 TEST(RenderImage, NumbersGoThroughTheColorMap) {
   LAPWING_NEEDS_GPU();
   Subject square(grid(8, 1));
