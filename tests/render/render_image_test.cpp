@@ -184,7 +184,7 @@ TEST(RenderImage, FlatShadingHasOneColorPerTriangle) {
 
 TEST(RenderImage, SharpEdgesAreDrawnSharp) {
   LAPWING_NEEDS_GPU();
-  Mesh roof = quads(2, 1);
+  Mesh roof = grid(2, 1);
   for (Eigen::Vector3d& p : roof.positions) p.z() = -std::abs(p.x() - 0.5);
   const Image image = Subject(roof).render();
   for (const double sign : {-1.0, 1.0}) {
