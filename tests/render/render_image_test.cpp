@@ -145,9 +145,7 @@ TEST(RenderImage, RegionsHaveTheirColorsWithCrispBorders) {
   std::set<std::array<std::uint8_t, 4>> colors;
   for (std::uint32_t x = column(0.02); x < column(0.98); ++x)
     colors.insert(image.pixel(x, kMiddle));
-  EXPECT_LE(colors.size(), 4U + 2U * 3U + 8U)
-      << "four colours, at most two between neighbours, and "
-         "the gloss's last bits";
+  EXPECT_LE(colors.size(), 4U + 2U * 3U) << "four colours, at most two pixels between neighbours";
 }
 
 TEST(RenderImage, WireframeShowsPolygonEdgesAndNoDiagonals) {
