@@ -46,7 +46,8 @@ Json move_json(const DeformArguments& a) {
 
 // The flags as a recipe: one path from text to edit, and one set of error messages.
 Recipe as_recipe(const DeformArguments& a) {
-  const auto base = std::filesystem::absolute(a.recipe).parent_path();
+  const auto base = a.recipe.empty() ? std::filesystem::current_path()
+                                     : std::filesystem::absolute(a.recipe).parent_path();
   const auto from_base = [&](const std::string& path) {
     return std::filesystem::proximate(std::filesystem::absolute(path), base).string();
   };

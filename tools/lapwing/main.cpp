@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <filesystem>
 #include <new>
 
 #include <CLI/CLI.hpp>
@@ -33,6 +34,9 @@ int run(CLI::App& app, int argc, char** argv) {
   } catch (const IoError& error) {
     std::fprintf(stderr, "lapwing: %s\n", error.what());
     return kFile;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "lapwing: %s\n", error.what());
+    return kFile;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "lapwing: out of memory; choose a smaller region of interest\n");
     return kSolver;
@@ -56,5 +60,6 @@ int main(int argc, char** argv) {
   lapwing::cli::add_check(app);
   lapwing::cli::add_convert(app);
   lapwing::cli::add_info(app);
+  lapwing::cli::add_shape(app);
   return lapwing::cli::run(app, argc, argv);
 }

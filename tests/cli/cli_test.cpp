@@ -1,0 +1,171 @@
+// The command line as a user meets it: run as a program, judged by exit code, output and files.
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+#include "support/gpu.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+struct Outcome {
+  int exit_code = -1;
+  std::string output;  ///< of both streams
+};
+
+class CommandLine : public ::testing::Test {
+ protected:
+  void SetUp() override { write_mesh(cylinder(12, 20, 0.5, 3.0), file("tube.obj")); }
+
+  std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
+
+  // Runs `lapwing ARGUMENTS` in the temporary folder; `environment` is set before it.
+  Outcome lapwing(const std::string& arguments, const std::string& environment = "") const {
+    const std::string command = "cd '" + folder_.path().string() + "' && " + environment + " '" +
+                                LAPWING_CLI + "' " + arguments + " 2>&1 </dev/null";
+    Outcome outcome;
+    std::FILE* pipe = popen(command.c_str(), "r");
+    std::array<char, 4096> buffer{};
+    while (const std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe)) {
+      outcome.output.append(buffer.data(), got);
+    }
+    const int status = pclose(pipe);
+    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+    return outcome;
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(file(name)) << text;
+  }
+  std::string read(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(file(name)).rdbuf();
+    return text.str();
+  }
+
+  TemporaryFolder folder_;
+};
+
+const char* const kLiftFlags =
+    "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --handle box:-1,-1,2.8,1,1,4 "
+    "--translate 0,0,0.5 ";
+
+TEST_F(CommandLine, DeformByFlagsWritesMeshReportAndRecipeThatRunsToTheSameMesh) {
+  const Outcome flags = lapwing(std::string(kLiftFlags) +
+                                "--device cpu --save a.obj --report a.json --recipe a.recipe.json");
+  ASSERT_EQ(flags.exit_code, 0) << flags.output;
+  EXPECT_THAT(read("a.json"), AllOf(HasSubstr("\"certificate\""), HasSubstr("\"factor\"")));
+  const Outcome recipe = lapwing("run a.recipe.json --device cpu --save b.obj --quiet");
+  ASSERT_EQ(recipe.exit_code, 0) << recipe.output;
+  EXPECT_EQ(recipe.output, "");
+  EXPECT_EQ(read("a.obj"), read("b.obj"));
+}
+
+TEST_F(CommandLine, EditOnTheDeviceDrawsBothPictures) {
+  LAPWING_NEEDS_GPU();
+  const Outcome outcome = lapwing(std::string(kLiftFlags) +
+                                  "--render a.png --render-before b.png --size 160x120");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(read("a.png"), ::testing::StartsWith("\x89PNG"));
+  EXPECT_NE(read("a.png"), read("b.png"));
+}
+
+TEST_F(CommandLine, RenderDrawsAMeshAndItsDisplacement) {
+  LAPWING_NEEDS_GPU();
+  ASSERT_EQ(lapwing(std::string(kLiftFlags) + "--device cpu --save a.obj").exit_code, 0);
+  ASSERT_EQ(lapwing("render a.obj -o plain.png --size 160x120").exit_code, 0);
+  ASSERT_EQ(
+      lapwing("render a.obj -o moved.png --size 160x120 --displacement-from tube.obj").exit_code,
+      0);
+  EXPECT_NE(read("plain.png"), read("moved.png"));
+}
+
+TEST_F(CommandLine, WithoutTheLoaderOnlyTheCpuWorks) {
+  const std::string no_loader = "LAPWING_VULKAN_LOADER=/nonexistent/libvulkan.so";
+  const Outcome device = lapwing(std::string(kLiftFlags) + "--save a.obj", no_loader);
+  EXPECT_EQ(device.exit_code, 5);
+  EXPECT_THAT(device.output, AllOf(HasSubstr("mesa-vulkan-drivers"), HasSubstr("--device cpu")));
+  EXPECT_FALSE(std::filesystem::exists(file("a.obj")));
+  EXPECT_EQ(lapwing(std::string(kLiftFlags) + "--device cpu --save a.obj", no_loader).exit_code, 0);
+}
+
+TEST_F(CommandLine, DeviceThatDoesNotExistIsRefusedWithTheOnesThatDo) {
+  LAPWING_NEEDS_GPU();
+  const Outcome outcome = lapwing(std::string(kLiftFlags) + "--save a.obj --device nosuchdevice");
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_THAT(outcome.output, HasSubstr("nosuchdevice"));
+}
+
+TEST_F(CommandLine, WrongArgumentsAreUsageErrors) {
+  EXPECT_EQ(lapwing("").exit_code, 2);
+  EXPECT_EQ(lapwing("fly tube.obj").exit_code, 2);
+  EXPECT_EQ(lapwing("deform tube.obj --save a.obj").exit_code, 2);
+  const Outcome region = lapwing("deform tube.obj --handle disk:3 --save a.obj --device cpu");
+  EXPECT_EQ(region.exit_code, 2);
+  EXPECT_THAT(region.output, AllOf(HasSubstr("--handle"), HasSubstr("disk:VERTEX,RADIUS")));
+  EXPECT_EQ(lapwing(std::string(kLiftFlags) + "--render a.png --size 12by3").exit_code, 2);
+}
+
+TEST_F(CommandLine, HelpAndVersionSucceed) {
+  EXPECT_EQ(lapwing("--help").exit_code, 0);
+  EXPECT_EQ(lapwing("--version").exit_code, 0);
+  EXPECT_THAT(lapwing("deform --help").output, HasSubstr("--handle"));
+}
+
+TEST_F(CommandLine, BrokenFilesNameFileAndLine) {
+  write("bad.obj", "v 0 0 0\nv 1 0 zero\n");
+  const Outcome mesh = lapwing("check bad.obj");
+  EXPECT_EQ(mesh.exit_code, 3);
+  EXPECT_THAT(mesh.output, HasSubstr("bad.obj:2"));
+  write("bad.json", "{\"lapwing\": 1,\n \"mesh\": }");
+  const Outcome recipe = lapwing("run bad.json");
+  EXPECT_EQ(recipe.exit_code, 3);
+  EXPECT_THAT(recipe.output, HasSubstr("bad.json:2"));
+  write("typo.json", R"({"lapwing": 1, "mesh": "tube.obj", "step": []})");
+  EXPECT_THAT(lapwing("run typo.json").output, AllOf(HasSubstr("step"), HasSubstr("steps")));
+}
+
+TEST_F(CommandLine, FilesThatCannotBeReadOrWrittenAreFileErrors) {
+  EXPECT_EQ(lapwing("check nothing-here.obj").exit_code, 6);
+  EXPECT_EQ(lapwing("convert tube.obj nowhere/tube.ply").exit_code, 6);
+}
+
+TEST_F(CommandLine, ConvertSaysWhatItCannotCarry) {
+  write("red.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\n");
+  const Outcome outcome = lapwing("convert red.obj red.off");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.output, HasSubstr("material"));
+}
+
+TEST_F(CommandLine, CheckFindsAndFixes) {
+  write("loose.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nf 1 2 3\n");
+  const Outcome found = lapwing("check loose.obj");
+  EXPECT_EQ(found.exit_code, 0);
+  EXPECT_THAT(found.output, AllOf(HasSubstr("loose"), HasSubstr("repeat")));
+  ASSERT_EQ(lapwing("check loose.obj --fix fixed.obj").exit_code, 0);
+  const Mesh fixed = read_mesh(file("fixed.obj"));
+  EXPECT_EQ(fixed.vertex_count(), 3U);
+  EXPECT_EQ(fixed.face_count(), 1U);
+}
+
+TEST_F(CommandLine, InfoListsTheCpuAndTheMesh) {
+  const Outcome outcome = lapwing("info tube.obj");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("cpu"), HasSubstr("240")));
+}
+
+}  // namespace
+}  // namespace lapwing

@@ -1,0 +1,107 @@
+#include "lapwing/session/run_recipe.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class RunRecipe : public ::testing::Test {
+ protected:
+  void SetUp() override { write_mesh(cylinder(12, 20, 0.5, 3.0), folder_.path() / "tube.obj"); }
+
+  std::unique_ptr<RunResult> run(const std::string& steps, const Progress& progress = {}) {
+    return run_recipe(parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [)" + steps +
+                                       "]}",
+                                   folder_.path(), "test"),
+                      kernels_, progress);
+  }
+
+  TemporaryFolder folder_;
+  CpuKernels kernels_;
+};
+
+const char* const kLift = R"({"op": "deform", "roi": {"all": true},
+  "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.4]}},
+  "handles": [{"region": {"box": {"min": [-1, -1, 2.8], "max": [1, 1, 4]}},
+               "move": {"translate": [0, 0, 0.5]}}]})";
+
+TEST_F(RunRecipe, DeformsReportsAndKeepsTheOriginal) {
+  const auto result = run(kLift);
+  ASSERT_EQ(result->report.steps.size(), 1U);
+  const StepReport& step = result->report.steps[0];
+  EXPECT_EQ(step.roi, 240U);
+  EXPECT_EQ(step.free + step.belt + step.handles[0], step.roi);
+  EXPECT_LT(step.certificate.relative_residual, 1e-9);
+  EXPECT_NEAR(result->mesh.positions.back().z() - result->original.back().z(), 0.5, 0.05);
+}
+
+TEST_F(RunRecipe, StepsFollowOneAnother) {
+  const auto once = run(kLift);
+  const auto twice = run(std::string(kLift) + "," + R"({"op": "deform", "roi": {"all": true},
+      "belt": {"vertices": [0, 3, 6]},
+      "handles": [{"region": {"vertices": [228, 232, 236]}, "move": {}}]})");
+  EXPECT_EQ(twice->report.steps.size(), 2U);
+  EXPECT_EQ(twice->mesh.positions, once->mesh.positions) << "a still handle changed the mesh";
+}
+
+TEST_F(RunRecipe, SavedMeshHoldsTheResult) {
+  const auto result = run(kLift);
+  save_result(*result, folder_.path() / "out.ply");
+  const Mesh read = read_mesh(folder_.path() / "out.ply");
+  ASSERT_EQ(read.vertex_count(), result->mesh.vertex_count());
+  for (std::size_t i = 0; i < read.vertex_count(); ++i) {
+    EXPECT_LT((read.positions[i] - result->mesh.positions[i]).norm(), 1e-6);
+  }
+}
+
+TEST_F(RunRecipe, RegionThatDoesNotFitTheMeshIsNamedByItsPlace) {
+  try {
+    run(R"({"op": "deform", "roi": {"all": true}, "handles": [
+           {"region": {"vertices": [3, 999]}, "move": {}}]})");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/steps/0/handles/0/region"));
+    EXPECT_THAT(error.what(), HasSubstr("999"));
+  }
+}
+
+TEST_F(RunRecipe, ComponentWithoutAnchorIsRefused) {
+  Mesh two = cylinder(12, 20, 0.5, 3.0);
+  Mesh far = icosphere(1);
+  for (auto& p : far.positions) p.x() += 10.0;
+  const auto offset = static_cast<Index>(two.vertex_count());
+  two.positions.insert(two.positions.end(), far.positions.begin(), far.positions.end());
+  for (std::size_t f = 0; f < far.face_count(); ++f) {
+    std::vector<Index> face(far.face(f).begin(), far.face(f).end());
+    for (Index& v : face) v += offset;
+    two.add_face(face);
+  }
+  write_mesh(two, folder_.path() / "tube.obj");
+  try {
+    run(kLift);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/steps/0/roi"));
+    EXPECT_THAT(error.what(), HasSubstr("has no anchor"));
+    EXPECT_THAT(error.what(), HasSubstr("42 vertices from vertex 240"));
+  }
+}
+
+TEST_F(RunRecipe, CancellingLeavesNoResult) {
+  EXPECT_THROW(run(kLift, [](std::string_view stage, double) { return stage != "factor"; }),
+               Cancelled);
+}
+
+}  // namespace
+}  // namespace lapwing
