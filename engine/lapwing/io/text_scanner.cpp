@@ -109,8 +109,8 @@ std::int64_t TextScanner::integer(std::string_view what) {
   constexpr int kMostDigits = 18;  // these always fit
   std::int64_t value = 0;
   const char* const digits = at;
-  while (*at >= '0' && *at <= '9' && at - digits <= kMostDigits) value = 10 * value + (*at++ - '0');
-  if (at == digits || at - digits > kMostDigits) fail_expected(what);
+  while (*at >= '0' && *at <= '9' && at - digits < kMostDigits) value = 10 * value + (*at++ - '0');
+  if (at == digits || (*at >= '0' && *at <= '9')) fail_expected(what);
   here_ = at;
   return negative ? -value : value;
 }
