@@ -5,10 +5,10 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <sys/wait.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include "io/temporary_folder.h"
 #include "lapwing/io/mesh_file.h"
@@ -76,8 +76,8 @@ TEST_F(CommandLine, DeformByFlagsWritesMeshReportAndRecipeThatRunsToTheSameMesh)
 
 TEST_F(CommandLine, EditOnTheDeviceDrawsBothPictures) {
   LAPWING_NEEDS_GPU();
-  const Outcome outcome = lapwing(std::string(kLiftFlags) +
-                                  "--render a.png --render-before b.png --size 160x120");
+  const Outcome outcome =
+      lapwing(std::string(kLiftFlags) + "--render a.png --render-before b.png --size 160x120");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_THAT(read("a.png"), ::testing::StartsWith("\x89PNG"));
   EXPECT_NE(read("a.png"), read("b.png"));
@@ -144,7 +144,8 @@ TEST_F(CommandLine, FilesThatCannotBeReadOrWrittenAreFileErrors) {
 }
 
 TEST_F(CommandLine, ConvertSaysWhatItCannotCarry) {
-  write("red.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\n");
+  write("red.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3\n");
   const Outcome outcome = lapwing("convert red.obj red.off");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.output, HasSubstr("material"));

@@ -1,6 +1,5 @@
 // Lifts the middle of a generated sheet, on the CPU so that it runs anywhere.
 #include <cstdio>
-
 #include <lapwing/deform/deformer.h>
 #include <lapwing/io/mesh_file.h>
 #include <lapwing/mesh/shapes.h>
@@ -16,7 +15,7 @@ int main() {
   }
   region.handles = {{60}};
   const auto kernels = lapwing::open_device("cpu");
-  lapwing::Deformer deformer(mesh.positions, topology, region, {}, *kernels);
+  lapwing::Deformer deformer(mesh.positions, topology, region, {.hard = true}, *kernels);
   const Eigen::Affine3d lift(Eigen::Translation3d(0, 0, 0.3));
   mesh.positions = deformer.solve(std::array{lift}).positions;
   lapwing::write_mesh(mesh, "lifted.obj");

@@ -60,8 +60,7 @@ TEST_P(DeformerOptions, StillHandleGivesTheInputBackBitForBit) {
   Mesh mesh = bumpy_tube();
   mesh.positions[5].x() = -0.0;
   const Positions result = deformed(mesh, Affine3d::Identity(), GetParam());
-  EXPECT_EQ(std::memcmp(result.data(), mesh.positions.data(), sizeof(Vector3d) * result.size()),
-            0);
+  EXPECT_EQ(std::memcmp(result.data(), mesh.positions.data(), sizeof(Vector3d) * result.size()), 0);
 }
 
 TEST_P(DeformerOptions, TranslatingHandleAndBeltTogetherTranslatesTheRegion) {

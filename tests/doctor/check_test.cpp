@@ -47,16 +47,16 @@ TEST(Check, NamesNonFiniteVerticesAsErrors) {
   Mesh mesh = grid(3, 3);
   mesh.positions[2].x() = std::numeric_limits<double>::quiet_NaN();
   mesh.positions[7].z() = std::numeric_limits<double>::infinity();
-  expect_defect(mesh, DefectKind::kNonFiniteVertex, 2, {2, 7});
-  EXPECT_EQ(describe(DefectKind::kNonFiniteVertex).severity, Severity::kError);
+  expect_defect(mesh, DefectKind::non_finite_vertex, 2, {2, 7});
+  EXPECT_EQ(describe(DefectKind::non_finite_vertex).severity, Severity::error);
 }
 
 TEST(Check, NamesLooseVertices) {
   Mesh mesh = grid(1, 1);
   mesh.positions.emplace_back(5, 5, 5);
   mesh.positions.emplace_back(6, 5, 5);
-  expect_defect(mesh, DefectKind::kLooseVertex, 2, {4, 5});
-  EXPECT_EQ(check(mesh).find(DefectKind::kSeveralComponents), nullptr);
+  expect_defect(mesh, DefectKind::loose_vertex, 2, {4, 5});
+  EXPECT_EQ(check(mesh).find(DefectKind::several_components), nullptr);
 }
 
 TEST(Check, NamesFacesThatRepeatAVertex) {
@@ -64,7 +64,7 @@ TEST(Check, NamesFacesThatRepeatAVertex) {
   add_polygon(mesh, {0, 1, 0});
   add_polygon(mesh, {0, 1});
   add_polygon(mesh, {0, 1, 1, 2});
-  expect_defect(mesh, DefectKind::kDegenerateFace, 3, {2, 3, 4});
+  expect_defect(mesh, DefectKind::degenerate_face, 3, {2, 3, 4});
 }
 
 TEST(Check, NamesFacesThatRepeatAnEarlierOneInAnyOrder) {
@@ -72,15 +72,15 @@ TEST(Check, NamesFacesThatRepeatAnEarlierOneInAnyOrder) {
   const auto [a, b, c] = std::array{mesh.face(1)[0], mesh.face(1)[1], mesh.face(1)[2]};
   add_polygon(mesh, {c, a, b});
   add_polygon(mesh, {b, a, c});
-  expect_defect(mesh, DefectKind::kRepeatedFace, 2, {2, 3});
+  expect_defect(mesh, DefectKind::repeated_face, 2, {2, 3});
 }
 
 TEST(Check, NamesZeroAreaFacesAndTheirCollinearRings) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}};
   add_polygon(mesh, {0, 1, 2});
-  expect_defect(mesh, DefectKind::kZeroAreaFace, 1, {0});
-  expect_defect(mesh, DefectKind::kCollinearRing, 3, {0, 1, 2});
+  expect_defect(mesh, DefectKind::zero_area_face, 1, {0});
+  expect_defect(mesh, DefectKind::collinear_ring, 3, {0, 1, 2});
 }
 
 TEST(Check, FlatnessDoesNotDependOnSizeOrPlace) {
@@ -98,39 +98,39 @@ TEST(Check, NamesRingsWhoseVerticesAreAllAtOnePoint) {
   Mesh mesh = grid(1, 1);
   for (int i = 0; i < 3; ++i) mesh.positions.emplace_back(7, 7, 7);
   add_polygon(mesh, {4, 5, 6});
-  expect_defect(mesh, DefectKind::kPointRing, 3, {4, 5, 6});
-  EXPECT_EQ(check(mesh).find(DefectKind::kCollinearRing), nullptr);
+  expect_defect(mesh, DefectKind::point_ring, 3, {4, 5, 6});
+  EXPECT_EQ(check(mesh).find(DefectKind::collinear_ring), nullptr);
 }
 
 TEST(Check, NamesBothSidesOfAnUnweldedSeamAndItsDuplicates) {
-  expect_defect(unwelded_square(), DefectKind::kUnweldedSeam, 2, {1, 2, 3, 4});
-  expect_defect(unwelded_square(), DefectKind::kDuplicateVertex, 2, {3, 4});
-  expect_defect(unwelded_square(), DefectKind::kSeveralComponents, 2, {0, 3});
+  expect_defect(unwelded_square(), DefectKind::unwelded_seam, 2, {1, 2, 3, 4});
+  expect_defect(unwelded_square(), DefectKind::duplicate_vertex, 2, {3, 4});
+  expect_defect(unwelded_square(), DefectKind::several_components, 2, {0, 3});
 }
 
 TEST(Check, PiecesThatTouchAtOnePointHaveNoSeam) {
   Mesh mesh = bow_tie();
   mesh.positions.push_back(mesh.positions[0]);
   mesh.face_vertices[3] = 5;
-  EXPECT_EQ(check(mesh).find(DefectKind::kUnweldedSeam), nullptr);
+  EXPECT_EQ(check(mesh).find(DefectKind::unwelded_seam), nullptr);
   EXPECT_FALSE(check(mesh).has_problems());
-  EXPECT_NE(check(mesh).find(DefectKind::kDuplicateVertex), nullptr);
+  EXPECT_NE(check(mesh).find(DefectKind::duplicate_vertex), nullptr);
 }
 
 TEST(Check, NamesEdgesWithMoreThanTwoFaces) {
-  expect_defect(three_winged_edge(), DefectKind::kNonManifoldEdge, 1, {0, 1});
-  EXPECT_EQ(check(three_winged_edge()).find(DefectKind::kBowTieVertex), nullptr);
+  expect_defect(three_winged_edge(), DefectKind::non_manifold_edge, 1, {0, 1});
+  EXPECT_EQ(check(three_winged_edge()).find(DefectKind::bow_tie_vertex), nullptr);
 }
 
 TEST(Check, NamesBowTieVertices) {
-  expect_defect(bow_tie(), DefectKind::kBowTieVertex, 1, {0});
+  expect_defect(bow_tie(), DefectKind::bow_tie_vertex, 1, {0});
 }
 
 TEST(Check, NamesEdgesOfAFlippedFace) {
   Mesh mesh = icosphere(1);
   std::swap(mesh.face_vertices[0], mesh.face_vertices[1]);
   const CheckReport report = check(mesh);
-  const Defect* defect = report.find(DefectKind::kInconsistentOrientation);
+  const Defect* defect = report.find(DefectKind::inconsistent_orientation);
   ASSERT_NE(defect, nullptr);
   EXPECT_EQ(defect->count, 3U);
   for (const Index v : defect->first) EXPECT_THAT(mesh.face(0), ::testing::Contains(v));
@@ -146,8 +146,8 @@ TEST(Check, ConsistentlyInwardSurfaceIsNoDefect) {
 
 TEST(Check, MoebiusStripIsOneSidedAndNotFixable) {
   const CheckReport report = check(moebius_strip());
-  ASSERT_NE(report.find(DefectKind::kOneSidedSurface), nullptr);
-  EXPECT_EQ(report.find(DefectKind::kInconsistentOrientation), nullptr);
+  ASSERT_NE(report.find(DefectKind::one_sided_surface), nullptr);
+  EXPECT_EQ(report.find(DefectKind::inconsistent_orientation), nullptr);
   EXPECT_FALSE(report.is_fixable());
   EXPECT_FALSE(report.statistics.genus.has_value());
 }
@@ -156,21 +156,21 @@ TEST(Check, PointCloudHasNoUsableFace) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}};
   const CheckReport report = check(mesh);
-  ASSERT_NE(report.find(DefectKind::kNoFaces), nullptr);
+  ASSERT_NE(report.find(DefectKind::no_faces), nullptr);
   EXPECT_TRUE(report.has_problems());
 }
 
 TEST(Check, EmptyMeshHasNoUsableFaceAndZeroStatistics) {
   const CheckReport report = check(Mesh{});
   ASSERT_EQ(report.defects.size(), 1U);
-  EXPECT_EQ(report.defects[0].kind, DefectKind::kNoFaces);
+  EXPECT_EQ(report.defects[0].kind, DefectKind::no_faces);
   EXPECT_EQ(report.statistics.mean_edge_length, 0.0);
 }
 
 TEST(Check, ListsTheFirstOfManyPlaces) {
   Mesh mesh = grid(1, 1);
   for (int i = 0; i < 20; ++i) mesh.positions.emplace_back(i, 9, 9);
-  expect_defect(mesh, DefectKind::kLooseVertex, 20, {4, 5, 6, 7, 8, 9, 10, 11});
+  expect_defect(mesh, DefectKind::loose_vertex, 20, {4, 5, 6, 7, 8, 9, 10, 11});
 }
 
 TEST(DefectInfo, EveryKindHasItsOwnKeyAndWords) {

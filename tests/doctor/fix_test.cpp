@@ -53,7 +53,7 @@ TEST(Fix, WeldsASeamAndKeepsUvsAndMaterials) {
   mesh.attributes.materials = {"wood", "steel"};
   mesh.attributes.face_materials = {1, 0};
   const FixReport report = fix(mesh);
-  EXPECT_EQ(report.count(RepairKind::kWeldedVertices), 2U);
+  EXPECT_EQ(report.count(RepairKind::welded_vertices), 2U);
   EXPECT_THAT(mesh.face(0), ElementsAre(0, 1, 2));
   EXPECT_THAT(mesh.face(1), ElementsAre(2, 1, 3));
   EXPECT_EQ(mesh.positions[3], Eigen::Vector3d(1, 1, 0));
@@ -66,7 +66,7 @@ TEST(Fix, SaysWhenWeldedVerticesDiffered) {
   Mesh mesh = unwelded_square();
   mesh.attributes.vertex_extras = {{"s", "float", 1, {0, 1, 2, 2, 8, 5}}};
   const FixReport report = fix(mesh);
-  EXPECT_EQ(report.count(RepairKind::kWeldedUnlikeVertices), 1U);
+  EXPECT_EQ(report.count(RepairKind::welded_unlike_vertices), 1U);
   EXPECT_THAT(mesh.attributes.vertex_extras[0].values, ElementsAre(0, 1, 2, 5));
 }
 
@@ -96,8 +96,8 @@ TEST(Fix, RemovesNonFiniteVerticesWithTheirFaces) {
   Mesh mesh = grid(2, 2);
   mesh.positions[8].y() = std::numeric_limits<double>::infinity();
   const FixReport report = fix(mesh);
-  EXPECT_EQ(report.count(RepairKind::kRemovedNonFiniteVertices), 1U);
-  EXPECT_EQ(report.count(RepairKind::kRemovedNonFiniteFaces), 2U);
+  EXPECT_EQ(report.count(RepairKind::removed_non_finite_vertices), 1U);
+  EXPECT_EQ(report.count(RepairKind::removed_non_finite_faces), 2U);
   EXPECT_EQ(mesh.vertex_count(), 8U);
   EXPECT_EQ(mesh.face_count(), 6U);
 }
@@ -107,7 +107,7 @@ TEST(Fix, RemovesLooseVertices) {
   mesh.positions.insert(mesh.positions.begin(), Eigen::Vector3d(5, 5, 5));
   for (Index& v : mesh.face_vertices) ++v;
   const FixReport report = fix(mesh);
-  EXPECT_EQ(report.count(RepairKind::kRemovedLooseVertices), 1U);
+  EXPECT_EQ(report.count(RepairKind::removed_loose_vertices), 1U);
   EXPECT_EQ(mesh.face_vertices, grid(1, 1).face_vertices);
 }
 
@@ -116,8 +116,8 @@ TEST(Fix, RemovesRepeatedAndDegenerateFaces) {
   add_polygon(mesh, {mesh.face(0)[2], mesh.face(0)[1], mesh.face(0)[0]});
   add_polygon(mesh, {1, 1, 2});
   const FixReport report = fix(mesh);
-  EXPECT_EQ(report.count(RepairKind::kRemovedRepeatedFaces), 1U);
-  EXPECT_EQ(report.count(RepairKind::kRemovedDegenerateFaces), 1U);
+  EXPECT_EQ(report.count(RepairKind::removed_repeated_faces), 1U);
+  EXPECT_EQ(report.count(RepairKind::removed_degenerate_faces), 1U);
   EXPECT_EQ(mesh.face_vertices, grid(1, 1).face_vertices);
 }
 
@@ -128,7 +128,7 @@ TEST(Fix, CollapsedQuadBecomesATriangleWithItsOwnUvs) {
   mesh.attributes.uvs.assign(4, Eigen::Vector2d::Zero());
   mesh.attributes.corner_uvs = {0, 1, 2, 3};
   const FixReport report = fix(mesh);
-  EXPECT_EQ(report.count(RepairKind::kMendedFaces), 1U);
+  EXPECT_EQ(report.count(RepairKind::mended_faces), 1U);
   EXPECT_THAT(mesh.face(0), ElementsAre(0, 1, 2));
   EXPECT_THAT(mesh.attributes.corner_uvs, ElementsAre(0, 1, 3));
 }
@@ -149,7 +149,7 @@ TEST(Fix, GivesEachFanOfABowTieItsVertex) {
   Mesh mesh = bow_tie();
   mesh.attributes.vertex_colors.assign(5, Eigen::Vector4f::Ones());
   const FixReport report = fix(mesh);
-  EXPECT_EQ(report.count(RepairKind::kSplitBowTies), 1U);
+  EXPECT_EQ(report.count(RepairKind::split_bow_ties), 1U);
   EXPECT_THAT(mesh.face(0), ElementsAre(0, 1, 2));
   EXPECT_THAT(mesh.face(1), ElementsAre(5, 3, 4));
   EXPECT_EQ(mesh.positions[5], mesh.positions[0]);
@@ -174,8 +174,8 @@ TEST(Fix, OpenSurfaceFlipsTheSmallerPart) {
   flip(mesh, 0);
   flip(mesh, 9);
   const FixReport report = fix(mesh);
-  EXPECT_EQ(report.count(RepairKind::kFlippedFaces), 2U);
-  EXPECT_EQ(check(mesh).find(DefectKind::kInconsistentOrientation), nullptr);
+  EXPECT_EQ(report.count(RepairKind::flipped_faces), 2U);
+  EXPECT_EQ(check(mesh).find(DefectKind::inconsistent_orientation), nullptr);
   EXPECT_TRUE(std::equal(mesh.face(20).begin(), mesh.face(20).end(), before.begin() + 60));
 }
 

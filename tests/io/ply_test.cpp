@@ -90,7 +90,7 @@ TEST(Ply, LargeIndicesArePrintedInFull) {
   Mesh mesh;
   mesh.positions.assign(100001, Eigen::Vector3d::Zero());
   mesh.add_face(std::array<Index, 3>{0, 1, 100000});
-  write_mesh(mesh, folder / "a.ply", {.encoding = Encoding::kAscii});
+  write_mesh(mesh, folder / "a.ply", {.encoding = Encoding::ascii});
   EXPECT_EQ(read_mesh(folder / "a.ply").face_vertices, mesh.face_vertices);
 }
 

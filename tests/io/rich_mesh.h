@@ -13,16 +13,16 @@ namespace lapwing {
 /// A way to store a mesh: file name and encoding.
 struct Storage {
   std::string name;
-  Encoding encoding = Encoding::kAscii;
+  Encoding encoding = Encoding::ascii;
 
   friend void PrintTo(const Storage& storage, std::ostream* out) { *out << storage.name; }
 };
 
 inline const std::array kStorages{
-    Storage{"a.obj", Encoding::kAscii},       Storage{"a.off", Encoding::kAscii},
-    Storage{"a.ply", Encoding::kAscii},       Storage{"b.ply", Encoding::kLittleEndian},
-    Storage{"c.ply", Encoding::kBigEndian},   Storage{"a.stl", Encoding::kAscii},
-    Storage{"b.stl", Encoding::kLittleEndian}};
+    Storage{"a.obj", Encoding::ascii},        Storage{"a.off", Encoding::ascii},
+    Storage{"a.ply", Encoding::ascii},        Storage{"b.ply", Encoding::little_endian},
+    Storage{"c.ply", Encoding::big_endian},   Storage{"a.stl", Encoding::ascii},
+    Storage{"b.stl", Encoding::little_endian}};
 
 /// A curved grid of triangles with every kind of attribute. Positions are floats, so that every
 /// format can hold them.

@@ -22,15 +22,14 @@ struct Carried {
 
 Carried carried_by(const Storage& storage) {
   switch (format_of(storage.name)) {
-    case MeshFormat::kObj:
+    case MeshFormat::obj:
       return {true, true, true, false, false, true, true, true};
-    case MeshFormat::kOff:
+    case MeshFormat::off:
       return {true, true, true, true, false, false, false, true};
-    case MeshFormat::kPly:
+    case MeshFormat::ply:
       return {true, true, true, true, true, false, false, true};
-    case MeshFormat::kStl:
-      return {false, false, false, false, false, false, storage.encoding == Encoding::kAscii,
-              false};
+    case MeshFormat::stl:
+      return {false, false, false, false, false, false, storage.encoding == Encoding::ascii, false};
   }
   return {};
 }

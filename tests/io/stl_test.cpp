@@ -13,7 +13,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr WriteOptions kAscii{.encoding = Encoding::kAscii};
+constexpr WriteOptions kAscii{.encoding = Encoding::ascii};
 
 TEST(Stl, CornersAreWeldedWhereTheirPositionsAreEqual) {
   const TemporaryFolder folder;
@@ -86,7 +86,7 @@ TEST(Stl, ReportSaysWhatTrianglesCannotHold) {
 
 TEST(Stl, BigEndianIsRefused) {
   const TemporaryFolder folder;
-  EXPECT_THROW(write_mesh(grid(1, 1), folder / "a.stl", {.encoding = Encoding::kBigEndian}),
+  EXPECT_THROW(write_mesh(grid(1, 1), folder / "a.stl", {.encoding = Encoding::big_endian}),
                InputError);
 }
 

@@ -1,8 +1,8 @@
 #include <numeric>
 #include <random>
 
-#include <Eigen/SparseCore>
 #include <Eigen/Geometry>
+#include <Eigen/SparseCore>
 #include <gtest/gtest.h>
 
 #include "lapwing/kernels/cpu_kernels.h"

@@ -58,8 +58,7 @@ TEST(LaplacianWeights, ObtuseTrianglesKeepEveryNeighbour) {
   mesh.add_face(std::array<Index, 3>{0, 1, 2});
   mesh.add_face(std::array<Index, 3>{1, 0, 3});
   const Topology topology = build_topology(mesh);
-  for (const double w :
-       laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent)) {
+  for (const double w : laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent)) {
     EXPECT_GT(w, 0.0);
     EXPECT_LE(w, 1.0);
   }
@@ -70,8 +69,7 @@ TEST(LaplacianWeights, RingWithoutAreaFallsBackToUniform) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   mesh.add_face(std::array<Index, 3>{0, 1, 2});
   const Topology topology = build_topology(mesh);
-  for (const double w :
-       laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent)) {
+  for (const double w : laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent)) {
     EXPECT_DOUBLE_EQ(w, 0.5);
   }
 }

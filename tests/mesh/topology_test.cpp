@@ -1,5 +1,6 @@
-#include <algorithm>
 #include "lapwing/mesh/topology.h"
+
+#include <algorithm>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -60,8 +61,8 @@ TEST(Topology, FaceThatNamesAMissingVertexIsRefusedByName) {
     build_topology(mesh);
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("face 0"),
-                                               ::testing::HasSubstr("vertex 7")));
+    EXPECT_THAT(error.what(),
+                ::testing::AllOf(::testing::HasSubstr("face 0"), ::testing::HasSubstr("vertex 7")));
   }
 }
 

@@ -47,8 +47,8 @@ EditRegion small_region(const Topology& topology) {
   const Components components = connected_components(topology.rings);
   std::vector<std::size_t> sizes(components.count, 0);
   for (const Index c : components.of_vertex) ++sizes[c];
-  const auto largest = static_cast<Index>(std::max_element(sizes.begin(), sizes.end()) -
-                                          sizes.begin());
+  const auto largest =
+      static_cast<Index>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   const auto seed = static_cast<Index>(
       std::find(components.of_vertex.begin(), components.of_vertex.end(), largest) -
       components.of_vertex.begin());

@@ -21,10 +21,10 @@ class RunRecipe : public ::testing::Test {
   void SetUp() override { write_mesh(cylinder(12, 20, 0.5, 3.0), folder_.path() / "tube.obj"); }
 
   std::unique_ptr<RunResult> run(const std::string& steps, const Progress& progress = {}) {
-    return run_recipe(parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [)" + steps +
-                                       "]}",
-                                   folder_.path(), "test"),
-                      kernels_, progress);
+    return run_recipe(
+        parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [)" + steps + "]}",
+                     folder_.path(), "test"),
+        kernels_, progress);
   }
 
   TemporaryFolder folder_;
@@ -48,9 +48,10 @@ TEST_F(RunRecipe, DeformsReportsAndKeepsTheOriginal) {
 
 TEST_F(RunRecipe, StepsFollowOneAnother) {
   const auto once = run(kLift);
-  const auto twice = run(std::string(kLift) + "," + R"({"op": "deform", "roi": {"all": true},
+  const std::string still = R"(, {"op": "deform", "roi": {"all": true},
       "belt": {"vertices": [0, 3, 6]},
-      "handles": [{"region": {"vertices": [228, 232, 236]}, "move": {}}]})");
+      "handles": [{"region": {"vertices": [228, 232, 236]}, "move": {}}]})";
+  const auto twice = run(kLift + still);
   EXPECT_EQ(twice->report.steps.size(), 2U);
   EXPECT_EQ(twice->mesh.positions, once->mesh.positions) << "a still handle changed the mesh";
 }

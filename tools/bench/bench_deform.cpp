@@ -24,9 +24,8 @@ EditRegion lowest_and_highest(const Mesh& mesh) {
   std::iota(by_height.begin(), by_height.end(), 0U);
   EditRegion region;
   region.roi = by_height;
-  std::stable_sort(by_height.begin(), by_height.end(), [&](Index a, Index b) {
-    return mesh.positions[a].y() < mesh.positions[b].y();
-  });
+  std::stable_sort(by_height.begin(), by_height.end(),
+                   [&](Index a, Index b) { return mesh.positions[a].y() < mesh.positions[b].y(); });
   const auto share = static_cast<std::ptrdiff_t>(mesh.vertex_count() / 20);
   region.belt.assign(by_height.begin(), by_height.begin() + share);
   region.handles.emplace_back(by_height.end() - share, by_height.end());
@@ -54,9 +53,9 @@ Sparse as_sparse(const RsiRows& M, std::size_t vertex_count) {
 Samples eigen_product(const Mesh& mesh, const Topology& topology, const EditRegion& region,
                       Kernels& kernels, int repeats) {
   const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
-  const Sparse M = as_sparse(
-      assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, region.roi}),
-      mesh.vertex_count());
+  const Sparse M =
+      as_sparse(assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, region.roi}),
+                mesh.vertex_count());
   const Sparse Mt = M.transpose();
   return measure(repeats, [&] { const Sparse N = Mt * M; });
 }
@@ -73,8 +72,8 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
   const Topology topology = build_topology(mesh);
   const EditRegion region = lowest_and_highest(mesh);
   const auto kernels = open_device(device);
-  const std::array motions{Eigen::Affine3d(
-      Eigen::Translation3d(0.0, 0.2 * bounds_of(mesh.positions).diagonal(), 0.0))};
+  const std::array motions{
+      Eigen::Affine3d(Eigen::Translation3d(0.0, 0.2 * bounds_of(mesh.positions).diagonal(), 0.0))};
 
   // Stages of one preparation are read from the deformer itself; only the total is timed here.
   std::vector<std::string> order;
@@ -82,8 +81,8 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
   std::unique_ptr<Deformer> deformer;
   const Samples total = measure(repeats, [&] {
     deformer.reset();
-    deformer = std::make_unique<Deformer>(mesh.positions, topology, region, DeformOptions{},
-                                          *kernels);
+    deformer =
+        std::make_unique<Deformer>(mesh.positions, topology, region, DeformOptions{}, *kernels);
     for (const auto& [name, ms] : deformer->timings().stages()) {
       if (!stages.contains(name)) order.push_back(name);
       stages[name].milliseconds.push_back(ms);

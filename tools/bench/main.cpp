@@ -5,7 +5,8 @@
 #include "benches.h"
 
 int main(int argc, char** argv) {
-  CLI::App app("Measures what Lapwing costs, beside what else does the same work.", "lapwing-bench");
+  CLI::App app("Measures what Lapwing costs, beside what else does the same work.",
+               "lapwing-bench");
   app.require_subcommand(1);
   int repeats = 7;
   app.add_option("--repeats", repeats, "counted runs of each thing, after one to warm up")
@@ -13,7 +14,8 @@ int main(int argc, char** argv) {
 
   auto* read = app.add_subcommand("read", "reading speed of generated OBJ and binary PLY files");
   std::size_t vertices = 1'000'000;
-  read->add_option("--vertices", vertices)->check(CLI::Range(std::size_t{4}, std::size_t{100'000'000}));
+  read->add_option("--vertices", vertices)
+      ->check(CLI::Range(std::size_t{4}, std::size_t{100'000'000}));
   read->callback([&] { lapwing::bench::bench_read(vertices, repeats); });
 
   auto* deform = app.add_subcommand("deform", "preparation and drag of a whole mesh as region");

@@ -20,7 +20,7 @@ struct CheckArguments {
 
 bool has_errors(const CheckReport& report) {
   for (const Defect& defect : report.defects) {
-    if (describe(defect.kind).severity == Severity::kError) return true;
+    if (describe(defect.kind).severity == Severity::error) return true;
   }
   return false;
 }

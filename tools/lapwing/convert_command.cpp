@@ -18,8 +18,8 @@ struct ConvertArguments {
 
 void convert(const ConvertArguments& arguments) {
   WriteOptions options;
-  if (arguments.ascii) options.encoding = Encoding::kAscii;
-  if (arguments.binary) options.encoding = Encoding::kLittleEndian;
+  if (arguments.ascii) options.encoding = Encoding::ascii;
+  if (arguments.binary) options.encoding = Encoding::little_endian;
   print_notes(write_mesh(read_mesh(arguments.from), arguments.to, options));
 }
 

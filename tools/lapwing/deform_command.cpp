@@ -59,9 +59,8 @@ Recipe as_recipe(const DeformArguments& a) {
                      {"weights", a.weights},
                      {"constraint_weight", a.constraint_weight},
                      {"hard", a.hard}};
-  Json recipe = {{"lapwing", kRecipeVersion},
-                 {"mesh", from_base(a.mesh)},
-                 {"steps", Json::array({step})}};
+  Json recipe = {
+      {"lapwing", kRecipeVersion}, {"mesh", from_base(a.mesh)}, {"steps", Json::array({step})}};
   if (!a.output.save.empty()) recipe["save"] = from_base(a.output.save);
   return parse_recipe(recipe.dump(), base, "flags of lapwing deform");
 }
@@ -83,8 +82,9 @@ void add_deform(CLI::App& app) {
   auto a = std::make_shared<DeformArguments>();
   command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL")->required();
   command->add_option("--roi", a->roi, kRegionHelp)->capture_default_str();
-  command->add_option("--belt", a->belt, std::string("stationary anchors: fraction:F | ") +
-                                             kRegionHelp)
+  command
+      ->add_option("--belt", a->belt,
+                   std::string("stationary anchors: fraction:F | ") + kRegionHelp)
       ->capture_default_str();
   command->add_option("--handle", a->handle, kRegionHelp)->required();
   command->add_option("--translate", a->translate, "X,Y,Z")->delimiter(',')->expected(3);

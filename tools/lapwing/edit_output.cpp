@@ -25,15 +25,16 @@ std::vector<VertexClass> classes_of(const EditRegion& region, std::size_t vertex
 }
 
 void print_certificate(const Certificate& c, double diagonal) {
-  std::printf("  residual %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
-              "  largest rotation %.1f degrees, %zu flipped triangles\n",
-              c.relative_residual, diagonal > 0.0 ? c.handle_error / diagonal : 0.0,
-              c.smallest_scale, c.largest_scale, c.largest_rotation_degrees, c.flipped_triangles);
+  std::printf(
+      "  residual %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
+      "  largest rotation %.1f degrees, %zu flipped triangles\n",
+      c.relative_residual, diagonal > 0.0 ? c.handle_error / diagonal : 0.0, c.smallest_scale,
+      c.largest_scale, c.largest_rotation_degrees, c.flipped_triangles);
 }
 
 void print_summary(const RunReport& report) {
-  std::printf("%s: %zu vertices, %zu faces\n%s", report.mesh.c_str(), report.vertices,
-              report.faces, format_stages(report).c_str());
+  std::printf("%s: %zu vertices, %zu faces\n%s", report.mesh.c_str(), report.vertices, report.faces,
+              format_stages(report).c_str());
   for (const StepReport& step : report.steps) {
     print_certificate(step.certificate, report.bounds.diagonal());
   }
@@ -107,8 +108,8 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
   if (!render.empty()) write_png(render, render_image(*after, paint, camera, options));
   if (!render_before.empty()) {
     const auto before = still(result.original);
-    write_png(render_before, render_image(dynamic_cast<VulkanSurface&>(*before), paint, camera,
-                                          options));
+    write_png(render_before,
+              render_image(dynamic_cast<VulkanSurface&>(*before), paint, camera, options));
   }
 }
 

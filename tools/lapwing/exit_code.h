@@ -6,7 +6,7 @@ namespace lapwing::cli {
 enum ExitCode : int {
   kDone = 0,
   kUsage = 2,
-  kInput = 3,      ///< mesh or recipe
+  kInput = 3,  ///< mesh or recipe
   kSolver = 4,
   kDevice = 5,
   kFile = 6,

@@ -61,8 +61,9 @@ Camera PictureOptions::camera(std::span<const Eigen::Vector3d> points) const {
   if (!from.empty()) {
     axes.toward_eye = Eigen::Vector3d(from[0], from[1], from[2]);
     if (axes.toward_eye.cross(axes.up).norm() <= 1e-6 * axes.toward_eye.norm()) {
-      throw CLI::ValidationError("--from", "the direction must not be 0 or along the upward axis; "
-                                           "use --view top or bottom for that");
+      throw CLI::ValidationError("--from",
+                                 "the direction must not be 0 or along the upward axis; "
+                                 "use --view top or bottom for that");
     }
   }
   Framing framing;

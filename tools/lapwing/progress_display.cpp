@@ -1,10 +1,9 @@
 #include "progress_display.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <unistd.h>
 
 namespace lapwing::cli {
 namespace {

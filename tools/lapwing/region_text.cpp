@@ -15,8 +15,8 @@ using Json = nlohmann::ordered_json;
 }
 
 // Numbers between commas, exactly `count` of them unless that is 0.
-std::vector<Json> numbers(const std::string& flag, const std::string& text,
-                          const std::string& list, std::size_t count) {
+std::vector<Json> numbers(const std::string& flag, const std::string& text, const std::string& list,
+                          std::size_t count) {
   std::vector<Json> values;
   const char* at = list.data();
   const char* end = at + list.size();

@@ -25,11 +25,10 @@ Mesh rippled_tube() {
   return mesh;
 }
 
-const std::map<std::string, Mesh (*)()> kShapes{
-    {"tube", rippled_tube},
-    {"sphere", [] { return icosphere(5); }},
-    {"sheet", [] { return grid(100, 100); }},
-    {"torus", [] { return torus(160, 64, 1.0, 0.4); }}};
+const std::map<std::string, Mesh (*)()> kShapes{{"tube", rippled_tube},
+                                                {"sphere", [] { return icosphere(5); }},
+                                                {"sheet", [] { return grid(100, 100); }},
+                                                {"torus", [] { return torus(160, 64, 1.0, 0.4); }}};
 
 }  // namespace
 

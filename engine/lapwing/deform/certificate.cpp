@@ -101,8 +101,8 @@ void require_valid(const Certificate& certificate) {
   }
   if (!(certificate.relative_residual <= kLargestResidual)) {
     std::ostringstream text;
-    text << "the solution misses the equations by " << certificate.relative_residual
-         << " (at most " << kLargestResidual
+    text << "the solution misses the equations by " << certificate.relative_residual << " (at most "
+         << kLargestResidual
          << " is allowed), so the mesh was left as it was; the region is nearly unanchored: add "
             "belt vertices, or raise constraint_weight";
     throw SolverError(text.str());

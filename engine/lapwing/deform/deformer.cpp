@@ -1,5 +1,5 @@
-// Based on: Sorkine, Cohen-Or, Lipman, Alexa, Roessl, Seidel, "Laplacian Surface Editing", SGP 2004,
-// sections 3 and 4, in the displacement form of the project's design notes, section 2.
+// Based on: Sorkine, Cohen-Or, Lipman, Alexa, Roessl, Seidel, "Laplacian Surface Editing", SGP
+// 2004, sections 3 and 4, in the displacement form of the project's design notes, section 2.
 #include "lapwing/deform/deformer.h"
 
 #include <algorithm>
@@ -61,8 +61,7 @@ void Deformer::State::set_parameters(std::span<const Eigen::Affine3d> motions,
                      std::to_string(motions.size()) + " motions were given; give one per handle");
   }
   for (std::size_t h = 0; h < frames.size(); ++h) {
-    motion_parameters(frames[h], motions[h],
-                      out.subspan(h * kMotionParameters, kMotionParameters));
+    motion_parameters(frames[h], motions[h], out.subspan(h * kMotionParameters, kMotionParameters));
   }
 }
 
@@ -154,7 +153,9 @@ void Deformer::drag(std::span<const Eigen::Affine3d> motions) {
   state_->surface->blend(state_->parameters);
 }
 
-DeformedSurface& Deformer::surface() { return *state_->surface; }
+DeformedSurface& Deformer::surface() {
+  return *state_->surface;
+}
 
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions) const {
   const State& s = *state_;
@@ -181,10 +182,18 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions) const {
   return result;
 }
 
-const EditRegion& Deformer::region() const { return state_->region; }
-const StageTimings& Deformer::timings() const { return state_->timings; }
-std::string_view Deformer::solver_name() const { return state_->solution->solver_name(); }
-std::size_t Deformer::unknown_count() const { return state_->solution->unknowns().size(); }
+const EditRegion& Deformer::region() const {
+  return state_->region;
+}
+const StageTimings& Deformer::timings() const {
+  return state_->timings;
+}
+std::string_view Deformer::solver_name() const {
+  return state_->solution->solver_name();
+}
+std::size_t Deformer::unknown_count() const {
+  return state_->solution->unknowns().size();
+}
 
 std::size_t Deformer::free_count() const {
   std::size_t constrained = state_->region.belt.size();

@@ -63,8 +63,8 @@ void RsiSolution::choose_unknowns(const Topology& topology, const EditRegion& re
 }
 
 void RsiSolution::assemble(std::span<const Vector3d> rest, const Topology& topology,
-                           const EditRegion& region, const DeformOptions& options,
-                           Kernels& kernels, const Progress& progress, StageTimings& timings) {
+                           const EditRegion& region, const DeformOptions& options, Kernels& kernels,
+                           const Progress& progress, StageTimings& timings) {
   Stopwatch watch;
   report_progress(progress, "weights", 0.0);
   const auto weights = laplacian_weights(topology, rest, options.weights);

@@ -35,8 +35,7 @@ class RsiSolution {
 
   /// Improves `u` (displacements of the whole mesh) by iterative refinement while the residual is
   /// larger than rounding leaves it; returns the relative residual, 0 when nothing is wanted.
-  double refine(std::span<const Eigen::Vector3d> wanted,
-                std::vector<Eigen::Vector3d>& u) const;
+  double refine(std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u) const;
 
  private:
   void choose_unknowns(const Topology& topology, const EditRegion& region,

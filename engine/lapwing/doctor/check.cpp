@@ -25,7 +25,7 @@ constexpr double kZeroShare = 1e-12;
 // Appends the defect unless nothing was found.
 void add(CheckReport& report, DefectKind kind, std::span<const Index> found) {
   if (found.empty()) return;
-  const std::size_t width = describe(kind).element == Element::kEdge ? 2 : 1;
+  const std::size_t width = describe(kind).element == Element::edge ? 2 : 1;
   const auto listed = found.first(std::min(found.size(), kMaxListed * width));
   report.defects.push_back({kind, found.size() / width, {listed.begin(), listed.end()}});
 }
@@ -77,7 +77,7 @@ std::vector<Index> find_zero_area_faces(const Mesh& mesh, const Topology& topolo
   return found;
 }
 
-enum class RingShape { kProper, kLine, kPoint };
+enum class RingShape { proper, line, point };
 
 RingShape shape_of_ring(Index i, std::span<const Index> ring, const Positions& positions) {
   Vector3d center = Vector3d::Zero();
@@ -91,32 +91,32 @@ RingShape shape_of_ring(Index i, std::span<const Index> ring, const Positions& p
     size += x.squaredNorm();
     if (x.squaredNorm() > farthest.squaredNorm()) farthest = x;
   }
-  if (size == 0.0) return RingShape::kPoint;
+  if (size == 0.0) return RingShape::point;
   const Vector3d line = farthest.normalized();
   double off_line = center.cross(line).squaredNorm();
   for (const Index j : ring) {
     off_line += (positions[j] - positions[i] - center).cross(line).squaredNorm();
   }
-  return off_line <= kZeroShare * size ? RingShape::kLine : RingShape::kProper;
+  return off_line <= kZeroShare * size ? RingShape::line : RingShape::proper;
 }
 
 void check_faces(const Mesh& mesh, const Topology& topology, CheckReport& report) {
-  add(report, DefectKind::kDegenerateFace,
+  add(report, DefectKind::degenerate_face,
       indices_where(mesh.face_count(), [&](Index f) { return is_degenerate(mesh.face(f)); }));
-  add(report, DefectKind::kRepeatedFace, find_repeated_faces(mesh));
-  add(report, DefectKind::kZeroAreaFace, find_zero_area_faces(mesh, topology));
+  add(report, DefectKind::repeated_face, find_repeated_faces(mesh));
+  add(report, DefectKind::zero_area_face, find_zero_area_faces(mesh, topology));
 }
 
 void check_vertices_and_seams(const Mesh& mesh, const Edges& edges, CheckReport& report) {
   const std::vector<unsigned char> on_face = mask_of(mesh.vertex_count(), mesh.face_vertices);
-  add(report, DefectKind::kLooseVertex,
+  add(report, DefectKind::loose_vertex,
       indices_where(mesh.vertex_count(), [&](Index v) { return !on_face[v]; }));
   const std::vector<Index> first_at_position = first_at_same_position(mesh.positions);
-  add(report, DefectKind::kDuplicateVertex,
+  add(report, DefectKind::duplicate_vertex,
       indices_where(mesh.vertex_count(), [&](Index v) { return first_at_position[v] != v; }));
   std::vector<Index> seam_edges = find_seams(mesh, edges, first_at_position).values;
   std::ranges::sort(seam_edges);
-  add(report, DefectKind::kUnweldedSeam, ends_of(edges, seam_edges));
+  add(report, DefectKind::unwelded_seam, ends_of(edges, seam_edges));
 }
 
 void check_rings(const Mesh& mesh, const Topology& topology, CheckReport& report) {
@@ -125,11 +125,11 @@ void check_rings(const Mesh& mesh, const Topology& topology, CheckReport& report
   for (Index v = 0; v < topology.vertex_count(); ++v) {
     if (topology.rings.size(v) == 0) continue;
     const RingShape shape = shape_of_ring(v, topology.rings[v], mesh.positions);
-    if (shape == RingShape::kPoint) points.push_back(v);
-    if (shape == RingShape::kLine) lines.push_back(v);
+    if (shape == RingShape::point) points.push_back(v);
+    if (shape == RingShape::line) lines.push_back(v);
   }
-  add(report, DefectKind::kPointRing, points);
-  add(report, DefectKind::kCollinearRing, lines);
+  add(report, DefectKind::point_ring, points);
+  add(report, DefectKind::collinear_ring, lines);
 }
 
 void check_components(const Topology& topology, CheckReport& report) {
@@ -140,7 +140,7 @@ void check_components(const Topology& topology, CheckReport& report) {
     seen[components.of_vertex[v]] = 1;
     return true;
   });
-  if (first.size() > 1) add(report, DefectKind::kSeveralComponents, first);
+  if (first.size() > 1) add(report, DefectKind::several_components, first);
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ const Defect* CheckReport::find(DefectKind kind) const {
 
 bool CheckReport::has_problems() const {
   return std::ranges::any_of(
-      defects, [](const Defect& d) { return describe(d.kind).severity != Severity::kInfo; });
+      defects, [](const Defect& d) { return describe(d.kind).severity != Severity::info; });
 }
 
 bool CheckReport::is_fixable() const {
@@ -167,17 +167,17 @@ CheckReport check(const Mesh& mesh, const Topology& topology) {
   CheckReport report;
   report.statistics = measure(mesh, topology, edges, fans, orientation);
   if (!has_usable_face(mesh, topology)) {
-    report.defects.push_back({DefectKind::kNoFaces, 1, {}});
+    report.defects.push_back({DefectKind::no_faces, 1, {}});
   }
-  add(report, DefectKind::kNonFiniteVertex,
+  add(report, DefectKind::non_finite_vertex,
       indices_where(mesh.vertex_count(), [&](Index v) { return !mesh.positions[v].allFinite(); }));
   check_faces(mesh, topology, report);
   check_vertices_and_seams(mesh, edges, report);
   const auto crowded = [&](Index e) { return edges.sides.size(e) > 2; };
-  add(report, DefectKind::kNonManifoldEdge, ends_of(edges, indices_where(edges.count(), crowded)));
-  add(report, DefectKind::kBowTieVertex, fans.bow_tie_vertices);
-  add(report, DefectKind::kInconsistentOrientation, ends_of(edges, orientation.inconsistent_edges));
-  add(report, DefectKind::kOneSidedSurface, ends_of(edges, orientation.one_sided_edges));
+  add(report, DefectKind::non_manifold_edge, ends_of(edges, indices_where(edges.count(), crowded)));
+  add(report, DefectKind::bow_tie_vertex, fans.bow_tie_vertices);
+  add(report, DefectKind::inconsistent_orientation, ends_of(edges, orientation.inconsistent_edges));
+  add(report, DefectKind::one_sided_surface, ends_of(edges, orientation.one_sided_edges));
   check_rings(mesh, topology, report);
   check_components(topology, report);
   return report;

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxListed = 8;
 
 /// One kind of defect and where it is. `describe(kind)` says what it means.
 struct Defect {
-  DefectKind kind = DefectKind::kNoFaces;
+  DefectKind kind = DefectKind::no_faces;
   std::size_t count = 0;     ///< elements concerned
   std::vector<Index> first;  ///< the first of them, ascending; an edge is two numbers
 };

@@ -6,37 +6,37 @@ namespace lapwing {
 
 /// What can be wrong with a mesh, or worth knowing before it is edited, in the order of the report.
 enum class DefectKind {
-  kNoFaces,
-  kNonFiniteVertex,
-  kDegenerateFace,
-  kRepeatedFace,
-  kZeroAreaFace,
-  kLooseVertex,
-  kDuplicateVertex,
-  kUnweldedSeam,
-  kNonManifoldEdge,
-  kBowTieVertex,
-  kInconsistentOrientation,
-  kOneSidedSurface,
-  kPointRing,
-  kCollinearRing,
-  kSeveralComponents,
+  no_faces,
+  non_finite_vertex,
+  degenerate_face,
+  repeated_face,
+  zero_area_face,
+  loose_vertex,
+  duplicate_vertex,
+  unwelded_seam,
+  non_manifold_edge,
+  bow_tie_vertex,
+  inconsistent_orientation,
+  one_sided_surface,
+  point_ring,
+  collinear_ring,
+  several_components,
 };
-inline constexpr int kDefectKindCount = static_cast<int>(DefectKind::kSeveralComponents) + 1;
+inline constexpr int kDefectKindCount = static_cast<int>(DefectKind::several_components) + 1;
 
 enum class Severity {
-  kInfo,     ///< nothing is wrong
-  kWarning,  ///< legal to edit; the effect is worth knowing
-  kError,    ///< cannot be edited there
+  info,     ///< nothing is wrong
+  warning,  ///< legal to edit; the effect is worth knowing
+  error,    ///< cannot be edited there
 };
 
 /// What a defect's list of indices names.
 enum class Element {
-  kNone,
-  kVertex,
-  kFace,
-  kEdge,       ///< two vertices for each edge
-  kComponent,  ///< one vertex for each component, its smallest
+  none,
+  vertex,
+  face,
+  edge,       ///< two vertices for each edge
+  component,  ///< one vertex for each component, its smallest
 };
 
 /// What a kind of defect is, in words for the user.
@@ -45,8 +45,8 @@ struct DefectInfo {
   std::string_view name;       ///< plural: "unwelded seam edges"
   std::string_view meaning;    ///< what it is and what it does to an edit
   std::string_view next_step;  ///< what to do about it; empty if nothing needs doing
-  Severity severity = Severity::kInfo;
-  Element element = Element::kNone;
+  Severity severity = Severity::info;
+  Element element = Element::none;
   bool fixable = false;  ///< `fix` leaves none of it
 };
 

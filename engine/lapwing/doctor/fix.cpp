@@ -78,16 +78,16 @@ void Repairs::remove_non_finite() {
                          [](const Eigen::Vector3d& p) { return p.allFinite(); });
   if (std::ranges::find(finite, 0) == finite.end()) return;
   keep(finite);
-  count(RepairKind::kRemovedNonFiniteVertices, vertices - mesh_.vertex_count());
-  count(RepairKind::kRemovedNonFiniteFaces, faces - mesh_.face_count());
+  count(RepairKind::removed_non_finite_vertices, vertices - mesh_.vertex_count());
+  count(RepairKind::removed_non_finite_faces, faces - mesh_.face_count());
 }
 
 void Repairs::mend_degenerate_faces() {
   const MendedFaces mended = mend_faces(mesh_);
   if (mended.mended + mended.removed == 0) return;
   replace_faces(mesh_, mended.sources);
-  count(RepairKind::kMendedFaces, mended.mended);
-  count(RepairKind::kRemovedDegenerateFaces, mended.removed);
+  count(RepairKind::mended_faces, mended.mended);
+  count(RepairKind::removed_degenerate_faces, mended.removed);
 }
 
 void Repairs::remove_repeated_faces() {
@@ -96,7 +96,7 @@ void Repairs::remove_repeated_faces() {
   KeepMask mask(mesh_.face_count(), 1);
   for (const Index f : repeated) mask[f] = 0;
   keep_faces(mesh_, mask);
-  count(RepairKind::kRemovedRepeatedFaces, repeated.size());
+  count(RepairKind::removed_repeated_faces, repeated.size());
 }
 
 bool are_unlike(const Mesh& mesh, Index a, Index b) {
@@ -133,8 +133,8 @@ bool Repairs::weld_seams() {
     const Index target = welded.find(v);
     if (target == v) continue;
     mask[v] = 0;
-    count(RepairKind::kWeldedVertices, 1);
-    if (are_unlike(mesh_, v, target)) count(RepairKind::kWeldedUnlikeVertices, 1);
+    count(RepairKind::welded_vertices, 1);
+    if (are_unlike(mesh_, v, target)) count(RepairKind::welded_unlike_vertices, 1);
   }
   for (Index& v : mesh_.face_vertices) v = welded.find(v);
   keep(mask);
@@ -147,7 +147,7 @@ void Repairs::remove_loose_vertices() {
   const auto loose = static_cast<std::size_t>(std::ranges::count(on_face, 0));
   if (loose == 0) return;
   keep(on_face);
-  count(RepairKind::kRemovedLooseVertices, loose);
+  count(RepairKind::removed_loose_vertices, loose);
 }
 
 void Repairs::split_bow_ties() {
@@ -172,7 +172,7 @@ void Repairs::split_bow_ties() {
   replace_vertices(mesh_, sources);
   for (Index& v : sources) v = vertex_sources_[v];
   vertex_sources_ = std::move(sources);
-  count(RepairKind::kSplitBowTies, fans.bow_tie_vertices.size());
+  count(RepairKind::split_bow_ties, fans.bow_tie_vertices.size());
 }
 
 void Repairs::orient() {
@@ -190,7 +190,7 @@ void Repairs::orient() {
                  sources.corners.begin() + mesh_.face_starts[f + 1]);
   }
   replace_faces(mesh_, sources);
-  count(RepairKind::kFlippedFaces, orientation.faces_to_flip.size());
+  count(RepairKind::flipped_faces, orientation.faces_to_flip.size());
 }
 
 FixReport Repairs::report() && {

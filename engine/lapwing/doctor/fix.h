@@ -10,18 +10,18 @@ namespace lapwing {
 
 /// What `fix` can do, in the order of its report.
 enum class RepairKind {
-  kRemovedNonFiniteVertices,
-  kRemovedNonFiniteFaces,
-  kMendedFaces,
-  kRemovedDegenerateFaces,
-  kRemovedRepeatedFaces,
-  kWeldedVertices,
-  kWeldedUnlikeVertices,
-  kRemovedLooseVertices,
-  kSplitBowTies,
-  kFlippedFaces,
+  removed_non_finite_vertices,
+  removed_non_finite_faces,
+  mended_faces,
+  removed_degenerate_faces,
+  removed_repeated_faces,
+  welded_vertices,
+  welded_unlike_vertices,
+  removed_loose_vertices,
+  split_bow_ties,
+  flipped_faces,
 };
-inline constexpr int kRepairKindCount = static_cast<int>(RepairKind::kFlippedFaces) + 1;
+inline constexpr int kRepairKindCount = static_cast<int>(RepairKind::flipped_faces) + 1;
 
 /// A repair as reports name it.
 struct RepairInfo {
@@ -32,7 +32,7 @@ const RepairInfo& describe(RepairKind kind);
 
 /// How often one kind of repair was made.
 struct Repair {
-  RepairKind kind = RepairKind::kRemovedNonFiniteVertices;
+  RepairKind kind = RepairKind::removed_non_finite_vertices;
   std::size_t count = 0;
 };
 

@@ -48,11 +48,11 @@ void write_components(std::ostream& out, const std::vector<std::size_t>& sizes) 
 
 std::string_view name_of(Severity severity) {
   switch (severity) {
-    case Severity::kInfo:
+    case Severity::info:
       return "info";
-    case Severity::kWarning:
+    case Severity::warning:
       return "warning";
-    case Severity::kError:
+    case Severity::error:
       return "error";
   }
   return "";
@@ -60,15 +60,15 @@ std::string_view name_of(Severity severity) {
 
 std::string_view plural_of(Element element) {
   switch (element) {
-    case Element::kNone:
+    case Element::none:
       return "";
-    case Element::kVertex:
+    case Element::vertex:
       return "vertices";
-    case Element::kFace:
+    case Element::face:
       return "faces";
-    case Element::kEdge:
+    case Element::edge:
       return "edges";
-    case Element::kComponent:
+    case Element::component:
       return "at vertices";
   }
   return "";
@@ -77,7 +77,7 @@ std::string_view plural_of(Element element) {
 // "vertices 3, 7, 12, ..." or "edges 3-7, 12-15".
 void write_places(std::ostream& out, const Defect& defect) {
   const Element element = describe(defect.kind).element;
-  const std::size_t width = element == Element::kEdge ? 2 : 1;
+  const std::size_t width = element == Element::edge ? 2 : 1;
   out << plural_of(element);
   for (std::size_t i = 0; i < defect.first.size(); i += width) {
     out << (i == 0 ? " " : ", ") << defect.first[i];
@@ -90,7 +90,7 @@ void write_defect(std::ostream& out, const Defect& defect, int count_width, int 
   const DefectInfo& info = describe(defect.kind);
   const std::string indent(kSeverityWidth, ' ');
   out << std::left << std::setw(kSeverityWidth) << name_of(info.severity);
-  if (info.element == Element::kNone) {
+  if (info.element == Element::none) {
     out << info.name;
   } else {
     out << std::right << std::setw(count_width) << defect.count << ' ' << std::left
@@ -142,7 +142,7 @@ std::string format(const CheckReport& report) {
     const DefectInfo& info = describe(defect.kind);
     count_width = std::max(count_width, digits_of(defect.count));
     name_width = std::max(name_width, static_cast<int>(info.name.size()) + 2);
-    if (info.severity != Severity::kInfo) ++problems;
+    if (info.severity != Severity::info) ++problems;
     if (info.fixable) ++fixable;
   }
   std::ostringstream out = plain_stream();

@@ -138,26 +138,26 @@ void Recorder::check_dispatch(const Kernel& kernel, std::span<const BufferRange>
                                      std::to_string(push.size()));
   }
   for (std::size_t b = 0; b < buffers.size(); ++b) {
-    const std::string name = "the buffer \"" + buffers[b].buffer->name() + "\"";
+    const auto name = [&] { return "the buffer \"" + buffers[b].buffer->name() + "\""; };
     const bool texels = bindings[b] == BindingAccess::read_texels;
     if (texels != (buffers[b].view != VK_NULL_HANDLE)) {
       throw_dispatch_error(
-          kernel, name + (texels ? " must be" : " must not be") + " bound through a TexelBuffer");
+          kernel, name() + (texels ? " must be" : " must not be") + " bound through a TexelBuffer");
     }
     if (!texels && buffers[b].bytes > limits.maxStorageBufferRange) {
-      throw_dispatch_error(kernel, name + " is bound with " + std::to_string(buffers[b].bytes) +
+      throw_dispatch_error(kernel, name() + " is bound with " + std::to_string(buffers[b].bytes) +
                                        " bytes, beyond the device's limit of " +
                                        std::to_string(limits.maxStorageBufferRange));
     }
     if (buffers[b].offset % limits.minStorageBufferOffsetAlignment != 0) {
-      throw_dispatch_error(kernel, name + " is bound at an offset that is no multiple of " +
+      throw_dispatch_error(kernel, name() + " is bound at an offset that is no multiple of " +
                                        std::to_string(limits.minStorageBufferOffsetAlignment));
     }
     for (std::size_t other = 0; other < b; ++other) {
       const bool one_writes =
           (bindings[other] == BindingAccess::write) != (bindings[b] == BindingAccess::write);
       if (buffers[other].buffer == buffers[b].buffer && one_writes) {
-        throw_dispatch_error(kernel, name + " is bound both to be read and to be written");
+        throw_dispatch_error(kernel, name() + " is bound both to be read and to be written");
       }
     }
   }

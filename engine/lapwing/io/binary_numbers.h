@@ -25,7 +25,7 @@ constexpr Unsigned swap_bytes(Unsigned value) {
 }
 
 inline bool is_foreign(Encoding encoding) {
-  return (encoding == Encoding::kBigEndian) != (std::endian::native == std::endian::big);
+  return (encoding == Encoding::big_endian) != (std::endian::native == std::endian::big);
 }
 
 template <class T, class Bits>
@@ -65,21 +65,21 @@ inline double load_number(const char* from, Scalar type, Encoding encoding) {
   using namespace detail;
   const bool foreign = is_foreign(encoding);
   switch (type) {
-    case Scalar::kInt8:
+    case Scalar::int8:
       return load_as<std::int8_t, std::uint8_t>(from, foreign);
-    case Scalar::kUint8:
+    case Scalar::uint8:
       return load_as<std::uint8_t, std::uint8_t>(from, foreign);
-    case Scalar::kInt16:
+    case Scalar::int16:
       return load_as<std::int16_t, std::uint16_t>(from, foreign);
-    case Scalar::kUint16:
+    case Scalar::uint16:
       return load_as<std::uint16_t, std::uint16_t>(from, foreign);
-    case Scalar::kInt32:
+    case Scalar::int32:
       return load_as<std::int32_t, std::uint32_t>(from, foreign);
-    case Scalar::kUint32:
+    case Scalar::uint32:
       return load_as<std::uint32_t, std::uint32_t>(from, foreign);
-    case Scalar::kFloat32:
+    case Scalar::float32:
       return double{load_as<float, std::uint32_t>(from, foreign)};
-    case Scalar::kFloat64:
+    case Scalar::float64:
       return load_as<double, std::uint64_t>(from, foreign);
   }
   return 0.0;
@@ -91,28 +91,28 @@ inline void store_number(char* to, double value, Scalar type, Encoding encoding)
   using namespace detail;
   const bool foreign = is_foreign(encoding);
   switch (type) {
-    case Scalar::kInt8:
+    case Scalar::int8:
       store_as<std::int8_t, std::uint8_t>(to, value, foreign);
       break;
-    case Scalar::kUint8:
+    case Scalar::uint8:
       store_as<std::uint8_t, std::uint8_t>(to, value, foreign);
       break;
-    case Scalar::kInt16:
+    case Scalar::int16:
       store_as<std::int16_t, std::uint16_t>(to, value, foreign);
       break;
-    case Scalar::kUint16:
+    case Scalar::uint16:
       store_as<std::uint16_t, std::uint16_t>(to, value, foreign);
       break;
-    case Scalar::kInt32:
+    case Scalar::int32:
       store_as<std::int32_t, std::uint32_t>(to, value, foreign);
       break;
-    case Scalar::kUint32:
+    case Scalar::uint32:
       store_as<std::uint32_t, std::uint32_t>(to, value, foreign);
       break;
-    case Scalar::kFloat32:
+    case Scalar::float32:
       store_as<float, std::uint32_t>(to, value, foreign);
       break;
-    case Scalar::kFloat64:
+    case Scalar::float64:
       store_as<double, std::uint64_t>(to, value, foreign);
       break;
   }

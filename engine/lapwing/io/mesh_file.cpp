@@ -15,13 +15,13 @@ namespace {
 
 Mesh read_format(SourceFile& file) {
   switch (file.format()) {
-    case MeshFormat::kObj:
+    case MeshFormat::obj:
       return read_obj(file);
-    case MeshFormat::kOff:
+    case MeshFormat::off:
       return read_off(file);
-    case MeshFormat::kPly:
+    case MeshFormat::ply:
       return read_ply(file);
-    case MeshFormat::kStl:
+    case MeshFormat::stl:
       return read_stl(file);
   }
   return {};
@@ -35,25 +35,25 @@ const SourceFile* find_source(const Mesh& mesh) {
 
 // OBJ and OFF are text, whatever is asked for.
 Encoding choose_encoding(MeshFormat format, const SourceFile* source, const WriteOptions& options) {
-  if (format == MeshFormat::kObj || format == MeshFormat::kOff) {
-    if (options.encoding.value_or(Encoding::kAscii) == Encoding::kAscii) return Encoding::kAscii;
+  if (format == MeshFormat::obj || format == MeshFormat::off) {
+    if (options.encoding.value_or(Encoding::ascii) == Encoding::ascii) return Encoding::ascii;
     throw InputError(std::string(name_of(format)) + " has no binary form here; write ascii");
   }
   if (options.encoding) return *options.encoding;
   return source != nullptr && source->format() == format ? source->encoding
-                                                         : Encoding::kLittleEndian;
+                                                         : Encoding::little_endian;
 }
 
 std::string write_anew(const Mesh& mesh, MeshFormat format, Encoding encoding,
                        WriteReport& report) {
   switch (format) {
-    case MeshFormat::kObj:
+    case MeshFormat::obj:
       return write_obj(mesh, report);
-    case MeshFormat::kOff:
+    case MeshFormat::off:
       return write_off(mesh, report);
-    case MeshFormat::kPly:
+    case MeshFormat::ply:
       return write_ply(mesh, encoding, report);
-    case MeshFormat::kStl:
+    case MeshFormat::stl:
       return write_stl(mesh, encoding, report);
   }
   return {};
@@ -104,7 +104,7 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
     bytes = patch_source(*source, mesh);
   }
   if (!bytes) bytes = write_with_new_normals(mesh, source, format, encoding, report);
-  if (format == MeshFormat::kObj) note_missing_libraries(mesh, path, report);
+  if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);
   replace_file(path, *bytes);
   return report;
 }

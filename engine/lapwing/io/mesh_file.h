@@ -33,11 +33,12 @@ struct WriteReport {
 
 /// Writes `mesh` in the format that the extension of `path` names, replacing the file in one step
 /// (see replace_file). A mesh read from the same format, with its vertices and faces unchanged,
-/// comes back as the file it was read from, byte for byte, but for the coordinates that moved
-/// and the stored normals there, which are recomputed. Otherwise the file is made anew from the
-/// mesh and its attributes, with every double printed so that it reads back exactly. Throws IoError
-/// when the file cannot be written and InputError when the mesh is inconsistent or its numbers do
-/// not fit the format; the old file is then still there.
+/// comes back as the file it was read from, byte for byte, but for the coordinates that moved and
+/// the stored normals there, which are recomputed; attributes set since then are not written.
+/// Otherwise the file is made anew from the mesh and its attributes, with every double printed so
+/// that it reads back exactly; the stored normals of a mesh whose file is unknown are all
+/// recomputed. Throws IoError when the file cannot be written and InputError when the mesh is
+/// inconsistent or its numbers do not fit the format; the old file is then still there.
 WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
                        const WriteOptions& options = {});
 

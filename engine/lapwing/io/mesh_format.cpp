@@ -15,19 +15,19 @@ std::size_t size_of(Scalar type) {
 }
 
 bool is_integer(Scalar type) {
-  return type < Scalar::kFloat32;
+  return type < Scalar::float32;
 }
 
 MeshFormat format_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".obj") return MeshFormat::kObj;
-  if (extension == ".ply") return MeshFormat::kPly;
-  if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".obj") return MeshFormat::obj;
+  if (extension == ".ply") return MeshFormat::ply;
+  if (extension == ".stl") return MeshFormat::stl;
   if (extension == ".off" || extension == ".coff" || extension == ".noff" ||
       extension == ".cnoff") {
-    return MeshFormat::kOff;
+    return MeshFormat::off;
   }
   throw InputError(path.string() + ": '" + extension +
                    "' is no mesh format that can be read or written; use .obj, .off, .ply or .stl");

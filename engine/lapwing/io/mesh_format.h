@@ -7,22 +7,13 @@
 
 namespace lapwing {
 
-enum class MeshFormat : std::uint8_t { kObj, kOff, kPly, kStl };
+enum class MeshFormat : std::uint8_t { obj, off, ply, stl };
 
 /// How a file stores its numbers. OBJ and OFF are always ascii, binary STL is little endian.
-enum class Encoding : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
+enum class Encoding : std::uint8_t { ascii, little_endian, big_endian };
 
 /// Number types a file can declare (PLY); the others use kFloat64 in text, kFloat32 in binary.
-enum class Scalar : std::uint8_t {
-  kInt8,
-  kUint8,
-  kInt16,
-  kUint16,
-  kInt32,
-  kUint32,
-  kFloat32,
-  kFloat64
-};
+enum class Scalar : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 /// Bytes of one number.
 std::size_t size_of(Scalar type);

@@ -76,11 +76,11 @@ std::string write_obj(const Mesh& mesh, WriteReport& report) {
   append_faces(out, mesh);
 
   if (has_alpha(a.vertex_colors)) {
-    report_loss(report, MeshFormat::kObj, "opacities of vertex colours", a.vertex_colors.size());
+    report_loss(report, MeshFormat::obj, "opacities of vertex colours", a.vertex_colors.size());
   }
-  report_loss(report, MeshFormat::kObj, "face colours", a.face_colors.size());
-  report_extras(report, MeshFormat::kObj, a);
-  report_uneditable(report, MeshFormat::kObj, a);
+  report_loss(report, MeshFormat::obj, "face colours", a.face_colors.size());
+  report_extras(report, MeshFormat::obj, a);
+  report_uneditable(report, MeshFormat::obj, a);
   return out;
 }
 

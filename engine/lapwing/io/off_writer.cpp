@@ -75,7 +75,7 @@ std::string write_off(const Mesh& mesh, WriteReport& report) {
     out += '\n';
   }
 
-  constexpr MeshFormat kFormat = MeshFormat::kOff;
+  constexpr MeshFormat kFormat = MeshFormat::off;
   if (!uvs) report_loss(report, kFormat, "texture coordinates", a.uvs.size());
   if (!normals)
     report_loss(report, kFormat, "normals that differ around a vertex", a.normals.size());

@@ -7,7 +7,7 @@ namespace {
 
 double color_scale(Scalar type) {
   if (!is_integer(type)) return 1.0;
-  return type == Scalar::kUint16 ? 1.0 / 65535.0 : 1.0 / 255.0;
+  return type == Scalar::uint16 ? 1.0 / 65535.0 : 1.0 / 255.0;
 }
 
 }  // namespace

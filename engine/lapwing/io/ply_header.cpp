@@ -63,11 +63,11 @@ class HeaderReader {
     const TextScanner start = scan_;
     const std::string_view name = scan_.word();
     if (name == "ascii") {
-      header_.encoding = Encoding::kAscii;
+      header_.encoding = Encoding::ascii;
     } else if (name == "binary_little_endian") {
-      header_.encoding = Encoding::kLittleEndian;
+      header_.encoding = Encoding::little_endian;
     } else if (name == "binary_big_endian") {
-      header_.encoding = Encoding::kBigEndian;
+      header_.encoding = Encoding::big_endian;
     } else {
       start.fail_expected("'ascii', 'binary_little_endian' or 'binary_big_endian'");
     }
@@ -109,7 +109,7 @@ class HeaderReader {
   // In text a number takes at least two bytes ("0 "), but for the last of the file.
   void check_room() const {
     std::uint64_t room = file_.bytes().size() - header_.data_offset;
-    const bool ascii = header_.encoding == Encoding::kAscii;
+    const bool ascii = header_.encoding == Encoding::ascii;
     if (ascii) ++room;
     for (const PlyElement& element : header_.elements) {
       const std::uint64_t size = ascii ? 2 * element.properties.size() : element.binary_size();

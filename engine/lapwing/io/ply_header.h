@@ -13,7 +13,7 @@ namespace lapwing {
 /// One property of a PLY element: a number, or a list with its count's type.
 struct PlyProperty {
   std::string name;
-  Scalar type = Scalar::kFloat32;
+  Scalar type = Scalar::float32;
   std::optional<Scalar> count_type;  ///< set for a list
 };
 
@@ -29,7 +29,7 @@ struct PlyElement {
 };
 
 struct PlyHeader {
-  Encoding encoding = Encoding::kAscii;
+  Encoding encoding = Encoding::ascii;
   std::vector<PlyElement> elements;
   std::vector<std::string> comments;  ///< of `comment` and `obj_info` lines
   std::uint64_t data_offset = 0;      ///< first byte behind the header

@@ -63,7 +63,7 @@ class PlyReader {
     const PlyElement& element = *vertices_;
     PlyPlaces positions(file_.positions, element, columns.find({"x", "y", "z"}));
     PlyPlaces normals(file_.normals, element, columns.find({"nx", "ny", "nz"}));
-    const bool regular = file_.encoding != Encoding::kAscii && !element.has_list();
+    const bool regular = file_.encoding != Encoding::ascii && !element.has_list();
     if (regular) {
       positions.describe(element, cursor_.offset());
       normals.describe(element, cursor_.offset());
@@ -232,7 +232,7 @@ class PlyReader {
 Mesh read_ply(SourceFile& file) {
   const PlyHeader header = read_ply_header(file);
   file.encoding = header.encoding;
-  if (header.encoding == Encoding::kAscii) return PlyReader<PlyTextCursor>(file, header).read();
+  if (header.encoding == Encoding::ascii) return PlyReader<PlyTextCursor>(file, header).read();
   return PlyReader<PlyBinaryCursor>(file, header).read();
 }
 

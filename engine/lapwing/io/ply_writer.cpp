@@ -9,7 +9,7 @@
 namespace lapwing {
 namespace {
 
-constexpr MeshFormat kFormat = MeshFormat::kPly;
+constexpr MeshFormat kFormat = MeshFormat::ply;
 
 // Appends the numbers of a record in the file's encoding.
 class PlyRecords {
@@ -17,7 +17,7 @@ class PlyRecords {
   PlyRecords(std::string& out, Encoding encoding) : out_(out), encoding_(encoding) {}
 
   void number(double value, Scalar type) {
-    if (encoding_ != Encoding::kAscii) {
+    if (encoding_ != Encoding::ascii) {
       append_binary(out_, value, type, encoding_);
       return;
     }
@@ -26,7 +26,7 @@ class PlyRecords {
     append_number(out_, value, type);
   }
   void end() {
-    if (encoding_ == Encoding::kAscii) out_ += '\n';
+    if (encoding_ == Encoding::ascii) out_ += '\n';
     first_ = true;
   }
 
@@ -39,7 +39,7 @@ class PlyRecords {
 // A run of numbers per element under consecutive property names.
 struct Column {
   std::vector<std::string> names;
-  Scalar type = Scalar::kFloat64;
+  Scalar type = Scalar::float64;
   const double* numbers = nullptr;          // names.size() per element, or
   const Eigen::Vector4f* colors = nullptr;  // the first names.size() components of each
 };
@@ -56,14 +56,14 @@ class Columns {
     if (colors.empty()) return;
     std::vector<std::string> names{"red", "green", "blue"};
     if (has_alpha(colors)) names.emplace_back("alpha");
-    columns_.push_back({std::move(names), fit_bytes(colors) ? Scalar::kUint8 : Scalar::kFloat32,
+    columns_.push_back({std::move(names), fit_bytes(colors) ? Scalar::uint8 : Scalar::float32,
                         nullptr, colors.data()});
   }
   void add_extras(const std::vector<ExtraAttribute>& extras) {
     for (const ExtraAttribute& extra : extras) {
       if (extra.values.empty()) continue;
       columns_.push_back({{extra.name},
-                          ply_type(extra.type).value_or(Scalar::kFloat64),
+                          ply_type(extra.type).value_or(Scalar::float64),
                           extra.values.data(),
                           nullptr});
     }
@@ -89,7 +89,7 @@ class Columns {
   static double value(const Column& column, std::size_t element, std::size_t k) {
     if (column.colors == nullptr) return column.numbers[element * column.names.size() + k];
     const double part = column.colors[element][static_cast<Eigen::Index>(k)];
-    return column.type == Scalar::kUint8 ? std::round(255.0 * part) : part;
+    return column.type == Scalar::uint8 ? std::round(255.0 * part) : part;
   }
 
   std::vector<Column> columns_;
@@ -111,7 +111,7 @@ class PlyWriter {
         has_wedges_(!uvs_ && !mesh.attributes.corner_uvs.empty()),
         wedge_type_(narrowest_type(numbers_of(mesh.attributes.uvs))),
         // Two texture coordinates per corner have to fit the same count.
-        count_type_(most_corners(mesh) > 127 ? Scalar::kInt32 : Scalar::kUint8) {
+        count_type_(most_corners(mesh) > 127 ? Scalar::int32 : Scalar::uint8) {
     const MeshAttributes& a = mesh.attributes;
     vertex_columns_.add({"x", "y", "z"}, mesh.positions);
     if (normals_) vertex_columns_.add({"nx", "ny", "nz"}, *normals_);
@@ -146,8 +146,8 @@ class PlyWriter {
  private:
   std::string header() const {
     std::string out = "ply\nformat ";
-    out += encoding_ == Encoding::kAscii          ? "ascii"
-           : encoding_ == Encoding::kLittleEndian ? "binary_little_endian"
+    out += encoding_ == Encoding::ascii           ? "ascii"
+           : encoding_ == Encoding::little_endian ? "binary_little_endian"
                                                   : "binary_big_endian";
     out += " 1.0\n";
     for (const std::string& comment : mesh_.attributes.comments) out += "comment " + comment + "\n";
@@ -165,7 +165,7 @@ class PlyWriter {
   void append_face(PlyRecords& records, std::size_t f) const {
     const auto corners = mesh_.face(f);
     records.number(static_cast<double>(corners.size()), count_type_);
-    for (const Index v : corners) records.number(v, Scalar::kInt32);
+    for (const Index v : corners) records.number(v, Scalar::int32);
     if (has_wedges_) append_wedges(records, f);
     face_columns_.append(records, f);
     records.end();

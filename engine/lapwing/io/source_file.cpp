@@ -30,7 +30,7 @@ Eigen::Vector3d SourceFile::read_triple(const NumberTriples& triples, std::size_
   for (std::size_t k = 0; k < 3; ++k) {
     const char* const begin = bytes().data() + triples.offset(record, k);
     auto& value = result[static_cast<Eigen::Index>(k)];
-    if (encoding == Encoding::kAscii) {
+    if (encoding == Encoding::ascii) {
       parse_number(begin, bytes().data() + bytes().size(), value);
     } else {
       value = load_number(begin, triples.types[k], encoding);
@@ -61,7 +61,7 @@ void SourceFile::fail_at_line(std::uint64_t offset, const std::string& message) 
 }
 
 void SourceFile::fail(std::uint64_t offset, const std::string& message) const {
-  if (encoding == Encoding::kAscii) fail_at_line(offset, message);
+  if (encoding == Encoding::ascii) fail_at_line(offset, message);
   throw InputError(path_.string() + ": byte " + std::to_string(offset) + ": " + message +
                    std::string(kNextStep));
 }

@@ -18,7 +18,7 @@ namespace lapwing {
 /// Where a file keeps one kind of record of three numbers: its positions, or its normals.
 struct NumberTriples {
   std::size_t count = 0;
-  std::array<Scalar, 3> types{Scalar::kFloat64, Scalar::kFloat64, Scalar::kFloat64};
+  std::array<Scalar, 3> types{Scalar::float64, Scalar::float64, Scalar::float64};
   std::vector<std::uint64_t> offsets;  ///< of each number, three per record; empty when regular
   /// Regular: blocks of `stride` bytes from byte `first` on hold `per_block` records each, one
   /// `spacing` bytes after the other, with number k of the first at places[k].
@@ -51,7 +51,7 @@ class SourceFile {
   MeshFormat format() const { return format_; }
   std::string_view bytes() const { return bytes_.view(); }
 
-  Encoding encoding = Encoding::kAscii;
+  Encoding encoding = Encoding::ascii;
   NumberTriples positions;
   NumberTriples normals;
   bool positions_by_corner = false;

@@ -32,7 +32,7 @@ void set_triple(SourcePatch& patch, const NumberTriples& triples, std::size_t re
 }  // namespace
 
 void SourcePatch::set_number(std::uint64_t offset, double value, Scalar type) {
-  if (type == Scalar::kFloat32 && std::abs(value) > std::numeric_limits<float>::max() &&
+  if (type == Scalar::float32 && std::abs(value) > std::numeric_limits<float>::max() &&
       std::isfinite(value)) {
     throw InputError("a coordinate of " + std::to_string(value) +
                      " does not fit the 32-bit floats of " + source_.path().string() +
@@ -47,7 +47,7 @@ void SourcePatch::set_text(std::uint64_t offset, std::uint64_t length, std::stri
 }
 
 std::string SourcePatch::apply() {
-  if (source_.encoding != Encoding::kAscii) return apply_binary();
+  if (source_.encoding != Encoding::ascii) return apply_binary();
   const auto by_offset = [](const Edit& a, const Edit& b) { return a.offset < b.offset; };
   if (!std::is_sorted(edits_.begin(), edits_.end(), by_offset)) {
     std::stable_sort(edits_.begin(), edits_.end(), by_offset);

@@ -13,7 +13,7 @@ namespace {
 // 80 bytes of header, a count, then per facet a normal, three corners and two bytes of attribute.
 constexpr std::size_t kHeaderSize = 84;
 constexpr std::size_t kFacetSize = 50;
-constexpr Encoding kOrder = Encoding::kLittleEndian;
+constexpr Encoding kOrder = Encoding::little_endian;
 
 std::string lower_word(TextScanner& scan) {
   std::string word(scan.word());
@@ -23,7 +23,7 @@ std::string lower_word(TextScanner& scan) {
 }
 
 std::size_t binary_count(std::string_view bytes) {
-  return static_cast<std::size_t>(load_number(bytes.data() + 80, Scalar::kUint32, kOrder));
+  return static_cast<std::size_t>(load_number(bytes.data() + 80, Scalar::uint32, kOrder));
 }
 
 // Binary headers often begin with "solid" too: the size decides, then the words that follow.
@@ -134,7 +134,7 @@ void check_binary_size(const SourceFile& file) {
 
 void describe_places(SourceFile& file, std::size_t count) {
   NumberTriples regular;
-  regular.types = {Scalar::kFloat32, Scalar::kFloat32, Scalar::kFloat32};
+  regular.types = {Scalar::float32, Scalar::float32, Scalar::float32};
   regular.first = kHeaderSize;
   regular.stride = kFacetSize;
   regular.places = {0, 4, 8};
@@ -174,7 +174,7 @@ Mesh read_binary(SourceFile& file) {
     const std::uint64_t start = kHeaderSize + f * kFacetSize;
     close_face(file, mesh, start);
     attributes.corner_normals.insert(attributes.corner_normals.end(), 3, static_cast<Index>(f));
-    words.values[f] = load_number(bytes.data() + start + 48, Scalar::kUint16, kOrder);
+    words.values[f] = load_number(bytes.data() + start + 48, Scalar::uint16, kOrder);
     any_word = any_word || words.values[f] != 0.0;
   }
   if (any_word) attributes.face_extras.push_back(std::move(words));

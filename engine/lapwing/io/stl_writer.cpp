@@ -11,7 +11,7 @@
 namespace lapwing {
 namespace {
 
-constexpr MeshFormat kFormat = MeshFormat::kStl;
+constexpr MeshFormat kFormat = MeshFormat::stl;
 
 // The triangles of a mesh, and the face each came from.
 struct Facets {
@@ -72,23 +72,23 @@ const ExtraAttribute* attribute_words(const Mesh& mesh) {
 std::string write_binary(const Mesh& mesh, const Facets& facets) {
   constexpr std::size_t kHeader = 80;
   constexpr std::size_t kFacetSize = 50;
-  constexpr Encoding kOrder = Encoding::kLittleEndian;
+  constexpr Encoding kOrder = Encoding::little_endian;
   std::string out = "binary STL";
   out.resize(kHeader, ' ');
   out.reserve(kHeader + 4 + kFacetSize * facets.triangles.size());
   const auto append = [&out](double value, Scalar type) {
     append_binary(out, value, type, kOrder);
   };
-  append(static_cast<double>(facets.triangles.size()), Scalar::kUint32);
+  append(static_cast<double>(facets.triangles.size()), Scalar::uint32);
   const ExtraAttribute* const words = attribute_words(mesh);
   for (std::size_t t = 0; t < facets.triangles.size(); ++t) {
     for (const double x : facet_normal(facets.triangles[t], mesh.positions)) {
-      append(x, Scalar::kFloat32);
+      append(x, Scalar::float32);
     }
     for (const Index v : facets.triangles[t]) {
-      for (const double x : mesh.positions[v]) append(x, Scalar::kFloat32);
+      for (const double x : mesh.positions[v]) append(x, Scalar::float32);
     }
-    append(words == nullptr ? 0.0 : words->values[facets.faces[t]], Scalar::kUint16);
+    append(words == nullptr ? 0.0 : words->values[facets.faces[t]], Scalar::uint16);
   }
   return out;
 }
@@ -105,7 +105,7 @@ void report_losses(const Mesh& mesh, const Facets& facets, bool ascii, WriteRepo
 
   report_loss(report, kFormat, "polygons, which were cut into triangles,", polygons);
   report_loss(report, kFormat, "vertices without a face", loose);
-  if (!ascii && narrowest_type(numbers_of(mesh.positions)) != Scalar::kFloat32) {
+  if (!ascii && narrowest_type(numbers_of(mesh.positions)) != Scalar::float32) {
     report_loss(report, kFormat, "positions beyond 32-bit floats, to which they were rounded,",
                 mesh.vertex_count());
   }
@@ -125,11 +125,11 @@ void report_losses(const Mesh& mesh, const Facets& facets, bool ascii, WriteRepo
 }  // namespace
 
 std::string write_stl(const Mesh& mesh, Encoding encoding, WriteReport& report) {
-  if (encoding == Encoding::kBigEndian) {
+  if (encoding == Encoding::big_endian) {
     throw InputError("STL has no big-endian form; write it as ascii or little endian");
   }
   const Facets facets = cut_into_triangles(mesh);
-  const bool ascii = encoding == Encoding::kAscii;
+  const bool ascii = encoding == Encoding::ascii;
   report_losses(mesh, facets, ascii, report);
   return ascii ? write_ascii(mesh, facets) : write_binary(mesh, facets);
 }

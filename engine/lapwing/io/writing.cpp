@@ -46,9 +46,9 @@ void append_number(std::string& out, std::size_t value) {
 }
 
 void append_number(std::string& out, double value, Scalar type) {
-  if (type == Scalar::kFloat64) {
+  if (type == Scalar::float64) {
     append_number(out, value);
-  } else if (type == Scalar::kFloat32) {
+  } else if (type == Scalar::float32) {
     append_number(out, static_cast<float>(value));
   } else {
     constexpr double kLargest = 4294967295.0;  // beyond every integer type of a file
@@ -88,7 +88,7 @@ Scalar narrowest_type(std::span<const double> numbers) {
   const bool floats = std::all_of(numbers.begin(), numbers.end(), [](double x) {
     return std::isnan(x) || double{static_cast<float>(x)} == x;
   });
-  return floats ? Scalar::kFloat32 : Scalar::kFloat64;
+  return floats ? Scalar::float32 : Scalar::float64;
 }
 
 bool fit_bytes(std::span<const Eigen::Vector4f> colors) {
@@ -117,7 +117,11 @@ void validate_for_writing(const Mesh& mesh) {
   check_range("corner_normals", a.corner_normals, a.normals.size());
   check_range("face_materials", a.face_materials, a.materials.size());
   check_range("face_groups", a.face_groups, a.groups.size());
-  if (a.has_vertex_normals) check_size("vertex normals", a.normals.size(), mesh.vertex_count());
+  if (a.has_vertex_normals && a.normals.size() != mesh.vertex_count()) {
+    throw InputError("the mesh has " + std::to_string(a.normals.size()) + " normals for " +
+                     std::to_string(mesh.vertex_count()) +
+                     " vertices; give one for each, or clear has_vertex_normals");
+  }
   for (const ExtraAttribute& extra : a.vertex_extras) {
     check_size(extra.name, extra.values.size(), mesh.vertex_count());
   }

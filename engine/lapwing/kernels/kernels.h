@@ -12,9 +12,9 @@ namespace lapwing {
 
 /// What runs the kernels.
 struct DeviceInfo {
-  std::string name;    ///< "llvmpipe (LLVM 15.0.6, 256 bits)", "CPU"
-  std::string type;    ///< "discrete GPU", "integrated GPU", "software", "cpu"
-  std::string driver;  ///< driver name and version; empty for the CPU twins
+  std::string name;     ///< "llvmpipe (LLVM 15.0.6, 256 bits)", "CPU"
+  std::string type;     ///< "discrete GPU", "integrated GPU", "software", "cpu"
+  std::string driver;   ///< driver name and version; empty for the CPU twins
   bool float64 = true;  ///< whether `assemble_rsi` runs in float64
 };
 

@@ -50,8 +50,8 @@ RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Vector3d>
   // The two larger eigenvalues of J / S are at least 1/2 each and at most 1, so the determinant is
   // within a factor of four of the smallest eigenvalue.
   const double determinant = J.determinant();
-  fit.inverse_J = determinant > kCollinearShare ? Matrix3d(J.inverse() / S)
-                                                : pseudo_inverse_on_line(C, S);
+  fit.inverse_J =
+      determinant > kCollinearShare ? Matrix3d(J.inverse() / S) : pseudo_inverse_on_line(C, S);
   return fit;
 }
 

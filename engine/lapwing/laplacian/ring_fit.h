@@ -15,8 +15,8 @@ namespace lapwing {
 /// Where J is singular (a collinear ring) its pseudo-inverse stands in; where S = 0 both inverses
 /// are zero, so that T_i = 0 and the row is the plain Laplacian.
 struct RingFit {
-  Eigen::Vector3d center;          ///< c, relative to v_i
-  double inverse_S = 0.0;          ///< 1 / S
+  Eigen::Vector3d center;  ///< c, relative to v_i
+  double inverse_S = 0.0;  ///< 1 / S
   Eigen::Matrix3d inverse_J = Eigen::Matrix3d::Zero();
 };
 

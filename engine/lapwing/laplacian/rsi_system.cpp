@@ -34,8 +34,8 @@ void multiply(const RsiRows& M, std::span<const Eigen::Vector3d> displacement,
     for (std::size_t row = begin; row < end; ++row) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (std::size_t b = M.starts[row]; b < M.starts[row + 1]; ++b) {
-        sum += Eigen::Map<const Eigen::Matrix3d>(M.values.data() + 9 * b) *
-               displacement[M.columns[b]];
+        sum +=
+            Eigen::Map<const Eigen::Matrix3d>(M.values.data() + 9 * b) * displacement[M.columns[b]];
       }
       Eigen::Map<Eigen::Vector3d>(r.data() + 3 * row) = sum;
     }

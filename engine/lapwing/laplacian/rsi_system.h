@@ -64,7 +64,6 @@ class NormalPattern {
 };
 
 /// r = M u: `displacement` per vertex of the whole mesh in, 3 numbers per row out.
-void multiply(const RsiRows& M, std::span<const Eigen::Vector3d> displacement,
-              std::span<double> r);
+void multiply(const RsiRows& M, std::span<const Eigen::Vector3d> displacement, std::span<double> r);
 
 }  // namespace lapwing

@@ -51,8 +51,7 @@ void make_positive_and_normalize(std::span<double> row) {
 
 }  // namespace
 
-std::vector<double> laplacian_weights(const Topology& topology,
-                                      std::span<const Vector3d> positions,
+std::vector<double> laplacian_weights(const Topology& topology, std::span<const Vector3d> positions,
                                       LaplacianWeights scheme) {
   const Adjacency& rings = topology.rings;
   std::vector<double> weights(rings.values.size(), 0.0);

@@ -29,18 +29,18 @@ struct ExtraAttribute {
 /// Everything a mesh carries beside positions and polygons. Every list is either empty or of the
 /// length stated. Editing never reads these; writing does.
 struct MeshAttributes {
-  std::vector<Eigen::Vector2d> uvs;        ///< the file's texture coordinates, in its order
-  std::vector<Index> corner_uvs;           ///< per corner: into `uvs`, or kNoIndex
-  std::vector<Eigen::Vector3d> normals;    ///< the file's normals, in its order
-  std::vector<Index> corner_normals;       ///< per corner: into `normals`, or kNoIndex
-  bool has_vertex_normals = false;         ///< one stored normal per vertex (PLY, NOFF)
+  std::vector<Eigen::Vector2d> uvs;            ///< the file's texture coordinates, in its order
+  std::vector<Index> corner_uvs;               ///< per corner: into `uvs`, or kNoIndex
+  std::vector<Eigen::Vector3d> normals;        ///< the file's normals, in its order
+  std::vector<Index> corner_normals;           ///< per corner: into `normals`, or kNoIndex
+  bool has_vertex_normals = false;             ///< one stored normal per vertex (PLY, NOFF)
   std::vector<Eigen::Vector4f> vertex_colors;  ///< per vertex, RGBA in [0, 1]
   std::vector<Eigen::Vector4f> face_colors;    ///< per face, RGBA in [0, 1]
   std::vector<std::string> material_libraries;
-  std::vector<std::string> materials;      ///< names
-  std::vector<Index> face_materials;       ///< per face: into `materials`, or kNoIndex
-  std::vector<std::string> groups;         ///< names (OBJ groups, STL solids)
-  std::vector<Index> face_groups;          ///< per face: into `groups`, or kNoIndex
+  std::vector<std::string> materials;  ///< names
+  std::vector<Index> face_materials;   ///< per face: into `materials`, or kNoIndex
+  std::vector<std::string> groups;     ///< names (OBJ groups, STL solids)
+  std::vector<Index> face_groups;      ///< per face: into `groups`, or kNoIndex
   std::vector<std::string> comments;
   std::vector<ExtraAttribute> vertex_extras;
   std::vector<ExtraAttribute> face_extras;

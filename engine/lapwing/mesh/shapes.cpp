@@ -48,12 +48,12 @@ Mesh grid(Index columns, Index rows) {
 Mesh icosphere(int subdivisions) {
   Mesh mesh;
   const double t = std::numbers::phi;
-  mesh.positions = {{-1, t, 0}, {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
+  mesh.positions = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
                     {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
-  constexpr std::array<std::array<Index, 3>, 20> kFaces{{
-      {0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-      {3, 8, 9},  {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+  constexpr std::array<std::array<Index, 3>, 20> kFaces{
+      {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   for (const auto& f : kFaces) mesh.add_face(f);
   for (int s = 0; s < subdivisions; ++s) mesh = subdivide(mesh);
   for (Vector3d& p : mesh.positions) p.normalize();
@@ -113,7 +113,8 @@ Mesh subdivide(const Mesh& mesh) {
   std::unordered_map<std::uint64_t, Index> midpoints;
   const auto midpoint = [&](Index a, Index b) {
     const std::uint64_t key = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
-    const auto [it, inserted] = midpoints.try_emplace(key, static_cast<Index>(fine.positions.size()));
+    const auto [it, inserted] =
+        midpoints.try_emplace(key, static_cast<Index>(fine.positions.size()));
     if (inserted) fine.positions.push_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
     return it->second;
   };

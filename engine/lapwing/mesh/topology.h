@@ -43,8 +43,7 @@ Topology build_topology(const Mesh& mesh);
 /// Cuts one polygon into triangles that keep its orientation: a triangle as it is, a convex polygon
 /// as a fan from its first corner, any other by clipping ears in its mean plane. Appends to
 /// `triangles`. Corners keep their order, so the result depends only on the polygon's shape.
-void triangulate_polygon(std::span<const Index> polygon,
-                         std::span<const Eigen::Vector3d> positions,
+void triangulate_polygon(std::span<const Index> polygon, std::span<const Eigen::Vector3d> positions,
                          std::vector<Triangle>& triangles);
 
 /// Connected component of each vertex along ring edges, numbered by smallest vertex, and their

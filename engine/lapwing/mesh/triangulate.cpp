@@ -91,8 +91,8 @@ void triangulate_polygon(std::span<const Index> polygon, std::span<const Vector3
       }
     }
     const std::size_t m = left.size();
-    triangles.push_back({polygon[left[(ear + m - 1) % m]], polygon[left[ear]],
-                         polygon[left[(ear + 1) % m]]});
+    triangles.push_back(
+        {polygon[left[(ear + m - 1) % m]], polygon[left[ear]], polygon[left[(ear + 1) % m]]});
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
   }
   triangles.push_back({polygon[left[0]], polygon[left[1]], polygon[left[2]]});

@@ -10,9 +10,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
-Json vertex(Index v) { return v == kNoIndex ? Json(nullptr) : Json(v); }
+Json vertex(Index v) {
+  return v == kNoIndex ? Json(nullptr) : Json(v);
+}
 
 Json vector(const Eigen::Vector3d& v) {
   return Json::array({number(v.x()), number(v.y()), number(v.z())});

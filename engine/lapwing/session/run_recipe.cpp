@@ -23,7 +23,7 @@ std::vector<std::string> doctor_warnings(const CheckReport& report) {
   std::vector<std::string> warnings;
   for (const Defect& defect : report.defects) {
     const DefectInfo& info = describe(defect.kind);
-    if (info.severity == Severity::kInfo) continue;
+    if (info.severity == Severity::info) continue;
     std::string text = std::to_string(defect.count) + " " + std::string(info.name);
     for (std::size_t i = 0; i < defect.first.size(); ++i) {
       text += (i == 0 ? " (" : ", ") + std::to_string(defect.first[i]);
@@ -69,8 +69,8 @@ StepReport run_step(const DeformStep& step, Kernels& kernels, const Progress& pr
   });
   std::vector<Eigen::Affine3d> motions;
   for (std::size_t h = 0; h < step.handles.size(); ++h) {
-    motions.push_back(to_affine(step.handles[h].move,
-                                centroid(region.handles[h], result.mesh.positions)));
+    motions.push_back(
+        to_affine(step.handles[h].move, centroid(region.handles[h], result.mesh.positions)));
   }
   DeformOptions options;
   options.weights = step.weights;
@@ -102,8 +102,8 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
   result->report.device = kernels.device();
   load(recipe, progress, *result);
   for (const Step& step : recipe.steps) {
-    result->report.steps.push_back(std::visit(
-        [&](const auto& s) { return run_step(s, kernels, progress, *result); }, step));
+    result->report.steps.push_back(
+        std::visit([&](const auto& s) { return run_step(s, kernels, progress, *result); }, step));
   }
   result->report.peak_memory_bytes = peak_memory_bytes();
   return result;

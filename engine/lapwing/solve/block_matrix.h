@@ -29,9 +29,7 @@ struct BlockMatrix {
   int block_size = 3;
   std::vector<double> values;
 
-  std::size_t scalar_size() const {
-    return pattern->size() * static_cast<std::size_t>(block_size);
-  }
+  std::size_t scalar_size() const { return pattern->size() * static_cast<std::size_t>(block_size); }
   std::span<const double> block(std::size_t entry) const {
     const auto b2 = static_cast<std::size_t>(block_size * block_size);
     return std::span(values).subspan(entry * b2, b2);

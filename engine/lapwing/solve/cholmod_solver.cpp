@@ -109,6 +109,8 @@ class CholmodSolver final : public BlockSolver {
 
 }  // namespace
 
-std::unique_ptr<BlockSolver> make_cholmod_solver() { return std::make_unique<CholmodSolver>(); }
+std::unique_ptr<BlockSolver> make_cholmod_solver() {
+  return std::make_unique<CholmodSolver>();
+}
 
 }  // namespace lapwing

@@ -7,8 +7,7 @@ namespace lapwing {
 namespace {
 
 // Eigen asks an ordering for a permutation; ours is known already.
-using Simplicial =
-    Eigen::SimplicialLLT<ScalarLower, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+using Simplicial = Eigen::SimplicialLLT<ScalarLower, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
 class EigenSolver final : public BlockSolver {
@@ -19,8 +18,8 @@ class EigenSolver final : public BlockSolver {
     block_size_ = block_size;
     order_.assign(order.begin(), order.end());
     const std::vector<int> scalar = scalar_order(order, block_size);
-    new_to_old_.indices() = Eigen::Map<const Eigen::VectorXi>(
-        scalar.data(), static_cast<Eigen::Index>(scalar.size()));
+    new_to_old_.indices() =
+        Eigen::Map<const Eigen::VectorXi>(scalar.data(), static_cast<Eigen::Index>(scalar.size()));
     lower_ = scalar_lower_pattern(pattern, block_size);
     permute();
     factor_.analyzePattern(permuted_);
@@ -36,8 +35,8 @@ class EigenSolver final : public BlockSolver {
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns) override {
     const auto n = lower_.rows();
     const auto k = static_cast<Eigen::Index>(columns);
-    const Eigen::MatrixXd b = new_to_old_.transpose() * Eigen::Map<const Eigen::MatrixXd>(
-                                                            B.data(), n, k);
+    const Eigen::MatrixXd b =
+        new_to_old_.transpose() * Eigen::Map<const Eigen::MatrixXd>(B.data(), n, k);
     Eigen::Map<Eigen::MatrixXd>(X.data(), n, k) = new_to_old_ * factor_.solve(b);
   }
 
@@ -72,6 +71,8 @@ class EigenSolver final : public BlockSolver {
 
 }  // namespace
 
-std::unique_ptr<BlockSolver> make_eigen_solver() { return std::make_unique<EigenSolver>(); }
+std::unique_ptr<BlockSolver> make_eigen_solver() {
+  return std::make_unique<EigenSolver>();
+}
 
 }  // namespace lapwing

@@ -16,8 +16,8 @@ static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit ind
 std::vector<int> minimum_degree(const BlockGraph& graph) {
   const int n = static_cast<int>(graph.starts.size()) - 1;
   std::vector<int> order(static_cast<std::size_t>(n));
-  const int status = amd_order(n, graph.starts.data(), graph.neighbours.data(), order.data(),
-                               nullptr, nullptr);
+  const int status =
+      amd_order(n, graph.starts.data(), graph.neighbours.data(), order.data(), nullptr, nullptr);
   if (status != AMD_OK && status != AMD_OK_BUT_JUMBLED) {
     throw SolverError("the minimum degree ordering failed (AMD status " + std::to_string(status) +
                       "); out of memory at " + std::to_string(n) + " vertices");
