@@ -1,5 +1,5 @@
-# Installs the build in BUILD_DIR under WORK_DIR, builds the consumer in SOURCE_DIR against that
-# copy, and runs it.
+# Installs the build in BUILD_DIR under WORK_DIR, builds the consumer in SOURCE_DIR and the C++
+# program of README against that copy, and runs them; README's on SCAN, where that was fetched.
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT result EQUAL 0)
@@ -8,7 +8,19 @@ function(step)
 endfunction()
 file(REMOVE_RECURSE ${WORK_DIR})
 step(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/installed)
+
+file(READ ${README} readme)
+string(REGEX MATCH "```cpp\n(([^`])*)```" found "${readme}")
+if(NOT found)
+  message(FATAL_ERROR "${README} has no C++ program")
+endif()
+file(WRITE ${WORK_DIR}/readme_program.cpp "${CMAKE_MATCH_1}")
+
 step(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-     -DCMAKE_PREFIX_PATH=${WORK_DIR}/installed -DCMAKE_CXX_FLAGS=${CXX_FLAGS})
+     -DCMAKE_PREFIX_PATH=${WORK_DIR}/installed -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
+     -DREADME_PROGRAM=${WORK_DIR}/readme_program.cpp)
 step(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 step(${CMAKE_COMMAND} -E chdir ${WORK_DIR} ${WORK_DIR}/build/consumer)
+if(EXISTS ${SCAN})
+  step(${CMAKE_COMMAND} -E chdir ${WORK_DIR} ${WORK_DIR}/build/readme_program ${SCAN})
+endif()

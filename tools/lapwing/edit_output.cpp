@@ -71,7 +71,7 @@ void EditOutput::run(const Recipe& recipe) const {
   if (!report.empty()) replace_file(report, to_json(result->report));
   if (!quiet) {
     print_summary(result->report);
-    if (!target.empty()) std::printf("wrote %s\n", target.c_str());
+    if (!target.empty()) std::printf("wrote %s\n", target.lexically_normal().c_str());
   }
 }
 

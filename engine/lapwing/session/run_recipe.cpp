@@ -37,7 +37,7 @@ std::vector<std::string> doctor_warnings(const CheckReport& report) {
 void load(const Recipe& recipe, const Progress& progress, RunResult& result) {
   RunReport& report = result.report;
   const auto path = recipe.mesh_path();
-  report.mesh = path.string();
+  report.mesh = path.lexically_normal().string();
   stage("read", report.timings, progress, [&] { result.mesh = read_mesh(path); });
   result.original = result.mesh.positions;
   stage("topology", report.timings, progress,
