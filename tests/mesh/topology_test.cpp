@@ -106,5 +106,17 @@ TEST(Triangulation, ConvexPolygonIsTheFanOfItsFirstCorner) {
   EXPECT_THAT(triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
 }
 
+TEST(WithRingNeighbours, ListsEachVertexOnce) {
+  const Topology topology = build_topology(grid(2, 2));
+  const std::vector<Index> corners{0, 1};
+  const auto list = with_ring_neighbours(corners, topology.rings);
+  EXPECT_TRUE(std::ranges::is_sorted(list, std::less_equal<Index>()));
+  for (const Index v : corners) {
+    EXPECT_TRUE(std::ranges::binary_search(list, v));
+    for (const Index w : topology.rings[v]) EXPECT_TRUE(std::ranges::binary_search(list, w));
+  }
+  EXPECT_LT(list.size(), topology.vertex_count());
+}
+
 }  // namespace
 }  // namespace lapwing

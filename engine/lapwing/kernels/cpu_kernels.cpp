@@ -5,20 +5,6 @@
 namespace lapwing {
 namespace {
 
-// Every vertex whose normal can change when the `moving` ones do, ascending.
-std::vector<Index> with_neighbours(std::span<const Index> moving, const Adjacency& rings) {
-  std::vector<char> touched(rings.row_count(), 0);
-  for (const Index v : moving) {
-    touched[v] = 1;
-    for (const Index w : rings[v]) touched[w] = 1;
-  }
-  std::vector<Index> list;
-  for (Index v = 0; v < touched.size(); ++v) {
-    if (touched[v] != 0) list.push_back(v);
-  }
-  return list;
-}
-
 class CpuSurface final : public DeformedSurface {
  public:
   explicit CpuSurface(const SurfaceInput& input)
@@ -26,7 +12,7 @@ class CpuSurface final : public DeformedSurface {
         triangles_(input.topology.triangles),
         vertex_triangles_(input.topology.vertex_triangles),
         moving_(input.moving.begin(), input.moving.end()),
-        affected_(with_neighbours(moving_, input.topology.rings)),
+        affected_(with_ring_neighbours(moving_, input.topology.rings)),
         basis_(input.basis.begin(), input.basis.end()),
         positions_(rest_),
         normals_(rest_.size(), Eigen::Vector3d::Zero()) {

@@ -89,6 +89,19 @@ Components connected_components(const Adjacency& rings) {
   return components;
 }
 
+std::vector<Index> with_ring_neighbours(std::span<const Index> vertices, const Adjacency& rings) {
+  std::vector<char> listed(rings.row_count(), 0);
+  for (const Index v : vertices) {
+    listed[v] = 1;
+    for (const Index w : rings[v]) listed[w] = 1;
+  }
+  std::vector<Index> list;
+  for (Index v = 0; v < listed.size(); ++v) {
+    if (listed[v] != 0) list.push_back(v);
+  }
+  return list;
+}
+
 double mean_edge_length(const Adjacency& rings, std::span<const Eigen::Vector3d> positions) {
   double sum = 0.0;
   for (std::size_t i = 0; i < rings.row_count(); ++i) {

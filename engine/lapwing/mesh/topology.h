@@ -54,6 +54,9 @@ struct Components {
 };
 Components connected_components(const Adjacency& rings);
 
+/// `vertices` and their ring neighbours, ascending.
+std::vector<Index> with_ring_neighbours(std::span<const Index> vertices, const Adjacency& rings);
+
 /// Mean length of the ring edges; 0 without edges.
 double mean_edge_length(const Adjacency& rings, std::span<const Eigen::Vector3d> positions);
 

@@ -14,20 +14,6 @@ namespace {
 
 using Vec4 = std::array<float, 4>;
 
-// Every vertex whose normal can change when the `moving` ones do, ascending.
-std::vector<Index> with_neighbours(std::span<const Index> moving, const Adjacency& rings) {
-  std::vector<char> touched(rings.row_count(), 0);
-  for (const Index v : moving) {
-    touched[v] = 1;
-    for (const Index w : rings[v]) touched[w] = 1;
-  }
-  std::vector<Index> list;
-  for (Index v = 0; v < touched.size(); ++v) {
-    if (touched[v] != 0) list.push_back(v);
-  }
-  return list;
-}
-
 std::vector<Eigen::Vector3d> download_vectors(VulkanState& state, const gpu::Buffer& buffer,
                                               const Eigen::Vector3d& offset) {
   std::vector<Vec4> values(buffer.bytes() / sizeof(Vec4));
@@ -47,7 +33,8 @@ struct VulkanSurface::Buffers {
         triangles(*state.context, "triangles", input.topology.triangles.size() * sizeof(Triangle)),
         blend_response(state, input, origin),
         vertex_normals(state, input.topology),
-        affected(vertex_normals.upload_list(with_neighbours(input.moving, input.topology.rings))) {}
+        affected(
+            vertex_normals.upload_list(with_ring_neighbours(input.moving, input.topology.rings))) {}
 
   gpu::TexelBuffer positions;
   gpu::Buffer normals;
