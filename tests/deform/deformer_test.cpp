@@ -1,6 +1,5 @@
 #include "lapwing/deform/deformer.h"
 
-#include <cmath>
 #include <cstring>
 
 #include <gmock/gmock.h>
@@ -9,6 +8,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/bent_tube.h"
 
 namespace lapwing {
 namespace {
@@ -16,42 +16,16 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Vector3d;
 
-// A bumpy tube, held at its foot and moved at its head.
-Mesh bumpy_tube() {
-  Mesh mesh = cylinder(12, 20, 0.5, 3.0);
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    mesh.positions[i].head<2>() *= 1.0 + 0.1 * std::sin(5.0 * static_cast<double>(i));
-  }
-  return mesh;
-}
-
-EditRegion foot_and_head(const Mesh& mesh) {
-  EditRegion region;
-  region.handles.resize(1);
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    region.roi.push_back(v);
-    if (v < 24) region.belt.push_back(v);
-    if (v >= mesh.vertex_count() - 24) region.handles[0].push_back(v);
-  }
-  return region;
-}
-
-Affine3d bend() {
-  return Eigen::Translation3d(0.5, 0.0, -0.3) * Eigen::Translation3d(0, 0, 3) *
-         Eigen::AngleAxisd(0.6, Vector3d::UnitY()) * Eigen::Translation3d(0, 0, -3);
-}
+using test::bend;
+using test::bumpy_tube;
+using test::foot_and_head;
+using test::largest_distance;
 
 Positions deformed(const Mesh& mesh, const Affine3d& motion, const DeformOptions& options = {}) {
   CpuKernels kernels;
   const Topology topology = build_topology(mesh);
   const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
   return deformer.solve(std::array{motion}).positions;
-}
-
-double largest_distance(const Positions& a, const Positions& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
-  return largest;
 }
 
 class DeformerOptions : public ::testing::TestWithParam<DeformOptions> {};

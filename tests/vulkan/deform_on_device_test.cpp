@@ -1,0 +1,72 @@
+// The main operation on each device, from assembly to the dragged surface.
+#include <cstring>
+
+#include "kernels/twins.h"
+#include "lapwing/deform/deformer.h"
+#include "support/bent_tube.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+
+class DeformOnDevice : public test::KernelTest {
+ protected:
+  Positions deformed(const Mesh& mesh, const Affine3d& motion) {
+    const Topology topology = build_topology(mesh);
+    const Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh), {}, *kernels);
+    return deformer.solve(std::array{motion}).positions;
+  }
+};
+
+TEST_P(DeformOnDevice, StillHandleGivesTheInputBackBitForBit) {
+  const Mesh mesh = test::bumpy_tube();
+  const Positions result = deformed(mesh, Affine3d::Identity());
+  EXPECT_EQ(std::memcmp(result.data(), mesh.positions.data(), sizeof(Vector3d) * result.size()), 0);
+}
+
+TEST_P(DeformOnDevice, TranslatingHandleAndBeltTogetherTranslatesTheRegion) {
+  const Mesh mesh = test::bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  EditRegion region = test::foot_and_head(mesh);
+  region.handles.push_back(std::move(region.belt));
+  region.belt.clear();
+  const Deformer deformer(mesh.positions, topology, region, {}, *kernels);
+  const Affine3d shift(Eigen::Translation3d(1, -2, 3));
+  const Positions result = deformer.solve(std::array{shift, shift}).positions;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    EXPECT_LT((result[i] - shift * mesh.positions[i]).norm(), 1e-6);
+  }
+}
+
+TEST_P(DeformOnDevice, ResultDoesNotDependOnPlaceOrUnit) {
+  const Mesh mesh = test::bumpy_tube();
+  const double diagonal = bounds_of(mesh.positions).diagonal();
+  const Positions expected = deformed(mesh, test::bend());
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    const Affine3d frame =
+        Eigen::Translation3d(scale * 1e4 * Vector3d(1, -1, 1)) * Eigen::Scaling(scale);
+    Mesh moved = mesh;
+    for (Vector3d& p : moved.positions) p = frame * p;
+    Positions result = deformed(moved, frame * test::bend() * frame.inverse());
+    for (Vector3d& p : result) p = frame.inverse() * p;
+    EXPECT_LT(test::largest_distance(result, expected), 1e-6 * diagonal) << "scale " << scale;
+  }
+}
+
+TEST_P(DeformOnDevice, DraggedSurfaceFollowsTheSolution) {
+  const Mesh mesh = test::bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh), {}, *kernels);
+  const std::array motions{test::bend()};
+  deformer.drag(motions);
+  EXPECT_LT(
+      test::largest_distance(deformer.surface().positions(), deformer.solve(motions).positions),
+      surface_tolerance() * bounds_of(mesh.positions).diagonal());
+}
+
+LAPWING_ON_ALL_TWINS(DeformOnDevice);
+
+}  // namespace
+}  // namespace lapwing
