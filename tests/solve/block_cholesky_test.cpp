@@ -86,10 +86,10 @@ std::vector<std::tuple<InstructionSet, unsigned>> all_kernels() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, BlockCholeskyKernels, ::testing::ValuesIn(all_kernels()),
-                         [](const auto& info) {
-                           std::string name(instruction_set_name(std::get<0>(info.param)));
+                         [](const auto& suite) {
+                           std::string name(instruction_set_name(std::get<0>(suite.param)));
                            std::erase(name, '-');
-                           return name + "Threads" + std::to_string(std::get<1>(info.param));
+                           return name + "Threads" + std::to_string(std::get<1>(suite.param));
                          });
 
 // ---- Unusual patterns.

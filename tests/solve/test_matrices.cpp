@@ -61,7 +61,7 @@ OwnedMatrix random_matrix(std::size_t blocks, int block_size, double degree, dou
       for (std::size_t q = 0; q < p; ++q) add(c * b + p, c * b + q);
     }
   }
-  for (std::size_t e = 0; blocks > 1 && e < static_cast<std::size_t>(degree * blocks / 2); ++e) {
+  for (std::size_t e = 0; blocks > 1 && e < static_cast<std::size_t>(degree * static_cast<double>(blocks) / 2); ++e) {
     const std::size_t row = random() % blocks;
     const std::size_t column = random() % blocks;
     if (row == column) continue;

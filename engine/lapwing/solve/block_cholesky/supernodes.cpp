@@ -59,8 +59,9 @@ void merge_children(Merging& nodes, int block_size) {
   std::vector<int> queue;
   for (int q = 0; q < nodes.size(); ++q) {
     queue = std::move(nodes.children[q]);
-    std::stable_sort(queue.begin(), queue.end(),
-                     [&](int a, int b) { return nodes.updates[a] > nodes.updates[b]; });
+    std::sort(queue.begin(), queue.end(), [&](int a, int b) {
+      return nodes.updates[a] != nodes.updates[b] ? nodes.updates[a] > nodes.updates[b] : a < b;
+    });
     std::vector<int> kept;
     for (std::size_t i = 0; i < queue.size(); ++i) {
       const int c = queue[i];
