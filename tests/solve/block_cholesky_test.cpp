@@ -30,8 +30,7 @@ BlockCholeskyOptions with(unsigned threads, InstructionSet set = InstructionSet:
 
 // ---- Every instruction set with every number of threads.
 
-class BlockCholeskyKernels
-    : public ::testing::TestWithParam<std::tuple<InstructionSet, unsigned>> {
+class BlockCholeskyKernels : public ::testing::TestWithParam<std::tuple<InstructionSet, unsigned>> {
  protected:
   BlockCholesky solver_{with(std::get<1>(GetParam()), std::get<0>(GetParam()))};
 
@@ -47,8 +46,8 @@ TEST_P(BlockCholeskyKernels, SolveRandomMatrices) {
   for (const std::size_t blocks : {1, 2, 3, 7, 8, 9, 24, 50, 101, 333}) {
     for (const int block_size : {1, 3}) {
       for (const double degree : {0.5, 2.0, 6.0}) {
-        SCOPED_TRACE("blocks " + std::to_string(blocks) + " of size " +
-                     std::to_string(block_size) + ", degree " + std::to_string(degree));
+        SCOPED_TRACE("blocks " + std::to_string(blocks) + " of size " + std::to_string(block_size) +
+                     ", degree " + std::to_string(degree));
         expect_solves(random_matrix(blocks, block_size, degree, 0.1, ++seed).matrix, 1);
       }
     }
@@ -163,8 +162,7 @@ TEST(BlockCholesky, AcceptsConditionNumbersUpToTenToTheTwelve) {
       SCOPED_TRACE("weight " + std::to_string(weight));
       const auto b = random_vector(A.matrix.scalar_size(), 9);
       BlockCholesky solver(with(2));
-      EXPECT_THAT(backward_error(A.matrix, solve_with(solver, A.matrix, b), b),
-                  Lt(kBackwardError));
+      EXPECT_THAT(backward_error(A.matrix, solve_with(solver, A.matrix, b), b), Lt(kBackwardError));
     }
   }
 }
@@ -178,9 +176,9 @@ TEST(BlockCholesky, AcceptsBadlyScaledMatrices) {
 }
 
 TEST(BlockCholesky, RefusesMeshesWithoutAnchor) {
-  for (const Mesh& mesh : {icosphere(0), icosphere(1), icosphere(2), icosphere(3), icosphere(4),
-                           grid(1, 1), grid(5, 7), grid(60, 60), torus(40, 20, 2.0, 0.5),
-                           cylinder(8, 30, 0.5, 4.0)}) {
+  for (const Mesh& mesh :
+       {icosphere(0), icosphere(1), icosphere(2), icosphere(3), icosphere(4), grid(1, 1),
+        grid(5, 7), grid(60, 60), torus(40, 20, 2.0, 0.5), cylinder(8, 30, 0.5, 4.0)}) {
     SCOPED_TRACE(mesh.vertex_count());
     BlockCholesky solver(with(2));
     const OwnedMatrix A = laplacian_matrix(mesh, 0.0, 0);
@@ -235,8 +233,8 @@ TEST(BlockCholesky, RefusesIndefiniteZeroAndNegativeMatrices) {
 }
 
 TEST(BlockCholesky, NamesTheBlockThatIsNotFinite) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     OwnedMatrix A = rsi_matrix(icosphere(2), 1.0, 10);
     const std::size_t entry = A.pattern->starts[70] + 2;
     A.matrix.values[9 * entry + 4] = bad;
@@ -329,8 +327,8 @@ TEST(BlockCholesky, RefactorsChangedValues) {
 }
 
 TEST(BlockCholesky, RefactorsChangedDiagonalBlocksToTheSameBits) {
-  for (OwnedMatrix& A : std::array{rsi_matrix(icosphere(4), 1.0, 10),
-                                   laplacian_matrix(grid(150, 150), 1.0, 10)}) {
+  for (OwnedMatrix& A :
+       std::array{rsi_matrix(icosphere(4), 1.0, 10), laplacian_matrix(grid(150, 150), 1.0, 10)}) {
     const auto order = fill_reducing_order(*A.pattern, Ordering::nested_dissection);
     const auto b = random_vector(A.matrix.scalar_size(), 2);
     BlockCholesky partial(with(2));

@@ -24,7 +24,9 @@ BlockCholeskyOptions with_threads(unsigned threads) {
 }
 
 // Large enough that the fronts at the top are shared.
-OwnedMatrix shared_system() { return rsi_matrix(icosphere(4), 1.0, 100); }
+OwnedMatrix shared_system() {
+  return rsi_matrix(icosphere(4), 1.0, 100);
+}
 
 TEST(BlockCholeskyThreads, GiveTheSameBits) {
   for (const OwnedMatrix& A : {shared_system(), laplacian_matrix(grid(120, 120), 1.0, 50)}) {

@@ -91,7 +91,9 @@ TEST_P(EveryBlockSolver, RefusesAnIndefiniteMatrixAndNamesTheBlock) {
   }
 }
 
-TEST_P(EveryBlockSolver, SaysItsName) { EXPECT_FALSE(solver_->name().empty()); }
+TEST_P(EveryBlockSolver, SaysItsName) {
+  EXPECT_FALSE(solver_->name().empty());
+}
 
 INSTANTIATE_TEST_SUITE_P(Each, EveryBlockSolver, ::testing::ValuesIn(kinds()),
                          [](const auto& suite) {

@@ -30,9 +30,13 @@ FailingNew::FailingNew(long fail_at) {
   counting = true;
 }
 
-FailingNew::~FailingNew() { counting = false; }
+FailingNew::~FailingNew() {
+  counting = false;
+}
 
-long FailingNew::calls() { return call_count; }
+long FailingNew::calls() {
+  return call_count;
+}
 
 }  // namespace lapwing::test
 
@@ -42,7 +46,15 @@ void* operator new(std::size_t bytes) {
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return lapwing::test::allocate(bytes == 0 ? 1 : bytes, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}

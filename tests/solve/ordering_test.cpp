@@ -63,7 +63,9 @@ INSTANTIATE_TEST_SUITE_P(Each, EveryOrdering,
                            }
                          });
 
-TEST(Ordering, OfTheEmptyPatternIsEmpty) { EXPECT_TRUE(fill_reducing_order(BlockPattern{}).empty()); }
+TEST(Ordering, OfTheEmptyPatternIsEmpty) {
+  EXPECT_TRUE(fill_reducing_order(BlockPattern{}).empty());
+}
 
 }  // namespace
 }  // namespace lapwing

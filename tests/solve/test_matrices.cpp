@@ -61,7 +61,8 @@ OwnedMatrix random_matrix(std::size_t blocks, int block_size, double degree, dou
       for (std::size_t q = 0; q < p; ++q) add(c * b + p, c * b + q);
     }
   }
-  for (std::size_t e = 0; blocks > 1 && e < static_cast<std::size_t>(degree * static_cast<double>(blocks) / 2); ++e) {
+  for (std::size_t e = 0;
+       blocks > 1 && e < static_cast<std::size_t>(degree * static_cast<double>(blocks) / 2); ++e) {
     const std::size_t row = random() % blocks;
     const std::size_t column = random() % blocks;
     if (row == column) continue;
@@ -182,8 +183,8 @@ double backward_error(const BlockMatrix& A, std::span<const double> x, std::span
   return worst;
 }
 
-std::vector<double> solve_with(BlockSolver& solver, const BlockMatrix& A,
-                               std::span<const double> b, std::size_t columns) {
+std::vector<double> solve_with(BlockSolver& solver, const BlockMatrix& A, std::span<const double> b,
+                               std::size_t columns) {
   solver.analyze(*A.pattern, A.block_size,
                  fill_reducing_order(*A.pattern, Ordering::minimum_degree));
   solver.factor(A);

@@ -61,7 +61,7 @@ double backward_error(const BlockMatrix& A, std::span<const double> x, std::span
                       std::size_t columns = 1);
 
 /// Analyzes (minimum degree), factors and solves for `b`.
-std::vector<double> solve_with(BlockSolver& solver, const BlockMatrix& A,
-                               std::span<const double> b, std::size_t columns = 1);
+std::vector<double> solve_with(BlockSolver& solver, const BlockMatrix& A, std::span<const double> b,
+                               std::size_t columns = 1);
 
 }  // namespace lapwing::test

@@ -60,13 +60,14 @@ void print_ratios(const std::vector<SolverRow>& ours, const std::vector<SolverRo
     };
     return best(others) / best(ours);
   };
-  std::printf("best of the others / best of ours: factor %.1f, one right-hand side %.1f, twelve "
-              "%.1f, n x n factor %.1f, cold start %.1f\n",
-              ratio([](const SolverRow& row) { return row.factor; }),
-              ratio([](const SolverRow& row) { return row.one_column; }),
-              ratio([](const SolverRow& row) { return row.twelve_columns; }),
-              ratio([](const SolverRow& row) { return row.scalar_factor; }),
-              ratio([](const SolverRow& row) { return row.cold(); }));
+  std::printf(
+      "best of the others / best of ours: factor %.1f, one right-hand side %.1f, twelve "
+      "%.1f, n x n factor %.1f, cold start %.1f\n",
+      ratio([](const SolverRow& row) { return row.factor; }),
+      ratio([](const SolverRow& row) { return row.one_column; }),
+      ratio([](const SolverRow& row) { return row.twelve_columns; }),
+      ratio([](const SolverRow& row) { return row.scalar_factor; }),
+      ratio([](const SolverRow& row) { return row.cold(); }));
 }
 
 std::vector<SolverRow> time_ours(const BenchSystem& system, const Settings& settings) {
@@ -78,10 +79,9 @@ std::vector<SolverRow> time_ours(const BenchSystem& system, const Settings& sett
         options.threads = threads;
         options.instruction_set = set;
         BlockCholesky solver(options);
-        const std::string name = "ours " +
-                                 std::string(ordering == Ordering::minimum_degree ? "AMD" : "METIS") +
-                                 ", " + std::string(instruction_set_name(set)) + ", " +
-                                 std::to_string(threads) + " threads";
+        const std::string name =
+            "ours " + std::string(ordering == Ordering::minimum_degree ? "AMD" : "METIS") + ", " +
+            std::string(instruction_set_name(set)) + ", " + std::to_string(threads) + " threads";
         rows.push_back(time_solver(system, name, solver, ordering, settings.repeats));
         print(rows.back());
       }
@@ -106,8 +106,8 @@ void bench(const BenchSystem& system, const Settings& settings) {
 #endif
   if (settings.eigen) {
     const auto solver = make_solver(SolverKind::eigen);
-    others.push_back(time_solver(system, "Eigen, METIS on blocks", *solver,
-                                 Ordering::nested_dissection, 1));
+    others.push_back(
+        time_solver(system, "Eigen, METIS on blocks", *solver, Ordering::nested_dissection, 1));
     print(others.back());
   }
   print_ratios(ours, others);
@@ -135,7 +135,8 @@ int main(int argc, char** argv) {
                "lapwing-solver-bench");
   app.add_option("MESH", settings.meshes, "mesh files");
   app.add_option("--icosphere", settings.icosphere, "also an icosphere divided so many times");
-  app.add_option("--subdivide", settings.subdivisions, "split every mesh's triangles so many times");
+  app.add_option("--subdivide", settings.subdivisions,
+                 "split every mesh's triangles so many times");
   app.add_option("--repeats", settings.repeats)->check(CLI::Range(1, 1000));
   app.add_option("--threads", settings.threads, "thread counts to time");
   app.add_option("--anchor-step", settings.anchor_step, "every so many vertices one is anchored")

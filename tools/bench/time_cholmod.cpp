@@ -1,7 +1,7 @@
+#include <dlfcn.h>
 #include <stdexcept>
 
 #include <cholmod.h>
-#include <dlfcn.h>
 
 #include "lapwing/solve/scalar_lower.h"
 #include "median.h"
@@ -111,9 +111,8 @@ SolverRow time_cholmod(const BenchSystem& system, CholmodOrdering ordering, int 
   row.name = name_of(ordering);
   std::vector<int> order;
   if (ordering == CholmodOrdering::blocks) {
-    row.order = median_ms(1, [&] {
-      order = fill_reducing_order(system.pattern, Ordering::nested_dissection);
-    });
+    row.order = median_ms(
+        1, [&] { order = fill_reducing_order(system.pattern, Ordering::nested_dissection); });
   }
   Cholmod coupled(system.coupled, ordering, order);
   row.analyze = median_ms(1, [&] { coupled.analyze(); });
@@ -132,8 +131,7 @@ SolverRow time_cholmod(const BenchSystem& system, CholmodOrdering ordering, int 
     scalar.factor();
     best(row.scalar_factor, median_ms(repeats, [&] { scalar.factor(); }));
     best(row.twelve_columns, median_ms(repeats + 1, [&] { coupled.solve(b); }));
-    best(row.one_column,
-         median_ms(2 * repeats + 1, [&] { coupled.solve(std::span(b).first(n)); }));
+    best(row.one_column, median_ms(2 * repeats + 1, [&] { coupled.solve(std::span(b).first(n)); }));
   }
   row.error = normwise_backward_error(system.coupled, coupled.solve(std::span(b).first(n)),
                                       std::span(b).first(n));

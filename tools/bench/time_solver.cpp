@@ -57,9 +57,8 @@ SolverRow time_solver(const BenchSystem& system, const std::string& name, BlockS
   const std::vector<double> b = right_hand_sides(12 * n);
   std::vector<double> x(12 * n);
   row.twelve_columns = median_ms(repeats + 1, [&] { solver.solve(b, x, 12); });
-  row.one_column = median_ms(2 * repeats + 1, [&] {
-    solver.solve(std::span(b).first(n), std::span(x).first(n), 1);
-  });
+  row.one_column = median_ms(
+      2 * repeats + 1, [&] { solver.solve(std::span(b).first(n), std::span(x).first(n), 1); });
   row.error = normwise_backward_error(matrix, std::span(x).first(n), std::span(b).first(n));
   solver.analyze(system.pattern, 1, order);
   solver.factor(system.scalar);

@@ -17,7 +17,9 @@ namespace {
 
 using namespace cholesky;
 
-std::string megabytes(std::size_t bytes) { return std::to_string(bytes / 1'000'000 + 1) + " MB"; }
+std::string megabytes(std::size_t bytes) {
+  return std::to_string(bytes / 1'000'000 + 1) + " MB";
+}
 
 void check_order(std::span<const int> order, std::size_t blocks) {
   std::vector<char> seen(blocks, 0);
@@ -77,7 +79,8 @@ SolverError not_finite(const BlockPattern& pattern, std::size_t entry) {
   const auto column = after - pattern.starts.begin() - 1;
   return SolverError("the matrix has a number that is not finite at block row " +
                      std::to_string(pattern.rows[entry]) + ", block column " +
-                     std::to_string(column) + "; check the positions and weights of those vertices");
+                     std::to_string(column) +
+                     "; check the positions and weights of those vertices");
 }
 
 }  // namespace
@@ -105,9 +108,9 @@ class BlockCholesky::Implementation {
                              TriangularSolve::bytes_needed(*symbolic_, pool_.size());
     if (options_.memory_limit_bytes > 0 && statistics_.peak_bytes > options_.memory_limit_bytes) {
       symbolic_.reset();
-      throw SolverError("the factorization of " + std::to_string(pattern.size()) + " blocks needs " +
-                        megabytes(statistics_.peak_bytes) + ", more than the limit of " +
-                        megabytes(options_.memory_limit_bytes) +
+      throw SolverError("the factorization of " + std::to_string(pattern.size()) +
+                        " blocks needs " + megabytes(statistics_.peak_bytes) +
+                        ", more than the limit of " + megabytes(options_.memory_limit_bytes) +
                         "; choose a smaller region or raise the limit");
     }
   }
@@ -119,8 +122,7 @@ class BlockCholesky::Implementation {
       numeric_ = std::make_unique<Numeric>(*symbolic_, kernels_, pool_);
       solve_ = std::make_unique<TriangularSolve>(*symbolic_, *numeric_, kernels_, pool_);
     }
-    const Refusal refusal =
-        numeric_->factor(matrix, options_.pivot_tolerance, progress, kept);
+    const Refusal refusal = numeric_->factor(matrix, options_.pivot_tolerance, progress, kept);
     if (refusal.reason == Refusal::Reason::pivot) throw refused_pivot(*symbolic_, refusal);
     if (refusal.reason == Refusal::Reason::not_finite) throw not_finite(*pattern_, refusal.where);
     factored_ = true;
@@ -220,15 +222,16 @@ void BlockCholesky::factor(const BlockMatrix& matrix) {
 }
 
 void BlockCholesky::refactor_diagonal(const BlockMatrix& matrix, std::span<const Index> changed) {
-  implementation_->guard(
-      [&] { implementation_->refactor_diagonal(matrix, changed, progress_); });
+  implementation_->guard([&] { implementation_->refactor_diagonal(matrix, changed, progress_); });
 }
 
 void BlockCholesky::solve(std::span<const double> B, std::span<double> X, std::size_t columns) {
   implementation_->guard([&] { implementation_->solve(B, X, columns); });
 }
 
-SolverStatistics BlockCholesky::statistics() const { return implementation_->statistics(); }
+SolverStatistics BlockCholesky::statistics() const {
+  return implementation_->statistics();
+}
 
 std::unique_ptr<BlockSolver> make_block_cholesky_solver() {
   return std::make_unique<BlockCholesky>();

@@ -9,11 +9,14 @@ namespace lapwing::cholesky {
 // instruction set, and the linker must not take one of those copies for the whole program.
 
 /// Rows of a strip. A strip holds 8 matrix rows, column after column, so that a column of it is one
-/// AVX-512 register, two AVX2 ones, and so on. Row counts are padded to whole strips with zero rows.
+/// AVX-512 register, two AVX2 ones, and so on. Row counts are padded to whole strips with zero
+/// rows.
 inline constexpr int kStrip = 8;
 
 /// Strips that hold `rows` rows.
-static inline int strips_of(int rows) { return (rows + kStrip - 1) / kStrip; }
+static inline int strips_of(int rows) {
+  return (rows + kStrip - 1) / kStrip;
+}
 
 /// Where strip s begins in a lower triangle of strips: strip s has 8 (s + 1) columns.
 static inline std::size_t triangle_offset(int s) {

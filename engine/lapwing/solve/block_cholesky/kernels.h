@@ -9,7 +9,8 @@ inline constexpr int kSolveWidths[] = {1, 4, 8, 12};
 inline constexpr int kWidestSolve = 12;
 
 /// Triangular solves with one front for a fixed number R of right-hand sides. Vectors hold R
-/// numbers a row; y has a row for each padded pivot row, w for each padded update row; padding is 0.
+/// numbers a row; y has a row for each padded pivot row, w for each padded update row; padding is
+/// 0.
 struct SolveKernels {
   /// y = L11^-1 y.
   void (*forward_pivots)(const FrontView& front, double* y);

@@ -11,9 +11,15 @@ constexpr double kReportEveryMs = 2.0;
 constexpr int kBlockStrips = 6;
 // Strips of a chunk: one tile of the widest kernels.
 constexpr int kChunkStrips = 3;
+// Blocks of the matrix asked for ahead of use.
+constexpr std::size_t kPrefetch = 8;
 
-int blocks_of(const Front& front) { return (front.pivot_strips + kBlockStrips - 1) / kBlockStrips; }
-int chunks_of(int strips) { return (strips + kChunkStrips - 1) / kChunkStrips; }
+int blocks_of(const Front& front) {
+  return (front.pivot_strips + kBlockStrips - 1) / kBlockStrips;
+}
+int chunks_of(int strips) {
+  return (strips + kChunkStrips - 1) / kChunkStrips;
+}
 
 // First pivot strip of block `block`, or the number of pivot strips after the last.
 int block_start(const Front& front, int block) {
@@ -43,13 +49,12 @@ Numeric::Numeric(const Symbolic& symbolic, const KernelTable& kernels, WorkerPoo
 std::size_t Numeric::bytes_needed(const Symbolic& symbolic, int threads) {
   const std::size_t stacks =
       symbolic.updates.stacks[0] + symbolic.updates.stacks[1] + 2 * kUpdateSlack;
-  return arena_bytes(symbolic.factor_size) +
-         arena_bytes(symbolic.updates.kept + 2 * kUpdateSlack) + threads * arena_bytes(stacks) +
-         sizeof(double) * symbolic.blocks * symbolic.block_size;
+  return arena_bytes(symbolic.factor_size) + arena_bytes(symbolic.updates.kept + 2 * kUpdateSlack) +
+         threads * arena_bytes(stacks) + sizeof(double) * symbolic.blocks * symbolic.block_size;
 }
 
-Refusal Numeric::factor(const BlockMatrix& matrix, double pivot_tolerance,
-                        const Progress& progress, const std::vector<char>& skipped) {
+Refusal Numeric::factor(const BlockMatrix& matrix, double pivot_tolerance, const Progress& progress,
+                        const std::vector<char>& skipped) {
   matrix_ = &matrix;
   pivot_tolerance_ = pivot_tolerance;
   progress_ = &progress;
@@ -171,13 +176,17 @@ void Numeric::add_matrix(int f, int first_strip, int last_strip) {
   const int first_row = kStrip * first_strip;
   const int last_row = kStrip * last_strip;
   double* floors = floors_.data() + static_cast<std::size_t>(kBlock) * front.first_block;
+  const double* values = matrix_->values.data();
   for (std::size_t e = front.entries_begin; e < front.entries_end; ++e) {
     const MatrixEntry& entry = symbolic_.entries[e];
+    // The matrix is in the caller's order, so that the next block is seldom in a cache.
+    const MatrixEntry& ahead = symbolic_.entries[std::min(e + kPrefetch, front.entries_end - 1)];
+    __builtin_prefetch(values + ahead.source * (kBlock * kBlock));
     const bool transposed = entry.row < entry.column;
     const int block_row = std::max(entry.row, entry.column);
     const int block_column = std::min(entry.row, entry.column);
     if (block_row >= last_row || block_row + kBlock <= first_row) continue;
-    const double* block = matrix_->values.data() + entry.source * (kBlock * kBlock);
+    const double* block = values + entry.source * (kBlock * kBlock);
     double not_finite = 0.0;  // becomes NaN
     for (int k = 0; k < kBlock * kBlock; ++k) not_finite += block[k] * 0.0;
     if (not_finite != 0.0) refuse({Refusal::Reason::not_finite, f, entry.source});

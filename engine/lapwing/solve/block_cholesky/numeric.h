@@ -54,8 +54,7 @@ class Numeric final : private NodeWork {
   void factor_pivots(int f, int first_strip, int last_strip);
   void update(int f, int first_strip, int last_strip, int thread);
   double* update_of(const Front& front, int thread) const;
-  ChildUpdate child_update(const Front& child, int thread, int first_target,
-                           int last_target) const;
+  ChildUpdate child_update(const Front& child, int thread, int first_target, int last_target) const;
   void refuse(const Refusal& refusal);
   bool abandoned(int front) const { return front >= stop_at_.load(std::memory_order_relaxed); }
 

@@ -11,8 +11,8 @@ constexpr std::uint64_t kChunkMask = (std::uint64_t{1} << kChunkBits) - 1;
 constexpr int kLooksBeforeYield = 200;
 
 std::uint64_t make_ticket(int phase, int chunks) {
-  return static_cast<std::uint64_t>(phase) << (2 * kChunkBits) |
-         static_cast<std::uint64_t>(chunks) << kChunkBits;
+  return static_cast<std::uint64_t>(phase) << (2 * kChunkBits) | static_cast<std::uint64_t>(chunks)
+                                                                     << kChunkBits;
 }
 
 void pause() {
@@ -101,8 +101,7 @@ void SharedWork::node_done(NodeWork& work, int node) {
   work.node_done(node);
   for (int s = graph_.successor_starts[node]; s < graph_.successor_starts[node + 1]; ++s) {
     const int next = graph_.successors[s];
-    if (nodes_[next].waiting_for.fetch_sub(1, std::memory_order_acq_rel) == 1 &&
-        !skipped_[next]) {
+    if (nodes_[next].waiting_for.fetch_sub(1, std::memory_order_acq_rel) == 1 && !skipped_[next]) {
       begin_phase(work, next, 0);
     }
   }

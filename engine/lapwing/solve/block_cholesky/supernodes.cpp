@@ -119,10 +119,10 @@ double front_flops(double pivots, double updates) {
 }
 
 double front_cost(double pivots, double updates) {
-  constexpr double kPerFront = 600.0;      // ns
+  constexpr double kPerFront = 600.0;  // ns
   constexpr double kFlopsPerNs = 38.0;
-  constexpr double kPerPanelEntry = 0.25;  // ns: cleared, filled, read by the solves
-  constexpr double kPerUpdateEntry = 0.55; // ns: added into the parent
+  constexpr double kPerPanelEntry = 0.25;   // ns: cleared, filled, read by the solves
+  constexpr double kPerUpdateEntry = 0.55;  // ns: added into the parent
   return kPerFront + front_flops(pivots, updates) / kFlopsPerNs +
          kPerPanelEntry * pivots * (pivots / 2 + updates) + kPerUpdateEntry * updates * updates / 2;
 }

@@ -22,8 +22,8 @@ struct Front {
   int update_strips = 0;
   int parent = -1;  ///< a later front, -1 at the roots
   int children_begin = 0;
-  int children_end = 0;     ///< in Symbolic::children
-  int parent_pivots = 0;    ///< so many leading update rows are pivots of the parent
+  int children_end = 0;       ///< in Symbolic::children
+  int parent_pivots = 0;      ///< so many leading update rows are pivots of the parent
   bool keeps_update = false;  ///< its update matrix lives on after its parent is done
   int depth_parity = 0;       ///< which of the two stacks holds its update otherwise
   std::size_t panel_at = 0;   ///< in the factor
@@ -82,10 +82,10 @@ struct Symbolic {
   std::vector<MatrixEntry> entries;
   std::size_t factor_size = 0;
   HandOverPlan updates;
-  HandOverPlan vectors;  ///< for one right-hand side
-  WorkGraph upward;      ///< tasks, then top fronts: children before parents
-  WorkGraph downward;    ///< the same nodes: parents before children
-  double flops = 0;      ///< true operations of the factorization
+  HandOverPlan vectors;            ///< for one right-hand side
+  WorkGraph upward;                ///< tasks, then top fronts: children before parents
+  WorkGraph downward;              ///< the same nodes: parents before children
+  double flops = 0;                ///< true operations of the factorization
   std::size_t factor_entries = 0;  ///< true entries of the factor
 
   int task_count() const { return static_cast<int>(task_starts.size()) - 1; }

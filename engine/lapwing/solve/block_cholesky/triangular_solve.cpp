@@ -199,8 +199,8 @@ void TriangularSolve::solve(std::span<const double> B, std::span<double> X, std:
 }
 
 void TriangularSolve::solve_columns(const Columns& columns) {
-  const auto* width = std::lower_bound(std::begin(kSolveWidths), std::end(kSolveWidths),
-                                       columns.count);
+  const auto* width =
+      std::lower_bound(std::begin(kSolveWidths), std::end(kSolveWidths), columns.count);
   reserve(*width);
   width_ = *width;
   solve_ = &kernels_.solve[width - std::begin(kSolveWidths)];

@@ -54,10 +54,10 @@ class TriangularSolve {
   int width_ = 0;  // right-hand sides a row holds
   const SolveKernels* solve_ = nullptr;
   Columns columns_;
-  Arena solution_;               // all rows, in the factor's order
-  Arena kept_;                   // update rows of the fronts that keep them
-  std::vector<Arena> stacks_;    // update rows of the others, one a thread
-  std::vector<Arena> scratch_;   // pivot rows, update rows, and 8 numbers a pivot; one a thread
+  Arena solution_;              // all rows, in the factor's order
+  Arena kept_;                  // update rows of the fronts that keep them
+  std::vector<Arena> stacks_;   // update rows of the others, one a thread
+  std::vector<Arena> scratch_;  // pivot rows, update rows, and 8 numbers a pivot; one a thread
 };
 
 }  // namespace lapwing::cholesky
