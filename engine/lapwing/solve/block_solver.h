@@ -3,8 +3,10 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/progress.h"
 #include "lapwing/solve/block_matrix.h"
 
 namespace lapwing {
@@ -19,9 +21,17 @@ class NotPositiveDefinite : public SolverError {
 
 /// Which factorization to use.
 enum class SolverKind {
-  automatic,  ///< the fastest one built in
+  automatic,  ///< the fastest one: block
+  block,      ///< our own multifrontal block Cholesky (block_cholesky/)
   cholmod,    ///< CHOLMOD's supernodal Cholesky; only with LAPWING_COPYLEFT
   eigen,      ///< Eigen's simplicial Cholesky, always there
+};
+
+/// What `analyze` knows of the factorization to come; 0 where a solver does not say.
+struct SolverStatistics {
+  double flops = 0;              ///< operations of one factorization
+  std::size_t factor_bytes = 0;  ///< memory of the factor
+  std::size_t peak_bytes = 0;    ///< most memory that analysis, factor and solves hold together
 };
 
 /// Sparse Cholesky factorization of a symmetric positive definite block matrix, in three steps
@@ -31,7 +41,7 @@ class BlockSolver {
  public:
   virtual ~BlockSolver() = default;
 
-  /// "CHOLMOD", "Eigen": for reports.
+  /// "Lapwing block Cholesky", "CHOLMOD", "Eigen": for reports.
   virtual std::string_view name() const = 0;
 
   /// Symbolic factorization under `order` (new to old, from `fill_reducing_order`). The pattern
@@ -41,9 +51,26 @@ class BlockSolver {
   /// Numeric factorization of a matrix with the analyzed pattern. Throws NotPositiveDefinite.
   virtual void factor(const BlockMatrix& matrix) = 0;
 
+  /// As `factor`, for a matrix that differs from the last one factored only in the diagonal blocks
+  /// `changed` (block columns, in any order). A solver that can reuses the rest.
+  virtual void refactor_diagonal(const BlockMatrix& matrix,
+                                 [[maybe_unused]] std::span<const Index> changed) {
+    factor(matrix);
+  }
+
   /// Solves A X = B for `columns` right-hand sides stored one after the other, A.scalar_size()
   /// numbers each. B and X may be the same memory.
   virtual void solve(std::span<const double> B, std::span<double> X, std::size_t columns) = 0;
+
+  virtual SolverStatistics statistics() const { return {}; }
+
+  /// Has `factor` report stage "factor" on the calling thread, with the share of its operations
+  /// done, and stop with Cancelled when `progress` says so. Stays until replaced. A solver that
+  /// cannot stop half-way ignores it.
+  void set_progress(Progress progress) { progress_ = std::move(progress); }
+
+ protected:
+  Progress progress_;
 };
 
 /// Makes a solver. Throws SolverError when that kind is not built in.

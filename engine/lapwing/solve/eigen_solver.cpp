@@ -7,7 +7,12 @@ namespace lapwing {
 namespace {
 
 // Eigen asks an ordering for a permutation; ours is known already.
-using Simplicial = Eigen::SimplicialLLT<ScalarLower, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+class Simplicial final
+    : public Eigen::SimplicialLLT<ScalarLower, Eigen::Lower, Eigen::NaturalOrdering<int>> {
+ public:
+  // Leaves 0 on the diagonal of the columns that a refused factorization does not reach.
+  void clear() { m_matrix.coeffs().setZero(); }
+};
 using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
 class EigenSolver final : public BlockSolver {
@@ -28,6 +33,7 @@ class EigenSolver final : public BlockSolver {
   void factor(const BlockMatrix& matrix) override {
     fill_scalar_lower(matrix, lower_);
     permute();
+    factor_.clear();
     factor_.factorize(permuted_);
     if (factor_.info() != Eigen::Success) throw not_positive_definite();
   }

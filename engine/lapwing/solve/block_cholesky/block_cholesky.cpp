@@ -1,0 +1,240 @@
+#include "lapwing/solve/block_cholesky/block_cholesky.h"
+
+#include <algorithm>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "lapwing/base/parallel.h"
+#include "lapwing/solve/block_cholesky/instruction_sets.h"
+#include "lapwing/solve/block_cholesky/numeric.h"
+#include "lapwing/solve/block_cholesky/triangular_solve.h"
+#include "lapwing/solve/block_cholesky/worker_pool.h"
+#include "lapwing/solve/solvers.h"
+
+namespace lapwing {
+namespace {
+
+using namespace cholesky;
+
+std::string megabytes(std::size_t bytes) {
+  return std::to_string(bytes / 1'000'000 + 1) + " MB";
+}
+
+void check_order(std::span<const int> order, std::size_t blocks) {
+  std::vector<char> seen(blocks, 0);
+  bool good = order.size() == blocks;
+  for (std::size_t i = 0; good && i < blocks; ++i) {
+    const int block = order[i];
+    good = block >= 0 && static_cast<std::size_t>(block) < blocks && !std::exchange(seen[block], 1);
+  }
+  if (!good) {
+    throw SolverError("the order is not a permutation of the " + std::to_string(blocks) +
+                      " blocks; take it from fill_reducing_order for the same pattern");
+  }
+}
+
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& list) {
+  return list.capacity() * sizeof(T);
+}
+
+std::size_t table_bytes(const Symbolic& symbolic) {
+  return bytes_of(symbolic.order) + bytes_of(symbolic.front_of_block) + bytes_of(symbolic.fronts) +
+         bytes_of(symbolic.children) + bytes_of(symbolic.rows) + bytes_of(symbolic.positions) +
+         bytes_of(symbolic.pieces) + bytes_of(symbolic.entries);
+}
+
+// The blocks that hang together with those of `front`: the pivots of its tree.
+std::vector<int> component_of(const Symbolic& symbolic, int front) {
+  std::vector<int> root(symbolic.fronts.size());
+  for (int f = symbolic.front_count() - 1; f >= 0; --f) {
+    const int parent = symbolic.fronts[f].parent;
+    root[f] = parent < 0 ? f : root[parent];
+  }
+  std::vector<int> blocks;
+  for (int f = 0; f < symbolic.front_count(); ++f) {
+    if (root[f] != root[front]) continue;
+    const auto first = symbolic.order.begin() + symbolic.fronts[f].first_block;
+    blocks.insert(blocks.end(), first, first + symbolic.fronts[f].pivot_blocks);
+  }
+  return blocks;
+}
+
+NotPositiveDefinite refused_pivot(const Symbolic& symbolic, const Refusal& refusal) {
+  const Front& front = symbolic.fronts[refusal.front];
+  const int block =
+      symbolic.order[front.first_block + static_cast<int>(refusal.where) / symbolic.block_size];
+  const std::vector<int> component = component_of(symbolic, refusal.front);
+  return {"the matrix is singular or not positive definite at block " + std::to_string(block) +
+              ", in the component of " + std::to_string(component.size()) +
+              " blocks whose smallest is block " +
+              std::to_string(*std::min_element(component.begin(), component.end())) +
+              "; constrain a vertex of that component (a handle or belt)",
+          static_cast<Index>(block)};
+}
+
+SolverError not_finite(const BlockPattern& pattern, std::size_t entry) {
+  const auto after = std::upper_bound(pattern.starts.begin(), pattern.starts.end(), entry);
+  const auto column = after - pattern.starts.begin() - 1;
+  return SolverError("the matrix has a number that is not finite at block row " +
+                     std::to_string(pattern.rows[entry]) + ", block column " +
+                     std::to_string(column) +
+                     "; check the positions and weights of those vertices");
+}
+
+}  // namespace
+
+class BlockCholesky::Implementation {
+ public:
+  explicit Implementation(const BlockCholeskyOptions& options)
+      : options_(options),
+        kernels_(kernels_for(options.instruction_set)),
+        pool_(options.threads > 0 ? options.threads : thread_count()) {}
+
+  void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) {
+    forget();
+    check_order(order, pattern.size());
+    if (block_size != 1 && block_size != 3) {
+      throw SolverError("blocks of size " + std::to_string(block_size) +
+                        " are not supported; use 1 or 3");
+    }
+    symbolic_ = std::make_unique<Symbolic>(analyze_pattern(pattern, block_size, order));
+    pattern_ = &pattern;
+    statistics_.flops = symbolic_->flops;
+    statistics_.factor_bytes = arena_bytes(symbolic_->factor_size);
+    statistics_.peak_bytes = table_bytes(*symbolic_) +
+                             Numeric::bytes_needed(*symbolic_, pool_.size()) +
+                             TriangularSolve::bytes_needed(*symbolic_, pool_.size());
+    if (options_.memory_limit_bytes > 0 && statistics_.peak_bytes > options_.memory_limit_bytes) {
+      symbolic_.reset();
+      throw SolverError("the factorization of " + std::to_string(pattern.size()) +
+                        " blocks needs " + megabytes(statistics_.peak_bytes) +
+                        ", more than the limit of " + megabytes(options_.memory_limit_bytes) +
+                        "; choose a smaller region or raise the limit");
+    }
+  }
+
+  void factor(const BlockMatrix& matrix, const Progress& progress, const std::vector<char>& kept) {
+    check(matrix);
+    factored_ = false;
+    if (!numeric_) {
+      numeric_ = std::make_unique<Numeric>(*symbolic_, kernels_, pool_);
+      solve_ = std::make_unique<TriangularSolve>(*symbolic_, *numeric_, kernels_, pool_);
+    }
+    const Refusal refusal = numeric_->factor(matrix, options_.pivot_tolerance, progress, kept);
+    if (refusal.reason == Refusal::Reason::pivot) throw refused_pivot(*symbolic_, refusal);
+    if (refusal.reason == Refusal::Reason::not_finite) throw not_finite(*pattern_, refusal.where);
+    factored_ = true;
+  }
+
+  void refactor_diagonal(const BlockMatrix& matrix, std::span<const Index> changed,
+                         const Progress& progress) {
+    std::vector<char> kept;
+    if (factored_) {
+      kept.assign(symbolic_->upward.size(), 1);
+      for (const Index block : changed) kept[symbolic_->node_of_front(front_of(block))] = 0;
+      // Nodes are numbered children first.
+      for (int node = 0; node < symbolic_->upward.size(); ++node) {
+        if (kept[node]) continue;
+        const WorkGraph& graph = symbolic_->upward;
+        for (int s = graph.successor_starts[node]; s < graph.successor_starts[node + 1]; ++s) {
+          kept[graph.successors[s]] = 0;
+        }
+      }
+    }
+    factor(matrix, progress, kept);
+  }
+
+  void solve(std::span<const double> B, std::span<double> X, std::size_t columns) {
+    if (!factored_) throw SolverError("there is no factorization to solve with; call factor first");
+    solve_->solve(B, X, columns);
+  }
+
+  const SolverStatistics& statistics() const { return statistics_; }
+
+  // Calls `step`, and says how much memory was asked for when there is not enough.
+  template <typename Step>
+  void guard(Step step) {
+    try {
+      step();
+    } catch (const std::bad_alloc&) {
+      const bool known = symbolic_ != nullptr;
+      if (!factored_) {
+        solve_.reset();
+        numeric_.reset();
+      }
+      throw SolverError(known ? "out of memory: the factorization needs " +
+                                    megabytes(statistics_.peak_bytes) + "; choose a smaller region"
+                              : "out of memory in the symbolic factorization; choose a smaller "
+                                "region");
+    }
+  }
+
+ private:
+  void forget() {
+    factored_ = false;
+    solve_.reset();
+    numeric_.reset();
+    symbolic_.reset();
+    statistics_ = {};
+  }
+
+  int front_of(Index block) const {
+    if (block >= symbolic_->front_of_block.size()) {
+      throw SolverError("there is no block " + std::to_string(block) + " to refactor");
+    }
+    return symbolic_->front_of_block[block];
+  }
+
+  void check(const BlockMatrix& matrix) const {
+    if (!symbolic_) throw SolverError("there is no analysis to factor with; call analyze first");
+    const auto b = static_cast<std::size_t>(symbolic_->block_size);
+    if (matrix.block_size != symbolic_->block_size ||
+        matrix.values.size() != symbolic_->entries.size() * b * b) {
+      throw SolverError("the matrix does not have the analyzed pattern; call analyze again");
+    }
+  }
+
+  BlockCholeskyOptions options_;
+  const KernelTable& kernels_;
+  WorkerPool pool_;
+  const BlockPattern* pattern_ = nullptr;
+  SolverStatistics statistics_;
+  std::unique_ptr<Symbolic> symbolic_;
+  std::unique_ptr<Numeric> numeric_;
+  std::unique_ptr<TriangularSolve> solve_;
+  bool factored_ = false;
+};
+
+BlockCholesky::BlockCholesky(const BlockCholeskyOptions& options)
+    : implementation_(std::make_unique<Implementation>(options)) {}
+
+BlockCholesky::~BlockCholesky() = default;
+
+void BlockCholesky::analyze(const BlockPattern& pattern, int block_size,
+                            std::span<const int> order) {
+  implementation_->guard([&] { implementation_->analyze(pattern, block_size, order); });
+}
+
+void BlockCholesky::factor(const BlockMatrix& matrix) {
+  implementation_->guard([&] { implementation_->factor(matrix, progress_, {}); });
+}
+
+void BlockCholesky::refactor_diagonal(const BlockMatrix& matrix, std::span<const Index> changed) {
+  implementation_->guard([&] { implementation_->refactor_diagonal(matrix, changed, progress_); });
+}
+
+void BlockCholesky::solve(std::span<const double> B, std::span<double> X, std::size_t columns) {
+  implementation_->guard([&] { implementation_->solve(B, X, columns); });
+}
+
+SolverStatistics BlockCholesky::statistics() const {
+  return implementation_->statistics();
+}
+
+std::unique_ptr<BlockSolver> make_block_cholesky_solver() {
+  return std::make_unique<BlockCholesky>();
+}
+
+}  // namespace lapwing

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "lapwing/solve/block_solver.h"
+
+namespace lapwing {
+
+/// Which vector instructions the inner loops use. Results of different sets differ in last bits.
+enum class InstructionSet {
+  automatic,  ///< the fastest that the processor has
+  avx512,
+  avx2,
+  baseline,  ///< SSE2 on x86-64, NEON on ARM
+};
+
+/// "AVX-512", "AVX2", "baseline", "automatic".
+std::string_view instruction_set_name(InstructionSet set);
+
+/// Those that this build and this processor have, fastest first.
+std::vector<InstructionSet> available_instruction_sets();
+
+/// How a BlockCholesky works.
+struct BlockCholeskyOptions {
+  unsigned threads = 0;  ///< 0 for all processors that this process may run on
+  InstructionSet instruction_set = InstructionSet::automatic;
+  std::size_t memory_limit_bytes = 0;  ///< `analyze` throws when more would be needed; 0: no limit
+  /// A pivot d_j <= pivot_tolerance * a_jj is refused. Since d_j / a_jj is at least the inverse of
+  /// the condition number (with the diagonal scaled to 1), every matrix of condition up to
+  /// 1 / pivot_tolerance passes; the rounding that a singular matrix leaves in place of a pivot 0
+  /// is below the default for millions of unknowns.
+  double pivot_tolerance = 1e-13;
+};
+
+/// Multifrontal Cholesky factorization of matrices in 1 x 1 or 3 x 3 blocks, on several threads.
+/// Symbolic work is done on blocks, numeric work in dense fronts with kernels for the processor's
+/// vector instructions. Same input, same bits, for every number of threads and on every run.
+///
+/// After a throw from `factor` or `refactor_diagonal` (NotPositiveDefinite, Cancelled) the analysis
+/// is still good and `factor` may be called again.
+class BlockCholesky final : public BlockSolver {
+ public:
+  /// Throws SolverError when the processor lacks the instruction set asked for.
+  explicit BlockCholesky(const BlockCholeskyOptions& options = {});
+  ~BlockCholesky() override;
+
+  std::string_view name() const override { return "Lapwing block Cholesky"; }
+
+  /// Throws SolverError when `order` is no permutation, or when more than the memory limit would
+  /// be needed; takes next to no memory itself before that is known.
+  void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) override;
+
+  /// Throws SolverError, naming the block, when a number is not finite; NotPositiveDefinite, naming
+  /// block and component, when a pivot is refused; Cancelled. All memory is taken in the first
+  /// call.
+  void factor(const BlockMatrix& matrix) override;
+
+  /// Redoes the subtrees that hold the changed blocks and the fronts above them.
+  void refactor_diagonal(const BlockMatrix& matrix, std::span<const Index> changed) override;
+
+  void solve(std::span<const double> B, std::span<double> X, std::size_t columns) override;
+
+  SolverStatistics statistics() const override;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace lapwing

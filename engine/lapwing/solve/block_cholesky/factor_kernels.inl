@@ -1,0 +1,285 @@
+// The factorization's inner loops. Included by kernels_*.cpp inside an unnamed namespace, after
+// kLanes (numbers per vector register), kTileStrips and kTileColumns (the tile of the result that
+// the registers hold) are defined. Calls nothing that has external linkage: see front_layout.h.
+
+typedef double Vector __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
+typedef double UnalignedVector
+    __attribute__((vector_size(sizeof(double) * kLanes), may_alias, aligned(8)));
+typedef long long Bits __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
+
+constexpr int kParts = kStrip / kLanes;  // registers for one column of a strip
+
+#define LAPWING_INLINE static inline __attribute__((always_inline))
+#ifdef __clang__
+#define LAPWING_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define LAPWING_UNROLL _Pragma("GCC unroll 12")
+#endif
+
+LAPWING_INLINE Vector& vector_at(double* p) { return *reinterpret_cast<Vector*>(p); }
+LAPWING_INLINE const Vector& vector_at(const double* p) {
+  return *reinterpret_cast<const Vector*>(p);
+}
+LAPWING_INLINE int smaller(int a, int b) { return a < b ? a : b; }
+LAPWING_INLINE int larger(int a, int b) { return a > b ? a : b; }
+
+// M strips by N columns of the result, in registers.
+template <int M, int N>
+struct Tile {
+  Vector c[M][N][kParts];
+};
+
+// `columns` of the N are stored in memory; the rest start at 0 and are not written.
+template <int M, int N, bool kAll>
+LAPWING_INLINE void load(Tile<M, N>& tile, double* const* from, int columns) {
+  LAPWING_UNROLL for (int m = 0; m < M; ++m) {
+    LAPWING_UNROLL for (int n = 0; n < N; ++n) {
+      LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+        tile.c[m][n][part] = kAll || n < columns
+                                 ? vector_at(from[m] + kStrip * n + kLanes * part)
+                                 : Vector{};
+      }
+    }
+  }
+}
+
+template <int M, int N, bool kAll>
+LAPWING_INLINE void store(const Tile<M, N>& tile, double* const* to, int columns) {
+  LAPWING_UNROLL for (int m = 0; m < M; ++m) {
+    LAPWING_UNROLL for (int n = 0; n < N; ++n) {
+      LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+        if (kAll || n < columns) {
+          vector_at(to[m] + kStrip * n + kLanes * part) = tile.c[m][n][part];
+        }
+      }
+    }
+  }
+}
+
+// tile -= A B' over `count` columns of the strips a[m] and of the lanes b[0..N) of a strip.
+template <int M, int N>
+LAPWING_INLINE void subtract_products(Tile<M, N>& tile, int count, const double* const* a,
+                                      const double* b) {
+  for (int k = 0; k < count; ++k) {
+    Vector row[M][kParts];
+    LAPWING_UNROLL for (int m = 0; m < M; ++m) {
+      LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+        row[m][part] = vector_at(a[m] + kStrip * k + kLanes * part);
+      }
+    }
+    LAPWING_UNROLL for (int n = 0; n < N; ++n) {
+      const double factor = b[kStrip * k + n];
+      LAPWING_UNROLL for (int m = 0; m < M; ++m) {
+        LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+          tile.c[m][n][part] -= row[m][part] * factor;
+        }
+      }
+    }
+  }
+}
+
+// The columns [column, column + columns) of the factor in M strips. `pivots` is the pivot strip
+// that holds these columns' diagonal, in lanes `lane` onwards.
+template <int M, bool kAll>
+LAPWING_INLINE void solve_tile(double* const* strips, const double* pivots, int column, int lane,
+                               int columns) {
+  constexpr int N = kTileColumns;
+  Tile<M, N> tile;
+  double* target[M];
+  LAPWING_UNROLL for (int m = 0; m < M; ++m) target[m] = strips[m] + kStrip * column;
+  load<M, N, kAll>(tile, target, columns);
+  subtract_products<M, N>(tile, column, strips, pivots + lane);
+  const double* diagonal = pivots + kStrip * column + lane;
+  LAPWING_UNROLL for (int n = 0; n < N; ++n) {
+    if (!kAll && n >= columns) break;
+    const double inverse = diagonal[kStrip * n + n];
+    LAPWING_UNROLL for (int m = 0; m < M; ++m) {
+      LAPWING_UNROLL for (int part = 0; part < kParts; ++part) tile.c[m][n][part] *= inverse;
+    }
+    LAPWING_UNROLL for (int q = n + 1; q < N; ++q) {
+      const double factor = diagonal[kStrip * n + q];
+      LAPWING_UNROLL for (int m = 0; m < M; ++m) {
+        LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+          tile.c[m][q][part] -= tile.c[m][n][part] * factor;
+        }
+      }
+    }
+  }
+  store<M, N, kAll>(tile, target, columns);
+}
+
+template <int M>
+void solve_strips(const FrontView& front, int first, int first_column, int last_column) {
+  double* strips[M];
+  for (int m = 0; m < M; ++m) strips[m] = strip_at(front, first + m);
+  for (int s = first_column; s < last_column; ++s) {
+    const double* pivots = strip_at(front, s);
+    const int width = smaller(kStrip, front.pivots - kStrip * s);
+    for (int lane = 0; lane < width; lane += kTileColumns) {
+      if (width - lane >= kTileColumns) {
+        solve_tile<M, true>(strips, pivots, kStrip * s + lane, lane, kTileColumns);
+      } else {
+        solve_tile<M, false>(strips, pivots, kStrip * s + lane, lane, width - lane);
+      }
+    }
+  }
+}
+
+void solve_rows(const FrontView& front, int first, int last, int first_column, int last_column) {
+  int s = first;
+  for (; s + kTileStrips <= last; s += kTileStrips) {
+    solve_strips<kTileStrips>(front, s, first_column, last_column);
+  }
+  if constexpr (kTileStrips > 2) {
+    if (last - s == 2) {
+      solve_strips<2>(front, s, first_column, last_column);
+      return;
+    }
+  }
+  if (s < last) solve_strips<1>(front, s, first_column, last_column);
+}
+
+// Cholesky factorization of one diagonal tile of `width` columns; its inverse diagonal replaces the
+// diagonal. Returns the first refused pivot or -1.
+int factor_tile(double* tile, int width, const double* floor) {
+  for (int j = 0; j < width; ++j) {
+    double* column = tile + kStrip * j;
+    const double pivot = column[j];
+    if (!(pivot > floor[j] && pivot <= __DBL_MAX__)) return j;
+    const double inverse = 1.0 / __builtin_sqrt(pivot);
+    Vector scaled[kParts];
+    for (int part = 0; part < kParts; ++part) {
+      scaled[part] = vector_at(column + kLanes * part) * inverse;
+    }
+    for (int q = j + 1; q < width; ++q) {
+      const double factor = column[q] * inverse;
+      for (int part = 0; part < kParts; ++part) {
+        vector_at(tile + kStrip * q + kLanes * part) -= scaled[part] * factor;
+      }
+    }
+    for (int part = 0; part < kParts; ++part) vector_at(column + kLanes * part) = scaled[part];
+    for (int q = 0; q < j; ++q) column[q] = 0.0;
+    column[j] = inverse;
+  }
+  return -1;
+}
+
+int factor_pivots(const FrontView& front, int first, int last, const double* floor) {
+  for (int s = first; s < last; ++s) {
+    double* strip = strip_at(front, s);
+    const int column = kStrip * s;
+    const int width = smaller(kStrip, front.pivots - column);
+    for (int lane = 0; lane < width; lane += kTileColumns) {
+      Tile<1, kTileColumns> tile;
+      double* target = strip + kStrip * (column + lane);
+      const int columns = smaller(kTileColumns, width - lane);
+      load<1, kTileColumns, false>(tile, &target, columns);
+      subtract_products<1, kTileColumns>(tile, column, &strip, strip + lane);
+      store<1, kTileColumns, false>(tile, &target, columns);
+    }
+    const int refused = factor_tile(strip + kStrip * column, width, floor + column);
+    if (refused >= 0) return column + refused;
+    solve_rows(front, s + 1, last, s, s + 1);
+  }
+  return -1;
+}
+
+// -A B' for M strips and the strip `b`, to column `column` of the strips `target`.
+template <int M>
+LAPWING_INLINE void product(int pivots, const double* const* a, const double* b,
+                            double* const* target, int column) {
+  LAPWING_UNROLL for (int lane = 0; lane < kStrip; lane += kTileColumns) {
+    Tile<M, kTileColumns> tile{};
+    double* to[M];
+    LAPWING_UNROLL for (int m = 0; m < M; ++m) to[m] = target[m] + kStrip * (column + lane);
+    subtract_products<M, kTileColumns>(tile, pivots, a, b + lane);
+    store<M, kTileColumns, true>(tile, to, kTileColumns);
+  }
+}
+
+template <int M>
+void update_strips(const FrontView& front, double* matrix, int first) {
+  const double* a[M];
+  double* target[M];
+  for (int m = 0; m < M; ++m) {
+    a[m] = strip_at(front, front.pivot_strips + first + m);
+    target[m] = matrix + triangle_offset(first + m);
+  }
+  for (int c = 0; c <= first; ++c) {
+    product<M>(front.pivots, a, strip_at(front, front.pivot_strips + c), target, kStrip * c);
+  }
+  if constexpr (M > 1) product<M - 1>(front.pivots, a + 1, a[1], target + 1, kStrip * (first + 1));
+  if constexpr (M > 2) product<M - 2>(front.pivots, a + 2, a[2], target + 2, kStrip * (first + 2));
+}
+
+void update(const FrontView& front, double* matrix, int first, int last) {
+  int s = first;
+  for (; s + kTileStrips <= last; s += kTileStrips) update_strips<kTileStrips>(front, matrix, s);
+  if constexpr (kTileStrips > 2) {
+    if (last - s == 2) {
+      update_strips<2>(front, matrix, s);
+      return;
+    }
+  }
+  if (s < last) update_strips<1>(front, matrix, s);
+}
+
+// All ones in the lanes [first, last) of part `part` of a strip's column.
+LAPWING_INLINE Bits lanes_between(int first, int last, int part) {
+  Bits lane;
+  LAPWING_UNROLL for (int i = 0; i < kLanes; ++i) lane[i] = kLanes * part + i;
+  return (lane >= first) & (lane < last);
+}
+
+// target[lane] += source[lane - shift] for the lanes of `mask`.
+LAPWING_INLINE void add_lanes(double* target, const double* source, int shift, const Bits* mask) {
+  LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+    const Vector moved =
+        *reinterpret_cast<const UnalignedVector*>(source + kLanes * part - shift);
+    vector_at(target + kLanes * part) +=
+        reinterpret_cast<Vector>(reinterpret_cast<Bits>(moved) & mask[part]);
+  }
+}
+
+// Adds the lower-triangle part of `piece` in the child's columns [first, last). `strip` is where
+// the parent's strip would have its column 0.
+LAPWING_INLINE void add_piece(const ChildUpdate& child, const Piece& piece, double* strip,
+                              int first, int last) {
+  const int row = kStrip * piece.source;
+  const double* source = child.matrix + triangle_offset(piece.source);
+  last = smaller(last, row + piece.last);
+  const int whole = smaller(last, row + piece.first + 1);  // columns left of the diagonal
+  Bits mask[kParts];
+  LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+    mask[part] = lanes_between(piece.first + piece.shift, piece.last + piece.shift, part);
+  }
+  int j = first;
+  for (; j < whole; ++j) {
+    add_lanes(strip + static_cast<std::ptrdiff_t>(kStrip) * child.position[j],
+              source + kStrip * j, piece.shift, mask);
+  }
+  for (; j < last; ++j) {
+    const int lane = larger(piece.first, j - row);
+    LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+      mask[part] = lanes_between(lane + piece.shift, piece.last + piece.shift, part);
+    }
+    add_lanes(strip + static_cast<std::ptrdiff_t>(kStrip) * child.position[j],
+              source + kStrip * j, piece.shift, mask);
+  }
+}
+
+void add_to_panel(const ChildUpdate& child, const FrontView& front) {
+  for (const Piece* piece = child.pieces_begin; piece != child.pieces_end; ++piece) {
+    add_piece(child, *piece, strip_at(front, piece->target), 0, child.pivot_columns);
+  }
+}
+
+void add_to_update(const ChildUpdate& child, const FrontView& front, double* matrix) {
+  const std::ptrdiff_t pivot_columns = static_cast<std::ptrdiff_t>(kStrip) * front.pivot_strips;
+  for (const Piece* piece = child.pieces_begin; piece != child.pieces_end; ++piece) {
+    // Positions count the padded pivot rows, which the update matrix does not have.
+    double* strip = matrix + triangle_offset(piece->target - front.pivot_strips) -
+                    kStrip * pivot_columns;
+    add_piece(child, *piece, strip, child.pivot_columns, child.updates);
+  }
+}

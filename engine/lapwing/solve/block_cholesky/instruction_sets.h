@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "lapwing/solve/block_cholesky/block_cholesky.h"
+#include "lapwing/solve/block_cholesky/kernels.h"
+
+namespace lapwing::cholesky {
+
+/// The kernels for an instruction set; for `automatic` the fastest this processor has. Throws
+/// SolverError when the processor, or this build, lacks it.
+const KernelTable& kernels_for(InstructionSet set);
+
+}  // namespace lapwing::cholesky

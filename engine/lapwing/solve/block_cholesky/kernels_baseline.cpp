@@ -1,0 +1,26 @@
+// What the compiler's default target offers: SSE2 on x86-64, NEON on 64-bit ARM.
+
+#include "lapwing/solve/block_cholesky/kernels.h"
+
+namespace lapwing::cholesky {
+namespace {
+
+constexpr int kLanes = 2;
+constexpr int kTileStrips = 1;
+#ifdef __aarch64__  // 32 registers
+constexpr int kTileColumns = 4;
+constexpr int kSolveRows = 4;
+#else  // 16 registers
+constexpr int kTileColumns = 2;
+constexpr int kSolveRows = 2;
+#endif
+
+#include "lapwing/solve/block_cholesky/factor_kernels.inl"
+#include "lapwing/solve/block_cholesky/solve_kernels.inl"
+
+}  // namespace
+
+extern const KernelTable kBaselineKernels;
+const KernelTable kBaselineKernels = kTable;
+
+}  // namespace lapwing::cholesky

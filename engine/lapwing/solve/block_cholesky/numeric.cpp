@@ -1,0 +1,278 @@
+#include "lapwing/solve/block_cholesky/numeric.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace lapwing::cholesky {
+namespace {
+
+constexpr double kReportEveryMs = 2.0;
+// Pivot strips that one thread factors while the others compute the rows below the last ones.
+constexpr int kBlockStrips = 6;
+// Strips of a chunk: one tile of the widest kernels.
+constexpr int kChunkStrips = 3;
+// Blocks of the matrix asked for ahead of use.
+constexpr std::size_t kPrefetch = 8;
+
+int blocks_of(const Front& front) {
+  return (front.pivot_strips + kBlockStrips - 1) / kBlockStrips;
+}
+int chunks_of(int strips) {
+  return (strips + kChunkStrips - 1) / kChunkStrips;
+}
+
+// First pivot strip of block `block`, or the number of pivot strips after the last.
+int block_start(const Front& front, int block) {
+  return std::min(block * kBlockStrips, front.pivot_strips);
+}
+
+// Phases of a top front: assemble; factor the first block of pivots; then for each block the rows
+// below it, where chunk 0 does those of the next block and factors it; then the update matrix.
+enum Phase { kAssemble = 0, kFirstPivots = 1, kFirstRows = 2 };
+
+}  // namespace
+
+Numeric::Numeric(const Symbolic& symbolic, const KernelTable& kernels, WorkerPool& pool)
+    : symbolic_(symbolic),
+      kernels_(kernels),
+      pool_(pool),
+      shared_(symbolic.upward),
+      stacks_(pool.size()) {
+  factor_.reserve(symbolic.factor_size);
+  kept_.reserve(symbolic.updates.kept + 2 * kUpdateSlack);
+  for (Arena& stack : stacks_) {
+    stack.reserve(symbolic.updates.stacks[0] + symbolic.updates.stacks[1] + 2 * kUpdateSlack);
+  }
+  floors_.resize(static_cast<std::size_t>(symbolic.blocks) * symbolic.block_size);
+}
+
+std::size_t Numeric::bytes_needed(const Symbolic& symbolic, int threads) {
+  const std::size_t stacks =
+      symbolic.updates.stacks[0] + symbolic.updates.stacks[1] + 2 * kUpdateSlack;
+  return arena_bytes(symbolic.factor_size) + arena_bytes(symbolic.updates.kept + 2 * kUpdateSlack) +
+         threads * arena_bytes(stacks) + sizeof(double) * symbolic.blocks * symbolic.block_size;
+}
+
+Refusal Numeric::factor(const BlockMatrix& matrix, double pivot_tolerance, const Progress& progress,
+                        const std::vector<char>& skipped) {
+  matrix_ = &matrix;
+  pivot_tolerance_ = pivot_tolerance;
+  progress_ = &progress;
+  stop_at_ = std::numeric_limits<int>::max();
+  refusal_ = {};
+  interruption_ = nullptr;
+  flops_done_ = 0;
+  flops_total_ = 0;
+  for (int f = 0; f < symbolic_.front_count(); ++f) {
+    if (skipped.empty() || !skipped[symbolic_.node_of_front(f)]) {
+      flops_total_ += symbolic_.fronts[f].flops;
+    }
+  }
+  report_progress(progress, "factor", 0.0);
+  since_report_.restart();
+  shared_.run(pool_, *this, skipped);
+  if (interruption_) std::rethrow_exception(interruption_);
+  if (refusal_.reason == Refusal::Reason::none) report_progress(progress, "factor", 1.0);
+  return refusal_;
+}
+
+FrontView Numeric::view(const Front& front) const {
+  return {factor_.data() + front.panel_at, front.pivots, front.pivot_strips, front.update_strips};
+}
+
+int Numeric::chunk_count(int node, int phase) const {
+  if (node < symbolic_.task_count()) return phase == 0 ? 1 : 0;
+  const Front& front = symbolic_.fronts[symbolic_.first_top() + node - symbolic_.task_count()];
+  const int block = phase - kFirstRows;
+  if (phase == kAssemble) return std::min(front.strips(), 4 * pool_.size());
+  if (phase == kFirstPivots) return 1;
+  if (block < blocks_of(front)) {
+    const bool last = block + 1 == blocks_of(front);
+    return (last ? 0 : 1) + chunks_of(front.strips() - block_start(front, block + 2 - last));
+  }
+  return block == blocks_of(front) ? chunks_of(front.update_strips) : 0;
+}
+
+void Numeric::run_chunk(int node, int phase, int chunk, int thread) {
+  if (node < symbolic_.task_count()) {
+    run_task(node, thread);
+  } else {
+    run_top_chunk(symbolic_.first_top() + node - symbolic_.task_count(), phase, chunk);
+  }
+}
+
+void Numeric::run_task(int task, int thread) {
+  for (int f = symbolic_.task_starts[task]; f < symbolic_.task_starts[task + 1]; ++f) {
+    if (abandoned(f)) return;
+    run_front(f, thread);
+    flops_done_.fetch_add(symbolic_.fronts[f].flops, std::memory_order_relaxed);
+  }
+}
+
+void Numeric::run_front(int f, int thread) {
+  const Front& front = symbolic_.fronts[f];
+  assemble(f, 0, front.strips(), thread);
+  if (abandoned(f)) return;
+  factor_pivots(f, 0, front.pivot_strips);
+  if (abandoned(f)) return;
+  kernels_.solve_rows(view(front), front.pivot_strips, front.strips(), 0, front.pivot_strips);
+  update(f, 0, front.update_strips, thread);
+}
+
+void Numeric::run_top_chunk(int f, int phase, int chunk) {
+  const Front& front = symbolic_.fronts[f];
+  if (phase == kAssemble) {
+    const int chunks = chunk_count(symbolic_.node_of_front(f), phase);
+    // Also in a refused front, so that the first bad number is found whoever comes first.
+    if (!abandoned(f - 1)) {
+      assemble(f, front.strips() * chunk / chunks, front.strips() * (chunk + 1) / chunks, 0);
+    }
+    return;
+  }
+  if (abandoned(f)) return;
+  const int block = phase - kFirstRows;
+  if (phase == kFirstPivots) {
+    factor_pivots(f, 0, block_start(front, 1));
+  } else if (block < blocks_of(front)) {
+    const int column = block_start(front, block);
+    const int next = block_start(front, block + 1);
+    const int after = block_start(front, block + 2);
+    const bool has_next = next < front.pivot_strips;
+    if (has_next && chunk == 0) {
+      kernels_.solve_rows(view(front), next, after, column, next);
+      factor_pivots(f, next, after);
+    } else {
+      const int first = (has_next ? after : next) + kChunkStrips * (chunk - (has_next ? 1 : 0));
+      kernels_.solve_rows(view(front), first, std::min(first + kChunkStrips, front.strips()),
+                          column, next);
+    }
+  } else {
+    // The longest strips first.
+    const int first = kChunkStrips * (chunks_of(front.update_strips) - 1 - chunk);
+    update(f, first, std::min(first + kChunkStrips, front.update_strips), 0);
+  }
+}
+
+void Numeric::assemble(int f, int first_strip, int last_strip, int thread) {
+  const Front& front = symbolic_.fronts[f];
+  const FrontView to = view(front);
+  double* begin = strip_at(to, first_strip);
+  std::memset(begin, 0, sizeof(double) * (strip_at(to, last_strip) - begin));
+  if (symbolic_.block_size == 3) {
+    add_matrix<3>(f, first_strip, last_strip);
+  } else {
+    add_matrix<1>(f, first_strip, last_strip);
+  }
+  for (int c = front.children_begin; c < front.children_end; ++c) {
+    const Front& child = symbolic_.fronts[symbolic_.children[c]];
+    kernels_.add_to_panel(child_update(child, thread, first_strip, last_strip), to);
+  }
+}
+
+template <int kBlock>
+void Numeric::add_matrix(int f, int first_strip, int last_strip) {
+  const Front& front = symbolic_.fronts[f];
+  const FrontView to = view(front);
+  const int first_row = kStrip * first_strip;
+  const int last_row = kStrip * last_strip;
+  double* floors = floors_.data() + static_cast<std::size_t>(kBlock) * front.first_block;
+  const double* values = matrix_->values.data();
+  for (std::size_t e = front.entries_begin; e < front.entries_end; ++e) {
+    const MatrixEntry& entry = symbolic_.entries[e];
+    // The matrix is in the caller's order, so that the next block is seldom in a cache.
+    const MatrixEntry& ahead = symbolic_.entries[std::min(e + kPrefetch, front.entries_end - 1)];
+    __builtin_prefetch(values + ahead.source * (kBlock * kBlock));
+    const bool transposed = entry.row < entry.column;
+    const int block_row = std::max(entry.row, entry.column);
+    const int block_column = std::min(entry.row, entry.column);
+    if (block_row >= last_row || block_row + kBlock <= first_row) continue;
+    const double* block = values + entry.source * (kBlock * kBlock);
+    double not_finite = 0.0;  // becomes NaN
+    for (int k = 0; k < kBlock * kBlock; ++k) not_finite += block[k] * 0.0;
+    if (not_finite != 0.0) refuse({Refusal::Reason::not_finite, f, entry.source});
+    const int row_stride = transposed ? kBlock : 1;
+    const int column_stride = transposed ? 1 : kBlock;
+    const bool diagonal = block_row == block_column;
+    for (int p = 0; p < kBlock; ++p) {
+      const int row = block_row + p;
+      if (row < first_row || row >= last_row) continue;
+      double* target = strip_at(to, row / kStrip) +
+                       static_cast<std::size_t>(kStrip) * block_column + row % kStrip;
+      for (int q = 0; q < (diagonal ? p + 1 : kBlock); ++q) {
+        target[kStrip * q] = block[p * row_stride + q * column_stride];
+      }
+      if (diagonal) floors[row] = std::max(0.0, pivot_tolerance_ * target[kStrip * p]);
+    }
+  }
+}
+
+void Numeric::factor_pivots(int f, int first_strip, int last_strip) {
+  const Front& front = symbolic_.fronts[f];
+  const double* floors =
+      floors_.data() + static_cast<std::size_t>(symbolic_.block_size) * front.first_block;
+  const int refused = kernels_.factor_pivots(view(front), first_strip, last_strip, floors);
+  if (refused >= 0) {
+    refuse({Refusal::Reason::pivot, f, static_cast<std::size_t>(refused)});
+  }
+}
+
+void Numeric::update(int f, int first_strip, int last_strip, int thread) {
+  const Front& front = symbolic_.fronts[f];
+  double* matrix = update_of(front, thread);
+  kernels_.update(view(front), matrix, first_strip, last_strip);
+  for (int c = front.children_begin; c < front.children_end; ++c) {
+    const Front& child = symbolic_.fronts[symbolic_.children[c]];
+    kernels_.add_to_update(child_update(child, thread, front.pivot_strips + first_strip,
+                                        front.pivot_strips + last_strip),
+                           view(front), matrix);
+  }
+}
+
+double* Numeric::update_of(const Front& front, int thread) const {
+  if (front.keeps_update) return kept_.data() + kUpdateSlack + front.update_at;
+  const std::size_t stack = front.depth_parity == 0 ? 0 : symbolic_.updates.stacks[0];
+  return stacks_[thread].data() + kUpdateSlack + stack + front.update_at;
+}
+
+ChildUpdate Numeric::child_update(const Front& child, int thread, int first_target,
+                                  int last_target) const {
+  const Piece* begin = symbolic_.pieces.data() + child.pieces_begin;
+  const Piece* end = symbolic_.pieces.data() + child.pieces_end;
+  const auto before = [](const Piece& piece, int target) { return piece.target < target; };
+  begin = std::lower_bound(begin, end, first_target, before);
+  return {update_of(child, thread),
+          symbolic_.positions.data() + child.positions_at,
+          child.parent_pivots,
+          child.updates,
+          begin,
+          std::lower_bound(begin, end, last_target, before)};
+}
+
+void Numeric::refuse(const Refusal& refusal) {
+  const std::scoped_lock lock(refusal_mutex_);
+  if (refusal.front > refusal_.front ||
+      (refusal.front == refusal_.front && refusal.where >= refusal_.where)) {
+    return;
+  }
+  refusal_ = refusal;
+  stop_at_ = std::min(stop_at_.load(), refusal.front);
+}
+
+void Numeric::node_done(int node) {
+  if (node < symbolic_.task_count()) return;  // counted front by front
+  const Front& front = symbolic_.fronts[symbolic_.first_top() + node - symbolic_.task_count()];
+  flops_done_.fetch_add(front.flops, std::memory_order_relaxed);
+}
+
+void Numeric::poll() {
+  if (!*progress_ || interruption_ || since_report_.elapsed_ms() < kReportEveryMs) return;
+  try {
+    report_progress(*progress_, "factor", std::min(1.0, flops_done_ / flops_total_));
+  } catch (...) {
+    interruption_ = std::current_exception();
+    stop_at_ = -1;
+  }
+  since_report_.restart();
+}
+
+}  // namespace lapwing::cholesky

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <vector>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/solve/block_cholesky/arena.h"
+#include "lapwing/solve/block_cholesky/kernels.h"
+#include "lapwing/solve/block_cholesky/shared_work.h"
+
+namespace lapwing::cholesky {
+
+/// Where and why a factorization stopped.
+struct Refusal {
+  enum class Reason { none, pivot, not_finite } reason = Reason::none;
+  int front = std::numeric_limits<int>::max();
+  /// Pivot: scalar column of the front. Not finite: number of the block in the pattern.
+  std::size_t where = 0;
+};
+
+/// The numeric factorization: the factor and the update matrices that outlive their front.
+class Numeric final : private NodeWork {
+ public:
+  Numeric(const Symbolic& symbolic, const KernelTable& kernels, WorkerPool& pool);
+
+  /// Bytes that `factor` takes with `threads` threads.
+  static std::size_t bytes_needed(const Symbolic& symbolic, int threads);
+
+  /// Factors `matrix`. `skipped` marks the nodes of the upward graph whose results of the last call
+  /// still hold. Returns the refusal of the earliest front, the same for every number of threads.
+  /// Throws Cancelled, and what `progress` throws.
+  Refusal factor(const BlockMatrix& matrix, double pivot_tolerance, const Progress& progress,
+                 const std::vector<char>& skipped);
+
+  /// The factor's part that `front` computed.
+  FrontView view(const Front& front) const;
+
+ private:
+  int chunk_count(int node, int phase) const override;
+  void run_chunk(int node, int phase, int chunk, int thread) override;
+  void node_done(int node) override;
+  void poll() override;
+
+  void run_task(int task, int thread);
+  void run_front(int f, int thread);
+  void run_top_chunk(int f, int phase, int chunk);
+  void assemble(int f, int first_strip, int last_strip, int thread);
+  template <int kBlock>
+  void add_matrix(int f, int first_strip, int last_strip);
+  void factor_pivots(int f, int first_strip, int last_strip);
+  void update(int f, int first_strip, int last_strip, int thread);
+  double* update_of(const Front& front, int thread) const;
+  ChildUpdate child_update(const Front& child, int thread, int first_target, int last_target) const;
+  void refuse(const Refusal& refusal);
+  bool abandoned(int front) const { return front >= stop_at_.load(std::memory_order_relaxed); }
+
+  const Symbolic& symbolic_;
+  const KernelTable& kernels_;
+  WorkerPool& pool_;
+  SharedWork shared_;
+  Arena factor_;
+  Arena kept_;
+  std::vector<Arena> stacks_;   // one a thread
+  std::vector<double> floors_;  // smallest pivot accepted, by scalar column
+
+  const BlockMatrix* matrix_ = nullptr;
+  double pivot_tolerance_ = 0;
+  // Fronts from this one on need not be computed: one of them, or an earlier one, was refused.
+  std::atomic<int> stop_at_{0};
+  std::mutex refusal_mutex_;
+  Refusal refusal_;
+
+  const Progress* progress_ = nullptr;
+  std::exception_ptr interruption_;  // Cancelled, or what the callback threw
+  std::atomic<double> flops_done_{0};
+  double flops_total_ = 0;
+  Stopwatch since_report_;
+};
+
+}  // namespace lapwing::cholesky

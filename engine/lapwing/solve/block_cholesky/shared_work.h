@@ -1,0 +1,63 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "lapwing/solve/block_cholesky/symbolic.h"
+#include "lapwing/solve/block_cholesky/worker_pool.h"
+
+namespace lapwing::cholesky {
+
+/// What the nodes of a WorkGraph do. A node is worked off in phases, a phase in chunks that any
+/// threads may run at the same time; a phase begins when all chunks of the one before are done.
+class NodeWork {
+ public:
+  virtual ~NodeWork() = default;
+
+  /// Chunks of a phase, at least 1 in phase 0. 0 says that the node was done with the last phase.
+  virtual int chunk_count(int node, int phase) const = 0;
+  virtual void run_chunk(int node, int phase, int chunk, int thread) = 0;
+  /// Called once a node is done, before the nodes that wait for it begin.
+  virtual void node_done(int /*node*/) {}
+  /// Called on the calling thread between chunks and while it waits.
+  virtual void poll() {}
+};
+
+/// Runs all nodes of a graph on a pool, each after its predecessors. Threads take chunks where
+/// they find them: the earliest node first, several nodes at once, never a fixed share, so that a
+/// thread held up by a busy neighbour on its processor costs one chunk.
+class SharedWork {
+ public:
+  explicit SharedWork(const WorkGraph& graph) : graph_(graph), nodes_(graph.size()) {}
+
+  /// `skipped` marks nodes that count as done already; empty for none.
+  void run(WorkerPool& pool, NodeWork& work, const std::vector<char>& skipped);
+
+ private:
+  // `ticket` packs the phase, its number of chunks and the next chunk to hand out.
+  struct alignas(64) Node {
+    std::atomic<std::uint64_t> ticket{0};
+    std::atomic<int> unfinished{0};  // chunks of this phase
+    std::atomic<int> waiting_for{0};
+  };
+  struct Chunk {
+    int node = -1;
+    int phase = 0;
+    int chunk = 0;
+  };
+
+  void work_until_done(NodeWork& work, int thread);
+  bool claim(int node, Chunk& chunk);
+  bool claim_any(Chunk& chunk);
+  void finish(NodeWork& work, const Chunk& chunk);
+  void begin_phase(NodeWork& work, int node, int phase);
+  void node_done(NodeWork& work, int node);
+
+  const WorkGraph& graph_;
+  std::vector<Node> nodes_;
+  std::vector<char> skipped_;
+  std::atomic<int> unfinished_nodes_{0};
+};
+
+}  // namespace lapwing::cholesky

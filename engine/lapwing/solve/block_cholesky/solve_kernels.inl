@@ -1,0 +1,259 @@
+// The triangular solves' inner loops. Included after factor_kernels.inl.
+
+// ---- One right-hand side: registers run along the rows of a strip.
+
+// Independent sums, so that the processor need not wait for the last addition.
+constexpr int kChains = kParts == 1 ? 4 : 2;
+
+struct StripSum {
+  Vector part[kParts];
+};
+
+// The 8 numbers at `from`, minus the strip times y over `count` columns.
+LAPWING_INLINE StripSum subtract_strip(const double* strip, int count, const double* y,
+                                       const double* from) {
+  Vector sums[kChains][kParts] = {};
+  LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+    sums[0][part] = vector_at(from + kLanes * part);
+  }
+  int k = 0;
+  for (; k + kChains <= count; k += kChains) {
+    LAPWING_UNROLL for (int chain = 0; chain < kChains; ++chain) {
+      LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+        sums[chain][part] -=
+            vector_at(strip + kStrip * (k + chain) + kLanes * part) * y[k + chain];
+      }
+    }
+  }
+  for (; k < count; ++k) {
+    LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+      sums[0][part] -= vector_at(strip + kStrip * k + kLanes * part) * y[k];
+    }
+  }
+  StripSum total;
+  LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+    Vector sum = sums[0][part];
+    LAPWING_UNROLL for (int chain = 1; chain < kChains; ++chain) sum += sums[chain][part];
+    total.part[part] = sum;
+  }
+  return total;
+}
+
+void forward_pivots_1(const FrontView& front, double* y) {
+  for (int s = 0; s < front.pivot_strips; ++s) {
+    const double* strip = strip_at(front, s);
+    StripSum sum = subtract_strip(strip, kStrip * s, y, y + kStrip * s);
+    const double* tile = strip + kStrip * kStrip * s;
+    const int width = smaller(kStrip, front.pivots - kStrip * s);
+    LAPWING_UNROLL for (int j = 0; j < kStrip; ++j) {
+      if (j >= width) break;
+      const double x = sum.part[j / kLanes][j % kLanes] * tile[kStrip * j + j];
+      y[kStrip * s + j] = x;
+      LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+        sum.part[part] -= vector_at(tile + kStrip * j + kLanes * part) * x;
+      }
+    }
+  }
+}
+
+void forward_updates_1(const FrontView& front, const double* y, double* w, int first, int last) {
+  for (int s = first; s < last; ++s) {
+    const double* strip = strip_at(front, front.pivot_strips + s);
+    const StripSum sum = subtract_strip(strip, front.pivots, y, w + kStrip * s);
+    LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+      vector_at(w + kStrip * s + kLanes * part) = sum.part[part];
+    }
+  }
+}
+
+// The sum of 8 numbers, in the same order for every register width.
+LAPWING_INLINE double sum_of_strip(const double* v) {
+  return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
+}
+
+void backward_updates_1(const FrontView& front, const double* w, double* y, int first, int last) {
+  constexpr int kColumns = 64;  // sums stay in the first cache, loads run along a page
+  alignas(64) double sums[kColumns * kStrip];
+  for (int begin = first; begin < last; begin += kColumns) {
+    const int columns = smaller(kColumns, last - begin);
+    for (int k = 0; k < kStrip * columns; ++k) sums[k] = 0.0;
+    for (int s = 0; s < front.update_strips; ++s) {
+      const double* strip = strip_at(front, front.pivot_strips + s) + kStrip * begin;
+      Vector x[kParts];
+      LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+        x[part] = vector_at(w + kStrip * s + kLanes * part);
+      }
+      for (int k = 0; k < columns; ++k) {
+        LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+          vector_at(sums + kStrip * k + kLanes * part) +=
+              vector_at(strip + kStrip * k + kLanes * part) * x[part];
+        }
+      }
+    }
+    for (int k = 0; k < columns; ++k) y[begin + k] -= sum_of_strip(sums + kStrip * k);
+  }
+}
+
+void backward_pivots_1(const FrontView& front, double* y, double* scratch) {
+  for (int k = 0; k < kStrip * front.pivots; ++k) scratch[k] = 0.0;
+  for (int s = front.pivot_strips - 1; s >= 0; --s) {
+    const double* strip = strip_at(front, s);
+    const double* tile = strip + kStrip * kStrip * s;
+    const int width = smaller(kStrip, front.pivots - kStrip * s);
+    alignas(64) double x[kStrip] = {};
+    for (int j = width - 1; j >= 0; --j) {
+      double rest = y[kStrip * s + j] - sum_of_strip(scratch + kStrip * (kStrip * s + j));
+      for (int i = j + 1; i < width; ++i) rest -= tile[kStrip * j + i] * x[i];
+      x[j] = rest * tile[kStrip * j + j];
+      y[kStrip * s + j] = x[j];
+    }
+    Vector v[kParts];
+    LAPWING_UNROLL for (int part = 0; part < kParts; ++part) v[part] = vector_at(x + kLanes * part);
+    for (int k = 0; k < kStrip * s; ++k) {
+      LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
+        vector_at(scratch + kStrip * k + kLanes * part) +=
+            vector_at(strip + kStrip * k + kLanes * part) * v[part];
+      }
+    }
+  }
+}
+
+// ---- Several right-hand sides: registers run along the right-hand sides of a row.
+
+constexpr int kRowLanes = kLanes < 4 ? kLanes : 4;
+typedef double RowVector __attribute__((vector_size(sizeof(double) * kRowLanes), may_alias));
+
+LAPWING_INLINE RowVector& row_vector_at(double* p) { return *reinterpret_cast<RowVector*>(p); }
+LAPWING_INLINE const RowVector& row_vector_at(const double* p) {
+  return *reinterpret_cast<const RowVector*>(p);
+}
+
+// The kernels for `kWidth` right-hand sides.
+template <int kWidth>
+struct Rows {
+  static constexpr int kRegisters = kWidth / kRowLanes;  // of a row
+
+  // target rows -= strip times y over `count` columns.
+  LAPWING_INLINE void subtract(const double* strip, int count, const double* y, double* target) {
+    for (int lane = 0; lane < kStrip; lane += kSolveRows) {
+      RowVector sum[kSolveRows][kRegisters];
+      LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
+        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+          sum[i][r] = row_vector_at(target + kWidth * (lane + i) + kRowLanes * r);
+        }
+      }
+      for (int k = 0; k < count; ++k) {
+        RowVector row[kRegisters];
+        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+          row[r] = row_vector_at(y + kWidth * k + kRowLanes * r);
+        }
+        LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
+          const double factor = strip[kStrip * k + lane + i];
+          LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) sum[i][r] -= row[r] * factor;
+        }
+      }
+      LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
+        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+          row_vector_at(target + kWidth * (lane + i) + kRowLanes * r) = sum[i][r];
+        }
+      }
+    }
+  }
+
+  // y rows [first, last) -= the transposed strip times its 8 rows of x.
+  LAPWING_INLINE void subtract_transposed(const double* strip, const double* x, double* y,
+                                          int first, int last) {
+    for (int lane = 0; lane < kStrip; lane += kSolveRows) {
+      RowVector row[kSolveRows][kRegisters];
+      LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
+        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+          row[i][r] = row_vector_at(x + kWidth * (lane + i) + kRowLanes * r);
+        }
+      }
+      for (int k = first; k < last; ++k) {
+        RowVector sum[kRegisters];
+        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+          sum[r] = row_vector_at(y + kWidth * k + kRowLanes * r);
+        }
+        LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
+          const double factor = strip[kStrip * k + lane + i];
+          LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) sum[r] -= row[i][r] * factor;
+        }
+        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+          row_vector_at(y + kWidth * k + kRowLanes * r) = sum[r];
+        }
+      }
+    }
+  }
+
+  LAPWING_INLINE void scale_row(double* row, double factor) {
+    LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) row_vector_at(row + kRowLanes * r) *= factor;
+  }
+  LAPWING_INLINE void subtract_row(double* row, const double* other, double factor) {
+    LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+      row_vector_at(row + kRowLanes * r) -= row_vector_at(other + kRowLanes * r) * factor;
+    }
+  }
+
+  static void forward_pivots(const FrontView& front, double* y) {
+    for (int s = 0; s < front.pivot_strips; ++s) {
+      const double* strip = strip_at(front, s);
+      double* rows = y + kWidth * kStrip * s;
+      subtract(strip, kStrip * s, y, rows);
+      const double* tile = strip + kStrip * kStrip * s;
+      const int width = smaller(kStrip, front.pivots - kStrip * s);
+      for (int j = 0; j < width; ++j) {
+        scale_row(rows + kWidth * j, tile[kStrip * j + j]);
+        for (int i = j + 1; i < width; ++i) {
+          subtract_row(rows + kWidth * i, rows + kWidth * j, tile[kStrip * j + i]);
+        }
+      }
+    }
+  }
+
+  static void forward_updates(const FrontView& front, const double* y, double* w, int first,
+                              int last) {
+    for (int s = first; s < last; ++s) {
+      subtract(strip_at(front, front.pivot_strips + s), front.pivots, y, w + kWidth * kStrip * s);
+    }
+  }
+
+  static void backward_updates(const FrontView& front, const double* w, double* y, int first,
+                               int last) {
+    for (int s = 0; s < front.update_strips; ++s) {
+      subtract_transposed(strip_at(front, front.pivot_strips + s), w + kWidth * kStrip * s, y,
+                          first, last);
+    }
+  }
+
+  static void backward_pivots(const FrontView& front, double* y, double* /*scratch*/) {
+    for (int s = front.pivot_strips - 1; s >= 0; --s) {
+      const double* strip = strip_at(front, s);
+      const double* tile = strip + kStrip * kStrip * s;
+      double* rows = y + kWidth * kStrip * s;
+      const int width = smaller(kStrip, front.pivots - kStrip * s);
+      for (int j = width - 1; j >= 0; --j) {
+        for (int i = j + 1; i < width; ++i) {
+          subtract_row(rows + kWidth * j, rows + kWidth * i, tile[kStrip * j + i]);
+        }
+        scale_row(rows + kWidth * j, tile[kStrip * j + j]);
+      }
+      subtract_transposed(strip, rows, y, 0, kStrip * s);
+    }
+  }
+
+  static constexpr SolveKernels kernels() {
+    return {forward_pivots, forward_updates, backward_updates, backward_pivots};
+  }
+};
+
+constexpr KernelTable kTable = {
+    factor_pivots,
+    solve_rows,
+    update,
+    add_to_panel,
+    add_to_update,
+    {{forward_pivots_1, forward_updates_1, backward_updates_1, backward_pivots_1},
+     Rows<4>::kernels(),
+     Rows<8>::kernels(),
+     Rows<12>::kernels()}};

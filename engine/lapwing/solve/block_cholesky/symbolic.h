@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "lapwing/solve/block_cholesky/front_layout.h"
+#include "lapwing/solve/block_matrix.h"
+
+namespace lapwing::cholesky {
+
+/// One dense step of the multifrontal method (Duff, Reid 1983): its pivot columns are eliminated,
+/// and what they subtract from the update rows goes to the parent. Sizes are in scalars unless they
+/// say blocks; offsets count numbers of the array they name.
+struct Front {
+  int first_block = 0;  ///< first pivot block, in the factor's numbering
+  int pivot_blocks = 0;
+  int update_blocks = 0;
+  int pivots = 0;
+  int updates = 0;
+  int pivot_strips = 0;
+  int update_strips = 0;
+  int parent = -1;  ///< a later front, -1 at the roots
+  int children_begin = 0;
+  int children_end = 0;       ///< in Symbolic::children
+  int parent_pivots = 0;      ///< so many leading update rows are pivots of the parent
+  bool keeps_update = false;  ///< its update matrix lives on after its parent is done
+  int depth_parity = 0;       ///< which of the two stacks holds its update otherwise
+  std::size_t panel_at = 0;   ///< in the factor
+  std::size_t update_at = 0;  ///< its update matrix, in the kept store or its stack
+  std::size_t vector_at = 0;  ///< its update rows of one right-hand side, likewise
+  std::size_t rows_at = 0;    ///< in Symbolic::rows
+  std::size_t positions_at = 0;
+  std::size_t pieces_begin = 0;
+  std::size_t pieces_end = 0;
+  std::size_t entries_begin = 0;
+  std::size_t entries_end = 0;
+  double flops = 0;  ///< those that its exact columns need, padding and merging left out
+
+  int strips() const { return pivot_strips + update_strips; }
+};
+
+/// Where a block of the matrix goes in its front. Row and column are padded places in the front;
+/// a block with row < column is in the upper triangle there and goes in transposed.
+struct MatrixEntry {
+  std::size_t source = 0;  ///< block number in the pattern
+  int row = 0;
+  int column = 0;
+};
+
+/// Sizes of the memory for what fronts hand to their parents, in numbers.
+struct HandOverPlan {
+  std::size_t kept = 0;
+  std::size_t stacks[2] = {0, 0};  ///< per thread, one stack for each parity of depth
+};
+
+/// Nodes and the nodes that wait for them.
+struct WorkGraph {
+  std::vector<int> successor_starts{0};
+  std::vector<int> successors;
+  std::vector<int> predecessor_counts;
+
+  int size() const { return static_cast<int>(predecessor_counts.size()); }
+};
+
+/// Everything about a factorization that depends on the pattern alone.
+///
+/// The forest of fronts is cut into tasks, each one or more whole subtrees that one thread works
+/// off, and the top fronts above them, which threads share. The cut does not depend on the number
+/// of threads. Fronts are numbered task after task, then the top ones, children before parents.
+struct Symbolic {
+  int block_size = 3;
+  int blocks = 0;
+  std::vector<int> order;           ///< new to old
+  std::vector<int> front_of_block;  ///< by old number
+  std::vector<Front> fronts;
+  std::vector<int> task_starts{0};  ///< task t is fronts [task_starts[t], task_starts[t+1])
+  std::vector<int> children;
+  std::vector<int> rows;       ///< block rows of the update parts, ascending in each front
+  std::vector<int> positions;  ///< of each update row in the parent, padded
+  std::vector<Piece> pieces;
+  std::vector<MatrixEntry> entries;
+  std::size_t factor_size = 0;
+  HandOverPlan updates;
+  HandOverPlan vectors;            ///< for one right-hand side
+  WorkGraph upward;                ///< tasks, then top fronts: children before parents
+  WorkGraph downward;              ///< the same nodes: parents before children
+  double flops = 0;                ///< true operations of the factorization
+  std::size_t factor_entries = 0;  ///< true entries of the factor
+
+  int task_count() const { return static_cast<int>(task_starts.size()) - 1; }
+  int first_top() const { return task_starts.back(); }
+  int front_count() const { return static_cast<int>(fronts.size()); }
+  int node_of_front(int front) const;
+  /// The top front of a node, null for a task.
+  const Front* top_front(int node) const {
+    return node < task_count() ? nullptr : &fronts[first_top() + node - task_count()];
+  }
+};
+
+/// Symbolic factorization of `pattern` under `order` (new to old). Almost linear time in the size
+/// of the factor's block structure.
+Symbolic analyze_pattern(const BlockPattern& pattern, int block_size, std::span<const int> order);
+
+}  // namespace lapwing::cholesky

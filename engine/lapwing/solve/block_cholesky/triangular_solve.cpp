@@ -1,0 +1,269 @@
+#include "lapwing/solve/block_cholesky/triangular_solve.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace lapwing::cholesky {
+namespace {
+
+// Less of the factor than this (numbers) is not worth a chunk of its own.
+constexpr std::size_t kSmallestChunk = 8192;
+
+struct Sizes {
+  std::size_t solution, kept, stack, scratch;
+};
+
+Sizes sizes_for(const Symbolic& symbolic, std::size_t most_pivots, std::size_t most_updates,
+                std::size_t width) {
+  return {static_cast<std::size_t>(symbolic.blocks) * symbolic.block_size * width,
+          symbolic.vectors.kept * width,
+          (symbolic.vectors.stacks[0] + symbolic.vectors.stacks[1]) * width,
+          (most_pivots + most_updates) * width + kStrip * most_pivots};
+}
+
+std::size_t padded_pivots(const Front& front) {
+  return static_cast<std::size_t>(kStrip) * front.pivot_strips;
+}
+std::size_t padded_updates(const Front& front) {
+  return static_cast<std::size_t>(kStrip) * front.update_strips;
+}
+
+template <typename Padded>
+std::size_t most(const Symbolic& symbolic, Padded padded) {
+  std::size_t result = 0;
+  for (const Front& front : symbolic.fronts) result = std::max(result, padded(front));
+  return result;
+}
+
+}  // namespace
+
+// L Y = B, children before parents.
+class TriangularSolve::Forward final : public NodeWork {
+ public:
+  explicit Forward(const TriangularSolve& solve) : s_(solve) {}
+
+  int chunk_count(int node, int phase) const override {
+    if (phase == 0) return 1;
+    const Front* top = s_.symbolic_.top_front(node);
+    if (phase > 1 || top == nullptr || top->update_strips == 0) return 0;
+    return s_.chunks_for(*top, top->update_strips);
+  }
+
+  void run_chunk(int node, int phase, int chunk, int thread) override {
+    const Front* top = s_.symbolic_.top_front(node);
+    if (top == nullptr) {
+      const auto& starts = s_.symbolic_.task_starts;
+      for (int f = starts[node]; f < starts[node + 1]; ++f) {
+        const Front& front = s_.symbolic_.fronts[f];
+        pivots(front, thread);
+        updates(front, 0, front.update_strips, thread);
+      }
+    } else if (phase == 0) {
+      pivots(*top, thread);
+    } else {
+      const int chunks = chunk_count(node, phase);
+      updates(*top, top->update_strips * chunk / chunks, top->update_strips * (chunk + 1) / chunks,
+              thread);
+    }
+  }
+
+ private:
+  void pivots(const Front& front, int thread) const {
+    const auto width = static_cast<std::size_t>(s_.width_);
+    double* y = s_.scratch_[thread].data();
+    double* w = s_.update_rows(front, thread);
+    s_.load_pivots(front, y);
+    std::fill_n(w, padded_updates(front) * width, 0.0);
+    for (int c = front.children_begin; c < front.children_end; ++c) {
+      const Front& child = s_.symbolic_.fronts[s_.symbolic_.children[c]];
+      add_child(child, s_.update_rows(child, thread), front, y, w);
+    }
+    s_.solve_->forward_pivots(s_.numeric_.view(front), y);
+    std::copy_n(y, front.pivots * width, s_.own_rows(front));
+  }
+
+  void add_child(const Front& child, const double* from, const Front& front, double* y,
+                 double* w) const {
+    const int* position = s_.symbolic_.positions.data() + child.positions_at;
+    double* below = w - padded_pivots(front) * s_.width_;
+    if (s_.width_ == 1) {
+      for (int k = 0; k < child.parent_pivots; ++k) y[position[k]] += from[k];
+      for (int k = child.parent_pivots; k < child.updates; ++k) below[position[k]] += from[k];
+      return;
+    }
+    const auto width = static_cast<std::size_t>(s_.width_);
+    for (int k = 0; k < child.updates; ++k) {
+      double* to = (k < child.parent_pivots ? y : below) + position[k] * width;
+      for (std::size_t r = 0; r < width; ++r) to[r] += from[k * width + r];
+    }
+  }
+
+  void updates(const Front& front, int first, int last, int thread) const {
+    s_.solve_->forward_updates(s_.numeric_.view(front), s_.own_rows(front),
+                               s_.update_rows(front, thread), first, last);
+  }
+
+  const TriangularSolve& s_;
+};
+
+// L' X = Y, parents before children.
+class TriangularSolve::Backward final : public NodeWork {
+ public:
+  explicit Backward(const TriangularSolve& solve) : s_(solve) {}
+
+  int chunk_count(int node, int phase) const override {
+    if (phase == 0) return 1;
+    const Front* top = s_.symbolic_.top_front(node);
+    if (top == nullptr) return 0;
+    if (phase == 1) return s_.chunks_for(*top, top->pivot_strips);
+    return phase == 2 ? 1 : 0;
+  }
+
+  void run_chunk(int node, int phase, int chunk, int thread) override {
+    const Front* top = s_.symbolic_.top_front(node);
+    if (top == nullptr) {
+      const auto& starts = s_.symbolic_.task_starts;
+      for (int f = starts[node + 1] - 1; f >= starts[node]; --f) {
+        const Front& front = s_.symbolic_.fronts[f];
+        double* w = s_.scratch_[thread].data();
+        gather(front, w);
+        updates(front, w, 0, front.pivots);
+        pivots(front, thread);
+      }
+    } else if (phase == 0) {
+      gather(*top, s_.update_rows(*top, thread));
+    } else if (phase == 1) {
+      const int chunks = chunk_count(node, phase);
+      updates(*top, s_.update_rows(*top, thread), kStrip * (top->pivot_strips * chunk / chunks),
+              std::min(kStrip * (top->pivot_strips * (chunk + 1) / chunks), top->pivots));
+    } else {
+      pivots(*top, thread);
+    }
+  }
+
+ private:
+  void gather(const Front& front, double* w) const {
+    const std::size_t row = static_cast<std::size_t>(s_.symbolic_.block_size) * s_.width_;
+    const int* rows = s_.symbolic_.rows.data() + front.rows_at;
+    for (int k = 0; k < front.update_blocks; ++k) {
+      std::copy_n(s_.solution_.data() + rows[k] * row, row, w + k * row);
+    }
+    const std::size_t filled = front.update_blocks * row;
+    std::fill_n(w + filled, padded_updates(front) * s_.width_ - filled, 0.0);
+  }
+
+  void updates(const Front& front, const double* w, int first, int last) const {
+    s_.solve_->backward_updates(s_.numeric_.view(front), w, s_.own_rows(front), first, last);
+  }
+
+  void pivots(const Front& front, int thread) const {
+    const auto width = static_cast<std::size_t>(s_.width_);
+    double* y = s_.scratch_[thread].data();
+    double* sums = y + padded_pivots(front) * width;
+    std::copy_n(s_.own_rows(front), front.pivots * width, y);
+    std::fill_n(y + front.pivots * width, (padded_pivots(front) - front.pivots) * width, 0.0);
+    s_.solve_->backward_pivots(s_.numeric_.view(front), y, sums);
+    std::copy_n(y, front.pivots * width, s_.own_rows(front));
+    s_.store_pivots(front, y);
+  }
+
+  const TriangularSolve& s_;
+};
+
+TriangularSolve::TriangularSolve(const Symbolic& symbolic, const Numeric& numeric,
+                                 const KernelTable& kernels, WorkerPool& pool)
+    : symbolic_(symbolic),
+      numeric_(numeric),
+      kernels_(kernels),
+      pool_(pool),
+      upward_(symbolic.upward),
+      downward_(symbolic.downward),
+      most_pivots_(most(symbolic, padded_pivots)),
+      most_updates_(most(symbolic, padded_updates)),
+      stacks_(pool.size()),
+      scratch_(pool.size()) {}
+
+std::size_t TriangularSolve::bytes_needed(const Symbolic& symbolic, int threads) {
+  const Sizes sizes = sizes_for(symbolic, most(symbolic, padded_pivots),
+                                most(symbolic, padded_updates), kWidestSolve);
+  return arena_bytes(sizes.solution) + arena_bytes(sizes.kept) +
+         threads * (arena_bytes(sizes.stack) + arena_bytes(sizes.scratch));
+}
+
+void TriangularSolve::solve(std::span<const double> B, std::span<double> X, std::size_t columns) {
+  const std::size_t size = static_cast<std::size_t>(symbolic_.blocks) * symbolic_.block_size;
+  for (std::size_t first = 0; first < columns; first += kWidestSolve) {
+    const std::size_t count = std::min<std::size_t>(columns - first, kWidestSolve);
+    solve_columns({B.data() + first * size, X.data() + first * size, static_cast<int>(count)});
+  }
+}
+
+void TriangularSolve::solve_columns(const Columns& columns) {
+  const auto* width =
+      std::lower_bound(std::begin(kSolveWidths), std::end(kSolveWidths), columns.count);
+  reserve(*width);
+  width_ = *width;
+  solve_ = &kernels_.solve[width - std::begin(kSolveWidths)];
+  columns_ = columns;
+  Forward forward(*this);
+  upward_.run(pool_, forward, {});
+  Backward backward(*this);
+  downward_.run(pool_, backward, {});
+}
+
+void TriangularSolve::reserve(int width) {
+  const Sizes sizes = sizes_for(symbolic_, most_pivots_, most_updates_, width);
+  solution_.reserve(sizes.solution);
+  kept_.reserve(sizes.kept);
+  for (Arena& stack : stacks_) stack.reserve(sizes.stack);
+  for (Arena& scratch : scratch_) scratch.reserve(sizes.scratch);
+}
+
+double* TriangularSolve::update_rows(const Front& front, int thread) const {
+  const auto width = static_cast<std::size_t>(width_);
+  if (front.keeps_update) return kept_.data() + front.vector_at * width;
+  const std::size_t stack = front.depth_parity == 0 ? 0 : symbolic_.vectors.stacks[0];
+  return stacks_[thread].data() + (stack + front.vector_at) * width;
+}
+
+double* TriangularSolve::own_rows(const Front& front) const {
+  return solution_.data() +
+         static_cast<std::size_t>(front.first_block) * symbolic_.block_size * width_;
+}
+
+void TriangularSolve::load_pivots(const Front& front, double* y) const {
+  const auto width = static_cast<std::size_t>(width_);
+  const auto b = static_cast<std::size_t>(symbolic_.block_size);
+  const std::size_t size = b * symbolic_.blocks;
+  if (static_cast<int>(width) > columns_.count) std::fill_n(y, front.pivots * width, 0.0);
+  std::fill_n(y + front.pivots * width, (padded_pivots(front) - front.pivots) * width, 0.0);
+  for (int j = 0; j < front.pivot_blocks; ++j) {
+    const double* from = columns_.B + b * symbolic_.order[front.first_block + j];
+    double* to = y + j * b * width;
+    for (int r = 0; r < columns_.count; ++r) {
+      for (std::size_t z = 0; z < b; ++z) to[z * width + r] = from[r * size + z];
+    }
+  }
+}
+
+void TriangularSolve::store_pivots(const Front& front, const double* y) const {
+  const auto width = static_cast<std::size_t>(width_);
+  const auto b = static_cast<std::size_t>(symbolic_.block_size);
+  const std::size_t size = b * symbolic_.blocks;
+  for (int j = 0; j < front.pivot_blocks; ++j) {
+    double* to = columns_.X + b * symbolic_.order[front.first_block + j];
+    const double* from = y + j * b * width;
+    for (int r = 0; r < columns_.count; ++r) {
+      for (std::size_t z = 0; z < b; ++z) to[r * size + z] = from[z * width + r];
+    }
+  }
+}
+
+int TriangularSolve::chunks_for(const Front& front, int pieces) const {
+  const std::size_t numbers = padded_updates(front) * front.pivots;
+  const auto wanted = static_cast<int>(
+      std::min<std::size_t>(numbers / kSmallestChunk, static_cast<std::size_t>(4 * pool_.size())));
+  return std::clamp(wanted, 1, std::max(1, pieces));
+}
+
+}  // namespace lapwing::cholesky

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "lapwing/solve/block_cholesky/arena.h"
+#include "lapwing/solve/block_cholesky/numeric.h"
+
+namespace lapwing::cholesky {
+
+/// Forward and backward substitution with a factor, front by front: what a front subtracts from
+/// its update rows goes to its parent, as in the factorization, so that no two threads write one
+/// number.
+class TriangularSolve {
+ public:
+  TriangularSolve(const Symbolic& symbolic, const Numeric& numeric, const KernelTable& kernels,
+                  WorkerPool& pool);
+
+  /// Bytes that solves of the greatest width take with `threads` threads.
+  static std::size_t bytes_needed(const Symbolic& symbolic, int threads);
+
+  /// Solves A X = B for `columns` right-hand sides stored one after the other. B and X may be the
+  /// same memory.
+  void solve(std::span<const double> B, std::span<double> X, std::size_t columns);
+
+ private:
+  class Forward;
+  class Backward;
+
+  // The columns of B and X that are being solved.
+  struct Columns {
+    const double* B = nullptr;
+    double* X = nullptr;
+    int count = 0;
+  };
+
+  void solve_columns(const Columns& columns);
+  void reserve(int width);
+  double* update_rows(const Front& front, int thread) const;
+  double* own_rows(const Front& front) const;
+  void load_pivots(const Front& front, double* y) const;
+  void store_pivots(const Front& front, const double* y) const;
+  int chunks_for(const Front& front, int pieces) const;
+
+  const Symbolic& symbolic_;
+  const Numeric& numeric_;
+  const KernelTable& kernels_;
+  WorkerPool& pool_;
+  SharedWork upward_;
+  SharedWork downward_;
+  std::size_t most_pivots_ = 0;  // padded, of any front
+  std::size_t most_updates_ = 0;
+  int width_ = 0;  // right-hand sides a row holds
+  const SolveKernels* solve_ = nullptr;
+  Columns columns_;
+  Arena solution_;              // all rows, in the factor's order
+  Arena kept_;                  // update rows of the fronts that keep them
+  std::vector<Arena> stacks_;   // update rows of the others, one a thread
+  std::vector<Arena> scratch_;  // pivot rows, update rows, and 8 numbers a pivot; one a thread
+};
+
+}  // namespace lapwing::cholesky

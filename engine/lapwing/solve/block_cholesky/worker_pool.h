@@ -1,0 +1,42 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace lapwing::cholesky {
+
+/// Threads that wait for work. A job is one function that every thread may call; it must be
+/// written so that any number of them, the caller alone included, completes it: a helper that the
+/// system wakes late is then never waited for.
+class WorkerPool {
+ public:
+  /// `threads` counts the caller. Makes do with fewer when the system gives no more.
+  explicit WorkerPool(unsigned threads);
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+  ~WorkerPool();
+
+  int size() const { return static_cast<int>(helpers_.size()) + 1; }
+
+  /// Calls job(t) on the caller with t = 0 and, as they wake, on helpers with t = 1, 2, ...
+  /// Returns when the caller's call and all calls that were begun have returned. The job must not
+  /// throw.
+  void run(const std::function<void(int thread)>& job);
+
+ private:
+  void help(int thread);
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::condition_variable idle_;
+  const std::function<void(int)>* job_ = nullptr;  // null when there is nothing to join
+  unsigned long generation_ = 0;
+  int active_ = 0;
+  bool quit_ = false;
+  std::vector<std::thread> helpers_;
+};
+
+}  // namespace lapwing::cholesky

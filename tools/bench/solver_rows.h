@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapwing/solve/block_cholesky/block_cholesky.h"
+#include "lapwing/solve/ordering.h"
+
+namespace lapwing::bench {
+
+/// The systems that the solvers are timed on: the RSI normal matrix M'M + W of a mesh, and its
+/// part for x alone, which has the pattern and the size of the settling's L'L + W.
+struct BenchSystem {
+  std::string name;
+  BlockPattern pattern;
+  BlockMatrix coupled;  ///< 3 x 3 blocks
+  BlockMatrix scalar;   ///< 1 x 1 blocks
+};
+
+/// Milliseconds, medians of the repeats; 0 for what was not measured.
+struct SolverRow {
+  std::string name;
+  double order = 0;
+  double analyze = 0;
+  double first_factor = 0;
+  double factor = 0;
+  double one_diagonal = 0;  ///< refactorization after a change in one diagonal block
+  double one_column = 0;
+  double twelve_columns = 0;
+  double scalar_factor = 0;
+  double error = 0;  ///< normwise backward error of the single right-hand side
+
+  double cold() const { return order + analyze + first_factor; }
+};
+
+/// Times a solver behind the seam.
+SolverRow time_solver(const BenchSystem& system, const std::string& name, BlockSolver& solver,
+                      Ordering ordering, int repeats);
+
+#ifdef LAPWING_HAVE_CHOLMOD
+/// How CHOLMOD orders: by itself on the scalar graph, or given the order of the blocks.
+enum class CholmodOrdering { amd, metis, blocks };
+
+/// Times CHOLMOD's supernodal factorization and its solve with reused work space, with the number
+/// of BLAS threads that factors faster (1 or all).
+SolverRow time_cholmod(const BenchSystem& system, CholmodOrdering ordering, int repeats);
+#endif
+
+}  // namespace lapwing::bench
