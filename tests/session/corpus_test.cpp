@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "support/gpu.h"
+#include "support/models.h"
 
 namespace lapwing {
 namespace {
@@ -24,22 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostEdited = 400;
-
-std::vector<fs::path> mesh_files(const fs::path& folder) {
-  std::vector<fs::path> files;
-  if (!fs::is_directory(folder)) return files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    std::string extension = entry.path().extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const std::array known{".obj", ".off", ".ply", ".stl"};
-    if (std::find(known.begin(), known.end(), extension) != known.end()) {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 // Up to kMostEdited vertices around one of the largest component, breadth first: the first ones are
 // the handle, the last fifth, or all the others if they are few, the belt.
@@ -96,11 +80,7 @@ class Corpus : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Corpus, EveryFileIsEditedOrRefusedInWords) {
   LAPWING_NEEDS_GPU();
-  const auto files = mesh_files(fs::path(LAPWING_MODELS_DIR) / GetParam());
-  if (files.empty()) {
-    ASSERT_EQ(std::getenv("CI"), nullptr) << "no meshes under " << LAPWING_MODELS_DIR;
-    GTEST_SKIP() << "run tools/setup/fetch-models " << LAPWING_MODELS_DIR;
-  }
+  LAPWING_NEEDS_MODELS(files, GetParam());
   VulkanKernels kernels;
   std::size_t edited = 0;
   std::size_t unsolvable = 0;

@@ -105,14 +105,19 @@ OwnedMatrix laplacian_matrix(const Mesh& mesh, double weight, std::size_t step) 
 
 OwnedMatrix rsi_matrix(const Mesh& mesh, double weight, std::size_t step) {
   const Topology topology = build_topology(mesh);
-  const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
   std::vector<Index> all(mesh.vertex_count());
   std::iota(all.begin(), all.end(), 0U);
-  CpuKernels kernels;
-  const RsiRows M = assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, all});
-  const NormalPattern pattern(M, Unknowns(all, all.size()));
   std::vector<double> W(all.size(), 0.0);
   for (std::size_t i = 0; step > 0 && i < W.size(); i += step) W[i] = weight;
+  return rsi_matrix(mesh, topology, all, W);
+}
+
+OwnedMatrix rsi_matrix(const Mesh& mesh, const Topology& topology, const std::vector<Index>& roi,
+                       std::span<const double> W) {
+  const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
+  CpuKernels kernels;
+  const RsiRows M = assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, roi});
+  const NormalPattern pattern(M, Unknowns(roi, mesh.vertex_count()));
   OwnedMatrix owned;
   owned.matrix = pattern.normal_matrix(M, W);
   owned.pattern = std::make_unique<BlockPattern>(pattern.blocks());

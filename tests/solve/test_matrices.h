@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lapwing/mesh/mesh.h"
+#include "lapwing/mesh/topology.h"
 #include "lapwing/solve/block_matrix.h"
 #include "lapwing/solve/block_solver.h"
 
@@ -46,6 +46,10 @@ OwnedMatrix laplacian_matrix(const Mesh& mesh, double weight, std::size_t step);
 
 /// The RSI normal matrix M'M + W in 3 x 3 blocks, W as in `laplacian_matrix`.
 OwnedMatrix rsi_matrix(const Mesh& mesh, double weight, std::size_t step);
+
+/// The same over a region (ascending), W given for each of its vertices; the rest stays.
+OwnedMatrix rsi_matrix(const Mesh& mesh, const Topology& topology, const std::vector<Index>& roi,
+                       std::span<const double> W);
 
 /// S A S with a diagonal S of entries 10^-(0..decades): badly scaled, as positive definite as A.
 void scale_badly(BlockMatrix& matrix, double decades, unsigned seed);

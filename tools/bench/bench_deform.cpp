@@ -12,6 +12,7 @@
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/vulkan/open_device.h"
 #include "measure.h"
+#include "time_cgal_arap.h"
 
 namespace lapwing::bench {
 namespace {
@@ -67,7 +68,8 @@ void print_row(const char* name, const Samples& samples) {
 
 }  // namespace
 
-void bench_deform(const std::filesystem::path& path, const std::string& device, int repeats) {
+void bench_deform(const std::filesystem::path& path, const std::string& device, SolverKind solver,
+                  int repeats) {
   const Mesh mesh = read_mesh(path);
   const Topology topology = build_topology(mesh);
   const EditRegion region = lowest_and_highest(mesh);
@@ -75,14 +77,16 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
   const std::array motions{
       Eigen::Affine3d(Eigen::Translation3d(0.0, 0.2 * bounds_of(mesh.positions).diagonal(), 0.0))};
 
+  DeformOptions options;
+  options.solver = solver;
+
   // Stages of one preparation are read from the deformer itself; only the total is timed here.
   std::vector<std::string> order;
   std::map<std::string, Samples> stages;
   std::unique_ptr<Deformer> deformer;
   const Samples total = measure(repeats, [&] {
     deformer.reset();
-    deformer =
-        std::make_unique<Deformer>(mesh.positions, topology, region, DeformOptions{}, *kernels);
+    deformer = std::make_unique<Deformer>(mesh.positions, topology, region, options, *kernels);
     for (const auto& [name, ms] : deformer->timings().stages()) {
       if (!stages.contains(name)) order.push_back(name);
       stages[name].milliseconds.push_back(ms);
@@ -104,6 +108,11 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
   print_row("one back-substitution", back);
   print_row("solve with certificate", commit);
   print_row("Eigen's sparse product M'M", product);
+#ifdef LAPWING_HAVE_CGAL
+  const Samples arap = time_cgal_arap(mesh, topology, region, repeats);
+  print_row("CGAL's ARAP preprocess", arap);
+  std::printf("  whole preparation / CGAL's ARAP   %.3f\n", total.median() / arap.median());
+#endif
   std::printf("  normal matrix / Eigen's product   %.3f\n",
               stages["normal_matrix"].median() / product.median());
   std::printf("  whole preparation / factorization %.3f\n",

@@ -2,6 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "lapwing/solve/block_solver.h"
 
 namespace lapwing::bench {
 
@@ -10,7 +13,22 @@ void bench_read(std::size_t vertices, int repeats);
 
 /// Prepares and drags `mesh` as a whole (belt: the lowest 5% of the vertices in y; handle: the
 /// highest 5%, moved by 20% of the diagonal), and prints each stage beside what the same work costs
-/// in Eigen and CHOLMOD.
-void bench_deform(const std::filesystem::path& mesh, const std::string& device, int repeats);
+/// in Eigen, and the preparation beside that of CGAL's as-rigid-as-possible deformation where CGAL
+/// was there to build with.
+void bench_deform(const std::filesystem::path& mesh, const std::string& device, SolverKind solver,
+                  int repeats);
+
+struct SolveBench {
+  std::vector<std::string> meshes;
+  int subdivisions = 0;  ///< of every mesh, each into four times the triangles
+  int repeats = 7;
+  std::vector<unsigned> threads{2, 1};
+  std::size_t anchor_step = 50;  ///< every so many vertices one is anchored
+  bool eigen = false;
+  bool busy = false;  ///< also with a processor kept busy by something else
+};
+
+/// Times the block Cholesky beside CHOLMOD and Eigen on the RSI systems of whole meshes.
+void bench_solve(const SolveBench& settings);
 
 }  // namespace lapwing::bench

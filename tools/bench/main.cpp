@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <map>
 
 #include <CLI/CLI.hpp>
 
@@ -8,6 +9,7 @@ int main(int argc, char** argv) {
   CLI::App app("Measures what Lapwing costs, beside what else does the same work.",
                "lapwing-bench");
   app.require_subcommand(1);
+  app.fallthrough();  // --repeats may stand after the subcommand
   int repeats = 7;
   app.add_option("--repeats", repeats, "counted runs of each thing, after one to warm up")
       ->check(CLI::Range(1, 1000));
@@ -23,9 +25,31 @@ int main(int argc, char** argv) {
   std::string device = "auto";
   deform->add_option("MESH", mesh)->required();
   deform->add_option("--device", device, "auto, cpu, an index or a part of a device's name");
-  deform->callback([&] { lapwing::bench::bench_deform(mesh, device, repeats); });
+  auto solver = lapwing::SolverKind::automatic;
+  const std::map<std::string, lapwing::SolverKind> solvers{
+      {"automatic", lapwing::SolverKind::automatic},
+      {"block", lapwing::SolverKind::block},
+      {"cholmod", lapwing::SolverKind::cholmod},
+      {"eigen", lapwing::SolverKind::eigen}};
+  deform->add_option("--solver", solver, "automatic, block, cholmod or eigen")
+      ->transform(CLI::CheckedTransformer(solvers));
+  deform->callback([&] { lapwing::bench::bench_deform(mesh, device, solver, repeats); });
 
-  app.fallthrough();
+  auto* solve = app.add_subcommand(
+      "solve", "the block Cholesky beside CHOLMOD on the systems of whole meshes");
+  lapwing::bench::SolveBench settings;
+  solve->add_option("MESH", settings.meshes)->required();
+  solve->add_option("--subdivide", settings.subdivisions, "split the triangles so many times");
+  solve->add_option("--threads", settings.threads, "thread counts to time")->delimiter(',');
+  solve->add_option("--anchor-step", settings.anchor_step, "every so many vertices one is anchored")
+      ->check(CLI::Range(1, 1'000'000));
+  solve->add_flag("--eigen", settings.eigen, "Eigen too (minutes above 30,000 vertices)");
+  solve->add_flag("--busy", settings.busy, "also with one processor busy with something else");
+  solve->callback([&] {
+    settings.repeats = repeats;
+    lapwing::bench::bench_solve(settings);
+  });
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "lapwing/base/stopwatch.h"
@@ -24,10 +25,9 @@ struct Samples {
   }
 };
 
-/// Runs `body` once to warm up, then `repeats` times.
+/// Runs `body` `repeats` times.
 template <typename Body>
-Samples measure(int repeats, Body body) {
-  body();
+Samples measure_cold(int repeats, Body body) {
   Samples samples;
   for (int i = 0; i < repeats; ++i) {
     const Stopwatch watch;
@@ -35,6 +35,22 @@ Samples measure(int repeats, Body body) {
     samples.milliseconds.push_back(watch.elapsed_ms());
   }
   return samples;
+}
+
+/// Runs `body` once to warm up, then `repeats` times.
+template <typename Body>
+Samples measure(int repeats, Body body) {
+  body();
+  return measure_cold(repeats, body);
+}
+
+/// Takes, touches and frees `bytes` of memory, untimed, before a run that takes as much anew. A
+/// virtual machine hands freed memory back to its host, and getting it again costs far more than a
+/// page fault: without this, whoever is measured first pays for all.
+inline void touch_memory(std::size_t bytes) {
+  constexpr std::size_t kPage = 4096;
+  const auto memory = std::make_unique_for_overwrite<volatile char[]>(bytes);
+  for (std::size_t i = 0; i < bytes; i += kPage) memory[i] = 1;
 }
 
 }  // namespace lapwing::bench

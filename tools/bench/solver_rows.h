@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,7 +25,7 @@ struct SolverRow {
   std::string name;
   double order = 0;
   double analyze = 0;
-  double first_factor = 0;
+  double first_factor = 0;  ///< with new memory, as in the first preparation of a region
   double factor = 0;
   double one_diagonal = 0;  ///< refactorization after a change in one diagonal block
   double one_column = 0;
@@ -34,9 +36,17 @@ struct SolverRow {
   double cold() const { return order + analyze + first_factor; }
 };
 
-/// Times a solver behind the seam.
-SolverRow time_solver(const BenchSystem& system, const std::string& name, BlockSolver& solver,
-                      Ordering ordering, int repeats);
+/// Times the solvers that `make` makes, behind the seam.
+SolverRow time_solver(const BenchSystem& system, const std::string& name,
+                      const std::function<std::unique_ptr<BlockSolver>()>& make, Ordering ordering,
+                      int repeats);
+
+/// `count` numbers between -1 and 1, the same each time.
+std::vector<double> right_hand_sides(std::size_t count);
+
+/// |A x - b| / (|A| |x| + |b|) in the maximum norm.
+double normwise_backward_error(const BlockMatrix& A, std::span<const double> x,
+                               std::span<const double> b);
 
 #ifdef LAPWING_HAVE_CHOLMOD
 /// How CHOLMOD orders: by itself on the scalar graph, or given the order of the blocks.

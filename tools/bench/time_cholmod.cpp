@@ -1,10 +1,11 @@
 #include <dlfcn.h>
+#include <optional>
 #include <stdexcept>
 
 #include <cholmod.h>
 
 #include "lapwing/solve/scalar_lower.h"
-#include "median.h"
+#include "measure.h"
 #include "solver_rows.h"
 
 namespace lapwing::bench {
@@ -59,6 +60,7 @@ class Cholmod {
     factor_ = cholmod_analyze_p(&view_, given ? order_.data() : nullptr, nullptr, 0, &common_);
     check();
   }
+  std::size_t factor_bytes() const { return factor_->xsize * sizeof(double); }
   void factor() {
     cholmod_factorize(&view_, factor_, &common_);
     check();
@@ -111,30 +113,46 @@ SolverRow time_cholmod(const BenchSystem& system, CholmodOrdering ordering, int 
   row.name = name_of(ordering);
   std::vector<int> order;
   if (ordering == CholmodOrdering::blocks) {
-    row.order = median_ms(
-        1, [&] { order = fill_reducing_order(system.pattern, Ordering::nested_dissection); });
+    row.order = measure(std::min(repeats, 3), [&] {
+                  order = fill_reducing_order(system.pattern, Ordering::nested_dissection);
+                }).median();
   }
-  Cholmod coupled(system.coupled, ordering, order);
-  row.analyze = median_ms(1, [&] { coupled.analyze(); });
-  set_blas_threads(2);
-  row.first_factor = median_ms(1, [&] { coupled.factor(); });
+  std::optional<Cholmod> coupled;
+  Samples analyze;
+  std::array<Samples, 2> first_factor;
+  for (int i = 0; i < repeats; ++i) {
+    for (const int threads : {1, 2}) {
+      set_blas_threads(threads);
+      coupled.emplace(system.coupled, ordering, order);
+      Stopwatch watch;
+      coupled->analyze();
+      analyze.milliseconds.push_back(watch.elapsed_ms());
+      touch_memory(coupled->factor_bytes());
+      watch.restart();
+      coupled->factor();
+      first_factor[static_cast<std::size_t>(threads - 1)].milliseconds.push_back(
+          watch.elapsed_ms());
+    }
+  }
+  row.analyze = analyze.median();
+  row.first_factor = std::min(first_factor[0].median(), first_factor[1].median());
   const std::size_t n = system.coupled.scalar_size();
   const std::vector<double> b = right_hand_sides(12 * n);
+  const auto b1 = std::span(b).first(n);
   Cholmod scalar(system.scalar, ordering, order);
   scalar.analyze();
-  const auto best = [](double& best_so_far, double time) {
+  const auto best = [](double& best_so_far, const Samples& samples) {
+    const double time = samples.median();
     best_so_far = best_so_far == 0 ? time : std::min(best_so_far, time);
   };
   for (const int threads : {1, 2}) {
     set_blas_threads(threads);
-    best(row.factor, median_ms(repeats, [&] { coupled.factor(); }));
-    scalar.factor();
-    best(row.scalar_factor, median_ms(repeats, [&] { scalar.factor(); }));
-    best(row.twelve_columns, median_ms(repeats + 1, [&] { coupled.solve(b); }));
-    best(row.one_column, median_ms(2 * repeats + 1, [&] { coupled.solve(std::span(b).first(n)); }));
+    best(row.factor, measure_cold(repeats, [&] { coupled->factor(); }));
+    best(row.scalar_factor, measure(repeats, [&] { scalar.factor(); }));
+    best(row.twelve_columns, measure(repeats, [&] { coupled->solve(b); }));
+    best(row.one_column, measure(2 * repeats, [&] { coupled->solve(b1); }));
   }
-  row.error = normwise_backward_error(system.coupled, coupled.solve(std::span(b).first(n)),
-                                      std::span(b).first(n));
+  row.error = normwise_backward_error(system.coupled, coupled->solve(b1), b1);
   return row;
 }
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "median.h"
+#include "measure.h"
 #include "solver_rows.h"
 
 namespace lapwing::bench {
@@ -36,33 +36,48 @@ double normwise_backward_error(const BlockMatrix& A, std::span<const double> x,
   return largest(r) / (norm * largest(x) + largest(b));
 }
 
-SolverRow time_solver(const BenchSystem& system, const std::string& name, BlockSolver& solver,
-                      Ordering ordering, int repeats) {
+SolverRow time_solver(const BenchSystem& system, const std::string& name,
+                      const std::function<std::unique_ptr<BlockSolver>()>& make, Ordering ordering,
+                      int repeats) {
   SolverRow row;
   row.name = name;
   std::vector<int> order;
-  row.order = median_ms(std::min(repeats, 3),
-                        [&] { order = fill_reducing_order(system.pattern, ordering); });
+  row.order = measure(std::min(repeats, 3), [&] {
+                order = fill_reducing_order(system.pattern, ordering);
+              }).median();
   BlockMatrix matrix = system.coupled;
-  row.analyze = median_ms(1, [&] { solver.analyze(system.pattern, 3, order); });
-  row.first_factor = median_ms(1, [&] { solver.factor(matrix); });
-  row.factor = median_ms(repeats, [&] { solver.factor(matrix); });
+  std::unique_ptr<BlockSolver> solver;
+  Samples analyze;
+  Samples first_factor;
+  for (int i = 0; i < repeats; ++i) {
+    solver = make();
+    Stopwatch watch;
+    solver->analyze(system.pattern, 3, order);
+    analyze.milliseconds.push_back(watch.elapsed_ms());
+    touch_memory(solver->statistics().peak_bytes);
+    watch.restart();
+    solver->factor(matrix);
+    first_factor.milliseconds.push_back(watch.elapsed_ms());
+  }
+  row.analyze = analyze.median();
+  row.first_factor = first_factor.median();
+  row.factor = measure_cold(repeats, [&] { solver->factor(matrix); }).median();
   std::mt19937 random(2);
-  row.one_diagonal = median_ms(2 * repeats + 1, [&] {
-    const auto block = static_cast<Index>(random() % system.pattern.size());
-    matrix.values[9 * system.pattern.starts[block]] += 1.0;
-    solver.refactor_diagonal(matrix, std::span(&block, 1));
-  });
+  row.one_diagonal = measure(2 * repeats, [&] {
+                       const auto block = static_cast<Index>(random() % system.pattern.size());
+                       matrix.values[9 * system.pattern.starts[block]] += 1.0;
+                       solver->refactor_diagonal(matrix, std::span(&block, 1));
+                     }).median();
   const std::size_t n = matrix.scalar_size();
   const std::vector<double> b = right_hand_sides(12 * n);
   std::vector<double> x(12 * n);
-  row.twelve_columns = median_ms(repeats + 1, [&] { solver.solve(b, x, 12); });
-  row.one_column = median_ms(
-      2 * repeats + 1, [&] { solver.solve(std::span(b).first(n), std::span(x).first(n), 1); });
-  row.error = normwise_backward_error(matrix, std::span(x).first(n), std::span(b).first(n));
-  solver.analyze(system.pattern, 1, order);
-  solver.factor(system.scalar);
-  row.scalar_factor = median_ms(repeats, [&] { solver.factor(system.scalar); });
+  row.twelve_columns = measure(repeats, [&] { solver->solve(b, x, 12); }).median();
+  const auto b1 = std::span(b).first(n);
+  const auto x1 = std::span(x).first(n);
+  row.one_column = measure(2 * repeats, [&] { solver->solve(b1, x1, 1); }).median();
+  row.error = normwise_backward_error(matrix, x1, b1);
+  solver->analyze(system.pattern, 1, order);
+  row.scalar_factor = measure(repeats, [&] { solver->factor(system.scalar); }).median();
   return row;
 }
 

@@ -92,6 +92,7 @@ void RsiSolution::factor(const Topology& topology, const Progress& progress,
   next_stage("order", "analyze");
   solver_->analyze(pattern_->blocks(), 3, order);
   next_stage("analyze", "factor");
+  solver_->set_progress(progress);
   try {
     solver_->factor(N);
   } catch (const NotPositiveDefinite& error) {
@@ -101,6 +102,7 @@ void RsiSolution::factor(const Topology& topology, const Progress& progress,
                       ": its belt and handle do not hold it. Add belt vertices there, leave it out "
                       "of the region, or run `lapwing check` to find degenerate triangles");
   }
+  solver_->set_progress({});
   timings.add("factor", watch.elapsed_ms());
 }
 

@@ -1,8 +1,9 @@
+#include <atomic>
 #include <cstdio>
 #include <numeric>
+#include <thread>
 
-#include <CLI/CLI.hpp>
-
+#include "benches.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/rsi_system.h"
@@ -12,16 +13,6 @@
 
 namespace lapwing::bench {
 namespace {
-
-struct Settings {
-  std::vector<std::string> meshes;
-  int icosphere = -1;
-  int subdivisions = 0;
-  int repeats = 7;
-  std::vector<unsigned> threads{2, 1};
-  std::size_t anchor_step = 50;
-  bool eigen = false;
-};
 
 BenchSystem make_system(const std::string& name, const Mesh& mesh, std::size_t anchor_step) {
   const Topology topology = build_topology(mesh);
@@ -70,19 +61,45 @@ void print_ratios(const std::vector<SolverRow>& ours, const std::vector<SolverRo
       ratio([](const SolverRow& row) { return row.cold(); }));
 }
 
-std::vector<SolverRow> time_ours(const BenchSystem& system, const Settings& settings) {
+// Keeps one processor busy, as another program would.
+class BusyNeighbour {
+ public:
+  BusyNeighbour()
+      : thread_([this] {
+          while (!stop_.load(std::memory_order_relaxed)) {
+          }
+        }) {}
+  BusyNeighbour(const BusyNeighbour&) = delete;
+  BusyNeighbour& operator=(const BusyNeighbour&) = delete;
+  ~BusyNeighbour() {
+    stop_ = true;
+    thread_.join();
+  }
+
+ private:
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
+};
+
+SolverRow time_ours(const BenchSystem& system, InstructionSet set, unsigned threads,
+                    Ordering ordering, int repeats) {
+  BlockCholeskyOptions options;
+  options.threads = threads;
+  options.instruction_set = set;
+  const std::string name = "ours " +
+                           std::string(ordering == Ordering::minimum_degree ? "AMD" : "METIS") +
+                           ", " + std::string(instruction_set_name(set)) + ", " +
+                           std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+  return time_solver(
+      system, name, [&] { return std::make_unique<BlockCholesky>(options); }, ordering, repeats);
+}
+
+std::vector<SolverRow> time_ours(const BenchSystem& system, const SolveBench& settings) {
   std::vector<SolverRow> rows;
   for (const InstructionSet set : available_instruction_sets()) {
     for (const unsigned threads : settings.threads) {
       for (const Ordering ordering : {Ordering::minimum_degree, Ordering::nested_dissection}) {
-        BlockCholeskyOptions options;
-        options.threads = threads;
-        options.instruction_set = set;
-        BlockCholesky solver(options);
-        const std::string name =
-            "ours " + std::string(ordering == Ordering::minimum_degree ? "AMD" : "METIS") + ", " +
-            std::string(instruction_set_name(set)) + ", " + std::to_string(threads) + " threads";
-        rows.push_back(time_solver(system, name, solver, ordering, settings.repeats));
+        rows.push_back(time_ours(system, set, threads, ordering, settings.repeats));
         print(rows.back());
       }
     }
@@ -90,64 +107,59 @@ std::vector<SolverRow> time_ours(const BenchSystem& system, const Settings& sett
   return rows;
 }
 
-void bench(const BenchSystem& system, const Settings& settings) {
-  std::printf("\n%s: %zu blocks, %zu in the lower triangle; milliseconds\n", system.name.c_str(),
-              system.pattern.size(), system.pattern.rows.size());
+#ifdef LAPWING_HAVE_CHOLMOD
+std::vector<SolverRow> time_cholmods(const BenchSystem& system, int repeats) {
+  std::vector<SolverRow> rows;
+  for (const auto ordering :
+       {CholmodOrdering::amd, CholmodOrdering::metis, CholmodOrdering::blocks}) {
+    rows.push_back(time_cholmod(system, ordering, repeats));
+    print(rows.back());
+  }
+  return rows;
+}
+#endif
+
+void print_with_busy_neighbour(const BenchSystem& system, const SolveBench& settings) {
+  const BusyNeighbour neighbour;
+  std::printf("with one processor kept busy by something else\n");
+  print(time_ours(system, available_instruction_sets().front(), settings.threads.front(),
+                  Ordering::nested_dissection, settings.repeats));
+#ifdef LAPWING_HAVE_CHOLMOD
+  print(time_cholmod(system, CholmodOrdering::metis, settings.repeats));
+#endif
+}
+
+void bench(const BenchSystem& system, const SolveBench& settings) {
+  std::printf("\n%s: %zu blocks, %zu in the lower triangle; medians in milliseconds\n",
+              system.name.c_str(), system.pattern.size(), system.pattern.rows.size());
   std::printf("%-38s %8s %8s %8s %8s %8s %8s %8s %8s %8s  %s\n", "", "order", "analyze", "1st fac",
               "factor", "1 diag", "1 rhs", "12 rhs", "n x n", "cold", "error");
   const std::vector<SolverRow> ours = time_ours(system, settings);
   std::vector<SolverRow> others;
 #ifdef LAPWING_HAVE_CHOLMOD
-  for (const auto ordering :
-       {CholmodOrdering::amd, CholmodOrdering::metis, CholmodOrdering::blocks}) {
-    others.push_back(time_cholmod(system, ordering, settings.repeats));
-    print(others.back());
-  }
+  others = time_cholmods(system, settings.repeats);
 #endif
   if (settings.eigen) {
-    const auto solver = make_solver(SolverKind::eigen);
-    others.push_back(
-        time_solver(system, "Eigen, METIS on blocks", *solver, Ordering::nested_dissection, 1));
+    others.push_back(time_solver(
+        system, "Eigen, METIS on blocks", [] { return make_solver(SolverKind::eigen); },
+        Ordering::nested_dissection, 1));
     print(others.back());
   }
   print_ratios(ours, others);
-}
-
-void run(const Settings& settings) {
-  const auto bench_mesh = [&](const std::string& name, Mesh mesh) {
-    for (int i = 0; i < settings.subdivisions; ++i) mesh = subdivide(mesh);
-    BenchSystem system = make_system(name, mesh, settings.anchor_step);
-    system.coupled.pattern = system.scalar.pattern = &system.pattern;
-    bench(system, settings);
-  };
-  for (const std::string& path : settings.meshes) bench_mesh(path, read_mesh(path));
-  if (settings.icosphere >= 0) {
-    bench_mesh("icosphere " + std::to_string(settings.icosphere), icosphere(settings.icosphere));
-  }
+  if (settings.busy) print_with_busy_neighbour(system, settings);
 }
 
 }  // namespace
-}  // namespace lapwing::bench
 
-int main(int argc, char** argv) {
-  lapwing::bench::Settings settings;
-  CLI::App app("Times the block Cholesky beside CHOLMOD and Eigen on RSI systems of whole meshes.",
-               "lapwing-solver-bench");
-  app.add_option("MESH", settings.meshes, "mesh files");
-  app.add_option("--icosphere", settings.icosphere, "also an icosphere divided so many times");
-  app.add_option("--subdivide", settings.subdivisions,
-                 "split every mesh's triangles so many times");
-  app.add_option("--repeats", settings.repeats)->check(CLI::Range(1, 1000));
-  app.add_option("--threads", settings.threads, "thread counts to time");
-  app.add_option("--anchor-step", settings.anchor_step, "every so many vertices one is anchored")
-      ->check(CLI::Range(1, 1'000'000));
-  app.add_flag("--eigen", settings.eigen, "Eigen too (minutes above 30,000 vertices)");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    lapwing::bench::run(settings);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "lapwing-solver-bench: %s\n", error.what());
-    return 1;
+void bench_solve(const SolveBench& settings) {
+  for (const std::string& path : settings.meshes) {
+    Mesh mesh = read_mesh(path);
+    for (int i = 0; i < settings.subdivisions; ++i) mesh = subdivide(mesh);
+    BenchSystem system =
+        make_system(std::filesystem::path(path).filename().string(), mesh, settings.anchor_step);
+    system.coupled.pattern = system.scalar.pattern = &system.pattern;
+    bench(system, settings);
   }
-  return 0;
 }
+
+}  // namespace lapwing::bench
