@@ -98,9 +98,14 @@ void solve_or_refuse(const BlockMatrix& A, Outcomes& outcomes) {
   EXPECT_THAT(backward_error(A, x, b), Lt(kBackwardError));
   const auto reference = reference_for(A);
   if (reference == nullptr) return;
-  const auto y = solve_with(*reference, A, b);
-  EXPECT_THAT(backward_error(A, y, b), Lt(kBackwardError));
-  ++outcomes.checked;
+  try {
+    const auto y = solve_with(*reference, A, b);
+    EXPECT_THAT(backward_error(A, y, b), Lt(kBackwardError));
+    ++outcomes.checked;
+  } catch (const NotPositiveDefinite&) {
+    // At the edge of what double precision can factor, rounding decides for each.
+    EXPECT_THAT(smallest_rayleigh_quotient(A), Lt(1e-11));
+  }
 }
 
 // `count` vertices around `seed`, breadth first and then ascending, the last fifth of them held.

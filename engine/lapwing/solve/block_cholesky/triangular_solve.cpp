@@ -85,15 +85,18 @@ class TriangularSolve::Forward final : public NodeWork {
   void add_child(const Front& child, const double* from, const Front& front, double* y,
                  double* w) const {
     const int* position = s_.symbolic_.positions.data() + child.positions_at;
-    double* below = w - padded_pivots(front) * s_.width_;
+    const int first_update = static_cast<int>(padded_pivots(front));
     if (s_.width_ == 1) {
       for (int k = 0; k < child.parent_pivots; ++k) y[position[k]] += from[k];
-      for (int k = child.parent_pivots; k < child.updates; ++k) below[position[k]] += from[k];
+      for (int k = child.parent_pivots; k < child.updates; ++k) {
+        w[position[k] - first_update] += from[k];
+      }
       return;
     }
     const auto width = static_cast<std::size_t>(s_.width_);
     for (int k = 0; k < child.updates; ++k) {
-      double* to = (k < child.parent_pivots ? y : below) + position[k] * width;
+      double* to = k < child.parent_pivots ? y + position[k] * width
+                                           : w + (position[k] - first_update) * width;
       for (std::size_t r = 0; r < width; ++r) to[r] += from[k * width + r];
     }
   }
