@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
+#include <cstring>
+#include <sys/mman.h>
 #include <vector>
 
 #include "lapwing/base/stopwatch.h"
@@ -48,9 +49,12 @@ Samples measure(int repeats, Body body) {
 /// virtual machine hands freed memory back to its host, and getting it again costs far more than a
 /// page fault: without this, whoever is measured first pays for all.
 inline void touch_memory(std::size_t bytes) {
-  constexpr std::size_t kPage = 4096;
-  const auto memory = std::make_unique_for_overwrite<volatile char[]>(bytes);
-  for (std::size_t i = 0; i < bytes; i += kPage) memory[i] = 1;
+  void* const memory =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return;
+  madvise(memory, bytes, MADV_HUGEPAGE);
+  std::memset(memory, 1, bytes);
+  munmap(memory, bytes);
 }
 
 }  // namespace lapwing::bench
