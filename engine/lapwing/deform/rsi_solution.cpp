@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/laplacian/constraints.h"
 #include "lapwing/solve/ordering.h"
 
 namespace lapwing {
@@ -39,27 +40,12 @@ RsiSolution::RsiSolution(std::span<const Vector3d> rest, const Topology& topolog
                          const EditRegion& region, const DeformOptions& options, Kernels& kernels,
                          const Progress& progress, StageTimings& timings)
     : solver_(make_solver(options.solver)) {
-  choose_unknowns(topology, region, options);
+  Constraints constraints =
+      constraints_of(region, topology, options.constraint_weight, options.hard);
+  unknowns_ = std::move(constraints.unknowns);
+  W_ = std::move(constraints.W);
   assemble(rest, topology, region, options, kernels, progress, timings);
   factor(topology, progress, timings);
-}
-
-void RsiSolution::choose_unknowns(const Topology& topology, const EditRegion& region,
-                                  const DeformOptions& options) {
-  std::vector<char> anchored(topology.vertex_count(), 0);
-  for (const Index v : region.belt) anchored[v] = 1;
-  for (const auto& handle : region.handles) {
-    for (const Index v : handle) anchored[v] = 1;
-  }
-  const double w = options.constraint_weight * options.constraint_weight;
-  std::vector<Index> vertices;
-  for (const Index v : region.roi) {
-    const bool held = anchored[v] != 0;
-    if (held ? options.hard : topology.rings[v].empty()) continue;
-    vertices.push_back(v);
-    W_.push_back(held ? w : 0.0);
-  }
-  unknowns_ = Unknowns(std::move(vertices), topology.vertex_count());
 }
 
 void RsiSolution::assemble(std::span<const Vector3d> rest, const Topology& topology,

@@ -13,8 +13,7 @@
 namespace lapwing {
 
 /// The factored RSI system of one region. Soft constraints: (M'M + W) u = W d over the region's
-/// vertices. Hard ones: M'M u = -M'M d over the free vertices, d given on handle and belt. Vertices
-/// without a ring that nothing holds are no unknowns: they stay.
+/// vertices. Hard ones: M'M u = -M'M d over the free vertices, d given on handle and belt.
 class RsiSolution {
  public:
   /// Assembles and factors; reports the stages of Deformer up to "factor". Throws SolverError,
@@ -38,8 +37,6 @@ class RsiSolution {
   double refine(std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u) const;
 
  private:
-  void choose_unknowns(const Topology& topology, const EditRegion& region,
-                       const DeformOptions& options);
   void assemble(std::span<const Eigen::Vector3d> rest, const Topology& topology,
                 const EditRegion& region, const DeformOptions& options, Kernels& kernels,
                 const Progress& progress, StageTimings& timings);
@@ -49,7 +46,7 @@ class RsiSolution {
 
   Unknowns unknowns_;
   std::vector<double> W_;  ///< per unknown
-  RsiRows M_;
+  BlockRows M_;
   std::unique_ptr<NormalPattern> pattern_;
   std::unique_ptr<BlockSolver> solver_;
 };

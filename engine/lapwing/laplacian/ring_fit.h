@@ -42,6 +42,11 @@ Eigen::Matrix3d fit_rotation(Index i, std::span<const Index> ring,
                              std::span<const Eigen::Vector3d> rest,
                              std::span<const Eigen::Vector3d> current);
 
+/// The factor s for which s R carries the ring K_i from rest to current best; 1 for a ring without
+/// extent.
+double fit_scale(Index i, std::span<const Index> ring, std::span<const Eigen::Vector3d> rest,
+                 std::span<const Eigen::Vector3d> current, const Eigen::Matrix3d& R);
+
 /// [v]x: the matrix with [v]x w = v x w.
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v);
 
