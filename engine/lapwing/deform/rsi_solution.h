@@ -8,7 +8,7 @@
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deformer.h"
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/constraints.h"
 
 namespace lapwing {
 
@@ -22,7 +22,8 @@ class RsiSolution {
               const EditRegion& region, const DeformOptions& options, Kernels& kernels,
               const Progress& progress, StageTimings& timings);
 
-  const Unknowns& unknowns() const { return unknowns_; }
+  const Constraints& constraints() const { return constraints_; }
+  const Unknowns& unknowns() const { return constraints_.unknowns; }
   std::string_view solver_name() const { return solver_->name(); }
 
   /// The right-hand side for wanted displacements of the whole mesh (given on handles, 0
@@ -44,8 +45,7 @@ class RsiSolution {
   void residual(std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> u,
                 std::span<double> r) const;
 
-  Unknowns unknowns_;
-  std::vector<double> W_;  ///< per unknown
+  Constraints constraints_;
   BlockRows M_;
   std::unique_ptr<NormalPattern> pattern_;
   std::unique_ptr<BlockSolver> solver_;
