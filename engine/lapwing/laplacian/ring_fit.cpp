@@ -54,22 +54,6 @@ RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Vector3d>
   return fit;
 }
 
-LinearSimilarity fit_linear_similarity(Index i, std::span<const Index> ring,
-                                       std::span<const Vector3d> rest,
-                                       std::span<const Vector3d> current) {
-  const RingFit fit = fit_ring(i, ring, rest);
-  double dot = 0.0;
-  Vector3d cross = Vector3d::Zero();
-  for (const Index j : ring) {
-    const Vector3d x = rest[j] - rest[i] - fit.center;
-    const Vector3d moved = current[j] - current[i];
-    dot += x.dot(moved);
-    cross += x.cross(moved);
-  }
-  // The centre vertex itself has moved - current[i] = 0 and adds nothing.
-  return {dot * fit.inverse_S, fit.inverse_J * cross};
-}
-
 Matrix3d fit_rotation(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
                       std::span<const Vector3d> current) {
   const Vector3d center = ring_center(i, ring, rest);

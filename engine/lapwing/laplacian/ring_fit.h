@@ -26,15 +26,6 @@ inline constexpr double kCollinearShare = 1e-12;
 /// Fit of vertex `i` with neighbours `ring`.
 RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Eigen::Vector3d> positions);
 
-/// The scale and rotation vector of T_i = s I + [h]x for the motion rest -> current.
-struct LinearSimilarity {
-  double s = 1.0;
-  Eigen::Vector3d h = Eigen::Vector3d::Zero();
-};
-LinearSimilarity fit_linear_similarity(Index i, std::span<const Index> ring,
-                                       std::span<const Eigen::Vector3d> rest,
-                                       std::span<const Eigen::Vector3d> current);
-
 /// Best rotation of the ring K_i from rest to current, in the least-squares sense (eq. 6 restricted
 /// to rotations): determinant +1 always; the identity for a ring without extent. A collinear ring
 /// takes the smallest rotation that carries its line.
