@@ -35,8 +35,8 @@ TEST(Certificate, OfASimilarityHoldsItsScaleAndAngle) {
   }
   const Certificate c = sphere.measure(moved);
   EXPECT_NEAR(c.largest_rotation_degrees, 2.5 * 180.0 / std::numbers::pi, 1e-9);
-  // T_i is linear: its scale is the mean of the rotation's diagonal, weighted by the ring's shape.
-  EXPECT_LT(c.largest_scale, 2.0);
+  EXPECT_NEAR(c.smallest_scale, 2.0, 1e-12);
+  EXPECT_NEAR(c.largest_scale, 2.0, 1e-12);
   EXPECT_EQ(c.flipped_triangles, 0U);
   EXPECT_TRUE(c.all_finite);
 }

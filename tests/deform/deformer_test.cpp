@@ -120,6 +120,34 @@ INSTANTIATE_TEST_SUITE_P(
              (o.hard ? "Hard" : "Soft") + (o.solver == SolverKind::eigen ? "Eigen" : "");
     });
 
+TEST(Deformer, SettlingKeepsDetailThroughALargeTurn) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  const std::array turn{Affine3d(Eigen::AngleAxisd(2.0, Vector3d::UnitZ()))};
+  CpuKernels kernels;
+  const auto certificate_of = [&](const DeformOptions& options) {
+    const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
+    return deformer.solve(turn).certificate;
+  };
+  const Certificate linear = certificate_of({});
+  DeformOptions options;
+  options.settle.emplace();
+  const Certificate settled = certificate_of(options);
+  EXPECT_LT(3.0 * settled.detail_error, linear.detail_error);
+  EXPECT_LT(settled.edge_stretch, linear.edge_stretch);
+  EXPECT_GT(settled.settle_iterations, 1);
+  EXPECT_LE(settled.settle_last_step, options.settle->tolerance);
+  EXPECT_EQ(linear.settle_iterations, 0);
+}
+
+TEST(Deformer, StillHandleIsNotSettled) {
+  const Mesh mesh = bumpy_tube();
+  DeformOptions options;
+  options.settle.emplace();
+  const Positions result = deformed(mesh, Affine3d::Identity(), options);
+  EXPECT_EQ(std::memcmp(result.data(), mesh.positions.data(), sizeof(Vector3d) * result.size()), 0);
+}
+
 TEST(Deformer, VerticesOutsideTheRegionKeepTheirBits) {
   const Mesh mesh = icosphere(3);
   const Topology topology = build_topology(mesh);

@@ -19,7 +19,7 @@ struct System {
   Mesh mesh;
   Topology topology;
   std::vector<Index> rows;
-  RsiRows M;
+  BlockRows M;
   Unknowns unknowns;
 
   System(Mesh m, std::vector<Index> row_list, std::vector<Index> unknown_list)

@@ -33,6 +33,23 @@ Positions mapped(const Positions& positions, const Eigen::Affine3d& map) {
   return out;
 }
 
+// T_i = s I + [h]x for the motion of ring 0 from rest to current, by the formulas of RingFit.
+struct LinearSimilarity {
+  double s = 0.0;
+  Vector3d h = Vector3d::Zero();
+};
+LinearSimilarity fit_linear_similarity(const Ring& ring, const Positions& current) {
+  const RingFit fit = fit_ring(0, ring.neighbours, ring.positions);
+  double dot = 0.0;
+  Vector3d cross = Vector3d::Zero();
+  for (const Index j : ring.neighbours) {
+    const Vector3d x = ring.positions[j] - ring.positions[0] - fit.center;
+    dot += x.dot(current[j] - current[0]);
+    cross += x.cross(current[j] - current[0]);
+  }
+  return {dot * fit.inverse_S, fit.inverse_J * cross};
+}
+
 TEST(RingFit, RecoversAScaledInfinitesimalRotation) {
   const Ring ring = random_ring(6, 1);
   const double s = 1.7;
@@ -40,8 +57,7 @@ TEST(RingFit, RecoversAScaledInfinitesimalRotation) {
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
   map.linear() = s * Matrix3d::Identity() + cross_matrix(h);
   map.translation() = Vector3d(5, 6, 7);
-  const auto fit =
-      fit_linear_similarity(0, ring.neighbours, ring.positions, mapped(ring.positions, map));
+  const LinearSimilarity fit = fit_linear_similarity(ring, mapped(ring.positions, map));
   EXPECT_NEAR(fit.s, s, 1e-13);
   EXPECT_LT((fit.h - h).norm(), 1e-13);
 }

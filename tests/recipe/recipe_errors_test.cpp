@@ -104,9 +104,17 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/constraint_weight: expected a number above 0, got 0"},
         Mistake{"HardAsText", with_option(R"("hard": "yes")"),
                 ": /steps/0/hard: expected true or false, got the text \"yes\""},
-        Mistake{"Settle", with_option(R"("settle": true)"),
-                ": /steps/0/settle: settling is not available in this version; write false, or "
-                "leave it out"}),
+        Mistake{"SettleAsText", with_option(R"("settle": "yes")"),
+                ": /steps/0/settle: expected true or false, got the text \"yes\""},
+        Mistake{"SettleTolerance", with_option(R"("settle": {"tolerance": 0})"),
+                ": /steps/0/settle/tolerance: expected a number above 0, got 0"},
+        Mistake{"SettleIterations", with_option(R"("settle": {"max_iterations": 1.5})"),
+                ": /steps/0/settle/max_iterations: expected a whole number from 1 to 1000000"},
+        Mistake{"SettleResistance", with_option(R"("settle": {"stretch_resistance": -1})"),
+                ": /steps/0/settle/stretch_resistance: expected 0 or more"},
+        Mistake{"SettleDetails", with_option(R"("settle": {"details": "folow"})"),
+                ": /steps/0/settle/details: unknown details \"folow\"; did you mean \"follow\"? "
+                "Known here: \"preserve\", \"follow\""}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -61,6 +61,26 @@ TEST(Recipe, ReadsTheExample) {
   EXPECT_EQ(step.weights, LaplacianWeights::cotangent);
   EXPECT_EQ(step.constraint_weight, 2.0);
   EXPECT_TRUE(step.hard);
+  EXPECT_FALSE(step.settle.has_value());
+}
+
+TEST(Recipe, SettlesByDefaultOrAsTold) {
+  const auto settle_of = [](const std::string& keys) {
+    return first_step(parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
+        "roi": {"all": true}, "weights": "cotangent",
+        "handles": [{"region": {"vertices": [1]}, "move": {}}])" +
+                            keys + "}]}"))
+        .settle;
+  };
+  SettleOptions expected;
+  expected.weights = LaplacianWeights::cotangent;
+  EXPECT_EQ(settle_of(""), expected);
+  EXPECT_EQ(settle_of(R"(, "settle": true)"), expected);
+  EXPECT_EQ(settle_of(R"(, "settle": false)"), std::nullopt);
+  expected = {LaplacianWeights::uniform, Details::follow, 0.25, 1e-6, 7};
+  const auto told = settle_of(R"(, "settle": {"weights": "uniform", "details": "follow",
+      "stretch_resistance": 0.25, "tolerance": 1e-6, "max_iterations": 7})");
+  EXPECT_EQ(told, expected);
 }
 
 TEST(Recipe, DefaultsAreThoseOfThePaper) {
@@ -72,6 +92,7 @@ TEST(Recipe, DefaultsAreThoseOfThePaper) {
   EXPECT_EQ(step.weights, LaplacianWeights::uniform);
   EXPECT_EQ(step.constraint_weight, 1.0);
   EXPECT_FALSE(step.hard);
+  EXPECT_EQ(step.settle, SettleOptions{});
   EXPECT_TRUE(recipe.save_path().empty());
 }
 
@@ -171,7 +192,8 @@ TEST(Recipe, IsWrittenForReaders) {
       ],
       "weights": "cotangent",
       "constraint_weight": 2,
-      "hard": true
+      "hard": true,
+      "settle": false
     }
   ],
   "save": "out.obj"

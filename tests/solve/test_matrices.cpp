@@ -116,7 +116,7 @@ OwnedMatrix rsi_matrix(const Mesh& mesh, const Topology& topology, const std::ve
                        std::span<const double> W) {
   const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
   CpuKernels kernels;
-  const RsiRows M = assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, roi});
+  const BlockRows M = assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, roi});
   const NormalPattern pattern(M, Unknowns(roi, mesh.vertex_count()));
   OwnedMatrix owned;
   owned.matrix = pattern.normal_matrix(M, W);

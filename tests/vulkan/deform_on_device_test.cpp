@@ -66,6 +66,25 @@ TEST_P(DeformOnDevice, DraggedSurfaceFollowsTheSolution) {
       surface_tolerance() * bounds_of(mesh.positions).diagonal());
 }
 
+TEST_P(DeformOnDevice, ShownResultIsTheSettledOneWithItsNormals) {
+  const Mesh mesh = test::bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  DeformOptions options;
+  options.settle.emplace();
+  Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh), options, *kernels);
+  const std::array motions{test::bend()};
+  const Positions settled = deformer.solve(motions).positions;
+  deformer.drag(motions);
+  const double diagonal = bounds_of(mesh.positions).diagonal();
+  EXPECT_GT(test::largest_distance(deformer.surface().positions(), settled), 1e-3 * diagonal);
+  deformer.show(settled);
+  EXPECT_LT(test::largest_distance(deformer.surface().positions(), settled),
+            surface_tolerance() * diagonal);
+  CpuKernels cpu;
+  const auto reference = cpu.make_surface({settled, topology, {}, {}, 0});
+  EXPECT_LT(test::largest_distance(deformer.surface().normals(), reference->normals()), 1e-4);
+}
+
 LAPWING_ON_ALL_TWINS(DeformOnDevice);
 
 }  // namespace

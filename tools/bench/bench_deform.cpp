@@ -35,7 +35,7 @@ EditRegion lowest_and_highest(const Mesh& mesh) {
   return region;
 }
 
-Sparse as_sparse(const RsiRows& M, std::size_t vertex_count) {
+Sparse as_sparse(const BlockRows& M, std::size_t vertex_count) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(9 * M.columns.size());
   for (std::size_t r = 0; r < M.size(); ++r) {

@@ -20,7 +20,7 @@ BenchSystem make_system(const std::string& name, const Mesh& mesh, std::size_t a
   std::vector<Index> all(mesh.vertex_count());
   std::iota(all.begin(), all.end(), 0U);
   CpuKernels kernels;
-  const RsiRows M = assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, all});
+  const BlockRows M = assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, all});
   const NormalPattern normal(M, Unknowns(all, all.size()));
   std::vector<double> W(all.size(), 0.0);
   for (std::size_t i = 0; i < W.size(); i += anchor_step) W[i] = 1.0;

@@ -27,6 +27,9 @@ struct DeformArguments {
   std::string weights = "uniform";
   double constraint_weight = 1.0;
   bool hard = false;
+  bool no_settle = false;
+  double stretch_resistance = 0.0;
+  std::string details = "preserve";
   std::string recipe;
   EditOutput output;
 };
@@ -44,6 +47,11 @@ Json move_json(const DeformArguments& a) {
   return move;
 }
 
+Json settle_json(const DeformArguments& a) {
+  if (a.no_settle) return false;
+  return {{"stretch_resistance", a.stretch_resistance}, {"details", a.details}};
+}
+
 // The flags as a recipe: one path from text to edit, and one set of error messages.
 Recipe as_recipe(const DeformArguments& a) {
   const auto base = a.recipe.empty() ? std::filesystem::current_path()
@@ -58,7 +66,8 @@ Recipe as_recipe(const DeformArguments& a) {
                      {"handles", Json::array({handle})},
                      {"weights", a.weights},
                      {"constraint_weight", a.constraint_weight},
-                     {"hard", a.hard}};
+                     {"hard", a.hard},
+                     {"settle", settle_json(a)}};
   Json recipe = {
       {"lapwing", kRecipeVersion}, {"mesh", from_base(a.mesh)}, {"steps", Json::array({step})}};
   if (!a.output.save.empty()) recipe["save"] = from_base(a.output.save);
@@ -103,6 +112,18 @@ void add_deform(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--constraint-weight", a->constraint_weight)->capture_default_str();
   command->add_flag("--hard", a->hard, "hold belt and handle exactly");
+  auto* no_settle = command->add_flag("--no-settle", a->no_settle,
+                                      "leave the linear solution, right for small angles only");
+  command
+      ->add_option("--stretch-resistance", a->stretch_resistance,
+                   "0 keeps details, 1 and more keeps lengths as rigidly as possible")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(no_settle);
+  command->add_option("--details", a->details, "keep their size, or follow the surface's scale")
+      ->check(CLI::IsMember({"preserve", "follow"}))
+      ->capture_default_str()
+      ->excludes(no_settle);
   command->add_option("--recipe", a->recipe, "write this edit as a recipe");
   a->output.add_to(*command);
   command->callback([a] { deform(*a); });

@@ -27,9 +27,15 @@ std::vector<VertexClass> classes_of(const EditRegion& region, std::size_t vertex
 void print_certificate(const Certificate& c, double diagonal) {
   std::printf(
       "  residual %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
-      "  largest rotation %.1f degrees, %zu flipped triangles\n",
+      "  largest rotation %.1f degrees, %zu flipped triangles,\n"
+      "  detail error %.3f, edge stretch %.3f\n",
       c.relative_residual, diagonal > 0.0 ? c.handle_error / diagonal : 0.0, c.smallest_scale,
-      c.largest_scale, c.largest_rotation_degrees, c.flipped_triangles);
+      c.largest_scale, c.largest_rotation_degrees, c.flipped_triangles, c.detail_error,
+      c.edge_stretch);
+  if (c.settle_iterations > 0) {
+    std::printf("  settled in %d iterations to %.1e of the mean edge\n", c.settle_iterations,
+                c.settle_last_step);
+  }
 }
 
 void print_summary(const RunReport& report) {

@@ -69,7 +69,7 @@ void measure_shape(std::span<const Index> roi, const Topology& topology,
       const auto ring = topology.rings[i];
       rotations[i] = fit_rotation(i, ring, rest, current);
       if (fit_ring(i, ring, rest).inverse_S > 0.0) {
-        scales[m] = fit_linear_similarity(i, ring, rest, current).s;
+        scales[m] = fit_scale(i, ring, rest, current, rotations[i]);
       }
     }
   });

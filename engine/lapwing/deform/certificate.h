@@ -10,12 +10,14 @@ namespace lapwing {
 
 /// What a result promises, measured on the result itself. Every deformation carries one.
 struct Certificate {
-  /// |N u - b| / |b| of the normal equations (2-norms); 0 when nothing moves.
+  /// |N u - b| / |b| of the normal equations (2-norms), from whose solution settling starts; 0 when
+  /// nothing moves.
   double relative_residual = 0.0;
   /// Largest distance between where a handle vertex is and where the motion wants it, mesh units.
   /// Not zero with soft constraints: they share the error with the surface.
   double handle_error = 0.0;
-  /// Smallest and largest scale s of T_i over the region (eq. 8); 1 is no change of size.
+  /// Smallest and largest scale s_i of a ring's best similarity s_i R_i over the region; 1 is no
+  /// change of size. For small angles the s of T_i in eq. 8.
   double smallest_scale = 1.0;
   double largest_scale = 1.0;
   Index smallest_scale_vertex = kNoIndex;
@@ -26,6 +28,13 @@ struct Certificate {
   /// Triangles that face against the turned rest normal of their corners. First few by number.
   std::size_t flipped_triangles = 0;
   std::vector<Index> first_flipped_triangles;
+  /// How far details are from their rest shapes turned with their rings, relative to their size,
+  /// over the free vertices (`detail_error`); 0 is none lost, 1 all.
+  double detail_error = 0.0;
+  /// Root mean square of the relative change of edge lengths in the region (`edge_stretch`).
+  double edge_stretch = 0.0;
+  int settle_iterations = 0;      ///< 0 without settling
+  double settle_last_step = 0.0;  ///< how far a vertex would still move, in mean edge lengths
   bool all_finite = true;
 };
 

@@ -11,6 +11,7 @@
 #include "lapwing/deform/rsi_solution.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/settle/settle.h"
 
 namespace lapwing {
 namespace {
@@ -39,6 +40,8 @@ struct Deformer::State {
   StageTimings timings;
   std::vector<HandleFrame> frames;
   std::unique_ptr<RsiSolution> solution;
+  std::unique_ptr<Settler> settler;  ///< null without settling
+  std::vector<double> weights;       ///< of the Laplacians that certificates measure
   std::vector<Index> moving;
   std::vector<double> response;  ///< columns as in SurfaceInput::basis
   std::vector<double> parameters;
@@ -52,6 +55,7 @@ struct Deformer::State {
   void compute_response(const Progress& progress);
   std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
   std::vector<Vector3d> wanted_displacement(std::span<const double> q) const;
+  std::vector<Index> free_vertices() const;
 };
 
 void Deformer::State::set_parameters(std::span<const Eigen::Affine3d> motions,
@@ -77,6 +81,16 @@ std::vector<Vector3d> Deformer::State::wanted_displacement(std::span<const doubl
     }
   }
   return wanted;
+}
+
+// Unknowns that neither belt nor handle holds.
+std::vector<Index> Deformer::State::free_vertices() const {
+  const Constraints& constraints = solution->constraints();
+  std::vector<Index> free;
+  for (std::size_t k = 0; k < constraints.W.size(); ++k) {
+    if (constraints.W[k] == 0.0) free.push_back(constraints.unknowns.vertices[k]);
+  }
+  return free;
 }
 
 void Deformer::State::compute_response(const Progress& progress) {
@@ -133,6 +147,11 @@ Deformer::Deformer(std::span<const Vector3d> rest, const Topology& topology, Edi
   s.parameters.resize(s.column_count());
   s.solution = std::make_unique<RsiSolution>(s.rest, topology, s.region, options, kernels, progress,
                                              s.timings);
+  s.weights = laplacian_weights(topology, s.rest, options.weights);
+  if (options.settle) {
+    s.settler = std::make_unique<Settler>(s.rest, topology, s.region.roi, s.solution->constraints(),
+                                          *options.settle, progress, s.timings);
+  }
   Stopwatch watch;
   s.compute_response(progress);
   s.timings.add("response", watch.elapsed_ms());
@@ -153,11 +172,16 @@ void Deformer::drag(std::span<const Eigen::Affine3d> motions) {
   state_->surface->blend(state_->parameters);
 }
 
+void Deformer::show(std::span<const Vector3d> positions) {
+  state_->surface->place(positions);
+}
+
 DeformedSurface& Deformer::surface() {
   return *state_->surface;
 }
 
-DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions) const {
+DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
+                             const Progress& progress) const {
   const State& s = *state_;
   std::vector<double> q(s.column_count());
   s.set_parameters(motions, q);
@@ -166,6 +190,13 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions) const {
 
   DeformResult result;
   result.certificate.relative_residual = s.solution->refine(wanted, u);
+  const bool still =
+      std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.isZero(0.0); });
+  if (s.settler != nullptr && !still) {
+    const SettleResult settled = s.settler->settle(wanted, u, progress);
+    result.certificate.settle_iterations = settled.iterations;
+    result.certificate.settle_last_step = settled.last_step;
+  }
   result.positions = s.rest;
   for (const Index v : s.moving) {
     // Adding 0 would turn a coordinate of -0 into +0.
@@ -178,6 +209,11 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions) const {
     }
   }
   measure_shape(s.region.roi, s.topology, s.rest, result.positions, result.certificate);
+  const auto free = s.free_vertices();
+  result.certificate.detail_error =
+      detail_error(free, s.topology, s.weights, s.rest, result.positions);
+  result.certificate.edge_stretch =
+      edge_stretch(s.region.roi, s.topology, s.rest, result.positions);
   require_valid(result.certificate);
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
+#include "lapwing/settle/settle_options.h"
 #include "lapwing/solve/block_solver.h"
 
 namespace lapwing {
@@ -24,6 +26,9 @@ struct DeformOptions {
   /// Handle and belt vertices go exactly where they should, rather than in the least squares.
   bool hard = false;
   SolverKind solver = SolverKind::automatic;
+  /// Settle what `solve` returns, so that details survive large rotations; without it the result is
+  /// right for small angles only.
+  std::optional<SettleOptions> settle;
 };
 
 struct DeformResult {
@@ -45,9 +50,9 @@ struct DeformResult {
 class Deformer {
  public:
   /// Prepares. Stages reported and timed: "weights", "assemble", "normal_matrix", "order",
-  /// "analyze", "factor", "response", "upload". Throws InputError for a region that does not fit
-  /// the mesh, SolverError when a component of the region is not anchored, GpuError when the device
-  /// fails, Cancelled when `progress` asks for it.
+  /// "analyze", "factor", with settling "settle_matrix" and "settle_factor", "response", "upload".
+  /// Throws InputError for a region that does not fit the mesh, SolverError when a component of the
+  /// region is not anchored, GpuError when the device fails, Cancelled when `progress` asks for it.
   Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
   ~Deformer();
@@ -59,12 +64,17 @@ class Deformer {
   /// nothing.
   void drag(std::span<const Eigen::Affine3d> motions);
 
-  /// The surface that `drag` moves, for drawing.
+  /// Puts the surface on the device where `positions` (of the whole mesh) says, so that what is
+  /// drawn is what `solve` returned.
+  void show(std::span<const Eigen::Vector3d> positions);
+
+  /// The surface that `drag` and `show` move, for drawing.
   DeformedSurface& surface();
 
-  /// The result in double precision, with its certificate. A motion that is the identity returns
+  /// The result in double precision, settled if the options say so, with its certificate; stage
+  /// "settle" is reported to `progress`, which can cancel it. A motion that is the identity returns
   /// the rest positions bit for bit. Throws SolverError when the certificate does not hold.
-  DeformResult solve(std::span<const Eigen::Affine3d> motions) const;
+  DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
 
   const EditRegion& region() const;
   const StageTimings& timings() const;

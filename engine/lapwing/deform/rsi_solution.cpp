@@ -38,28 +38,10 @@ std::string component_of(Index vertex, const Topology& topology, const Unknowns&
 RsiSolution::RsiSolution(std::span<const Vector3d> rest, const Topology& topology,
                          const EditRegion& region, const DeformOptions& options, Kernels& kernels,
                          const Progress& progress, StageTimings& timings)
-    : solver_(make_solver(options.solver)) {
-  choose_unknowns(topology, region, options);
+    : constraints_(constraints_of(region, topology, options.constraint_weight, options.hard)),
+      solver_(make_solver(options.solver)) {
   assemble(rest, topology, region, options, kernels, progress, timings);
   factor(topology, progress, timings);
-}
-
-void RsiSolution::choose_unknowns(const Topology& topology, const EditRegion& region,
-                                  const DeformOptions& options) {
-  std::vector<char> anchored(topology.vertex_count(), 0);
-  for (const Index v : region.belt) anchored[v] = 1;
-  for (const auto& handle : region.handles) {
-    for (const Index v : handle) anchored[v] = 1;
-  }
-  const double w = options.constraint_weight * options.constraint_weight;
-  std::vector<Index> vertices;
-  for (const Index v : region.roi) {
-    const bool held = anchored[v] != 0;
-    if (held ? options.hard : topology.rings[v].empty()) continue;
-    vertices.push_back(v);
-    W_.push_back(held ? w : 0.0);
-  }
-  unknowns_ = Unknowns(std::move(vertices), topology.vertex_count());
 }
 
 void RsiSolution::assemble(std::span<const Vector3d> rest, const Topology& topology,
@@ -85,8 +67,8 @@ void RsiSolution::factor(const Topology& topology, const Progress& progress,
     watch.restart();
   };
   report_progress(progress, "normal_matrix", 0.0);
-  pattern_ = std::make_unique<NormalPattern>(M_, unknowns_);
-  const BlockMatrix N = pattern_->normal_matrix(M_, W_);
+  pattern_ = std::make_unique<NormalPattern>(M_, constraints_.unknowns);
+  const BlockMatrix N = pattern_->normal_matrix(M_, constraints_.W);
   next_stage("normal_matrix", "order");
   const std::vector<int> order = fill_reducing_order(pattern_->blocks());
   next_stage("order", "analyze");
@@ -96,9 +78,9 @@ void RsiSolution::factor(const Topology& topology, const Progress& progress,
   try {
     solver_->factor(N);
   } catch (const NotPositiveDefinite& error) {
-    const Index vertex = unknowns_.vertices[error.block];
+    const Index vertex = constraints_.unknowns.vertices[error.block];
     throw SolverError("the system is singular at vertex " + std::to_string(vertex) + ", in " +
-                      component_of(vertex, topology, unknowns_) +
+                      component_of(vertex, topology, constraints_.unknowns) +
                       ": its belt and handle do not hold it. Add belt vertices there, leave it out "
                       "of the region, or run `lapwing check` to find degenerate triangles");
   }
@@ -109,10 +91,10 @@ void RsiSolution::factor(const Topology& topology, const Progress& progress,
 void RsiSolution::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
   // Hard constraints: what is given moves to the right. Soft ones: wanted is 0 but on unknowns,
   // and M'M acts on those from the left.
-  const auto held = [&](std::size_t u) { return W_[u] > 0.0; };
+  const auto held = [&](std::size_t u) { return constraints_.W[u] > 0.0; };
   bool given_elsewhere = false;
   std::vector<Vector3d> given(wanted.begin(), wanted.end());
-  for (const Index v : unknowns_.vertices) given[v].setZero();
+  for (const Index v : constraints_.unknowns.vertices) given[v].setZero();
   for (const Vector3d& g : given) given_elsewhere = given_elsewhere || !g.isZero(0.0);
   std::fill(b.begin(), b.end(), 0.0);
   if (given_elsewhere) {
@@ -121,13 +103,15 @@ void RsiSolution::right_hand_side(std::span<const Vector3d> wanted, std::span<do
     for (double& r : rows) r = -r;
     pattern_->multiply_transposed(M_, rows, b);
   }
-  for (std::size_t u = 0; u < unknowns_.size(); ++u) {
-    if (held(u)) Eigen::Map<Vector3d>(b.data() + 3 * u) += W_[u] * wanted[unknowns_.vertices[u]];
+  for (std::size_t u = 0; u < constraints_.unknowns.size(); ++u) {
+    if (held(u))
+      Eigen::Map<Vector3d>(b.data() + 3 * u) +=
+          constraints_.W[u] * wanted[constraints_.unknowns.vertices[u]];
   }
 }
 
 void RsiSolution::solve_in_place(std::span<double> columns_of_b, std::size_t columns) const {
-  if (unknowns_.size() > 0) solver_->solve(columns_of_b, columns_of_b, columns);
+  if (constraints_.unknowns.size() > 0) solver_->solve(columns_of_b, columns_of_b, columns);
 }
 
 // r = W (wanted - u) - M'M u over the unknowns, which is b - N u for either kind of constraint.
@@ -136,15 +120,15 @@ void RsiSolution::residual(std::span<const Vector3d> wanted, std::span<const Vec
   std::vector<double> rows(3 * M_.size());
   multiply(M_, u, rows);
   pattern_->multiply_transposed(M_, rows, r);
-  for (std::size_t k = 0; k < unknowns_.size(); ++k) {
-    const Index v = unknowns_.vertices[k];
+  for (std::size_t k = 0; k < constraints_.unknowns.size(); ++k) {
+    const Index v = constraints_.unknowns.vertices[k];
     Eigen::Map<Vector3d> r_k(r.data() + 3 * k);
-    r_k = W_[k] * (wanted[v] - u[v]) - r_k;
+    r_k = constraints_.W[k] * (wanted[v] - u[v]) - r_k;
   }
 }
 
 double RsiSolution::refine(std::span<const Vector3d> wanted, std::vector<Vector3d>& u) const {
-  std::vector<double> r(3 * unknowns_.size());
+  std::vector<double> r(3 * constraints_.unknowns.size());
   right_hand_side(wanted, r);
   const double size = norm(r);
   if (size == 0.0) return 0.0;
@@ -154,8 +138,8 @@ double RsiSolution::refine(std::span<const Vector3d> wanted, std::vector<Vector3
     relative = norm(r) / size;
     if (!(relative > kGoodResidual) || step == kMostRefinements) return relative;
     solve_in_place(r, 1);
-    for (std::size_t k = 0; k < unknowns_.size(); ++k) {
-      u[unknowns_.vertices[k]] += Eigen::Map<const Vector3d>(r.data() + 3 * k);
+    for (std::size_t k = 0; k < constraints_.unknowns.size(); ++k) {
+      u[constraints_.unknowns.vertices[k]] += Eigen::Map<const Vector3d>(r.data() + 3 * k);
     }
   }
 }

@@ -8,13 +8,12 @@
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deformer.h"
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/constraints.h"
 
 namespace lapwing {
 
 /// The factored RSI system of one region. Soft constraints: (M'M + W) u = W d over the region's
-/// vertices. Hard ones: M'M u = -M'M d over the free vertices, d given on handle and belt. Vertices
-/// without a ring that nothing holds are no unknowns: they stay.
+/// vertices. Hard ones: M'M u = -M'M d over the free vertices, d given on handle and belt.
 class RsiSolution {
  public:
   /// Assembles and factors; reports the stages of Deformer up to "factor". Throws SolverError,
@@ -23,7 +22,8 @@ class RsiSolution {
               const EditRegion& region, const DeformOptions& options, Kernels& kernels,
               const Progress& progress, StageTimings& timings);
 
-  const Unknowns& unknowns() const { return unknowns_; }
+  const Constraints& constraints() const { return constraints_; }
+  const Unknowns& unknowns() const { return constraints_.unknowns; }
   std::string_view solver_name() const { return solver_->name(); }
 
   /// The right-hand side for wanted displacements of the whole mesh (given on handles, 0
@@ -38,8 +38,6 @@ class RsiSolution {
   double refine(std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u) const;
 
  private:
-  void choose_unknowns(const Topology& topology, const EditRegion& region,
-                       const DeformOptions& options);
   void assemble(std::span<const Eigen::Vector3d> rest, const Topology& topology,
                 const EditRegion& region, const DeformOptions& options, Kernels& kernels,
                 const Progress& progress, StageTimings& timings);
@@ -47,9 +45,8 @@ class RsiSolution {
   void residual(std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> u,
                 std::span<double> r) const;
 
-  Unknowns unknowns_;
-  std::vector<double> W_;  ///< per unknown
-  RsiRows M_;
+  Constraints constraints_;
+  BlockRows M_;
   std::unique_ptr<NormalPattern> pattern_;
   std::unique_ptr<BlockSolver> solver_;
 };

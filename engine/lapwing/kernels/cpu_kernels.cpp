@@ -25,6 +25,10 @@ class CpuSurface final : public DeformedSurface {
     blend_response(rest_, moving_, basis_, parameters, positions_);
     vertex_normals(positions_, triangles_, vertex_triangles_, affected_, normals_);
   }
+  void place(std::span<const Eigen::Vector3d> positions) override {
+    for (const Index v : moving_) positions_[v] = positions[v];
+    vertex_normals(positions_, triangles_, vertex_triangles_, affected_, normals_);
+  }
   Positions positions() const override { return positions_; }
   std::vector<Eigen::Vector3d> normals() const override { return normals_; }
 

@@ -49,6 +49,10 @@ class DeformedSurface {
   /// Allocates nothing.
   virtual void blend(std::span<const double> parameters) = 0;
 
+  /// Puts the moving vertices where `positions`, of the whole mesh, says, and renews the normals as
+  /// `blend` does. For results that no blend reaches.
+  virtual void place(std::span<const Eigen::Vector3d> positions) = 0;
+
   /// What the device holds, in mesh coordinates. For tests and for readers without a device; a
   /// drag frame never calls these. Float32 devices round to the mesh's size times 2^-24.
   virtual Positions positions() const = 0;

@@ -20,13 +20,13 @@ void add_transposed_product(const double* A, const double* B, double* out) {
 
 }  // namespace
 
-NormalPattern::NormalPattern(const RsiRows& M, const Unknowns& unknowns) {
+NormalPattern::NormalPattern(const BlockRows& M, const Unknowns& unknowns) {
   find_entries(M, unknowns);
   blocks_.starts.assign(unknowns.size() + 1, 0);
   find_blocks(M);
 }
 
-void NormalPattern::find_entries(const RsiRows& M, const Unknowns& unknowns) {
+void NormalPattern::find_entries(const BlockRows& M, const Unknowns& unknowns) {
   unknown_of_block_.resize(M.columns.size());
   entry_starts_.assign(unknowns.size() + 1, 0);
   for (std::size_t b = 0; b < M.columns.size(); ++b) {
@@ -45,7 +45,7 @@ void NormalPattern::find_entries(const RsiRows& M, const Unknowns& unknowns) {
 }
 
 // Column c of N holds every unknown r >= c that shares a row of M with c.
-void NormalPattern::find_blocks(const RsiRows& M) {
+void NormalPattern::find_blocks(const BlockRows& M) {
   const std::size_t n = blocks_.size();
   const auto collect = [&](std::size_t c, std::vector<Index>& seen, std::vector<Index>& rows) {
     rows.assign(1, static_cast<Index>(c));
@@ -80,9 +80,11 @@ void NormalPattern::find_blocks(const RsiRows& M) {
   });
 }
 
-BlockMatrix NormalPattern::normal_matrix(const RsiRows& M, std::span<const double> W) const {
+BlockMatrix NormalPattern::normal_matrix(const BlockRows& M, std::span<const double> W) const {
   const std::size_t n = blocks_.size();
-  BlockMatrix N{&blocks_, 3, std::vector<double>(9 * blocks_.rows.size(), 0.0)};
+  const auto size = static_cast<std::size_t>(M.block_size);
+  const std::size_t numbers = size * size;
+  BlockMatrix N{&blocks_, M.block_size, std::vector<double>(numbers * blocks_.rows.size(), 0.0)};
   parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
     // Where in the column at hand each row lies. Only entries of that column are read.
     std::vector<std::size_t> place(n);
@@ -91,15 +93,21 @@ BlockMatrix NormalPattern::normal_matrix(const RsiRows& M, std::span<const doubl
         place[blocks_.rows[e]] = e;
       }
       for (const Entry& entry : entries(c)) {
-        const double* B_c = M.values.data() + 9 * entry.block;
+        const double* B_c = M.values.data() + numbers * entry.block;
         for (std::size_t b = M.starts[entry.row]; b < M.starts[entry.row + 1]; ++b) {
           const Index r = unknown_of_block_[b];
           if (r == kNoIndex || r < c) continue;
-          add_transposed_product(M.values.data() + 9 * b, B_c, N.values.data() + 9 * place[r]);
+          const double* B_r = M.values.data() + numbers * b;
+          double* out = N.values.data() + numbers * place[r];
+          if (size == 1) {
+            *out += *B_r * *B_c;
+          } else {
+            add_transposed_product(B_r, B_c, out);
+          }
         }
       }
-      double* diagonal = N.values.data() + 9 * blocks_.starts[c];
-      for (int k = 0; k < 3; ++k) diagonal[4 * k] += W[c];
+      double* diagonal = N.values.data() + numbers * blocks_.starts[c];
+      for (std::size_t k = 0; k < size; ++k) diagonal[(size + 1) * k] += W[c];
     }
   });
   return N;

@@ -1,10 +1,9 @@
 #include "lapwing/laplacian/ring_fit.h"
 
-#include <cmath>
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
+
+#include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {
 namespace {
@@ -55,22 +54,6 @@ RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Vector3d>
   return fit;
 }
 
-LinearSimilarity fit_linear_similarity(Index i, std::span<const Index> ring,
-                                       std::span<const Vector3d> rest,
-                                       std::span<const Vector3d> current) {
-  const RingFit fit = fit_ring(i, ring, rest);
-  double dot = 0.0;
-  Vector3d cross = Vector3d::Zero();
-  for (const Index j : ring) {
-    const Vector3d x = rest[j] - rest[i] - fit.center;
-    const Vector3d moved = current[j] - current[i];
-    dot += x.dot(moved);
-    cross += x.cross(moved);
-  }
-  // The centre vertex itself has moved - current[i] = 0 and adds nothing.
-  return {dot * fit.inverse_S, fit.inverse_J * cross};
-}
-
 Matrix3d fit_rotation(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
                       std::span<const Vector3d> current) {
   const Vector3d center = ring_center(i, ring, rest);
@@ -79,19 +62,21 @@ Matrix3d fit_rotation(Index i, std::span<const Index> ring, std::span<const Vect
   for (const Index j : ring) {
     H += (current[j] - current[i] - current_center) * (rest[j] - rest[i] - center).transpose();
   }
-  const double size = H.norm();
-  if (!(size > 0.0) || !std::isfinite(size)) return Matrix3d::Identity();
-  H /= size;
-  const Eigen::JacobiSVD<Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector3d sigma = svd.singularValues();
-  if (sigma(1) <= kCollinearShare * sigma(0)) {
-    // Only the line's direction is known on both sides: turn it the shortest way.
-    return Eigen::Quaterniond::FromTwoVectors(svd.matrixV().col(0), svd.matrixU().col(0))
-        .toRotationMatrix();
+  return nearest_rotation(H);
+}
+
+double fit_scale(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
+                 std::span<const Vector3d> current, const Matrix3d& R) {
+  const Vector3d center = ring_center(i, ring, rest);
+  const Vector3d current_center = ring_center(i, ring, current);
+  double dot = current_center.dot(R * center);
+  double size = center.squaredNorm();
+  for (const Index j : ring) {
+    const Vector3d x = rest[j] - rest[i] - center;
+    dot += (current[j] - current[i] - current_center).dot(R * x);
+    size += x.squaredNorm();
   }
-  Matrix3d U = svd.matrixU();
-  if (U.determinant() * svd.matrixV().determinant() < 0.0) U.col(2) = -U.col(2);
-  return U * svd.matrixV().transpose();
+  return size > 0.0 ? dot / size : 1.0;
 }
 
 }  // namespace lapwing

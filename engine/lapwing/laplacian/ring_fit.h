@@ -26,21 +26,17 @@ inline constexpr double kCollinearShare = 1e-12;
 /// Fit of vertex `i` with neighbours `ring`.
 RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Eigen::Vector3d> positions);
 
-/// The scale and rotation vector of T_i = s I + [h]x for the motion rest -> current.
-struct LinearSimilarity {
-  double s = 1.0;
-  Eigen::Vector3d h = Eigen::Vector3d::Zero();
-};
-LinearSimilarity fit_linear_similarity(Index i, std::span<const Index> ring,
-                                       std::span<const Eigen::Vector3d> rest,
-                                       std::span<const Eigen::Vector3d> current);
-
 /// Best rotation of the ring K_i from rest to current, in the least-squares sense (eq. 6 restricted
 /// to rotations): determinant +1 always; the identity for a ring without extent. A collinear ring
 /// takes the smallest rotation that carries its line.
 Eigen::Matrix3d fit_rotation(Index i, std::span<const Index> ring,
                              std::span<const Eigen::Vector3d> rest,
                              std::span<const Eigen::Vector3d> current);
+
+/// The factor s for which s R carries the ring K_i from rest to current best; 1 for a ring without
+/// extent.
+double fit_scale(Index i, std::span<const Index> ring, std::span<const Eigen::Vector3d> rest,
+                 std::span<const Eigen::Vector3d> current, const Eigen::Matrix3d& R);
 
 /// [v]x: the matrix with [v]x w = v x w.
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v);

@@ -9,8 +9,25 @@ constexpr std::size_t kRowsPerTask = 2048;
 
 }  // namespace
 
-RsiRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem) {
-  RsiRows M;
+BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights,
+                         std::span<const Index> rows) {
+  BlockRows L;
+  L.block_size = 1;
+  for (const Index i : rows) {
+    const auto ring = rings[i];
+    L.columns.push_back(i);
+    L.values.push_back(ring.empty() ? 0.0 : 1.0);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      L.columns.push_back(ring[k]);
+      L.values.push_back(-weights[rings.starts[i] + k]);
+    }
+    L.starts.push_back(L.columns.size());
+  }
+  return L;
+}
+
+BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem) {
+  BlockRows M;
   M.starts = rsi_block_starts(problem);
   M.columns.reserve(M.starts.back());
   for (const Index i : problem.rows) {
@@ -28,28 +45,37 @@ Unknowns::Unknowns(std::vector<Index> list, std::size_t vertex_count)
   for (std::size_t u = 0; u < vertices.size(); ++u) of_vertex[vertices[u]] = static_cast<Index>(u);
 }
 
-void multiply(const RsiRows& M, std::span<const Eigen::Vector3d> displacement,
+void multiply(const BlockRows& M, std::span<const Eigen::Vector3d> displacement,
               std::span<double> r) {
   parallel_for(M.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (std::size_t b = M.starts[row]; b < M.starts[row + 1]; ++b) {
-        sum +=
-            Eigen::Map<const Eigen::Matrix3d>(M.values.data() + 9 * b) * displacement[M.columns[b]];
+        if (M.block_size == 1) {
+          sum += M.values[b] * displacement[M.columns[b]];
+        } else {
+          sum += Eigen::Map<const Eigen::Matrix3d>(M.values.data() + 9 * b) *
+                 displacement[M.columns[b]];
+        }
       }
       Eigen::Map<Eigen::Vector3d>(r.data() + 3 * row) = sum;
     }
   });
 }
 
-void NormalPattern::multiply_transposed(const RsiRows& M, std::span<const double> r,
+void NormalPattern::multiply_transposed(const BlockRows& M, std::span<const double> r,
                                         std::span<double> y) const {
   parallel_for(blocks_.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t u = begin; u < end; ++u) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (const Entry& e : entries(u)) {
-        sum += Eigen::Map<const Eigen::Matrix3d>(M.values.data() + 9 * e.block).transpose() *
-               Eigen::Map<const Eigen::Vector3d>(r.data() + std::size_t{3} * e.row);
+        const Eigen::Map<const Eigen::Vector3d> r_row(r.data() + std::size_t{3} * e.row);
+        if (M.block_size == 1) {
+          sum += M.values[e.block] * r_row;
+        } else {
+          sum +=
+              Eigen::Map<const Eigen::Matrix3d>(M.values.data() + 9 * e.block).transpose() * r_row;
+        }
       }
       Eigen::Map<Eigen::Vector3d>(y.data() + 3 * u) = sum;
     }

@@ -8,17 +8,24 @@
 
 namespace lapwing {
 
-/// The sparse rows of M: row r belongs to one vertex and holds blocks for that vertex and its ring.
-struct RsiRows {
+/// The sparse rows of M (3 x 3 blocks) or of L (1 x 1): row r belongs to one vertex and holds
+/// blocks for that vertex and its ring.
+struct BlockRows {
+  int block_size = 3;
   std::vector<std::size_t> starts{0};  ///< in blocks
   std::vector<Index> columns;          ///< per block: a vertex of the whole mesh
-  std::vector<double> values;          ///< per block: 9 numbers, column after column
+  std::vector<double> values;          ///< per block: its numbers, column after column
 
   std::size_t size() const { return starts.size() - 1; }
 };
 
+/// The rows of L for `rows`: 1 for the vertex itself, -w_ij for its ring; a vertex without ring has
+/// the block 0. `weights` as laplacian_weights gives them.
+BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights,
+                         std::span<const Index> rows);
+
 /// Assembles M for `problem.rows` on the device. The cost is one kernel and one copy.
-RsiRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem);
+BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem);
 
 /// Which vertices are unknowns, and as which number.
 struct Unknowns {
@@ -30,20 +37,22 @@ struct Unknowns {
   std::size_t size() const { return vertices.size(); }
 };
 
-/// Where each unknown appears in M, and the pattern of M'M over the unknowns that follows from it.
+/// Where each unknown appears in M (or L), and the pattern of M'M over the unknowns that follows.
 /// Depends on the region alone, not on positions or weights.
 class NormalPattern {
  public:
-  NormalPattern(const RsiRows& M, const Unknowns& unknowns);
+  NormalPattern(const BlockRows& M, const Unknowns& unknowns);
 
   const BlockPattern& blocks() const { return blocks_; }
 
   /// N = M'M + diag(W), W given per unknown. A gather over the rows that two unknowns share: each
   /// block is summed by one thread in a fixed order.
-  BlockMatrix normal_matrix(const RsiRows& M, std::span<const double> W) const;
+  BlockMatrix normal_matrix(const BlockRows& M, std::span<const double> W) const;
 
-  /// y = M' r over the unknowns: 3 numbers per row in, 3 per unknown out.
-  void multiply_transposed(const RsiRows& M, std::span<const double> r, std::span<double> y) const;
+  /// y = M' r over the unknowns: 3 numbers per row in, 3 per unknown out. A 1 x 1 block acts on x,
+  /// y and z alike.
+  void multiply_transposed(const BlockRows& M, std::span<const double> r,
+                           std::span<double> y) const;
 
  private:
   struct Entry {
@@ -54,8 +63,8 @@ class NormalPattern {
     return std::span(entries_).subspan(entry_starts_[unknown],
                                        entry_starts_[unknown + 1] - entry_starts_[unknown]);
   }
-  void find_entries(const RsiRows& M, const Unknowns& unknowns);
-  void find_blocks(const RsiRows& M);
+  void find_entries(const BlockRows& M, const Unknowns& unknowns);
+  void find_blocks(const BlockRows& M);
 
   std::vector<Index> unknown_of_block_;  ///< per block of M, or kNoIndex
   std::vector<std::size_t> entry_starts_;
@@ -63,7 +72,9 @@ class NormalPattern {
   BlockPattern blocks_;
 };
 
-/// r = M u: `displacement` per vertex of the whole mesh in, 3 numbers per row out.
-void multiply(const RsiRows& M, std::span<const Eigen::Vector3d> displacement, std::span<double> r);
+/// r = M u, or L u for x, y and z: `displacement` per vertex of the whole mesh in, 3 numbers per
+/// row out.
+void multiply(const BlockRows& M, std::span<const Eigen::Vector3d> displacement,
+              std::span<double> r);
 
 }  // namespace lapwing

@@ -36,17 +36,28 @@ void add_triangle(const Triangle& t, Index i, std::span<const Vector3d> position
   add(k, j);
 }
 
-void make_positive_and_normalize(std::span<double> row) {
-  double mean = 0.0;
-  for (const double w : row) mean += std::abs(w);
-  mean /= static_cast<double>(row.size());
-  if (!(mean > 0.0) || !std::isfinite(mean)) {
-    set_uniform(row);
-    return;
+// Sum of the cotangents opposite to each edge of ring i.
+void add_cotangents(const Topology& topology, Index i, std::span<const Vector3d> positions,
+                    std::span<double> row) {
+  for (const Index t : topology.vertex_triangles[i]) {
+    add_triangle(topology.triangles[t], i, positions, topology.rings[i], row);
   }
+}
+
+// Raises every weight to a share of the mean; false where there is no finite mean to go by.
+bool make_positive(std::span<double> weights) {
+  double mean = 0.0;
+  for (const double w : weights) mean += std::abs(w);
+  mean /= static_cast<double>(weights.size());
+  if (!(mean > 0.0) || !std::isfinite(mean)) return false;
+  for (double& w : weights) w = std::max(w, kSmallestCotangentShare * mean);
+  return true;
+}
+
+double sum_of(std::span<const double> row) {
   double sum = 0.0;
-  for (double& w : row) sum += w = std::max(w, kSmallestCotangentShare * mean);
-  for (double& w : row) w /= sum;
+  for (const double w : row) sum += w;
+  return sum;
 }
 
 }  // namespace
@@ -58,15 +69,33 @@ std::vector<double> laplacian_weights(const Topology& topology, std::span<const 
   for (std::size_t i = 0; i < rings.row_count(); ++i) {
     const std::span row(weights.data() + rings.starts[i], rings.size(i));
     if (row.empty()) continue;
-    if (scheme == LaplacianWeights::uniform) {
+    if (scheme == LaplacianWeights::cotangent) {
+      add_cotangents(topology, static_cast<Index>(i), positions, row);
+    }
+    if (scheme == LaplacianWeights::uniform || !make_positive(row)) {
       set_uniform(row);
       continue;
     }
-    for (const Index t : topology.vertex_triangles[i]) {
-      add_triangle(topology.triangles[t], static_cast<Index>(i), positions, rings[i], row);
-    }
-    make_positive_and_normalize(row);
+    const double sum = sum_of(row);
+    for (double& w : row) w /= sum;
   }
+  return weights;
+}
+
+std::vector<double> edge_weights(const Topology& topology, std::span<const Vector3d> positions) {
+  const Adjacency& rings = topology.rings;
+  std::vector<double> weights(rings.values.size(), 0.0);
+  if (weights.empty()) return weights;
+  for (std::size_t i = 0; i < rings.row_count(); ++i) {
+    add_cotangents(topology, static_cast<Index>(i), positions,
+                   std::span(weights.data() + rings.starts[i], rings.size(i)));
+  }
+  if (!make_positive(weights)) {
+    std::fill(weights.begin(), weights.end(), 1.0);
+    return weights;
+  }
+  const double mean = sum_of(weights) / static_cast<double>(weights.size());
+  for (double& w : weights) w /= mean;
   return weights;
 }
 

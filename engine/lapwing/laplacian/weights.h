@@ -22,6 +22,12 @@ std::vector<double> laplacian_weights(const Topology& topology,
                                       std::span<const Eigen::Vector3d> positions,
                                       LaplacianWeights scheme);
 
+/// One weight per entry of `topology.rings`, the same from both ends of an edge: cot a_ij + cot
+/// b_ij, made positive as above by the mean over all edges, and scaled so that their mean is 1. All
+/// 1 on a mesh without area. Linear time.
+std::vector<double> edge_weights(const Topology& topology,
+                                 std::span<const Eigen::Vector3d> positions);
+
 /// Small enough to leave ordinary meshes alone, large enough that every neighbour still holds.
 inline constexpr double kSmallestCotangentShare = 0.01;
 

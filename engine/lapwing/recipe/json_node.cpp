@@ -173,6 +173,10 @@ std::vector<JsonNode> JsonNode::elements() const {
   return nodes;
 }
 
+bool JsonNode::is_object() const {
+  return value_->json->is_object();
+}
+
 bool JsonNode::boolean() const {
   if (!value_->json->is_boolean()) fail_expecting("true or false");
   return value_->json->get<bool>();

@@ -37,6 +37,7 @@ class JsonNode {
                                const std::string& what) const;
 
   std::vector<JsonNode> elements() const;
+  bool is_object() const;
   bool boolean() const;
   std::string string() const;
   double number() const;

@@ -1,6 +1,7 @@
 #include "lapwing/recipe/read_step.h"
 
 #include <array>
+#include <cmath>
 
 #include "lapwing/recipe/read_region.h"
 #include "lapwing/recipe/suggest.h"
@@ -44,10 +45,37 @@ MovedHandle read_handle(const JsonNode& node) {
   return {read_region(node.at("region")), read_move(node.at("move"))};
 }
 
-void refuse_settling(const JsonNode& node) {
-  if (node.boolean()) {
-    node.fail("settling is not available in this version; write false, or leave it out");
+Details read_details(const JsonNode& node) {
+  constexpr std::array<std::string_view, 2> kNames{"preserve", "follow"};
+  const std::string name = node.string();
+  if (name == kNames[0]) return Details::preserve;
+  if (name == kNames[1]) return Details::follow;
+  node.fail("unknown details \"" + name + "\"; " + suggest(name, kNames));
+}
+
+// true, false, or an object of options; `weights` are the step's.
+std::optional<SettleOptions> read_settle(const JsonNode& node, LaplacianWeights weights) {
+  SettleOptions options;
+  options.weights = weights;
+  if (!node.is_object()) return node.boolean() ? std::optional(options) : std::nullopt;
+  node.require_keys({"tolerance", "max_iterations", "stretch_resistance", "details", "weights"});
+  if (const auto tolerance = node.find("tolerance"))
+    options.tolerance = tolerance->positive_number();
+  if (const auto iterations = node.find("max_iterations")) {
+    constexpr int kMost = 1'000'000;
+    const double count = iterations->positive_number();
+    if (count != std::floor(count) || count > kMost) {
+      iterations->fail("expected a whole number from 1 to " + std::to_string(kMost));
+    }
+    options.max_iterations = static_cast<int>(count);
   }
+  if (const auto resistance = node.find("stretch_resistance")) {
+    options.stretch_resistance = resistance->number();
+    if (options.stretch_resistance < 0.0) resistance->fail("expected 0 or more");
+  }
+  if (const auto details = node.find("details")) options.details = read_details(*details);
+  if (const auto own = node.find("weights")) options.weights = read_weights(*own);
+  return options;
 }
 
 Step read_deform(const JsonNode& node) {
@@ -65,7 +93,8 @@ Step read_deform(const JsonNode& node) {
     step.constraint_weight = weight->positive_number();
   }
   if (const auto hard = node.find("hard")) step.hard = hard->boolean();
-  if (const auto settle = node.find("settle")) refuse_settling(*settle);
+  step.settle->weights = step.weights;
+  if (const auto settle = node.find("settle")) step.settle = read_settle(*settle, step.weights);
   return step;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,6 +11,7 @@
 #include "lapwing/recipe/move.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/region_spec.h"
+#include "lapwing/settle/settle_options.h"
 
 namespace lapwing {
 
@@ -30,6 +32,7 @@ struct DeformStep {
   LaplacianWeights weights = LaplacianWeights::uniform;
   double constraint_weight = 1.0;  ///< above 0
   bool hard = false;               ///< belt and handles held exactly, not by weight
+  std::optional<SettleOptions> settle = SettleOptions{};  ///< none: the linear solution as it is
   bool operator==(const DeformStep&) const = default;
 };
 

@@ -83,6 +83,21 @@ Json json_of_any(const std::variant<Forms...>& any) {
   return std::visit([](const auto& form) { return json_of(form); }, any);
 }
 
+const char* name_of(LaplacianWeights weights) {
+  return weights == LaplacianWeights::uniform ? "uniform" : "cotangent";
+}
+
+Json json_of_settle(const DeformStep& step) {
+  SettleOptions defaults;
+  defaults.weights = step.weights;
+  if (!step.settle || *step.settle == defaults) return step.settle.has_value();
+  return {{"tolerance", step.settle->tolerance},
+          {"max_iterations", step.settle->max_iterations},
+          {"stretch_resistance", step.settle->stretch_resistance},
+          {"details", step.settle->details == Details::preserve ? "preserve" : "follow"},
+          {"weights", name_of(step.settle->weights)}};
+}
+
 Json json_of(const DeformStep& step) {
   Json handles = Json::array();
   for (const MovedHandle& handle : step.handles) {
@@ -92,9 +107,10 @@ Json json_of(const DeformStep& step) {
           {"roi", json_of(step.roi)},
           {"belt", json_of_any(step.belt)},
           {"handles", std::move(handles)},
-          {"weights", step.weights == LaplacianWeights::uniform ? "uniform" : "cotangent"},
+          {"weights", name_of(step.weights)},
           {"constraint_weight", step.constraint_weight},
-          {"hard", step.hard}};
+          {"hard", step.hard},
+          {"settle", json_of_settle(step)}};
 }
 
 std::string atom(const Json& json) {

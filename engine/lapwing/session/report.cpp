@@ -40,6 +40,10 @@ Json as_json(const Certificate& c) {
           {"largest_rotation_vertex", vertex(c.largest_rotation_vertex)},
           {"flipped_triangles", c.flipped_triangles},
           {"first_flipped_triangles", c.first_flipped_triangles},
+          {"detail_error", number(c.detail_error)},
+          {"edge_stretch", number(c.edge_stretch)},
+          {"settle_iterations", c.settle_iterations},
+          {"settle_last_step", number(c.settle_last_step)},
           {"all_finite", c.all_finite}};
 }
 

@@ -76,15 +76,17 @@ StepReport run_step(const DeformStep& step, Kernels& kernels, const Progress& pr
   options.weights = step.weights;
   options.constraint_weight = step.constraint_weight;
   options.hard = step.hard;
+  options.settle = step.settle;
   result.last = std::make_unique<Deformer>(result.mesh.positions, result.topology,
                                            std::move(region), options, kernels, progress);
   Deformer& deformer = *result.last;
   for (const auto& [name, ms] : deformer.timings().stages()) report.timings.add(name, ms);
   stage("drag", report.timings, progress, [&] { deformer.drag(motions); });
   stage("solve", report.timings, progress, [&] {
-    DeformResult solved = deformer.solve(motions);
+    DeformResult solved = deformer.solve(motions, progress);
     result.mesh.positions = std::move(solved.positions);
     report.certificate = std::move(solved.certificate);
+    if (step.settle) deformer.show(result.mesh.positions);
   });
   report.roi = deformer.region().roi.size();
   report.belt = deformer.region().belt.size();

@@ -57,14 +57,18 @@ VulkanSurface::VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceIn
 
 VulkanSurface::~VulkanSurface() = default;
 
-void VulkanSurface::upload_rest(const SurfaceInput& input) {
-  std::vector<Vec4> positions;
-  positions.reserve(vertex_count_);
-  for (const Eigen::Vector3d& rest : input.rest) {
-    const Eigen::Vector3f place = (rest - origin_).cast<float>();
-    positions.push_back({place.x(), place.y(), place.z(), 1.0F});
+void VulkanSurface::upload_positions(std::span<const Eigen::Vector3d> positions) {
+  std::vector<Vec4> places;
+  places.reserve(vertex_count_);
+  for (const Eigen::Vector3d& position : positions) {
+    const Eigen::Vector3f place = (position - origin_).cast<float>();
+    places.push_back({place.x(), place.y(), place.z(), 1.0F});
   }
-  state_->transfer.upload(buffers_->positions.buffer(), std::span<const Vec4>(positions));
+  state_->transfer.upload(buffers_->positions.buffer(), std::span<const Vec4>(places));
+}
+
+void VulkanSurface::upload_rest(const SurfaceInput& input) {
+  upload_positions(input.rest);
   state_->transfer.upload(buffers_->triangles, std::span<const Triangle>(input.topology.triangles));
 
   std::vector<Index> all(vertex_count_);
@@ -89,6 +93,16 @@ void VulkanSurface::record_frame() {
 void VulkanSurface::blend(std::span<const double> parameters) {
   buffers_->blend_response.set_parameters(parameters);
   frame_->run();
+}
+
+void VulkanSurface::place(std::span<const Eigen::Vector3d> positions) {
+  upload_positions(positions);
+  gpu::CommandList normals(*state_->context, "normals");
+  gpu::Recorder recorder(normals);
+  buffers_->vertex_normals.record(recorder, buffers_->affected, buffers_->positions,
+                                  buffers_->normals);
+  recorder.finish();
+  normals.run();
 }
 
 Positions VulkanSurface::positions() const {

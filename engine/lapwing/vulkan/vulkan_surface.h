@@ -11,13 +11,14 @@ namespace lapwing {
 class VulkanState;
 
 /// A deformed surface in device memory, in float32. The renderer draws from its buffers, without a
-/// copy, once `blend` has returned.
+/// copy, once `blend` or `place` has returned.
 class VulkanSurface final : public DeformedSurface {
  public:
   VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceInput& input);
   ~VulkanSurface() override;
 
   void blend(std::span<const double> parameters) override;
+  void place(std::span<const Eigen::Vector3d> positions) override;
   Positions positions() const override;
   std::vector<Eigen::Vector3d> normals() const override;
 
@@ -37,6 +38,7 @@ class VulkanSurface final : public DeformedSurface {
  private:
   struct Buffers;
 
+  void upload_positions(std::span<const Eigen::Vector3d> positions);
   void upload_rest(const SurfaceInput& input);
   void record_frame();
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/mesh/topology.h"
+#include "lapwing/region/edit_region.h"
+
+namespace lapwing {
+
+/// What an edit solves for, and how firmly each unknown is held to where it should be.
+struct Constraints {
+  Unknowns unknowns;
+  std::vector<double> W;  ///< per unknown: the squared weight on handle and belt, 0 elsewhere
+};
+
+/// Soft constraints: the unknowns are the region's vertices. Hard ones: only the free vertices; the
+/// motion of handle and belt is given. Vertices without a ring that nothing holds are no unknowns:
+/// they stay.
+Constraints constraints_of(const EditRegion& region, const Topology& topology, double weight,
+                           bool hard);
+
+}  // namespace lapwing

@@ -1,0 +1,118 @@
+// Based on: Horn, "Closed-form solution of absolute orientation using unit quaternions", 1987, the
+// largest eigenvalue found as by Theobald, "Rapid calculation of RMSDs using a quaternion-based
+// characteristic polynomial", 2005.
+#include "lapwing/laplacian/rotation.h"
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Matrix4d;
+
+// Below this share of the largest singular value the second one counts as zero.
+constexpr double kRankOneShare = 1e-12;
+// Below this product of distances to the other eigenvalues the eigenvector loses half its digits.
+constexpr double kSmallestGap = 1e-6;
+constexpr int kMostNewtonSteps = 40;
+
+Matrix3d rotation_by_svd(const Matrix3d& H) {
+  const Eigen::JacobiSVD<Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const auto& sigma = svd.singularValues();
+  if (sigma(1) <= kRankOneShare * sigma(0)) {
+    return Eigen::Quaterniond::FromTwoVectors(svd.matrixV().col(0), svd.matrixU().col(0))
+        .toRotationMatrix();
+  }
+  Matrix3d U = svd.matrixU();
+  if (U.determinant() * svd.matrixV().determinant() < 0.0) U.col(2) = -U.col(2);
+  return U * svd.matrixV().transpose();
+}
+
+// Horn's matrix: q'Nq = trace(R(q)' H).
+Matrix4d quaternion_form(const Matrix3d& H) {
+  Matrix4d N;
+  N(0, 0) = H(0, 0) + H(1, 1) + H(2, 2);
+  N(1, 1) = H(0, 0) - H(1, 1) - H(2, 2);
+  N(2, 2) = -H(0, 0) + H(1, 1) - H(2, 2);
+  N(3, 3) = -H(0, 0) - H(1, 1) + H(2, 2);
+  N(0, 1) = N(1, 0) = H(2, 1) - H(1, 2);
+  N(0, 2) = N(2, 0) = H(0, 2) - H(2, 0);
+  N(0, 3) = N(3, 0) = H(1, 0) - H(0, 1);
+  N(1, 2) = N(2, 1) = H(1, 0) + H(0, 1);
+  N(1, 3) = N(3, 1) = H(0, 2) + H(2, 0);
+  N(2, 3) = N(3, 2) = H(2, 1) + H(1, 2);
+  return N;
+}
+
+// The largest root of N's characteristic polynomial l^4 + a l^2 + b l + c, for |H| = 1, and the
+// polynomial's slope there. Newton's method from above goes down to it and nowhere else.
+struct LargestRoot {
+  double value = 0.0;
+  double slope = 0.0;
+};
+LargestRoot largest_root(const Matrix3d& H) {
+  Matrix3d cofactors;
+  for (int k = 0; k < 3; ++k) {
+    cofactors.col(k) = H.col((k + 1) % 3).cross(H.col((k + 2) % 3));
+  }
+  const double a = -2.0;
+  const double b = -8.0 * H.col(0).dot(cofactors.col(0));
+  const double c = 1.0 - 4.0 * cofactors.squaredNorm();
+  const auto slope_at = [&](double l) { return (4.0 * l * l + 2.0 * a) * l + b; };
+  double l = std::sqrt(3.0);  // the singular values of a matrix of norm 1 sum to no more
+  for (int step = 0; step < kMostNewtonSteps; ++step) {
+    const double slope = slope_at(l);
+    if (!(slope > kSmallestGap)) break;
+    const double down = (((l * l + a) * l + b) * l + c) / slope;
+    l -= down;
+    if (!(down > 1e-15)) break;
+  }
+  return {l, slope_at(l)};
+}
+
+double determinant_without(const Matrix4d& A, int row, int column) {
+  std::array<int, 3> r{};
+  std::array<int, 3> c{};
+  for (int k = 0, i = 0, j = 0; k < 4; ++k) {
+    if (k != row) r[static_cast<std::size_t>(i++)] = k;
+    if (k != column) c[static_cast<std::size_t>(j++)] = k;
+  }
+  return A(r[0], c[0]) * (A(r[1], c[1]) * A(r[2], c[2]) - A(r[1], c[2]) * A(r[2], c[1])) -
+         A(r[0], c[1]) * (A(r[1], c[0]) * A(r[2], c[2]) - A(r[1], c[2]) * A(r[2], c[0])) +
+         A(r[0], c[2]) * (A(r[1], c[0]) * A(r[2], c[1]) - A(r[1], c[1]) * A(r[2], c[0]));
+}
+
+}  // namespace
+
+Matrix3d nearest_rotation(const Matrix3d& given) {
+  const double size = given.norm();
+  if (!(size > 0.0) || !std::isfinite(size)) return Matrix3d::Identity();
+  const Matrix3d H = given / size;
+  const LargestRoot root = largest_root(H);
+  if (!(root.slope > kSmallestGap)) return rotation_by_svd(H);
+  // The adjugate of N - l I is q q' times a number: its column with the largest diagonal is q.
+  const Matrix4d A = quaternion_form(H) - root.value * Matrix4d::Identity();
+  int best = 0;
+  double largest = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const double diagonal = std::abs(determinant_without(A, k, k));
+    if (diagonal > largest) {
+      largest = diagonal;
+      best = k;
+    }
+  }
+  Eigen::Vector4d q;
+  for (int k = 0; k < 4; ++k) {
+    q[k] = ((k + best) % 2 == 0 ? 1.0 : -1.0) * determinant_without(A, k, best);
+  }
+  q.normalize();
+  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+}
+
+}  // namespace lapwing
