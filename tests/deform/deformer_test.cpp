@@ -135,9 +135,23 @@ TEST(Deformer, SettlingKeepsDetailThroughALargeTurn) {
   const Certificate settled = certificate_of(options);
   EXPECT_LT(3.0 * settled.detail_error, linear.detail_error);
   EXPECT_LT(settled.edge_stretch, linear.edge_stretch);
+  EXPECT_TRUE(settled.settled);
   EXPECT_GT(settled.settle_iterations, 1);
   EXPECT_LE(settled.settle_last_step, options.settle->tolerance);
   EXPECT_EQ(linear.settle_iterations, 0);
+}
+
+TEST(Deformer, SettlingThatRunsOutOfIterationsSaysSo) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  CpuKernels kernels;
+  DeformOptions options;
+  options.settle.emplace().max_iterations = 2;
+  const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
+  const Certificate certificate = deformer.solve(std::array{bend()}).certificate;
+  EXPECT_FALSE(certificate.settled);
+  EXPECT_EQ(certificate.settle_iterations, 2);
+  EXPECT_GT(certificate.settle_last_step, options.settle->tolerance);
 }
 
 TEST(Deformer, StillHandleIsNotSettled) {

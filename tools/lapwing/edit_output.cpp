@@ -32,10 +32,11 @@ void print_certificate(const Certificate& c, double diagonal) {
       c.relative_residual, diagonal > 0.0 ? c.handle_error / diagonal : 0.0, c.smallest_scale,
       c.largest_scale, c.largest_rotation_degrees, c.flipped_triangles, c.detail_error,
       c.edge_stretch);
-  if (c.settle_iterations > 0) {
-    std::printf("  settled in %d iterations to %.1e of the mean edge\n", c.settle_iterations,
-                c.settle_last_step);
-  }
+  if (c.settle_iterations == 0) return;
+  std::printf(c.settled ? "  settled in %d iterations, to %.1e of the mean edge\n"
+                        : "  not settled after %d iterations: one more would move a vertex by %.1e "
+                          "of the mean edge\n",
+              c.settle_iterations, c.settle_last_step);
 }
 
 void print_summary(const RunReport& report) {

@@ -34,6 +34,7 @@ struct Certificate {
   /// Root mean square of the relative change of edge lengths in the region (`edge_stretch`).
   double edge_stretch = 0.0;
   int settle_iterations = 0;      ///< 0 without settling
+  bool settled = true;            ///< false where the iterations ran out first
   double settle_last_step = 0.0;  ///< how far a vertex would still move, in mean edge lengths
   bool all_finite = true;
 };

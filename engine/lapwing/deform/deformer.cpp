@@ -195,6 +195,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   if (s.settler != nullptr && !still) {
     const SettleResult settled = s.settler->settle(wanted, u, progress);
     result.certificate.settle_iterations = settled.iterations;
+    result.certificate.settled = settled.settled;
     result.certificate.settle_last_step = settled.last_step;
   }
   result.positions = s.rest;

@@ -43,6 +43,7 @@ Json as_json(const Certificate& c) {
           {"detail_error", number(c.detail_error)},
           {"edge_stretch", number(c.edge_stretch)},
           {"settle_iterations", c.settle_iterations},
+          {"settled", c.settled},
           {"settle_last_step", number(c.settle_last_step)},
           {"all_finite", c.all_finite}};
 }
