@@ -56,11 +56,11 @@ RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Vector3d>
 
 Matrix3d fit_rotation(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
                       std::span<const Vector3d> current) {
+  // The x_k sum to 0 over K_i, so v'_k need not be centred, and relative to v'_i that of i is 0.
   const Vector3d center = ring_center(i, ring, rest);
-  const Vector3d current_center = ring_center(i, ring, current);
-  Matrix3d H = current_center * center.transpose();
+  Matrix3d H = Matrix3d::Zero();
   for (const Index j : ring) {
-    H += (current[j] - current[i] - current_center) * (rest[j] - rest[i] - center).transpose();
+    H += (current[j] - current[i]) * (rest[j] - rest[i] - center).transpose();
   }
   return nearest_rotation(H);
 }
@@ -68,12 +68,11 @@ Matrix3d fit_rotation(Index i, std::span<const Index> ring, std::span<const Vect
 double fit_scale(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
                  std::span<const Vector3d> current, const Matrix3d& R) {
   const Vector3d center = ring_center(i, ring, rest);
-  const Vector3d current_center = ring_center(i, ring, current);
-  double dot = current_center.dot(R * center);
+  double dot = 0.0;
   double size = center.squaredNorm();
   for (const Index j : ring) {
     const Vector3d x = rest[j] - rest[i] - center;
-    dot += (current[j] - current[i] - current_center).dot(R * x);
+    dot += (current[j] - current[i]).dot(R * x);
     size += x.squaredNorm();
   }
   return size > 0.0 ? dot / size : 1.0;
