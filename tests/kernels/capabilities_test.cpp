@@ -5,6 +5,8 @@
 #include "lapwing/shaders/assemble_rsi_float32.h"
 #include "lapwing/shaders/assemble_rsi_float64.h"
 #include "lapwing/shaders/blend_response.h"
+#include "lapwing/shaders/fit_rotations_float32.h"
+#include "lapwing/shaders/rotate_laplacians_float32.h"
 #include "lapwing/shaders/sample_laplacians_float32.h"
 #include "lapwing/shaders/vertex_normals.h"
 
@@ -22,8 +24,10 @@ constexpr std::uint32_t kFloat64 = 10;
 
 // So no Float64, Int64 or Geometry, which some devices lack.
 TEST(Capabilities, Float32ModulesNeedWhatEveryDeviceHas) {
-  for (const auto module : {shaders::assemble_rsi_float32(), shaders::sample_laplacians_float32(),
-                            shaders::blend_response(), shaders::vertex_normals()}) {
+  for (const auto module :
+       {shaders::assemble_rsi_float32(), shaders::fit_rotations_float32(),
+        shaders::rotate_laplacians_float32(), shaders::sample_laplacians_float32(),
+        shaders::blend_response(), shaders::vertex_normals()}) {
     EXPECT_THAT(gpu::read_interface(module).capabilities, Each(AnyOf(kShader, kSampledBuffer)));
   }
 }

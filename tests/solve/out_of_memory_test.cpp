@@ -4,8 +4,8 @@
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/solve/block_cholesky/block_cholesky.h"
 #include "lapwing/solve/ordering.h"
-#include "solve/failing_new.h"
 #include "solve/test_matrices.h"
+#include "support/failing_new.h"
 
 namespace lapwing {
 namespace {

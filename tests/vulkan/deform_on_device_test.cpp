@@ -3,6 +3,7 @@
 
 #include "kernels/twins.h"
 #include "lapwing/deform/deformer.h"
+#include "lapwing/settle/settle.h"
 #include "support/bent_tube.h"
 
 namespace lapwing {
@@ -83,6 +84,33 @@ TEST_P(DeformOnDevice, ShownResultIsTheSettledOneWithItsNormals) {
   CpuKernels cpu;
   const auto reference = cpu.make_surface({settled, topology, {}, {}, 0});
   EXPECT_LT(test::largest_distance(deformer.surface().normals(), reference->normals()), 1e-4);
+}
+
+TEST_P(DeformOnDevice, RingsSettleToTheSameShape) {
+  const Mesh mesh = test::bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  const EditRegion region = test::foot_and_head(mesh);
+  const Constraints constraints = constraints_of(region, topology, 1.0, false);
+  std::vector<Vector3d> wanted(mesh.vertex_count(), Vector3d::Zero());
+  for (const Index v : region.handles[0]) {
+    wanted[v] = test::bend() * mesh.positions[v] - mesh.positions[v];
+  }
+  for (const double mu : {0.0, 0.01}) {
+    StageTimings timings;
+    const SystemPattern pattern(topology, region.roi, constraints.unknowns, {}, timings);
+    const LaplacianSystem system(mesh.positions, topology, region.roi, constraints, pattern,
+                                 LaplacianWeights::uniform, mu, timings);
+    const auto settled_on = [&](Kernels& on) {
+      SettleOptions options;
+      options.stretch_resistance = mu;
+      Positions u(mesh.vertex_count(), Vector3d::Zero());
+      EXPECT_TRUE(Settler(on, system, options).settle(wanted, u).settled);
+      return u;
+    };
+    CpuKernels cpu;
+    EXPECT_LT(test::largest_distance(settled_on(*kernels), settled_on(cpu)),
+              GetParam().tolerance * bounds_of(mesh.positions).diagonal());
+  }
 }
 
 LAPWING_ON_ALL_TWINS(DeformOnDevice);

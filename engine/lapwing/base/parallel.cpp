@@ -6,7 +6,8 @@
 #include <mutex>
 #include <sched.h>
 #include <thread>
-#include <vector>
+
+#include "lapwing/base/worker_pool.h"
 
 namespace lapwing {
 
@@ -22,8 +23,8 @@ unsigned thread_count() {
   return count;
 }
 
-void parallel_for(std::size_t count, std::size_t grain,
-                  const std::function<void(std::size_t, std::size_t)>& body) {
+void parallel_ranges(std::size_t count, std::size_t grain,
+                     const std::function<void(std::size_t, std::size_t)>& body) {
   if (count == 0) return;
   grain = std::max<std::size_t>(grain, 1);
   const std::size_t threads = std::min<std::size_t>(thread_count(), (count + grain - 1) / grain);
@@ -37,7 +38,7 @@ void parallel_for(std::size_t count, std::size_t grain,
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failure_mutex;
-  const auto work = [&] {
+  const auto work = [&](int) {
     for (;;) {
       const std::size_t begin = next.fetch_add(chunk);
       if (begin >= count) return;
@@ -50,11 +51,7 @@ void parallel_for(std::size_t count, std::size_t grain,
       }
     }
   };
-  {
-    std::vector<std::jthread> helpers;
-    for (std::size_t t = 1; t < threads; ++t) helpers.emplace_back(work);
-    work();
-  }
+  shared_workers().run(std::cref(work));
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -8,11 +8,19 @@ namespace lapwing {
 /// Number of threads `parallel_for` uses: the processors this process may run on.
 unsigned thread_count();
 
+/// What `parallel_for` does with a body of known type; callers use that.
+void parallel_ranges(std::size_t count, std::size_t grain,
+                     const std::function<void(std::size_t begin, std::size_t end)>& body);
+
 /// Splits [0, count) into contiguous ranges of at least `grain` items and calls
 /// `body(begin, end)` once per range, on up to `thread_count()` threads. Ranges are disjoint and
 /// cover everything; a body that only writes what belongs to its own items gives the same bits for
-/// every number of threads. The first exception thrown by a body is rethrown here.
-void parallel_for(std::size_t count, std::size_t grain,
-                  const std::function<void(std::size_t begin, std::size_t end)>& body);
+/// every number of threads. The first exception thrown by a body is rethrown here. Allocates
+/// nothing.
+template <typename Body>
+void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
+  // By reference: a std::function of the body itself would take memory for it.
+  parallel_ranges(count, grain, std::cref(body));
+}
 
 }  // namespace lapwing

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,26 +9,15 @@
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/certificate.h"
+#include "lapwing/deform/deform_options.h"
 #include "lapwing/kernels/kernels.h"
-#include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
-#include "lapwing/settle/settle_options.h"
-#include "lapwing/solve/block_solver.h"
 
 namespace lapwing {
 
-struct DeformOptions {
-  LaplacianWeights weights = LaplacianWeights::uniform;
-  /// How strongly handle and belt hold (eq. 5 has 1). Positive. Has no effect on hard constraints.
-  double constraint_weight = 1.0;
-  /// Handle and belt vertices go exactly where they should, rather than in the least squares.
-  bool hard = false;
-  SolverKind solver = SolverKind::automatic;
-  /// Settle what `solve` returns, so that details survive large rotations; without it the result is
-  /// right for small angles only.
-  std::optional<SettleOptions> settle;
-};
+class DragPreview;
+struct EditSystem;
 
 struct DeformResult {
   Positions positions;  ///< of the whole mesh; vertices that do not move keep their bits
@@ -49,12 +37,17 @@ struct DeformResult {
 /// the factor (about 8 kB a vertex) and the response (300 bytes a vertex and handle).
 class Deformer {
  public:
-  /// Prepares. Stages reported and timed: "weights", "assemble", "normal_matrix", "order",
-  /// "analyze", "factor", with settling "settle_matrix" and "settle_factor", "response", "upload".
-  /// Throws InputError for a region that does not fit the mesh, SolverError when a component of the
-  /// region is not anchored, GpuError when the device fails, Cancelled when `progress` asks for it.
+  /// Prepares. Stages reported and timed: "pattern", "order", with settling "laplacian",
+  /// "assemble", "normal_matrix", "analyze", "factor", "response", "upload". Throws InputError for
+  /// a region that does not fit the mesh, SolverError when a component of the region is not
+  /// anchored, GpuError when the device fails, Cancelled when `progress` asks for it.
   Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
+
+  /// Prepares what `preview` has not, from "assemble" on; timings include those of the preview's
+  /// stages that it shares. May run on a thread of its own while `preview` is dragged, if `kernels`
+  /// are not those that the preview uses (VulkanKernels may share a context).
+  Deformer(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
   ~Deformer();
   Deformer(Deformer&&) noexcept;
   Deformer& operator=(Deformer&&) noexcept;
@@ -76,6 +69,12 @@ class Deformer {
   /// the rest positions bit for bit. Throws SolverError when the certificate does not hold.
   DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
 
+  /// The same for motions whose rotations came about by `turns`, one per handle, which may be more
+  /// than half a turn (TurnTracker follows them): the surface is wound that way, as far as it can
+  /// hold it.
+  DeformResult solve(std::span<const Eigen::Affine3d> motions,
+                     std::span<const Eigen::AngleAxisd> turns, const Progress& progress = {}) const;
+
   const EditRegion& region() const;
   const StageTimings& timings() const;
   std::string_view solver_name() const;
@@ -88,6 +87,11 @@ class Deformer {
 
  private:
   struct State;
+  Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, const Progress& progress);
+  void settle(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
+              std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u,
+              Certificate& certificate, const Progress& progress) const;
+
   std::unique_ptr<State> state_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lapwing/laplacian/rotation.h"
+
 namespace lapwing {
 
 HandleFrame handle_frame(std::span<const Index> vertices,
@@ -39,6 +41,21 @@ Eigen::Vector3d unit_displacement(const HandleFrame& frame, const Eigen::Vector3
   Eigen::Vector3d u = Eigen::Vector3d::Zero();
   u(axis) = coordinate == 3 ? 1.0 : (position - frame.centroid)(coordinate) / frame.radius;
   return u;
+}
+
+Eigen::AngleAxisd shortest_turn(const Eigen::Affine3d& motion) {
+  return Eigen::AngleAxisd(nearest_rotation(motion.linear()));
+}
+
+Eigen::Affine3d partial_motion(const Eigen::Affine3d& motion, const Eigen::AngleAxisd& turn,
+                               const Eigen::Vector3d& centroid, double share) {
+  const Eigen::Matrix3d stretch = turn.toRotationMatrix().transpose() * motion.linear();
+  Eigen::Affine3d part = Eigen::Affine3d::Identity();
+  part.linear() = Eigen::AngleAxisd(share * turn.angle(), turn.axis()) *
+                  ((1.0 - share) * Eigen::Matrix3d::Identity() + share * stretch);
+  const Eigen::Vector3d place = centroid + share * (motion * centroid - centroid);
+  part.translation() = place - part.linear() * centroid;
+  return part;
 }
 
 }  // namespace lapwing

@@ -31,4 +31,14 @@ void motion_parameters(const HandleFrame& frame, const Eigen::Affine3d& motion,
 Eigen::Vector3d unit_displacement(const HandleFrame& frame, const Eigen::Vector3d& position,
                                   std::size_t k);
 
+/// The rotation of `motion` as a turn of 0 to 180 degrees: that of the polar decomposition of its
+/// linear part.
+Eigen::AngleAxisd shortest_turn(const Eigen::Affine3d& motion);
+
+/// `motion` carried out in part, `share` 0 (the identity) to 1 (all of it): its rotation, which
+/// came about by `turn`, turns by the share of that angle, its stretch S becomes (1 - share) I +
+/// share S, and the handle's centroid goes straight.
+Eigen::Affine3d partial_motion(const Eigen::Affine3d& motion, const Eigen::AngleAxisd& turn,
+                               const Eigen::Vector3d& centroid, double share);
+
 }  // namespace lapwing

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/solve/ordering.h"
+#include "lapwing/laplacian/rsi_system.h"
 
 namespace lapwing {
 namespace {
@@ -35,27 +35,16 @@ std::string component_of(Index vertex, const Topology& topology, const Unknowns&
 
 }  // namespace
 
-RsiSolution::RsiSolution(std::span<const Vector3d> rest, const Topology& topology,
-                         const EditRegion& region, const DeformOptions& options, Kernels& kernels,
-                         const Progress& progress, StageTimings& timings)
-    : constraints_(constraints_of(region, topology, options.constraint_weight, options.hard)),
-      solver_(make_solver(options.solver)) {
-  assemble(rest, topology, region, options, kernels, progress, timings);
-  factor(topology, progress, timings);
-}
-
-void RsiSolution::assemble(std::span<const Vector3d> rest, const Topology& topology,
-                           const EditRegion& region, const DeformOptions& options, Kernels& kernels,
-                           const Progress& progress, StageTimings& timings) {
-  Stopwatch watch;
-  report_progress(progress, "weights", 0.0);
-  const auto weights = laplacian_weights(topology, rest, options.weights);
-  timings.add("weights", watch.elapsed_ms());
-
-  watch.restart();
+RsiSolution::RsiSolution(const EditSystem& system, std::span<const double> weights,
+                         Kernels& kernels, const Progress& progress, StageTimings& timings)
+    : constraints_(system.constraints),
+      pattern_(*system.pattern),
+      solver_(make_solver(system.options.solver)) {
+  const Stopwatch watch;
   report_progress(progress, "assemble", 0.0);
-  M_ = assemble_rsi_rows(kernels, {rest, topology.rings, weights, region.roi});
+  M_ = assemble_rsi_rows(kernels, {system.rest, system.topology.rings, weights, system.region.roi});
   timings.add("assemble", watch.elapsed_ms());
+  factor(system.topology, progress, timings);
 }
 
 void RsiSolution::factor(const Topology& topology, const Progress& progress,
@@ -67,12 +56,9 @@ void RsiSolution::factor(const Topology& topology, const Progress& progress,
     watch.restart();
   };
   report_progress(progress, "normal_matrix", 0.0);
-  pattern_ = std::make_unique<NormalPattern>(M_, constraints_.unknowns);
-  const BlockMatrix N = pattern_->normal_matrix(M_, constraints_.W);
-  next_stage("normal_matrix", "order");
-  const std::vector<int> order = fill_reducing_order(pattern_->blocks());
-  next_stage("order", "analyze");
-  solver_->analyze(pattern_->blocks(), 3, order);
+  const BlockMatrix N = pattern_.normal.normal_matrix(M_, constraints_.W);
+  next_stage("normal_matrix", "analyze");
+  solver_->analyze(pattern_.normal.blocks(), 3, pattern_.order);
   next_stage("analyze", "factor");
   solver_->set_progress(progress);
   try {
@@ -101,7 +87,7 @@ void RsiSolution::right_hand_side(std::span<const Vector3d> wanted, std::span<do
     std::vector<double> rows(3 * M_.size());
     multiply(M_, given, rows);
     for (double& r : rows) r = -r;
-    pattern_->multiply_transposed(M_, rows, b);
+    pattern_.normal.multiply_transposed(M_, rows, b);
   }
   for (std::size_t u = 0; u < constraints_.unknowns.size(); ++u) {
     if (held(u))
@@ -119,7 +105,7 @@ void RsiSolution::residual(std::span<const Vector3d> wanted, std::span<const Vec
                            std::span<double> r) const {
   std::vector<double> rows(3 * M_.size());
   multiply(M_, u, rows);
-  pattern_->multiply_transposed(M_, rows, r);
+  pattern_.normal.multiply_transposed(M_, rows, r);
   for (std::size_t k = 0; k < constraints_.unknowns.size(); ++k) {
     const Index v = constraints_.unknowns.vertices[k];
     Eigen::Map<Vector3d> r_k(r.data() + 3 * k);

@@ -7,8 +7,8 @@
 
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/deform/deformer.h"
-#include "lapwing/laplacian/constraints.h"
+#include "lapwing/deform/edit_system.h"
+#include "lapwing/kernels/kernels.h"
 
 namespace lapwing {
 
@@ -16,14 +16,12 @@ namespace lapwing {
 /// vertices. Hard ones: M'M u = -M'M d over the free vertices, d given on handle and belt.
 class RsiSolution {
  public:
-  /// Assembles and factors; reports the stages of Deformer up to "factor". Throws SolverError,
-  /// naming the vertex and its component, when the system is singular.
-  RsiSolution(std::span<const Eigen::Vector3d> rest, const Topology& topology,
-              const EditRegion& region, const DeformOptions& options, Kernels& kernels,
+  /// Assembles with `weights` and factors; stages "assemble", "normal_matrix", "analyze" and
+  /// "factor". `system` must outlive the object. Throws SolverError, naming the vertex and its
+  /// component, when the system is singular.
+  RsiSolution(const EditSystem& system, std::span<const double> weights, Kernels& kernels,
               const Progress& progress, StageTimings& timings);
 
-  const Constraints& constraints() const { return constraints_; }
-  const Unknowns& unknowns() const { return constraints_.unknowns; }
   std::string_view solver_name() const { return solver_->name(); }
 
   /// The right-hand side for wanted displacements of the whole mesh (given on handles, 0
@@ -38,16 +36,13 @@ class RsiSolution {
   double refine(std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u) const;
 
  private:
-  void assemble(std::span<const Eigen::Vector3d> rest, const Topology& topology,
-                const EditRegion& region, const DeformOptions& options, Kernels& kernels,
-                const Progress& progress, StageTimings& timings);
   void factor(const Topology& topology, const Progress& progress, StageTimings& timings);
   void residual(std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> u,
                 std::span<double> r) const;
 
-  Constraints constraints_;
+  const Constraints& constraints_;
+  const SystemPattern& pattern_;
   BlockRows M_;
-  std::unique_ptr<NormalPattern> pattern_;
   std::unique_ptr<BlockSolver> solver_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "lapwing/kernels/cpu_ring_rotations.h"
+
 namespace lapwing {
 namespace {
 
@@ -48,6 +50,11 @@ class CpuSurface final : public DeformedSurface {
 CpuKernels::CpuKernels() {
   device_.name = "CPU";
   device_.type = "cpu";
+}
+
+std::unique_ptr<RingRotations> CpuKernels::make_ring_rotations(const RegionRings& rings,
+                                                               RingMotion motion) {
+  return std::make_unique<CpuRingRotations>(rings, motion);
 }
 
 std::unique_ptr<DeformedSurface> CpuKernels::make_surface(const SurfaceInput& input) {

@@ -13,6 +13,8 @@ class CpuKernels final : public Kernels {
   void assemble_rsi(const RingProblem& problem, std::span<double> blocks) override;
   void sample_laplacians(const RingProblem& problem,
                          std::span<Eigen::Vector3d> laplacians) override;
+  std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings,
+                                                     RingMotion motion) override;
   std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) override;
 
  private:

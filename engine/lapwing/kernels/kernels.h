@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lapwing/laplacian/region_rings.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
@@ -60,6 +61,36 @@ class DeformedSurface {
   virtual std::vector<Eigen::Vector3d> normals() const = 0;
 };
 
+/// The local step of settling, and the right-hand side of its global one (DESIGN section 3): the
+/// rings of a region, turned to where a displacement has taken them.
+class RingRotations {
+ public:
+  virtual ~RingRotations() = default;
+
+  /// T_i of every row: the best rotation R_i of K_i from rest to rest + `displacement` (eq. 6
+  /// restricted to rotations; see fit_rotation), or s_i R_i, the best similarity, as
+  /// `make_ring_rotations` was told. `displacement` has one vector for each of
+  /// RegionRings::vertices. `energies` gets, per row, |L(v + u)_i - T_i delta_i|^2 + sum_j
+  /// stiffness_ij |(v'_i - v'_j) - T_i (v_i - v_j)|^2.
+  virtual void fit_rotations(std::span<const Eigen::Vector3d> displacement,
+                             std::span<double> energies) = 0;
+
+  /// What the rotations of the last `fit_rotations` ask of every unknown k, a gather over its ring:
+  ///     b_k = sum_i L_ik (T_i delta_i - delta_i) + sum_j stiffness_kj (T_k + T_j - 2) (v_k - v_j),
+  /// T_j left out, and one 1 of the 2, for a neighbour that is no row. x of all unknowns, then y,
+  /// then z.
+  virtual void rotate_laplacians(std::span<double> b) = 0;
+
+  /// T_i of every row, as last fitted. For tests and reports.
+  virtual std::vector<Eigen::Matrix3d> transforms() const = 0;
+};
+
+/// What T_i of a ring may be.
+enum class RingMotion {
+  rotation,    ///< R_i
+  similarity,  ///< s_i R_i
+};
+
 /// The kernels, as the core sees the device. Each has a CPU twin in double precision (CpuKernels)
 /// and a Vulkan twin of the same name. Calls return when the result is there. Same input, same
 /// bits, on one device. Throws GpuError when the device fails.
@@ -79,6 +110,10 @@ class Kernels {
   /// delta_i = sum_j w_ij (v_i - v_j) for each row (eq. 1); 0 for a vertex without ring.
   virtual void sample_laplacians(const RingProblem& problem,
                                  std::span<Eigen::Vector3d> laplacians) = 0;
+
+  /// The rings of a region, not turned yet. `rings` need not outlive it.
+  virtual std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings,
+                                                             RingMotion motion) = 0;
 
   /// A surface at rest with its normals. `topology` need not outlive it.
   virtual std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) = 0;

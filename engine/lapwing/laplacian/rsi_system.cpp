@@ -9,33 +9,36 @@ constexpr std::size_t kRowsPerTask = 2048;
 
 }  // namespace
 
-BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights,
-                         std::span<const Index> rows) {
-  BlockRows L;
-  L.block_size = 1;
+BlockRows ring_blocks(const Adjacency& rings, std::span<const Index> rows) {
+  BlockRows blocks;
+  blocks.starts.reserve(rows.size() + 1);
+  for (const Index i : rows) blocks.starts.push_back(blocks.starts.back() + 1 + rings.size(i));
+  blocks.columns.reserve(blocks.starts.back());
   for (const Index i : rows) {
     const auto ring = rings[i];
-    L.columns.push_back(i);
-    L.values.push_back(ring.empty() ? 0.0 : 1.0);
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      L.columns.push_back(ring[k]);
-      L.values.push_back(-weights[rings.starts[i] + k]);
+    blocks.columns.push_back(i);
+    blocks.columns.insert(blocks.columns.end(), ring.begin(), ring.end());
+  }
+  return blocks;
+}
+
+BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights,
+                         std::span<const Index> rows) {
+  BlockRows L = ring_blocks(rings, rows);
+  L.block_size = 1;
+  L.values.reserve(L.columns.size());
+  for (const Index i : rows) {
+    L.values.push_back(rings.size(i) == 0 ? 0.0 : 1.0);
+    for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+      L.values.push_back(-weights[e]);
     }
-    L.starts.push_back(L.columns.size());
   }
   return L;
 }
 
 BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem) {
-  BlockRows M;
-  M.starts = rsi_block_starts(problem);
-  M.columns.reserve(M.starts.back());
-  for (const Index i : problem.rows) {
-    const auto ring = problem.rings[i];
-    M.columns.push_back(i);
-    M.columns.insert(M.columns.end(), ring.begin(), ring.end());
-  }
-  M.values.resize(9 * M.starts.back());
+  BlockRows M = ring_blocks(problem.rings, problem.rows);
+  M.values.resize(9 * M.columns.size());
   kernels.assemble_rsi(problem, M.values);
   return M;
 }

@@ -19,6 +19,9 @@ struct BlockRows {
   std::size_t size() const { return starts.size() - 1; }
 };
 
+/// Where the blocks of M and of L are, for `rows`: each vertex, then its ring. No values.
+BlockRows ring_blocks(const Adjacency& rings, std::span<const Index> rows);
+
 /// The rows of L for `rows`: 1 for the vertex itself, -w_ij for its ring; a vertex without ring has
 /// the block 0. `weights` as laplacian_weights gives them.
 BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights,
@@ -41,6 +44,7 @@ struct Unknowns {
 /// Depends on the region alone, not on positions or weights.
 class NormalPattern {
  public:
+  /// `M` with or without values.
   NormalPattern(const BlockRows& M, const Unknowns& unknowns);
 
   const BlockPattern& blocks() const { return blocks_; }

@@ -1,25 +1,34 @@
 #include "lapwing/settle/anderson.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "lapwing/base/parallel.h"
+
 namespace lapwing {
 namespace {
 
-constexpr int kLargestWindow = 8;
 // Differences that are nearly parallel say nothing: this much of their size is added to each.
 constexpr double kRegularization = 1e-12;
+// Sums go chunk by chunk, so that they do not depend on the number of threads; the vectors of one
+// chunk stay in the first caches.
+constexpr std::size_t kChunk = 1024;
 
 using Vector = Eigen::Map<Eigen::VectorXd>;
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
 
-Vector as_vector(std::span<double> v) {
-  return {v.data(), static_cast<Eigen::Index>(v.size())};
-}
-ConstVector as_vector(std::span<const double> v) {
-  return {v.data(), static_cast<Eigen::Index>(v.size())};
+template <typename Body>
+void for_chunks(std::size_t size, const Body& body) {
+  constexpr std::size_t kChunksPerTask = 8;
+  parallel_for(
+      (size + kChunk - 1) / kChunk, kChunksPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) {
+          body(c, c * kChunk, static_cast<Eigen::Index>(std::min(kChunk, size - c * kChunk)));
+        }
+      });
 }
 
 }  // namespace
@@ -30,40 +39,83 @@ Anderson::Anderson(std::size_t size, int window)
       last_g_(size),
       last_residual_(size),
       g_differences_(size * static_cast<std::size_t>(window_)),
-      residual_differences_(size * static_cast<std::size_t>(window_)) {}
+      residual_differences_(size * static_cast<std::size_t>(window_)),
+      partial_((size + kChunk - 1) / kChunk) {}
 
-void Anderson::advance(std::span<double> x, std::span<const double> g) {
-  const ConstVector new_g = as_vector(g);
-  Vector current = as_vector(x);
-  Vector last_g = as_vector(std::span(last_g_));
-  Vector residual = as_vector(std::span(last_residual_));
-  if (has_last_) {
-    as_vector(column(g_differences_, newest_)) = new_g - last_g;
-    as_vector(column(residual_differences_, newest_)) = new_g - current - residual;
+// Stores the newest differences and their products with the others and with the residual.
+void Anderson::take_differences(std::span<const double> x, std::span<const double> g) {
+  const bool store = has_last_;
+  const int newest = newest_;
+  if (store) {
     newest_ = (newest_ + 1) % window_;
     used_ = std::min(used_ + 1, window_);
   }
-  last_g = new_g;
-  residual = new_g - current;
+  for_chunks(size_, [&](std::size_t chunk, std::size_t at, Eigen::Index count) {
+    const ConstVector new_g(g.data() + at, count);
+    const ConstVector current(x.data() + at, count);
+    Vector last_g(last_g_.data() + at, count);
+    Vector residual(last_residual_.data() + at, count);
+    if (store) {
+      Vector(column(g_differences_, newest) + at, count) = new_g - last_g;
+      Vector(column(residual_differences_, newest) + at, count) = new_g - current - residual;
+    }
+    last_g = new_g;
+    residual = new_g - current;
+    Sums& sums = partial_[chunk];
+    const ConstVector difference(column(residual_differences_, newest) + at, count);
+    for (int i = 0; i < used_; ++i) {
+      const ConstVector d_i(column(residual_differences_, i) + at, count);
+      sums[static_cast<std::size_t>(i)] = d_i.dot(residual);
+      sums[static_cast<std::size_t>(kLargestWindow + i)] = d_i.dot(difference);
+    }
+  });
   has_last_ = true;
-  current = new_g;
-  if (used_ == 0) return;
+  const auto last = static_cast<std::size_t>(newest);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(used_); ++i) {
+    double with_residual = 0.0;
+    double with_newest = 0.0;
+    for (const Sums& sums : partial_) {
+      with_residual += sums[i];
+      with_newest += sums[kLargestWindow + i];
+    }
+    with_residual_[i] = with_residual;
+    if (store) products_[i][last] = products_[last][i] = with_newest;
+  }
+}
 
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kLargestWindow, kLargestWindow> A(used_,
-                                                                                             used_);
+// x = g - sum of the differences of g, each times its factor.
+void Anderson::combine(std::span<double> x, std::span<const double> g,
+                       std::span<const double> factors) {
+  for_chunks(size_, [&](std::size_t, std::size_t at, Eigen::Index count) {
+    Vector next(x.data() + at, count);
+    next = ConstVector(g.data() + at, count);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      next -= factors[i] * ConstVector(column(g_differences_, static_cast<int>(i)) + at, count);
+    }
+  });
+}
+
+void Anderson::step_back(std::span<double> x) {
+  std::copy(last_g_.begin(), last_g_.end(), x.begin());
+  restart();
+}
+
+void Anderson::advance(std::span<double> x, std::span<const double> g) {
+  take_differences(x, g);
+  using Small =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kLargestWindow, kLargestWindow>;
+  Small A(used_, used_);
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kLargestWindow, 1> b(used_);
   for (int i = 0; i < used_; ++i) {
-    const Vector d_i = as_vector(column(residual_differences_, i));
-    b[i] = d_i.dot(residual);
-    for (int j = 0; j <= i; ++j) {
-      A(i, j) = A(j, i) = d_i.dot(as_vector(column(residual_differences_, j)));
+    b[i] = with_residual_[static_cast<std::size_t>(i)];
+    for (int j = 0; j < used_; ++j) {
+      A(i, j) = products_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
     }
+    A(i, i) *= 1.0 + kRegularization;
   }
-  for (int i = 0; i < used_; ++i) A(i, i) *= 1.0 + kRegularization;
-  const auto ldlt = A.ldlt();
-  b = ldlt.solve(b).eval();
-  if (!b.allFinite()) return;
-  for (int i = 0; i < used_; ++i) current -= b[i] * as_vector(column(g_differences_, i));
+  if (used_ > 0) b = A.ldlt().solve(b).eval();
+  const auto used = b.allFinite() ? static_cast<std::size_t>(used_) : 0;
+  combine(x, g, std::span(b.data(), used));
 }
 
 }  // namespace lapwing

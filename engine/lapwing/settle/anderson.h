@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -7,23 +8,34 @@ namespace lapwing {
 
 /// Anderson acceleration of a fixed-point iteration x <- G(x) (Walker, Ni 2011): the next x is the
 /// combination of the last few G(x) for which the combined residual G(x) - x is smallest. Memory is
-/// taken once, 2 (window + 1) vectors.
+/// taken once, 2 (window + 1) vectors; two passes over it each step, on all threads. Same input,
+/// same bits.
 class Anderson {
  public:
+  static constexpr int kLargestWindow = 8;
+
   Anderson(std::size_t size, int window);
 
-  /// Replaces `x` by the next iterate, given g = G(x).
+  /// Replaces `x` by the next iterate, given g = G(x). Allocates nothing.
   void advance(std::span<double> x, std::span<const double> g);
+
+  /// Replaces `x` by the g that the last `advance` was given, and forgets the past: for when that
+  /// step turns out to lead away.
+  void step_back(std::span<double> x);
 
   /// Forgets the past; the next `advance` takes g as it is.
   void restart() {
-    used_ = 0;
+    used_ = newest_ = 0;
     has_last_ = false;
   }
 
  private:
-  std::span<double> column(std::vector<double>& columns, int k) const {
-    return std::span(columns).subspan(static_cast<std::size_t>(k) * size_, size_);
+  using Sums = std::array<double, 2 * kLargestWindow>;
+
+  void take_differences(std::span<const double> x, std::span<const double> g);
+  void combine(std::span<double> x, std::span<const double> g, std::span<const double> factors);
+  double* column(std::vector<double>& columns, int k) const {
+    return columns.data() + static_cast<std::size_t>(k) * size_;
   }
 
   std::size_t size_;
@@ -35,6 +47,9 @@ class Anderson {
   std::vector<double> last_residual_;
   std::vector<double> g_differences_;
   std::vector<double> residual_differences_;
+  std::array<std::array<double, kLargestWindow>, kLargestWindow> products_{};  ///< of differences
+  std::array<double, kLargestWindow> with_residual_{};
+  std::vector<Sums> partial_;  ///< per chunk of the vectors
 };
 
 }  // namespace lapwing

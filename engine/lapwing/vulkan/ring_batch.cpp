@@ -33,65 +33,20 @@ RingBatch largest_of(std::span<const RingBatch> batches) {
   return largest;
 }
 
-void upload_reals(VulkanState& state, const gpu::Buffer& buffer, std::span<const double> numbers) {
-  if (state.float64) {
-    state.transfer.upload(buffer, numbers);
-  } else {
-    const std::vector<float> rounded(numbers.begin(), numbers.end());
-    state.transfer.upload(buffer, std::span<const float>(rounded));
-  }
-}
-
 }  // namespace
 
-std::size_t real_bytes(const VulkanState& state, std::size_t count) {
-  return count * (state.float64 ? sizeof(double) : sizeof(float));
-}
-
-void download_reals(VulkanState& state, const gpu::Buffer& buffer, std::span<double> numbers) {
-  if (state.float64) {
-    state.transfer.download(buffer, numbers);
-  } else {
-    std::vector<float> values(numbers.size());
-    state.transfer.download(buffer, std::span<float>(values));
-    std::copy(values.begin(), values.end(), numbers.begin());
-  }
-}
-
-// A position takes 3 doubles, or 3 floats and what each of them rounded off.
 RingBatches::RingBatches(VulkanState& state, const RingProblem& problem)
     : state_(state),
       problem_(problem),
       batches_(split(problem)),
       largest_(largest_of(batches_)),
-      positions_(*state.context, "positions", problem.positions.size() * 3 * sizeof(double)),
+      positions_(*state.context, "positions", place_bytes(problem.positions.size())),
       rows_(*state.context, "rows", largest_.row_count * sizeof(std::uint32_t)),
       starts_(*state.context, "ring starts", (largest_.row_count + 1) * sizeof(std::uint32_t)),
       neighbours_(*state.context, "neighbours", largest_.entry_count * sizeof(std::uint32_t)),
       weights_(*state.context, "weights", real_bytes(state, largest_.entry_count)),
       commands_(*state.context, "one-rings") {
-  if (!batches_.empty()) upload_positions();
-}
-
-void RingBatches::upload_positions() {
-  if (state_.float64) {
-    static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double));
-    state_.transfer.upload(positions_, problem_.positions);
-    return;
-  }
-  std::vector<float> parts(problem_.positions.size() * 6);
-  for (std::size_t v = 0; v < problem_.positions.size(); ++v) {
-    // Number by number: of vectors g++ 12 drops the rounding to float and back, and with it all of
-    // the low part.
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const double exact = problem_.positions[v][axis];
-      const auto high = static_cast<float>(exact);
-      float* const out = parts.data() + 6 * v + axis;
-      out[0] = high;
-      out[3] = static_cast<float>(exact - static_cast<double>(high));
-    }
-  }
-  state_.transfer.upload(positions_, std::span<const float>(parts));
+  if (!batches_.empty()) upload_places(state_, positions_, problem.positions);
 }
 
 void RingBatches::upload_rows(const RingBatch& batch) {

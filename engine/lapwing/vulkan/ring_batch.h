@@ -7,6 +7,7 @@
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/command_list.h"
 #include "lapwing/kernels/kernels.h"
+#include "lapwing/vulkan/reals.h"
 #include "lapwing/vulkan/vulkan_state.h"
 
 namespace lapwing {
@@ -35,7 +36,6 @@ class RingBatches {
   void run(const RingBatch& batch, const gpu::Kernel& kernel, const gpu::Buffer& output);
 
  private:
-  void upload_positions();
   void upload_rows(const RingBatch& batch);
 
   VulkanState& state_;
@@ -49,11 +49,5 @@ class RingBatches {
   gpu::Buffer weights_;
   gpu::CommandList commands_;
 };
-
-/// Bytes of `count` numbers in the state's precision.
-std::size_t real_bytes(const VulkanState& state, std::size_t count);
-
-/// Reads `numbers.size()` numbers in the state's precision from the start of `buffer`.
-void download_reals(VulkanState& state, const gpu::Buffer& buffer, std::span<double> numbers);
 
 }  // namespace lapwing

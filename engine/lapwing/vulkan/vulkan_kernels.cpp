@@ -7,17 +7,24 @@
 #include "lapwing/shaders/assemble_rsi_float32.h"
 #include "lapwing/shaders/assemble_rsi_float64.h"
 #include "lapwing/shaders/blend_response.h"
+#include "lapwing/shaders/fit_rotations_float32.h"
+#include "lapwing/shaders/fit_rotations_float64.h"
+#include "lapwing/shaders/rotate_laplacians_float32.h"
+#include "lapwing/shaders/rotate_laplacians_float64.h"
 #include "lapwing/shaders/sample_laplacians_float32.h"
 #include "lapwing/shaders/sample_laplacians_float64.h"
 #include "lapwing/shaders/vertex_normals.h"
+#include "lapwing/vulkan/vulkan_ring_rotations.h"
 #include "lapwing/vulkan/vulkan_state.h"
 #include "lapwing/vulkan/vulkan_surface.h"
 
 namespace lapwing {
 namespace {
 
-// The push constant of every kernel: how many rows or vertices it has.
+// The push constant of most kernels: how many rows or vertices there are.
 constexpr std::uint32_t kCountBytes = sizeof(std::uint32_t);
+// Those of shaders/rotations.glsl.
+constexpr std::uint32_t kRotationsBytes = 5 * sizeof(std::uint32_t);
 
 std::shared_ptr<gpu::Context> make_context(const VulkanOptions& options) {
   gpu::ContextOptions context_options;
@@ -50,6 +57,13 @@ VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_f
       assemble_rsi(*context, "assemble_rsi",
                    float64 ? shaders::assemble_rsi_float64() : shaders::assemble_rsi_float32(),
                    kCountBytes),
+      fit_rotations(*context, "fit_rotations",
+                    float64 ? shaders::fit_rotations_float64() : shaders::fit_rotations_float32(),
+                    kRotationsBytes),
+      rotate_laplacians(
+          *context, "rotate_laplacians",
+          float64 ? shaders::rotate_laplacians_float64() : shaders::rotate_laplacians_float32(),
+          kRotationsBytes),
       sample_laplacians(
           *context, "sample_laplacians",
           float64 ? shaders::sample_laplacians_float64() : shaders::sample_laplacians_float32(),
@@ -65,6 +79,11 @@ VulkanKernels::VulkanKernels(std::shared_ptr<gpu::Context> context, Precision pr
       device_(describe(*state_)) {}
 
 VulkanKernels::~VulkanKernels() = default;
+
+std::unique_ptr<RingRotations> VulkanKernels::make_ring_rotations(const RegionRings& rings,
+                                                                  RingMotion motion) {
+  return std::make_unique<VulkanRingRotations>(state_, rings, motion);
+}
 
 std::unique_ptr<DeformedSurface> VulkanKernels::make_surface(const SurfaceInput& input) {
   return std::make_unique<VulkanSurface>(state_, input);

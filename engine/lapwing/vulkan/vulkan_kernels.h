@@ -12,7 +12,7 @@ class Context;
 }
 class VulkanState;
 
-/// The precision in which `assemble_rsi` and `sample_laplacians` run. Surfaces are float32 always.
+/// The precision in which kernels run; those of surfaces are in float32 always.
 enum class Precision {
   automatic,  ///< float64 where the device has it
   float32,
@@ -39,6 +39,8 @@ class VulkanKernels final : public Kernels {
   void assemble_rsi(const RingProblem& problem, std::span<double> blocks) override;
   void sample_laplacians(const RingProblem& problem,
                          std::span<Eigen::Vector3d> laplacians) override;
+  std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings,
+                                                     RingMotion motion) override;
   std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) override;
 
   const std::shared_ptr<gpu::Context>& context() const;

@@ -14,9 +14,11 @@ class VulkanState {
   VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64);
 
   std::shared_ptr<gpu::Context> context;
-  bool float64;  ///< assemble_rsi and sample_laplacians run in float64
+  bool float64;  ///< all but surfaces are in float64
   gpu::Transfer transfer;
   gpu::Kernel assemble_rsi;
+  gpu::Kernel fit_rotations;
+  gpu::Kernel rotate_laplacians;
   gpu::Kernel sample_laplacians;
   gpu::Kernel blend_response;
   gpu::Kernel vertex_normals;

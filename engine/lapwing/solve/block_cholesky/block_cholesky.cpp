@@ -5,11 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "lapwing/base/parallel.h"
+#include "lapwing/base/worker_pool.h"
 #include "lapwing/solve/block_cholesky/instruction_sets.h"
 #include "lapwing/solve/block_cholesky/numeric.h"
 #include "lapwing/solve/block_cholesky/triangular_solve.h"
-#include "lapwing/solve/block_cholesky/worker_pool.h"
 #include "lapwing/solve/solvers.h"
 
 namespace lapwing {
@@ -90,7 +89,8 @@ class BlockCholesky::Implementation {
   explicit Implementation(const BlockCholeskyOptions& options)
       : options_(options),
         kernels_(kernels_for(options.instruction_set)),
-        pool_(options.threads > 0 ? options.threads : thread_count()) {}
+        own_pool_(options.threads > 0 ? std::make_unique<WorkerPool>(options.threads) : nullptr),
+        pool_(own_pool_ ? *own_pool_ : shared_workers()) {}
 
   void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) {
     forget();
@@ -198,7 +198,8 @@ class BlockCholesky::Implementation {
 
   BlockCholeskyOptions options_;
   const KernelTable& kernels_;
-  WorkerPool pool_;
+  std::unique_ptr<WorkerPool> own_pool_;
+  WorkerPool& pool_;
   const BlockPattern* pattern_ = nullptr;
   SolverStatistics statistics_;
   std::unique_ptr<Symbolic> symbolic_;

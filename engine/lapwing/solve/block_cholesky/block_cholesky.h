@@ -4,29 +4,16 @@
 #include <memory>
 #include <span>
 #include <string_view>
-#include <vector>
 
+#include "lapwing/base/instruction_set.h"
 #include "lapwing/solve/block_solver.h"
 
 namespace lapwing {
 
-/// Which vector instructions the inner loops use. Results of different sets differ in last bits.
-enum class InstructionSet {
-  automatic,  ///< the fastest that the processor has
-  avx512,
-  avx2,
-  baseline,  ///< SSE2 on x86-64, NEON on ARM
-};
-
-/// "AVX-512", "AVX2", "baseline", "automatic".
-std::string_view instruction_set_name(InstructionSet set);
-
-/// Those that this build and this processor have, fastest first.
-std::vector<InstructionSet> available_instruction_sets();
-
 /// How a BlockCholesky works.
 struct BlockCholeskyOptions {
   unsigned threads = 0;  ///< 0 for all processors that this process may run on
+  /// Results of different sets differ in last bits.
   InstructionSet instruction_set = InstructionSet::automatic;
   std::size_t memory_limit_bytes = 0;  ///< `analyze` throws when more would be needed; 0: no limit
   /// A pivot d_j <= pivot_tolerance * a_jj is refused. Since d_j / a_jj is at least the inverse of

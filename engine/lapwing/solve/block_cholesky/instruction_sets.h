@@ -1,8 +1,6 @@
 #pragma once
 
-#include <vector>
-
-#include "lapwing/solve/block_cholesky/block_cholesky.h"
+#include "lapwing/base/instruction_set.h"
 #include "lapwing/solve/block_cholesky/kernels.h"
 
 namespace lapwing::cholesky {

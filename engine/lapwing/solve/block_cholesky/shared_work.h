@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lapwing/base/worker_pool.h"
 #include "lapwing/solve/block_cholesky/symbolic.h"
-#include "lapwing/solve/block_cholesky/worker_pool.h"
 
 namespace lapwing::cholesky {
 

@@ -1,8 +1,23 @@
-#include "lapwing/solve/block_cholesky/worker_pool.h"
+#include "lapwing/base/worker_pool.h"
 
 #include <system_error>
 
-namespace lapwing::cholesky {
+#include "lapwing/base/parallel.h"
+
+namespace lapwing {
+namespace {
+
+// Jobs come in rows. Waking from sleep takes about 50 microseconds; a helper that looks around for
+// as long before it sleeps is there when the next job comes.
+constexpr int kLooksBeforeSleep = 1000;
+
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
 
 WorkerPool::WorkerPool(unsigned threads) {
   helpers_.reserve(threads > 0 ? threads - 1 : 0);
@@ -26,7 +41,7 @@ WorkerPool::~WorkerPool() {
 }
 
 void WorkerPool::run(const std::function<void(int)>& job) {
-  if (helpers_.empty()) {
+  if (helpers_.empty() || taken_.exchange(true, std::memory_order_acquire)) {
     job(0);
     return;
   }
@@ -37,15 +52,19 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   }
   wake_.notify_all();
   job(0);
-  std::unique_lock lock(mutex_);
-  job_ = nullptr;
-  idle_.wait(lock, [this] { return active_ == 0; });
+  {
+    std::unique_lock lock(mutex_);
+    job_ = nullptr;
+    idle_.wait(lock, [this] { return active_ == 0; });
+  }
+  taken_.store(false, std::memory_order_release);
 }
 
 void WorkerPool::help(int thread) {
   unsigned long seen = 0;
-  std::unique_lock lock(mutex_);
   for (;;) {
+    for (int look = 0; look < kLooksBeforeSleep && generation_ == seen && !quit_; ++look) pause();
+    std::unique_lock lock(mutex_);
     wake_.wait(lock, [&] { return quit_ || (job_ != nullptr && generation_ != seen); });
     if (quit_) return;
     seen = generation_;
@@ -58,4 +77,9 @@ void WorkerPool::help(int thread) {
   }
 }
 
-}  // namespace lapwing::cholesky
+WorkerPool& shared_workers() {
+  static WorkerPool pool(thread_count());
+  return pool;
+}
+
+}  // namespace lapwing

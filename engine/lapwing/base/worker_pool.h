@@ -1,16 +1,18 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
 
-namespace lapwing::cholesky {
+namespace lapwing {
 
 /// Threads that wait for work. A job is one function that every thread may call; it must be
 /// written so that any number of them, the caller alone included, completes it: a helper that the
-/// system wakes late is then never waited for.
+/// system wakes late is then never waited for. May be used from several threads: whoever finds the
+/// helpers taken, by another thread or by the job it is itself a part of, works alone.
 class WorkerPool {
  public:
   /// `threads` counts the caller. Makes do with fewer when the system gives no more.
@@ -23,7 +25,7 @@ class WorkerPool {
 
   /// Calls job(t) on the caller with t = 0 and, as they wake, on helpers with t = 1, 2, ...
   /// Returns when the caller's call and all calls that were begun have returned. The job must not
-  /// throw.
+  /// throw. Allocates nothing.
   void run(const std::function<void(int thread)>& job);
 
  private:
@@ -32,11 +34,15 @@ class WorkerPool {
   std::mutex mutex_;
   std::condition_variable wake_;
   std::condition_variable idle_;
+  std::atomic<bool> taken_ = false;
   const std::function<void(int)>* job_ = nullptr;  // null when there is nothing to join
-  unsigned long generation_ = 0;
+  std::atomic<unsigned long> generation_ = 0;
   int active_ = 0;
-  bool quit_ = false;
+  std::atomic<bool> quit_ = false;
   std::vector<std::thread> helpers_;
 };
 
-}  // namespace lapwing::cholesky
+/// The pool that the whole program shares, of `thread_count()` threads.
+WorkerPool& shared_workers();
+
+}  // namespace lapwing

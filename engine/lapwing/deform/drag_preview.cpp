@@ -1,0 +1,99 @@
+#include "lapwing/deform/drag_preview.h"
+
+#include <vector>
+
+#include "lapwing/deform/edit_system.h"
+
+namespace lapwing {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t kCoordinates = kMotionParameters / 3;
+
+// How the region follows each coordinate function of handle `h`, as DeformedSurface takes it: the
+// columns of displacements along x, y and z hold the same numbers.
+void add_columns(const EditSystem& system, std::size_t h, std::span<double> columns) {
+  const HandleFrame& frame = system.frames[h];
+  std::vector<Vector3d> coordinates(system.rest.size(), Vector3d::Zero());
+  std::vector<Vector3d> one(system.rest.size(), Vector3d::Zero());
+  for (const Index v : system.region.handles[h]) {
+    coordinates[v] = (system.rest[v] - frame.centroid) / frame.radius;
+    one[v].x() = 1.0;
+  }
+  const std::size_t n = system.laplacian->size();
+  std::vector<double> x(6 * n);
+  system.laplacian->right_hand_side(coordinates, std::span(x).first(3 * n));
+  system.laplacian->right_hand_side(one, std::span(x).subspan(3 * n));
+  system.laplacian->solve_in_place(std::span(x).first(kCoordinates * n), kCoordinates);
+
+  const std::size_t column = 3 * system.moving.size();
+  for (std::size_t k = 0; k < kMotionParameters; ++k) {
+    const std::size_t axis = k / kCoordinates;
+    const std::size_t coordinate = k % kCoordinates;
+    double* out = columns.data() + k * column + axis;
+    for (std::size_t m = 0; m < system.moving.size(); ++m) {
+      const Index v = system.moving[m];
+      const Index u = system.constraints.unknowns.of_vertex[v];
+      out[3 * m] = u != kNoIndex
+                       ? x[coordinate * n + u]
+                       : unit_displacement(frame, system.rest[v], k)[static_cast<int>(axis)];
+    }
+  }
+}
+
+}  // namespace
+
+struct DragPreview::State {
+  std::shared_ptr<const EditSystem> system;
+  StageTimings timings;
+  std::vector<double> parameters;
+  std::unique_ptr<DeformedSurface> surface;
+};
+
+DragPreview::DragPreview(std::span<const Vector3d> rest, const Topology& topology,
+                         EditRegion region, const DeformOptions& options, Kernels& kernels,
+                         const Progress& progress)
+    : state_(std::make_unique<State>()) {
+  const auto system = std::make_shared<const EditSystem>(rest, topology, std::move(region), options,
+                                                         true, progress);
+  report_progress(progress, "preview", 0.0);
+  const Stopwatch watch;
+  const std::size_t handle_columns = 3 * system->moving.size() * kMotionParameters;
+  std::vector<double> columns(handle_columns * system->frames.size(), 0.0);
+  for (std::size_t h = 0; h < system->frames.size(); ++h) {
+    add_columns(*system, h, std::span(columns).subspan(h * handle_columns, handle_columns));
+  }
+  state_->surface = kernels.make_surface(
+      {system->rest, topology, system->moving, columns, system->column_count()});
+  state_->parameters.resize(system->column_count());
+  state_->timings = system->timings;
+  state_->timings.add("preview", watch.elapsed_ms());
+  state_->system = system;
+  report_progress(progress, "preview", 1.0);
+}
+
+DragPreview::~DragPreview() = default;
+DragPreview::DragPreview(DragPreview&&) noexcept = default;
+DragPreview& DragPreview::operator=(DragPreview&&) noexcept = default;
+
+void DragPreview::drag(std::span<const Eigen::Affine3d> motions) {
+  state_->system->set_parameters(motions, state_->parameters);
+  state_->surface->blend(state_->parameters);
+}
+
+DeformedSurface& DragPreview::surface() {
+  return *state_->surface;
+}
+const EditRegion& DragPreview::region() const {
+  return state_->system->region;
+}
+const StageTimings& DragPreview::timings() const {
+  return state_->timings;
+}
+const std::shared_ptr<const EditSystem>& DragPreview::system() const {
+  return state_->system;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/deform_options.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/mesh/topology.h"
+#include "lapwing/region/edit_region.h"
+
+namespace lapwing {
+
+struct EditSystem;
+
+/// A drag that is ready long before the exact one: Laplacian coordinates are kept as they are, not
+/// turned with the handle, which takes the n x n system (L'L + W) u = W d and four columns a handle
+/// (its coordinates x, y, z and 1) in place of the 3n x 3n one and twelve. Right for translations;
+/// details do not turn.
+///
+///     DragPreview preview(mesh.positions, topology, region, options, kernels);
+///     preview.drag(motions);                       // while another thread makes
+///     Deformer deformer(preview, other_kernels);   // the exact one, which then takes over
+class DragPreview {
+ public:
+  /// Prepares. Stages reported and timed: "pattern", "order", "laplacian", "preview". `topology`
+  /// and `kernels` must outlive the object; positions are copied. Throws what Deformer does.
+  DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
+              const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
+  ~DragPreview();
+  DragPreview(DragPreview&&) noexcept;
+  DragPreview& operator=(DragPreview&&) noexcept;
+
+  /// One frame, as Deformer::drag.
+  void drag(std::span<const Eigen::Affine3d> motions);
+
+  /// The surface that `drag` moves, for drawing.
+  DeformedSurface& surface();
+
+  const EditRegion& region() const;
+  const StageTimings& timings() const;
+
+  /// What a Deformer made from this preview shares with it.
+  const std::shared_ptr<const EditSystem>& system() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lapwing

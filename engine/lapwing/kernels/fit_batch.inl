@@ -1,0 +1,189 @@
+// The inner loops of fit_rotations (kernels/fit_rotations.cpp), kFitLanes rows at a time. Included
+// by fit_batch_*.cpp inside an unnamed namespace. Calls nothing that has external linkage: the
+// linker would be free to take another instruction set's copy.
+
+typedef double Lanes __attribute__((vector_size(sizeof(double) * kFitLanes), may_alias));
+typedef long long LaneBits __attribute__((vector_size(sizeof(double) * kFitLanes)));
+typedef double Four __attribute__((vector_size(32), may_alias, aligned(8)));
+
+#define LAPWING_INLINE static inline __attribute__((always_inline))
+
+// As in laplacian/rotation.cpp: below this product of distances to the other eigenvalues the
+// eigenvector loses half its digits.
+constexpr double kSmallestGap = 1e-6;
+constexpr int kMostNewtonSteps = 12;
+constexpr double kConverged = 1e-14;
+
+LAPWING_INLINE Lanes absolute(Lanes x) { return x < 0.0 ? -x : x; }
+LAPWING_INLINE Lanes square_root(Lanes x) {
+  Lanes root;
+  for (int l = 0; l < kFitLanes; ++l) root[l] = __builtin_sqrt(x[l]);
+  return root;
+}
+
+LAPWING_INLINE void sum_ring(const FitRings& rings, std::size_t row, int lane, FitBatch& batch) {
+  const std::uint32_t begin = rings.starts[row];
+  const std::uint32_t end = rings.starts[row + 1];
+  const Four here = *reinterpret_cast<const Four*>(rings.displacement + 4 * row);
+  Four H0 = {};
+  Four H1 = {};
+  Four H2 = {};
+  Four edges = {};
+  Four moved_edges = {};
+  Four delta = {};
+  Four moved = {};
+  double squares = 0.0;
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const Four e = *reinterpret_cast<const Four*>(rings.edges + 4 * static_cast<std::size_t>(k));
+    const std::size_t j = rings.neighbours[k];
+    const Four d = e + (*reinterpret_cast<const Four*>(rings.displacement + 4 * j) - here);
+    H0 += d * e[0];
+    H1 += d * e[1];
+    H2 += d * e[2];
+    edges += e;
+    moved_edges += d;
+    delta -= e * e[3];
+    moved -= d * e[3];
+    squares += e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+  }
+  // The x_k sum to 0 over K_i, so d_k need not be centred.
+  const Four center = edges / static_cast<double>(end - begin + 1);
+  H0 -= moved_edges * center[0];
+  H1 -= moved_edges * center[1];
+  H2 -= moved_edges * center[2];
+  for (int a = 0; a < 3; ++a) {
+    batch.H[a][lane] = H0[a];
+    batch.H[3 + a][lane] = H1[a];
+    batch.H[6 + a][lane] = H2[a];
+    batch.delta[a][lane] = delta[a];
+    batch.moved[a][lane] = moved[a];
+  }
+  batch.spread[lane] = squares - (edges[0] * center[0] + edges[1] * center[1] +
+                                  edges[2] * center[2]);
+}
+
+struct Root {
+  Lanes value;
+  LaneBits found;  // with a slope that is large enough
+};
+
+// The largest root of Horn's matrix for |H| = 1, as largest_root in laplacian/rotation.cpp.
+LAPWING_INLINE Root largest_root(const Lanes* H) {
+  const Lanes c0 = H[4] * H[8] - H[5] * H[7];
+  const Lanes c1 = H[5] * H[6] - H[3] * H[8];
+  const Lanes c2 = H[3] * H[7] - H[4] * H[6];
+  const Lanes c3 = H[7] * H[2] - H[8] * H[1];
+  const Lanes c4 = H[8] * H[0] - H[6] * H[2];
+  const Lanes c5 = H[6] * H[1] - H[7] * H[0];
+  const Lanes c6 = H[1] * H[5] - H[2] * H[4];
+  const Lanes c7 = H[2] * H[3] - H[0] * H[5];
+  const Lanes c8 = H[0] * H[4] - H[1] * H[3];
+  const Lanes b = -8.0 * (H[0] * c0 + H[1] * c1 + H[2] * c2);
+  const Lanes c = 1.0 - 4.0 * (c0 * c0 + c1 * c1 + c2 * c2 + c3 * c3 + c4 * c4 + c5 * c5 +
+                               c6 * c6 + c7 * c7 + c8 * c8);
+  Lanes l = Lanes{} + 1.7320508075688772;  // the singular values sum to no more
+  Lanes down = {};
+  Lanes slope = {};
+  for (int step = 0; step < kMostNewtonSteps; ++step) {
+    slope = (4.0 * l * l - 4.0) * l + b;
+    down = slope > kSmallestGap ? (((l * l - 2.0) * l + b) * l + c) / slope : Lanes{};
+    l -= down;
+    bool all = true;
+    for (int lane = 0; lane < kFitLanes; ++lane) all = all && !(down[lane] > kConverged);
+    if (all) break;
+  }
+  slope = (4.0 * l * l - 4.0) * l + b;
+  return {l, (slope > kSmallestGap) & (absolute(down) < 1e-9)};
+}
+
+// R from H, both column after column; a bit for every lane where it is not sure.
+LAPWING_INLINE unsigned rotate(const FitBatch& batch, Lanes* R) {
+  Lanes H[9];
+  Lanes square = {};
+  for (int k = 0; k < 9; ++k) {
+    H[k] = *reinterpret_cast<const Lanes*>(batch.H[k]);
+    square += H[k] * H[k];
+  }
+  const LaneBits usable = (square > 0.0) & (square < 1e300);
+  const Lanes inverse = 1.0 / square_root(usable ? square : Lanes{} + 1.0);
+  for (int k = 0; k < 9; ++k) H[k] = usable ? H[k] * inverse : Lanes{};
+  const Root root = largest_root(H);
+
+  // N - l I, N as quaternion_form in laplacian/rotation.cpp.
+  const Lanes a00 = H[0] + H[4] + H[8] - root.value;
+  const Lanes a11 = H[0] - H[4] - H[8] - root.value;
+  const Lanes a22 = H[4] - H[0] - H[8] - root.value;
+  const Lanes a33 = H[8] - H[0] - H[4] - root.value;
+  const Lanes a01 = H[5] - H[7];
+  const Lanes a02 = H[6] - H[2];
+  const Lanes a03 = H[1] - H[3];
+  const Lanes a12 = H[1] + H[3];
+  const Lanes a13 = H[2] + H[6];
+  const Lanes a23 = H[5] + H[7];
+
+  // Its adjugate is q q' times a number: the column with the largest diagonal is q.
+  const Lanes s0 = a00 * a11 - a01 * a01;
+  const Lanes s1 = a00 * a12 - a01 * a02;
+  const Lanes s2 = a00 * a13 - a01 * a03;
+  const Lanes s3 = a01 * a12 - a11 * a02;
+  const Lanes s4 = a01 * a13 - a11 * a03;
+  const Lanes s5 = a02 * a13 - a12 * a03;
+  const Lanes t5 = a22 * a33 - a23 * a23;
+  const Lanes t4 = a12 * a33 - a13 * a23;
+  const Lanes t3 = a12 * a23 - a13 * a22;
+  const Lanes t2 = a02 * a33 - a03 * a23;
+  const Lanes t1 = a02 * a23 - a03 * a22;
+  const Lanes b00 = a11 * t5 - a12 * t4 + a13 * t3;
+  const Lanes b01 = a02 * t4 - a01 * t5 - a03 * t3;
+  const Lanes b02 = a13 * s5 - a23 * s4 + a33 * s3;
+  const Lanes b03 = a22 * s4 - a12 * s5 - a23 * s3;
+  const Lanes b11 = a00 * t5 - a02 * t2 + a03 * t1;
+  const Lanes b12 = a23 * s2 - a03 * s5 - a33 * s1;
+  const Lanes b13 = a02 * s5 - a22 * s2 + a23 * s1;
+  const Lanes b22 = a03 * s4 - a13 * s2 + a33 * s0;
+  const Lanes b23 = a12 * s2 - a02 * s4 - a23 * s0;
+  const Lanes b33 = a02 * s3 - a12 * s1 + a22 * s0;
+  Lanes w = b00;
+  Lanes x = b01;
+  Lanes y = b02;
+  Lanes z = b03;
+  Lanes most = absolute(b00);
+  const auto take = [&](Lanes diagonal, Lanes q0, Lanes q1, Lanes q2, Lanes q3) {
+    const LaneBits larger = absolute(diagonal) > most;
+    most = larger ? absolute(diagonal) : most;
+    w = larger ? q0 : w;
+    x = larger ? q1 : x;
+    y = larger ? q2 : y;
+    z = larger ? q3 : z;
+  };
+  take(b11, b01, b11, b12, b13);
+  take(b22, b02, b12, b22, b23);
+  take(b33, b03, b13, b23, b33);
+  const LaneBits sure = usable & root.found & (most > 0.0);
+  const Lanes size = w * w + x * x + y * y + z * z;
+  const Lanes scale = 2.0 / (sure ? size : Lanes{} + 1.0);
+  R[0] = 1.0 - scale * (y * y + z * z);
+  R[1] = scale * (x * y + w * z);
+  R[2] = scale * (x * z - w * y);
+  R[3] = scale * (x * y - w * z);
+  R[4] = 1.0 - scale * (x * x + z * z);
+  R[5] = scale * (y * z + w * x);
+  R[6] = scale * (x * z + w * y);
+  R[7] = scale * (y * z - w * x);
+  R[8] = 1.0 - scale * (x * x + y * y);
+  unsigned unsure = 0;
+  for (int lane = 0; lane < kFitLanes; ++lane) {
+    if (!sure[lane]) unsure |= 1U << static_cast<unsigned>(lane);
+  }
+  return unsure;
+}
+
+unsigned fit_batch(const FitRings& rings, std::size_t first, int count, FitBatch& batch) {
+  for (int lane = 0; lane < count; ++lane) {
+    sum_ring(rings, first + static_cast<std::size_t>(lane), lane, batch);
+  }
+  for (int lane = count; lane < kFitLanes; ++lane) {
+    for (int k = 0; k < 9; ++k) batch.H[k][lane] = k % 4 == 0 ? 1.0 : 0.0;
+  }
+  return rotate(batch, reinterpret_cast<Lanes*>(batch.R)) & ((1U << static_cast<unsigned>(count)) - 1U);
+}

@@ -1,0 +1,39 @@
+#include "lapwing/base/parallel.h"
+#include "lapwing/kernels/cpu_ring_rotations.h"
+
+namespace lapwing {
+
+using Eigen::Vector3d;
+
+void CpuRingRotations::rotate_laplacians(std::span<double> b) {
+  constexpr std::size_t kRowsPerTask = 1024;
+  const std::size_t n = rings_.unknown_rows.size();
+  parallel_for(n, kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t row = rings_.unknown_rows[k];
+      Vector4 sum = turned_[row];
+      for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
+        const Index j = rings_.neighbours[e];
+        if (rings_.is_row(j)) sum -= rings_.reverse_weights[e] * turned_[j];
+      }
+      if (!rings_.stiffness.empty()) sum.head<3>() += edge_forces(row);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        b[axis * n + k] = sum[static_cast<Eigen::Index>(axis)];
+      }
+    }
+  });
+}
+
+Vector3d CpuRingRotations::edge_forces(std::size_t row) const {
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
+    const Index j = rings_.neighbours[e];
+    const Vector3d was = -edges_[e].head<3>();
+    Vector3d wish = transforms_[row] * was - was;
+    if (rings_.is_row(j)) wish += transforms_[j] * was - was;
+    sum += rings_.stiffness[e] * wish;
+  }
+  return sum;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "lapwing/gpu/buffer.h"
+#include "lapwing/vulkan/vulkan_state.h"
+
+namespace lapwing {
+
+/// Numbers in the precision of the state's kernels (shaders/precision.glsl).
+std::size_t real_bytes(const VulkanState& state, std::size_t count);
+void upload_reals(VulkanState& state, const gpu::Buffer& buffer, std::span<const double> numbers);
+void download_reals(VulkanState& state, const gpu::Buffer& buffer, std::span<double> numbers);
+
+/// Vectors of which kernels take differences (shaders/place.glsl): 3 doubles, or 3 floats and what
+/// each of them rounded off.
+inline std::size_t place_bytes(std::size_t count) {
+  return count * 3 * sizeof(double);
+}
+void upload_places(VulkanState& state, const gpu::Buffer& buffer,
+                   std::span<const Eigen::Vector3d> vectors);
+
+}  // namespace lapwing

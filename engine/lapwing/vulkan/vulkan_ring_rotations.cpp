@@ -1,0 +1,111 @@
+#include "lapwing/vulkan/vulkan_ring_rotations.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/gpu/context.h"
+#include "lapwing/vulkan/reals.h"
+
+namespace lapwing {
+namespace {
+
+// Flags of shaders/rotations.glsl.
+constexpr std::uint32_t kSimilarity = 1;
+constexpr std::uint32_t kStiffness = 2;
+
+std::vector<Index> unknowns_of_rows(const RegionRings& rings) {
+  std::vector<Index> unknown_of_row(rings.row_count(), kNoIndex);
+  for (std::size_t k = 0; k < rings.unknown_rows.size(); ++k) {
+    unknown_of_row[rings.unknown_rows[k]] = static_cast<Index>(k);
+  }
+  return unknown_of_row;
+}
+
+// The end of the longest range from `first` with at most `most` entries; one row at least.
+std::size_t end_of_range(const RegionRings& rings, std::size_t first, std::size_t most) {
+  std::size_t last = first + 1;
+  while (last < rings.row_count() && rings.starts[last + 1] - rings.starts[first] <= most) ++last;
+  return last;
+}
+
+}  // namespace
+
+VulkanRingRotations::VulkanRingRotations(std::shared_ptr<VulkanState> state,
+                                         const RegionRings& rings, RingMotion motion,
+                                         std::size_t most_entries)
+    : state_(std::move(state)),
+      row_count_(rings.row_count()),
+      displacement_(*state_->context, "displacements", place_bytes(rings.vertices.size())),
+      turns_(*state_->context, "rotations of rings", real_bytes(*state_, 4 * row_count_)),
+      turned_(*state_->context, "rotated Laplacians", real_bytes(*state_, 3 * row_count_)),
+      energies_(*state_->context, "energies of rings", real_bytes(*state_, row_count_)),
+      result_(*state_->context, "right-hand side",
+              real_bytes(*state_, 3 * rings.unknown_rows.size())),
+      fit_rotations_(*state_->context, "fit rotations"),
+      rotate_laplacians_(*state_->context, "rotate Laplacians") {
+  if (most_entries == 0) {
+    most_entries = state_->context->limits().maxStorageBufferRange / real_bytes(*state_, 3);
+  }
+  const std::uint32_t flags = (motion == RingMotion::similarity ? kSimilarity : 0) |
+                              (rings.stiffness.empty() ? 0 : kStiffness);
+  const std::vector<Index> unknown_of_row = unknowns_of_rows(rings);
+  for (std::size_t first = 0; first < row_count_;) {
+    const std::size_t last = end_of_range(rings, first, most_entries);
+    add_range(rings, first, last, unknown_of_row, flags);
+    first = last;
+  }
+  record_fit_rotations();
+  record_rotate_laplacians();
+}
+
+void VulkanRingRotations::add_range(const RegionRings& rings, std::size_t first, std::size_t last,
+                                    std::span<const Index> unknown_of_row, std::uint32_t flags) {
+  VulkanState& state = *state_;
+  const gpu::Context& context = *state.context;
+  const std::size_t begin = rings.starts[first];
+  const std::size_t entries = rings.starts[last] - begin;
+  const std::size_t rows = last - first;
+  const bool stiff = !rings.stiffness.empty();
+  const auto words = [](std::size_t count) { return count * sizeof(std::uint32_t); };
+  ranges_.push_back({{static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(first),
+                      static_cast<std::uint32_t>(row_count_),
+                      static_cast<std::uint32_t>(rings.unknown_rows.size()), flags},
+                     gpu::Buffer(context, "ring starts", words(rows + 1)),
+                     gpu::Buffer(context, "neighbours", words(entries)),
+                     gpu::Buffer(context, "rest edges", real_bytes(state, 3 * entries)),
+                     gpu::Buffer(context, "weights", real_bytes(state, entries)),
+                     gpu::Buffer(context, "reverse weights", real_bytes(state, entries)),
+                     gpu::Buffer(context, "stiffness", real_bytes(state, stiff ? entries : 0)),
+                     gpu::Buffer(context, "unknowns", words(rows))});
+  const Range& range = ranges_.back();
+  std::vector<Index> starts(rings.starts.begin() + static_cast<std::ptrdiff_t>(first),
+                            rings.starts.begin() + static_cast<std::ptrdiff_t>(last + 1));
+  for (Index& start : starts) start -= static_cast<Index>(begin);
+  state.transfer.upload(range.starts, std::span<const Index>(starts));
+  state.transfer.upload(range.neighbours, std::span(rings.neighbours).subspan(begin, entries));
+  state.transfer.upload(range.unknowns, unknown_of_row.subspan(first, rows));
+  if (entries == 0) return;
+  upload_reals(state, range.edges, {rings.edges[begin].data(), 3 * entries});
+  upload_reals(state, range.weights, std::span(rings.weights).subspan(begin, entries));
+  upload_reals(state, range.reverse_weights,
+               std::span(rings.reverse_weights).subspan(begin, entries));
+  if (stiff)
+    upload_reals(state, range.stiffness, std::span(rings.stiffness).subspan(begin, entries));
+}
+
+std::vector<Eigen::Matrix3d> VulkanRingRotations::transforms() const {
+  std::vector<double> numbers(4 * row_count_);
+  download_reals(*state_, turns_, numbers);
+  std::vector<Eigen::Matrix3d> transforms;
+  for (std::size_t r = 0; r < row_count_; ++r) {
+    const Eigen::Map<const Eigen::Vector4d> q(numbers.data() + 4 * r);
+    transforms.emplace_back(
+        q.squaredNorm() *
+        Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix());
+  }
+  return transforms;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lapwing/gpu/buffer.h"
+#include "lapwing/gpu/command_list.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/vulkan/vulkan_state.h"
+
+namespace lapwing {
+
+/// RingRotations on the device, in the precision of its kernels. What goes to and fro in one
+/// iteration are displacements, energies and right-hand side; the rings stay there. Rows are split
+/// into ranges, each with buffers of its own, where their edges exceed what one buffer may hold.
+class VulkanRingRotations final : public RingRotations {
+ public:
+  /// `most_entries` of the rings in one buffer; the device's limit if 0. Throws GpuError when the
+  /// rings do not fit in the device's memory.
+  VulkanRingRotations(std::shared_ptr<VulkanState> state, const RegionRings& rings,
+                      RingMotion motion, std::size_t most_entries = 0);
+
+  void fit_rotations(std::span<const Eigen::Vector3d> displacement,
+                     std::span<double> energies) override;
+  void rotate_laplacians(std::span<double> b) override;
+  std::vector<Eigen::Matrix3d> transforms() const override;
+
+ private:
+  // As shaders/rotations.glsl has it.
+  struct Push {
+    std::uint32_t row_count;
+    std::uint32_t first_row;
+    std::uint32_t all_rows;
+    std::uint32_t unknown_count;
+    std::uint32_t flags;
+  };
+  struct Range {
+    Push push;
+    gpu::Buffer starts;
+    gpu::Buffer neighbours;
+    gpu::Buffer edges;
+    gpu::Buffer weights;
+    gpu::Buffer reverse_weights;
+    gpu::Buffer stiffness;
+    gpu::Buffer unknowns;  ///< of each row, or kNoIndex
+  };
+  void add_range(const RegionRings& rings, std::size_t first, std::size_t last,
+                 std::span<const Index> unknown_of_row, std::uint32_t flags);
+  void record_fit_rotations();
+  void record_rotate_laplacians();
+
+  std::shared_ptr<VulkanState> state_;
+  std::size_t row_count_;
+  std::vector<Range> ranges_;
+  gpu::Buffer displacement_;
+  gpu::Buffer turns_;   ///< T_i as quaternions
+  gpu::Buffer turned_;  ///< T_i delta_i - delta_i
+  gpu::Buffer energies_;
+  gpu::Buffer result_;
+  gpu::CommandList fit_rotations_;
+  gpu::CommandList rotate_laplacians_;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,33 @@
+// Vectors of vertices, positions or displacements, whose differences along edges count (binding 0).
+
+#include "precision.glsl"
+
+// Per vertex: x, y, z in float64, or x, y, z in float32 and what that rounded off.
+layout(std430, binding = 0) readonly buffer Places { real places[]; };
+
+#ifdef LAPWING_FLOAT64
+struct Place {
+  dvec3 value;
+};
+Place place_of(uint v) {
+  return Place(dvec3(places[3 * v], places[3 * v + 1], places[3 * v + 2]));
+}
+dvec3 difference(Place from, Place to) { return to.value - from.value; }
+#else
+struct Place {
+  vec3 high;
+  vec3 low;
+};
+Place place_of(uint v) {
+  return Place(vec3(places[6 * v], places[6 * v + 1], places[6 * v + 2]),
+               vec3(places[6 * v + 3], places[6 * v + 4], places[6 * v + 5]));
+}
+// The high parts of neighbours are close, so their difference is exact: the result has float32's
+// relative precision however far the mesh lies from the origin.
+vec3 difference(Place from, Place to) {
+  precise vec3 high = to.high - from.high;
+  precise vec3 low = to.low - from.low;
+  precise vec3 sum = high + low;
+  return sum;
+}
+#endif

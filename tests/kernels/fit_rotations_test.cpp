@@ -1,0 +1,157 @@
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <gtest/gtest.h>
+
+#include "kernels/turned_rings.h"
+#include "kernels/twins.h"
+#include "lapwing/laplacian/rotation.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/vulkan/vulkan_ring_rotations.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using test::Sample;
+using test::TurnedRings;
+
+struct Fitted {
+  std::vector<Matrix3d> transforms;
+  std::vector<double> energies;
+};
+
+class FitRotations : public test::KernelTest {
+ protected:
+  static Fitted fit(Kernels& on, const TurnedRings& turned,
+                    RingMotion motion = RingMotion::rotation) {
+    const auto rotations = on.make_ring_rotations(turned.rings, motion);
+    Fitted fitted;
+    fitted.energies.resize(turned.rings.row_count());
+    rotations->fit_rotations(turned.displacement, fitted.energies);
+    fitted.transforms = rotations->transforms();
+    return fitted;
+  }
+  double tolerance() const { return 10.0 * GetParam().tolerance; }
+};
+
+// How firmly a moment holds its rotation, 0 to 1: sigma_2 + sigma_3 with its sign, over sigma_1.
+double firmness(const Matrix3d& H) {
+  const Vector3d sigma = Eigen::JacobiSVD<Matrix3d>(H).singularValues();
+  if (!(sigma[0] > 0.0)) return 0.0;
+  return (sigma[1] + (H.determinant() < 0.0 ? -sigma[2] : sigma[2])) / sigma[0];
+}
+
+// What any motion makes of any ring: a rotation that no other one beats.
+TEST_P(FitRotations, AreProperAndTheBestThereAre) {
+  for (const Sample& sample : test::awkward_meshes()) {
+    for (const double noise : {0.0, 0.3, 3.0}) {
+      const TurnedRings turned = test::turned_rings(sample, 130, noise, 0.0, 1);
+      const Fitted fitted = fit(*kernels, turned);
+      for (std::size_t r = 0; r < turned.rings.row_count(); ++r) {
+        const Matrix3d& R = fitted.transforms[r];
+        EXPECT_LE((R.transpose() * R - Matrix3d::Identity()).norm(), tolerance())
+            << sample.name << " row " << r;
+        EXPECT_GT(R.determinant(), 0.0) << sample.name << " row " << r;
+        const Matrix3d H = turned.moment(r);
+        const Matrix3d best = nearest_rotation(H);
+        EXPECT_GE(R.cwiseProduct(H).sum(), best.cwiseProduct(H).sum() - tolerance() * H.norm())
+            << sample.name << " row " << r << " noise " << noise;
+        if (firmness(H) > 0.1) {
+          EXPECT_LE((R - best).norm(), 10.0 * tolerance()) << sample.name << " row " << r;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(FitRotations, FindTheRotationOfARigidMotionAndLeaveNoEnergy) {
+  for (const double degrees : {0.0, 1e-3, 90.0, 179.9, 180.0}) {
+    const Matrix3d R = Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, test::turning_axis())
+                           .toRotationMatrix();
+    for (const Sample& sample : test::awkward_meshes()) {
+      const TurnedRings turned = test::turned_rings(sample, degrees, 0.0, 0.5, 2);
+      const Fitted fitted = fit(*kernels, turned);
+      for (std::size_t r = 0; r < turned.rings.row_count(); ++r) {
+        double size = 0.0;
+        for (std::size_t e = turned.rings.starts[r]; e < turned.rings.starts[r + 1]; ++e) {
+          size += turned.rings.edges[e].squaredNorm();
+        }
+        // Far from the origin the displacement itself is rounded.
+        const double rounding = 1e-22 * bounds_of(sample.mesh.positions).max.squaredNorm();
+        EXPECT_LE(fitted.energies[r], tolerance() * tolerance() * size + rounding)
+            << sample.name << " row " << r;
+        if (firmness(turned.moment(r)) < 0.1) continue;
+        EXPECT_LE((fitted.transforms[r] - R).norm(), 10.0 * tolerance() + 1e-9)
+            << sample.name << " row " << r << " at " << degrees;
+      }
+    }
+  }
+}
+
+TEST_P(FitRotations, EnergyIsWhatTheRotationLeaves) {
+  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 3));
+  for (const double mu : {0.0, 0.7}) {
+    for (const auto motion : {RingMotion::rotation, RingMotion::similarity}) {
+      const TurnedRings turned = test::turned_rings(sample, 70, 0.4, mu, 4);
+      const Fitted fitted = fit(*kernels, turned, motion);
+      for (std::size_t r = 0; r < turned.rings.row_count(); ++r) {
+        const Matrix3d& T = fitted.transforms[r];
+        double energy = (turned.moved_laplacian(r) - T * turned.rest_laplacian(r)).squaredNorm();
+        for (std::size_t e = turned.rings.starts[r]; mu > 0.0 && e < turned.rings.starts[r + 1];
+             ++e) {
+          energy += turned.rings.stiffness[e] *
+                    (turned.moved_edge(r, e) - T * turned.rings.edges[e]).squaredNorm();
+        }
+        EXPECT_NEAR(fitted.energies[r], energy, tolerance() * (energy + 1.0));
+      }
+    }
+  }
+}
+
+TEST_P(FitRotations, SimilarityScalesWithItsRing) {
+  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 5));
+  TurnedRings turned = test::turned_rings(sample, 0, 0.0, 0.0, 6);
+  for (std::size_t v = 0; v < turned.displacement.size(); ++v) {
+    turned.displacement[v] = 1.5 * sample.mesh.positions[turned.rings.vertices[v]];
+  }
+  const Fitted fitted = fit(*kernels, turned, RingMotion::similarity);
+  for (const Matrix3d& T : fitted.transforms) {
+    EXPECT_LE((T - 2.5 * Matrix3d::Identity()).norm(), 10.0 * tolerance());
+  }
+}
+
+TEST_P(FitRotations, RepeatBitForBit) {
+  const Sample sample("rough sphere", test::rough_sphere(3, 0.2, 7));
+  const TurnedRings turned = test::turned_rings(sample, 100, 0.3, 0.1, 8);
+  const Fitted first = fit(*kernels, turned);
+  const Fitted second = fit(*kernels, turned);
+  EXPECT_EQ(first.transforms, second.transforms);
+  EXPECT_EQ(first.energies, second.energies);
+}
+
+LAPWING_ON_ALL_TWINS(FitRotations);
+
+TEST(FitRotationsInRanges, GiveTheSameBits) {
+  LAPWING_NEEDS_GPU();
+  const Sample sample("rough sphere", test::rough_sphere(3, 0.2, 9));
+  const TurnedRings turned = test::turned_rings(sample, 100, 0.3, 0.1, 10);
+  const auto state = std::make_shared<VulkanState>(std::make_shared<gpu::Context>(), false);
+  const auto run = [&](std::size_t most_entries) {
+    VulkanRingRotations rotations(state, turned.rings, RingMotion::rotation, most_entries);
+    std::vector<double> numbers(turned.rings.row_count());
+    rotations.fit_rotations(turned.displacement, numbers);
+    std::vector<double> b(3 * turned.rings.unknown_rows.size());
+    rotations.rotate_laplacians(b);
+    numbers.insert(numbers.end(), b.begin(), b.end());
+    return numbers;
+  };
+  EXPECT_EQ(run(0), run(500));
+  EXPECT_EQ(run(0), run(1));
+}
+
+}  // namespace
+}  // namespace lapwing

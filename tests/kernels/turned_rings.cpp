@@ -1,0 +1,78 @@
+#include "kernels/turned_rings.h"
+
+#include <numbers>
+#include <random>
+
+#include <Eigen/Geometry>
+
+namespace lapwing::test {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d TurnedRings::moved_edge(std::size_t row, std::size_t entry) const {
+  return rings.edges[entry] + displacement[rings.neighbours[entry]] - displacement[row];
+}
+
+Matrix3d TurnedRings::moment(std::size_t row) const {
+  const auto count = static_cast<Eigen::Index>(rings.starts[row + 1] - rings.starts[row]);
+  Eigen::Matrix3Xd rest = Eigen::Matrix3Xd::Zero(3, count + 1);
+  Eigen::Matrix3Xd moved = rest;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const std::size_t entry = rings.starts[row] + static_cast<std::size_t>(k);
+    rest.col(k + 1) = rings.edges[entry];
+    moved.col(k + 1) = moved_edge(row, entry);
+  }
+  rest.colwise() -= rest.rowwise().mean().eval();
+  moved.colwise() -= moved.rowwise().mean().eval();
+  return moved * rest.transpose();
+}
+
+Vector3d TurnedRings::rest_laplacian(std::size_t row) const {
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t e = rings.starts[row]; e < rings.starts[row + 1]; ++e) {
+    sum -= rings.weights[e] * rings.edges[e];
+  }
+  return sum;
+}
+
+Vector3d TurnedRings::moved_laplacian(std::size_t row) const {
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t e = rings.starts[row]; e < rings.starts[row + 1]; ++e) {
+    sum -= rings.weights[e] * moved_edge(row, e);
+  }
+  return sum;
+}
+
+Vector3d turning_axis() {
+  return Vector3d(1.0, -2.0, 0.5).normalized();
+}
+
+TurnedRings turned_rings(const Sample& sample, double degrees, double noise, double mu,
+                         unsigned seed) {
+  const Positions& rest = sample.mesh.positions;
+  const auto weights = laplacian_weights(sample.topology, rest, LaplacianWeights::cotangent);
+  const auto stiffness = mu > 0.0 ? edge_weights(sample.topology, rest) : std::vector<double>();
+  const std::size_t row_count = (2 * rest.size() + 2) / 3;
+  const auto rows = std::span(sample.vertices).first(row_count);
+  std::vector<Index> unknowns;
+  for (const Index v : rows) {
+    if (v % 5 != 3) unknowns.push_back(v);
+  }
+  TurnedRings result;
+  result.rings = region_rings(sample.topology, rest, weights, stiffness, mu, rows, unknowns);
+
+  std::mt19937 generator(seed);
+  const double edge = mean_edge_length(sample.topology.rings, rest);
+  std::uniform_real_distribution<double> uniform(-noise * edge, noise * edge);
+  const Vector3d center = bounds_of(rest).center();
+  const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180.0, turning_axis());
+  for (const Index v : result.rings.vertices) {
+    const Vector3d there = turn * (rest[v] - center) + center + 20.0 * edge * Vector3d(1, 2, -3);
+    result.displacement.push_back(there - rest[v]);
+    for (double& coordinate : result.displacement.back()) coordinate += uniform(generator);
+  }
+  return result;
+}
+
+}  // namespace lapwing::test

@@ -1,0 +1,96 @@
+#include <array>
+#include <thread>
+
+#include "kernels/twins.h"
+#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag_preview.h"
+#include "lapwing/laplacian/constraints.h"
+#include "support/bent_tube.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+
+class DragPreviewOnDevice : public test::KernelTest {
+ protected:
+  Mesh mesh = test::bumpy_tube();
+  Topology topology = build_topology(mesh);
+  double diagonal = bounds_of(mesh.positions).diagonal();
+  std::array<Affine3d, 1> bend{test::bend()};
+
+  DragPreview preview(const DeformOptions& options = {}) {
+    return {mesh.positions, topology, test::foot_and_head(mesh), options, *kernels};
+  }
+};
+
+TEST_P(DragPreviewOnDevice, StillHandleLeavesTheSurfaceAtRest) {
+  DragPreview still = preview();
+  still.drag(std::array{Affine3d::Identity()});
+  EXPECT_LT(test::largest_distance(still.surface().positions(), mesh.positions),
+            surface_tolerance() * diagonal);
+}
+
+// Free vertices are the mean of their neighbours' displacement twice over: L'L u = 0.
+TEST_P(DragPreviewOnDevice, KeepsLaplacianCoordinatesAsTheyAre) {
+  DragPreview dragged = preview();
+  dragged.drag(bend);
+  const Positions positions = dragged.surface().positions();
+  std::vector<Vector3d> u(positions.size());
+  for (std::size_t v = 0; v < u.size(); ++v) u[v] = positions[v] - mesh.positions[v];
+  const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
+  const EditRegion region = test::foot_and_head(mesh);
+  const BlockRows L = laplacian_rows(topology.rings, weights, region.roi);
+  const Constraints free = constraints_of(region, topology, 1.0, true);
+  std::vector<double> rows(3 * L.size());
+  multiply(L, u, rows);
+  std::vector<double> residual(3 * free.unknowns.size());
+  NormalPattern(L, free.unknowns).multiply_transposed(L, rows, residual);
+  for (const double r : residual) EXPECT_LT(std::abs(r), 100.0 * surface_tolerance() * diagonal);
+}
+
+TEST_P(DragPreviewOnDevice, HandleGoesAboutWhereItIsDragged) {
+  DeformOptions options;
+  for (const bool hard : {false, true}) {
+    options.hard = hard;
+    DragPreview dragged = preview(options);
+    dragged.drag(bend);
+    const Positions positions = dragged.surface().positions();
+    for (const Index v : dragged.region().handles[0]) {
+      EXPECT_LT((positions[v] - bend[0] * mesh.positions[v]).norm(),
+                (hard ? surface_tolerance() : 0.02) * diagonal);
+    }
+  }
+}
+
+TEST_P(DragPreviewOnDevice, DeformerMadeFromItIsTheOneMadeAlone) {
+  DeformOptions options;
+  options.settle.emplace();
+  DragPreview first = preview(options);
+  const Deformer after(first, *kernels);
+  const Deformer alone(mesh.positions, topology, test::foot_and_head(mesh), options, *kernels);
+  EXPECT_EQ(after.solve(bend).positions, alone.solve(bend).positions);
+}
+
+TEST_P(DragPreviewOnDevice, FollowsTheHandleWhileAnotherThreadPreparesTheExactOne) {
+  DragPreview first = preview();
+  std::unique_ptr<Kernels> own = std::make_unique<CpuKernels>();
+  if (auto* vulkan = dynamic_cast<VulkanKernels*>(kernels.get())) {
+    own = std::make_unique<VulkanKernels>(vulkan->context(), GetParam().precision);
+  }
+  std::unique_ptr<Deformer> exact;
+  std::thread preparing([&] { exact = std::make_unique<Deformer>(first, *own); });
+  for (int frame = 0; frame < 50; ++frame) first.drag(bend);
+  preparing.join();
+  exact->drag(bend);
+  const Positions expected = exact->solve(bend).positions;
+  EXPECT_LT(test::largest_distance(exact->surface().positions(), expected),
+            surface_tolerance() * diagonal);
+  EXPECT_LT(test::largest_distance(first.surface().positions(), expected), 0.3 * diagonal);
+}
+
+LAPWING_ON_ALL_TWINS(DragPreviewOnDevice);
+
+}  // namespace
+}  // namespace lapwing
