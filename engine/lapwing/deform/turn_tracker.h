@@ -6,8 +6,8 @@ namespace lapwing {
 
 /// Beyond this turn of a handle against the belt a surface settles wound the other way round: the
 /// linear solution that settling starts from knows a handle's rotation but not its whole turns, and
-/// takes the shorter way. Larger turns are made in parts, each part's result the rest shape of the
-/// next.
+/// takes the shorter way; just below, it may take either. Larger turns are made in parts, each
+/// part's result the rest shape of the next.
 inline constexpr double kLargestSettledTurnDegrees = 180.0;
 
 /// How far one handle has turned in all over the motions of a drag, past 180 and 360 degrees too,
