@@ -74,6 +74,19 @@ TEST_F(CommandLine, DeformByFlagsWritesMeshReportAndRecipeThatRunsToTheSameMesh)
   EXPECT_EQ(read("a.obj"), read("b.obj"));
 }
 
+TEST_F(CommandLine, LargeTurnIsWarnedAboutOrCommittedOnTheWay) {
+  const std::string turn =
+      std::string(kLiftFlags) + "--rotate 0,0,1,260 --device cpu --save a.obj ";
+  const Outcome warned = lapwing(turn);
+  ASSERT_EQ(warned.exit_code, 0) << warned.output;
+  EXPECT_THAT(warned.output, HasSubstr("--commit-every 130"));
+  const Outcome committed = lapwing(turn + "--commit-every 130 --recipe a.recipe.json");
+  ASSERT_EQ(committed.exit_code, 0) << committed.output;
+  EXPECT_THAT(committed.output, HasSubstr("2 commits"));
+  EXPECT_THAT(read("a.recipe.json"), HasSubstr("\"commit_every\": 130"));
+  EXPECT_EQ(lapwing(turn + "--commit-every 200").exit_code, 3);
+}
+
 TEST_F(CommandLine, EditOnTheDeviceDrawsBothPictures) {
   LAPWING_NEEDS_GPU();
   const Outcome outcome =

@@ -112,6 +112,16 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/settle/max_iterations: expected a whole number from 1 to 1000000"},
         Mistake{"SettleResistance", with_option(R"("settle": {"stretch_resistance": -1})"),
                 ": /steps/0/settle/stretch_resistance: expected 0 or more"},
+        Mistake{"CommitsOfNothing", with_option(R"("commit_every": 0)"),
+                ": /steps/0/commit_every: expected a number above 0, got 0"},
+        Mistake{"CommitsTooFarApart", with_option(R"("commit_every": 180.5)"),
+                ": /steps/0/commit_every: expected at most 180 degrees: past half a turn the other "
+                "way round is shorter"},
+        Mistake{"MirrorInParts",
+                step(R"("roi": {"all": true}, "commit_every": 90, "handles": [{"region":
+                {"vertices": [1]}, "move": {"matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0]}}])"),
+                ": /steps/0/handles/0/move/matrix: a matrix that mirrors cannot be carried out in "
+                "parts; leave out \"commit_every\""},
         Mistake{"SettleDetails", with_option(R"("settle": {"details": "folow"})"),
                 ": /steps/0/settle/details: unknown details \"folow\"; did you mean \"follow\"? "
                 "Known here: \"preserve\", \"follow\""}),

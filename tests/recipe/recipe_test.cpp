@@ -83,6 +83,18 @@ TEST(Recipe, SettlesByDefaultOrAsTold) {
   EXPECT_EQ(told, expected);
 }
 
+TEST(Recipe, CommitsOnTheWayOnlyAsTold) {
+  const auto commit_every = [](const std::string& keys) {
+    return first_step(parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
+        "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}])" +
+                            keys + "}]}"))
+        .commit_every;
+  };
+  EXPECT_EQ(commit_every(""), std::nullopt);
+  EXPECT_EQ(commit_every(R"(, "commit_every": 130)"), 130.0);
+  EXPECT_EQ(commit_every(R"(, "commit_every": 180)"), 180.0);
+}
+
 TEST(Recipe, DefaultsAreThoseOfThePaper) {
   const Recipe recipe = parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
       "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}]}]})");
@@ -156,6 +168,7 @@ Recipe full_recipe() {
   step.weights = LaplacianWeights::cotangent;
   step.constraint_weight = 10.0;
   step.hard = true;
+  step.commit_every = 0.1;
   DeformStep other;
   other.belt = RegionSpec{ListedVertices{{1, 2}}};
   other.handles.push_back({{ListedVertices{{4}}}, SimilarityMove{}});

@@ -18,6 +18,9 @@ RunReport sample() {
   step.op = "deform";
   step.handles = {2, 3};
   step.free = 4;
+  step.turn_degrees = 260.0;
+  step.wound_degrees = 259.5;
+  step.commits = 2;
   step.timings.add("factor", 2.25);
   step.timings.add("factor", 1.0);
   step.certificate.handle_error = std::numeric_limits<double>::infinity();
@@ -34,6 +37,9 @@ TEST(Report, JsonHoldsDeviceCountsTimingsAndCertificate) {
   const auto& step = json["steps"][0];
   EXPECT_EQ(step["handle"], 5);
   EXPECT_EQ(step["free"], 4);
+  EXPECT_EQ(step["turn_degrees"], 260.0);
+  EXPECT_EQ(step["wound_degrees"], 259.5);
+  EXPECT_EQ(step["commits"], 2);
   EXPECT_EQ(step["timings_ms"]["factor"], 3.25) << "times of one stage add up";
   EXPECT_EQ(step["certificate"]["relative_residual"], 0.0);
 }
@@ -49,6 +55,7 @@ TEST(Report, StagesAreListedForTheTerminal) {
   EXPECT_NE(text.find("Test device"), std::string::npos);
   EXPECT_NE(text.find("factor"), std::string::npos);
   EXPECT_NE(text.find("3.25"), std::string::npos);
+  EXPECT_NE(text.find("2 commits"), std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct DeformArguments {
   bool no_settle = false;
   double stretch_resistance = 0.0;
   std::string details = "preserve";
+  std::optional<double> commit_every;
   std::string recipe;
   EditOutput output;
 };
@@ -60,14 +62,15 @@ Recipe as_recipe(const DeformArguments& a) {
     return std::filesystem::proximate(std::filesystem::absolute(path), base).string();
   };
   const Json handle = {{"region", region_json("--handle", a.handle)}, {"move", move_json(a)}};
-  const Json step = {{"op", "deform"},
-                     {"roi", region_json("--roi", a.roi)},
-                     {"belt", region_json("--belt", a.belt)},
-                     {"handles", Json::array({handle})},
-                     {"weights", a.weights},
-                     {"constraint_weight", a.constraint_weight},
-                     {"hard", a.hard},
-                     {"settle", settle_json(a)}};
+  Json step = {{"op", "deform"},
+               {"roi", region_json("--roi", a.roi)},
+               {"belt", region_json("--belt", a.belt)},
+               {"handles", Json::array({handle})},
+               {"weights", a.weights},
+               {"constraint_weight", a.constraint_weight},
+               {"hard", a.hard},
+               {"settle", settle_json(a)}};
+  if (a.commit_every) step["commit_every"] = *a.commit_every;
   Json recipe = {
       {"lapwing", kRecipeVersion}, {"mesh", from_base(a.mesh)}, {"steps", Json::array({step})}};
   if (!a.output.save.empty()) recipe["save"] = from_base(a.output.save);
@@ -124,6 +127,8 @@ void add_deform(CLI::App& app) {
       ->check(CLI::IsMember({"preserve", "follow"}))
       ->capture_default_str()
       ->excludes(no_settle);
+  command->add_option("--commit-every", a->commit_every,
+                      "DEGREES up to 180: make a larger turn in parts, each the rest of the next");
   command->add_option("--recipe", a->recipe, "write this edit as a recipe");
   a->output.add_to(*command);
   command->callback([a] { deform(*a); });

@@ -1,6 +1,12 @@
 #include "lapwing/recipe/move.h"
 
+#include <cmath>
 #include <numbers>
+
+#include <Eigen/LU>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {
 namespace {
@@ -16,24 +22,72 @@ Matrix3d rotation_matrix(const AxisRotation& rotation) {
   return Eigen::AngleAxisd(radians, rotation.axis.normalized()).toRotationMatrix();
 }
 
-Affine3d affine_of(const SimilarityMove& move, const Vector3d& handle_centroid) {
+Affine3d part_of(const SimilarityMove& move, const Vector3d& handle_centroid, double share) {
   const Vector3d pivot = move.pivot.value_or(handle_centroid);
   Affine3d map = Affine3d::Identity();
-  map.linear() = move.scale * rotation_matrix(move.rotate);
-  map.translation() = (pivot - map.linear() * pivot) + move.translate;
+  map.linear() = std::pow(move.scale, share) *
+                 rotation_matrix({move.rotate.axis, share * move.rotate.degrees});
+  map.translation() = (pivot - map.linear() * pivot) + share * move.translate;
   return map;
 }
 
-Affine3d affine_of(const MatrixMove& move, const Vector3d&) {
+Matrix3d linear_part(const MatrixMove& move) {
+  return move.matrix.leftCols<3>();
+}
+
+bool is_mirror(const MatrixMove& move) {
+  return linear_part(move).determinant() < 0.0;
+}
+
+Affine3d part_of(const MatrixMove& move, const Vector3d& handle_centroid, double share) {
+  Affine3d whole = Affine3d::Identity();
+  whole.affine() = move.matrix;
+  if (share == 1.0) return whole;
+  if (is_mirror(move)) {
+    throw InputError(
+        "a matrix that mirrors cannot be carried out in parts: no motion leads from a handle to "
+        "its mirror image");
+  }
+  const Matrix3d R = nearest_rotation(whole.linear());
+  const Eigen::AngleAxisd turn(R);
+  const Matrix3d stretch = R.transpose() * whole.linear();
   Affine3d map = Affine3d::Identity();
-  map.affine() = move.matrix;
+  map.linear() = Eigen::AngleAxisd(share * turn.angle(), turn.axis()) *
+                 ((1.0 - share) * Matrix3d::Identity() + share * stretch);
+  const Vector3d centroid = handle_centroid + share * (whole * handle_centroid - handle_centroid);
+  map.translation() = centroid - map.linear() * handle_centroid;
   return map;
+}
+
+AxisRotation turn_of_form(const SimilarityMove& move) {
+  const double degrees = move.rotate.degrees;
+  const Vector3d axis = move.rotate.axis.normalized();
+  return {degrees < 0.0 ? -axis : axis, std::abs(degrees)};
+}
+
+AxisRotation turn_of_form(const MatrixMove& move) {
+  if (is_mirror(move)) return {};
+  const Eigen::AngleAxisd turn(nearest_rotation(linear_part(move)));
+  return {turn.axis(), turn.angle() * 180.0 / std::numbers::pi};
 }
 
 }  // namespace
 
 Affine3d to_affine(const Move& move, const Vector3d& handle_centroid) {
-  return std::visit([&](const auto& form) { return affine_of(form, handle_centroid); }, move);
+  return to_affine(move, handle_centroid, 1.0);
+}
+
+Affine3d to_affine(const Move& move, const Vector3d& handle_centroid, double share) {
+  return std::visit([&](const auto& form) { return part_of(form, handle_centroid, share); }, move);
+}
+
+AxisRotation turn_of(const Move& move) {
+  return std::visit([](const auto& form) { return turn_of_form(form); }, move);
+}
+
+bool mirrors(const Move& move) {
+  const auto* matrix = std::get_if<MatrixMove>(&move);
+  return matrix != nullptr && is_mirror(*matrix);
 }
 
 }  // namespace lapwing

@@ -35,4 +35,18 @@ using Move = std::variant<SimilarityMove, MatrixMove>;
 /// The map of space that `move` stands for. A move by nothing gives the identity bit for bit.
 Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid);
 
+/// The move carried out in part: `share` 0 is the identity, 1 is `to_affine(move, centroid)` bit
+/// for bit. A similarity moves by that share of its translation and of its angle, about the same
+/// axis and pivot, and scales by scale^share. Of a matrix the rotation of its polar decomposition
+/// turns by the share of its angle, its stretch S becomes (1 - share) I + share S, and the centroid
+/// goes straight. Invertible below 1. Throws InputError for a part of a matrix that mirrors.
+Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid, double share);
+
+/// By what `move` turns, 0 degrees or more about an axis of length 1: as written, so that 260
+/// degrees are 260; of a matrix 0 to 180, and 0 for one that mirrors.
+AxisRotation turn_of(const Move& move);
+
+/// Whether `move` is a matrix that turns the handle into its mirror image (determinant below 0).
+bool mirrors(const Move& move);
+
 }  // namespace lapwing

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "lapwing/deform/turn_tracker.h"
 #include "lapwing/recipe/read_region.h"
 #include "lapwing/recipe/suggest.h"
 
@@ -78,9 +79,24 @@ std::optional<SettleOptions> read_settle(const JsonNode& node, LaplacianWeights 
   return options;
 }
 
+double read_commit_every(const JsonNode& node) {
+  const double degrees = node.positive_number();
+  if (degrees > kLargestSettledTurnDegrees) {
+    node.fail("expected at most 180 degrees: past half a turn the other way round is shorter");
+  }
+  return degrees;
+}
+
+// Between a handle and its mirror image there is no motion that a part could be.
+void refuse_mirror(const JsonNode& node) {
+  if (!mirrors(read_move(node))) return;
+  node.at("matrix").fail(
+      "a matrix that mirrors cannot be carried out in parts; leave out \"commit_every\"");
+}
+
 Step read_deform(const JsonNode& node) {
-  node.require_keys(
-      {"op", "roi", "belt", "handles", "weights", "constraint_weight", "hard", "settle"});
+  node.require_keys({"op", "roi", "belt", "handles", "weights", "constraint_weight", "hard",
+                     "settle", "commit_every"});
   DeformStep step;
   step.roi = read_region(node.at("roi"));
   step.belt = BorderBelt{.where = node.where() + "/belt"};
@@ -95,6 +111,10 @@ Step read_deform(const JsonNode& node) {
   if (const auto hard = node.find("hard")) step.hard = hard->boolean();
   step.settle->weights = step.weights;
   if (const auto settle = node.find("settle")) step.settle = read_settle(*settle, step.weights);
+  if (const auto degrees = node.find("commit_every")) {
+    step.commit_every = read_commit_every(*degrees);
+    for (const JsonNode& handle : handles.elements()) refuse_mirror(handle.at("move"));
+  }
   return step;
 }
 

@@ -33,6 +33,9 @@ struct DeformStep {
   double constraint_weight = 1.0;  ///< above 0
   bool hard = false;               ///< belt and handles held exactly, not by weight
   std::optional<SettleOptions> settle = SettleOptions{};  ///< none: the linear solution as it is
+  /// A larger turn of a handle is made in equal parts of at most this many degrees, each committed:
+  /// its result is the rest shape of the next. Above 0, at most kLargestSettledTurnDegrees.
+  std::optional<double> commit_every = {};
   bool operator==(const DeformStep&) const = default;
 };
 

@@ -103,14 +103,16 @@ Json json_of(const DeformStep& step) {
   for (const MovedHandle& handle : step.handles) {
     handles.push_back({{"region", json_of(handle.region)}, {"move", json_of_any(handle.move)}});
   }
-  return {{"op", "deform"},
-          {"roi", json_of(step.roi)},
-          {"belt", json_of_any(step.belt)},
-          {"handles", std::move(handles)},
-          {"weights", name_of(step.weights)},
-          {"constraint_weight", step.constraint_weight},
-          {"hard", step.hard},
-          {"settle", json_of_settle(step)}};
+  Json keys{{"op", "deform"},
+            {"roi", json_of(step.roi)},
+            {"belt", json_of_any(step.belt)},
+            {"handles", std::move(handles)},
+            {"weights", name_of(step.weights)},
+            {"constraint_weight", step.constraint_weight},
+            {"hard", step.hard},
+            {"settle", json_of_settle(step)}};
+  if (step.commit_every) keys["commit_every"] = *step.commit_every;
+  return keys;
 }
 
 std::string atom(const Json& json) {

@@ -58,6 +58,9 @@ Json as_json(const StepReport& step) {
           {"handles", step.handles},
           {"belt", step.belt},
           {"solver", step.solver},
+          {"turn_degrees", number(step.turn_degrees)},
+          {"wound_degrees", step.wound_degrees ? number(*step.wound_degrees) : Json(nullptr)},
+          {"commits", step.commits},
           {"timings_ms", as_json(step.timings)},
           {"certificate", as_json(step.certificate)}};
 }
@@ -101,7 +104,8 @@ std::string format_stages(const RunReport& report) {
   for (std::size_t i = 0; i < report.steps.size(); ++i) {
     const StepReport& step = report.steps[i];
     text += "step " + std::to_string(i + 1) + ", " + step.op + ": " + std::to_string(step.free) +
-            " free vertices, solver " + step.solver + "\n";
+            " free vertices, solver " + step.solver +
+            (step.commits > 1 ? ", " + std::to_string(step.commits) + " commits" : "") + "\n";
     append_stages(step.timings, text);
   }
   return text;

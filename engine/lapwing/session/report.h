@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,13 @@ struct StepReport {
   std::size_t belt = 0;
   std::vector<std::size_t> handles;  ///< vertices of each
   std::string solver;
-  StageTimings timings;
+  double turn_degrees = 0.0;  ///< the largest turn of a handle, as written: 260 is 260
+  /// How far the surface came out wound about the same axis (`wound_degrees`).
+  std::optional<double> wound_degrees = {};
+  std::size_t commits = 1;  ///< parts it was carried out in, each the rest shape of the next
+  StageTimings timings;     ///< of all parts together
+  /// Of all parts as one, from the surface that the step began with to the one that it ended with;
+  /// residual and settling are the worst of the parts, the iterations those of all.
   Certificate certificate;
 };
 
@@ -32,7 +39,7 @@ struct RunReport {
   std::size_t triangles = 0;
   std::size_t components = 0;
   Bounds bounds;
-  std::vector<std::string> warnings;  ///< the mesh doctor's, and those of reading and writing
+  std::vector<std::string> warnings;  ///< the mesh doctor's, the steps', and those of writing
   StageTimings timings;               ///< of the run as a whole: read, topology, check, write
   std::vector<StepReport> steps;
   std::size_t peak_memory_bytes = 0;

@@ -3,21 +3,13 @@
 #include <variant>
 
 #include "lapwing/base/memory_use.h"
-#include "lapwing/deform/handle_motion.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/session/run_deform.h"
+#include "lapwing/session/stage.h"
 
 namespace lapwing {
 namespace {
-
-// Runs `body` as a stage: announced, and its time added to `timings`.
-template <typename Body>
-void stage(const char* name, StageTimings& timings, const Progress& progress, Body body) {
-  report_progress(progress, name, 0.0);
-  const Stopwatch watch;
-  body();
-  timings.add(name, watch.elapsed_ms());
-}
 
 std::vector<std::string> doctor_warnings(const CheckReport& report) {
   std::vector<std::string> warnings;
@@ -53,49 +45,6 @@ void load(const Recipe& recipe, const Progress& progress, RunResult& result) {
   report.triangles = result.topology.triangles.size();
 }
 
-Eigen::Vector3d centroid(const VertexSet& vertices, const Positions& positions) {
-  return handle_frame(vertices, positions).centroid;
-}
-
-StepReport run_step(const DeformStep& step, Kernels& kernels, const Progress& progress,
-                    RunResult& result) {
-  StepReport report;
-  report.op = "deform";
-  EditRegion region;
-  stage("region", report.timings, progress, [&] {
-    std::vector<RegionSpec> handles;
-    for (const MovedHandle& handle : step.handles) handles.push_back(handle.region);
-    region = resolve_edit_region(step.roi, step.belt, handles, result.mesh, result.topology);
-  });
-  std::vector<Eigen::Affine3d> motions;
-  for (std::size_t h = 0; h < step.handles.size(); ++h) {
-    motions.push_back(
-        to_affine(step.handles[h].move, centroid(region.handles[h], result.mesh.positions)));
-  }
-  DeformOptions options;
-  options.weights = step.weights;
-  options.constraint_weight = step.constraint_weight;
-  options.hard = step.hard;
-  options.settle = step.settle;
-  result.last = std::make_unique<Deformer>(result.mesh.positions, result.topology,
-                                           std::move(region), options, kernels, progress);
-  Deformer& deformer = *result.last;
-  for (const auto& [name, ms] : deformer.timings().stages()) report.timings.add(name, ms);
-  stage("drag", report.timings, progress, [&] { deformer.drag(motions); });
-  stage("solve", report.timings, progress, [&] {
-    DeformResult solved = deformer.solve(motions, progress);
-    result.mesh.positions = std::move(solved.positions);
-    report.certificate = std::move(solved.certificate);
-    if (step.settle) deformer.show(result.mesh.positions);
-  });
-  report.roi = deformer.region().roi.size();
-  report.belt = deformer.region().belt.size();
-  for (const auto& handle : deformer.region().handles) report.handles.push_back(handle.size());
-  report.free = deformer.free_count();
-  report.solver = deformer.solver_name();
-  return report;
-}
-
 }  // namespace
 
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
@@ -104,8 +53,9 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
   result->report.device = kernels.device();
   load(recipe, progress, *result);
   for (const Step& step : recipe.steps) {
-    result->report.steps.push_back(
-        std::visit([&](const auto& s) { return run_step(s, kernels, progress, *result); }, step));
+    const std::size_t number = result->report.steps.size() + 1;
+    result->report.steps.push_back(std::visit(
+        [&](const auto& s) { return run_step(s, number, kernels, progress, *result); }, step));
   }
   result->report.peak_memory_bytes = peak_memory_bytes();
   return result;

@@ -14,15 +14,18 @@ struct RunResult {
   Mesh mesh;           ///< with the edited positions
   Positions original;  ///< the positions that were read
   Topology topology;   ///< of the mesh: steps change positions only
-  /// The last step's deformer, its surface on the device in the final pose. Null without steps.
+  /// The deformer of the last step or, where that commits on the way, of its last part and without
+  /// settling; its surface on the device in the final pose. Null without steps.
   std::unique_ptr<Deformer> last;
   RunReport report;
 };
 
 /// Reads the recipe's mesh, examines it, and carries the steps out one after the other on
-/// `kernels`, which must outlive the result. Writes nothing. Each step ends certified; a step that
-/// fails throws what `Deformer`, `resolve_edit_region` or `read_mesh` throw, and no result is left.
-/// `progress` hears the stages of reading and of every step.
+/// `kernels`, which must outlive the result. A step with "commit_every" is carried out in parts,
+/// all handles together; one that turns a handle too far without it is warned about. Writes
+/// nothing. Each step ends certified; a step that fails throws what `Deformer`,
+/// `resolve_edit_region` or `read_mesh` throw, and no result is left. `progress` hears the stages
+/// of reading and of every step.
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress = {});
 

@@ -1,0 +1,74 @@
+#include "lapwing/session/commits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/session/winding.h"
+#include "lapwing/settle/settle.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+
+// 0.3 degrees in parts of 0.1 are three, though the quotient is rounded to a little more.
+constexpr double kRoundingOfQuotient = 1e-9;
+
+std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_count) {
+  std::vector<char> held(vertex_count, 0);
+  for (const Index v : region.belt) held[v] = 1;
+  for (const auto& handle : region.handles) {
+    for (const Index v : handle) held[v] = 1;
+  }
+  std::vector<Index> free;
+  std::copy_if(region.roi.begin(), region.roi.end(), std::back_inserter(free),
+               [&](Index v) { return held[v] == 0; });
+  return free;
+}
+
+}  // namespace
+
+std::size_t commit_count(const DeformStep& step, std::size_t number) {
+  if (!step.commit_every) return 1;
+  const double degrees = largest_turn(step).turn.degrees;
+  const double count = std::ceil(degrees / *step.commit_every - kRoundingOfQuotient);
+  if (!(count <= static_cast<double>(kMostCommits))) {
+    std::ostringstream text;
+    text << "step " << number << " turns by " << degrees
+         << " degrees; with \"commit_every\": " << *step.commit_every << " that is more than "
+         << kMostCommits << " commits. Raise it, or turn less";
+    throw InputError(text.str());
+  }
+  return static_cast<std::size_t>(std::max(count, 1.0));
+}
+
+Certificate certify(const BoundStep& bound, std::span<const Vector3d> start,
+                    std::span<const Vector3d> end, std::span<const Certificate> parts) {
+  Certificate certificate;
+  for (const Certificate& part : parts) {
+    certificate.relative_residual = std::max(certificate.relative_residual, part.relative_residual);
+    certificate.settle_iterations += part.settle_iterations;
+    certificate.settled = certificate.settled && part.settled;
+    certificate.settle_last_step = std::max(certificate.settle_last_step, part.settle_last_step);
+  }
+  const EditRegion& region = bound.region;
+  const std::vector<Affine3d> motions = bound.motions(0.0, 1.0);
+  for (std::size_t h = 0; h < motions.size(); ++h) {
+    for (const Index v : region.handles[h]) {
+      const double error = (end[v] - motions[h] * start[v]).norm();
+      certificate.handle_error = std::max(certificate.handle_error, error);
+    }
+  }
+  measure_shape(region.roi, bound.topology, start, end, certificate);
+  const auto weights = laplacian_weights(bound.topology, start, bound.step.weights);
+  certificate.detail_error =
+      detail_error(free_vertices(region, start.size()), bound.topology, weights, start, end);
+  certificate.edge_stretch = edge_stretch(region.roi, bound.topology, start, end);
+  require_valid(certificate);
+  return certificate;
+}
+
+}  // namespace lapwing

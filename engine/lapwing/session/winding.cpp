@@ -1,0 +1,116 @@
+#include "lapwing/session/winding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "lapwing/deform/turn_tracker.h"
+#include "lapwing/laplacian/ring_fit.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSmallestMeasured = 90.0;
+// Stretch resistances between which more of it keeps more winding, at little cost in details.
+constexpr double kLittleResistance = 0.001;
+constexpr double kMuchResistance = 0.1;
+
+// Whole degrees in equal parts below the limit, with room left at exact multiples of it.
+double suggested_commit_every(double degrees) {
+  return std::ceil(degrees / (std::floor(degrees / kLargestSettledTurnDegrees) + 1.0));
+}
+
+// The fewest edges from `vertex` through the region to a vertex that stays, that one first; empty
+// when none is reached.
+std::vector<Index> path_from_still(const EditRegion& region, const Topology& topology,
+                                   Index vertex) {
+  std::vector<char> moves(topology.vertex_count(), 0);
+  for (const Index v : region.roi) moves[v] = 1;
+  for (const Index v : region.belt) moves[v] = 0;
+  std::vector<Index> towards(topology.vertex_count(), kNoIndex);
+  std::vector<Index> queue{vertex};
+  towards[vertex] = vertex;
+  for (std::size_t at = 0; at < queue.size(); ++at) {
+    if (moves[queue[at]] == 0) {
+      std::vector<Index> path{queue[at]};
+      while (path.back() != vertex) path.push_back(towards[path.back()]);
+      return path;
+    }
+    for (const Index w : topology.rings[queue[at]]) {
+      if (towards[w] != kNoIndex) continue;
+      towards[w] = queue[at];
+      queue.push_back(w);
+    }
+  }
+  return {};
+}
+
+std::string advice(const DeformStep& step, double degrees) {
+  std::ostringstream text;
+  if (!step.settle) text << "let the step settle";
+  if (!step.commit_every) {
+    const double every = suggested_commit_every(degrees);
+    text << (step.settle ? "" : ", and ") << "add \"commit_every\": " << every
+         << " (or --commit-every " << every << ")";
+  } else if (step.settle && step.settle->stretch_resistance < kMuchResistance) {
+    const double more = std::max(kLittleResistance, 10.0 * step.settle->stretch_resistance);
+    text << "set \"stretch_resistance\" of \"settle\" to " << more << " (or --stretch-resistance "
+         << more << ")";
+  } else if (step.settle) {
+    text << "turn less, or give the turn a longer region";
+  }
+  return text.str();
+}
+
+}  // namespace
+
+LargestTurn largest_turn(const DeformStep& step) {
+  LargestTurn largest;
+  for (std::size_t h = 0; h < step.handles.size(); ++h) {
+    const AxisRotation turn = turn_of(step.handles[h].move);
+    if (turn.degrees > largest.turn.degrees) largest = {h, turn};
+  }
+  return largest;
+}
+
+std::optional<double> wound_degrees(const BoundStep& bound, const LargestTurn& largest,
+                                    std::span<const Vector3d> start,
+                                    std::span<const Vector3d> end) {
+  if (largest.turn.degrees <= kSmallestMeasured) return std::nullopt;
+  const Index on_handle = bound.region.handles[largest.handle].front();
+  const auto path = path_from_still(bound.region, bound.topology, on_handle);
+  if (path.empty()) return std::nullopt;
+  double wound = 0.0;
+  for (const Index v : path) {
+    const Eigen::Quaterniond q(fit_rotation(v, bound.topology.rings[v], start, end));
+    // The turn about the axis alone: near whole turns a small tilt would lead the axis anywhere.
+    const double turn = 2.0 * std::atan2(q.vec().dot(largest.turn.axis), q.w());
+    wound += std::remainder(turn - wound, 2.0 * std::numbers::pi);
+  }
+  return wound * 180.0 / std::numbers::pi;
+}
+
+std::string winding_warning(const DeformStep& step, std::size_t number,
+                            const std::optional<double>& wound) {
+  const LargestTurn largest = largest_turn(step);
+  const double degrees = largest.turn.degrees;
+  const bool at_once = !step.commit_every && degrees > kLargestSettledTurnDegrees;
+  const bool lost = wound && std::abs(*wound - degrees) > 180.0;
+  if (!at_once && !lost) return {};
+  std::ostringstream text;
+  text << "handle " << largest.handle + 1 << " of step " << number << " turns by " << degrees
+       << " degrees";
+  if (lost) {
+    text << ", but the surface came out wound by " << std::lround(*wound) << ": ";
+  } else {
+    text << " at once; beyond " << kLargestSettledTurnDegrees
+         << " a surface may unwind, and this one did not. To be sure: ";
+  }
+  text << advice(step, degrees);
+  return text.str();
+}
+
+}  // namespace lapwing
