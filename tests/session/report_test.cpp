@@ -21,6 +21,7 @@ RunReport sample() {
   step.timings.add("factor", 2.25);
   step.timings.add("factor", 1.0);
   step.certificate.handle_error = std::numeric_limits<double>::infinity();
+  step.certificate.largest_edge_stretch_vertices = {3, 8};
   report.steps.push_back(step);
   return report;
 }
@@ -36,6 +37,7 @@ TEST(Report, JsonHoldsDeviceCountsTimingsAndCertificate) {
   EXPECT_EQ(step["free"], 4);
   EXPECT_EQ(step["timings_ms"]["factor"], 3.25) << "times of one stage add up";
   EXPECT_EQ(step["certificate"]["relative_residual"], 0.0);
+  EXPECT_EQ(step["certificate"]["largest_edge_stretch_vertices"], (std::vector<int>{3, 8}));
 }
 
 TEST(Report, NumbersThatJsonCannotSayBecomeNull) {

@@ -28,10 +28,15 @@ void print_certificate(const Certificate& c, double diagonal) {
   std::printf(
       "  residual %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
       "  largest rotation %.1f degrees, %zu flipped triangles,\n"
-      "  detail error %.3f, edge stretch %.3f\n",
+      "  detail error %.3f, edge stretch %.3f",
       c.relative_residual, diagonal > 0.0 ? c.handle_error / diagonal : 0.0, c.smallest_scale,
       c.largest_scale, c.largest_rotation_degrees, c.flipped_triangles, c.detail_error,
       c.edge_stretch);
+  const auto& [a, b] = c.largest_edge_stretch_vertices;
+  if (a != kNoIndex) {
+    std::printf(", at most %.3f between vertices %u and %u", c.largest_edge_stretch, a, b);
+  }
+  std::printf("\n");
   if (c.settle_iterations == 0) return;
   std::printf(c.settled ? "  settled in %d iterations, to %.1e of the mean edge\n"
                         : "  not settled after %d iterations: one more would move a vertex by %.1e "

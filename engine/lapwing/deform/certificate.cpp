@@ -9,6 +9,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/laplacian/ring_fit.h"
 
 namespace lapwing {
@@ -90,6 +91,9 @@ void measure_shape(std::span<const Index> roi, const Topology& topology,
     }
   }
   certificate.largest_rotation_degrees = largest_angle * 180.0 / std::numbers::pi;
+  const StretchedEdge edge = most_stretched_edge(roi, topology, rest, current);
+  certificate.largest_edge_stretch = edge.stretch;
+  certificate.largest_edge_stretch_vertices = edge.vertices;
   count_flipped(in_roi, rotations, topology, rest, current, certificate);
 }
 

@@ -9,6 +9,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/rsi_solution.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/settle/settle.h"

@@ -18,6 +18,10 @@ Json vertex(Index v) {
   return v == kNoIndex ? Json(nullptr) : Json(v);
 }
 
+Json edge(const std::array<Index, 2>& ends) {
+  return Json::array({vertex(ends[0]), vertex(ends[1])});
+}
+
 Json vector(const Eigen::Vector3d& v) {
   return Json::array({number(v.x()), number(v.y()), number(v.z())});
 }
@@ -42,6 +46,8 @@ Json as_json(const Certificate& c) {
           {"first_flipped_triangles", c.first_flipped_triangles},
           {"detail_error", number(c.detail_error)},
           {"edge_stretch", number(c.edge_stretch)},
+          {"largest_edge_stretch", number(c.largest_edge_stretch)},
+          {"largest_edge_stretch_vertices", edge(c.largest_edge_stretch_vertices)},
           {"settle_iterations", c.settle_iterations},
           {"settled", c.settled},
           {"settle_last_step", number(c.settle_last_step)},
