@@ -20,6 +20,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct Outcome {
   int exit_code = -1;
@@ -72,6 +73,15 @@ TEST_F(CommandLine, DeformByFlagsWritesMeshReportAndRecipeThatRunsToTheSameMesh)
   ASSERT_EQ(recipe.exit_code, 0) << recipe.output;
   EXPECT_EQ(recipe.output, "");
   EXPECT_EQ(read("a.obj"), read("b.obj"));
+}
+
+TEST_F(CommandLine, ReportHoldsEveryVertexWhenAsked) {
+  const std::string report = std::string(kLiftFlags) + "--device cpu --report a.json ";
+  ASSERT_EQ(lapwing(report).exit_code, 0);
+  EXPECT_THAT(read("a.json"), Not(HasSubstr("\"rotation_degrees\"")));
+  ASSERT_EQ(lapwing(report + "--report-vertices").exit_code, 0);
+  EXPECT_THAT(read("a.json"), HasSubstr("\"rotation_degrees\""));
+  EXPECT_EQ(lapwing(std::string(kLiftFlags) + "--save a.obj --report-vertices").exit_code, 2);
 }
 
 TEST_F(CommandLine, EditOnTheDeviceDrawsBothPictures) {

@@ -57,7 +57,12 @@ void print_summary(const RunReport& report) {
 
 void EditOutput::add_to(CLI::App& command) {
   command.add_option("--save", save, "write the edited mesh here");
-  command.add_option("--report", report, "write device, sizes, timings and certificates as JSON");
+  auto* reported = command.add_option("--report", report,
+                                      "write device, sizes, timings and certificates as JSON");
+  command
+      .add_flag("--report-vertices", report_vertices,
+                "with rotation, detail error and stretch of every vertex of the regions")
+      ->needs(reported);
   command.add_option("--render", render, "write a picture of the result (PNG)");
   command.add_option("--render-before", render_before, "the same picture before the edit (PNG)");
   command.add_option("--color", color, "what the pictures show")
@@ -75,7 +80,7 @@ void EditOutput::run(const Recipe& recipe) const {
   const auto kernels = open_device(device);
   ProgressDisplay display(quiet);
   display.note("device: " + kernels->device().name);
-  const auto result = run_recipe(recipe, *kernels, display.callback());
+  const auto result = run_recipe(recipe, *kernels, display.callback(), {report_vertices});
   const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
   if (!target.empty()) save_result(*result, target);
   if (!render.empty() || !render_before.empty()) draw(*result, *kernels);

@@ -39,4 +39,24 @@ StretchedEdge most_stretched_edge(std::span<const Index> rows, const Topology& t
                                   std::span<const Eigen::Vector3d> rest,
                                   std::span<const Eigen::Vector3d> current);
 
+/// What became of each vertex's ring; all lists as long as `vertices`.
+struct VertexMeasures {
+  std::vector<Index> vertices;
+  std::vector<double> rotation_degrees;  ///< the angle of R_i, 0 to 180
+  /// |L(v'_i) - R_i delta_i| relative to the root mean square of |delta| over all of `vertices`: a
+  /// vertex without detail of its own is measured against what is usual around it. The root mean
+  /// square of this list is `detail_error`. All 0 where nothing has detail.
+  std::vector<double> detail_error;
+  std::vector<double> stretch;  ///< `edge_stretch` of the ring alone; 0 without a ring
+};
+
+/// Measures each of `rows`, on all processors.
+VertexMeasures measure_vertices(std::span<const Index> rows, const Topology& topology,
+                                std::span<const double> weights,
+                                std::span<const Eigen::Vector3d> rest,
+                                std::span<const Eigen::Vector3d> current);
+
+/// Angle of a rotation in radians, 0 to pi; accurate at both ends, where arccos alone is not.
+double rotation_angle(const Eigen::Matrix3d& R);
+
 }  // namespace lapwing

@@ -54,18 +54,32 @@ Json as_json(const Certificate& c) {
           {"all_finite", c.all_finite}};
 }
 
+Json as_json(const VertexMeasures& measures) {
+  const auto numbers = [](const std::vector<double>& values) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(number(value));
+    return list;
+  };
+  return {{"vertices", measures.vertices},
+          {"rotation_degrees", numbers(measures.rotation_degrees)},
+          {"detail_error", numbers(measures.detail_error)},
+          {"stretch", numbers(measures.stretch)}};
+}
+
 Json as_json(const StepReport& step) {
   std::size_t handle = 0;
   for (const std::size_t count : step.handles) handle += count;
-  return {{"op", step.op},
-          {"roi", step.roi},
-          {"free", step.free},
-          {"handle", handle},
-          {"handles", step.handles},
-          {"belt", step.belt},
-          {"solver", step.solver},
-          {"timings_ms", as_json(step.timings)},
-          {"certificate", as_json(step.certificate)}};
+  Json json = {{"op", step.op},
+               {"roi", step.roi},
+               {"free", step.free},
+               {"handle", handle},
+               {"handles", step.handles},
+               {"belt", step.belt},
+               {"solver", step.solver},
+               {"timings_ms", as_json(step.timings)},
+               {"certificate", as_json(step.certificate)}};
+  if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
+  return json;
 }
 
 void append_stages(const StageTimings& timings, std::string& text) {

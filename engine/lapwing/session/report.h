@@ -7,6 +7,7 @@
 
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/certificate.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/kernels.h"
 
 namespace lapwing {
@@ -21,6 +22,7 @@ struct StepReport {
   std::string solver;
   StageTimings timings;
   Certificate certificate;
+  VertexMeasures vertices;  ///< of the ROI, where the run was asked for them; empty otherwise
 };
 
 /// What running a recipe did, on what, and how long each stage took.

@@ -96,16 +96,31 @@ StepReport run_step(const DeformStep& step, Kernels& kernels, const Progress& pr
   return report;
 }
 
+// What became of each vertex in the step that ran last.
+VertexMeasures measure_vertices(const DeformStep& step, const Positions& before,
+                                const RunResult& result) {
+  const auto weights = laplacian_weights(result.topology, before, step.weights);
+  return measure_vertices(result.last->region().roi, result.topology, weights, before,
+                          result.mesh.positions);
+}
+
 }  // namespace
 
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
-                                      const Progress& progress) {
+                                      const Progress& progress, const RunOptions& options) {
   auto result = std::make_unique<RunResult>();
   result->report.device = kernels.device();
   load(recipe, progress, *result);
   for (const Step& step : recipe.steps) {
+    const Positions before = options.measure_vertices ? result->mesh.positions : Positions{};
     result->report.steps.push_back(
         std::visit([&](const auto& s) { return run_step(s, kernels, progress, *result); }, step));
+    if (!options.measure_vertices) continue;
+    StepReport& report = result->report.steps.back();
+    stage("measure_vertices", report.timings, progress, [&] {
+      report.vertices =
+          std::visit([&](const auto& s) { return measure_vertices(s, before, *result); }, step);
+    });
   }
   result->report.peak_memory_bytes = peak_memory_bytes();
   return result;
