@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
@@ -93,14 +94,28 @@ TEST_F(CommandLine, EditOnTheDeviceDrawsBothPictures) {
   EXPECT_NE(read("a.png"), read("b.png"));
 }
 
-TEST_F(CommandLine, RenderDrawsAMeshAndItsDisplacement) {
+TEST_F(CommandLine, RenderDrawsAMeshAndHowItDiffersFromItsRestPose) {
   LAPWING_NEEDS_GPU();
   ASSERT_EQ(lapwing(std::string(kLiftFlags) + "--device cpu --save a.obj").exit_code, 0);
-  ASSERT_EQ(lapwing("render a.obj -o plain.png --size 160x120").exit_code, 0);
-  ASSERT_EQ(
-      lapwing("render a.obj -o moved.png --size 160x120 --displacement-from tube.obj").exit_code,
-      0);
-  EXPECT_NE(read("plain.png"), read("moved.png"));
+  const std::string render = "render a.obj -o a.png --size 160x120 ";
+  ASSERT_EQ(lapwing(render).exit_code, 0);
+  std::set<std::string> pictures{read("a.png")};
+  for (const std::string color : {"displacement", "rotation", "detail", "stretch"}) {
+    ASSERT_EQ(lapwing(render + "--rest tube.obj --color " + color).exit_code, 0);
+    EXPECT_TRUE(pictures.insert(read("a.png")).second) << color << " looks like another one";
+  }
+  EXPECT_EQ(lapwing(render + "--color rotation").exit_code, 2) << "without --rest";
+}
+
+TEST_F(CommandLine, EditDrawsHowItsResultDiffersFromWhatWasThere) {
+  LAPWING_NEEDS_GPU();
+  std::set<std::string> pictures;
+  for (const std::string color : {"plain", "regions", "displacement", "rotation", "detail"}) {
+    const Outcome outcome =
+        lapwing(std::string(kLiftFlags) + "--render a.png --size 160x120 --color " + color);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_TRUE(pictures.insert(read("a.png")).second) << color << " looks like another one";
+  }
 }
 
 TEST_F(CommandLine, WithoutTheLoaderOnlyTheCpuWorks) {

@@ -9,6 +9,7 @@
 #include "lapwing/vulkan/open_device.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "lapwing/vulkan/vulkan_surface.h"
+#include "pose_colors.h"
 #include "progress_display.h"
 
 namespace lapwing::cli {
@@ -56,6 +57,8 @@ void print_summary(const RunReport& report) {
 }  // namespace
 
 void EditOutput::add_to(CLI::App& command) {
+  std::vector<std::string> colors{"regions", "plain"};
+  colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
   command.add_option("--save", save, "write the edited mesh here");
   auto* reported = command.add_option("--report", report,
                                       "write device, sizes, timings and certificates as JSON");
@@ -66,7 +69,7 @@ void EditOutput::add_to(CLI::App& command) {
   command.add_option("--render", render, "write a picture of the result (PNG)");
   command.add_option("--render-before", render_before, "the same picture before the edit (PNG)");
   command.add_option("--color", color, "what the pictures show")
-      ->check(CLI::IsMember({"regions", "displacement", "plain"}))
+      ->check(CLI::IsMember(colors))
       ->capture_default_str();
   command.add_option("--device", device, "auto, cpu, an index or a part of a name (lapwing info)")
       ->capture_default_str();
@@ -111,13 +114,11 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
   SurfacePaint paint(*after);
   paint.set_polygons(result.mesh, result.topology);
   RenderOptions options = picture.render_options();
-  if (color == "displacement") {
-    options.style.color = SurfaceColor::scalar;
-    options.legend_title = "displacement";
-    paint.set_scalars(displacement_lengths(result.original, result.mesh.positions));
-  } else if (color == "regions" && result.last) {
+  if (color == "regions" && result.last) {
     options.style.color = SurfaceColor::regions;
     paint.set_classes(classes_of(result.last->region(), result.mesh.vertex_count()));
+  } else if (color != "regions" && color != "plain") {
+    color_by(color, result.topology, result.original, result.mesh.positions, paint, options);
   }
   Positions both = result.original;
   both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());

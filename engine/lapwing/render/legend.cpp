@@ -45,17 +45,26 @@ Overlay legend_overlay(const Legend& legend, std::uint32_t width, std::uint32_t 
     overlay.add_rectangle(left, y, right, y + 1.0F, map_color(legend.color_map, t));
   }
 
-  const auto write_left_of_bar = [&](float y, float value) {
-    const std::string text = label(value);
+  const auto write_left_of_bar = [&](float y, float value, const std::string& sign = {}) {
+    const std::string text = sign + label(value);
     overlay.add_text(left - kGap * dot - Overlay::text_width(dot, text),
                      std::round(y - 0.5F * kCapitalHeight * dot), dot, kInk, text);
   };
   const ScalarRange& range = legend.range;
-  write_left_of_bar(top, range.high);
+  write_left_of_bar(top, range.high, legend.more_above ? ">= " : "");
   write_left_of_bar(0.5F * (top + bottom), 0.5F * (range.low + range.high));
-  write_left_of_bar(bottom, range.low);
-  overlay.add_text(std::max(0.0F, right - Overlay::text_width(dot, legend.title)),
-                   top - (2.0F * kCapitalHeight + kGap) * dot, dot, kInk, legend.title);
+  write_left_of_bar(bottom, range.low, legend.less_below ? "<= " : "");
+  // Lines of the title from the last one, which stands above the bar, upwards.
+  float y = top - (2.0F * kCapitalHeight + kGap) * dot;
+  std::string_view title = legend.title;
+  while (!title.empty()) {
+    const std::size_t line_break = title.rfind('\n');
+    const std::string_view line =
+        line_break == std::string_view::npos ? title : title.substr(line_break + 1);
+    overlay.add_text(std::max(0.0F, right - Overlay::text_width(dot, line)), y, dot, kInk, line);
+    y -= (kCapitalHeight + kGap) * dot;
+    title = title.substr(0, line_break == std::string_view::npos ? 0 : line_break);
+  }
   return overlay;
 }
 
