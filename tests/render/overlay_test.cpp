@@ -49,6 +49,17 @@ TEST(Legend, NumbersChangeWithTheRange) {
   EXPECT_LT(count(1.0F), count(888.0F));
 }
 
+TEST(Legend, StaysInItsShareOfThePicture) {
+  for (const auto& [width, height] : {std::pair{640U, 480U}, std::pair{1280U, 960U}}) {
+    const Overlay overlay = legend_overlay(
+        {ColorMap::sequential, {0.0F, 0.0937F}, "displacement,\nmesh units", true}, width, height);
+    const double left = width * (1.0 - legend_share(width, height));
+    for (const OverlayRectangle& rectangle : overlay.rectangles()) {
+      EXPECT_GE(rectangle.corners[0], left);
+    }
+  }
+}
+
 TEST(Legend, SaysWhereNumbersLieOutsideTheRange) {
   const auto count = [](bool more_above, bool less_below) {
     return legend_overlay({ColorMap::sequential, {0.0F, 1.0F}, "", more_above, less_below}, 640,

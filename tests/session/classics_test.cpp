@@ -35,6 +35,10 @@ struct Classic {
   double edge_stretch;  // at most
 };
 
+std::ostream& operator<<(std::ostream& out, const Classic& classic) {
+  return out << classic.name;
+}
+
 class Classics : public ::testing::TestWithParam<Classic> {};
 
 TEST_P(Classics, SettleWithoutFlipsFoldsOrLostDetail) {

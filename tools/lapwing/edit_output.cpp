@@ -122,7 +122,7 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
   }
   Positions both = result.original;
   both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());
-  const Camera camera = picture.camera(both);
+  const Camera camera = picture.camera(both, options.style.color == SurfaceColor::scalar);
   if (!render.empty()) write_png(render, render_image(*after, paint, camera, options));
   if (!render_before.empty()) {
     const auto before = still(result.original);

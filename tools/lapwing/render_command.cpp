@@ -48,8 +48,8 @@ void render(const RenderArguments& arguments) {
     const Mesh rest = read_rest_pose(arguments.rest, mesh);
     color_by(arguments.color, topology, rest.positions, mesh.positions, paint, options);
   }
-  write_png(arguments.image,
-            render_image(drawn, paint, arguments.picture.camera(mesh.positions), options));
+  const Camera camera = arguments.picture.camera(mesh.positions, !arguments.rest.empty());
+  write_png(arguments.image, render_image(drawn, paint, camera, options));
 }
 
 }  // namespace

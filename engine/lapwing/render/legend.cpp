@@ -20,6 +20,10 @@ constexpr float kFrame = 1.0F;
 constexpr float kCapitalHeight = 7.0F;
 constexpr float kBarPart = 0.42F;  // of the picture's height
 
+float dot_size(std::uint32_t picture_height) {
+  return std::max(1.0F, std::round(static_cast<float>(picture_height) / kHeightPerDot));
+}
+
 std::string label(float value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(value));
@@ -31,7 +35,7 @@ std::string label(float value) {
 Overlay legend_overlay(const Legend& legend, std::uint32_t width, std::uint32_t height) {
   Overlay overlay;
   const auto picture_height = static_cast<float>(height);
-  const float dot = std::max(1.0F, std::round(picture_height / kHeightPerDot));
+  const float dot = dot_size(height);
   const float right = static_cast<float>(width) - kMargin * dot;
   const float left = right - kBarWidth * dot;
   const float bar_height = std::round(kBarPart * picture_height);
@@ -66,6 +70,13 @@ Overlay legend_overlay(const Legend& legend, std::uint32_t width, std::uint32_t 
     title = title.substr(0, line_break == std::string_view::npos ? 0 : line_break);
   }
   return overlay;
+}
+
+double legend_share(std::uint32_t width, std::uint32_t height) {
+  const float dot = dot_size(height);
+  const float covered =
+      Overlay::text_width(dot, std::string(kLegendLetters, 'm')) + (kMargin + kGap) * dot;
+  return std::min(0.5, static_cast<double>(covered) / width);
 }
 
 }  // namespace lapwing

@@ -53,6 +53,11 @@ struct Legend {
 /// follow the picture's height.
 Overlay legend_overlay(const Legend& legend, std::uint32_t width, std::uint32_t height);
 
+/// How much of such a picture's width, at the right, a legend with titles of up to kLegendLetters a
+/// line covers: at most half.
+double legend_share(std::uint32_t width, std::uint32_t height);
+inline constexpr int kLegendLetters = 13;
+
 /// An overlay in device memory. The device must be done with it when it is destroyed. The context
 /// must outlive it.
 class OverlayBuffer {
