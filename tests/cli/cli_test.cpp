@@ -176,6 +176,22 @@ TEST_F(CommandLine, ConvertSaysWhatItCannotCarry) {
   EXPECT_THAT(outcome.output, HasSubstr("material"));
 }
 
+TEST_F(CommandLine, ShapesAreMadeAndSubdivided) {
+  ASSERT_EQ(lapwing("shape bar -o bar.obj").exit_code, 0);
+  const Mesh bar = read_mesh(file("bar.obj"));
+  ASSERT_EQ(lapwing("subdivide bar.obj -o fine.obj").exit_code, 0);
+  const Mesh fine = read_mesh(file("fine.obj"));
+  EXPECT_EQ(fine.face_count(), 4 * bar.face_count());
+  EXPECT_EQ(fine.positions[0], bar.positions[0]) << "a corner";
+  ASSERT_EQ(lapwing("subdivide bar.obj -o round.obj --smooth --times 2").exit_code, 0);
+  const Mesh round = read_mesh(file("round.obj"));
+  EXPECT_EQ(round.face_count(), 16 * bar.face_count());
+  EXPECT_NE(round.positions[0], bar.positions[0]) << "a corner";
+  const Outcome unknown = lapwing("shape teapot -o a.obj");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.output, HasSubstr("bumpy-plane"));
+}
+
 TEST_F(CommandLine, CheckFindsAndFixes) {
   write("loose.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nf 1 2 3\n");
   const Outcome found = lapwing("check loose.obj");

@@ -21,21 +21,13 @@ const std::map<std::string, Mesh (*)()> kShapes{
     {"cylinder", [] { return cylinder(48, 100, 0.5, 6.0); }},
     {"bar", [] { return bar(16, 96, 1.0, 6.0); }}};
 
-std::string names_of_shapes() {
-  std::string names;
-  for (const auto& [name, make] : kShapes) names += (names.empty() ? "" : ", ") + name;
-  return names;
-}
-
 }  // namespace
 
 void add_shape(CLI::App& app) {
   auto* command = app.add_subcommand("shape", "write a generated mesh, to try things on");
   auto shape = std::make_shared<std::string>();
   auto path = std::make_shared<std::string>();
-  command->add_option("SHAPE", *shape, names_of_shapes())
-      ->required()
-      ->check(CLI::IsMember(kShapes));
+  command->add_option("SHAPE", *shape, "which")->required()->check(CLI::IsMember(kShapes));
   command->add_option("-o,--output", *path, "OBJ, OFF, PLY or STL")->required();
   command->callback([shape, path] { write_mesh(kShapes.at(*shape)(), *path); });
 }
