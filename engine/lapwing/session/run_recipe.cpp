@@ -97,8 +97,8 @@ StepReport run_step(const DeformStep& step, Kernels& kernels, const Progress& pr
 }
 
 // What became of each vertex in the step that ran last.
-VertexMeasures measure_vertices(const DeformStep& step, const Positions& before,
-                                const RunResult& result) {
+VertexMeasures measure_step(const DeformStep& step, const Positions& before,
+                            const RunResult& result) {
   const auto weights = laplacian_weights(result.topology, before, step.weights);
   return measure_vertices(result.last->region().roi, result.topology, weights, before,
                           result.mesh.positions);
@@ -119,7 +119,7 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
     StepReport& report = result->report.steps.back();
     stage("measure_vertices", report.timings, progress, [&] {
       report.vertices =
-          std::visit([&](const auto& s) { return measure_vertices(s, before, *result); }, step);
+          std::visit([&](const auto& s) { return measure_step(s, before, *result); }, step);
     });
   }
   result->report.peak_memory_bytes = peak_memory_bytes();
