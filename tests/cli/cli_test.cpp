@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
@@ -20,6 +21,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct Outcome {
   int exit_code = -1;
@@ -87,6 +89,15 @@ TEST_F(CommandLine, LargeTurnIsWarnedAboutOrCommittedOnTheWay) {
   EXPECT_EQ(lapwing(turn + "--commit-every 200").exit_code, 3);
 }
 
+TEST_F(CommandLine, ReportHoldsEveryVertexWhenAsked) {
+  const std::string report = std::string(kLiftFlags) + "--device cpu --report a.json ";
+  ASSERT_EQ(lapwing(report).exit_code, 0);
+  EXPECT_THAT(read("a.json"), Not(HasSubstr("\"rotation_degrees\"")));
+  ASSERT_EQ(lapwing(report + "--report-vertices").exit_code, 0);
+  EXPECT_THAT(read("a.json"), HasSubstr("\"rotation_degrees\""));
+  EXPECT_EQ(lapwing(std::string(kLiftFlags) + "--save a.obj --report-vertices").exit_code, 2);
+}
+
 TEST_F(CommandLine, EditOnTheDeviceDrawsBothPictures) {
   LAPWING_NEEDS_GPU();
   const Outcome outcome =
@@ -96,14 +107,28 @@ TEST_F(CommandLine, EditOnTheDeviceDrawsBothPictures) {
   EXPECT_NE(read("a.png"), read("b.png"));
 }
 
-TEST_F(CommandLine, RenderDrawsAMeshAndItsDisplacement) {
+TEST_F(CommandLine, RenderDrawsAMeshAndHowItDiffersFromItsRestPose) {
   LAPWING_NEEDS_GPU();
   ASSERT_EQ(lapwing(std::string(kLiftFlags) + "--device cpu --save a.obj").exit_code, 0);
-  ASSERT_EQ(lapwing("render a.obj -o plain.png --size 160x120").exit_code, 0);
-  ASSERT_EQ(
-      lapwing("render a.obj -o moved.png --size 160x120 --displacement-from tube.obj").exit_code,
-      0);
-  EXPECT_NE(read("plain.png"), read("moved.png"));
+  const std::string render = "render a.obj -o a.png --size 160x120 ";
+  ASSERT_EQ(lapwing(render).exit_code, 0);
+  std::set<std::string> pictures{read("a.png")};
+  for (const std::string color : {"displacement", "rotation", "detail", "stretch"}) {
+    ASSERT_EQ(lapwing(render + "--rest tube.obj --color " + color).exit_code, 0);
+    EXPECT_TRUE(pictures.insert(read("a.png")).second) << color << " looks like another one";
+  }
+  EXPECT_EQ(lapwing(render + "--color rotation").exit_code, 2) << "without --rest";
+}
+
+TEST_F(CommandLine, EditDrawsHowItsResultDiffersFromWhatWasThere) {
+  LAPWING_NEEDS_GPU();
+  std::set<std::string> pictures;
+  for (const std::string color : {"plain", "regions", "displacement", "rotation", "detail"}) {
+    const Outcome outcome =
+        lapwing(std::string(kLiftFlags) + "--render a.png --size 160x120 --color " + color);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_TRUE(pictures.insert(read("a.png")).second) << color << " looks like another one";
+  }
 }
 
 TEST_F(CommandLine, WithoutTheLoaderOnlyTheCpuWorks) {
@@ -162,6 +187,22 @@ TEST_F(CommandLine, ConvertSaysWhatItCannotCarry) {
   const Outcome outcome = lapwing("convert red.obj red.off");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.output, HasSubstr("material"));
+}
+
+TEST_F(CommandLine, ShapesAreMadeAndSubdivided) {
+  ASSERT_EQ(lapwing("shape bar -o bar.obj").exit_code, 0);
+  const Mesh bar = read_mesh(file("bar.obj"));
+  ASSERT_EQ(lapwing("subdivide bar.obj -o fine.obj").exit_code, 0);
+  const Mesh fine = read_mesh(file("fine.obj"));
+  EXPECT_EQ(fine.face_count(), 4 * bar.face_count());
+  EXPECT_EQ(fine.positions[0], bar.positions[0]) << "a corner";
+  ASSERT_EQ(lapwing("subdivide bar.obj -o round.obj --smooth --times 2").exit_code, 0);
+  const Mesh round = read_mesh(file("round.obj"));
+  EXPECT_EQ(round.face_count(), 16 * bar.face_count());
+  EXPECT_NE(round.positions[0], bar.positions[0]) << "a corner";
+  const Outcome unknown = lapwing("shape teapot -o a.obj");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.output, HasSubstr("bumpy-plane"));
 }
 
 TEST_F(CommandLine, CheckFindsAndFixes) {

@@ -51,6 +51,18 @@ TEST(Certificate, NamesTheTrianglesThatFaceTheOtherWay) {
   EXPECT_THAT(c.first_flipped_triangles, ::testing::Not(::testing::IsEmpty()));
 }
 
+TEST(Certificate, NamesTheEdgeThatIsStretchedMost) {
+  const Sphere sphere;
+  EXPECT_EQ(sphere.measure(sphere.mesh.positions).largest_edge_stretch_vertices[0], kNoIndex);
+  Positions pulled = sphere.mesh.positions;
+  const Index end = sphere.topology.rings[7][0];
+  pulled[7] += 2.0 * (pulled[7] - pulled[end]);
+  const Certificate c = sphere.measure(pulled);
+  EXPECT_NEAR(c.largest_edge_stretch, 2.0, 1e-12);
+  EXPECT_THAT(c.largest_edge_stretch_vertices,
+              ::testing::ElementsAre(std::min(7U, end), std::max(7U, end)));
+}
+
 TEST(Certificate, FailsOnWhatIsNotFiniteAndOnALargeResidual) {
   const Sphere sphere;
   Positions broken = sphere.mesh.positions;

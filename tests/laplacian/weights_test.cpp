@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/subdivide.h"
 
 namespace lapwing {
 namespace {

@@ -45,6 +45,21 @@ TEST_P(FitAnyView, ShowsAllPointsAsLargeAsTheMarginAllows) {
   }
 }
 
+TEST_P(FitAnyView, LeavesTheLegendItsPartAtTheRight) {
+  const Positions points = torus(24, 12, 2.0, 0.5).positions;
+  const Framing framing{.orthographic = GetParam(), .margin = 0.0, .legend = 0.25};
+  const Camera camera = fit(points, view_axes(View::top), 0.5, framing);
+  double left = 1.0;
+  double right = -1.0;
+  for (const Vector3d& p : points) {
+    const double across = to_clip(camera, 0.5, p).x();
+    left = std::min(left, across);
+    right = std::max(right, across);
+  }
+  EXPECT_NEAR(left, -1.0, 1e-6);
+  EXPECT_NEAR(right, 0.5, 1e-6);
+}
+
 INSTANTIATE_TEST_SUITE_P(Projections, FitAnyView, ::testing::Bool(),
                          [](const auto& p) { return p.param ? "Orthographic" : "Perspective"; });
 

@@ -31,8 +31,8 @@ TEST(Overlay, CharactersWithoutALetterShowAsQuestionMarks) {
 
 TEST(Legend, LiesInsideThePicture) {
   for (const auto& [width, height] : {std::pair{256U, 192U}, std::pair{1280U, 960U}}) {
-    const Overlay overlay =
-        legend_overlay({ColorMap::sequential, {-1.5e-6F, 2.0F}, "distance"}, width, height);
+    const Overlay overlay = legend_overlay(
+        {ColorMap::sequential, {-1.5e-6F, 2.0F}, "distance,\nmetres"}, width, height);
     for (const OverlayRectangle& rectangle : overlay.rectangles()) {
       EXPECT_GE(rectangle.corners[0], 0.0F);
       EXPECT_GE(rectangle.corners[1], 0.0F);
@@ -47,6 +47,28 @@ TEST(Legend, NumbersChangeWithTheRange) {
     return legend_overlay({ColorMap::sequential, {0.0F, high}, ""}, 640, 480).rectangles().size();
   };
   EXPECT_LT(count(1.0F), count(888.0F));
+}
+
+TEST(Legend, StaysInItsShareOfThePicture) {
+  for (const auto& [width, height] : {std::pair{640U, 480U}, std::pair{1280U, 960U}}) {
+    const Overlay overlay = legend_overlay(
+        {ColorMap::sequential, {0.0F, 0.0937F}, "displacement,\nmesh units", true}, width, height);
+    const double left = width * (1.0 - legend_share(width, height));
+    for (const OverlayRectangle& rectangle : overlay.rectangles()) {
+      EXPECT_GE(rectangle.corners[0], left);
+    }
+  }
+}
+
+TEST(Legend, SaysWhereNumbersLieOutsideTheRange) {
+  const auto count = [](bool more_above, bool less_below) {
+    return legend_overlay({ColorMap::sequential, {0.0F, 1.0F}, "", more_above, less_below}, 640,
+                          480)
+        .rectangles()
+        .size();
+  };
+  EXPECT_LT(count(false, false), count(true, false));
+  EXPECT_LT(count(true, false), count(true, true));
 }
 
 }  // namespace

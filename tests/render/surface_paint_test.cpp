@@ -34,10 +34,24 @@ TEST(PolygonEdges, ShowAllEdgesOfTriangles) {
   EXPECT_THAT(polygon_edges(mesh, build_topology(mesh)), ::testing::Each(7U));
 }
 
-TEST(DisplacementLengths, AreDistances) {
-  const Positions rest{{0, 0, 0}, {1, 1, 1}};
-  const Positions current{{3, 4, 0}, {1, 1, 1}};
-  EXPECT_THAT(displacement_lengths(rest, current), ::testing::ElementsAre(5.0F, 0.0F));
+TEST(RangeWithoutOutliers, EndsAtTheLargestNumberUnlessAFewAreFarAbove) {
+  std::vector<float> numbers(1000);
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<float>(i % 100);
+  EXPECT_EQ(range_without_outliers(numbers).high, 99.0F);
+  numbers[7] = 1e6F;
+  EXPECT_EQ(range_without_outliers(numbers).high, 99.0F);
+  EXPECT_EQ(range_without_outliers(numbers).low, 0.0F);
+}
+
+TEST(RangeWithoutOutliers, IsNotEmptyWhereFewNumbersAreNotZero) {
+  std::vector<float> numbers(1000, 0.0F);
+  numbers[7] = 5.0F;
+  EXPECT_EQ(range_without_outliers(numbers).high, 5.0F);
+}
+
+TEST(RangeWithoutOutliers, KnowsFiniteNumbersOnly) {
+  EXPECT_EQ(range_without_outliers(std::array{NAN, 2.0F, INFINITY}).high, 2.0F);
+  EXPECT_EQ(range_without_outliers(std::array{NAN}).high, 0.0F);
 }
 
 TEST(SurfacePaint, RangeIsThatOfTheFiniteNumbers) {

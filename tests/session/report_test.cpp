@@ -24,6 +24,7 @@ RunReport sample() {
   step.timings.add("factor", 2.25);
   step.timings.add("factor", 1.0);
   step.certificate.handle_error = std::numeric_limits<double>::infinity();
+  step.certificate.largest_edge_stretch_vertices = {3, 8};
   report.steps.push_back(step);
   return report;
 }
@@ -42,6 +43,18 @@ TEST(Report, JsonHoldsDeviceCountsTimingsAndCertificate) {
   EXPECT_EQ(step["commits"], 2);
   EXPECT_EQ(step["timings_ms"]["factor"], 3.25) << "times of one stage add up";
   EXPECT_EQ(step["certificate"]["relative_residual"], 0.0);
+  EXPECT_EQ(step["certificate"]["largest_edge_stretch_vertices"], (std::vector<int>{3, 8}));
+}
+
+TEST(Report, VerticesAreListedOnlyWhereTheyWereMeasured) {
+  RunReport report = sample();
+  EXPECT_FALSE(nlohmann::json::parse(to_json(report))["steps"][0].contains("vertices"));
+  report.steps[0].vertices = {{4, 9}, {10.5, 20}, {0.25, 0.5}, {0.125, 1}};
+  const auto json = nlohmann::json::parse(to_json(report))["steps"][0]["vertices"];
+  EXPECT_EQ(json["vertices"], (std::vector<int>{4, 9}));
+  EXPECT_EQ(json["rotation_degrees"], (std::vector<double>{10.5, 20}));
+  EXPECT_EQ(json["detail_error"], (std::vector<double>{0.25, 0.5}));
+  EXPECT_EQ(json["stretch"], (std::vector<double>{0.125, 1}));
 }
 
 TEST(Report, NumbersThatJsonCannotSayBecomeNull) {

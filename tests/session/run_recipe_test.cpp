@@ -20,11 +20,12 @@ class RunRecipe : public ::testing::Test {
  protected:
   void SetUp() override { write_mesh(cylinder(12, 20, 0.5, 3.0), folder_.path() / "tube.obj"); }
 
-  std::unique_ptr<RunResult> run(const std::string& steps, const Progress& progress = {}) {
+  std::unique_ptr<RunResult> run(const std::string& steps, const Progress& progress = {},
+                                 const RunOptions& options = {}) {
     return run_recipe(
         parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [)" + steps + "]}",
                      folder_.path(), "test"),
-        kernels_, progress);
+        kernels_, progress, options);
   }
 
   TemporaryFolder folder_;
@@ -44,6 +45,15 @@ TEST_F(RunRecipe, DeformsReportsAndKeepsTheOriginal) {
   EXPECT_EQ(step.free + step.belt + step.handles[0], step.roi);
   EXPECT_LT(step.certificate.relative_residual, 1e-9);
   EXPECT_NEAR(result->mesh.positions.back().z() - result->original.back().z(), 0.5, 0.05);
+}
+
+TEST_F(RunRecipe, MeasuresEachVertexOfTheRoiWhenAsked) {
+  EXPECT_TRUE(run(kLift)->report.steps[0].vertices.vertices.empty());
+  const auto result = run(kLift, {}, {.measure_vertices = true});
+  const VertexMeasures& measures = result->report.steps[0].vertices;
+  EXPECT_EQ(measures.vertices.size(), 240U);
+  EXPECT_NEAR(*std::max_element(measures.rotation_degrees.begin(), measures.rotation_degrees.end()),
+              result->report.steps[0].certificate.largest_rotation_degrees, 1e-12);
 }
 
 TEST_F(RunRecipe, StepsFollowOneAnother) {

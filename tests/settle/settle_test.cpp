@@ -10,6 +10,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/deformer.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/bent_tube.h"

@@ -8,7 +8,7 @@
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/laplacian/weights.h"
-#include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/subdivide.h"
 #include "solver_rows.h"
 
 namespace lapwing::bench {

@@ -31,4 +31,16 @@ struct SolveBench {
 /// Times the block Cholesky beside CHOLMOD and Eigen on the RSI systems of whole meshes.
 void bench_solve(const SolveBench& settings);
 
+struct SettleBench {
+  std::string device = "auto";
+  std::string recipes = "tools/recipes";  ///< the folder of the four test motions
+  std::string pictures;                   ///< a folder for pictures of every result, or empty
+  int repeats = 7;
+};
+
+/// What settling keeps of details and lengths and what a frame costs: on three motions of a rippled
+/// cylinder beside the linear solution alone and, where CGAL was there to build with, its
+/// as-rigid-as-possible deformation; and on the four test motions of tools/classics.
+void bench_settle(const SettleBench& settings);
+
 }  // namespace lapwing::bench

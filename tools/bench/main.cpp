@@ -50,6 +50,18 @@ int main(int argc, char** argv) {
     lapwing::bench::bench_solve(settings);
   });
 
+  auto* settle = app.add_subcommand(
+      "settle", "detail and lengths kept under large rotations, beside CGAL's ARAP");
+  lapwing::bench::SettleBench settle_settings;
+  settle->add_option("--device", settle_settings.device);
+  settle->add_option("--recipes", settle_settings.recipes, "folder of the four test motions")
+      ->capture_default_str();
+  settle->add_option("--pictures", settle_settings.pictures, "write pictures of all results here");
+  settle->callback([&] {
+    settle_settings.repeats = repeats;
+    lapwing::bench::bench_settle(settle_settings);
+  });
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

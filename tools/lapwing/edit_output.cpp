@@ -9,6 +9,7 @@
 #include "lapwing/vulkan/open_device.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "lapwing/vulkan/vulkan_surface.h"
+#include "pose_colors.h"
 #include "progress_display.h"
 
 namespace lapwing::cli {
@@ -28,10 +29,15 @@ void print_certificate(const Certificate& c, double diagonal) {
   std::printf(
       "  residual %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
       "  largest rotation %.1f degrees, %zu flipped triangles,\n"
-      "  detail error %.3f, edge stretch %.3f\n",
+      "  detail error %.3f, edge stretch %.3f",
       c.relative_residual, diagonal > 0.0 ? c.handle_error / diagonal : 0.0, c.smallest_scale,
       c.largest_scale, c.largest_rotation_degrees, c.flipped_triangles, c.detail_error,
       c.edge_stretch);
+  const auto& [a, b] = c.largest_edge_stretch_vertices;
+  if (a != kNoIndex) {
+    std::printf(", at most %.3f between vertices %u and %u", c.largest_edge_stretch, a, b);
+  }
+  std::printf("\n");
   if (c.settle_iterations == 0) return;
   std::printf(c.settled ? "  settled in %d iterations, to %.1e of the mean edge\n"
                         : "  not settled after %d iterations: one more would move a vertex by %.1e "
@@ -51,12 +57,19 @@ void print_summary(const RunReport& report) {
 }  // namespace
 
 void EditOutput::add_to(CLI::App& command) {
+  std::vector<std::string> colors{"regions", "plain"};
+  colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
   command.add_option("--save", save, "write the edited mesh here");
-  command.add_option("--report", report, "write device, sizes, timings and certificates as JSON");
+  auto* reported = command.add_option("--report", report,
+                                      "write device, sizes, timings and certificates as JSON");
+  command
+      .add_flag("--report-vertices", report_vertices,
+                "with rotation, detail error and stretch of every vertex of the regions")
+      ->needs(reported);
   command.add_option("--render", render, "write a picture of the result (PNG)");
   command.add_option("--render-before", render_before, "the same picture before the edit (PNG)");
   command.add_option("--color", color, "what the pictures show")
-      ->check(CLI::IsMember({"regions", "displacement", "plain"}))
+      ->check(CLI::IsMember(colors))
       ->capture_default_str();
   command.add_option("--device", device, "auto, cpu, an index or a part of a name (lapwing info)")
       ->capture_default_str();
@@ -70,7 +83,7 @@ void EditOutput::run(const Recipe& recipe) const {
   const auto kernels = open_device(device);
   ProgressDisplay display(quiet);
   display.note("device: " + kernels->device().name);
-  const auto result = run_recipe(recipe, *kernels, display.callback());
+  const auto result = run_recipe(recipe, *kernels, display.callback(), {report_vertices});
   const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
   if (!target.empty()) save_result(*result, target);
   if (!render.empty() || !render_before.empty()) draw(*result, *kernels);
@@ -101,17 +114,15 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
   SurfacePaint paint(*after);
   paint.set_polygons(result.mesh, result.topology);
   RenderOptions options = picture.render_options();
-  if (color == "displacement") {
-    options.style.color = SurfaceColor::scalar;
-    options.legend_title = "displacement";
-    paint.set_scalars(displacement_lengths(result.original, result.mesh.positions));
-  } else if (color == "regions" && result.last) {
+  if (color == "regions" && result.last) {
     options.style.color = SurfaceColor::regions;
     paint.set_classes(classes_of(result.last->region(), result.mesh.vertex_count()));
+  } else if (color != "regions" && color != "plain") {
+    color_by(color, result.topology, result.original, result.mesh.positions, paint, options);
   }
   Positions both = result.original;
   both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());
-  const Camera camera = picture.camera(both);
+  const Camera camera = picture.camera(both, options.style.color == SurfaceColor::scalar);
   if (!render.empty()) write_png(render, render_image(*after, paint, camera, options));
   if (!render_before.empty()) {
     const auto before = still(result.original);

@@ -13,6 +13,7 @@ namespace lapwing::cli {
 struct EditOutput {
   std::string save;
   std::string report;
+  bool report_vertices = false;
   std::string render;
   std::string render_before;
   std::string color = "regions";

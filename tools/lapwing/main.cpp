@@ -61,5 +61,6 @@ int main(int argc, char** argv) {
   lapwing::cli::add_convert(app);
   lapwing::cli::add_info(app);
   lapwing::cli::add_shape(app);
+  lapwing::cli::add_subdivide(app);
   return lapwing::cli::run(app, argc, argv);
 }

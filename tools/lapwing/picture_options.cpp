@@ -56,7 +56,7 @@ RenderOptions PictureOptions::render_options() const {
   return options;
 }
 
-Camera PictureOptions::camera(std::span<const Eigen::Vector3d> points) const {
+Camera PictureOptions::camera(std::span<const Eigen::Vector3d> points, bool with_legend) const {
   ViewAxes axes = view_axes(view_named(view), up == "z" ? UpAxis::z : UpAxis::y);
   if (!from.empty()) {
     axes.toward_eye = Eigen::Vector3d(from[0], from[1], from[2]);
@@ -68,7 +68,9 @@ Camera PictureOptions::camera(std::span<const Eigen::Vector3d> points) const {
   }
   Framing framing;
   framing.orthographic = orthographic;
-  return fit(points, axes, render_options().aspect(), framing);
+  const RenderOptions options = render_options();
+  if (with_legend) framing.legend = legend_share(options.width, options.height);
+  return fit(points, axes, options.aspect(), framing);
 }
 
 }  // namespace lapwing::cli

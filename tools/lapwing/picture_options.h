@@ -25,8 +25,8 @@ struct PictureOptions {
   void add_to(CLI::App& command);
   /// Throws CLI::ValidationError for a size that is none.
   RenderOptions render_options() const;
-  /// Frames all of `points`.
-  Camera camera(std::span<const Eigen::Vector3d> points) const;
+  /// Frames all of `points`, beside a legend where there is one.
+  Camera camera(std::span<const Eigen::Vector3d> points, bool with_legend) const;
 };
 
 }  // namespace lapwing::cli

@@ -9,6 +9,7 @@
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "lapwing/vulkan/vulkan_surface.h"
 #include "picture_options.h"
+#include "pose_colors.h"
 
 namespace lapwing::cli {
 namespace {
@@ -16,19 +17,20 @@ namespace {
 struct RenderArguments {
   std::string mesh;
   std::string image;
-  std::string displacement_from;
+  std::string rest;
+  std::string color = "displacement";
   std::string device = "auto";
   PictureOptions picture;
 };
 
-std::vector<float> displacement_from(const std::string& path, const Mesh& mesh) {
-  const Mesh rest = read_mesh(path);
+Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
+  Mesh rest = read_mesh(path);
   if (rest.vertex_count() != mesh.vertex_count()) {
     throw InputError(path + " has " + std::to_string(rest.vertex_count()) +
                      " vertices and the mesh to draw " + std::to_string(mesh.vertex_count()) +
-                     "; displacement needs two poses of one mesh");
+                     "; --rest needs another pose of the same mesh");
   }
-  return displacement_lengths(rest.positions, mesh.positions);
+  return rest;
 }
 
 void render(const RenderArguments& arguments) {
@@ -42,13 +44,12 @@ void render(const RenderArguments& arguments) {
   auto& drawn = dynamic_cast<VulkanSurface&>(*surface);
   SurfacePaint paint(drawn);
   paint.set_polygons(mesh, topology);
-  if (!arguments.displacement_from.empty()) {
-    options.style.color = SurfaceColor::scalar;
-    options.legend_title = "displacement";
-    paint.set_scalars(displacement_from(arguments.displacement_from, mesh));
+  if (!arguments.rest.empty()) {
+    const Mesh rest = read_rest_pose(arguments.rest, mesh);
+    color_by(arguments.color, topology, rest.positions, mesh.positions, paint, options);
   }
-  write_png(arguments.image,
-            render_image(drawn, paint, arguments.picture.camera(mesh.positions), options));
+  const Camera camera = arguments.picture.camera(mesh.positions, !arguments.rest.empty());
+  write_png(arguments.image, render_image(drawn, paint, camera, options));
 }
 
 }  // namespace
@@ -58,8 +59,12 @@ void add_render(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
   command->add_option("-o,--output", arguments->image, "PNG")->required();
-  command->add_option("--displacement-from", arguments->displacement_from,
-                      "colour by the distance from this pose of the same mesh");
+  auto* rest = command->add_option("--rest", arguments->rest,
+                                   "colour by the difference from this pose of the same mesh");
+  command->add_option("--color", arguments->color, "which difference")
+      ->check(CLI::IsMember(pose_colors()))
+      ->needs(rest)
+      ->capture_default_str();
   command->add_option("--device", arguments->device, "auto, an index or a part of a name")
       ->capture_default_str();
   arguments->picture.add_to(*command);

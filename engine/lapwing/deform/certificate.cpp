@@ -9,6 +9,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/laplacian/ring_fit.h"
 
 namespace lapwing {
@@ -16,12 +17,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-// Angle of a rotation; accurate at both ends of the range, where arccos alone is not.
-double rotation_angle(const Matrix3d& R) {
-  const Vector3d twice_sine(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
-  return std::atan2(twice_sine.norm(), R.trace() - 1.0);
-}
 
 Vector3d area_normal(const Triangle& t, std::span<const Vector3d> p) {
   return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
@@ -90,6 +85,9 @@ void measure_shape(std::span<const Index> roi, const Topology& topology,
     }
   }
   certificate.largest_rotation_degrees = largest_angle * 180.0 / std::numbers::pi;
+  const StretchedEdge edge = most_stretched_edge(roi, topology, rest, current);
+  certificate.largest_edge_stretch = edge.stretch;
+  certificate.largest_edge_stretch_vertices = edge.vertices;
   count_flipped(in_roi, rotations, topology, rest, current, certificate);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ struct Certificate {
   double detail_error = 0.0;
   /// Root mean square of the relative change of edge lengths in the region (`edge_stretch`).
   double edge_stretch = 0.0;
+  /// The largest such change, and the ends of its edge; none where all lengths are kept.
+  double largest_edge_stretch = 0.0;
+  std::array<Index, 2> largest_edge_stretch_vertices{kNoIndex, kNoIndex};
   int settle_iterations = 0;      ///< 0 without settling
   bool settled = true;            ///< false where the iterations ran out first
   double settle_last_step = 0.0;  ///< how far a vertex would still move, in mean edge lengths
@@ -45,8 +49,9 @@ inline constexpr double kLargestResidual = 1e-6;
 /// At this many flipped triangles the list stops.
 inline constexpr std::size_t kListedTriangles = 8;
 
-/// Fills in what can be measured from the shapes alone: scales, rotations, flips, finiteness. `roi`
-/// are the vertices measured; triangles count when they touch it. Linear time.
+/// Fills in what can be measured from the shapes alone: scales, rotations, flips, the edge
+/// stretched most, finiteness. `roi` are the vertices measured; triangles count when they touch it.
+/// Linear time.
 void measure_shape(std::span<const Index> roi, const Topology& topology,
                    std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
                    Certificate& certificate);

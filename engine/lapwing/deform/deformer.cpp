@@ -9,6 +9,7 @@
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/edit_system.h"
 #include "lapwing/deform/rsi_solution.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/deform/turned_start.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"

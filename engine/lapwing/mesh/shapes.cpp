@@ -5,7 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "lapwing/base/errors.h"
+#include "lapwing/mesh/subdivide.h"
 
 namespace lapwing {
 namespace {
@@ -16,6 +16,32 @@ void add_triangle(Mesh& mesh, Index a, Index b, Index c) {
   const std::array<Index, 3> t{a, b, c};
   mesh.add_face(t);
 }
+
+// The vertices on the skin of a box of grid points, as they are asked for.
+class BoxSkin {
+ public:
+  BoxSkin(Mesh& mesh, Index across, double width, double step)
+      : mesh_(mesh), across_(across), width_(width), step_(step) {}
+
+  Index vertex(const std::array<Index, 3>& at) {
+    const std::uint64_t key =
+        (std::uint64_t{at[2]} * (across_ + 1) + at[1]) * (across_ + 1) + at[0];
+    const auto [it, inserted] =
+        numbers_.try_emplace(key, static_cast<Index>(mesh_.positions.size()));
+    if (inserted) {
+      mesh_.positions.emplace_back(width_ * at[0] / across_ - 0.5 * width_,
+                                   width_ * at[1] / across_ - 0.5 * width_, step_ * at[2]);
+    }
+    return it->second;
+  }
+
+ private:
+  Mesh& mesh_;
+  Index across_;
+  double width_;
+  double step_;
+  std::unordered_map<std::uint64_t, Index> numbers_;
+};
 
 }  // namespace
 
@@ -86,6 +112,64 @@ Mesh cylinder(Index around, Index rings, double radius, double height) {
   return mesh;
 }
 
+Mesh rippled_cylinder(Index around, Index rings) {
+  constexpr double kHeight = 6.0;
+  Mesh mesh = cylinder(around, rings, 0.5, kHeight);
+  for (Vector3d& p : mesh.positions) {
+    const double angle = std::atan2(p.y(), p.x());
+    const double along = 20.0 * std::numbers::pi * p.z() / kHeight;
+    p.head<2>() *= 1.0 + 0.03 * std::sin(8.0 * angle) * std::sin(along);
+  }
+  return mesh;
+}
+
+Mesh bumpy_plane(Index cells, Index bumps, double height) {
+  Mesh mesh = grid(cells, cells);
+  for (Vector3d& p : mesh.positions) {
+    const double x = p.x() * bumps;
+    const double y = p.y() * bumps;
+    // From the middle of the bump's square, whose half side is the bump's radius.
+    const double r = 2.0 * std::hypot(x - std::floor(x) - 0.5, y - std::floor(y) - 0.5);
+    if (r < 1.0) p.z() = 0.5 * height * (1.0 + std::cos(std::numbers::pi * r));
+  }
+  return mesh;
+}
+
+Mesh bar(Index across, Index along, double width, double length) {
+  Mesh mesh;
+  BoxSkin skin(mesh, across, width, length / along);
+  const std::array<Index, 3> size{across, across, along};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    for (const bool far : {false, true}) {
+      const auto corner = [&](Index i, Index j) {
+        std::array<Index, 3> at{};
+        at[axis] = far ? size[axis] : 0;
+        at[u] = i;
+        at[v] = j;
+        return skin.vertex(at);
+      };
+      for (Index i = 0; i < size[u]; ++i) {
+        for (Index j = 0; j < size[v]; ++j) {
+          const Index a = corner(i, j);
+          const Index b = far ? corner(i + 1, j) : corner(i, j + 1);
+          const Index c = corner(i + 1, j + 1);
+          const Index d = far ? corner(i, j + 1) : corner(i + 1, j);
+          if ((i + j) % 2 == 0) {
+            add_triangle(mesh, a, b, c);
+            add_triangle(mesh, a, c, d);
+          } else {
+            add_triangle(mesh, a, b, d);
+            add_triangle(mesh, b, c, d);
+          }
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
 Mesh torus(Index around, Index across, double radius, double tube_radius) {
   Mesh mesh;
   for (Index a = 0; a < around; ++a) {
@@ -105,34 +189,6 @@ Mesh torus(Index around, Index across, double radius, double tube_radius) {
     }
   }
   return mesh;
-}
-
-Mesh subdivide(const Mesh& mesh) {
-  Mesh fine;
-  fine.positions = mesh.positions;
-  std::unordered_map<std::uint64_t, Index> midpoints;
-  const auto midpoint = [&](Index a, Index b) {
-    const std::uint64_t key = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
-    const auto [it, inserted] =
-        midpoints.try_emplace(key, static_cast<Index>(fine.positions.size()));
-    if (inserted) fine.positions.push_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
-    return it->second;
-  };
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto t = mesh.face(f);
-    if (t.size() != 3) {
-      throw InputError("face " + std::to_string(f) + " has " + std::to_string(t.size()) +
-                       " corners; only triangles can be subdivided");
-    }
-    const Index a = midpoint(t[0], t[1]);
-    const Index b = midpoint(t[1], t[2]);
-    const Index c = midpoint(t[2], t[0]);
-    add_triangle(fine, t[0], a, c);
-    add_triangle(fine, a, t[1], b);
-    add_triangle(fine, c, b, t[2]);
-    add_triangle(fine, a, b, c);
-  }
-  return fine;
 }
 
 }  // namespace lapwing

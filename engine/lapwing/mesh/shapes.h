@@ -17,11 +17,19 @@ Mesh icosphere(int subdivisions);
 /// circles turned by half a step. Vertex a of circle r is number r * around + a.
 Mesh cylinder(Index around, Index rings, double radius, double height);
 
+/// A cylinder of radius 0.5 and height 6 with ripples of 3% in its radius, eight around and ten
+/// along it, that no motion of its ends should wash out: where behaviour under large rotations is
+/// measured.
+Mesh rippled_cylinder(Index around = 60, Index rings = 121);
+
+/// The grid of `cells` x `cells` squares with `bumps` x `bumps` round hills of that height on it.
+Mesh bumpy_plane(Index cells, Index bumps, double height);
+
+/// Closed bar with square ends around the z axis from z = 0 to `length`: its ends cut into `across`
+/// x `across` squares, its sides into `along` rows of `across`, each into two triangles.
+Mesh bar(Index across, Index along, double width, double length);
+
 /// Torus around the z axis, `around` x `across` vertices.
 Mesh torus(Index around, Index across, double radius, double tube_radius);
-
-/// Splits every triangle of a triangle mesh into four at its edges' midpoints. Old vertices keep
-/// their numbers. Attributes are dropped. Throws InputError on a face that is no triangle.
-Mesh subdivide(const Mesh& mesh);
 
 }  // namespace lapwing

@@ -156,12 +156,14 @@ Eigen::Matrix4d Camera::projection(double aspect) const {
     const double half_height = tangent * (eye - target).norm();
     matrix(0, 0) = 1.0 / (half_height * aspect);
     matrix(1, 1) = -1.0 / half_height;
+    matrix(0, 3) = target_across;
     matrix(2, 2) = 1.0 / range;
     matrix(2, 3) = far_distance / range;
     matrix(3, 3) = 1.0;
   } else {
     matrix(0, 0) = 1.0 / (tangent * aspect);
     matrix(1, 1) = -1.0 / tangent;
+    matrix(0, 2) = -target_across;
     matrix(2, 2) = near_distance / range;
     matrix(2, 3) = near_distance * far_distance / range;
     matrix(3, 2) = -1.0;
@@ -196,7 +198,9 @@ Camera fit(std::span<const Vector3d> points, const ViewAxes& axes, double aspect
   const Eigen::Matrix3d rows = camera_axes(axes.toward_eye, axes.up);
   const double tangent = half_tangent(framing.field_of_view) * (1.0 - 2.0 * framing.margin);
   constexpr double kSmallestPart = 1e-3;
-  Framed framed{{}, {}, {}, tangent * aspect, tangent, kSmallestPart * bounds.diagonal()};
+  Framed framed{{},      {},
+                {},      tangent * aspect * (1.0 - framing.legend),
+                tangent, kSmallestPart * bounds.diagonal()};
   framed.points.reserve(points.size());
   Interval z;
   for (const Vector3d& point : points) {
@@ -212,6 +216,7 @@ Camera fit(std::span<const Vector3d> points, const ViewAxes& axes, double aspect
   camera.field_of_view = framing.field_of_view;
   camera.orthographic = framing.orthographic;
   camera.up = axes.up;
+  camera.target_across = -framing.legend;
   camera.target = center + rows.transpose() * Vector3d(found.x(), found.y(), 0.0);
   camera.eye = camera.target + found.z() * rows.row(2).transpose();
   set_depth(camera, {found.z() - z.high, found.z() - z.low});

@@ -19,6 +19,8 @@ struct Camera {
   /// Parallel projection that shows what lies at the target's distance as large as the perspective
   /// one does.
   bool orthographic = false;
+  /// Where in the picture the target shows, from -1 at its left edge to 1 at its right.
+  double target_across = 0.0;
   double near_distance = 0.01;  ///< along the viewing direction; may be negative if orthographic
   double far_distance = 100.0;
 
@@ -52,10 +54,12 @@ struct Framing {
   double field_of_view = 30.0;  ///< vertical, in degrees
   bool orthographic = false;
   double margin = 0.06;  ///< free part of the picture at each side
+  double legend = 0.0;   ///< part of the width, at the right, that stays free for a legend
 };
 
-/// A camera that sees all finite `points` as large as the margin allows, centred. Linear in their
-/// number. Without points, or if all are one, the picture shows the unit cube around it.
+/// A camera that sees all finite `points` as large as the margin allows, centred beside the legend.
+/// Linear in their number. Without points, or if all are one, the picture shows the unit cube
+/// around it.
 Camera fit(std::span<const Eigen::Vector3d> points, const ViewAxes& axes, double aspect,
            const Framing& framing = {});
 Camera fit(const Bounds& bounds, const ViewAxes& axes, double aspect, const Framing& framing = {});

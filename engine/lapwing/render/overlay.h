@@ -43,12 +43,20 @@ class Overlay {
 struct Legend {
   ColorMap color_map = ColorMap::sequential;
   ScalarRange range;
-  std::string title;  ///< may be empty
+  std::string title;        ///< in lines; may be empty
+  bool more_above = false;  ///< numbers above the range are shown in its last colour
+  bool less_below = false;  ///< and below it in its first
 };
 
 /// A bar of the colour map at the right edge of a picture of `width` x `height` pixels, with the
-/// numbers at its ends and middle and the title above. Sizes follow the picture's height.
+/// numbers at its ends and middle (">= 3" where there are more above) and the title above. Sizes
+/// follow the picture's height.
 Overlay legend_overlay(const Legend& legend, std::uint32_t width, std::uint32_t height);
+
+/// How much of such a picture's width, at the right, a legend with titles of up to kLegendLetters a
+/// line covers: at most half.
+double legend_share(std::uint32_t width, std::uint32_t height);
+inline constexpr int kLegendLetters = 13;
 
 /// An overlay in device memory. The device must be done with it when it is destroyed. The context
 /// must outlive it.

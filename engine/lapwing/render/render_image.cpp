@@ -14,10 +14,11 @@ Image render_image(const VulkanSurface& surface, const SurfacePaint& paint, cons
   const Renderer renderer(context, target.format());
   std::optional<OverlayBuffer> legend;
   if (options.legend && options.style.color == SurfaceColor::scalar) {
-    legend.emplace(context,
-                   legend_overlay({options.style.color_map, color_range(options.style, paint),
-                                   options.legend_title},
-                                  options.width, options.height));
+    const ScalarRange shown = color_range(options.style, paint);
+    const ScalarRange& numbers = paint.scalar_range();
+    legend.emplace(context, legend_overlay({options.style.color_map, shown, options.legend_title,
+                                            numbers.high > shown.high, numbers.low < shown.low},
+                                           options.width, options.height));
   }
   Image image = target.render([&](VkCommandBuffer commands) {
     renderer.begin(commands, target.extent(), options.background);

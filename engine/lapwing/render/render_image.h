@@ -16,7 +16,7 @@ struct RenderOptions {
   Background background = Background::gradient;
   SurfaceStyle style;
   bool legend = true;        ///< beside a surface coloured by numbers
-  std::string legend_title;  ///< above the legend; may be empty
+  std::string legend_title;  ///< above the legend, in lines; may be empty
 
   double aspect() const { return static_cast<double>(width) / static_cast<double>(height); }
 };

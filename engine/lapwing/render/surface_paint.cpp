@@ -83,13 +83,16 @@ std::vector<std::uint32_t> polygon_edges(const Mesh& mesh, const Topology& topol
   return edges;
 }
 
-std::vector<float> displacement_lengths(std::span<const Eigen::Vector3d> rest,
-                                        std::span<const Eigen::Vector3d> current) {
-  std::vector<float> lengths(rest.size());
-  for (std::size_t v = 0; v < rest.size(); ++v) {
-    lengths[v] = static_cast<float>((current[v] - rest[v]).norm());
-  }
-  return lengths;
+ScalarRange range_without_outliers(std::span<const float> numbers) {
+  std::vector<float> finite;
+  std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(finite),
+               [](float value) { return std::isfinite(value); });
+  if (finite.empty()) return {};
+  const auto usual = finite.begin() + static_cast<std::ptrdiff_t>(99 * (finite.size() - 1) / 100);
+  std::nth_element(finite.begin(), usual, finite.end());
+  const float largest = *std::max_element(usual, finite.end());
+  const bool far_above = largest > kOutlierFactor * *usual && *usual > 0.0F;
+  return {0.0F, far_above ? *usual : largest};
 }
 
 }  // namespace lapwing

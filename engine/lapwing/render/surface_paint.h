@@ -60,9 +60,12 @@ class SurfacePaint {
 /// For each triangle, the bits of `SurfacePaint::edge_buffer`: set for edges of its polygon.
 std::vector<std::uint32_t> polygon_edges(const Mesh& mesh, const Topology& topology);
 
-/// How far each vertex is from its rest position: a field for `SurfacePaint::set_scalars`. Both of
-/// the same length.
-std::vector<float> displacement_lengths(std::span<const Eigen::Vector3d> rest,
-                                        std::span<const Eigen::Vector3d> current);
+/// From 0 to the number that 99 in 100 of the finite ones do not exceed: for numbers that are not
+/// negative, a few of which may be so large that the others would all look alike. To the largest
+/// where it is at most kOutlierFactor times as large, or where all others are 0.
+ScalarRange range_without_outliers(std::span<const float> numbers);
+
+/// Less than this makes no visible difference to the others' colours.
+inline constexpr float kOutlierFactor = 1.5F;
 
 }  // namespace lapwing

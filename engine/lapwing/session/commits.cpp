@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/session/winding.h"
-#include "lapwing/settle/settle.h"
 
 namespace lapwing {
 namespace {

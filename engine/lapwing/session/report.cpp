@@ -18,6 +18,10 @@ Json vertex(Index v) {
   return v == kNoIndex ? Json(nullptr) : Json(v);
 }
 
+Json edge(const std::array<Index, 2>& ends) {
+  return Json::array({vertex(ends[0]), vertex(ends[1])});
+}
+
 Json vector(const Eigen::Vector3d& v) {
   return Json::array({number(v.x()), number(v.y()), number(v.z())});
 }
@@ -42,27 +46,43 @@ Json as_json(const Certificate& c) {
           {"first_flipped_triangles", c.first_flipped_triangles},
           {"detail_error", number(c.detail_error)},
           {"edge_stretch", number(c.edge_stretch)},
+          {"largest_edge_stretch", number(c.largest_edge_stretch)},
+          {"largest_edge_stretch_vertices", edge(c.largest_edge_stretch_vertices)},
           {"settle_iterations", c.settle_iterations},
           {"settled", c.settled},
           {"settle_last_step", number(c.settle_last_step)},
           {"all_finite", c.all_finite}};
 }
 
+Json as_json(const VertexMeasures& measures) {
+  const auto numbers = [](const std::vector<double>& values) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(number(value));
+    return list;
+  };
+  return {{"vertices", measures.vertices},
+          {"rotation_degrees", numbers(measures.rotation_degrees)},
+          {"detail_error", numbers(measures.detail_error)},
+          {"stretch", numbers(measures.stretch)}};
+}
+
 Json as_json(const StepReport& step) {
   std::size_t handle = 0;
   for (const std::size_t count : step.handles) handle += count;
-  return {{"op", step.op},
-          {"roi", step.roi},
-          {"free", step.free},
-          {"handle", handle},
-          {"handles", step.handles},
-          {"belt", step.belt},
-          {"solver", step.solver},
-          {"turn_degrees", number(step.turn_degrees)},
-          {"wound_degrees", step.wound_degrees ? number(*step.wound_degrees) : Json(nullptr)},
-          {"commits", step.commits},
-          {"timings_ms", as_json(step.timings)},
-          {"certificate", as_json(step.certificate)}};
+  Json json = {{"op", step.op},
+               {"roi", step.roi},
+               {"free", step.free},
+               {"handle", handle},
+               {"handles", step.handles},
+               {"belt", step.belt},
+               {"solver", step.solver},
+               {"turn_degrees", number(step.turn_degrees)},
+               {"wound_degrees", step.wound_degrees ? number(*step.wound_degrees) : Json(nullptr)},
+               {"commits", step.commits},
+               {"timings_ms", as_json(step.timings)},
+               {"certificate", as_json(step.certificate)}};
+  if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
+  return json;
 }
 
 void append_stages(const StageTimings& timings, std::string& text) {

@@ -8,6 +8,7 @@
 
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/certificate.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/kernels.h"
 
 namespace lapwing {
@@ -28,6 +29,7 @@ struct StepReport {
   /// Of all parts as one, from the surface that the step began with to the one that it ended with;
   /// residual and settling are the worst of the parts, the iterations those of all.
   Certificate certificate;
+  VertexMeasures vertices;  ///< of the ROI, where the run was asked for them; empty otherwise
 };
 
 /// What running a recipe did, on what, and how long each stage took.

@@ -45,17 +45,32 @@ void load(const Recipe& recipe, const Progress& progress, RunResult& result) {
   report.triangles = result.topology.triangles.size();
 }
 
+// What became of each vertex in the step that ran last.
+VertexMeasures measure_step(const DeformStep& step, const Positions& before,
+                            const RunResult& result) {
+  const auto weights = laplacian_weights(result.topology, before, step.weights);
+  return measure_vertices(result.last->region().roi, result.topology, weights, before,
+                          result.mesh.positions);
+}
+
 }  // namespace
 
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
-                                      const Progress& progress) {
+                                      const Progress& progress, const RunOptions& options) {
   auto result = std::make_unique<RunResult>();
   result->report.device = kernels.device();
   load(recipe, progress, *result);
   for (const Step& step : recipe.steps) {
     const std::size_t number = result->report.steps.size() + 1;
+    const Positions before = options.measure_vertices ? result->mesh.positions : Positions{};
     result->report.steps.push_back(std::visit(
         [&](const auto& s) { return run_step(s, number, kernels, progress, *result); }, step));
+    if (!options.measure_vertices) continue;
+    StepReport& report = result->report.steps.back();
+    stage("measure_vertices", report.timings, progress, [&] {
+      report.vertices =
+          std::visit([&](const auto& s) { return measure_step(s, before, *result); }, step);
+    });
   }
   result->report.peak_memory_bytes = peak_memory_bytes();
   return result;

@@ -20,6 +20,10 @@ struct RunResult {
   RunReport report;
 };
 
+struct RunOptions {
+  bool measure_vertices = false;  ///< fills in StepReport::vertices
+};
+
 /// Reads the recipe's mesh, examines it, and carries the steps out one after the other on
 /// `kernels`, which must outlive the result. A step with "commit_every" is carried out in parts,
 /// all handles together; one that turns a handle too far without it is warned about. Writes
@@ -27,7 +31,8 @@ struct RunResult {
 /// `resolve_edit_region` or `read_mesh` throw, and no result is left. `progress` hears the stages
 /// of reading and of every step.
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {},
+                                      const RunOptions& options = {});
 
 /// Writes the result's mesh and adds to its report what the format could not carry, and the time.
 void save_result(RunResult& result, const std::filesystem::path& path);

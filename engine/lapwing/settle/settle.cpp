@@ -207,40 +207,4 @@ SettleResult Settler::settle(std::span<const Vector3d> wanted, std::span<Vector3
   return result;
 }
 
-double detail_error(std::span<const Index> rows, const Topology& topology,
-                    std::span<const double> weights, std::span<const Vector3d> rest,
-                    std::span<const Vector3d> current) {
-  double off = 0.0;
-  double size = 0.0;
-  for (const Index i : rows) {
-    const auto ring = topology.rings[i];
-    const double* w = weights.data() + topology.rings.starts[i];
-    Vector3d was = Vector3d::Zero();
-    Vector3d is = Vector3d::Zero();
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      was += w[k] * (rest[i] - rest[ring[k]]);
-      is += w[k] * (current[i] - current[ring[k]]);
-    }
-    off += (is - fit_rotation(i, ring, rest, current) * was).squaredNorm();
-    size += was.squaredNorm();
-  }
-  return size > 0.0 ? std::sqrt(off / size) : 0.0;
-}
-
-double edge_stretch(std::span<const Index> rows, const Topology& topology,
-                    std::span<const Vector3d> rest, std::span<const Vector3d> current) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const Index i : rows) {
-    for (const Index j : topology.rings[i]) {
-      const double was = (rest[i] - rest[j]).norm();
-      if (!(was > 0.0)) continue;
-      const double stretch = (current[i] - current[j]).norm() / was - 1.0;
-      sum += stretch * stretch;
-      ++count;
-    }
-  }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
-}
-
 }  // namespace lapwing

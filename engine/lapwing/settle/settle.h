@@ -52,17 +52,4 @@ class Settler {
   std::unique_ptr<State> state_;
 };
 
-/// How far details are from their rest shapes, turned with their rings:
-/// sqrt(sum |L(v'_i) - R_i delta_i|^2 / sum |delta_i|^2) over `rows`, R_i the best rotation of ring
-/// i. 0 for a rigid motion, 1 for details that are lost.
-double detail_error(std::span<const Index> rows, const Topology& topology,
-                    std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
-                    std::span<const Eigen::Vector3d> current);
-
-/// Root mean square over the ring edges of `rows` of |length' / length - 1|. Edges without length
-/// do not count.
-double edge_stretch(std::span<const Index> rows, const Topology& topology,
-                    std::span<const Eigen::Vector3d> rest,
-                    std::span<const Eigen::Vector3d> current);
-
 }  // namespace lapwing

@@ -1,0 +1,118 @@
+#include "lapwing/deform/shape_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "lapwing/base/parallel.h"
+#include "lapwing/laplacian/ring_fit.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr std::size_t kRowsPerTask = 256;
+
+// |length' / length - 1| of an edge; below 0 for one without length.
+double stretch_of(Index i, Index j, std::span<const Vector3d> rest,
+                  std::span<const Vector3d> current) {
+  const double was = (rest[i] - rest[j]).norm();
+  return was > 0.0 ? std::abs((current[i] - current[j]).norm() / was - 1.0) : -1.0;
+}
+
+// delta_i and L(v'_i), from differences: positions far from the origin lose nothing.
+struct Laplacians {
+  Vector3d was = Vector3d::Zero();
+  Vector3d is = Vector3d::Zero();
+};
+Laplacians laplacians_of(Index i, const Topology& topology, std::span<const double> weights,
+                         std::span<const Vector3d> rest, std::span<const Vector3d> current) {
+  const auto ring = topology.rings[i];
+  const double* w = weights.data() + topology.rings.starts[i];
+  Laplacians of;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    of.was += w[k] * (rest[i] - rest[ring[k]]);
+    of.is += w[k] * (current[i] - current[ring[k]]);
+  }
+  return of;
+}
+
+}  // namespace
+
+double detail_error(std::span<const Index> rows, const Topology& topology,
+                    std::span<const double> weights, std::span<const Vector3d> rest,
+                    std::span<const Vector3d> current) {
+  double off = 0.0;
+  double size = 0.0;
+  for (const Index i : rows) {
+    const Laplacians L = laplacians_of(i, topology, weights, rest, current);
+    const Matrix3d R = fit_rotation(i, topology.rings[i], rest, current);
+    off += (L.is - R * L.was).squaredNorm();
+    size += L.was.squaredNorm();
+  }
+  return size > 0.0 ? std::sqrt(off / size) : 0.0;
+}
+
+double edge_stretch(std::span<const Index> rows, const Topology& topology,
+                    std::span<const Vector3d> rest, std::span<const Vector3d> current) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const Index i : rows) {
+    for (const Index j : topology.rings[i]) {
+      const double stretch = stretch_of(i, j, rest, current);
+      if (stretch < 0.0) continue;
+      sum += stretch * stretch;
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
+
+StretchedEdge most_stretched_edge(std::span<const Index> rows, const Topology& topology,
+                                  std::span<const Vector3d> rest,
+                                  std::span<const Vector3d> current) {
+  StretchedEdge most;
+  for (const Index i : rows) {
+    for (const Index j : topology.rings[i]) {
+      const double stretch = stretch_of(i, j, rest, current);
+      if (stretch > most.stretch) most = {{std::min(i, j), std::max(i, j)}, stretch};
+    }
+  }
+  return most;
+}
+
+VertexMeasures measure_vertices(std::span<const Index> rows, const Topology& topology,
+                                std::span<const double> weights, std::span<const Vector3d> rest,
+                                std::span<const Vector3d> current) {
+  VertexMeasures measures;
+  measures.vertices.assign(rows.begin(), rows.end());
+  for (auto* list : {&measures.rotation_degrees, &measures.detail_error, &measures.stretch}) {
+    list->resize(rows.size());
+  }
+  std::vector<double> sizes(rows.size());
+  parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const Index i = rows[r];
+      const Laplacians L = laplacians_of(i, topology, weights, rest, current);
+      const Matrix3d R = fit_rotation(i, topology.rings[i], rest, current);
+      measures.rotation_degrees[r] = rotation_angle(R) * 180.0 / std::numbers::pi;
+      measures.detail_error[r] = (L.is - R * L.was).norm();
+      measures.stretch[r] = edge_stretch(rows.subspan(r, 1), topology, rest, current);
+      sizes[r] = L.was.squaredNorm();
+    }
+  });
+  const double size = std::sqrt(std::accumulate(sizes.begin(), sizes.end(), 0.0) /
+                                static_cast<double>(std::max<std::size_t>(rows.size(), 1)));
+  for (double& error : measures.detail_error) error = size > 0.0 ? error / size : 0.0;
+  return measures;
+}
+
+double rotation_angle(const Matrix3d& R) {
+  const Vector3d twice_sine(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+  return std::atan2(twice_sine.norm(), R.trace() - 1.0);
+}
+
+}  // namespace lapwing

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "lapwing/mesh/topology.h"
+#include "lapwing/render/camera.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+
+namespace lapwing::bench {
+
+/// Writes pictures of results into a folder, for someone to look at.
+class PictureMaker {
+ public:
+  /// Makes the folder. Throws GpuError without a Vulkan device.
+  explicit PictureMaker(std::filesystem::path folder);
+
+  /// NAME.png: `mesh` with its vertices at `positions`, dashes for the spaces of the name, no
+  /// commas.
+  void write(std::string name, const Mesh& mesh, const Topology& topology,
+             std::span<const Eigen::Vector3d> positions, const ViewAxes& axes);
+
+ private:
+  std::filesystem::path folder_;
+  VulkanKernels kernels_;
+};
+
+}  // namespace lapwing::bench

@@ -1,0 +1,47 @@
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+#include "lapwing/mesh/subdivide.h"
+#include "mesh_output.h"
+
+namespace lapwing::cli {
+namespace {
+
+struct SubdivideArguments {
+  std::string mesh;
+  std::string output;
+  int times = 1;
+  bool smooth = false;
+};
+
+void subdivide_mesh(const SubdivideArguments& arguments) {
+  Mesh mesh = read_mesh(arguments.mesh);
+  for (int i = 0; i < arguments.times; ++i) {
+    mesh = arguments.smooth ? loop_subdivide(mesh) : subdivide(mesh);
+  }
+  print_notes(write_mesh(mesh, arguments.output));
+}
+
+}  // namespace
+
+void add_subdivide(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("subdivide", "a finer triangle mesh: every triangle becomes four");
+  auto arguments = std::make_shared<SubdivideArguments>();
+  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "positions and triangles only; its extension names the format")
+      ->required();
+  command->add_option("--times", arguments->times, "how often")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+  command->add_flag("--smooth", arguments->smooth,
+                    "round the shape off by Loop's scheme; without it the shape stays");
+  command->callback([arguments] { subdivide_mesh(*arguments); });
+}
+
+}  // namespace lapwing::cli
