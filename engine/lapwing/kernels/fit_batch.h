@@ -16,20 +16,22 @@ struct FitRings {
   const double* displacement;       ///< per vertex: x, y, z, 0
 };
 
-/// Sums over the rings of kFitLanes rows, and the rotations they give; lane after lane. With
-/// x_k = v_k - c at rest and d_k = v'_k - v'_i:
+/// kFitLanes rows, lane after lane. With x_k = v_k - c at rest and d_k = v'_k - v'_i:
 struct alignas(64) FitBatch {
-  double H[9][kFitLanes];      ///< sum_k d_k x_k', column after column
-  double R[9][kFitLanes];      ///< nearest_rotation(H), column after column
-  double spread[kFitLanes];    ///< S = sum_k |x_k|^2
-  double delta[3][kFitLanes];  ///< L(v)_i
-  double moved[3][kFitLanes];  ///< L(v')_i
+  double H[9][kFitLanes];       ///< sum_k d_k x_k', column after column
+  double spread[kFitLanes];     ///< S = sum_k |x_k|^2
+  double delta[3][kFitLanes];   ///< L(v)_i
+  double moved[3][kFitLanes];   ///< L(v')_i
+  double T[9][kFitLanes];       ///< nearest_rotation(H), or the best similarity; as H
+  double turned[3][kFitLanes];  ///< T delta - delta
+  double energy[kFitLanes];     ///< |moved - T delta|^2
 };
 
-/// Fills `batch` for `count` <= kFitLanes rows from `first`. Returns a bit for every lane whose R
-/// is not to be used, since its H has rank one or none or leaves R nearly free.
+/// Fills `batch` for `count` <= kFitLanes rows from `first`. Returns a bit for every lane whose T,
+/// and what follows from it, is not to be used, since its H has rank one or none or leaves the
+/// rotation nearly free.
 using FitBatchFunction = unsigned (*)(const FitRings& rings, std::size_t first, int count,
-                                      FitBatch& batch);
+                                      bool similarity, FitBatch& batch);
 
 /// The fastest one that this processor runs.
 FitBatchFunction fit_batch_function();

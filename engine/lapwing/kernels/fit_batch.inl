@@ -11,6 +11,8 @@ typedef double Four __attribute__((vector_size(32), may_alias, aligned(8)));
 // As in laplacian/rotation.cpp: below this product of distances to the other eigenvalues the
 // eigenvector loses half its digits.
 constexpr double kSmallestGap = 1e-6;
+// From the upper bound a well-conditioned root takes six to eight steps.
+constexpr int kUncheckedNewtonSteps = 5;
 constexpr int kMostNewtonSteps = 12;
 constexpr double kConverged = 1e-14;
 
@@ -20,6 +22,14 @@ LAPWING_INLINE Lanes square_root(Lanes x) {
   for (int l = 0; l < kFitLanes; ++l) root[l] = __builtin_sqrt(x[l]);
   return root;
 }
+
+LAPWING_INLINE bool any(LaneBits bits) {
+  bits |= __builtin_shuffle(bits, LaneBits{4, 5, 6, 7, 0, 1, 2, 3});
+  bits |= __builtin_shuffle(bits, LaneBits{2, 3, 0, 1, 6, 7, 4, 5});
+  return (bits[0] | bits[1]) != 0;
+}
+LAPWING_INLINE Lanes& lanes_at(double* p) { return *reinterpret_cast<Lanes*>(p); }
+LAPWING_INLINE const Lanes& lanes_at(const double* p) { return *reinterpret_cast<const Lanes*>(p); }
 
 LAPWING_INLINE void sum_ring(const FitRings& rings, std::size_t row, int lane, FitBatch& batch) {
   const std::uint32_t begin = rings.starts[row];
@@ -88,9 +98,7 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
     slope = (4.0 * l * l - 4.0) * l + b;
     down = slope > kSmallestGap ? (((l * l - 2.0) * l + b) * l + c) / slope : Lanes{};
     l -= down;
-    bool all = true;
-    for (int lane = 0; lane < kFitLanes; ++lane) all = all && !(down[lane] > kConverged);
-    if (all) break;
+    if (step >= kUncheckedNewtonSteps && !any(down > kConverged)) break;
   }
   slope = (4.0 * l * l - 4.0) * l + b;
   return {l, (slope > kSmallestGap) & (absolute(down) < 1e-9)};
@@ -101,7 +109,7 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, Lanes* R) {
   Lanes H[9];
   Lanes square = {};
   for (int k = 0; k < 9; ++k) {
-    H[k] = *reinterpret_cast<const Lanes*>(batch.H[k]);
+    H[k] = lanes_at(batch.H[k]);
     square += H[k] * H[k];
   }
   const LaneBits usable = (square > 0.0) & (square < 1e300);
@@ -178,12 +186,36 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, Lanes* R) {
   return unsure;
 }
 
-unsigned fit_batch(const FitRings& rings, std::size_t first, int count, FitBatch& batch) {
+// What follows from T.
+LAPWING_INLINE void finish(bool similarity, FitBatch& batch) {
+  if (similarity) {
+    Lanes along = {};
+    for (int k = 0; k < 9; ++k) along += lanes_at(batch.T[k]) * lanes_at(batch.H[k]);
+    const Lanes spread = lanes_at(batch.spread);
+    const Lanes scale = spread > 0.0 ? along / spread : Lanes{} + 1.0;
+    for (int k = 0; k < 9; ++k) lanes_at(batch.T[k]) *= scale;
+  }
+  Lanes energy = {};
+  for (int a = 0; a < 3; ++a) {
+    const Lanes wish = lanes_at(batch.T[a]) * lanes_at(batch.delta[0]) +
+                       lanes_at(batch.T[3 + a]) * lanes_at(batch.delta[1]) +
+                       lanes_at(batch.T[6 + a]) * lanes_at(batch.delta[2]);
+    lanes_at(batch.turned[a]) = wish - lanes_at(batch.delta[a]);
+    const Lanes off = lanes_at(batch.moved[a]) - wish;
+    energy += off * off;
+  }
+  lanes_at(batch.energy) = energy;
+}
+
+unsigned fit_batch(const FitRings& rings, std::size_t first, int count, bool similarity,
+                   FitBatch& batch) {
   for (int lane = 0; lane < count; ++lane) {
     sum_ring(rings, first + static_cast<std::size_t>(lane), lane, batch);
   }
   for (int lane = count; lane < kFitLanes; ++lane) {
     for (int k = 0; k < 9; ++k) batch.H[k][lane] = k % 4 == 0 ? 1.0 : 0.0;
   }
-  return rotate(batch, reinterpret_cast<Lanes*>(batch.R)) & ((1U << static_cast<unsigned>(count)) - 1U);
+  const unsigned unsure = rotate(batch, reinterpret_cast<Lanes*>(batch.T));
+  finish(similarity, batch);
+  return unsure & ((1U << static_cast<unsigned>(count)) - 1U);
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstring>
 
 #include "lapwing/base/instruction_set.h"
 #include "lapwing/base/parallel.h"
@@ -56,34 +57,44 @@ void CpuRingRotations::fit_rotations(std::span<const Vector3d> displacement,
   });
 }
 
+// What fit_batch leaves open: rings whose rotation takes the slow way.
+void CpuRingRotations::fit_lane(FitBatch& batch, int lane) const {
+  const Matrix3d H = matrix_of(batch.H, lane);
+  Matrix3d T = nearest_rotation(H);
+  if (motion_ == RingMotion::similarity && batch.spread[lane] > 0.0) {
+    T *= T.cwiseProduct(H).sum() / batch.spread[lane];
+  }
+  const Vector3d delta = vector_of(batch.delta, lane);
+  const Vector3d wish = T * delta;
+  batch.energy[lane] = (vector_of(batch.moved, lane) - wish).squaredNorm();
+  for (Eigen::Index k = 0; k < 9; ++k) batch.T[k][lane] = T(k % 3, k / 3);
+  for (Eigen::Index a = 0; a < 3; ++a) batch.turned[a][lane] = wish[a] - delta[a];
+}
+
 void CpuRingRotations::fit_rows(std::size_t first, int count, std::span<double> energies) {
   FitBatch batch;
   const unsigned unsure = fit_batch_({rings_.starts.data(), rings_.neighbours.data(),
                                       edges_.data()->data(), displacement_.data()->data()},
-                                     first, count, batch);
+                                     first, count, motion_ == RingMotion::similarity, batch);
+  for (int lane = 0; lane < count; ++lane) {
+    if ((unsure >> static_cast<unsigned>(lane) & 1U) != 0) fit_lane(batch, lane);
+  }
+  std::memcpy(transforms_[first / kFitLanes].entries, batch.T, sizeof batch.T);
   for (int lane = 0; lane < count; ++lane) {
     const std::size_t r = first + static_cast<std::size_t>(lane);
-    const Matrix3d H = matrix_of(batch.H, lane);
-    Matrix3d& T = transforms_[r];
-    T = (unsure >> static_cast<unsigned>(lane) & 1U) != 0 ? nearest_rotation(H)
-                                                          : matrix_of(batch.R, lane);
-    if (motion_ == RingMotion::similarity && batch.spread[lane] > 0.0) {
-      T *= T.cwiseProduct(H).sum() / batch.spread[lane];
-    }
-    const Vector3d delta = vector_of(batch.delta, lane);
-    const Vector3d wish = T * delta;
-    turned_[r].head<3>() = wish - delta;
-    energies[r] = (vector_of(batch.moved, lane) - wish).squaredNorm();
+    turned_[r].head<3>() = vector_of(batch.turned, lane);
+    energies[r] = batch.energy[lane];
     if (!rings_.stiffness.empty()) energies[r] += edge_energy(r);
   }
 }
 
 double CpuRingRotations::edge_energy(std::size_t row) const {
+  const Matrix3d T = transform(row);
   double energy = 0.0;
   for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
     const Vector3d moved = edges_[e].head<3>() + displacement_[rings_.neighbours[e]].head<3>() -
                            displacement_[row].head<3>();
-    energy += rings_.stiffness[e] * (moved - transforms_[row] * edges_[e].head<3>()).squaredNorm();
+    energy += rings_.stiffness[e] * (moved - T * edges_[e].head<3>()).squaredNorm();
   }
   return energy;
 }

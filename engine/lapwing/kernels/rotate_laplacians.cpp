@@ -25,12 +25,13 @@ void CpuRingRotations::rotate_laplacians(std::span<double> b) {
 }
 
 Vector3d CpuRingRotations::edge_forces(std::size_t row) const {
+  const Eigen::Matrix3d T = transform(row);
   Vector3d sum = Vector3d::Zero();
   for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
     const Index j = rings_.neighbours[e];
     const Vector3d was = -edges_[e].head<3>();
-    Vector3d wish = transforms_[row] * was - was;
-    if (rings_.is_row(j)) wish += transforms_[j] * was - was;
+    Vector3d wish = T * was - was;
+    if (rings_.is_row(j)) wish += transform(j) * was - was;
     sum += rings_.stiffness[e] * wish;
   }
   return sum;

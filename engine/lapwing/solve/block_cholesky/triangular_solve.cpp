@@ -1,7 +1,8 @@
 #include "lapwing/solve/block_cholesky/triangular_solve.h"
 
 #include <algorithm>
-#include <cstring>
+#include <iterator>
+#include <type_traits>
 
 namespace lapwing::cholesky {
 namespace {
@@ -26,6 +27,22 @@ std::size_t padded_pivots(const Front& front) {
 }
 std::size_t padded_updates(const Front& front) {
   return static_cast<std::size_t>(kStrip) * front.update_strips;
+}
+
+// Calls `body` with the width as a constant: rows are then moved by registers, not by calls.
+template <typename Body>
+void with_width(int width, const Body& body) {
+  static_assert(std::size(kSolveWidths) == 4);
+  switch (width) {
+    case kSolveWidths[1]:
+      return body(std::integral_constant<std::size_t, kSolveWidths[1]>());
+    case kSolveWidths[2]:
+      return body(std::integral_constant<std::size_t, kSolveWidths[2]>());
+    case kSolveWidths[3]:
+      return body(std::integral_constant<std::size_t, kSolveWidths[3]>());
+    default:
+      return body(std::integral_constant<std::size_t, kSolveWidths[0]>());
+  }
 }
 
 template <typename Padded>
@@ -93,12 +110,13 @@ class TriangularSolve::Forward final : public NodeWork {
       }
       return;
     }
-    const auto width = static_cast<std::size_t>(s_.width_);
-    for (int k = 0; k < child.updates; ++k) {
-      double* to = k < child.parent_pivots ? y + position[k] * width
-                                           : w + (position[k] - first_update) * width;
-      for (std::size_t r = 0; r < width; ++r) to[r] += from[k * width + r];
-    }
+    with_width(s_.width_, [&](auto width) {
+      for (int k = 0; k < child.updates; ++k) {
+        double* to = k < child.parent_pivots ? y + position[k] * width
+                                             : w + (position[k] - first_update) * width;
+        for (std::size_t r = 0; r < width; ++r) to[r] += from[k * width + r];
+      }
+    });
   }
 
   void updates(const Front& front, int first, int last, int thread) const {
@@ -146,12 +164,19 @@ class TriangularSolve::Backward final : public NodeWork {
 
  private:
   void gather(const Front& front, double* w) const {
-    const std::size_t row = static_cast<std::size_t>(s_.symbolic_.block_size) * s_.width_;
     const int* rows = s_.symbolic_.rows.data() + front.rows_at;
-    for (int k = 0; k < front.update_blocks; ++k) {
-      std::copy_n(s_.solution_.data() + rows[k] * row, row, w + k * row);
-    }
-    const std::size_t filled = front.update_blocks * row;
+    const auto b = static_cast<std::size_t>(s_.symbolic_.block_size);
+    with_width(s_.width_, [&](auto width) {
+      const std::size_t row = b * width;
+      for (int k = 0; k < front.update_blocks; ++k) {
+        const double* from = s_.solution_.data() + rows[k] * row;
+        double* to = w + k * row;
+        for (std::size_t z = 0; z < b; ++z) {
+          for (std::size_t r = 0; r < width; ++r) to[z * width + r] = from[z * width + r];
+        }
+      }
+    });
+    const std::size_t filled = front.update_blocks * b * s_.width_;
     std::fill_n(w + filled, padded_updates(front) * s_.width_ - filled, 0.0);
   }
 
