@@ -63,7 +63,7 @@ class Edit {
       const std::function<void(std::function<void()>)>& run = [](auto settle) { settle(); }) const {
     const Constraints constraints = constraints_of(region_, topology_, 1.0, hard);
     StageTimings timings;
-    const SystemPattern pattern(topology_, region_.roi, constraints.unknowns, {}, timings);
+    const SystemPattern pattern(topology_, region_.roi, constraints.unknowns);
     const LaplacianSystem system(mesh_.positions, topology_, region_.roi, constraints, pattern,
                                  options.weights, options.stretch_resistance, timings);
     CpuKernels kernels;

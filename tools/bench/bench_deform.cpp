@@ -8,8 +8,10 @@
 #include "benches.h"
 #include "lapwing/base/memory_use.h"
 #include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag_preview.h"
 #include "lapwing/io/mesh_file.h"
-#include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/settle/settle.h"
 #include "lapwing/vulkan/open_device.h"
 #include "measure.h"
 #include "time_cgal_arap.h"
@@ -61,6 +63,29 @@ Samples eigen_product(const Mesh& mesh, const Topology& topology, const EditRegi
   return measure(repeats, [&] { const Sparse N = Mt * M; });
 }
 
+// The mean of many, from rest; the motion is too large to settle earlier.
+Samples settle_iteration(const Mesh& mesh, const Topology& topology, const EditRegion& region,
+                         const Eigen::Affine3d& motion, Kernels& kernels, int repeats) {
+  constexpr int kIterations = 50;
+  const Constraints constraints = constraints_of(region, topology, 1.0, false);
+  StageTimings timings;
+  const SystemPattern pattern(topology, region.roi, constraints.unknowns);
+  const LaplacianSystem system(mesh.positions, topology, region.roi, constraints, pattern,
+                               LaplacianWeights::uniform, 0.0, timings);
+  SettleOptions options;
+  options.max_iterations = kIterations;
+  Settler settler(kernels, system, options);
+  Positions wanted(mesh.vertex_count(), Eigen::Vector3d::Zero());
+  for (const Index v : region.handles[0])
+    wanted[v] = motion * mesh.positions[v] - mesh.positions[v];
+  Samples samples = measure(repeats, [&] {
+    Positions u(mesh.vertex_count(), Eigen::Vector3d::Zero());
+    settler.settle(wanted, u);
+  });
+  for (double& ms : samples.milliseconds) ms /= kIterations;
+  return samples;
+}
+
 void print_row(const char* name, const Samples& samples) {
   std::printf("  %-28s %10.2f %10.2f %10.2f\n", name, samples.median(), samples.min(),
               samples.max());
@@ -79,6 +104,7 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
 
   DeformOptions options;
   options.solver = solver;
+  options.settle.emplace();
 
   // Stages of one preparation are read from the deformer itself; only the total is timed here.
   std::vector<std::string> order;
@@ -92,10 +118,17 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
       stages[name].milliseconds.push_back(ms);
     }
   });
+  std::unique_ptr<DragPreview> preview;
+  const Samples first_drag = measure(repeats, [&] {
+    preview.reset();
+    preview = std::make_unique<DragPreview>(mesh.positions, topology, region, options, *kernels);
+    preview->drag(motions);
+  });
   const Samples drag = measure(20 * repeats, [&] { deformer->drag(motions); });
   std::vector<double> x(3 * deformer->unknown_count(), 1.0);
   const Samples back = measure(repeats, [&] { deformer->back_substitute(x); });
   const Samples commit = measure(repeats, [&] { deformer->solve(motions); });
+  const Samples iteration = settle_iteration(mesh, topology, region, motions[0], *kernels, repeats);
   const Samples product = eigen_product(mesh, topology, region, *kernels, repeats);
 
   std::printf("%s: %zu vertices, device %s, solver %s, %d runs\n", path.filename().c_str(),
@@ -104,9 +137,14 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
   std::printf("  %-28s %10s %10s %10s\n", "milliseconds", "median", "min", "max");
   for (const std::string& name : order) print_row(name.c_str(), stages[name]);
   print_row("whole preparation", total);
+  for (const auto& [name, ms] : preview->timings().stages()) {
+    std::printf("    of the preview: %-12s %10.2f\n", name.c_str(), ms);
+  }
+  print_row("time to first drag (preview)", first_drag);
   print_row("drag frame with normals", drag);
   print_row("one back-substitution", back);
-  print_row("solve with certificate", commit);
+  print_row("one settle iteration", iteration);
+  print_row("settled, with certificate", commit);
   print_row("Eigen's sparse product M'M", product);
 #ifdef LAPWING_HAVE_CGAL
   const Samples arap = time_cgal_arap(mesh, topology, region, repeats);
@@ -118,6 +156,8 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
   std::printf("  whole preparation / factorization %.3f\n",
               total.median() / stages["factor"].median());
   std::printf("  drag frame / back-substitution    %.3f\n", drag.median() / back.median());
+  std::printf("  settle iteration / back-subst.    %.3f\n", iteration.median() / back.median());
+  std::printf("  first drag / whole preparation    %.3f\n", first_drag.median() / total.median());
   std::printf("  peak memory                       %.0f MB\n",
               static_cast<double>(peak_memory_bytes()) / 1e6);
 }

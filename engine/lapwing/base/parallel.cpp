@@ -55,4 +55,25 @@ void parallel_ranges(std::size_t count, std::size_t grain,
   if (failure) std::rethrow_exception(failure);
 }
 
+void parallel_pair(const std::function<void()>& here, const std::function<void()>& aside) {
+  const auto caught = [](const std::function<void()>& body) {
+    try {
+      body();
+    } catch (...) {
+      return std::current_exception();
+    }
+    return std::exception_ptr();
+  };
+  std::exception_ptr failure_here;
+  std::exception_ptr failure_aside;
+  std::atomic<bool> begun{false};
+  const auto work = [&](int thread) {
+    if (thread == 0) failure_here = caught(here);
+    if (!begun.exchange(true)) failure_aside = caught(aside);
+  };
+  shared_workers().run(std::cref(work));
+  if (failure_here) std::rethrow_exception(failure_here);
+  if (failure_aside) std::rethrow_exception(failure_aside);
+}
+
 }  // namespace lapwing

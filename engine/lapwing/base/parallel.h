@@ -23,4 +23,14 @@ void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
   parallel_ranges(count, grain, std::cref(body));
 }
 
+/// What `parallel_invoke` does with bodies of known types; callers use that.
+void parallel_pair(const std::function<void()>& here, const std::function<void()>& aside);
+
+/// Calls `here` on this thread and `aside` on another one meanwhile, or afterwards here where none
+/// is free. Rethrows what `here` throws, else what `aside` does.
+template <typename Here, typename Aside>
+void parallel_invoke(const Here& here, const Aside& aside) {
+  parallel_pair(std::cref(here), std::cref(aside));
+}
+
 }  // namespace lapwing

@@ -43,8 +43,10 @@ EditSystem::EditSystem(std::span<const Vector3d> rest_positions, const Topology&
   for (const auto& handle : region.handles) frames.push_back(handle_frame(handle, rest));
   constraints = constraints_of(region, topology, options.constraint_weight, options.hard);
   moving = moving_vertices(region, constraints.unknowns);
-  pattern = std::make_unique<SystemPattern>(topology, region.roi, constraints.unknowns, progress,
-                                            timings);
+  report_progress(progress, "pattern", 0.0);
+  const Stopwatch watch;
+  pattern = std::make_unique<SystemPattern>(topology, region.roi, constraints.unknowns);
+  timings.add("pattern", watch.elapsed_ms());
   if (!with_laplacian) return;
   report_progress(progress, "laplacian", 0.0);
   const SettleOptions settle = options.settle.value_or(SettleOptions{.weights = options.weights});

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
 #include "lapwing/laplacian/rsi_system.h"
 
 namespace lapwing {
@@ -40,26 +41,32 @@ RsiSolution::RsiSolution(const EditSystem& system, std::span<const double> weigh
     : constraints_(system.constraints),
       pattern_(*system.pattern),
       solver_(make_solver(system.options.solver)) {
-  const Stopwatch watch;
-  report_progress(progress, "assemble", 0.0);
-  M_ = assemble_rsi_rows(kernels, {system.rest, system.topology.rings, weights, system.region.roi});
-  timings.add("assemble", watch.elapsed_ms());
-  factor(system.topology, progress, timings);
-}
-
-void RsiSolution::factor(const Topology& topology, const Progress& progress,
-                         StageTimings& timings) {
   Stopwatch watch;
-  const auto next_stage = [&](const char* done, const char* next) {
-    timings.add(done, watch.elapsed_ms());
-    report_progress(progress, next, 0.0);
+  const auto stage_is_done = [&](const char* stage) {
+    timings.add(stage, watch.elapsed_ms());
     watch.restart();
   };
-  report_progress(progress, "normal_matrix", 0.0);
-  const BlockMatrix N = pattern_.normal.normal_matrix(M_, constraints_.W);
-  next_stage("normal_matrix", "analyze");
-  solver_->analyze(pattern_.normal.blocks(), 3, pattern_.order);
-  next_stage("analyze", "factor");
+  BlockMatrix N;
+  // The symbolic work needs the pattern alone.
+  parallel_invoke(
+      [&] {
+        report_progress(progress, "assemble", 0.0);
+        M_ = assemble_rsi_rows(kernels,
+                               {system.rest, system.topology.rings, weights, system.region.roi});
+        stage_is_done("assemble");
+        report_progress(progress, "normal_matrix", 0.0);
+        N = pattern_.normal().normal_matrix(M_, constraints_.W);
+        stage_is_done("normal_matrix");
+        report_progress(progress, "analyze", 0.0);
+      },
+      [&] { solver_->analyze(pattern_.blocks(), 3, pattern_.order()); });
+  stage_is_done("analyze");
+  factor(N, system.topology, progress);
+  stage_is_done("factor");
+}
+
+void RsiSolution::factor(const BlockMatrix& N, const Topology& topology, const Progress& progress) {
+  report_progress(progress, "factor", 0.0);
   solver_->set_progress(progress);
   try {
     solver_->factor(N);
@@ -71,7 +78,6 @@ void RsiSolution::factor(const Topology& topology, const Progress& progress,
                       "of the region, or run `lapwing check` to find degenerate triangles");
   }
   solver_->set_progress({});
-  timings.add("factor", watch.elapsed_ms());
 }
 
 void RsiSolution::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
@@ -87,7 +93,7 @@ void RsiSolution::right_hand_side(std::span<const Vector3d> wanted, std::span<do
     std::vector<double> rows(3 * M_.size());
     multiply(M_, given, rows);
     for (double& r : rows) r = -r;
-    pattern_.normal.multiply_transposed(M_, rows, b);
+    pattern_.normal().multiply_transposed(M_, rows, b);
   }
   for (std::size_t u = 0; u < constraints_.unknowns.size(); ++u) {
     if (held(u))
@@ -105,7 +111,7 @@ void RsiSolution::residual(std::span<const Vector3d> wanted, std::span<const Vec
                            std::span<double> r) const {
   std::vector<double> rows(3 * M_.size());
   multiply(M_, u, rows);
-  pattern_.normal.multiply_transposed(M_, rows, r);
+  pattern_.normal().multiply_transposed(M_, rows, r);
   for (std::size_t k = 0; k < constraints_.unknowns.size(); ++k) {
     const Index v = constraints_.unknowns.vertices[k];
     Eigen::Map<Vector3d> r_k(r.data() + 3 * k);

@@ -36,7 +36,7 @@ class RsiSolution {
   double refine(std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u) const;
 
  private:
-  void factor(const Topology& topology, const Progress& progress, StageTimings& timings);
+  void factor(const BlockMatrix& N, const Topology& topology, const Progress& progress);
   void residual(std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> u,
                 std::span<double> r) const;
 

@@ -4,32 +4,11 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/solve/ordering.h"
+#include "lapwing/base/parallel.h"
 
 namespace lapwing {
 
 using Eigen::Vector3d;
-
-namespace {
-
-template <typename Make>
-auto stage(const char* name, const Progress& progress, StageTimings& timings, Make make) {
-  report_progress(progress, name, 0.0);
-  const Stopwatch watch;
-  auto result = make();
-  timings.add(name, watch.elapsed_ms());
-  return result;
-}
-
-}  // namespace
-
-SystemPattern::SystemPattern(const Topology& topology, std::span<const Index> roi,
-                             const Unknowns& unknowns, const Progress& progress,
-                             StageTimings& timings)
-    : normal(stage("pattern", progress, timings,
-                   [&] { return NormalPattern(ring_blocks(topology.rings, roi), unknowns); })),
-      order(stage("order", progress, timings,
-                  [&] { return fill_reducing_order(normal.blocks()); })) {}
 
 LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology& topology,
                                  std::span<const Index> roi, const Constraints& constraints,
@@ -37,15 +16,20 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
                                  double stretch_resistance, StageTimings& timings)
     : constraints_(constraints), pattern_(pattern), solver_(make_solver()) {
   const Stopwatch watch;
-  const auto w = laplacian_weights(topology, rest, weights);
-  std::vector<double> edges;
-  if (stretch_resistance > 0.0) edges = edge_weights(topology, rest);
-  rings_ = region_rings(topology, rest, w, edges, stretch_resistance, roi,
-                        constraints.unknowns.vertices);
-  L_ = laplacian_rows(topology.rings, w, roi);
-  BlockMatrix A = pattern.normal.normal_matrix(L_, constraints.W);
-  if (!edges.empty()) add_edge_terms(A);
-  solver_->analyze(pattern.normal.blocks(), 1, pattern.order);
+  BlockMatrix A;
+  // The symbolic work needs the pattern alone.
+  parallel_invoke(
+      [&] {
+        const auto w = laplacian_weights(topology, rest, weights);
+        std::vector<double> edges;
+        if (stretch_resistance > 0.0) edges = edge_weights(topology, rest);
+        rings_ = region_rings(topology, rest, w, edges, stretch_resistance, roi,
+                              constraints.unknowns.vertices);
+        L_ = laplacian_rows(topology.rings, w, roi);
+        A = pattern.normal().normal_matrix(L_, constraints.W);
+        if (!edges.empty()) add_edge_terms(A);
+      },
+      [&] { solver_->analyze(pattern.blocks(), 1, pattern.order()); });
   try {
     solver_->factor(A);
   } catch (const NotPositiveDefinite& error) {
@@ -80,7 +64,7 @@ std::vector<double> LaplacianSystem::from_given(std::span<const Vector3d> given)
   std::vector<double> rows(3 * L_.size());
   multiply(L_, given, rows);
   std::vector<double> result(3 * size());
-  pattern_.normal.multiply_transposed(L_, rows, result);
+  pattern_.normal().multiply_transposed(L_, rows, result);
   if (rings_.stiffness.empty()) return result;
   for (std::size_t k = 0; k < size(); ++k) {
     const std::size_t row = rings_.unknown_rows[k];

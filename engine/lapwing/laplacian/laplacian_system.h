@@ -4,26 +4,15 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/laplacian/constraints.h"
 #include "lapwing/laplacian/region_rings.h"
 #include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/system_pattern.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/solve/block_solver.h"
 
 namespace lapwing {
-
-/// Where the unknowns of a region meet, and the order in which to eliminate them: one for M'M and
-/// for L'L, since their rows hold the same vertices.
-struct SystemPattern {
-  NormalPattern normal;
-  std::vector<int> order;  ///< new to old
-
-  /// Stages "pattern" and "order".
-  SystemPattern(const Topology& topology, std::span<const Index> roi, const Unknowns& unknowns,
-                const Progress& progress, StageTimings& timings);
-};
 
 /// The factored n x n system (L'L + W + mu K) u = b of one region, the same for x, y and z (DESIGN
 /// sections 3 and 4). K is the matrix of the edge energy sum_ij w_ij |u_i - u_j|^2 / 2, each row

@@ -47,35 +47,36 @@ void NormalPattern::find_entries(const BlockRows& M, const Unknowns& unknowns) {
 // Column c of N holds every unknown r >= c that shares a row of M with c.
 void NormalPattern::find_blocks(const BlockRows& M) {
   const std::size_t n = blocks_.size();
-  const auto collect = [&](std::size_t c, std::vector<Index>& seen, std::vector<Index>& rows) {
-    rows.assign(1, static_cast<Index>(c));
-    for (const Entry& e : entries(c)) {
-      for (std::size_t b = M.starts[e.row]; b < M.starts[e.row + 1]; ++b) {
-        const Index r = unknown_of_block_[b];
-        if (r == kNoIndex || r <= c || seen[r] == c) continue;
-        seen[r] = static_cast<Index>(c);
-        rows.push_back(r);
-      }
-    }
-  };
-  parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
+  const std::size_t task_count = (n + kColumnsPerTask - 1) / kColumnsPerTask;
+  std::vector<std::vector<Index>> found(task_count);
+  parallel_for(task_count, 1, [&](std::size_t begin, std::size_t end) {
     std::vector<Index> seen(n, kNoIndex);
-    std::vector<Index> rows;
-    for (std::size_t c = begin; c < end; ++c) {
-      collect(c, seen, rows);
-      blocks_.starts[c + 1] = rows.size();
+    for (std::size_t task = begin; task < end; ++task) {
+      std::vector<Index>& rows = found[task];
+      for (std::size_t c = task * kColumnsPerTask; c < std::min(n, (task + 1) * kColumnsPerTask);
+           ++c) {
+        const auto first = static_cast<std::ptrdiff_t>(rows.size());
+        rows.push_back(static_cast<Index>(c));
+        for (const Entry& e : entries(c)) {
+          for (std::size_t b = M.starts[e.row]; b < M.starts[e.row + 1]; ++b) {
+            const Index r = unknown_of_block_[b];
+            if (r == kNoIndex || r <= c || seen[r] == c) continue;
+            seen[r] = static_cast<Index>(c);
+            rows.push_back(r);
+          }
+        }
+        std::sort(rows.begin() + first, rows.end());
+        blocks_.starts[c + 1] = rows.size() - static_cast<std::size_t>(first);
+      }
     }
   });
   for (std::size_t c = 0; c < n; ++c) blocks_.starts[c + 1] += blocks_.starts[c];
   blocks_.rows.resize(blocks_.starts.back());
-  parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
-    std::vector<Index> seen(n, kNoIndex);
-    std::vector<Index> rows;
-    for (std::size_t c = begin; c < end; ++c) {
-      collect(c, seen, rows);
-      std::sort(rows.begin(), rows.end());
-      std::copy(rows.begin(), rows.end(),
-                blocks_.rows.begin() + static_cast<std::ptrdiff_t>(blocks_.starts[c]));
+  parallel_for(task_count, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task) {
+      const std::size_t first = blocks_.starts[task * kColumnsPerTask];
+      std::copy(found[task].begin(), found[task].end(),
+                blocks_.rows.begin() + static_cast<std::ptrdiff_t>(first));
     }
   });
 }

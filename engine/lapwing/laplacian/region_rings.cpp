@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lapwing/base/parallel.h"
+
 namespace lapwing {
 namespace {
 
@@ -18,30 +20,44 @@ RegionRings region_rings(const Topology& topology, std::span<const Eigen::Vector
                          std::span<const double> weights, std::span<const double> edge_weights,
                          double stretch_resistance, std::span<const Index> rows,
                          std::span<const Index> unknowns) {
+  constexpr std::size_t kRowsPerTask = 1024;
   const Adjacency& rings = topology.rings;
   RegionRings result;
   result.vertices.assign(rows.begin(), rows.end());
   std::vector<Index> own_number(rest.size(), kNoIndex);
   for (std::size_t r = 0; r < rows.size(); ++r) own_number[rows[r]] = static_cast<Index>(r);
   for (const Index i : rows) {
-    for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
-      const Index j = rings.values[e];
-      const bool row = own_number[j] < rows.size();
-      if (own_number[j] == kNoIndex) {
-        own_number[j] = static_cast<Index>(result.vertices.size());
-        result.vertices.push_back(j);
-      }
-      result.neighbours.push_back(own_number[j]);
-      result.edges.push_back(rest[j] - rest[i]);
-      result.weights.push_back(weights[e]);
-      result.reverse_weights.push_back(row ? weights[entry_of(rings, j, i)] : 0.0);
-      // Each end of an edge holds it by half.
-      if (!edge_weights.empty()) {
-        result.stiffness.push_back(0.5 * stretch_resistance * edge_weights[e]);
+    for (const Index j : rings[i]) {
+      if (own_number[j] != kNoIndex) continue;
+      own_number[j] = static_cast<Index>(result.vertices.size());
+      result.vertices.push_back(j);
+    }
+    result.starts.push_back(result.starts.back() + static_cast<Index>(rings.size(i)));
+  }
+  const std::size_t entries = result.starts.back();
+  result.neighbours.resize(entries);
+  result.edges.resize(entries);
+  result.weights.resize(entries);
+  result.reverse_weights.resize(entries);
+  if (!edge_weights.empty()) result.stiffness.resize(entries);
+  parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const Index i = rows[r];
+      std::size_t to = result.starts[r];
+      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e, ++to) {
+        const Index j = rings.values[e];
+        const bool row = own_number[j] < rows.size();
+        result.neighbours[to] = own_number[j];
+        result.edges[to] = rest[j] - rest[i];
+        result.weights[to] = weights[e];
+        result.reverse_weights[to] = row ? weights[entry_of(rings, j, i)] : 0.0;
+        // Each end of an edge holds it by half.
+        if (!edge_weights.empty()) {
+          result.stiffness[to] = 0.5 * stretch_resistance * edge_weights[e];
+        }
       }
     }
-    result.starts.push_back(static_cast<Index>(result.neighbours.size()));
-  }
+  });
   for (const Index v : unknowns) result.unknown_rows.push_back(own_number[v]);
   return result;
 }
