@@ -37,10 +37,10 @@ struct DeformResult {
 /// the factor (about 8 kB a vertex) and the response (300 bytes a vertex and handle).
 class Deformer {
  public:
-  /// Prepares. Stages reported and timed: "pattern", with settling "laplacian", "assemble",
-  /// "normal_matrix", "analyze" (what was left of it), "factor", "response", "upload". Throws
-  /// InputError for a region that does not fit the mesh, SolverError when a component of the region
-  /// is not anchored, GpuError when the device fails, Cancelled when `progress` asks for it.
+  /// Prepares. Stages reported and timed: "pattern", "order", with settling "laplacian",
+  /// "assemble", "normal_matrix", "analyze" (what was left of it), "factor", "response", "upload".
+  /// Throws InputError for a region that does not fit the mesh, SolverError when a component of the
+  /// region is not anchored, GpuError when the device fails, Cancelled when `progress` asks for it.
   Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 

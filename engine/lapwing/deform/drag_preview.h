@@ -26,7 +26,7 @@ struct EditSystem;
 ///     Deformer deformer(preview, other_kernels);   // the exact one, which then takes over
 class DragPreview {
  public:
-  /// Prepares. Stages reported and timed: "pattern", "laplacian", "preview". `topology`
+  /// Prepares. Stages reported and timed: "pattern", "order", "laplacian", "preview". `topology`
   /// and `kernels` must outlive the object; positions are copied. Throws what Deformer does.
   DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
               const DeformOptions& options, Kernels& kernels, const Progress& progress = {});

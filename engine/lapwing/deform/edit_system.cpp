@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
 
 namespace lapwing {
 namespace {
@@ -39,14 +40,21 @@ EditSystem::EditSystem(std::span<const Vector3d> rest_positions, const Topology&
       region(std::move(edit_region)),
       options(deform_options) {
   check(options);
-  check_anchors(region, rest, topology, "region");
-  for (const auto& handle : region.handles) frames.push_back(handle_frame(handle, rest));
-  constraints = constraints_of(region, topology, options.constraint_weight, options.hard);
-  moving = moving_vertices(region, constraints.unknowns);
   report_progress(progress, "pattern", 0.0);
-  const Stopwatch watch;
+  Stopwatch watch;
+  constraints = constraints_of(region, topology, options.constraint_weight, options.hard);
   pattern = std::make_unique<SystemPattern>(topology, region.roi, constraints.unknowns);
   timings.add("pattern", watch.elapsed_ms());
+  report_progress(progress, "order", 0.0);
+  watch.restart();
+  parallel_invoke(
+      [&] {
+        check_anchors(region, rest, topology, "region");
+        for (const auto& handle : region.handles) frames.push_back(handle_frame(handle, rest));
+        moving = moving_vertices(region, constraints.unknowns);
+      },
+      [&] { pattern->order(); });
+  timings.add("order", watch.elapsed_ms());
   if (!with_laplacian) return;
   report_progress(progress, "laplacian", 0.0);
   const SettleOptions settle = options.settle.value_or(SettleOptions{.weights = options.weights});

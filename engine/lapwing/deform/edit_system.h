@@ -18,7 +18,7 @@ namespace lapwing {
 /// One edit made ready: what its preview and its exact preparation share. Not changed after
 /// construction, so both may use it from threads of their own, the n x n system excepted.
 struct EditSystem {
-  /// Stages "pattern" and, with the n x n system, "laplacian". Throws what Deformer does.
+  /// Stages "pattern", "order" and, with the n x n system, "laplacian". Throws what Deformer does.
   EditSystem(std::span<const Eigen::Vector3d> rest_positions, const Topology& mesh_topology,
              EditRegion edit_region, const DeformOptions& deform_options, bool with_laplacian,
              const Progress& progress);

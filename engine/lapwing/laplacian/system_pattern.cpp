@@ -1,0 +1,16 @@
+#include "lapwing/laplacian/system_pattern.h"
+
+#include "lapwing/solve/ordering.h"
+
+namespace lapwing {
+
+SystemPattern::SystemPattern(const Topology& topology, std::span<const Index> roi,
+                             const Unknowns& unknowns)
+    : normal_(ring_blocks(topology.rings, roi), unknowns) {}
+
+const std::vector<int>& SystemPattern::order() const {
+  std::call_once(ordered_, [&] { order_ = fill_reducing_order(normal_.blocks()); });
+  return order_;
+}
+
+}  // namespace lapwing
