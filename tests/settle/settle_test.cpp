@@ -305,6 +305,35 @@ TEST(Settle, FlatRegionsBoundariesAndEarsStayFinite) {
   }
 }
 
+// Three rows of a sheet lie on one line, so that the rings of the middle one have no width and the
+// triangles between them no area.
+TEST(Settle, RingsOnALineStayFiniteForAllWeights) {
+  Mesh sheet = grid(8, 8);
+  for (Vector3d& p : sheet.positions) {
+    if (p.y() > 0.3 && p.y() < 0.7) p.y() = 0.5;
+  }
+  EditRegion region;
+  region.handles.resize(1);
+  for (Index v = 0; v < sheet.vertex_count(); ++v) {
+    region.roi.push_back(v);
+    if (sheet.positions[v].y() == 0.0) region.belt.push_back(v);
+    if (sheet.positions[v].y() == 1.0) region.handles[0].push_back(v);
+  }
+  const Edit edit(std::move(sheet), std::move(region));
+  const Affine3d fold = test::turn_and_move(70, Vector3d::UnitX(), Vector3d(0.1, -0.2, 0.4));
+  for (const auto weights : {LaplacianWeights::uniform, LaplacianWeights::cotangent}) {
+    for (const double mu : {0.0, 0.01}) {
+      SettleOptions options;
+      options.weights = weights;
+      options.stretch_resistance = mu;
+      const Settled settled = edit.settle(fold, options, Start::rest);
+      for (const Vector3d& p : settled.positions) EXPECT_TRUE(p.allFinite());
+      EXPECT_LT(bounds_of(settled.positions).diagonal(),
+                2.0 * bounds_of(edit.mesh().positions).diagonal());
+    }
+  }
+}
+
 TEST(Settle, SameInputGivesTheSameBits) {
   const Edit edit = bumpy_tube();
   const Settled a = edit.settle(test::bend());
