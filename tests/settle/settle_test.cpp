@@ -320,7 +320,9 @@ TEST(Settle, RingsOnALineStayFiniteForAllWeights) {
     if (sheet.positions[v].y() == 1.0) region.handles[0].push_back(v);
   }
   const Edit edit(std::move(sheet), std::move(region));
-  const Affine3d fold = test::turn_and_move(70, Vector3d::UnitX(), Vector3d(0.1, -0.2, 0.4));
+  const Affine3d fold = Eigen::Translation3d(0.1, 0.8, 0.4) *
+                        Eigen::AngleAxisd(1.2, Vector3d::UnitX()) *
+                        Eigen::Translation3d(0.0, -1.0, 0.0);
   for (const auto weights : {LaplacianWeights::uniform, LaplacianWeights::cotangent}) {
     for (const double mu : {0.0, 0.01}) {
       SettleOptions options;
