@@ -49,6 +49,13 @@ std::vector<std::size_t> rsi_block_starts(const RingProblem& problem) {
   return starts;
 }
 
+BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem) {
+  BlockRows M = ring_blocks(problem.rings, problem.rows);
+  M.values.resize(9 * M.columns.size());
+  kernels.assemble_rsi(problem, M.values);
+  return M;
+}
+
 void CpuKernels::assemble_rsi(const RingProblem& problem, std::span<double> blocks) {
   const auto starts = rsi_block_starts(problem);
   parallel_for(problem.rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {

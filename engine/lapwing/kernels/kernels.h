@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lapwing/laplacian/region_rings.h"
+#include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
@@ -118,6 +119,9 @@ class Kernels {
   /// A surface at rest with its normals. `topology` need not outlive it.
   virtual std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) = 0;
 };
+
+/// M for `problem.rows`, assembled on the device. The cost is one kernel and one copy.
+BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem);
 
 /// Number of blocks that `assemble_rsi` writes before each row, and in all: rows + 1 numbers.
 std::vector<std::size_t> rsi_block_starts(const RingProblem& problem);

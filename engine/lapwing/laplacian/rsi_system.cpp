@@ -36,13 +36,6 @@ BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights
   return L;
 }
 
-BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem) {
-  BlockRows M = ring_blocks(problem.rings, problem.rows);
-  M.values.resize(9 * M.columns.size());
-  kernels.assemble_rsi(problem, M.values);
-  return M;
-}
-
 Unknowns::Unknowns(std::vector<Index> list, std::size_t vertex_count)
     : vertices(std::move(list)), of_vertex(vertex_count, kNoIndex) {
   for (std::size_t u = 0; u < vertices.size(); ++u) of_vertex[vertices[u]] = static_cast<Index>(u);

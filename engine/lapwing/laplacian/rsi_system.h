@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/kernels/kernels.h"
+#include "lapwing/mesh/topology.h"
 #include "lapwing/solve/block_matrix.h"
 
 namespace lapwing {
@@ -26,9 +26,6 @@ BlockRows ring_blocks(const Adjacency& rings, std::span<const Index> rows);
 /// the block 0. `weights` as laplacian_weights gives them.
 BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights,
                          std::span<const Index> rows);
-
-/// Assembles M for `problem.rows` on the device. The cost is one kernel and one copy.
-BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem);
 
 /// Which vertices are unknowns, and as which number.
 struct Unknowns {

@@ -10,7 +10,6 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/laplacian/ring_fit.h"
 #include "lapwing/settle/anderson.h"
 
 namespace lapwing {
