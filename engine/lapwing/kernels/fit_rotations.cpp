@@ -27,6 +27,9 @@ Matrix3d matrix_of(const double (&entries)[9][kFitLanes], int lane) {
   for (Eigen::Index k = 0; k < 9; ++k) m(k % 3, k / 3) = entries[k][lane];
   return m;
 }
+const double* numbers_of(const std::vector<Eigen::Vector4d>& vectors) {
+  return vectors.empty() ? nullptr : vectors.front().data();
+}
 Vector3d vector_of(const double (&entries)[3][kFitLanes], int lane) {
   return {entries[0][lane], entries[1][lane], entries[2][lane]};
 }
