@@ -77,7 +77,7 @@ void CpuRingRotations::fit_lane(FitBatch& batch, int lane) const {
 void CpuRingRotations::fit_rows(std::size_t first, int count, std::span<double> energies) {
   FitBatch batch;
   const unsigned unsure = fit_batch_({rings_.starts.data(), rings_.neighbours.data(),
-                                      edges_.data()->data(), displacement_.data()->data()},
+                                      numbers_of(edges_), numbers_of(displacement_)},
                                      first, count, motion_ == RingMotion::similarity, batch);
   for (int lane = 0; lane < count; ++lane) {
     if ((unsure >> static_cast<unsigned>(lane) & 1U) != 0) fit_lane(batch, lane);
