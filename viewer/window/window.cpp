@@ -110,6 +110,14 @@ struct WindowCallbacks {
     return false;
   }
 
+  // A click beside an open menu closes it.
+  static bool panels_want_mouse(GLFWwindow* handle) {
+    double x = 0.0;
+    double y = 0.0;
+    glfwGetCursorPos(handle, &x, &y);
+    return over_panel(x, y) || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+  }
+
   static Eigen::Vector2d cursor(GLFWwindow* handle) {
     double x = 0.0;
     double y = 0.0;
@@ -133,7 +141,7 @@ struct WindowCallbacks {
     event.button = button_of(button);
     event.modifiers = modifiers_of(mods);
     if (event.kind == InputKind::press) {
-      if (window.dragging_ != MouseButton::none || ImGui::GetIO().WantCaptureMouse) return;
+      if (window.dragging_ != MouseButton::none || panels_want_mouse(handle)) return;
       window.dragging_ = event.button;
     } else {
       if (window.dragging_ != event.button) return;
@@ -162,7 +170,7 @@ struct WindowCallbacks {
   static void on_scroll(GLFWwindow* handle, double x, double y) {
     ImGui_ImplGlfw_ScrollCallback(handle, x, y);
     of(handle).changed_ = true;
-    if (ImGui::GetIO().WantCaptureMouse) return;
+    if (panels_want_mouse(handle)) return;
     InputEvent event;
     event.kind = InputKind::scroll;
     event.position = cursor(handle);
