@@ -52,20 +52,13 @@ std::shared_ptr<gpu::Context> open_device(const Window& window, const std::strin
 
 void show(const Arguments& arguments) {
   const auto size = parse_size(arguments.size);
-  if (!arguments.file.empty() && !std::filesystem::exists(arguments.file)) {
-    throw IoError(arguments.file + ": there is no such file");
-  }
   Window window("Lapwing", static_cast<int>(kWindowSize.width),
                 static_cast<int>(kWindowSize.height));
   const auto context = open_device(window, arguments.device);
   ViewerApp app(context);
-  if (!arguments.file.empty()) {
-    window.set_title(std::filesystem::path(arguments.file).filename().string() + " - Lapwing");
-    app.open(arguments.file);
-  }
+  if (!arguments.file.empty()) app.open(arguments.file);
   if (!arguments.screenshot.empty()) app.order({arguments.screenshot, size});
   run_main_loop(window, *context, app);
-  if (!app.failure().empty()) throw InputError(app.failure());
 }
 
 int fail(const std::exception& error, ExitCode code) {

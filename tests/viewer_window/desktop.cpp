@@ -97,6 +97,10 @@ Process::Process(std::vector<std::string> arguments, const std::vector<std::stri
 
 Process::~Process() {
   if (!running()) return;
+  // Gently first: a display removes its lock and its socket.
+  kill(pid_, SIGTERM);
+  constexpr double kPatience = 5.0;
+  if (wait(kPatience) != kStillRunning) return;
   kill(pid_, SIGKILL);
   waitpid(pid_, nullptr, 0);
 }
@@ -121,8 +125,8 @@ std::string Process::errors() const {
 Desktop::Desktop(const std::filesystem::path& folder) : folder_(folder) {
   const std::filesystem::path number = folder / "display";
   const std::string command = std::string("exec ") + LAPWING_XVFB +
-                              " -screen 0 1280x800x24 -nolisten tcp -fbdir " + folder.string() +
-                              " -displayfd 3 3>" + number.string();
+                              " -screen 0 1280x800x24 -noreset -nolisten tcp -fbdir " +
+                              folder.string() + " -displayfd 3 3>" + number.string();
   server_ = std::make_unique<Process>(std::vector<std::string>{"/bin/sh", "-c", command},
                                       std::vector<std::string>{}, folder / "xvfb.log");
   constexpr double kPatience = 20.0;

@@ -70,6 +70,19 @@ class ViewerWindow : public ::testing::Test {
     return r > b && r < 235 && r > 60;
   }
 
+  // Right of the device's name and the frame's time, which vary.
+  static Image status_line(const Image& image) {
+    constexpr std::uint32_t kLeft = 520;
+    Image line{image.width - kLeft, 20, {}};
+    for (std::uint32_t y = image.height - line.height; y < image.height; ++y) {
+      for (std::uint32_t x = kLeft; x < image.width; ++x) {
+        const auto pixel = image.pixel(x, y);
+        line.rgba.insert(line.rgba.end(), pixel.begin(), pixel.end());
+      }
+    }
+    return line;
+  }
+
   void expect_quits_silently() {
     desktop_->xdotool("key ctrl+q");
     EXPECT_EQ(viewer_->wait(kPatience), 0);
@@ -111,6 +124,28 @@ TEST_F(ViewerWindow, QuestionMarkListsTheControls) {
   desktop_->xdotool("key Escape");
   EXPECT_TRUE(eventually(kPatience,
                          [&] { return test::mean_difference(desktop_->picture(), first) < 0.5; }));
+  expect_quits_silently();
+}
+
+TEST_F(ViewerWindow, AClickSaysWhatIsThere) {
+  const Image first = status_line(open_tube());
+  const auto says = [&](const std::string& click) {
+    desktop_->xdotool(click);
+    desktop_->settled_picture();
+    return test::mean_difference(status_line(desktop_->picture()), first);
+  };
+  const double of_the_tube = says("mousemove 790 400 click 1");
+  const double of_the_background = says("mousemove 400 100 click 1");
+  EXPECT_GT(of_the_tube, 1.0);
+  EXPECT_LT(of_the_background, of_the_tube);
+  expect_quits_silently();
+}
+
+TEST_F(ViewerWindow, ComesBackAfterItWasHidden) {
+  open_tube();
+  desktop_->xdotool("windowunmap --sync " + window_);
+  desktop_->xdotool("windowmap --sync " + window_);
+  EXPECT_TRUE(eventually(kPatience, [&] { return shows_the_tube(desktop_->picture()); }));
   expect_quits_silently();
 }
 

@@ -1,6 +1,5 @@
 #include "ui/file_loader.h"
 
-#include <exception>
 #include <utility>
 
 #include "lapwing/base/errors.h"
@@ -37,8 +36,8 @@ void FileLoader::load(const std::filesystem::path& path) {
     outcome.file = load_file(path, kernels, progress);
   } catch (const Cancelled&) {
     // Someone asked for this: there is nothing to say.
-  } catch (const std::exception& error) {
-    outcome.error = error.what();
+  } catch (...) {
+    outcome.error = std::current_exception();
   }
   {
     const std::scoped_lock lock(mutex_);

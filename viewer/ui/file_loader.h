@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -30,7 +31,7 @@ class FileLoader {
 
   struct Outcome {
     std::optional<LoadedFile> file;
-    std::string error;  ///< why there is none; empty if it was cancelled
+    std::exception_ptr error;  ///< why there is none; null if it was cancelled
   };
   /// What came of the last start, once.
   std::optional<Outcome> take();

@@ -42,6 +42,16 @@ using Choice = std::variant<std::filesystem::path, const NamedShape*>;
 std::optional<Choice> draw_start_panel(std::span<const std::filesystem::path> samples,
                                        std::string& typed);
 
+/// A picture that a person wants to save.
+struct PicturePlan {
+  bool open = false;  ///< whether the panel is shown
+  std::string path = "lapwing.png";
+  int width = 0;  ///< in pixels, both at least 1
+  int height = 0;
+};
+/// Asks for path and size, in a window of its own; true when the picture is to be saved.
+bool draw_picture_panel(PicturePlan& plan);
+
 /// Meshes and recipes worth opening, of those that tools/demo and tools/test fetched: looked for in
 /// build/models and tools/recipes here, and beside the program's build folder.
 std::vector<std::filesystem::path> find_samples();

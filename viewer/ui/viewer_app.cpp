@@ -48,26 +48,17 @@ void ViewerApp::open(const std::filesystem::path& file) {
 void ViewerApp::take_loaded() {
   auto outcome = loader_.take();
   if (!outcome) return;
-  if (outcome->file) {
-    try {
-      show(std::move(*outcome->file));
-    } catch (const Error& error) {
-      outcome->error = error.what();
-    }
-  }
-  if (!outcome->error.empty()) {
-    log(outcome->error);
-    status_ = outcome->error;
-    if (order_) {
-      failure_ = outcome->error;
-      quit_ = true;
-    }
+  try {
+    if (outcome->error) std::rethrow_exception(outcome->error);
+    if (outcome->file) show(std::move(*outcome->file));
+  } catch (const Error& error) {
+    if (order_) throw;
+    say(error.what());
   }
   show_start_ = !document_;
 }
 
 void ViewerApp::show(LoadedFile file) {
-  for (const std::string& note : file.notes) log(note);
   // Two meshes at a time may not fit on the device.
   document_.reset();
   document_.emplace(std::move(file), kernels_);
@@ -76,14 +67,16 @@ void ViewerApp::show(LoadedFile file) {
       document_->file.classes.empty() ? SurfaceColor::plain : SurfaceColor::regions;
   frames_shown_ = 0;
   show_start_ = false;
-  status_.clear();
   look_from(View::three_quarter);
   frame_all();
+  status_.clear();
+  for (const std::string& note : document_->file.notes) say(note);
 }
 
-void ViewerApp::log(std::string message) {
+void ViewerApp::say(std::string message) {
   constexpr std::size_t kMostMessages = 200;
   if (log_.size() == kMostMessages) log_.erase(log_.begin());
+  status_ = message.substr(0, message.find('\n'));
   log_.push_back(std::move(message));
 }
 
@@ -92,8 +85,8 @@ void ViewerApp::resize(const Vector2d& size) {
   camera_.target_across = sidebar_share();
 }
 
-bool ViewerApp::animating() const {
-  return loader_.busy() || order_.has_value();
+std::string ViewerApp::title() const {
+  return document_ ? document_->file.name + " - Lapwing" : "Lapwing";
 }
 
 Vector3d ViewerApp::upward() const {
@@ -179,6 +172,7 @@ void ViewerApp::handle(const InputEvent& event) {
     case InputKind::text:
       if (event.kind == InputKind::key && event.key == kEscape) {
         show_controls_ = false;
+        picture_plan_.open = false;
         if (document_) show_start_ = false;
         loader_.cancel();
       }
@@ -236,8 +230,10 @@ void ViewerApp::perform(Action action) {
       show_controls_ = !show_controls_;
       return;
     case Action::save_picture:
-      return save_picture("lapwing.png", {static_cast<std::uint32_t>(size_.x()),
-                                          static_cast<std::uint32_t>(size_.y())});
+      picture_plan_.open = true;
+      picture_plan_.width = static_cast<int>(size_.x());
+      picture_plan_.height = static_cast<int>(size_.y());
+      return;
     case Action::quit:
       quit_ = true;
       return;
@@ -247,8 +243,8 @@ void ViewerApp::perform(Action action) {
 void ViewerApp::say_what_is_at(const Vector2d& pixel) {
   if (!document_ || pixel.x() < 0.0 || pixel.y() < 0.0) return;
   fit_depth(camera_, document_->bounds);
-  id_picture_.draw(document_->surface, camera_, static_cast<std::uint32_t>(size_.x()),
-                   static_cast<std::uint32_t>(size_.y()));
+  const VkExtent2D size = window_size();
+  id_picture_.draw(document_->surface, camera_, size.width, size.height);
   const auto pick = id_picture_.pick(document_->surface, static_cast<std::uint32_t>(pixel.x()),
                                      static_cast<std::uint32_t>(pixel.y()));
   if (!pick) {
@@ -274,8 +270,11 @@ Scene ViewerApp::scene() {
   return scene;
 }
 
-void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size) {
-  if (!document_) return;
+VkExtent2D ViewerApp::window_size() const {
+  return {static_cast<std::uint32_t>(size_.x()), static_cast<std::uint32_t>(size_.y())};
+}
+
+void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size) const {
   RenderOptions options;
   options.width = size.width;
   options.height = size.height;
@@ -285,22 +284,24 @@ void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size)
   fit_depth(camera, document_->bounds);
   // Nothing covers a part of this picture.
   camera.target_across = 0.0;
+  write_png(path, render_image(document_->surface, document_->paint, camera, options));
+}
+
+void ViewerApp::draw_picture_panel() {
+  if (!picture_plan_.open || !document_ || !viewer::draw_picture_panel(picture_plan_)) return;
   try {
-    write_png(path, render_image(document_->surface, document_->paint, camera, options));
-    status_ = "saved " + path.string();
+    save_picture(picture_plan_.path, {static_cast<std::uint32_t>(picture_plan_.width),
+                                      static_cast<std::uint32_t>(picture_plan_.height)});
+    say("saved " + picture_plan_.path);
   } catch (const Error& error) {
-    status_ = error.what();
-    failure_ = order_ ? error.what() : "";
+    say(error.what());
   }
-  log(status_);
 }
 
 void ViewerApp::carry_out_order() {
   // The first frame has been shown when the second one is laid out.
   if (!order_ || !document_ || frames_shown_ < 1) return;
-  save_picture(order_->path,
-               order_->size.value_or(VkExtent2D{static_cast<std::uint32_t>(size_.x()),
-                                                static_cast<std::uint32_t>(size_.y())}));
+  save_picture(order_->path, order_->size.value_or(window_size()));
   quit_ = true;
 }
 
@@ -319,6 +320,7 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
       }
     }
   }
+  draw_picture_panel();
   if (show_controls_) draw_controls_list(keymaps()[keymap_], show_controls_);
   if (document_) ++frames_shown_;
 }

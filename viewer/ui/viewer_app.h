@@ -17,7 +17,8 @@
 
 namespace lapwing::viewer {
 
-/// A picture to take once the mesh is on the screen, after which the program ends.
+/// A picture to take once the mesh is on the screen, after which the program ends, with an error
+/// if there is one.
 struct PictureOrder {
   std::filesystem::path path;
   std::optional<VkExtent2D> size;  ///< the window's unless given
@@ -29,21 +30,20 @@ class ViewerApp final : public App {
   explicit ViewerApp(std::shared_ptr<gpu::Context> context);
 
   void order(PictureOrder picture) { order_ = std::move(picture); }
-  /// Why the program should end with an error; empty if it should not.
-  const std::string& failure() const { return failure_; }
 
   void handle(const InputEvent& event) override;
   void open(const std::filesystem::path& file) override;
   void resize(const Eigen::Vector2d& size) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
-  bool animating() const override;
+  std::string title() const override;
   bool wants_to_quit() const override { return quit_; }
 
  private:
   void show(LoadedFile file);
   void take_loaded();
-  void log(std::string message);
+  /// Says something in the status line and the log.
+  void say(std::string message);
 
   void perform(Action action);
   void drag_to(const InputEvent& event);
@@ -60,7 +60,9 @@ class ViewerApp final : public App {
   void draw_view_menu();
   void draw_sidebar(const FrameTimings& last);
   void draw_status(const FrameTimings& last);
-  void save_picture(const std::filesystem::path& path, VkExtent2D size);
+  void draw_picture_panel();
+  VkExtent2D window_size() const;
+  void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void carry_out_order();
 
   std::shared_ptr<gpu::Context> context_;
@@ -79,13 +81,13 @@ class ViewerApp final : public App {
   bool show_panels_ = true;
   bool show_controls_ = false;
   bool show_start_ = true;
+  PicturePlan picture_plan_;
   std::vector<std::filesystem::path> samples_;
   std::string typed_path_;
   std::vector<std::string> log_;
   std::string status_;
   std::optional<PictureOrder> order_;
   int frames_shown_ = 0;  ///< of the document
-  std::string failure_;
   bool quit_ = false;
 };
 

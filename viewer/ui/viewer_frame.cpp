@@ -13,27 +13,34 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 float status_height() {
-  return ImGui::GetFrameHeight() + 2.0F;
+  return ImGui::GetFrameHeight();
+}
+
+// Escape closes it. Between this, if true, and ImGui::EndMenu are its items.
+bool begin_menu(const char* label) {
+  if (!ImGui::BeginMenu(label)) return false;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+  return true;
 }
 
 }  // namespace
 
 void ViewerApp::draw_menu() {
   if (!ImGui::BeginMainMenuBar()) return;
-  if (ImGui::BeginMenu("File")) {
+  if (begin_menu("File")) {
     if (ImGui::MenuItem("Open...")) show_start_ = true;
-    if (ImGui::MenuItem("Save picture", "Ctrl+P", false, document_.has_value())) {
+    if (ImGui::MenuItem("Save picture...", "Ctrl+P", false, document_.has_value())) {
       perform(Action::save_picture);
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) quit_ = true;
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("View")) {
+  if (begin_menu("View")) {
     draw_view_menu();
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Help")) {
+  if (begin_menu("Help")) {
     if (ImGui::MenuItem("Controls", "?")) show_controls_ = true;
     ImGui::EndMenu();
   }
@@ -66,7 +73,7 @@ void ViewerApp::draw_view_menu() {
     look_from(View::three_quarter);
   }
   if (ImGui::MenuItem("Panels", "Tab", show_panels_)) perform(Action::toggle_panels);
-  if (!ImGui::BeginMenu("Mouse as in")) return;
+  if (!begin_menu("Mouse as in")) return;
   for (std::size_t k = 0; k < keymaps().size(); ++k) {
     const std::string name(keymaps()[k].name);
     if (ImGui::MenuItem(name.c_str(), nullptr, keymap_ == k)) keymap_ = k;
@@ -98,7 +105,9 @@ void ViewerApp::draw_status(const FrameTimings& last) {
   ImGui::SetNextWindowPos(
       {viewport.WorkPos.x, viewport.WorkPos.y + viewport.WorkSize.y - status_height()});
   ImGui::SetNextWindowSize({viewport.WorkSize.x, status_height()});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10.0F, 4.0F});
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      ImVec2(style.WindowPadding.x, style.FramePadding.y));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
   if (ImGui::Begin("Status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar)) {
     std::string text = context_->description().name;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "lapwing/render/camera.h"
 #include "lapwing/render/renderer.h"
@@ -42,12 +43,13 @@ class App {
   virtual void open(const std::filesystem::path& file) = 0;
   /// The pixels of the picture; before the first frame and whenever it changes. Never 0.
   virtual void resize(const Eigen::Vector2d& size) = 0;
-  /// Calls ImGui for the panels of one frame. `last` is of the frame before.
+  /// Calls ImGui for the panels of one frame. `last` is of the frame before. What this throws ends
+  /// the main loop.
   virtual void draw_ui(const FrameTimings& last) = 0;
   /// What to draw under them; must live until the next call.
   virtual Scene scene() = 0;
-  /// Whether something is under way that needs the next frame at once.
-  virtual bool animating() const = 0;
+  /// What the window is called.
+  virtual std::string title() const = 0;
   virtual bool wants_to_quit() const = 0;
 };
 

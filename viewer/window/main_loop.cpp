@@ -2,6 +2,8 @@
 
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
+#include <string>
+#include <utility>
 
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/gpu/context.h"
@@ -44,6 +46,7 @@ class MainLoop {
       const Stopwatch frame;
       painter_.finish_frame(timings_);
       fit_fonts();
+      fit_title();
       const bool sized = tell_size();
       hand_on_input();
       if (frames_due_ == 0 || !sized) continue;
@@ -55,14 +58,14 @@ class MainLoop {
 
  private:
   void wait_for_work() {
-    if (frames_due_ > 0 || app_.animating()) {
+    if (frames_due_ > 0) {
       window_.poll();
     } else {
       window_.wait(kLongestWaitSeconds);
     }
     const VkExtent2D now = window_.pixels();
     const bool resized = now.width != pixels_.width || now.height != pixels_.height;
-    if (window_.take_changed() || resized || app_.animating()) frames_due_ = kFramesPerChange;
+    if (window_.take_changed() || resized) frames_due_ = kFramesPerChange;
   }
 
   void fit_fonts() {
@@ -71,6 +74,13 @@ class MainLoop {
     scale_ = scale;
     set_theme(scale);
     painter_.set_fonts();
+  }
+
+  void fit_title() {
+    if (std::string title = app_.title(); title != title_) {
+      title_ = std::move(title);
+      window_.set_title(title_);
+    }
   }
 
   // False while there is nothing to draw into: the window is minimized.
@@ -112,6 +122,7 @@ class MainLoop {
   FrameTimings timings_;
   VkExtent2D pixels_{};
   double scale_ = 0.0;
+  std::string title_;
   int frames_due_ = kFramesPerChange;
 };
 

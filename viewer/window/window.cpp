@@ -1,6 +1,7 @@
 #include "window/window.h"
 
 #include <array>
+#include <atomic>
 #include <utility>
 
 // volk declares Vulkan before GLFW looks for it.
@@ -15,6 +16,9 @@
 
 namespace lapwing::viewer {
 namespace {
+
+// There is one window, and whoever wakes it may not know it.
+std::atomic<bool> woken = false;
 
 std::string glfw_reason() {
   const char* text = nullptr;
@@ -92,18 +96,20 @@ struct WindowCallbacks {
     return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   }
 
-  static Eigen::Vector2d to_pixels(GLFWwindow* handle, double x, double y) {
+  // Where the cursor was when the event that is handled came: GLFW, asked, says where it is by now.
+  static Eigen::Vector2d in_pixels(GLFWwindow* handle) {
     int width = 0;
     int height = 0;
     glfwGetWindowSize(handle, &width, &height);
     const VkExtent2D pixels = of(handle).pixels();
-    if (width == 0 || height == 0) return {x, y};
-    return {x * pixels.width / width, y * pixels.height / height};
+    const Eigen::Vector2d& cursor = of(handle).cursor_;
+    if (width == 0 || height == 0) return cursor;
+    return {cursor.x() * pixels.width / width, cursor.y() * pixels.height / height};
   }
 
   // ImGui itself knows only at the next frame.
-  static bool over_panel(double x, double y) {
-    const ImVec2 place(static_cast<float>(x), static_cast<float>(y));
+  static bool over_panel(const Eigen::Vector2d& cursor) {
+    const ImVec2 place(static_cast<float>(cursor.x()), static_cast<float>(cursor.y()));
     for (const ImGuiWindow* panel : ImGui::GetCurrentContext()->Windows) {
       if (panel->WasActive && panel->OuterRectClipped.Contains(place)) return true;
     }
@@ -112,17 +118,7 @@ struct WindowCallbacks {
 
   // A click beside an open menu closes it.
   static bool panels_want_mouse(GLFWwindow* handle) {
-    double x = 0.0;
-    double y = 0.0;
-    glfwGetCursorPos(handle, &x, &y);
-    return over_panel(x, y) || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
-  }
-
-  static Eigen::Vector2d cursor(GLFWwindow* handle) {
-    double x = 0.0;
-    double y = 0.0;
-    glfwGetCursorPos(handle, &x, &y);
-    return to_pixels(handle, x, y);
+    return over_panel(of(handle).cursor_) || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
   }
 
   static void add(GLFWwindow* handle, InputEvent event) {
@@ -137,7 +133,7 @@ struct WindowCallbacks {
     window.changed_ = true;
     InputEvent event;
     event.kind = action == GLFW_PRESS ? InputKind::press : InputKind::release;
-    event.position = cursor(handle);
+    event.position = in_pixels(handle);
     event.button = button_of(button);
     event.modifiers = modifiers_of(mods);
     if (event.kind == InputKind::press) {
@@ -152,11 +148,12 @@ struct WindowCallbacks {
 
   static void on_move(GLFWwindow* handle, double x, double y) {
     Window& window = of(handle);
+    window.cursor_ = {x, y};
     // Over the picture with no button down nothing changes, but panels light up under the cursor.
-    if (ImGui::GetIO().WantCaptureMouse || over_panel(x, y)) window.changed_ = true;
+    if (ImGui::GetIO().WantCaptureMouse || over_panel(window.cursor_)) window.changed_ = true;
     InputEvent event;
     event.kind = InputKind::move;
-    event.position = to_pixels(handle, x, y);
+    event.position = in_pixels(handle);
     event.button = window.dragging_;
     event.modifiers = pressed_modifiers(handle);
     window.changed_ = window.changed_ || window.dragging_ != MouseButton::none;
@@ -173,7 +170,7 @@ struct WindowCallbacks {
     if (panels_want_mouse(handle)) return;
     InputEvent event;
     event.kind = InputKind::scroll;
-    event.position = cursor(handle);
+    event.position = in_pixels(handle);
     event.modifiers = pressed_modifiers(handle);
     event.scroll = y;
     add(handle, event);
@@ -185,7 +182,7 @@ struct WindowCallbacks {
     if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
     InputEvent event;
     event.kind = InputKind::key;
-    event.position = cursor(handle);
+    event.position = in_pixels(handle);
     event.modifiers = modifiers_of(mods);
     event.key = key_of(key, scancode);
     if (event.key != 0) add(handle, event);
@@ -197,7 +194,7 @@ struct WindowCallbacks {
     if (ImGui::GetIO().WantTextInput) return;
     InputEvent event;
     event.kind = InputKind::text;
-    event.position = cursor(handle);
+    event.position = in_pixels(handle);
     event.text = static_cast<char32_t>(character);
     add(handle, event);
   }
@@ -292,6 +289,7 @@ void Window::poll() {
   glfwPollEvents();
 }
 void Window::wake() {
+  woken = true;
   glfwPostEmptyEvent();
 }
 
@@ -302,7 +300,8 @@ std::vector<std::filesystem::path> Window::take_dropped_files() {
   return std::exchange(dropped_, {});
 }
 bool Window::take_changed() {
-  return std::exchange(changed_, false);
+  const bool changed = std::exchange(changed_, false);
+  return woken.exchange(false) || changed;
 }
 
 bool Window::close_requested() const {

@@ -32,7 +32,7 @@ class Window {
   void wait(double seconds);
   /// Takes what has happened without waiting.
   void poll();
-  /// Wakes `wait`. May be called from any thread.
+  /// Wakes `wait` for another frame. May be called from any thread.
   static void wake();
 
   /// What happened since the last call, oldest first; input that the panels want is left out.
@@ -47,7 +47,6 @@ class Window {
   /// Pixels per unit of a desktop at 96 dots an inch: what texts are to be enlarged by.
   double content_scale() const;
   void set_title(const std::string& title);
-  GLFWwindow* handle() const { return handle_; }
 
  private:
   friend struct WindowCallbacks;
@@ -55,7 +54,8 @@ class Window {
   GLFWwindow* handle_ = nullptr;
   std::vector<InputEvent> events_;
   std::vector<std::filesystem::path> dropped_;
-  MouseButton dragging_ = MouseButton::none;  ///< pressed over the picture
+  Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< in screen units
+  MouseButton dragging_ = MouseButton::none;          ///< pressed over the picture
   bool changed_ = true;
 };
 
