@@ -149,7 +149,7 @@ void ViewerApp::drag_to(const InputEvent& event) {
   }
 }
 
-void ViewerApp::handle(const InputEvent& event) {
+bool ViewerApp::handle(const InputEvent& event) {
   switch (event.kind) {
     case InputKind::press:
       motion_ = motion_of(keymaps()[keymap_], event.button, event.modifiers);
@@ -157,7 +157,7 @@ void ViewerApp::handle(const InputEvent& event) {
       break;
     case InputKind::move:
       drag_to(event);
-      break;
+      return motion_.has_value();
     case InputKind::release:
       drag_to(event);
       motion_.reset();
@@ -179,6 +179,7 @@ void ViewerApp::handle(const InputEvent& event) {
       if (const auto action = action_of(event)) perform(*action);
       break;
   }
+  return true;
 }
 
 void ViewerApp::perform(Action action) {

@@ -31,7 +31,7 @@ class ViewerApp final : public App {
 
   void order(PictureOrder picture) { order_ = std::move(picture); }
 
-  void handle(const InputEvent& event) override;
+  bool handle(const InputEvent& event) override;
   void open(const std::filesystem::path& file) override;
   void resize(const Eigen::Vector2d& size) override;
   void draw_ui(const FrameTimings& last) override;

@@ -37,8 +37,9 @@ class App {
  public:
   virtual ~App() = default;
 
-  /// What a person did over the picture; what the panels take does not come here.
-  virtual void handle(const InputEvent& event) = 0;
+  /// What a person did over the picture; what the panels take does not come here. True if the
+  /// picture may have changed.
+  virtual bool handle(const InputEvent& event) = 0;
   /// A file dropped on the window.
   virtual void open(const std::filesystem::path& file) = 0;
   /// The pixels of the picture; before the first frame and whenever it changes. Never 0.

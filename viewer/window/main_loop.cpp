@@ -98,7 +98,9 @@ class MainLoop {
   }
 
   void hand_on_input() {
-    for (const InputEvent& event : window_.take_events()) app_.handle(event);
+    for (const InputEvent& event : window_.take_events()) {
+      if (app_.handle(event)) frames_due_ = kFramesPerChange;
+    }
     for (const std::filesystem::path& file : window_.take_dropped_files()) app_.open(file);
   }
 

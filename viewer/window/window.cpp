@@ -149,14 +149,13 @@ struct WindowCallbacks {
   static void on_move(GLFWwindow* handle, double x, double y) {
     Window& window = of(handle);
     window.cursor_ = {x, y};
-    // Over the picture with no button down nothing changes, but panels light up under the cursor.
+    // Panels light up under the cursor; what changes in the picture the app says.
     if (ImGui::GetIO().WantCaptureMouse || over_panel(window.cursor_)) window.changed_ = true;
     InputEvent event;
     event.kind = InputKind::move;
     event.position = in_pixels(handle);
     event.button = window.dragging_;
     event.modifiers = pressed_modifiers(handle);
-    window.changed_ = window.changed_ || window.dragging_ != MouseButton::none;
     if (!window.events_.empty() && window.events_.back().kind == InputKind::move) {
       window.events_.back() = event;
     } else {

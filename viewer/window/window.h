@@ -38,7 +38,7 @@ class Window {
   /// What happened since the last call, oldest first; input that the panels want is left out.
   std::vector<InputEvent> take_events();
   std::vector<std::filesystem::path> take_dropped_files();
-  /// Whether anything happened since the last call that may change the picture.
+  /// Whether anything happened since the last call that may change the panels.
   bool take_changed();
 
   bool close_requested() const;
