@@ -142,6 +142,28 @@ TEST(Camera, FitDepthHoldsTheBoundsOfAMovedCamera) {
   EXPECT_GT(camera.far_distance, camera.near_distance);
 }
 
+TEST(Camera, LineOfSightGoesThroughWhatThePixelShows) {
+  const Eigen::Vector2d size(640.0, 400.0);
+  for (const bool orthographic : {false, true}) {
+    Camera camera =
+        fit(Bounds{Vector3d(-1, -2, -3), Vector3d(3, 2, 1)}, view_axes(View::three_quarter),
+            size.x() / size.y(), {.orthographic = orthographic, .legend = 0.2});
+    for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(0, 0), Eigen::Vector2d(500.5, 33.0)}) {
+      const Ray ray = line_of_sight(camera, pixel, size);
+      EXPECT_NEAR(ray.direction.norm(), 1.0, 1e-12);
+      for (const double distance : {0.0, 2.5}) {
+        const Vector3d clip =
+            to_clip(camera, size.x() / size.y(), ray.origin + distance * ray.direction);
+        EXPECT_NEAR(0.5 * (clip.x() + 1.0) * size.x(), pixel.x(), 1e-9 * size.x());
+        EXPECT_NEAR(0.5 * (clip.y() + 1.0) * size.y(), pixel.y(), 1e-9 * size.y());
+        if (distance == 0.0) {
+          EXPECT_NEAR(clip.z(), 1.0, 1e-9);
+        }
+      }
+    }
+  }
+}
+
 TEST(Camera, UnknownViewIsRefusedWithTheNamesThereAre) {
   EXPECT_EQ(view_named("three-quarter"), View::three_quarter);
   try {

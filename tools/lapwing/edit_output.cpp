@@ -15,16 +15,6 @@
 namespace lapwing::cli {
 namespace {
 
-std::vector<VertexClass> classes_of(const EditRegion& region, std::size_t vertex_count) {
-  std::vector<VertexClass> classes(vertex_count, VertexClass::outside);
-  for (const Index v : region.roi) classes[v] = VertexClass::roi;
-  for (const Index v : region.belt) classes[v] = VertexClass::belt;
-  for (const auto& handle : region.handles) {
-    for (const Index v : handle) classes[v] = VertexClass::handle;
-  }
-  return classes;
-}
-
 void print_certificate(const Certificate& c, double diagonal) {
   std::printf(
       "  residual %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
@@ -116,7 +106,7 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
   RenderOptions options = picture.render_options();
   if (color == "regions" && result.last) {
     options.style.color = SurfaceColor::regions;
-    paint.set_classes(classes_of(result.last->region(), result.mesh.vertex_count()));
+    paint.set_classes(vertex_classes(result.last->region(), result.mesh.vertex_count()));
   } else if (color != "regions" && color != "plain") {
     color_by(color, result.topology, result.original, result.mesh.positions, paint, options);
   }

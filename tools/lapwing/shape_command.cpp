@@ -11,15 +11,11 @@
 namespace lapwing::cli {
 namespace {
 
-const std::map<std::string, Mesh (*)()> kShapes{
-    {"tube", [] { return rippled_cylinder(); }},
-    {"sphere", [] { return icosphere(5); }},
-    {"sheet", [] { return grid(100, 100); }},
-    {"torus", [] { return torus(160, 64, 1.0, 0.4); }},
-    // What the motions of tools/classics start from.
-    {"bumpy-plane", [] { return bumpy_plane(200, 10, 0.03); }},
-    {"cylinder", [] { return cylinder(48, 100, 0.5, 6.0); }},
-    {"bar", [] { return bar(16, 96, 1.0, 6.0); }}};
+std::map<std::string, Mesh (*)()> shapes_by_name() {
+  std::map<std::string, Mesh (*)()> shapes;
+  for (const NamedShape& shape : named_shapes()) shapes.emplace(shape.name, shape.make);
+  return shapes;
+}
 
 }  // namespace
 
@@ -27,9 +23,9 @@ void add_shape(CLI::App& app) {
   auto* command = app.add_subcommand("shape", "write a generated mesh, to try things on");
   auto shape = std::make_shared<std::string>();
   auto path = std::make_shared<std::string>();
-  command->add_option("SHAPE", *shape, "which")->required()->check(CLI::IsMember(kShapes));
+  command->add_option("SHAPE", *shape, "which")->required()->check(CLI::IsMember(shapes_by_name()));
   command->add_option("-o,--output", *path, "OBJ, OFF, PLY or STL")->required();
-  command->callback([shape, path] { write_mesh(kShapes.at(*shape)(), *path); });
+  command->callback([shape, path] { write_mesh(shapes_by_name().at(*shape)(), *path); });
 }
 
 }  // namespace lapwing::cli

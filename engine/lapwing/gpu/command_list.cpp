@@ -55,17 +55,22 @@ void CommandList::release() noexcept {
   if (pool_ != VK_NULL_HANDLE) vk.vkDestroyCommandPool(device, pool_, nullptr);
 }
 
-std::uint64_t CommandList::submit() {
+std::uint64_t CommandList::submit(std::span<const VkSemaphoreSubmitInfo> waits,
+                                  std::span<const VkSemaphoreSubmitInfo> signals) {
   if (!recorded_) {
     throw GpuError("command list \"" + name_ + "\" was submitted before it was recorded");
   }
   wait();
-  last_submission_ = context_.submit(handle_);
+  last_submission_ = context_.submit(handle_, waits, signals);
   return last_submission_;
 }
 
 void CommandList::wait() const {
   context_.wait(last_submission_);
+}
+
+bool CommandList::done() const {
+  return context_.completed() >= last_submission_;
 }
 
 double CommandList::milliseconds_between(std::uint32_t first, std::uint32_t second) const {

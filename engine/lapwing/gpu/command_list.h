@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include <volk.h>
@@ -23,7 +24,9 @@ class CommandList {
   /// Submits and returns the timeline value to wait for. Lists run one after the other, and each
   /// sees what those submitted before it wrote. Throws GpuError if nothing was recorded. Waits
   /// first when the list's previous submission still runs.
-  std::uint64_t submit();
+  /// A swapchain's semaphores may be added as in `Context::submit`.
+  std::uint64_t submit(std::span<const VkSemaphoreSubmitInfo> waits = {},
+                       std::span<const VkSemaphoreSubmitInfo> signals = {});
   /// Waits for this list's last submission.
   void wait() const;
   void run() {
@@ -39,6 +42,8 @@ class CommandList {
   const std::string& name() const { return name_; }
   VkCommandBuffer handle() const { return handle_; }
   bool recorded() const { return recorded_; }
+  /// Whether the last submission is done, or there was none.
+  bool done() const;
 
  private:
   friend class Recorder;

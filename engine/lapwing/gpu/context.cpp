@@ -211,6 +211,11 @@ std::uint64_t Context::submit(VkCommandBuffer commands,
   return ++last_submitted_;
 }
 
+VkResult Context::present(const VkPresentInfoKHR& info) {
+  const std::scoped_lock lock(submit_mutex_);
+  return table_.vkQueuePresentKHR(queue_, &info);
+}
+
 void Context::wait(std::uint64_t value) const {
   auto info = structure<VkSemaphoreWaitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO);
   info.semaphoreCount = 1;

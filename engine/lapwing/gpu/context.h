@@ -35,8 +35,9 @@ struct ContextOptions {
 /// timeline semaphores, push descriptors and, where the device has it, shaderFloat64. The queue has
 /// compute, and graphics where any queue of the device has both.
 ///
-/// Everything made from a context refers to it and must not outlive it. `submit` may be called from
-/// several threads; contexts themselves are made and destroyed on one thread at a time.
+/// Everything made from a context refers to it and must not outlive it. `submit` and `present` may
+/// be called from several threads; contexts themselves are made and destroyed on one thread at a
+/// time.
 class Context {
  public:
   /// Throws GpuError saying what was tried and what to install when no device fits.
@@ -77,6 +78,10 @@ class Context {
   std::uint64_t submit(VkCommandBuffer commands, std::span<const VkSemaphoreSubmitInfo> waits = {},
                        std::span<const VkSemaphoreSubmitInfo> signals = {});
   static constexpr std::size_t kMaxExtraSignals = 3;
+
+  /// Queues a swapchain's images for the screen, between submissions. The result is the caller's to
+  /// judge: most ask for another swapchain.
+  VkResult present(const VkPresentInfoKHR& info);
 
   /// Blocks until the timeline reaches `value`. Throws GpuError when the device is lost.
   void wait(std::uint64_t value) const;

@@ -191,4 +191,17 @@ Mesh torus(Index around, Index across, double radius, double tube_radius) {
   return mesh;
 }
 
+std::span<const NamedShape> named_shapes() {
+  static constexpr std::array kShapes{
+      NamedShape{"tube", [] { return rippled_cylinder(); }},
+      NamedShape{"sphere", [] { return icosphere(5); }},
+      NamedShape{"sheet", [] { return grid(100, 100); }},
+      NamedShape{"torus", [] { return torus(160, 64, 1.0, 0.4); }},
+      // What the motions of tools/classics start from.
+      NamedShape{"bumpy-plane", [] { return bumpy_plane(200, 10, 0.03); }},
+      NamedShape{"cylinder", [] { return cylinder(48, 100, 0.5, 6.0); }},
+      NamedShape{"bar", [] { return bar(16, 96, 1.0, 6.0); }}};
+  return kShapes;
+}
+
 }  // namespace lapwing

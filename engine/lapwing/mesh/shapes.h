@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "lapwing/mesh/mesh.h"
 
 namespace lapwing {
@@ -31,5 +34,13 @@ Mesh bar(Index across, Index along, double width, double length);
 
 /// Torus around the z axis, `around` x `across` vertices.
 Mesh torus(Index around, Index across, double radius, double tube_radius);
+
+/// A generated mesh of a size to try things on.
+struct NamedShape {
+  std::string_view name;
+  Mesh (*make)();
+};
+/// "tube", "sphere", "sheet", ... and what the field's classic motions start from.
+std::span<const NamedShape> named_shapes();
 
 }  // namespace lapwing

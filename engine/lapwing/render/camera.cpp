@@ -14,6 +14,7 @@
 namespace lapwing {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 struct Interval {
@@ -169,6 +170,25 @@ Eigen::Matrix4d Camera::projection(double aspect) const {
     matrix(3, 2) = -1.0;
   }
   return matrix;
+}
+
+Ray line_of_sight(const Camera& camera, const Vector2d& pixel, const Vector2d& size) {
+  const double tangent = half_tangent(camera.field_of_view);
+  const Vector3d slope(
+      (2.0 * pixel.x() / size.x() - 1.0 - camera.target_across) * tangent * size.x() / size.y(),
+      (1.0 - 2.0 * pixel.y() / size.y()) * tangent, -1.0);
+  const Eigen::Matrix3d axes = camera_axes(camera.eye - camera.target, camera.up);
+  Ray ray;
+  if (camera.orthographic) {
+    const double distance = (camera.eye - camera.target).norm();
+    const Vector3d start(slope.x() * distance, slope.y() * distance, -camera.near_distance);
+    ray.origin = camera.eye + axes.transpose() * start;
+    ray.direction = -axes.row(2).transpose();
+  } else {
+    ray.origin = camera.eye + axes.transpose() * (camera.near_distance * slope);
+    ray.direction = (axes.transpose() * slope).normalized();
+  }
+  return ray;
 }
 
 ViewAxes view_axes(View view, UpAxis up_axis) {

@@ -32,6 +32,16 @@ struct Camera {
   Eigen::Matrix4d projection(double aspect) const;
 };
 
+/// A half line.
+struct Ray {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  ///< of length 1
+};
+
+/// What lies behind the place `pixel`, from the upper left corner, of a picture of `size` pixels:
+/// the points with depths from the near plane on.
+Ray line_of_sight(const Camera& camera, const Eigen::Vector2d& pixel, const Eigen::Vector2d& size);
+
 /// The direction from the target to the eye, and what is up. Any length; not parallel.
 struct ViewAxes {
   Eigen::Vector3d toward_eye;

@@ -55,7 +55,7 @@ struct FixedState {
   std::array<VkDynamicState, 2> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
   VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
 
-  FixedState() {
+  explicit FixedState(bool blended) {
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     viewport.viewportCount = 1;
     viewport.scissorCount = 1;
@@ -64,6 +64,11 @@ struct FixedState {
     rasterization.lineWidth = 1.0F;
     attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                 VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    attachment.blendEnable = blended ? VK_TRUE : VK_FALSE;
+    attachment.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+    attachment.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    attachment.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    attachment.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     blend.attachmentCount = 1;
     blend.pAttachments = &attachment;
     dynamic.dynamicStateCount = static_cast<std::uint32_t>(dynamic_states.size());
@@ -140,7 +145,7 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
   rendering.pColorAttachmentFormats = &target.color;
   rendering.depthAttachmentFormat = target.depth;
 
-  const FixedState fixed;
+  const FixedState fixed(info.blend);
   VkGraphicsPipelineCreateInfo create{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
   create.stageCount = static_cast<std::uint32_t>(stages.size());
   create.pStages = stages.data();
@@ -159,7 +164,8 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
 }
 
 void GraphicsPipeline::record(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
-                              std::span<const std::byte> push, std::uint32_t vertices) const {
+                              std::span<const std::byte> push, std::uint32_t vertices,
+                              std::uint32_t first) const {
   const VkDeviceSize limit = context_.limits().maxStorageBufferRange;
   std::array<VkDescriptorBufferInfo, kMaxBuffers> infos;
   std::array<VkWriteDescriptorSet, kMaxBuffers> writes;
@@ -185,7 +191,7 @@ void GraphicsPipeline::record(VkCommandBuffer commands, std::span<const gpu::Buf
   }
   vk.vkCmdPushConstants(commands, layout_, kStages, 0, static_cast<std::uint32_t>(push.size()),
                         push.data());
-  vk.vkCmdDraw(commands, vertices, 1, 0, 0);
+  vk.vkCmdDraw(commands, vertices, 1, first, 0);
 }
 
 void GraphicsPipeline::release() noexcept {

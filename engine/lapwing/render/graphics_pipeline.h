@@ -31,6 +31,7 @@ struct GraphicsPipelineInfo {
   std::uint32_t storage_buffers = 0;  ///< bindings 0, 1, ... of both stages, which only read them
   std::uint32_t push_constant_bytes = 0;
   bool depth = false;  ///< test and write depth: nearer, that is greater, wins
+  bool blend = false;  ///< by opacity over what is there; the picture's own opacity grows
 };
 
 /// A pipeline that draws triangles without vertex or index buffers: shaders pull what they need
@@ -45,20 +46,21 @@ class GraphicsPipeline {
   GraphicsPipeline(const GraphicsPipeline&) = delete;
   GraphicsPipeline& operator=(const GraphicsPipeline&) = delete;
 
-  /// Records a draw of `vertices` vertices in a rendering scope. `buffers` by binding.
+  /// Records a draw of `vertices` vertices, from number `first` on, in a rendering scope. `buffers`
+  /// by binding.
   template <typename Push>
   void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
-            const Push& push, std::uint32_t vertices) const {
+            const Push& push, std::uint32_t vertices, std::uint32_t first = 0) const {
     static_assert(std::is_trivially_copyable_v<Push>);
     record(commands, {buffers.begin(), buffers.size()}, std::as_bytes(std::span(&push, 1)),
-           vertices);
+           vertices, first);
   }
 
  private:
   void create_layout(const GraphicsPipelineInfo& info);
   void create_pipeline(const TargetFormat& target, const GraphicsPipelineInfo& info);
   void record(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
-              std::span<const std::byte> push, std::uint32_t vertices) const;
+              std::span<const std::byte> push, std::uint32_t vertices, std::uint32_t first) const;
   void release() noexcept;
 
   const gpu::Context& context_;

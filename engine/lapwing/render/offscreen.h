@@ -2,15 +2,19 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/command_list.h"
 #include "lapwing/render/device_image.h"
+#include "lapwing/render/draw_scope.h"
 #include "lapwing/render/graphics_pipeline.h"
 #include "lapwing/render/image.h"
 
 namespace lapwing {
+
+/// A picture's size. Throws GpuError, naming the limit, for one that is empty or larger than the
+/// device's largest, and when the context's queue has no graphics.
+VkExtent2D checked_extent(const gpu::Context& context, std::uint32_t width, std::uint32_t height);
 
 /// A picture to draw into that is not on a screen, with antialiasing. The context must outlive it.
 class OffscreenTarget {
@@ -30,14 +34,11 @@ class OffscreenTarget {
   Image render(const std::function<void(VkCommandBuffer commands)>& draw);
 
  private:
-  void record_scope(VkCommandBuffer commands, const std::function<void(VkCommandBuffer)>& draw);
-
   gpu::Context& context_;
   VkExtent2D extent_;
   TargetFormat format_;
-  DeviceImage color_;  ///< what is read back: drawn into, or resolved into
-  DeviceImage depth_;
-  std::optional<DeviceImage> multisampled_;  ///< drawn into, with more than one sample
+  DeviceImage color_;  ///< what is read back
+  DrawScope scope_;
   gpu::Buffer pixels_;
   gpu::CommandList commands_;
 };

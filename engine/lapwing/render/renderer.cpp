@@ -88,17 +88,19 @@ BackgroundPush background_push(Background background) {
   return {};
 }
 
-SurfacePush surface_push(VkExtent2D extent, const Eigen::Vector3d& origin, const Camera& camera,
-                         const SurfaceStyle& style, const ScalarRange& range) {
-  const double aspect = static_cast<double>(extent.width) / static_cast<double>(extent.height);
-  // In float64 up to here, so that a mesh far from the origin keeps its digits.
+Eigen::Matrix4d view_from_surface(const Camera& camera, const Eigen::Vector3d& origin) {
   Eigen::Matrix4d view = camera.view();
   view.topRightCorner<3, 1>() += view.topLeftCorner<3, 3>() * origin;
+  return view;
+}
+
+SurfacePush surface_push(VkExtent2D extent, const Eigen::Vector3d& origin, const Camera& camera,
+                         const SurfaceStyle& style, const ScalarRange& range) {
   SurfacePush push{};
   Eigen::Map<Eigen::Matrix4f>(push.clip_from_surface.data()) =
-      (camera.projection(aspect) * view).cast<float>();
+      clip_from_surface(camera, extent, origin).cast<float>();
   Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(push.view_from_surface.data()) =
-      view.topRows<3>().cast<float>();
+      view_from_surface(camera, origin).topRows<3>().cast<float>();
   push.flags = flags_of(style, camera);
   push.scalar_low = range.low;
   push.scalar_scale = range.high > range.low ? 1.0F / (range.high - range.low) : 0.0F;
@@ -107,6 +109,12 @@ SurfacePush surface_push(VkExtent2D extent, const Eigen::Vector3d& origin, const
 }
 
 }  // namespace
+
+Eigen::Matrix4d clip_from_surface(const Camera& camera, VkExtent2D extent,
+                                  const Eigen::Vector3d& origin) {
+  const double aspect = static_cast<double>(extent.width) / static_cast<double>(extent.height);
+  return camera.projection(aspect) * view_from_surface(camera, origin);
+}
 
 ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint) {
   if (style.range) return *style.range;

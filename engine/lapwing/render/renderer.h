@@ -37,6 +37,11 @@ struct SurfaceStyle {
 /// symmetric around 0 for a diverging map.
 ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint);
 
+/// From places relative to `origin` to Vulkan's clip space in a picture of `extent` pixels. In
+/// float64, so that a mesh far from the world's origin keeps its digits.
+Eigen::Matrix4d clip_from_surface(const Camera& camera, VkExtent2D extent,
+                                  const Eigen::Vector3d& origin);
+
 /// Records draws into a rendering scope (vkCmdBeginRendering) that someone else began, on images
 /// that someone else owns: a window's or an OffscreenTarget's. Draws from the buffers of the
 /// surface as they are when the commands run; nothing is copied or uploaded. The context must

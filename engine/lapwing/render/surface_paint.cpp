@@ -41,6 +41,16 @@ ScalarRange range_of(std::span<const float> scalars) {
 
 }  // namespace
 
+std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t vertex_count) {
+  std::vector<VertexClass> classes(vertex_count, VertexClass::outside);
+  for (const Index v : region.roi) classes[v] = VertexClass::roi;
+  for (const Index v : region.belt) classes[v] = VertexClass::belt;
+  for (const auto& handle : region.handles) {
+    for (const Index v : handle) classes[v] = VertexClass::handle;
+  }
+  return classes;
+}
+
 SurfacePaint::SurfacePaint(const VulkanSurface& surface)
     : vertex_count_(surface.vertex_count()),
       triangle_count_(surface.triangle_count()),

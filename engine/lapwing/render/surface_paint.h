@@ -7,6 +7,7 @@
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/region/edit_region.h"
 
 namespace lapwing {
 
@@ -14,6 +15,9 @@ class VulkanSurface;
 
 /// What a vertex is in an edit.
 enum class VertexClass : std::uint32_t { outside, roi, belt, handle };
+
+/// What each of `vertex_count` vertices is in the edit of `region`.
+std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t vertex_count);
 
 /// Smallest and largest of some numbers.
 struct ScalarRange {

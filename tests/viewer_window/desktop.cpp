@@ -1,0 +1,177 @@
+#include "viewer_window/desktop.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <signal.h>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace lapwing::test {
+namespace {
+
+constexpr int kStillRunning = -1000;
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void change_environment(const std::vector<std::string>& changes) {
+  for (const std::string& change : changes) {
+    const std::size_t equals = change.find('=');
+    const std::string name = change.substr(0, equals);
+    if (equals + 1 == change.size()) {
+      unsetenv(name.c_str());
+    } else {
+      setenv(name.c_str(), change.c_str() + equals + 1, 1);
+    }
+  }
+}
+
+[[noreturn]] void become(std::vector<std::string>& arguments,
+                         const std::vector<std::string>& environment,
+                         const std::filesystem::path& errors) {
+  change_environment(environment);
+  const int file = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  dup2(file, STDERR_FILENO);
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  execv(argv[0], argv.data());
+  _exit(127);
+}
+
+// Xvfb keeps its screen in a file of X's window dumps: a header of big-endian words, a colour map,
+// rows of blue, green, red and nothing.
+Image read_dump(const std::string& bytes) {
+  const auto word = [&](std::size_t number) {
+    std::uint32_t value = 0;
+    for (std::size_t b = 0; b < 4; ++b) {
+      value = value << 8U | static_cast<std::uint8_t>(bytes.at(4 * number + b));
+    }
+    return value;
+  };
+  constexpr std::size_t kColorBytes = 12;
+  const std::size_t start = word(0) + kColorBytes * word(19);
+  const std::size_t row_bytes = word(12);
+  Image image{word(4), word(5), {}};
+  image.rgba.reserve(std::size_t{4} * image.width * image.height);
+  for (std::size_t y = 0; y < image.height; ++y) {
+    for (std::size_t x = 0; x < image.width; ++x) {
+      const std::size_t at = start + y * row_bytes + 4 * x;
+      for (const std::size_t channel : {2U, 1U, 0U}) {
+        image.rgba.push_back(static_cast<std::uint8_t>(bytes.at(at + channel)));
+      }
+      image.rgba.push_back(255);
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+bool has_desktop() {
+  const bool found = access(LAPWING_XVFB, X_OK) == 0 && access(LAPWING_XDOTOOL, X_OK) == 0;
+#ifdef LAPWING_REQUIRE_WINDOW_TESTS
+  EXPECT_TRUE(found) << "configured with LAPWING_REQUIRE_GPU_TESTS, but without Xvfb or xdotool";
+#endif
+  return found;
+}
+
+Process::Process(std::vector<std::string> arguments, const std::vector<std::string>& environment,
+                 std::filesystem::path errors)
+    : errors_(std::move(errors)) {
+  pid_ = fork();
+  if (pid_ == 0) become(arguments, environment, errors_);
+}
+
+Process::~Process() {
+  if (!running()) return;
+  // Gently first: a display removes its lock and its socket.
+  kill(pid_, SIGTERM);
+  constexpr double kPatience = 5.0;
+  if (wait(kPatience) != kStillRunning) return;
+  kill(pid_, SIGKILL);
+  waitpid(pid_, nullptr, 0);
+}
+
+bool Process::running() {
+  if (status_ != kStillRunning) return false;
+  int status = 0;
+  if (waitpid(pid_, &status, WNOHANG) != pid_) return true;
+  status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  return false;
+}
+
+int Process::wait(double seconds) {
+  eventually(seconds, [&] { return !running(); });
+  return status_;
+}
+
+std::string Process::errors() const {
+  return contents(errors_);
+}
+
+Desktop::Desktop(const std::filesystem::path& folder) : folder_(folder) {
+  const std::filesystem::path number = folder / "display";
+  const std::string command = std::string("exec ") + LAPWING_XVFB +
+                              " -screen 0 1280x800x24 -noreset -nolisten tcp -fbdir " +
+                              folder.string() + " -displayfd 3 3>" + number.string();
+  server_ = std::make_unique<Process>(std::vector<std::string>{"/bin/sh", "-c", command},
+                                      std::vector<std::string>{}, folder / "xvfb.log");
+  constexpr double kPatience = 20.0;
+  if (!eventually(kPatience, [&] { return contents(number).ends_with('\n'); })) {
+    throw std::runtime_error("Xvfb does not start: " + server_->errors());
+  }
+  const std::string digits = contents(number);
+  display_ = std::string(":").append(digits, 0, digits.size() - 1);
+}
+
+std::string Desktop::xdotool(const std::string& arguments) const {
+  const std::string command = display() + " " + LAPWING_XDOTOOL + " " + arguments + " 2>/dev/null";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string printed;
+  std::array<char, 256> part;
+  while (std::fgets(part.data(), part.size(), pipe.get()) != nullptr) printed += part.data();
+  return printed;
+}
+
+Image Desktop::picture() const {
+  return read_dump(contents(folder_ / "Xvfb_screen0"));
+}
+
+Image Desktop::settled_picture() const {
+  constexpr double kPatience = 15.0;
+  constexpr double kBetween = 0.3;
+  Image last = picture();
+  eventually(kPatience, [&] {
+    sleep_seconds(kBetween);
+    Image now = picture();
+    const bool same = now.rgba == last.rgba;
+    last = std::move(now);
+    return same;
+  });
+  return last;
+}
+
+void sleep_seconds(double seconds) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+double mean_difference(const Image& a, const Image& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(a.rgba[i] - b.rgba[i]);
+  return sum / static_cast<double>(a.rgba.size());
+}
+
+}  // namespace lapwing::test

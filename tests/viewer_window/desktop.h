@@ -1,0 +1,85 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+#include "lapwing/render/image.h"
+
+namespace lapwing::test {
+
+/// Whether windows can be opened and driven here. Without Xvfb or xdotool a test may only skip, and
+/// where the build requires GPU tests it fails instead.
+bool has_desktop();
+
+/// A program that runs, its standard error in a file. Killed with this if it still runs.
+class Process {
+ public:
+  /// `arguments` begin with the program; "NAME=value" in `environment` are added, "NAME=" alone
+  /// removes.
+  Process(std::vector<std::string> arguments, const std::vector<std::string>& environment,
+          std::filesystem::path errors);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  bool running();
+  /// Its exit code, or minus the signal that ended it, waiting up to `seconds`; -1000 if it still
+  /// runs then.
+  int wait(double seconds);
+  std::string errors() const;
+
+ private:
+  pid_t pid_;
+  std::filesystem::path errors_;
+  int status_ = -1000;
+};
+
+/// A display of its own without a screen, 1280 x 800.
+class Desktop {
+ public:
+  explicit Desktop(const std::filesystem::path& folder);
+
+  /// For the environment of programs.
+  std::string display() const { return "DISPLAY=" + display_; }
+  /// Runs xdotool and returns what it prints.
+  std::string xdotool(const std::string& arguments) const;
+  /// What the display shows.
+  Image picture() const;
+  /// What it shows once that is the same twice in a row.
+  Image settled_picture() const;
+
+ private:
+  std::filesystem::path folder_;
+  std::string display_;
+  std::unique_ptr<Process> server_;
+};
+
+/// Waits, at most `seconds`, until `happened` returns true; what it returned last.
+template <typename Happened>
+bool eventually(double seconds, Happened happened);
+
+void sleep_seconds(double seconds);
+
+template <typename Happened>
+bool eventually(double seconds, Happened happened) {
+  constexpr double kStep = 0.05;
+  for (double waited = 0.0; waited < seconds; waited += kStep) {
+    if (happened()) return true;
+    sleep_seconds(kStep);
+  }
+  return happened();
+}
+
+/// Mean difference of the channels of two pictures of one size, of 255.
+double mean_difference(const Image& a, const Image& b);
+
+}  // namespace lapwing::test
+
+/// First line of a test that opens windows.
+#define LAPWING_NEEDS_DESKTOP()                                                     \
+  LAPWING_NEEDS_GPU();                                                              \
+  if (!::lapwing::test::has_desktop()) {                                            \
+    GTEST_SKIP() << "no Xvfb or no xdotool; tools/setup/install-packages has them"; \
+  }

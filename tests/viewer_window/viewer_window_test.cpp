@@ -1,0 +1,205 @@
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+#include "support/gpu.h"
+#include "viewer_window/desktop.h"
+
+namespace lapwing {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Desktop;
+using test::eventually;
+using test::Process;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// Frames of a software device on a busy machine.
+constexpr double kPatience = 60.0;
+
+class ViewerWindow : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    LAPWING_NEEDS_DESKTOP();
+    std::string pattern = (fs::temp_directory_path() / "lapwing-window-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    write_mesh(rippled_cylinder(24, 41), tube());
+    desktop_ = std::make_unique<Desktop>(folder_);
+  }
+
+  void TearDown() override {
+    viewer_.reset();
+    desktop_.reset();
+    if (!folder_.empty()) fs::remove_all(folder_);
+  }
+
+  fs::path tube() const { return folder_ / "tube.obj"; }
+
+  // The messages of the validation layers, where they are on, go to standard error. (Not under
+  // AddressSanitizer: they leak what they know of swapchains.)
+  void start(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), LAPWING_VIEWER);
+    viewer_ =
+        std::make_unique<Process>(arguments, std::vector{desktop_->display()}, folder_ / "errors");
+  }
+
+  // Opens the tube and waits until it is on the screen.
+  Image open_tube() {
+    start({tube()});
+    window_ = "";
+    EXPECT_TRUE(eventually(kPatience, [&] {
+      window_ = desktop_->xdotool("search --onlyvisible --name Lapwing");
+      return !window_.empty() || !viewer_->running();
+    }));
+    EXPECT_TRUE(viewer_->running()) << viewer_->errors();
+    if (!window_.empty()) window_.pop_back();
+    // The mesh hides the background in the middle of what the panels leave free.
+    EXPECT_TRUE(eventually(kPatience, [&] { return shows_the_tube(desktop_->picture()); }));
+    return desktop_->settled_picture();
+  }
+
+  // The background is lighter than the tube, and bluish.
+  static bool shows_the_tube(const Image& image) {
+    const auto [r, g, b, a] = image.pixel(790, 400);
+    return r > b && r < 235 && r > 60;
+  }
+
+  // Right of the device's name and the frame's time, which vary.
+  static Image status_line(const Image& image) {
+    constexpr std::uint32_t kLeft = 520;
+    Image line{image.width - kLeft, 20, {}};
+    for (std::uint32_t y = image.height - line.height; y < image.height; ++y) {
+      for (std::uint32_t x = kLeft; x < image.width; ++x) {
+        const auto pixel = image.pixel(x, y);
+        line.rgba.insert(line.rgba.end(), pixel.begin(), pixel.end());
+      }
+    }
+    return line;
+  }
+
+  void expect_quits_silently() {
+    desktop_->xdotool("key ctrl+q");
+    EXPECT_EQ(viewer_->wait(kPatience), 0);
+    EXPECT_THAT(viewer_->errors(), IsEmpty());
+  }
+
+  fs::path folder_;
+  std::unique_ptr<Desktop> desktop_;
+  std::unique_ptr<Process> viewer_;
+  std::string window_;
+};
+
+TEST_F(ViewerWindow, MouseAndKeysMoveTheView) {
+  const Image first = open_tube();
+  desktop_->xdotool("mousemove 790 300 mousedown 2 mousemove 700 340 mousemove 600 380 mouseup 2");
+  EXPECT_TRUE(eventually(kPatience, [&] {
+    return test::mean_difference(desktop_->picture(), first) > 1.0;
+  })) << "a drag of the middle button orbits";
+  const Image orbited = desktop_->settled_picture();
+
+  desktop_->xdotool("mousemove 790 400 click 4 click 4");
+  EXPECT_TRUE(eventually(kPatience, [&] {
+    return test::mean_difference(desktop_->picture(), orbited) > 1.0;
+  })) << "the wheel zooms";
+  const Image zoomed = desktop_->settled_picture();
+
+  desktop_->xdotool("key 0 key Home");
+  EXPECT_TRUE(eventually(kPatience, [&] {
+    return test::mean_difference(desktop_->picture(), first) < 0.5;
+  })) << "the first view is back";
+  expect_quits_silently();
+}
+
+TEST_F(ViewerWindow, QuestionMarkListsTheControls) {
+  const Image first = open_tube();
+  desktop_->xdotool("key question");
+  EXPECT_TRUE(eventually(kPatience,
+                         [&] { return test::mean_difference(desktop_->picture(), first) > 10.0; }));
+  desktop_->xdotool("key Escape");
+  EXPECT_TRUE(eventually(kPatience,
+                         [&] { return test::mean_difference(desktop_->picture(), first) < 0.5; }));
+  expect_quits_silently();
+}
+
+TEST_F(ViewerWindow, AClickSaysWhatIsThere) {
+  const Image first = status_line(open_tube());
+  const auto says = [&](const std::string& click) {
+    desktop_->xdotool(click);
+    desktop_->settled_picture();
+    return test::mean_difference(status_line(desktop_->picture()), first);
+  };
+  const double of_the_tube = says("mousemove 790 400 click 1");
+  const double of_the_background = says("mousemove 400 100 click 1");
+  EXPECT_GT(of_the_tube, 1.0);
+  EXPECT_LT(of_the_background, of_the_tube);
+  expect_quits_silently();
+}
+
+TEST_F(ViewerWindow, ComesBackAfterItWasHidden) {
+  open_tube();
+  desktop_->xdotool("windowunmap --sync " + window_);
+  desktop_->xdotool("windowmap --sync " + window_);
+  EXPECT_TRUE(eventually(kPatience, [&] { return shows_the_tube(desktop_->picture()); }));
+  expect_quits_silently();
+}
+
+TEST_F(ViewerWindow, SurvivesAResizeStorm) {
+  open_tube();
+  std::string storm;
+  for (int i = 0; i < 30; ++i) {
+    const int width = 80 + i * 397 % 1200;
+    const int height = 70 + i * 211 % 730;
+    storm += " windowsize " + window_ + " " + std::to_string(width) + " " + std::to_string(height) +
+             " sleep 0.05";
+  }
+  desktop_->xdotool(storm);
+  ASSERT_TRUE(viewer_->running()) << viewer_->errors();
+  desktop_->xdotool("windowsize " + window_ + " 1280 800 windowmove " + window_ + " 0 0");
+  desktop_->xdotool("key Home");
+  EXPECT_TRUE(eventually(kPatience, [&] { return shows_the_tube(desktop_->picture()); }));
+  expect_quits_silently();
+}
+
+TEST_F(ViewerWindow, SavesAPictureOfAnySizeAndQuits) {
+  const fs::path picture = folder_ / "tube.png";
+  start({tube(), "--screenshot", picture, "--size", "333x222"});
+  EXPECT_EQ(viewer_->wait(kPatience), 0);
+  EXPECT_THAT(viewer_->errors(), IsEmpty());
+  std::ifstream file(picture, std::ios::binary);
+  std::string bytes(24, '\0');
+  file.read(bytes.data(), 24);
+  EXPECT_EQ(bytes.substr(12), std::string("IHDR\0\0\1\x4d\0\0\0\xde", 12));
+}
+
+TEST_F(ViewerWindow, SaysWhatIsWrongWithAFile) {
+  std::ofstream(tube()) << "v 1 2\n";
+  start({tube(), "--screenshot", folder_ / "tube.png"});
+  EXPECT_EQ(viewer_->wait(kPatience), 3);
+  EXPECT_THAT(viewer_->errors(), HasSubstr("tube.obj:1"));
+}
+
+TEST_F(ViewerWindow, WithoutDisplaySaysSo) {
+  viewer_ = std::make_unique<Process>(std::vector<std::string>{LAPWING_VIEWER},
+                                      std::vector<std::string>{"DISPLAY=", "WAYLAND_DISPLAY="},
+                                      folder_ / "errors");
+  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_THAT(viewer_->errors(), HasSubstr("DISPLAY"));
+}
+
+TEST_F(ViewerWindow, WithoutVulkanSaysSo) {
+  viewer_ = std::make_unique<Process>(
+      std::vector<std::string>{LAPWING_VIEWER},
+      std::vector{desktop_->display(), std::string("LAPWING_VULKAN_LOADER=/nowhere.so")},
+      folder_ / "errors");
+  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_THAT(viewer_->errors(), HasSubstr("no Vulkan loader"));
+}
+
+}  // namespace
+}  // namespace lapwing

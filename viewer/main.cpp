@@ -1,0 +1,123 @@
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/gpu/context.h"
+#include "navigation/keymap.h"
+#include "ui/viewer_app.h"
+#include "window/main_loop.h"
+#include "window/window.h"
+#include "window/window_error.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// As the command line's.
+enum ExitCode : int { kDone = 0, kUsage = 2, kInput = 3, kSolver = 4, kDevice = 5, kFile = 6 };
+
+constexpr VkExtent2D kWindowSize{1280, 800};
+
+struct Arguments {
+  std::string file;
+  std::string device = "auto";
+  std::string screenshot;
+  std::string size;
+};
+
+std::optional<VkExtent2D> parse_size(const std::string& text) {
+  if (text.empty()) return {};
+  VkExtent2D size{};
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    if (height.ec == std::errc() && height.ptr == end) return size;
+  }
+  throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, as in 1280x960, got " + text);
+}
+
+std::shared_ptr<gpu::Context> open_device(const Window& window, const std::string& device) {
+  gpu::ContextOptions options;
+  options.device = device;
+  options.instance_extensions = window.instance_extensions();
+  options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
+  return std::make_shared<gpu::Context>(options);
+}
+
+void show(const Arguments& arguments) {
+  const auto size = parse_size(arguments.size);
+  Window window("Lapwing", static_cast<int>(kWindowSize.width),
+                static_cast<int>(kWindowSize.height));
+  const auto context = open_device(window, arguments.device);
+  ViewerApp app(context);
+  if (!arguments.file.empty()) app.open(arguments.file);
+  if (!arguments.screenshot.empty()) app.order({arguments.screenshot, size});
+  run_main_loop(window, *context, app);
+}
+
+int fail(const std::exception& error, ExitCode code) {
+  std::fprintf(stderr, "lapwing-viewer: %s\n", error.what());
+  return code;
+}
+
+int run(CLI::App& parser, int argc, char** argv) {
+  try {
+    parser.parse(argc, argv);
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    return parser.exit(error) == 0 ? kDone : kUsage;
+  } catch (const WindowError& error) {
+    return fail(error, kDevice);
+  } catch (const GpuError& error) {
+    return fail(error, kDevice);
+  } catch (const SolverError& error) {
+    return fail(error, kSolver);
+  } catch (const InputError& error) {
+    return fail(error, kInput);
+  } catch (const Error& error) {
+    return fail(error, kFile);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(error, kFile);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "lapwing-viewer: out of memory; open a smaller mesh\n");
+    return kSolver;
+  }
+}
+
+}  // namespace
+}  // namespace lapwing::viewer
+
+int main(int argc, char** argv) {
+  using namespace lapwing::viewer;
+  CLI::App parser("Shows a mesh, or what a recipe makes of one, in a window.", "lapwing-viewer");
+  parser.set_version_flag("--version", LAPWING_VERSION);
+  parser.footer(
+      "Exit codes: 0 done, 2 usage, 3 mesh or recipe, 4 solver, 5 display or device, 6 file.");
+  Arguments arguments;
+  bool list_controls = false;
+  parser.add_option("FILE", arguments.file, "OBJ, OFF, PLY, STL or a recipe (.json)");
+  parser
+      .add_option("--device", arguments.device, "auto, an index or a part of a name (lapwing info)")
+      ->capture_default_str();
+  auto* screenshot = parser.add_option("--screenshot", arguments.screenshot,
+                                       "save a picture (PNG) after the first frame, and quit");
+  parser
+      .add_option("--size", arguments.size, "WIDTHxHEIGHT of the picture; the window's by default")
+      ->needs(screenshot);
+  parser.add_flag("--controls", list_controls,
+                  "list mouse and keys as a table in Markdown, and quit");
+  parser.callback([&] {
+    if (list_controls) {
+      std::fputs(controls_table().c_str(), stdout);
+    } else {
+      show(arguments);
+    }
+  });
+  return run(parser, argc, argv);
+}

@@ -1,0 +1,89 @@
+#include "navigation/camera_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+namespace lapwing::viewer {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Rows: right, up and backward.
+Matrix3d axes_of(const Camera& camera) {
+  return camera.view().topLeftCorner<3, 3>();
+}
+
+double distance_of(const Camera& camera) {
+  return (camera.eye - camera.target).norm();
+}
+
+// Lengths at the target's distance that a pixel shows.
+double length_per_pixel(const Camera& camera, const Vector2d& size) {
+  const double half_height =
+      std::tan(camera.field_of_view * std::numbers::pi / 360.0) * distance_of(camera);
+  return 2.0 * half_height / size.y();
+}
+
+// What lies under the cursor at the target's distance.
+Vector3d under_cursor(const Camera& camera, const Vector2d& cursor, const Vector2d& size) {
+  const Ray ray = line_of_sight(camera, cursor, size);
+  const Vector3d backward = axes_of(camera).row(2);
+  const double along = backward.dot(camera.target - ray.origin) / backward.dot(ray.direction);
+  return ray.origin + along * ray.direction;
+}
+
+}  // namespace
+
+Camera orbited(const Camera& camera, const Vector2d& pixels, const Vector2d& size,
+               const Vector3d& upward) {
+  const double angle_per_pixel = std::numbers::pi / size.y();
+  const Matrix3d axes = axes_of(camera);
+  const Vector3d right = axes.row(0);
+  const Vector3d backward = axes.row(2);
+  // The angle between the direction to the eye and upwards; 0 and pi look straight along it.
+  const double polar = std::acos(std::clamp(backward.dot(upward.normalized()), -1.0, 1.0));
+  const double wanted = std::clamp(polar - pixels.y() * angle_per_pixel, 0.0, std::numbers::pi);
+  const Eigen::AngleAxisd pitch(wanted - polar, right);
+  const Eigen::AngleAxisd yaw(-pixels.x() * angle_per_pixel, upward.normalized());
+  const Matrix3d turn = (yaw * pitch).toRotationMatrix();
+  Camera moved = camera;
+  moved.eye = camera.target + turn * (camera.eye - camera.target);
+  moved.up = turn * axes.row(1).transpose();
+  return moved;
+}
+
+Camera panned(const Camera& camera, const Vector2d& pixels, const Vector2d& size) {
+  const Matrix3d axes = axes_of(camera);
+  const Vector3d step = length_per_pixel(camera, size) *
+                        (pixels.y() * axes.row(1) - pixels.x() * axes.row(0)).transpose();
+  Camera moved = camera;
+  moved.eye += step;
+  moved.target += step;
+  return moved;
+}
+
+Camera zoomed(const Camera& camera, double factor, const Vector2d& cursor, const Vector2d& size,
+              const ZoomRange& range) {
+  const double distance = distance_of(camera);
+  const double wanted = std::clamp(distance / factor, range.nearest, range.farthest);
+  const double share = wanted / distance;
+  const Vector3d fixed = under_cursor(camera, cursor, size);
+  Camera moved = camera;
+  moved.eye = fixed + share * (camera.eye - fixed);
+  moved.target = fixed + share * (camera.target - fixed);
+  return moved;
+}
+
+Camera looking_from(const Camera& camera, const ViewAxes& axes) {
+  Camera moved = camera;
+  moved.eye = camera.target + distance_of(camera) * axes.toward_eye.normalized();
+  moved.up = axes.up;
+  return moved;
+}
+
+}  // namespace lapwing::viewer

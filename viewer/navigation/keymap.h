@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/input.h"
+
+namespace lapwing::viewer {
+
+/// What a drag of the mouse does to the camera.
+enum class Motion { orbit, pan, zoom };
+
+/// What a key does.
+enum class Action {
+  frame_all,
+  frame_selection,
+  view_front,
+  view_back,
+  view_right,
+  view_left,
+  view_top,
+  view_bottom,
+  view_three_quarter,
+  toggle_projection,
+  orbit_left,
+  orbit_right,
+  orbit_up,
+  orbit_down,
+  zoom_in,
+  zoom_out,
+  toggle_wireframe,
+  toggle_flat,
+  toggle_panels,
+  toggle_controls,
+  save_picture,
+  quit,
+};
+
+struct DragBinding {
+  MouseButton button = MouseButton::none;
+  Modifiers modifiers;
+  Motion motion = Motion::orbit;
+};
+
+/// A key pressed with just these modifiers. A '?' is the character that was typed, wherever the
+/// keyboard has it.
+struct KeyBinding {
+  int key = 0;
+  Modifiers modifiers;
+  Action action = Action::frame_all;
+};
+
+/// Who is used to what.
+struct Keymap {
+  std::string_view name;
+  std::span<const DragBinding> drags;
+};
+
+/// Blender, Maya and MeshLab. They differ in how the mouse moves the camera; keys are the same.
+std::span<const Keymap> keymaps();
+std::span<const KeyBinding> key_bindings();
+
+/// What a drag with this button does, if anything.
+std::optional<Motion> motion_of(const Keymap& keymap, MouseButton button,
+                                const Modifiers& modifiers);
+/// What a key or text event does, if anything.
+std::optional<Action> action_of(const InputEvent& event);
+
+/// One line of the list of controls: "Shift + middle drag", "move the view sideways".
+struct ControlLine {
+  std::string how;
+  std::string what;
+};
+/// All controls: those of the mouse as `keymap` has them, then the keys.
+std::vector<ControlLine> mouse_controls(const Keymap& keymap);
+std::vector<ControlLine> key_controls();
+/// The same as a table in Markdown, all keymaps side by side.
+std::string controls_table();
+
+}  // namespace lapwing::viewer

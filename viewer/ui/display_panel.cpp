@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <imgui.h>
+#include <utility>
+
+#include "ui/panels.h"
+
+namespace lapwing::viewer {
+namespace {
+
+ImU32 encoded(const Eigen::Vector3f& linear) {
+  std::array<int, 3> bytes;
+  for (int c = 0; c < 3; ++c) {
+    const float x = std::clamp(linear[c], 0.0F, 1.0F);
+    const float srgb = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
+    bytes[static_cast<std::size_t>(c)] = static_cast<int>(std::lround(255.0F * srgb));
+  }
+  return IM_COL32(bytes[0], bytes[1], bytes[2], 255);
+}
+
+void draw_legend(const SurfaceStyle& style, const SurfacePaint& paint) {
+  constexpr int kParts = 24;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = ImGui::GetFontSize();
+  for (int p = 0; p < kParts; ++p) {
+    const auto at = [&](int part) { return static_cast<float>(part) / kParts; };
+    const ImU32 left = encoded(map_color(style.color_map, at(p)));
+    const ImU32 right = encoded(map_color(style.color_map, at(p + 1)));
+    ImGui::GetWindowDrawList()->AddRectFilledMultiColor(
+        {from.x + width * at(p), from.y}, {from.x + width * at(p + 1), from.y + height}, left,
+        right, right, left);
+  }
+  ImGui::Dummy({width, height});
+  const ScalarRange range = color_range(style, paint);
+  ImGui::Text("%.3g", static_cast<double>(range.low));
+  char high[32];
+  std::snprintf(high, sizeof high, "%.3g", static_cast<double>(range.high));
+  ImGui::SameLine(std::max(0.0F, ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(high).x));
+  ImGui::TextUnformatted(high);
+}
+
+template <typename Value, std::size_t count>
+void choose(const char* label, Value& value,
+            const std::array<std::pair<const char*, Value>, count>& choices) {
+  ImGui::TextDisabled("%s", label);
+  for (std::size_t c = 0; c < count; ++c) {
+    if (c > 0) ImGui::SameLine();
+    if (ImGui::RadioButton(choices[c].first, value == choices[c].second)) value = choices[c].second;
+  }
+}
+
+}  // namespace
+
+void draw_display_panel(DisplayChoices& choices, const Document& document) {
+  SurfaceStyle& style = choices.style;
+  ImGui::Checkbox("Wireframe", &style.wireframe);
+  ImGui::SameLine();
+  ImGui::Checkbox("Flat", &style.flat);
+  if (!document.file.rest.empty()) {
+    choose("Colour", style.color,
+           std::array{std::pair{"plain", SurfaceColor::plain},
+                      std::pair{"regions", SurfaceColor::regions},
+                      std::pair{"displacement", SurfaceColor::scalar}});
+    if (style.color == SurfaceColor::scalar) draw_legend(style, document.paint);
+  }
+  choose(
+      "Background", choices.background,
+      std::array{std::pair{"gradient", Background::gradient}, std::pair{"white", Background::white},
+                 std::pair{"black", Background::transparent}});
+}
+
+}  // namespace lapwing::viewer

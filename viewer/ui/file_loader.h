@@ -1,0 +1,51 @@
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "lapwing/gpu/context.h"
+#include "ui/load_file.h"
+
+namespace lapwing::viewer {
+
+/// Loads one file at a time beside the window, which is woken whenever there is news.
+class FileLoader {
+ public:
+  explicit FileLoader(std::shared_ptr<gpu::Context> context) : context_(std::move(context)) {}
+  /// Cancels, and waits until the loader has noticed.
+  ~FileLoader();
+
+  /// Begins to load `path`; a file that is still being loaded is given up.
+  void start(const std::filesystem::path& path);
+  void cancel() { cancelled_ = true; }
+
+  bool busy() const { return busy_; }
+  /// What is being done, in words.
+  std::string stage() const;
+
+  struct Outcome {
+    std::optional<LoadedFile> file;
+    std::exception_ptr error;  ///< why there is none; null if it was cancelled
+  };
+  /// What came of the last start, once.
+  std::optional<Outcome> take();
+
+ private:
+  void load(const std::filesystem::path& path);
+
+  std::shared_ptr<gpu::Context> context_;
+  std::thread worker_;
+  std::atomic<bool> busy_ = false;
+  std::atomic<bool> cancelled_ = false;
+  mutable std::mutex mutex_;
+  std::string stage_;               ///< under the mutex
+  std::optional<Outcome> outcome_;  ///< under the mutex
+};
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,86 @@
+#include <array>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "ui/panels.h"
+
+namespace lapwing::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Meshes of one piece with detail that an edit could lose, and the recipes of the demo.
+constexpr std::array kSamples{
+    "models/cgal/meshes/armadillo.off", "models/cgal/meshes/cactus.off",
+    "models/cgal/meshes/camel.off",     "models/cgal/meshes/elephant.off",
+    "models/cgal/meshes/hand.off",      "models/cgal/meshes/lion-head.off",
+    "models/cgal/meshes/nefertiti.off"};
+constexpr std::array kRecipes{"raise-arm.json", "bend-cactus.json"};
+
+float column_width() {
+  return 9.0F * ImGui::GetFontSize();
+}
+
+// Buttons in rows of three; the number of the one that was pressed.
+template <typename Items, typename NameOf>
+std::optional<std::size_t> choose(const Items& items, const NameOf& name_of) {
+  std::optional<std::size_t> chosen;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i % 3 != 0) ImGui::SameLine();
+    if (ImGui::Button(name_of(items[i]).c_str(), {column_width(), 0.0F})) chosen = i;
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<fs::path> find_samples() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  // build/PRESET/bin/lapwing-viewer
+  const fs::path built = program.parent_path().parent_path().parent_path();
+  std::vector<fs::path> found;
+  const auto add = [&](std::initializer_list<fs::path> places) {
+    for (const fs::path& place : places) {
+      if (!fs::exists(place, ignored)) continue;
+      found.push_back(place);
+      return;
+    }
+  };
+  for (const char* sample : kSamples) add({fs::path("build") / sample, built / sample});
+  if (found.empty()) return found;
+  const fs::path recipes = fs::path("tools") / "recipes";
+  for (const char* recipe : kRecipes) {
+    add({recipes / recipe, built.parent_path() / recipes / recipe});
+  }
+  return found;
+}
+
+std::optional<Choice> draw_start_panel(std::span<const fs::path> samples, std::string& typed) {
+  std::optional<Choice> choice;
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::Begin(
+      "Open a mesh", nullptr,
+      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
+  ImGui::TextDisabled("Drop an OBJ, OFF, PLY or STL file, or a recipe, on the window, or type:");
+  ImGui::SetNextItemWidth(2.4F * column_width());
+  const bool entered = ImGui::InputText("##path", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::SameLine();
+  if ((ImGui::Button("Open") || entered) && !typed.empty()) choice = fs::path(typed);
+  if (!samples.empty()) {
+    ImGui::Spacing();
+    ImGui::TextDisabled("Samples");
+    const auto name = [](const fs::path& path) {
+      return path.extension() == ".json" ? path.filename().string() : path.stem().string();
+    };
+    if (const auto chosen = choose(samples, name)) choice = samples[*chosen];
+  }
+  ImGui::Spacing();
+  ImGui::TextDisabled("Generated");
+  const auto name = [](const NamedShape& shape) { return std::string(shape.name); };
+  if (const auto chosen = choose(named_shapes(), name)) choice = &named_shapes()[*chosen];
+  ImGui::End();
+  return choice;
+}
+
+}  // namespace lapwing::viewer

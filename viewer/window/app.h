@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lapwing/render/camera.h"
+#include "lapwing/render/renderer.h"
+#include "tools/input.h"
+
+namespace lapwing {
+class SurfacePaint;
+class VulkanSurface;
+}  // namespace lapwing
+
+namespace lapwing::viewer {
+
+/// What a frame shows under the panels. Without a surface only the background.
+struct Scene {
+  const VulkanSurface* surface = nullptr;
+  const SurfacePaint* paint = nullptr;  ///< of the surface
+  Camera camera;
+  SurfaceStyle style;
+  Background background = Background::gradient;
+};
+
+/// How long the parts of a frame took, in milliseconds. Those on the device are 0 where it has no
+/// timestamps.
+struct FrameTimings {
+  double draw_ms = 0.0;    ///< the surface, on the device
+  double ui_ms = 0.0;      ///< the panels, on the device
+  double panels_ms = 0.0;  ///< laying the panels out, on the processor
+  double frame_ms = 0.0;   ///< from the first event to the picture handed to the screen
+};
+
+/// What the main loop calls, all on one thread.
+class App {
+ public:
+  virtual ~App() = default;
+
+  /// What a person did over the picture; what the panels take does not come here. True if the
+  /// picture may have changed.
+  virtual bool handle(const InputEvent& event) = 0;
+  /// A file dropped on the window.
+  virtual void open(const std::filesystem::path& file) = 0;
+  /// The pixels of the picture; before the first frame and whenever it changes. Never 0.
+  virtual void resize(const Eigen::Vector2d& size) = 0;
+  /// Calls ImGui for the panels of one frame. `last` is of the frame before. What this throws ends
+  /// the main loop.
+  virtual void draw_ui(const FrameTimings& last) = 0;
+  /// What to draw under them; must live until the next call.
+  virtual Scene scene() = 0;
+  /// What the window is called.
+  virtual std::string title() const = 0;
+  virtual bool wants_to_quit() const = 0;
+};
+
+}  // namespace lapwing::viewer

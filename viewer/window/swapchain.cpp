@@ -1,0 +1,187 @@
+#include "window/swapchain.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/gpu/context.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// Whether the screen still takes the images, if less well than it could.
+bool usable(VkResult result) {
+  return result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR;
+}
+
+VkExtent2D fitting_extent(VkExtent2D pixels, const VkSurfaceCapabilitiesKHR& can) {
+  constexpr std::uint32_t kAsTheImagesAre = std::numeric_limits<std::uint32_t>::max();
+  if (can.currentExtent.width != kAsTheImagesAre) return can.currentExtent;
+  if (pixels.width == 0 || pixels.height == 0) return {0, 0};
+  return {std::clamp(pixels.width, can.minImageExtent.width, can.maxImageExtent.width),
+          std::clamp(pixels.height, can.minImageExtent.height, can.maxImageExtent.height)};
+}
+
+}  // namespace
+
+VkSemaphore make_semaphore(const gpu::Context& context) {
+  const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+  VkSemaphore semaphore = VK_NULL_HANDLE;
+  context.check(context.vk().vkCreateSemaphore(context.device(), &info, nullptr, &semaphore),
+                "vkCreateSemaphore");
+  return semaphore;
+}
+
+Swapchain::Swapchain(gpu::Context& context, VkSurfaceKHR surface)
+    : context_(context), surface_(surface) {
+  VkBool32 supported = VK_FALSE;
+  context.check(vkGetPhysicalDeviceSurfaceSupportKHR(context.physical_device(),
+                                                     context.queue_family(), surface, &supported),
+                "vkGetPhysicalDeviceSurfaceSupportKHR");
+  if (supported == VK_FALSE) {
+    throw GpuError(context.description().name +
+                   " cannot show pictures on this desktop; choose another with --device "
+                   "(`lapwing info` lists them)");
+  }
+  choose_format();
+}
+
+Swapchain::~Swapchain() {
+  // At the end, so that the screen is done with the images too, for which there is nothing to wait.
+  context_.vk().vkDeviceWaitIdle(context_.device());
+  destroy_views();
+  for (const VkSemaphore semaphore : drawn_) {
+    context_.vk().vkDestroySemaphore(context_.device(), semaphore, nullptr);
+  }
+  if (handle_ != VK_NULL_HANDLE) {
+    context_.vk().vkDestroySwapchainKHR(context_.device(), handle_, nullptr);
+  }
+}
+
+void Swapchain::choose_format() {
+  std::uint32_t count = 0;
+  context_.check(
+      vkGetPhysicalDeviceSurfaceFormatsKHR(context_.physical_device(), surface_, &count, nullptr),
+      "vkGetPhysicalDeviceSurfaceFormatsKHR");
+  std::vector<VkSurfaceFormatKHR> formats(count);
+  context_.check(vkGetPhysicalDeviceSurfaceFormatsKHR(context_.physical_device(), surface_, &count,
+                                                      formats.data()),
+                 "vkGetPhysicalDeviceSurfaceFormatsKHR");
+  for (const VkSurfaceFormatKHR& format : formats) {
+    if (format.colorSpace != VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) continue;
+    if (format.format != VK_FORMAT_B8G8R8A8_SRGB && format.format != VK_FORMAT_R8G8B8A8_SRGB) {
+      continue;
+    }
+    format_ = format;
+    return;
+  }
+  throw GpuError("the desktop shows no sRGB images of " + context_.description().name +
+                 "; choose another device with --device (`lapwing info` lists them)");
+}
+
+bool Swapchain::resize(VkExtent2D pixels) {
+  VkSurfaceCapabilitiesKHR can;
+  context_.check(
+      vkGetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical_device(), surface_, &can),
+      "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
+  destroy_views();
+  extent_ = fitting_extent(pixels, can);
+  if (extent_.width == 0 || extent_.height == 0) return false;
+  create_images(extent_, can);
+  return true;
+}
+
+void Swapchain::create_images(VkExtent2D pixels, const VkSurfaceCapabilitiesKHR& can) {
+  const auto& vk = context_.vk();
+  VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
+  info.surface = surface_;
+  info.minImageCount = can.minImageCount + 1;
+  if (can.maxImageCount != 0) info.minImageCount = std::min(info.minImageCount, can.maxImageCount);
+  info.imageFormat = format_.format;
+  info.imageColorSpace = format_.colorSpace;
+  info.imageExtent = pixels;
+  info.imageArrayLayers = 1;
+  info.imageUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  info.preTransform = can.currentTransform;
+  info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
+                            ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
+                            : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
+  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;
+  info.clipped = VK_TRUE;
+  info.oldSwapchain = handle_;
+  VkSwapchainKHR made = VK_NULL_HANDLE;
+  context_.check(vk.vkCreateSwapchainKHR(context_.device(), &info, nullptr, &made),
+                 "vkCreateSwapchainKHR");
+  if (handle_ != VK_NULL_HANDLE) vk.vkDestroySwapchainKHR(context_.device(), handle_, nullptr);
+  handle_ = made;
+
+  std::uint32_t count = 0;
+  context_.check(vk.vkGetSwapchainImagesKHR(context_.device(), handle_, &count, nullptr),
+                 "vkGetSwapchainImagesKHR");
+  images_.resize(count);
+  context_.check(vk.vkGetSwapchainImagesKHR(context_.device(), handle_, &count, images_.data()),
+                 "vkGetSwapchainImagesKHR");
+  for (const VkImage image : images_) {
+    VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    view.image = image;
+    view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    view.format = format_.format;
+    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    context_.check(vk.vkCreateImageView(context_.device(), &view, nullptr, &views_.emplace_back()),
+                   "vkCreateImageView");
+    if (drawn_.size() < views_.size()) drawn_.push_back(make_semaphore(context_));
+  }
+}
+
+void Swapchain::destroy_views() {
+  for (const VkImageView view : views_) {
+    context_.vk().vkDestroyImageView(context_.device(), view, nullptr);
+  }
+  views_.clear();
+  images_.clear();
+}
+
+std::optional<Swapchain::Image> Swapchain::acquire(VkSemaphore ready) {
+  if (images_.empty()) return {};
+  std::uint32_t index = 0;
+  const VkResult result = context_.vk().vkAcquireNextImageKHR(
+      context_.device(), handle_, std::numeric_limits<std::uint64_t>::max(), ready, VK_NULL_HANDLE,
+      &index);
+  if (result == VK_ERROR_OUT_OF_DATE_KHR) return {};
+  if (!usable(result)) context_.check(result, "vkAcquireNextImageKHR");
+  return Image{index, images_[index], views_[index], drawn_[index]};
+}
+
+bool Swapchain::present(const Image& image) {
+  VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
+  info.waitSemaphoreCount = 1;
+  info.pWaitSemaphores = &image.drawn;
+  info.swapchainCount = 1;
+  info.pSwapchains = &handle_;
+  info.pImageIndices = &image.index;
+  const VkResult result = context_.present(info);
+  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) return false;
+  context_.check(result, "vkQueuePresentKHR");
+  return true;
+}
+
+void Swapchain::transition(VkCommandBuffer commands, const Image& image, const ImageState& from,
+                           const ImageState& to) const {
+  VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = from.stages;
+  barrier.srcAccessMask = from.accesses;
+  barrier.dstStageMask = to.stages;
+  barrier.dstAccessMask = to.accesses;
+  barrier.oldLayout = from.layout;
+  barrier.newLayout = to.layout;
+  barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = image.handle;
+  barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+  VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  info.imageMemoryBarrierCount = 1;
+  info.pImageMemoryBarriers = &barrier;
+  context_.vk().vkCmdPipelineBarrier2(commands, &info);
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <volk.h>
+
+#include "tools/input.h"
+
+struct GLFWwindow;
+
+namespace lapwing::viewer {
+
+/// A window of the desktop, by GLFW, and what a person does to it. One at a time, on the main
+/// thread.
+class Window {
+ public:
+  /// Throws WindowError, with GLFW's reason, when there is no display. Sizes in screen units.
+  Window(const std::string& title, int width, int height);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// The instance extensions that `create_surface` needs. Throws GpuError when the Vulkan loader
+  /// knows no way to this desktop.
+  std::vector<const char*> instance_extensions() const;
+  /// The caller's to destroy. Throws GpuError.
+  VkSurfaceKHR create_surface(VkInstance instance) const;
+
+  /// Waits for something to happen, at most `seconds`.
+  void wait(double seconds);
+  /// Takes what has happened without waiting.
+  void poll();
+  /// Wakes `wait` for another frame. May be called from any thread.
+  static void wake();
+
+  /// What happened since the last call, oldest first; input that the panels want is left out.
+  std::vector<InputEvent> take_events();
+  std::vector<std::filesystem::path> take_dropped_files();
+  /// Whether anything happened since the last call that may change the panels.
+  bool take_changed();
+
+  bool close_requested() const;
+  /// In pixels; 0 while minimized.
+  VkExtent2D pixels() const;
+  /// Pixels per unit of a desktop at 96 dots an inch: what texts are to be enlarged by.
+  double content_scale() const;
+  void set_title(const std::string& title);
+
+ private:
+  friend struct WindowCallbacks;
+
+  GLFWwindow* handle_ = nullptr;
+  std::vector<InputEvent> events_;
+  std::vector<std::filesystem::path> dropped_;
+  Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< in screen units
+  MouseButton dragging_ = MouseButton::none;          ///< pressed over the picture
+  bool changed_ = true;
+};
+
+}  // namespace lapwing::viewer
