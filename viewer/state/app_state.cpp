@@ -22,14 +22,19 @@ constexpr double kSameMotion = 1e-9;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-// What a handle's turn is as a recipe writes it. The tracked turn counts where it stands for the
-// rotation, because only it knows of whole turns.
-AxisRotation written_turn(const Matrix3d& R, const AngleAxisd& turn) {
-  const bool tracked = std::abs(turn.axis().norm() - 1.0) < kSameMotion &&
-                       (turn.toRotationMatrix() - R).norm() < kSameMotion;
-  const AngleAxisd best = tracked ? turn : AngleAxisd(R);
-  if (std::abs(best.angle()) < kSameMotion) return {};
-  return {best.axis(), best.angle() * kDegrees};
+// The rotation as a recipe writes it: of the turns that lead to R, which are whole turns apart, the
+// one nearest to the turn followed.
+AxisRotation written_turn(const Matrix3d& R, const AngleAxisd& followed) {
+  constexpr double kWhole = 2.0 * std::numbers::pi;
+  const AngleAxisd shortest(R);
+  if (shortest.angle() < kSameMotion) {
+    const double angle = kWhole * std::round(followed.angle() / kWhole);
+    return angle == 0.0 ? AxisRotation{} : AxisRotation{followed.axis(), angle * kDegrees};
+  }
+  const double along = followed.angle() * followed.axis().dot(shortest.axis());
+  const double angle = shortest.angle() + kWhole * std::round((along - shortest.angle()) / kWhole);
+  return angle < 0.0 ? AxisRotation{-shortest.axis(), -angle * kDegrees}
+                     : AxisRotation{shortest.axis(), angle * kDegrees};
 }
 
 }  // namespace
