@@ -1,11 +1,15 @@
 #include "viewer/tools/gizmo.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
 #include <Eigen/Geometry>
+
+#include "viewer/tools/plane_geometry.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -29,26 +33,8 @@ constexpr int kRingPoints = 64;
 constexpr std::array kAxes{GizmoPart::x, GizmoPart::y, GizmoPart::z};
 constexpr std::array kPlanes{GizmoPart::without_x, GizmoPart::without_y, GizmoPart::without_z};
 
-double distance_to_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d along = b - a;
-  const double squared = along.squaredNorm();
-  const double t = squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
-}
-
-bool is_inside(const Vector2d& p, const std::vector<Vector2d>& polygon) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vector2d& a = polygon[i];
-    const Vector2d& b = polygon[j];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) inside = !inside;
-  }
-  return inside;
-}
-
 double distance_to_line(const Vector2d& p, const GizmoLine& line) {
-  if (is_plane(line.part) && is_inside(p, line.pixels)) return 0.0;
+  if (is_plane(line.part) && is_in_polygon(p, line.pixels)) return 0.0;
   double least = std::numeric_limits<double>::infinity();
   const std::size_t count = line.pixels.size();
   for (std::size_t k = 0; k + (line.closed ? 0 : 1) < count; ++k) {

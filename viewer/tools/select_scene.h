@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "viewer/state/command.h"
+#include "viewer/tools/projection.h"
+
+namespace lapwing::viewer {
+
+/// What a selection tool works on.
+struct SelectScene {
+  const AppState& state;
+  std::span<const Eigen::Vector3d> positions;  ///< of the surface that is seen
+  const Projection& projection;
+  std::function<std::optional<Pick>(const Eigen::Vector2d& pixel)> pick;
+  /// Whether a vertex is seen, not hidden by the surface; without it all are.
+  std::function<bool(Index vertex)> is_visible;
+  Part part;  ///< what is being chosen
+};
+
+}  // namespace lapwing::viewer
