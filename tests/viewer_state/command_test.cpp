@@ -1,4 +1,4 @@
-#include "viewer/state/command.h"
+#include "state/command.h"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "viewer/tools/disk_tool.h"
+#include "tools/disk_tool.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

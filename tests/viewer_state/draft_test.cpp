@@ -1,4 +1,4 @@
-#include "viewer/state/draft.h"
+#include "state/draft.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

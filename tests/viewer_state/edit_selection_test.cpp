@@ -1,4 +1,4 @@
-#include "viewer/state/edit_selection.h"
+#include "state/edit_selection.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

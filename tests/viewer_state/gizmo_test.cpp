@@ -1,9 +1,9 @@
-#include "viewer/tools/gizmo.h"
+#include "tools/gizmo.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "viewer/tools/gizmo_drag.h"
+#include "tools/gizmo_drag.h"
 #include "viewer_state/test_view.h"
 
 namespace lapwing::viewer::test {

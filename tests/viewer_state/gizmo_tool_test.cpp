@@ -1,4 +1,4 @@
-#include "viewer/tools/gizmo_tool.h"
+#include "tools/gizmo_tool.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 class AGizmoTool : public ::testing::Test {
  protected:
   ToolAnswer send(const InputEvent& event) {
-    return tool_.handle(event, {state_, 0, view_, keymap_});
+    return tool_.handle(event, {state_, 0, view_, keys_});
   }
   void type(std::string_view text) {
     for (const char c : text) send(typed(static_cast<char32_t>(c)));
@@ -30,7 +30,7 @@ class AGizmoTool : public ::testing::Test {
   Vector3d center_ = handle_centroid(state_, 0);
   Projection view_ = perspective(center_ + Vector3d(4, 3, 5), center_);
   Vector2d middle_ = *view_.to_pixel(center_);
-  Keymap keymap_ = Keymap::blender;
+  GizmoKeys keys_ = GizmoKeys::blender;
   GizmoTool tool_;
 };
 
@@ -132,7 +132,7 @@ TEST_F(AGizmoTool, ControlSnaps) {
 }
 
 TEST_F(AGizmoTool, KeysOfMayaChooseWhatIsShown) {
-  keymap_ = Keymap::maya;
+  keys_ = GizmoKeys::maya;
   send(key('E'));
   EXPECT_EQ(tool_.mode(), GizmoMode::rotate);
   send(key('R'));

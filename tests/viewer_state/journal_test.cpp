@@ -1,4 +1,4 @@
-#include "viewer/state/journal.h"
+#include "state/journal.h"
 
 #include <csignal>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "viewer/tools/loop_tool.h"
+#include "tools/loop_tool.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

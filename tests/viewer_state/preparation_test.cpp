@@ -1,4 +1,4 @@
-#include "viewer/tools/preparation.h"
+#include "tools/preparation.h"
 
 #include <atomic>
 #include <chrono>

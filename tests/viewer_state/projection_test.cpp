@@ -1,4 +1,4 @@
-#include "viewer/tools/projection.h"
+#include "tools/projection.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

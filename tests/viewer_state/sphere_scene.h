@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lapwing/mesh/shapes.h"
-#include "viewer/tools/select_scene.h"
-#include "viewer/tools/tool_answer.h"
+#include "tools/select_scene.h"
+#include "tools/tool_answer.h"
 #include "viewer_state/test_view.h"
 
 namespace lapwing::viewer::test {

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "viewer/tools/input.h"
-#include "viewer/tools/projection.h"
+#include "tools/input.h"
+#include "tools/projection.h"
 
 namespace lapwing::viewer::test {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lapwing/kernels/cpu_kernels.h"
+#include "state/draft.h"
 #include "support/bent_tube.h"
-#include "viewer/state/draft.h"
 
 namespace lapwing::viewer::test {
 

@@ -1,4 +1,4 @@
-#include "viewer/state/app_state.h"
+#include "state/app_state.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "lapwing/deform/deform_options.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/region/edit_region.h"
-#include "viewer/state/edit_selection.h"
+#include "state/edit_selection.h"
 
 namespace lapwing::viewer {
 

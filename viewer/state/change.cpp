@@ -1,4 +1,4 @@
-#include "viewer/state/change.h"
+#include "state/change.h"
 
 #include <algorithm>
 

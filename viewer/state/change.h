@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "viewer/state/app_state.h"
+#include "state/app_state.h"
 
 namespace lapwing::viewer {
 

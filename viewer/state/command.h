@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "viewer/state/app_state.h"
+#include "state/app_state.h"
 
 namespace lapwing::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/state/draft.h"
+#include "state/draft.h"
 
 #include "lapwing/session/run_deform.h"
 

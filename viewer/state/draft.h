@@ -6,7 +6,7 @@
 
 #include "lapwing/base/progress.h"
 #include "lapwing/kernels/kernels.h"
-#include "viewer/state/history.h"
+#include "state/history.h"
 
 namespace lapwing::viewer {
 

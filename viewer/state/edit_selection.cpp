@@ -1,4 +1,4 @@
-#include "viewer/state/edit_selection.h"
+#include "state/edit_selection.h"
 
 #include "lapwing/base/errors.h"
 

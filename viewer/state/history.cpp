@@ -1,4 +1,4 @@
-#include "viewer/state/history.h"
+#include "state/history.h"
 
 #include <algorithm>
 #include <stdexcept>

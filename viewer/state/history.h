@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "viewer/state/change.h"
-#include "viewer/state/command.h"
+#include "state/change.h"
+#include "state/command.h"
 
 namespace lapwing::viewer {
 

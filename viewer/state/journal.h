@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lapwing/io/file_descriptor.h"
-#include "viewer/state/draft.h"
+#include "state/draft.h"
 
 namespace lapwing::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/tools/disk_tool.h"
+#include "tools/disk_tool.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "viewer/tools/gizmo.h"
+#include "tools/gizmo.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "viewer/tools/plane_geometry.h"
+#include "tools/plane_geometry.h"
 
 namespace lapwing::viewer {
 namespace {

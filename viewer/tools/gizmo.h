@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "viewer/tools/projection.h"
+#include "tools/projection.h"
 
 namespace lapwing::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/tools/gizmo_drag.h"
+#include "tools/gizmo_drag.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 
 #include "lapwing/deform/turn_tracker.h"
-#include "viewer/state/app_state.h"
+#include "state/app_state.h"
 
 namespace lapwing::viewer {
 namespace {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/recipe/move.h"
-#include "viewer/tools/gizmo.h"
+#include "tools/gizmo.h"
 
 namespace lapwing::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/tools/gizmo_tool.h"
+#include "tools/gizmo_tool.h"
 
 #include <array>
 #include <cstdio>
@@ -35,18 +35,18 @@ GizmoPart part_of_axis(int axis, bool plane) {
 }
 
 // The drag that a key begins.
-std::optional<GizmoMode> drag_of_key(int key, Keymap keymap) {
+std::optional<GizmoMode> drag_of_key(int key, GizmoKeys keys) {
   if (key == 'G') return GizmoMode::translate;
   if (key == 'S') return GizmoMode::scale;
-  if (key == 'R' && keymap != Keymap::maya) return GizmoMode::rotate;
+  if (key == 'R' && keys != GizmoKeys::maya) return GizmoMode::rotate;
   return std::nullopt;
 }
 
 // What a key has the gizmo show.
-std::optional<GizmoMode> mode_of_key(int key, Keymap keymap) {
+std::optional<GizmoMode> mode_of_key(int key, GizmoKeys keys) {
   if (key == 'W') return GizmoMode::translate;
   if (key == 'E') return GizmoMode::rotate;
-  if (key == 'R' && keymap == Keymap::maya) return GizmoMode::scale;
+  if (key == 'R' && keys == GizmoKeys::maya) return GizmoMode::scale;
   return std::nullopt;
 }
 
@@ -94,11 +94,11 @@ ToolAnswer GizmoTool::handle_key(const InputEvent& event, const GizmoScene& scen
   if (drag_) return handle_drag_key(event, scene);
   // Control+S and the like are somebody else's.
   if (event.modifiers.control || event.modifiers.alt) return ToolAnswer::passed_on();
-  if (const auto mode = mode_of_key(event.key, scene.keymap)) {
+  if (const auto mode = mode_of_key(event.key, scene.keys)) {
     mode_ = *mode;
     return ToolAnswer::only_taken();
   }
-  if (const auto mode = drag_of_key(event.key, scene.keymap)) {
+  if (const auto mode = drag_of_key(event.key, scene.keys)) {
     begin(*mode, GizmoPart::view, scene);
     by_button_ = false;
     return ToolAnswer::only_taken();
@@ -121,7 +121,7 @@ ToolAnswer GizmoTool::handle_drag_key(const InputEvent& event, const GizmoScene&
     const bool plane = event.modifiers.shift && mode != GizmoMode::rotate;
     part = part_of_axis(axis, plane);
     if (part == drag_->part()) part = GizmoPart::view;
-  } else if (const auto other = drag_of_key(event.key, scene.keymap)) {
+  } else if (const auto other = drag_of_key(event.key, scene.keys)) {
     mode = *other;
   }
   if (mode != drag_->mode() || part != drag_->part()) {

@@ -3,22 +3,22 @@
 #include <optional>
 #include <string>
 
-#include "viewer/state/command.h"
-#include "viewer/tools/gizmo_drag.h"
-#include "viewer/tools/input.h"
-#include "viewer/tools/tool_answer.h"
+#include "state/command.h"
+#include "tools/gizmo_drag.h"
+#include "tools/input.h"
+#include "tools/tool_answer.h"
 
 namespace lapwing::viewer {
 
-/// Whose keys: R turns in Blender and scales in Maya. All others of both work in every keymap.
-enum class Keymap { blender, maya, meshlab };
+/// What R does: it turns in Blender and scales in Maya. All other keys of both always work.
+enum class GizmoKeys { blender, maya };
 
 /// What the gizmo stands in.
 struct GizmoScene {
   const AppState& state;
   std::size_t handle = 0;  ///< of the state
   const Projection& projection;
-  Keymap keymap = Keymap::blender;
+  GizmoKeys keys = GizmoKeys::blender;
 };
 
 /// Moves a handle: by dragging a part of the gizmo, or by G, R or S and the mouse alone, held to an

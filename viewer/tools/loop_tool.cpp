@@ -1,4 +1,4 @@
-#include "viewer/tools/loop_tool.h"
+#include "tools/loop_tool.h"
 
 #include "lapwing/base/errors.h"
 #include "lapwing/region/edge_path.h"

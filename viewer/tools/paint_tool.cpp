@@ -1,10 +1,10 @@
-#include "viewer/tools/paint_tool.h"
+#include "tools/paint_tool.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/tools/screen_selection.h"
-#include "viewer/tools/selection_edits.h"
+#include "tools/screen_selection.h"
+#include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "viewer/tools/input.h"
-#include "viewer/tools/select_scene.h"
-#include "viewer/tools/tool_answer.h"
+#include "tools/input.h"
+#include "tools/select_scene.h"
+#include "tools/tool_answer.h"
 
 namespace lapwing::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/tools/plane_geometry.h"
+#include "tools/plane_geometry.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "viewer/tools/preparation.h"
+#include "tools/preparation.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "viewer/state/draft.h"
+#include "state/draft.h"
 
 namespace lapwing::viewer {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag_preview.h"
-#include "viewer/state/app_state.h"
+#include "state/app_state.h"
 
 namespace lapwing::viewer {
 

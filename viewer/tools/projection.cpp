@@ -1,4 +1,4 @@
-#include "viewer/tools/projection.h"
+#include "tools/projection.h"
 
 #include <limits>
 

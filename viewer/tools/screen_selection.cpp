@@ -1,8 +1,8 @@
-#include "viewer/tools/screen_selection.h"
+#include "tools/screen_selection.h"
 
 #include <limits>
 
-#include "viewer/tools/plane_geometry.h"
+#include "tools/plane_geometry.h"
 
 namespace lapwing::viewer {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lapwing/region/vertex_set.h"
-#include "viewer/tools/projection.h"
+#include "tools/projection.h"
 
 namespace lapwing::viewer {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "viewer/state/command.h"
-#include "viewer/tools/projection.h"
+#include "state/command.h"
+#include "tools/projection.h"
 
 namespace lapwing::viewer {
 

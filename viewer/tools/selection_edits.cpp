@@ -1,4 +1,4 @@
-#include "viewer/tools/selection_edits.h"
+#include "tools/selection_edits.h"
 
 #include <algorithm>
 #include <numeric>

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "viewer/state/command.h"
+#include "state/command.h"
 
 namespace lapwing::viewer {
 

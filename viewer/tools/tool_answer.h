@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "viewer/state/command.h"
+#include "state/command.h"
 
 namespace lapwing::viewer {
 
