@@ -44,14 +44,15 @@ inline Projection perspective(const Vector3d& eye, const Vector3d& target,
 
 /// Parallel, `height` of the world in the window's height.
 inline Projection parallel(const Vector3d& eye, const Vector3d& target, double height,
-                           const Vector3d& up = Vector3d::UnitY()) {
+                           const Vector3d& up = Vector3d::UnitY(),
+                           const Vector2d& window = kWindow) {
   const double far = 100.0;
   Eigen::Matrix4d clip = Eigen::Matrix4d::Identity();
-  clip(0, 0) = 2.0 / height * kWindow.y() / kWindow.x();
+  clip(0, 0) = 2.0 / height * window.y() / window.x();
   clip(1, 1) = -2.0 / height;
   clip(2, 2) = 1.0 / far;
   clip(2, 3) = 1.0;
-  return {clip * look_at(eye, target, up), kWindow};
+  return {clip * look_at(eye, target, up), window};
 }
 
 inline InputEvent at(InputKind kind, const Vector2d& pixel, MouseButton button = MouseButton::none,

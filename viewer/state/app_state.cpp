@@ -50,8 +50,13 @@ MovedVertices moved_vertices(const Positions& before, const Positions& after) {
 }
 
 AppState open_state(Mesh mesh) {
+  Topology topology = build_topology(mesh);
+  return open_state(std::move(mesh), std::move(topology));
+}
+
+AppState open_state(Mesh mesh, Topology topology) {
   AppState state;
-  state.topology = std::make_shared<const Topology>(build_topology(mesh));
+  state.topology = std::make_shared<const Topology>(std::move(topology));
   state.rest = std::make_shared<const Mesh>(std::move(mesh));
   return state;
 }

@@ -55,6 +55,7 @@ struct AppState {
 
 /// A mesh as it was read, nothing chosen. Throws what `build_topology` does.
 AppState open_state(Mesh mesh);
+AppState open_state(Mesh mesh, Topology topology);
 
 /// Whether a handle is somewhere else than at rest.
 bool is_moved(const AppState& state);

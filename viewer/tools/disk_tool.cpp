@@ -58,7 +58,7 @@ ToolAnswer DiskTool::handle(const InputEvent& event, const SelectScene& scene) {
   return chosen(scene);
 }
 
-void DiskTool::begin(const Pick& pick, const InputEvent& event, const SelectScene& scene) {
+void DiskTool::begin(const SurfacePoint& pick, const InputEvent& event, const SelectScene& scene) {
   dragging_ = true;
   has_moved_ = false;
   center_ = pick.vertex;

@@ -24,7 +24,7 @@ class DiskTool {
   void reset() { *this = {}; }
 
  private:
-  void begin(const Pick& pick, const InputEvent& event, const SelectScene& scene);
+  void begin(const SurfacePoint& pick, const InputEvent& event, const SelectScene& scene);
   double radius_at(const Eigen::Vector2d& pixel, const SelectScene& scene) const;
   ToolAnswer chosen(const SelectScene& scene) const;
 

@@ -16,7 +16,7 @@ constexpr double kNear = 1.0;
 constexpr double kFar = 0.0;
 
 // Distance along the ray (Moeller and Trumbore 1997); infinity where it passes by.
-double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Ray& ray) {
+double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, const SightLine& ray) {
   constexpr double kMiss = std::numeric_limits<double>::infinity();
   const Vector3d p = ray.direction.cross(c - a);
   const double determinant = p.dot(b - a);
@@ -44,7 +44,7 @@ std::optional<Vector2d> Projection::to_pixel(const Vector3d& point) const {
   return Vector2d(0.5 * (across + Vector2d::Ones()).cwiseProduct(size_));
 }
 
-Ray Projection::ray_through(const Vector2d& pixel) const {
+SightLine Projection::ray_through(const Vector2d& pixel) const {
   const Vector2d across = 2.0 * pixel.cwiseQuotient(size_) - Vector2d::Ones();
   const Vector4d near = world_from_clip_ * Vector4d(across.x(), across.y(), kNear, 1.0);
   const Vector4d far = world_from_clip_ * Vector4d(across.x(), across.y(), kFar, 1.0);
@@ -60,14 +60,14 @@ Vector3d Projection::toward_eye(const Vector3d& point) const {
 double Projection::length_of_pixel(const Vector3d& point) const {
   const auto pixel = to_pixel(point);
   if (!pixel) return 0.0;
-  const Ray beside = ray_through(*pixel + Vector2d::UnitX());
+  const SightLine beside = ray_through(*pixel + Vector2d::UnitX());
   const Vector3d toward = point - beside.origin;
   return (toward - toward.dot(beside.direction) * beside.direction).norm();
 }
 
-Pick pick_on_triangle(const Topology& topology, std::span<const Vector3d> positions, Index triangle,
-                      const Vector3d& position) {
-  Pick pick{triangle, kNoIndex, position};
+SurfacePoint surface_point(const Topology& topology, std::span<const Vector3d> positions,
+                           Index triangle, const Vector3d& position) {
+  SurfacePoint pick{triangle, kNoIndex, position};
   double least = std::numeric_limits<double>::infinity();
   for (const Index v : topology.triangles[triangle]) {
     const double squared = (positions[v] - position).squaredNorm();
@@ -78,8 +78,9 @@ Pick pick_on_triangle(const Topology& topology, std::span<const Vector3d> positi
   return pick;
 }
 
-std::optional<Pick> pick_surface(const Topology& topology, std::span<const Vector3d> positions,
-                                 const Ray& ray) {
+std::optional<SurfacePoint> pick_surface(const Topology& topology,
+                                         std::span<const Vector3d> positions,
+                                         const SightLine& ray) {
   double least = std::numeric_limits<double>::infinity();
   Index first = kNoIndex;
   for (Index t = 0; t < topology.triangles.size(); ++t) {
@@ -91,7 +92,7 @@ std::optional<Pick> pick_surface(const Topology& topology, std::span<const Vecto
     first = t;
   }
   if (first == kNoIndex) return std::nullopt;
-  return pick_on_triangle(topology, positions, first, ray.origin + least * ray.direction);
+  return surface_point(topology, positions, first, ray.origin + least * ray.direction);
 }
 
 }  // namespace lapwing::viewer

@@ -9,8 +9,8 @@
 
 namespace lapwing::viewer {
 
-/// A half line; `direction` has length 1.
-struct Ray {
+/// What shows at one pixel: a half line; `direction` has length 1.
+struct SightLine {
   Eigen::Vector3d origin;
   Eigen::Vector3d direction;
 };
@@ -24,7 +24,7 @@ class Projection {
   /// Where `point` shows, inside the window or not; nothing behind the eye.
   std::optional<Eigen::Vector2d> to_pixel(const Eigen::Vector3d& point) const;
   /// What shows at a pixel, from the near plane on.
-  Ray ray_through(const Eigen::Vector2d& pixel) const;
+  SightLine ray_through(const Eigen::Vector2d& pixel) const;
   /// From `point` to the eye; length 1.
   Eigen::Vector3d toward_eye(const Eigen::Vector3d& point) const;
   /// The length, across the view at `point`, that one pixel shows.
@@ -36,20 +36,21 @@ class Projection {
   Eigen::Vector2d size_;
 };
 
-/// Where a ray or the cursor meets the surface.
-struct Pick {
+/// A place on the surface.
+struct SurfacePoint {
   Index triangle = kNoIndex;
   Index vertex = kNoIndex;  ///< the triangle's corner nearest to `position`
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// The first triangle that `ray` meets, from either side. Linear in their number; a window asks its
-/// picture instead where it can.
-std::optional<Pick> pick_surface(const Topology& topology,
-                                 std::span<const Eigen::Vector3d> positions, const Ray& ray);
+/// Where `ray` first meets the surface, from either side. Linear in its triangles; a window asks
+/// its picture instead where it can.
+std::optional<SurfacePoint> pick_surface(const Topology& topology,
+                                         std::span<const Eigen::Vector3d> positions,
+                                         const SightLine& ray);
 
-/// A pick at `position` on `triangle`.
-Pick pick_on_triangle(const Topology& topology, std::span<const Eigen::Vector3d> positions,
-                      Index triangle, const Eigen::Vector3d& position);
+/// The place `position` on `triangle`.
+SurfacePoint surface_point(const Topology& topology, std::span<const Eigen::Vector3d> positions,
+                           Index triangle, const Eigen::Vector3d& position);
 
 }  // namespace lapwing::viewer

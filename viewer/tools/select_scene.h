@@ -14,8 +14,9 @@ struct SelectScene {
   const AppState& state;
   std::span<const Eigen::Vector3d> positions;  ///< of the surface that is seen
   const Projection& projection;
-  std::function<std::optional<Pick>(const Eigen::Vector2d& pixel)> pick;
-  /// Whether a vertex is seen, not hidden by the surface; without it all are.
+  std::function<std::optional<SurfacePoint>(const Eigen::Vector2d& pixel)> pick;
+  /// Whether a vertex is seen, not hidden by the surface; without it all are
+  /// (SeenVertices tells).
   std::function<bool(Index vertex)> is_visible;
   Part part;  ///< what is being chosen
 };
