@@ -118,6 +118,25 @@ TEST_F(AJournal, SaysWhenTheMeshIsAnotherOne) {
   EXPECT_FALSE(interrupted().at(0).mesh_is_unchanged);
 }
 
+TEST_F(AJournal, KeepsTheMeshThatIsSavedOver) {
+  const std::string before = content_of(mesh_);
+  {
+    Journal journal(cache_, stamp());
+    journal.record(chosen_tube());
+    journal.keep_mesh();
+    write_mesh(grid(2, 2), mesh_);
+    journal.keep_mesh();
+  }
+  const auto edits = interrupted();
+  ASSERT_EQ(edits.size(), 1U);
+  EXPECT_EQ(edits[0].opened, mesh_);
+  EXPECT_TRUE(edits[0].mesh_is_unchanged);
+  EXPECT_EQ(content_of(edits[0].mesh.path), before);
+  EXPECT_EQ(edits[0].draft, draft_of(chosen_tube()));
+  discard(edits[0]);
+  EXPECT_TRUE(std::filesystem::is_empty(cache_));
+}
+
 TEST_F(AJournal, DiscardedIsGone) {
   { Journal(cache_, stamp()).record(chosen_tube()); }
   discard(interrupted().at(0));

@@ -8,11 +8,10 @@
 #include "io/temporary_folder.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/session/run_recipe.h"
-#include "state/journal.h"
 #include "support/models.h"
 #include "tools/disk_tool.h"
+#include "tools/edit_session.h"
 #include "tools/gizmo_tool.h"
-#include "tools/preparation.h"
 #include "viewer_state/test_view.h"
 #include "viewer_state/tube_edit.h"
 
@@ -21,26 +20,23 @@ namespace {
 
 using lapwing::test::largest_distance;
 
-// Everything a window has but the window.
+std::unique_ptr<Kernels> cpu_kernels() {
+  return std::make_unique<CpuKernels>();
+}
+
+// Clicks and types; the view looks at the whole mesh along z.
 class Person {
  public:
-  Person(const std::filesystem::path& mesh, const std::filesystem::path& cache)
-      : history_(open_state(read_mesh(mesh))),
-        journal_(cache, stamp_of(mesh)),
-        view_(view_of(history_.state().rest->positions)),
-        preparation_([] { return std::make_unique<CpuKernels>(); }) {}
+  explicit Person(EditSession& session)
+      : session_(session), view_(view_of(session.state().rest->positions)) {}
 
   void choose_disk(const Part& part, const Vector3d& center, const Vector3d& rim) {
-    const Positions positions = positions_of(history_.state());
-    const SelectScene scene{history_.state(),
-                            positions,
-                            view_,
-                            [&](const Vector2d& pixel) {
-                              return pick_surface(*history_.state().topology, positions,
-                                                  view_.ray_through(pixel));
-                            },
-                            {},
-                            part};
+    const Positions positions = positions_of(session_.state());
+    const Topology& topology = *session_.state().topology;
+    const auto pick = [&](const Vector2d& pixel) {
+      return pick_surface(topology, positions, view_.ray_through(pixel));
+    };
+    const SelectScene scene{session_.state(), positions, view_, pick, {}, part};
     DiskTool tool;
     tool.handle(press(*view_.to_pixel(center)), scene);
     tool.handle(move_to(*view_.to_pixel(rim)), scene);
@@ -49,27 +45,13 @@ class Person {
 
   void move_handle(std::initializer_list<InputEvent> events) {
     for (const InputEvent& event : events) {
-      perform(gizmo_.handle(event, {history_.state(), 0, view_}));
+      perform(gizmo_.handle(event, {session_.state(), 0, view_}));
     }
-    preparation_.settle(history_.state());
-    std::optional<SettledResult> result;
-    while (!(result = preparation_.take_result())) {
-      ASSERT_NE(preparation_.status().phase, PreparationStatus::Phase::failed)
-          << preparation_.status().message;
+    while (!session_.take_result()) {
+      ASSERT_EQ(session_.preparation().status().message, "");
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    perform({true, Settle{result->moved}, {}});
   }
-
-  void undo() {
-    changed([this] { history_.undo(); });
-  }
-  void redo() {
-    changed([this] { history_.redo(); });
-  }
-
-  const History& history() const { return history_; }
-  const Projection& view() const { return view_; }
 
  private:
   static Projection view_of(const Positions& positions) {
@@ -79,20 +61,12 @@ class Person {
   }
   void perform(const ToolAnswer& answer) {
     EXPECT_EQ(answer.message, "");
-    if (answer.command) changed([&] { history_.perform(*answer.command); });
-  }
-  template <class Step>
-  void changed(Step step) {
-    step();
-    journal_.record(history_.state());
-    preparation_.follow(history_.state());
+    if (answer.command) session_.perform(*answer.command);
   }
 
-  History history_;
-  Journal journal_;
+  EditSession& session_;
   Projection view_;
   GizmoTool gizmo_;
-  Preparation preparation_;
 };
 
 TEST(ScriptedPerson, BendsTheArmOfTheArmadillo) {
@@ -102,8 +76,10 @@ TEST(ScriptedPerson, BendsTheArmOfTheArmadillo) {
   Positions edited;
   Draft draft;
   {
-    Person person(armadillo, folder / "cache");
-    const AppState& state = person.history().state();
+    EditSession session(History(open_state(read_mesh(armadillo))), stamp_of(armadillo),
+                        folder / "cache", cpu_kernels);
+    Person person(session);
+    const AppState& state = session.state();
     const Bounds bounds = bounds_of(state.rest->positions);
     // The hand is what lies farthest to one side.
     const Vector3d hand =
@@ -121,18 +97,22 @@ TEST(ScriptedPerson, BendsTheArmOfTheArmadillo) {
     person.move_handle({key('G'), key('Y'), typed('0'), typed('.'), typed('1'), key(kEnter)});
     const Positions settled = positions_of(state);
     EXPECT_GT(largest_distance(settled, state.rest->positions), 0.02 * size);
-    person.undo();
-    person.undo();
+    session.undo();
+    session.undo();
     EXPECT_NE(positions_of(state), settled);
-    person.redo();
-    person.redo();
+    session.redo();
+    session.redo();
     EXPECT_EQ(positions_of(state), settled);
-    EXPECT_TRUE(person.history().unsaved());
+    EXPECT_TRUE(session.history().unsaved());
     edited = settled;
     draft = draft_of(state);
 
+    session.save(folder / "saved.ply");
+    EXPECT_FALSE(session.history().unsaved());
+    EXPECT_LT(largest_distance(read_mesh(folder / "saved.ply").positions, settled), 1e-5 * size);
+    session.save_recipe(folder / "recipe.json");
     CpuKernels kernels;
-    const auto replayed = run_recipe(to_recipe(state, armadillo, {}), kernels);
+    const auto replayed = run_recipe(read_recipe(folder / "recipe.json"), kernels);
     EXPECT_LT(largest_distance(replayed->mesh.positions, settled), 1e-9 * size);
   }
   const auto edits = find_interrupted(folder / "cache");

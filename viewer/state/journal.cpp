@@ -112,13 +112,19 @@ std::optional<InterruptedEdit> read_journal(const fs::path& path) {
   edit.journal = path;
   try {
     edit.mesh = stamp_from(Json::parse(lines.front()));
+    edit.opened = edit.mesh.path;
   } catch (const std::exception&) {
     return std::nullopt;
   }
   for (std::size_t k = 1; k < lines.size(); ++k) {
     try {
+      const Json line = Json::parse(lines[k]);
+      if (line.contains("mesh")) {
+        edit.mesh = stamp_from(line.at("mesh"));
+        continue;
+      }
       Draft next = edit.draft;
-      carry_out(Json::parse(lines[k]), next);
+      carry_out(line, next);
       edit.draft = std::move(next);
     } catch (const std::exception&) {
       break;  // a disk that lost power may hold a damaged end; what precedes it is good
@@ -130,6 +136,11 @@ std::optional<InterruptedEdit> read_journal(const fs::path& path) {
     edit.mesh_is_unchanged = false;
   }
   return edit;
+}
+
+// With the mesh's extension, by which its reader goes.
+fs::path copy_of_mesh(fs::path journal, const fs::path& mesh) {
+  return journal.replace_extension(mesh.extension());
 }
 
 int create_locked(const fs::path& folder, fs::path& path) {
@@ -180,7 +191,7 @@ fs::path journal_folder() {
 }
 
 Journal::Journal(const fs::path& folder, const MeshStamp& mesh)
-    : file_(create_locked(folder, path_)) {
+    : file_(create_locked(folder, path_)), mesh_(mesh) {
   append(json_of(mesh).dump());
   flush_folder(folder);
 }
@@ -192,9 +203,22 @@ void Journal::record(const AppState& state) {
   last_ = std::move(draft);
 }
 
+void Journal::keep_mesh() {
+  if (mesh_is_kept_) return;
+  const fs::path copy = copy_of_mesh(path_, mesh_.path);
+  std::error_code error;
+  fs::copy_file(mesh_.path, copy, fs::copy_options::overwrite_existing, error);
+  if (error) fail(copy, error.value());
+  const FileDescriptor written(::open(copy.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!written.is_open() || ::fsync(written.get()) != 0) fail(copy, errno);
+  append(Json{{"mesh", json_of(stamp_of(copy))}}.dump());
+  mesh_is_kept_ = true;
+}
+
 void Journal::close() {
   std::error_code ignored;
   fs::remove(path_, ignored);
+  fs::remove(copy_of_mesh(path_, mesh_.path), ignored);
   file_.close();
 }
 
@@ -235,6 +259,7 @@ std::vector<InterruptedEdit> find_interrupted(const fs::path& folder) {
 void discard(const InterruptedEdit& edit) {
   std::error_code ignored;
   fs::remove(edit.journal, ignored);
+  fs::remove(copy_of_mesh(edit.journal, edit.opened), ignored);
 }
 
 }  // namespace lapwing::viewer

@@ -39,7 +39,11 @@ class Journal {
   /// The edit is here now. Writes nothing where that is nothing new. Throws IoError.
   void record(const AppState& state);
 
-  /// The edit is done with, saved or given up: the file goes.
+  /// The mesh file is about to be replaced by the result: a copy of it is kept beside the journal,
+  /// since the steps start from there. Nothing after the first time. Throws IoError.
+  void keep_mesh();
+
+  /// The edit is done with, saved or given up: the file goes, and the copy.
   void close();
 
   const std::filesystem::path& path() const { return path_; }
@@ -49,14 +53,17 @@ class Journal {
 
   std::filesystem::path path_;
   FileDescriptor file_;
+  MeshStamp mesh_;
+  bool mesh_is_kept_ = false;
   Draft last_;
 };
 
 /// A journal that nobody closed, whose writer is gone.
 struct InterruptedEdit {
   std::filesystem::path journal;
-  MeshStamp mesh;
-  bool mesh_is_unchanged = false;  ///< still the file that was edited
+  std::filesystem::path opened;    ///< the mesh as it was called
+  MeshStamp mesh;                  ///< what the steps start from: that, or a copy of it
+  bool mesh_is_unchanged = false;  ///< still what it was
   Draft draft;                     ///< for `restore`
 
   bool is_empty() const { return draft.steps.empty() && draft.open == DeformStep{}; }
