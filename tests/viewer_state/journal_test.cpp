@@ -3,6 +3,7 @@
 #include <csignal>
 #include <fstream>
 #include <random>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -116,6 +117,25 @@ TEST_F(AJournal, SaysWhenTheMeshIsAnotherOne) {
   EXPECT_FALSE(interrupted().at(0).mesh_is_unchanged);
   std::filesystem::remove(mesh_);
   EXPECT_FALSE(interrupted().at(0).mesh_is_unchanged);
+}
+
+TEST_F(AJournal, DiskThatFillsUpLosesOnlyWhatDidNotFit) {
+  const AppState state = chosen_tube();
+  {
+    Journal journal(cache_, stamp());
+    journal.record(state);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    rlimit full = before;
+    full.rlim_cur = std::filesystem::file_size(journal.path()) + 100;
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    ::setrlimit(RLIMIT_FSIZE, &full);
+    EXPECT_THROW(journal.record(apply(state, MoveHandle{0, bent()})), IoError);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    journal.record(apply(state, SetBeltWidth{0.2}));
+  }
+  EXPECT_EQ(interrupted().at(0).draft, draft_of(apply(state, SetBeltWidth{0.2})));
 }
 
 TEST_F(AJournal, KeepsTheMeshThatIsSavedOver) {

@@ -164,6 +164,17 @@ bool is_locked(const fs::path& path) {
   return !file.is_open() || ::flock(file.get(), LOCK_EX | LOCK_NB) != 0;
 }
 
+// False, with errno set, when not all of it could be written.
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(file, bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
+  return true;
+}
+
 // A file is found after a power cut only when its folder is on the disk, too.
 void flush_folder(const fs::path& folder) {
   const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -224,20 +235,13 @@ void Journal::close() {
 
 void Journal::append(std::string line) {
   line += '\n';
-  std::string_view rest = line;
   const off_t before = ::lseek(file_.get(), 0, SEEK_END);
-  while (!rest.empty()) {
-    const ssize_t put = ::write(file_.get(), rest.data(), rest.size());
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) {
-      const int error = errno;
-      // Half a line would spoil the next one.
-      if (::ftruncate(file_.get(), before) != 0) ::lseek(file_.get(), 0, SEEK_END);
-      fail(path_, error);
-    }
-    rest.remove_prefix(static_cast<std::size_t>(put));
-  }
-  if (::fsync(file_.get()) != 0) fail(path_, errno);
+  if (write_all(file_.get(), line) && ::fsync(file_.get()) == 0) return;
+  const int error = errno;
+  // Half a line, or one that is not on the disk, would spoil those that follow. Where it cannot be
+  // taken back nothing may follow.
+  if (::ftruncate(file_.get(), before) != 0) file_.close();
+  fail(path_, error);
 }
 
 std::vector<InterruptedEdit> find_interrupted(const fs::path& folder) {
@@ -252,6 +256,7 @@ std::vector<InterruptedEdit> find_interrupted(const fs::path& folder) {
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<InterruptedEdit> edits;
+  edits.reserve(found.size());
   for (auto& [time, edit] : found) edits.push_back(std::move(edit));
   return edits;
 }
