@@ -1,0 +1,153 @@
+#include "state/command.h"
+
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "viewer_state/tube_edit.h"
+
+namespace lapwing::viewer::test {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+
+constexpr double kPi = std::numbers::pi;
+
+AppState settled_tube() {
+  AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
+  return apply(state, Settle{handles_alone(state)});
+}
+
+TEST(Command, ChoosingMakesARegionThatFits) {
+  const EditRegion region = edit_region(chosen_tube());
+  EXPECT_EQ(region.handles.size(), 1U);
+  EXPECT_FALSE(region.belt.empty());
+  EXPECT_TRUE(intersect(region.belt, region.handles[0]).empty());
+}
+
+TEST(Command, RegionSaysWhatIsMissing) {
+  const AppState state = open_state(bumpy_tube());
+  EXPECT_THROW(edit_region(state), InputError);
+}
+
+TEST(Command, ApplyLeavesTheStateItWasGiven) {
+  const AppState before = settled_tube();
+  const AppState copy = before;
+  (void)apply(before, Choose{kRoi, box(0.6, 4.0)});
+  EXPECT_TRUE(same(before, copy));
+}
+
+TEST(Command, PaintingGainsAndLosesVertices) {
+  const AppState before = chosen_tube();
+  const AppState after = apply(before, Paint{kRoi, {0, 1}, {100}});
+  EXPECT_EQ(after.selection.roi.vertices,
+            subtract(unite(before.selection.roi.vertices, {0, 1}), {100}));
+}
+
+TEST(Command, PaintingTheBeltTakesItFromItsWidth) {
+  AppState state = apply(chosen_tube(), Paint{kBelt, {40}, {}});
+  EXPECT_FALSE(state.selection.belt_fraction.has_value());
+  state = apply(state, SetBeltWidth{0.2});
+  EXPECT_EQ(state.selection.belt_fraction, 0.2);
+}
+
+TEST(Command, MovingAsksForAResult) {
+  AppState state = settled_tube();
+  EXPECT_FALSE(needs_settling(state));
+  state = apply(state, MoveHandle{0, twisted(90.0)});
+  EXPECT_TRUE(needs_settling(state));
+}
+
+TEST(Command, HandleBroughtBackNeedsNoResult) {
+  const AppState state = apply(settled_tube(), MoveHandle{0, SimilarityMove{}});
+  EXPECT_FALSE(needs_settling(state));
+  EXPECT_EQ(positions_of(state), bumpy_tube().positions);
+}
+
+TEST(Command, NewParametersAskForAResult) {
+  EditParameters parameters;
+  parameters.hard = true;
+  EXPECT_TRUE(needs_settling(apply(settled_tube(), SetParameters{parameters})));
+}
+
+TEST(Command, CommitMovesTheRestShapeToTheResult) {
+  const AppState before = settled_tube();
+  const AppState after = apply(before, Commit{});
+  EXPECT_EQ(after.rest->positions, positions_of(before));
+  EXPECT_EQ(positions_of(after), positions_of(before));
+  EXPECT_EQ(after.steps.size(), 1U);
+  EXPECT_FALSE(is_moved(after));
+}
+
+TEST(Command, ChoosingCommitsFirst) {
+  const AppState after = apply(settled_tube(), Choose{kSecondHandle, box(1.4, 1.6)});
+  EXPECT_EQ(after.steps.size(), 1U);
+  EXPECT_EQ(after.selection.handles.size(), 2U);
+}
+
+TEST(Command, CommittedSelectionStillSaysItsVertices) {
+  const AppState before = settled_tube();
+  const AppState after = apply(before, Commit{});
+  EXPECT_EQ(after.selection.handles[0].vertices, before.selection.handles[0].vertices);
+  EXPECT_EQ(edit_region(after).handles[0], before.selection.handles[0].vertices);
+  EXPECT_EQ(edit_region(after).belt, after.selection.belt.vertices);
+}
+
+TEST(Command, DragMustSettleBeforeSomethingElseIsChosen) {
+  const AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
+  EXPECT_THROW(apply(state, Choose{kRoi, box(0.0, 4.0)}), InputError);
+  EXPECT_THROW(apply(state, Commit{}), InputError);
+}
+
+TEST(Command, WhatDoesNotFitIsRefused) {
+  const AppState state = chosen_tube();
+  EXPECT_THROW(apply(state, RemoveHandle{1}), InputError);
+  EXPECT_THROW(apply(state, MoveHandle{1, bent()}), InputError);
+  EXPECT_THROW(apply(state, Choose{{Part::Role::handle, 2}, box(1, 2)}), InputError);
+  EXPECT_THROW(apply(state, Settle{handles_alone(state)}), InputError);
+  EXPECT_THROW(apply(state, SetBeltWidth{1.5}), InputError);
+  EXPECT_THROW(apply(state, Paint{kRoi, {100000}, {}}), InputError);
+  EXPECT_THROW(apply(state, SetParameters{{.constraint_weight = 0.0}}), InputError);
+}
+
+TEST(Command, StepsHaveNames) {
+  EXPECT_EQ(describe(Choose{kRoi, box(0, 1)}), "ROI: box");
+  EXPECT_EQ(describe(Paint{kHandle, {1}, {}}), "paint handle 1");
+  EXPECT_EQ(describe(Paint{kBelt, {}, {1}}), "erase belt");
+  EXPECT_EQ(describe(SetBeltWidth{0.1}), "belt: 10%");
+  EXPECT_EQ(describe(MoveHandle{0, twisted(270.0)}), "move handle 1, turn 270 degrees");
+}
+
+TEST(ToMove, SimilarityKeepsWholeTurns) {
+  const Vector3d centroid(1, 2, 3);
+  const AngleAxisd turn(500.0 * kPi / 180.0, Vector3d(1, 2, 2) / 3.0);
+  const Affine3d motion = Eigen::Translation3d(0.5, 0, 0) * Eigen::Translation3d(centroid) * turn *
+                          Eigen::Scaling(1.5) * Eigen::Translation3d(-centroid);
+  const Move move = to_move(motion, turn, centroid);
+  EXPECT_NEAR(turn_of(move).degrees, 500.0, 1e-9);
+  EXPECT_LT((to_affine(move, centroid).matrix() - motion.matrix()).norm(), 1e-12);
+}
+
+TEST(ToMove, TurnThatIsNotTheMotionsIsNotBelieved) {
+  const Affine3d motion(AngleAxisd(1.0, Vector3d::UnitX()));
+  const Move move = to_move(motion, AngleAxisd(2.0, Vector3d::UnitX()), Vector3d::Zero());
+  EXPECT_NEAR(turn_of(move).degrees, 180.0 / kPi, 1e-9);
+}
+
+TEST(ToMove, StretchAlongOneAxisIsAMatrix) {
+  const Affine3d motion(Eigen::Scaling(1.0, 1.0, 2.0));
+  const Move move = to_move(motion, AngleAxisd::Identity(), Vector3d(0, 0, 1));
+  EXPECT_EQ(to_affine(move, Vector3d(0, 0, 1)).matrix(), motion.matrix());
+}
+
+TEST(ToMove, NoMotionIsNoMove) {
+  EXPECT_EQ(to_move(Affine3d::Identity(), AngleAxisd::Identity(), Vector3d(1, 2, 3)),
+            Move(SimilarityMove{}));
+}
+
+}  // namespace
+}  // namespace lapwing::viewer::test

@@ -1,0 +1,71 @@
+#include "tools/disk_tool.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "viewer_state/sphere_scene.h"
+
+namespace lapwing::viewer::test {
+namespace {
+
+const Vector3d kFront(0, 0, 1);
+
+class ADisk : public ::testing::Test {
+ protected:
+  ToolAnswer send(const InputEvent& event) { return tool_.handle(event, sphere_.scene()); }
+  GeodesicDisk disk_of(const ToolAnswer& answer) {
+    return std::get<GeodesicDisk>(std::get<Choose>(*answer.command).region.form);
+  }
+
+  SphereScene sphere_;
+  DiskTool tool_;
+  Vector2d front_ = sphere_.pixel_of(sphere_.vertex_near(kFront));
+};
+
+TEST_F(ADisk, DragsItsRimAlongTheSurface) {
+  send(press(front_));
+  const Vector3d rim(std::sin(0.7), 0, std::cos(0.7));
+  send(move_to(sphere_.pixel_of(rim)));
+  const VertexSet live = tool_.live();
+  const ToolAnswer answer = send(release(sphere_.pixel_of(rim)));
+  EXPECT_NEAR(disk_of(answer).radius, 0.7, 0.06) << "an arc of the sphere, not its chord";
+  sphere_.perform(answer);
+  EXPECT_EQ(sphere_.roi(), live) << "what was shown is what is chosen";
+  EXPECT_GT(live.size(), 100U);
+}
+
+TEST_F(ADisk, ClickChoosesAtOnceAndScrollingChangesIt) {
+  send(press(front_));
+  const double first = disk_of(send(release(front_))).radius;
+  EXPECT_GT(first, 0.0);
+  EXPECT_NEAR(disk_of(send(scrolled(front_, 2.0))).radius, first * 1.21, 1e-9);
+  EXPECT_NEAR(disk_of(send(scrolled(front_, -2.0))).radius, first, 1e-9);
+}
+
+TEST_F(ADisk, RimBesideTheSurfaceIsMeasuredStraight) {
+  send(press(front_));
+  send(move_to(front_ + Vector2d(390, 0)));
+  EXPECT_GT(tool_.radius(), 1.2);
+}
+
+TEST_F(ADisk, ClickBesideTheSurfaceIsPassedOn) {
+  EXPECT_FALSE(send(press({3, 3})).taken);
+  EXPECT_FALSE(send(scrolled({3, 3}, 1.0)).taken);
+}
+
+TEST_F(ADisk, EscapeGivesUp) {
+  send(press(front_));
+  EXPECT_TRUE(send(key(kEscape)).taken);
+  EXPECT_FALSE(send(release(front_)).command.has_value());
+  EXPECT_TRUE(tool_.live().empty());
+}
+
+TEST_F(ADisk, ChoosesThePartItIsToldTo) {
+  sphere_.part = {Part::Role::handle, 0};
+  send(press(front_));
+  sphere_.perform(send(release(front_)));
+  EXPECT_EQ(sphere_.state.selection.handles.size(), 1U);
+}
+
+}  // namespace
+}  // namespace lapwing::viewer::test

@@ -1,0 +1,129 @@
+#include "state/draft.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/deform/deformer.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/session/run_recipe.h"
+#include "viewer_state/tube_edit.h"
+
+namespace lapwing::viewer::test {
+namespace {
+
+using lapwing::test::largest_distance;
+
+class AnEdit : public ::testing::Test {
+ protected:
+  AnEdit() {
+    write_mesh(bumpy_tube(), folder_ / "tube.obj");
+    mesh_ = read_mesh(folder_ / "tube.obj");
+  }
+
+  // As the viewer does: a Deformer prepared once, solved for the state's motions.
+  void settle(History& history) {
+    const AppState& state = history.state();
+    const Deformer deformer(state.rest->positions, *state.topology, edit_region(state),
+                            deform_options(state.parameters), kernels_);
+    const auto result = deformer.solve(motions_of(state), turns_of(state));
+    history.perform(Settle{std::make_shared<const MovedVertices>(
+        moved_vertices(state.rest->positions, result.positions))});
+  }
+
+  // Two edits with a painted ROI, a disk, a full turn and a second handle.
+  History edited() {
+    History history(open_state(mesh_));
+    history.perform(Choose{kRoi, box(0.3, 4.0)});
+    history.perform(Paint{kRoi, {}, {30, 31}});
+    history.perform(Choose{kHandle, box(2.8, 4.0)});
+    history.perform(MoveHandle{0, twisted(100.0)});
+    settle(history);
+    history.perform(MoveHandle{0, twisted(200.0)});
+    settle(history);
+    history.perform(Choose{kRoi, {AllVertices{}}});
+    history.perform(Choose{kSecondHandle, {GeodesicDisk{Index{125}, 0.4}}});
+    history.perform(Choose{kBelt, box(-1.0, 0.4)});
+    history.perform(SetParameters{{.weights = LaplacianWeights::cotangent, .hard = true}});
+    history.perform(MoveHandle{1, bent()});
+    settle(history);
+    return history;
+  }
+
+  Recipe recipe_of(const History& history) const {
+    return to_recipe(history.state(), "tube.obj", folder_.path());
+  }
+  Positions replayed(const Recipe& recipe) {
+    return run_recipe(parse_recipe(to_json(recipe), folder_.path(), "test"), kernels_)
+        ->mesh.positions;
+  }
+
+  TemporaryFolder folder_;
+  Mesh mesh_;
+  CpuKernels kernels_;
+};
+
+TEST_F(AnEdit, ReplayedHeadlessGivesTheSameMesh) {
+  const History history = edited();
+  const Recipe recipe = recipe_of(history);
+  ASSERT_EQ(recipe.steps.size(), 2U);
+  EXPECT_LT(largest_distance(replayed(recipe), positions_of(history.state())), 1e-9);
+}
+
+TEST_F(AnEdit, RecipeFollowsUndo) {
+  History history = edited();
+  while (history.can_undo()) {
+    history.undo();
+    if (needs_settling(history.state())) continue;
+    ASSERT_LT(largest_distance(replayed(recipe_of(history)), positions_of(history.state())), 1e-9)
+        << "after " << history.done() << " steps";
+  }
+}
+
+TEST_F(AnEdit, RestoredFromItsDraftIsTheSameState) {
+  const AppState state = edited().state();
+  const History restored = restore(mesh_, draft_of(state), solve_with(kernels_));
+  EXPECT_EQ(draft_of(restored.state()), draft_of(state));
+  EXPECT_LT(largest_distance(positions_of(restored.state()), positions_of(state)), 1e-9);
+  EXPECT_TRUE(restored.can_undo());
+}
+
+TEST_F(AnEdit, HalfChosenIsRestoredAsItStands) {
+  History history(open_state(mesh_));
+  history.perform(Paint{kRoi, {5, 6, 7}, {}});
+  history.perform(SetBeltWidth{0.25});
+  const Draft draft = draft_of(history.state());
+  EXPECT_EQ(draft_of(restore(mesh_, draft, solve_with(kernels_)).state()), draft);
+}
+
+TEST_F(AnEdit, UnsettledDragIsRestoredUnsettled) {
+  History history(open_state(mesh_));
+  history.perform(Choose{kRoi, box(0.3, 4.0)});
+  history.perform(Choose{kHandle, box(2.8, 4.0)});
+  history.perform(MoveHandle{0, bent()});
+  const History restored = restore(mesh_, draft_of(history.state()), solve_with(kernels_));
+  EXPECT_TRUE(needs_settling(restored.state()));
+  EXPECT_TRUE(same(restored.state(), history.state()));
+}
+
+TEST_F(AnEdit, OpenedRecipeCanBeUndoneStepByStep) {
+  const History history = edited();
+  History opened = from_recipe(mesh_, recipe_of(history), solve_with(kernels_));
+  EXPECT_LT(largest_distance(positions_of(opened.state()), positions_of(history.state())), 1e-9);
+  opened.go_to(0);
+  EXPECT_EQ(positions_of(opened.state()), mesh_.positions);
+}
+
+TEST_F(AnEdit, RecipeIsReplayedOnAnotherMesh) {
+  History history(open_state(mesh_));
+  history.perform(Choose{kRoi, box(0.3, 4.0)});
+  history.perform(Choose{kHandle, box(2.8, 4.0)});
+  history.perform(MoveHandle{0, bent()});
+  settle(history);
+  const History other =
+      from_recipe(cylinder(20, 30, 0.5, 3.0), recipe_of(history), solve_with(kernels_));
+  EXPECT_GT(largest_distance(positions_of(other.state()), other.state().rest->positions), 0.3);
+}
+
+}  // namespace
+}  // namespace lapwing::viewer::test

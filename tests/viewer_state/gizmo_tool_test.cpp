@@ -1,0 +1,164 @@
+#include "tools/gizmo_tool.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "viewer_state/test_view.h"
+#include "viewer_state/tube_edit.h"
+
+namespace lapwing::viewer::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class AGizmoTool : public ::testing::Test {
+ protected:
+  ToolAnswer send(const InputEvent& event) {
+    return tool_.handle(event, {state_, 0, view_, keys_});
+  }
+  void type(std::string_view text) {
+    for (const char c : text) send(typed(static_cast<char32_t>(c)));
+  }
+  Move performed(const ToolAnswer& answer) {
+    if (!answer.command) return SimilarityMove{};
+    state_ = apply(state_, *answer.command);
+    return state_.moves[0];
+  }
+  Vector3d translation(const Move& move) { return std::get<SimilarityMove>(move).translate; }
+
+  AppState state_ = chosen_tube();
+  Vector3d center_ = handle_centroid(state_, 0);
+  Projection view_ = perspective(center_ + Vector3d(4, 3, 5), center_);
+  Vector2d middle_ = *view_.to_pixel(center_);
+  GizmoKeys keys_ = GizmoKeys::blender;
+  GizmoTool tool_;
+};
+
+TEST_F(AGizmoTool, DragOfAnArmMovesTheHandleAlongIt) {
+  const Vector2d arm =
+      *view_.to_pixel(center_ + Vector3d(0.7 * kArmPixels * view_.length_of_pixel(center_), 0, 0));
+  send(move_to(arm));
+  EXPECT_EQ(tool_.part(), GizmoPart::x);
+  EXPECT_TRUE(send(press(arm)).taken);
+  send(move_to(arm + 0.5 * (arm - middle_)));
+  EXPECT_TRUE(tool_.live().has_value());
+  const Vector3d moved = translation(performed(send(release(arm + (arm - middle_)))));
+  EXPECT_GT(moved.x(), 0.1);
+  EXPECT_NEAR(moved.tail<2>().norm(), 0.0, 1e-12);
+  EXPECT_FALSE(tool_.is_dragging());
+}
+
+TEST_F(AGizmoTool, ClickBesideTheGizmoIsPassedOn) {
+  EXPECT_FALSE(send(press({5, 5})).taken);
+  EXPECT_FALSE(tool_.is_dragging());
+}
+
+TEST_F(AGizmoTool, KeysAxisAndNumberSayTheMove) {
+  send(move_to(middle_));
+  send(key('G'));
+  send(key('Z'));
+  type("-1.25");
+  EXPECT_LT((translation(performed(send(key(kEnter)))) - Vector3d(0, 0, -1.25)).norm(), 1e-12);
+}
+
+TEST_F(AGizmoTool, NumberIsEditedWithBackspace) {
+  send(key('G'));
+  send(key('X'));
+  type("27");
+  send(key(kBackspace));
+  EXPECT_NEAR(translation(*tool_.live()).x(), 2.0, 1e-12);
+}
+
+TEST_F(AGizmoTool, TypedTurnKeepsWholeTurns) {
+  send(key('R'));
+  send(key('Z'));
+  type("400");
+  EXPECT_NEAR(turn_of(performed(send(key(kEnter)))).degrees, 400.0, 1e-9);
+  send(key('R'));
+  send(key('Z'));
+  type("-100");
+  EXPECT_NEAR(turn_of(performed(send(key(kEnter)))).degrees, 300.0, 1e-9);
+}
+
+TEST_F(AGizmoTool, ScaleByANumber) {
+  send(key('S'));
+  type("2");
+  EXPECT_NEAR(std::get<SimilarityMove>(performed(send(key(kEnter)))).scale, 2.0, 1e-12);
+  send(key('S'));
+  send(key('X'));
+  type("3");
+  EXPECT_TRUE(std::holds_alternative<MatrixMove>(performed(send(key(kEnter)))));
+}
+
+TEST_F(AGizmoTool, ShiftHoldsToThePlane) {
+  send(move_to(middle_));
+  send(key('G'));
+  send(key('Y', {.shift = true}));
+  send(move_to(middle_ + Vector2d(40, 25)));
+  EXPECT_EQ(tool_.part(), GizmoPart::without_y);
+  EXPECT_NEAR(translation(*tool_.live()).y(), 0.0, 1e-9);
+}
+
+TEST_F(AGizmoTool, TheSameAxisAgainSetsItFree) {
+  send(key('G'));
+  send(key('Y'));
+  EXPECT_EQ(tool_.part(), GizmoPart::y);
+  send(key('Y'));
+  EXPECT_EQ(tool_.part(), GizmoPart::view);
+}
+
+TEST_F(AGizmoTool, EscapeAndTheRightButtonGiveUp) {
+  send(move_to(middle_));
+  for (const InputEvent& end : {key(kEscape), at(InputKind::press, middle_, MouseButton::right)}) {
+    send(key('G'));
+    send(move_to(middle_ + Vector2d(40, 25)));
+    EXPECT_FALSE(send(end).command.has_value());
+    EXPECT_FALSE(tool_.live().has_value());
+  }
+}
+
+TEST_F(AGizmoTool, WithoutAMoveNothingIsPerformed) {
+  send(move_to(middle_));
+  send(key('G'));
+  EXPECT_FALSE(send(key(kEnter)).command.has_value());
+}
+
+TEST_F(AGizmoTool, ControlSnaps) {
+  send(move_to(middle_ + Vector2d(100, 0)));
+  send(key('R'));
+  send(move_to(middle_ + Vector2d(90, -60), {.control = true}));
+  EXPECT_NEAR(std::remainder(turn_of(*tool_.live()).degrees, 15.0), 0.0, 1e-9);
+  EXPECT_GT(turn_of(*tool_.live()).degrees, 1.0);
+}
+
+TEST_F(AGizmoTool, KeysOfMayaChooseWhatIsShown) {
+  keys_ = GizmoKeys::maya;
+  send(key('E'));
+  EXPECT_EQ(tool_.mode(), GizmoMode::rotate);
+  send(key('R'));
+  EXPECT_EQ(tool_.mode(), GizmoMode::scale);
+  EXPECT_FALSE(tool_.is_dragging());
+  send(key('W'));
+  EXPECT_EQ(tool_.mode(), GizmoMode::translate);
+}
+
+TEST_F(AGizmoTool, ControlWithALetterIsSomebodyElses) {
+  EXPECT_FALSE(send(key('S', {.control = true})).taken);
+}
+
+TEST_F(AGizmoTool, SaysWhatItDoes) {
+  send(key('R'));
+  send(key('X'));
+  type("45");
+  EXPECT_THAT(tool_.readout(), HasSubstr("turn 45 degrees about x"));
+}
+
+TEST_F(AGizmoTool, GoesWithItsHandle) {
+  send(key('G'));
+  send(key('X'));
+  type("1.5");
+  EXPECT_LT((tool_.gizmo({state_, 0, view_}).center - center_ - Vector3d(1.5, 0, 0)).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace lapwing::viewer::test

@@ -1,0 +1,243 @@
+#include "state/journal.h"
+
+#include <csignal>
+#include <fstream>
+#include <random>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "viewer_state/tube_edit.h"
+
+namespace lapwing::viewer::test {
+namespace {
+
+// The k-th thing a person does in a long edit: chooses, drags, settles, takes back.
+void do_something(History& history, std::size_t k) {
+  switch (k % 7) {
+    case 0:
+      history.perform(Paint{kRoi, {static_cast<Index>(k % 24)}, {static_cast<Index>(k / 7 % 24)}});
+      break;
+    case 1:
+    case 4:
+      history.perform(MoveHandle{0, twisted(1.0 + static_cast<double>(k))});
+      break;
+    case 2:
+    case 5:
+      history.perform(Settle{handles_alone(history.state())});
+      break;
+    case 3:
+      history.undo();
+      history.undo();
+      break;
+    default:
+      history.perform(SetParameters{{.constraint_weight = 1.0 + static_cast<double>(k)}});
+      history.perform(Settle{handles_alone(history.state())});
+      history.perform(Commit{});
+  }
+}
+
+class AJournal : public ::testing::Test {
+ protected:
+  AJournal() { write_mesh(bumpy_tube(), mesh_); }
+
+  std::vector<InterruptedEdit> interrupted() const { return find_interrupted(cache_); }
+  MeshStamp stamp() const { return stamp_of(mesh_); }
+
+  TemporaryFolder folder_;
+  std::filesystem::path mesh_ = folder_ / "tube.obj";
+  std::filesystem::path cache_ = folder_ / "cache";
+};
+
+TEST_F(AJournal, LeftBehindHoldsTheEdit) {
+  History history(chosen_tube());
+  {
+    Journal journal(cache_, stamp());
+    for (std::size_t k = 0; k < 40; ++k) {
+      do_something(history, k);
+      journal.record(history.state());
+    }
+  }
+  const auto edits = interrupted();
+  ASSERT_EQ(edits.size(), 1U);
+  EXPECT_EQ(edits[0].draft, draft_of(history.state()));
+  EXPECT_GT(edits[0].draft.steps.size(), 3U);
+  EXPECT_TRUE(edits[0].mesh_is_unchanged);
+  EXPECT_EQ(edits[0].mesh.path, mesh_);
+}
+
+TEST_F(AJournal, ClosedLeavesNothing) {
+  Journal journal(cache_, stamp());
+  journal.record(chosen_tube());
+  journal.close();
+  EXPECT_TRUE(interrupted().empty());
+  EXPECT_TRUE(std::filesystem::is_empty(cache_));
+}
+
+TEST_F(AJournal, OfARunningEditIsNotInterrupted) {
+  Journal journal(cache_, stamp());
+  journal.record(chosen_tube());
+  EXPECT_TRUE(interrupted().empty());
+}
+
+TEST_F(AJournal, LastLineTornAnywhereLosesThatLineOnly) {
+  std::filesystem::path path;
+  {
+    Journal journal(cache_, stamp());
+    AppState state = chosen_tube();
+    journal.record(state);
+    journal.record(apply(std::move(state), MoveHandle{0, bent()}));
+    path = journal.path();
+  }
+  const std::string whole = content_of(path);
+  const std::size_t last_line = whole.rfind('\n', whole.size() - 2) + 1;
+  for (std::size_t size = last_line; size < whole.size(); ++size) {
+    std::filesystem::resize_file(path, size);
+    ASSERT_EQ(interrupted().at(0).draft, draft_of(chosen_tube())) << "torn at byte " << size;
+    std::ofstream(path, std::ios::binary) << whole;
+  }
+}
+
+TEST_F(AJournal, TornInItsFirstLineIsNone) {
+  std::filesystem::create_directories(cache_);
+  std::ofstream(cache_ / "edit-1-0.journal") << R"({"lapwing_journal": 1, "me)";
+  std::ofstream(cache_ / "edit-2-0.journal") << "something else\n";
+  EXPECT_TRUE(interrupted().empty());
+}
+
+TEST_F(AJournal, SaysWhenTheMeshIsAnotherOne) {
+  { Journal(cache_, stamp()).record(chosen_tube()); }
+  write_mesh(grid(2, 2), mesh_);
+  EXPECT_FALSE(interrupted().at(0).mesh_is_unchanged);
+  std::filesystem::remove(mesh_);
+  EXPECT_FALSE(interrupted().at(0).mesh_is_unchanged);
+}
+
+TEST_F(AJournal, DiskThatFillsUpLosesOnlyWhatDidNotFit) {
+  const AppState state = chosen_tube();
+  {
+    Journal journal(cache_, stamp());
+    journal.record(state);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    rlimit full = before;
+    full.rlim_cur = std::filesystem::file_size(journal.path()) + 100;
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    ::setrlimit(RLIMIT_FSIZE, &full);
+    EXPECT_THROW(journal.record(apply(state, MoveHandle{0, bent()})), IoError);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    journal.record(apply(state, SetBeltWidth{0.2}));
+  }
+  EXPECT_EQ(interrupted().at(0).draft, draft_of(apply(state, SetBeltWidth{0.2})));
+}
+
+TEST_F(AJournal, KeepsTheMeshThatIsSavedOver) {
+  const std::string before = content_of(mesh_);
+  {
+    Journal journal(cache_, stamp());
+    journal.record(chosen_tube());
+    journal.keep_mesh();
+    write_mesh(grid(2, 2), mesh_);
+    journal.keep_mesh();
+  }
+  const auto edits = interrupted();
+  ASSERT_EQ(edits.size(), 1U);
+  EXPECT_EQ(edits[0].opened, mesh_);
+  EXPECT_TRUE(edits[0].mesh_is_unchanged);
+  EXPECT_EQ(content_of(edits[0].mesh.path), before);
+  EXPECT_EQ(edits[0].draft, draft_of(chosen_tube()));
+  discard(edits[0]);
+  EXPECT_TRUE(std::filesystem::is_empty(cache_));
+}
+
+TEST_F(AJournal, DiscardedIsGone) {
+  { Journal(cache_, stamp()).record(chosen_tube()); }
+  discard(interrupted().at(0));
+  EXPECT_TRUE(interrupted().empty());
+}
+
+TEST_F(AJournal, IsNotWrittenWithoutNews) {
+  Journal journal(cache_, stamp());
+  journal.record(chosen_tube());
+  const auto size = std::filesystem::file_size(journal.path());
+  journal.record(chosen_tube());
+  EXPECT_EQ(std::filesystem::file_size(journal.path()), size);
+}
+
+TEST_F(AJournal, FolderThatCannotBeMadeIsSaid) {
+  EXPECT_THROW(Journal(mesh_ / "inside", stamp()), IoError);
+}
+
+// A child edits and tells through a pipe how many steps are committed; the parent kills it.
+TEST_F(AJournal, KilledAtRandomMomentsLosesNoCommittedStep) {
+  constexpr std::size_t kSteps = 400;
+  std::vector<Draft> drafts;
+  {
+    History history(chosen_tube());
+    drafts.push_back(draft_of(history.state()));
+    for (std::size_t k = 0; k < kSteps; ++k) {
+      do_something(history, k);
+      drafts.push_back(draft_of(history.state()));
+    }
+  }
+  std::mt19937 random(20);
+  std::size_t restored_steps = 0;
+  for (int round = 0; round < 20; ++round) {
+    std::array<int, 2> pipe_ends{};
+    ASSERT_EQ(::pipe(pipe_ends.data()), 0);
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      Journal journal(cache_, stamp());
+      History history(chosen_tube());
+      for (std::size_t k = 0; k < kSteps; ++k) {
+        do_something(history, k);
+        journal.record(history.state());
+        const char told = 1;
+        if (::write(pipe_ends[1], &told, 1) != 1) break;
+      }
+      ::pause();
+    }
+    ::close(pipe_ends[1]);
+    char told = 0;
+    ASSERT_EQ(::read(pipe_ends[0], &told, 1), 1);
+    ::usleep(static_cast<useconds_t>(random() % 40000));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    std::size_t committed = 1;
+    while (::read(pipe_ends[0], &told, 1) == 1) ++committed;
+    ::close(pipe_ends[0]);
+
+    const auto edits = interrupted();
+    ASSERT_EQ(edits.size(), 1U);
+    // The step after the last one told of may or may not be there.
+    const Draft& next = drafts[std::min(committed + 1, kSteps)];
+    EXPECT_THAT(edits[0].draft, ::testing::AnyOf(drafts[committed], next))
+        << "killed after " << committed << " steps";
+    restored_steps += committed;
+    discard(edits[0]);
+  }
+  EXPECT_GT(restored_steps, 20U);
+}
+
+TEST(JournalFolder, FollowsTheCacheFolderOfTheSystem) {
+  const char* const before = std::getenv("XDG_CACHE_HOME");
+  const std::string kept = before != nullptr ? before : "";
+  ::setenv("XDG_CACHE_HOME", "/somewhere", 1);
+  EXPECT_EQ(journal_folder(), "/somewhere/lapwing");
+  if (before != nullptr) {
+    ::setenv("XDG_CACHE_HOME", kept.c_str(), 1);
+  } else {
+    ::unsetenv("XDG_CACHE_HOME");
+  }
+}
+
+}  // namespace
+}  // namespace lapwing::viewer::test

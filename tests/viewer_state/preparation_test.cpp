@@ -1,0 +1,241 @@
+#include "tools/preparation.h"
+
+#include <atomic>
+#include <chrono>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "viewer_state/tube_edit.h"
+
+namespace lapwing::viewer::test {
+namespace {
+
+using ::testing::HasSubstr;
+using Phase = PreparationStatus::Phase;
+using lapwing::test::largest_distance;
+
+std::unique_ptr<Kernels> cpu_kernels() {
+  return std::make_unique<CpuKernels>();
+}
+
+// Holds the worker at each new set of kernels until it is let through.
+class Gate {
+ public:
+  std::unique_ptr<Kernels> make_kernels() {
+    std::unique_lock lock(mutex_);
+    ++waiting_;
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return passes_ > 0; });
+    --passes_;
+    --waiting_;
+    return cpu_kernels();
+  }
+  void let_through(int count) {
+    const std::lock_guard lock(mutex_);
+    passes_ += count;
+    changed_.notify_all();
+  }
+  void wait_for_worker() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_ > 0; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int passes_ = 0;
+  int waiting_ = 0;
+};
+
+PreparationStatus wait_for(const Preparation& preparation, Phase phase) {
+  PreparationStatus status = preparation.status();
+  while (status.phase != phase) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    status = preparation.status();
+  }
+  return status;
+}
+
+SettledResult wait_for_result(Preparation& preparation) {
+  for (;;) {
+    if (auto result = preparation.take_result()) return *std::move(result);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+TEST(Preparation, PreviewComesFirstThenTheExactOne) {
+  Gate gate;
+  Preparation preparation([&gate] { return gate.make_kernels(); });
+  preparation.follow(chosen_tube());
+  EXPECT_EQ(preparation.preview(), nullptr);
+  gate.let_through(1);
+  wait_for(preparation, Phase::solving);
+  EXPECT_NE(preparation.preview(), nullptr);
+  EXPECT_EQ(preparation.exact(), nullptr);
+  gate.let_through(1);
+  EXPECT_EQ(wait_for(preparation, Phase::ready).fraction, 1.0);
+  EXPECT_NE(preparation.exact(), nullptr);
+}
+
+TEST(Preparation, PreviewIsDraggedWhileTheExactOneIsMade) {
+  Preparation preparation(cpu_kernels);
+  const AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
+  preparation.follow(state);
+  const auto motions = motions_of(state);
+  int frames = 0;
+  while (preparation.status().phase != Phase::ready) {
+    if (const auto preview = preparation.preview()) {
+      preview->drag(motions);
+      ++frames;
+    }
+  }
+  preparation.exact()->drag(motions);
+  EXPECT_GT(largest_distance(preparation.exact()->surface().positions(), state.rest->positions),
+            0.3);
+}
+
+TEST(Preparation, SettlesAsADeformerMadeAtOnceDoes) {
+  const AppState state = apply(chosen_tube(), MoveHandle{0, twisted(100.0)});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  preparation.settle(state);
+  const SettledResult result = wait_for_result(preparation);
+  EXPECT_EQ(result.moves, state.moves);
+  CpuKernels kernels;
+  const auto expected = solve_with(kernels)(state);
+  const AppState settled = apply(state, Settle{result.moved});
+  EXPECT_LT(largest_distance(positions_of(settled), positions_of(apply(state, Settle{expected}))),
+            1e-9);
+  EXPECT_TRUE(result.certificate.settled);
+  wait_for(preparation, Phase::ready);
+}
+
+TEST(Preparation, CommitsOnTheWayWhereTheParametersSaySo) {
+  AppState state = apply(chosen_tube(), SetParameters{{.commit_every = 60.0}});
+  state = apply(state, MoveHandle{0, twisted(100.0)});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  preparation.settle(state);
+  CpuKernels kernels;
+  EXPECT_EQ(*wait_for_result(preparation).moved, *solve_with(kernels)(state));
+}
+
+TEST(Preparation, AMoveAloneStartsNothingAnew) {
+  Preparation preparation(cpu_kernels);
+  const AppState state = chosen_tube();
+  preparation.follow(state);
+  wait_for(preparation, Phase::ready);
+  const auto exact = preparation.exact();
+  preparation.follow(apply(state, MoveHandle{0, bent()}));
+  EXPECT_EQ(preparation.exact(), exact);
+}
+
+TEST(Preparation, AnotherSelectionStartsAnew) {
+  Preparation preparation(cpu_kernels);
+  const AppState state = chosen_tube();
+  preparation.follow(state);
+  wait_for(preparation, Phase::ready);
+  const auto before = preparation.exact();
+  preparation.follow(apply(state, Choose{kHandle, box(2.5, 4.0)}));
+  EXPECT_NE(preparation.exact(), before);
+  wait_for(preparation, Phase::ready);
+  EXPECT_EQ(preparation.exact()->region().handles[0].size(), 48U);
+}
+
+TEST(Preparation, TheLatestSelectionWinsHoweverFastTheyChange) {
+  Preparation preparation(cpu_kernels);
+  AppState state = chosen_tube();
+  for (int k = 0; k < 50; ++k) {
+    state = apply(state, Choose{kHandle, box(k % 2 == 0 ? 2.5 : 2.8, 4.0)});
+    preparation.follow(state);
+    if (k % 7 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(k % 5));
+  }
+  wait_for(preparation, Phase::ready);
+  EXPECT_EQ(preparation.exact()->region().handles[0], state.selection.handles[0].vertices);
+}
+
+TEST(Preparation, CancelledHasNothingReady) {
+  Gate gate;
+  Preparation preparation([&gate] { return gate.make_kernels(); });
+  preparation.follow(chosen_tube());
+  gate.wait_for_worker();
+  preparation.cancel();
+  gate.let_through(1);
+  EXPECT_EQ(preparation.status().phase, Phase::idle);
+  preparation.follow(chosen_tube());
+  gate.let_through(2);
+  wait_for(preparation, Phase::ready);
+}
+
+TEST(Preparation, SettlingCanBeCancelledAndAskedForAgain) {
+  AppState state =
+      apply(chosen_tube(), SetParameters{{.settle = SettleOptions{.tolerance = 1e-9}}});
+  state = apply(state, MoveHandle{0, twisted(170.0)});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  wait_for(preparation, Phase::ready);
+  preparation.settle(state);
+  preparation.cancel_settling();
+  wait_for(preparation, Phase::ready);
+  EXPECT_FALSE(preparation.take_result().has_value());
+  preparation.settle(state);
+  EXPECT_EQ(wait_for_result(preparation).moves, state.moves);
+}
+
+TEST(Preparation, TheLastResultAskedForComes) {
+  const AppState first = apply(chosen_tube(), MoveHandle{0, twisted(170.0)});
+  const AppState last = apply(first, MoveHandle{0, bent()});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(first);
+  preparation.settle(first);
+  preparation.settle(last);
+  EXPECT_EQ(wait_for_result(preparation).moves, last.moves);
+}
+
+TEST(Preparation, NothingChosenIsNothingToPrepare) {
+  Preparation preparation(cpu_kernels);
+  preparation.follow(open_state(bumpy_tube()));
+  EXPECT_EQ(preparation.status().phase, Phase::idle);
+}
+
+TEST(Preparation, FailureSaysWhy) {
+  Preparation preparation(cpu_kernels);
+  preparation.follow(apply(chosen_tube(), Paint{kHandle, {0}, {}}));
+  EXPECT_THAT(wait_for(preparation, Phase::failed).message, HasSubstr("leaves the roi"));
+}
+
+TEST(Preparation, DeviceThatFailsIsAFailureToo) {
+  Preparation preparation([]() -> std::unique_ptr<Kernels> { throw GpuError("device lost"); });
+  preparation.follow(chosen_tube());
+  EXPECT_EQ(wait_for(preparation, Phase::failed).message, "device lost");
+}
+
+TEST(Preparation, WakesTheWindowWhenSomethingChanged) {
+  std::atomic<int> woken = 0;
+  {
+    Preparation preparation(cpu_kernels, [&woken] { ++woken; });
+    preparation.follow(chosen_tube());
+    wait_for(preparation, Phase::ready);
+  }
+  EXPECT_GE(woken, 10);
+}
+
+TEST(Preparation, WhatIsHeldOutlivesIt) {
+  std::shared_ptr<Deformer> exact;
+  std::vector<Eigen::Affine3d> motions;
+  {
+    Preparation preparation(cpu_kernels);
+    const AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
+    motions = motions_of(state);
+    preparation.follow(state);
+    wait_for(preparation, Phase::ready);
+    exact = preparation.exact();
+  }
+  exact->drag(motions);
+  EXPECT_FALSE(exact->surface().positions().empty());
+}
+
+}  // namespace
+}  // namespace lapwing::viewer::test

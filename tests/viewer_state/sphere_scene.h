@@ -1,0 +1,41 @@
+#pragma once
+
+#include "lapwing/mesh/shapes.h"
+#include "tools/select_scene.h"
+#include "tools/tool_answer.h"
+#include "viewer_state/test_view.h"
+
+namespace lapwing::viewer::test {
+
+/// A unit sphere in front of a window, and a hand that clicks on it.
+struct SphereScene {
+  AppState state = open_state(icosphere(4));
+  Projection view = perspective({0.3, 0.4, 6}, {0, 0, 0});
+  Part part;
+
+  SelectScene scene() const {
+    const auto& positions = state.rest->positions;
+    return {state,
+            positions,
+            view,
+            [this, &positions](const Vector2d& pixel) {
+              return pick_surface(*state.topology, positions, view.ray_through(pixel));
+            },
+            [this, &positions](Index v) {
+              return positions[v].dot(view.toward_eye(positions[v])) > 0.0;
+            },
+            part};
+  }
+  Vector2d pixel_of(const Vector3d& point) const { return *view.to_pixel(point); }
+  Vector2d pixel_of(Index v) const { return pixel_of(state.rest->positions[v]); }
+  Index vertex_near(const Vector3d& point) const {
+    return pick_surface(*state.topology, state.rest->positions, view.ray_through(pixel_of(point)))
+        ->vertex;
+  }
+  void perform(const ToolAnswer& answer) {
+    if (answer.command) state = apply(std::move(state), *answer.command);
+  }
+  const VertexSet& roi() const { return state.selection.roi.vertices; }
+};
+
+}  // namespace lapwing::viewer::test

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/deform/deform_options.h"
+#include "lapwing/recipe/recipe.h"
+#include "lapwing/region/edit_region.h"
+#include "state/edit_selection.h"
+
+namespace lapwing::viewer {
+
+/// How the next edit is computed; the names are those of DeformStep.
+struct EditParameters {
+  LaplacianWeights weights = LaplacianWeights::uniform;
+  double constraint_weight = 1.0;
+  bool hard = false;
+  std::optional<SettleOptions> settle = SettleOptions{};
+  std::optional<double> commit_every;
+
+  bool operator==(const EditParameters&) const = default;
+};
+
+/// Vertices that a result puts elsewhere, and where.
+struct MovedVertices {
+  std::vector<Index> vertices;  ///< ascending
+  Positions positions;
+
+  bool operator==(const MovedVertices&) const = default;
+};
+
+/// The vertices whose bits differ between `before` and `after`, of one mesh, where `after` puts
+/// them.
+MovedVertices moved_vertices(const Positions& before, const Positions& after);
+
+/// All that a person edits, as a value. What is large is shared and never changed in place, so a
+/// copy costs the selection.
+///
+/// One edit after the other: parts are chosen on the mesh `rest`, the handles are moved (`moves`),
+/// the result is computed elsewhere and comes in as `settled`. It becomes the rest shape of the
+/// next edit, and a step of `steps`, when something else is chosen.
+struct AppState {
+  std::shared_ptr<const Topology> topology;
+  std::shared_ptr<const Mesh> rest;
+  EditSelection selection;
+  EditParameters parameters;
+  std::vector<Move> moves;  ///< one per handle, from the rest shape
+  /// The result of `moves`; null while nothing moved, and until it is computed.
+  std::shared_ptr<const MovedVertices> settled;
+  std::vector<std::shared_ptr<const DeformStep>> steps;  ///< what made `rest` of the mesh opened
+};
+
+/// A mesh as it was read, nothing chosen. Throws what `build_topology` does.
+AppState open_state(Mesh mesh);
+AppState open_state(Mesh mesh, Topology topology);
+
+/// Whether a handle is somewhere else than at rest.
+bool is_moved(const AppState& state);
+/// Whether a handle is, and no result says yet where that takes the surface.
+bool needs_settling(const AppState& state);
+
+/// The surface as it is known: settled, or else at rest.
+Positions positions_of(const AppState& state);
+Mesh mesh_of(const AppState& state);
+
+/// ROI, belt and handles, checked: what the Deformer is prepared with. Throws InputError, in words
+/// that say what is still missing.
+EditRegion edit_region(const AppState& state);
+DeformOptions deform_options(const EditParameters& parameters);
+
+/// What `Deformer::solve` takes: one motion and turn per handle, those of the recipe bit for bit.
+std::vector<Eigen::Affine3d> motions_of(const AppState& state);
+std::vector<Eigen::AngleAxisd> turns_of(const AppState& state);
+/// Of the handle's vertices at rest, about which a move without pivot turns.
+Eigen::Vector3d handle_centroid(const AppState& state, std::size_t handle);
+
+/// The motion and the turn by which it came about as a move: a similarity where it is one to
+/// rounding, and then with its whole turns; else a matrix.
+Move to_move(const Eigen::Affine3d& motion, const Eigen::AngleAxisd& turn,
+             const Eigen::Vector3d& centroid);
+
+/// The edit in the making as a step. What is not chosen yet is an empty list.
+DeformStep open_step(const AppState& state);
+
+}  // namespace lapwing::viewer

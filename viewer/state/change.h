@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "state/app_state.h"
+
+namespace lapwing::viewer {
+
+/// What one step changed of the state, enough to go from either side to the other: differences of
+/// sets and positions of the vertices that moved, never whole meshes.
+class Change {
+ public:
+  Change() = default;
+  /// Both are states of one mesh.
+  Change(const AppState& before, const AppState& after);
+
+  bool is_nothing() const;
+  /// Whether the surface, or where its handles want it, is another one.
+  bool concerns_surface() const;
+
+  /// `state` is the one before (after); makes it the one after (before).
+  void redo(AppState& state) const { replace(state, 0, 1); }
+  void undo(AppState& state) const { replace(state, 1, 0); }
+
+  /// About how much memory it holds.
+  std::size_t bytes() const;
+
+ private:
+  // A pair holds the values before and after; unset where they are equal.
+  template <class T>
+  using Both = std::optional<std::array<T, 2>>;
+
+  // Vertices that only the one or only the other set has.
+  using SetChange = std::array<VertexSet, 2>;
+
+  struct RegionChange {
+    Both<RegionSpec> made;
+    SetChange added;
+    SetChange removed;
+    SetChange vertices;
+  };
+  struct RestChange {
+    std::vector<Index> vertices;
+    std::array<Positions, 2> positions;
+  };
+  using Settled = std::shared_ptr<const MovedVertices>;
+  using Steps = std::vector<std::shared_ptr<const DeformStep>>;
+
+  static RegionChange difference(const ChosenRegion& before, const ChosenRegion& after);
+  static void replace(ChosenRegion& region, const RegionChange& change, std::size_t from,
+                      std::size_t to);
+  void replace(AppState& state, std::size_t from, std::size_t to) const;
+
+  RegionChange roi_;
+  RegionChange belt_;
+  std::array<std::size_t, 2> handle_counts_{};
+  std::vector<RegionChange> handles_;  // of the longer list; one that is not there counts as empty
+  Both<std::optional<double>> belt_fraction_;
+  Both<EditParameters> parameters_;
+  Both<std::vector<Move>> moves_;
+  Both<Settled> settled_;
+  std::optional<RestChange> rest_;
+  std::size_t kept_steps_ = 0;
+  std::array<Steps, 2> steps_;  // those that follow the kept ones
+};
+
+}  // namespace lapwing::viewer

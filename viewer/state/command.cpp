@@ -1,0 +1,195 @@
+#include "state/command.h"
+
+#include <array>
+#include <cstdio>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/deform/turn_tracker.h"
+
+namespace lapwing::viewer {
+namespace {
+
+void require_handle(const AppState& state, std::size_t handle) {
+  if (handle < state.selection.handles.size()) return;
+  throw InputError("there is no handle " + std::to_string(handle + 1) + "; choose one first");
+}
+
+void require_vertices(const AppState& state, const VertexSet& vertices) {
+  if (vertices.empty() || vertices.back() < state.rest->vertex_count()) return;
+  throw InputError("vertex " + std::to_string(vertices.back()) + " is not in the mesh");
+}
+
+// What a recipe could not say must not come into the state: it could not be restored.
+void require_valid(const EditParameters& parameters) {
+  if (!(parameters.constraint_weight > 0.0)) {
+    throw InputError("the weight of the constraints must be above 0");
+  }
+  if (parameters.commit_every &&
+      !(*parameters.commit_every > 0.0 && *parameters.commit_every <= kLargestSettledTurnDegrees)) {
+    throw InputError("parts of a turn are above 0 and at most 180 degrees");
+  }
+  if (!parameters.settle) return;
+  const SettleOptions& settle = *parameters.settle;
+  if (!(settle.tolerance > 0.0) || settle.max_iterations < 1 ||
+      !(settle.stretch_resistance >= 0.0)) {
+    throw InputError(
+        "settling takes a tolerance above 0, at least one iteration and no negative stretch "
+        "resistance");
+  }
+}
+
+// What is settled becomes the rest shape, and a step.
+void commit(AppState& state) {
+  if (!is_moved(state)) return;
+  if (!state.settled) {
+    throw InputError("the drag is not settled yet; wait for its result, or undo it");
+  }
+  state.steps.push_back(std::make_shared<const DeformStep>(open_step(state)));
+  state.rest = std::make_shared<const Mesh>(mesh_of(state));
+  state.settled = nullptr;
+  for (Move& move : state.moves) move = SimilarityMove{};
+  EditSelection& selection = state.selection;
+  selection.roi = carried_over(selection.roi, *state.rest, *state.topology);
+  for (ChosenRegion& handle : selection.handles) {
+    handle = carried_over(handle, *state.rest, *state.topology);
+  }
+  if (!selection.belt_fraction) {
+    selection.belt = carried_over(selection.belt, *state.rest, *state.topology);
+  }
+  renew_belt(selection, *state.rest, *state.topology);
+}
+
+// The region of `part`, made when it is a new handle.
+ChosenRegion& region_of(AppState& state, const Part& part) {
+  if (part.role == Part::Role::roi) return state.selection.roi;
+  if (part.role == Part::Role::belt) return state.selection.belt;
+  auto& handles = state.selection.handles;
+  if (part.handle == handles.size()) {
+    handles.emplace_back();
+    state.moves.emplace_back();
+  }
+  require_handle(state, part.handle);
+  return handles[part.handle];
+}
+
+// One overload per command.
+struct Applier {
+  AppState& state;
+
+  void replace(const Part& part, ChosenRegion region) const {
+    region_of(state, part) = std::move(region);
+    if (part.role == Part::Role::belt) state.selection.belt_fraction.reset();
+    renew_belt(state.selection, *state.rest, *state.topology);
+  }
+
+  void operator()(const Choose& command) const {
+    commit(state);
+    replace(command.part, choose(command.region, *state.rest, *state.topology));
+  }
+  void operator()(const Paint& command) const {
+    require_vertices(state, command.added);
+    commit(state);
+    const ChosenRegion& before = region_of(state, command.part);
+    VertexSet vertices = subtract(unite(before.vertices, command.added), command.removed);
+    replace(command.part, repainted(before, std::move(vertices)));
+  }
+  void operator()(const RemoveHandle& command) const {
+    require_handle(state, command.handle);
+    commit(state);
+    const auto offset = static_cast<std::ptrdiff_t>(command.handle);
+    state.selection.handles.erase(state.selection.handles.begin() + offset);
+    state.moves.erase(state.moves.begin() + offset);
+    renew_belt(state.selection, *state.rest, *state.topology);
+  }
+  void operator()(const SetBeltWidth& command) const {
+    if (!(command.fraction >= 0.0 && command.fraction <= 1.0)) {
+      throw InputError("the belt's width is a fraction of the ROI's radius; choose from 0 to 1");
+    }
+    commit(state);
+    state.selection.belt_fraction = command.fraction;
+    renew_belt(state.selection, *state.rest, *state.topology);
+  }
+  void operator()(const MoveHandle& command) const {
+    require_handle(state, command.handle);
+    if (state.moves[command.handle] == command.move) return;
+    state.moves[command.handle] = command.move;
+    state.settled = nullptr;
+  }
+  void operator()(const Settle& command) const {
+    if (!is_moved(state)) throw InputError("no handle is moved; drag one first");
+    if (!command.result) throw InputError("the result is missing; compute it first");
+    state.settled = command.result;
+  }
+  void operator()(const Commit&) const { commit(state); }
+  void operator()(const SetParameters& command) const {
+    if (state.parameters == command.parameters) return;
+    require_valid(command.parameters);
+    state.parameters = command.parameters;
+    state.settled = nullptr;
+  }
+};
+
+std::string name_of(const Part& part) {
+  if (part.role == Part::Role::roi) return "ROI";
+  if (part.role == Part::Role::belt) return "belt";
+  return "handle " + std::to_string(part.handle + 1);
+}
+
+// One overload per form.
+struct FormName {
+  std::string operator()(const AllVertices&) const { return "all vertices"; }
+  std::string operator()(const ListedVertices& list) const {
+    return list.vertices.empty() ? "none" : std::to_string(list.vertices.size()) + " vertices";
+  }
+  std::string operator()(const GeodesicDisk&) const { return "disk"; }
+  std::string operator()(const Box&) const { return "box"; }
+  std::string operator()(const LoopRegion&) const { return "loop"; }
+  std::string operator()(const UnionRegion&) const { return "union"; }
+  std::string operator()(const DifferenceRegion&) const { return "difference"; }
+};
+
+std::string with_number(const char* format, double number) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, number);
+  return text.data();
+}
+
+// One overload per command.
+struct Describer {
+  std::string operator()(const Choose& command) const {
+    return name_of(command.part) + ": " + std::visit(FormName{}, command.region.form);
+  }
+  std::string operator()(const Paint& command) const {
+    const char* verb = command.removed.empty() ? "paint "
+                       : command.added.empty() ? "erase "
+                                               : "change ";
+    return verb + name_of(command.part);
+  }
+  std::string operator()(const RemoveHandle& command) const {
+    return "remove handle " + std::to_string(command.handle + 1);
+  }
+  std::string operator()(const SetBeltWidth& command) const {
+    return with_number("belt: %.3g%%", 100.0 * command.fraction);
+  }
+  std::string operator()(const MoveHandle& command) const {
+    const double degrees = turn_of(command.move).degrees;
+    return "move handle " + std::to_string(command.handle + 1) +
+           (degrees == 0.0 ? "" : with_number(", turn %.4g degrees", degrees));
+  }
+  std::string operator()(const Settle&) const { return "settle"; }
+  std::string operator()(const Commit&) const { return "commit"; }
+  std::string operator()(const SetParameters&) const { return "parameters"; }
+};
+
+}  // namespace
+
+AppState apply(AppState state, const Command& command) {
+  std::visit(Applier{state}, command);
+  return state;
+}
+
+std::string describe(const Command& command) {
+  return std::visit(Describer{}, command);
+}
+
+}  // namespace lapwing::viewer

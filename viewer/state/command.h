@@ -1,0 +1,74 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "state/app_state.h"
+
+namespace lapwing::viewer {
+
+/// Which part of the selection a command is about.
+struct Part {
+  enum class Role { roi, handle, belt };
+  Role role = Role::roi;
+  std::size_t handle = 0;  ///< which one, from 0; their number stands for a new one
+
+  bool operator==(const Part&) const = default;
+};
+
+/// The part is chosen anew.
+struct Choose {
+  Part part;
+  RegionSpec region;
+};
+
+/// The part gains and loses vertices: a stroke of the brush, a lasso, grow, shrink, invert.
+struct Paint {
+  Part part;
+  VertexSet added;
+  VertexSet removed;
+};
+
+struct RemoveHandle {
+  std::size_t handle = 0;
+};
+
+/// The belt goes by its width, a fraction of the ROI's radius, again.
+struct SetBeltWidth {
+  double fraction = BorderBelt{}.fraction;
+};
+
+/// The handle is moved from its rest position; `to_move` makes a move of a motion and a turn.
+struct MoveHandle {
+  std::size_t handle = 0;
+  Move move;
+};
+
+/// The result of the moves, computed elsewhere.
+struct Settle {
+  std::shared_ptr<const MovedVertices> result;
+};
+
+/// The result becomes the rest shape of the next edit.
+struct Commit {};
+
+struct SetParameters {
+  EditParameters parameters;
+};
+
+/// One thing that a person, a test or a recipe does.
+using Command = std::variant<Choose, Paint, RemoveHandle, SetBeltWidth, MoveHandle, Settle, Commit,
+                             SetParameters>;
+
+/// The state after `command`. Choosing and painting commit what is settled first: what is chosen
+/// then is chosen on the surface that is seen. New parameters and moves ask for a new result.
+/// Throws InputError when the state does not fit: a handle that does not exist, a result that
+/// nothing asked for, a choice or commit while a drag waits for its result; and what `resolve`
+/// throws. Pure.
+AppState apply(AppState state, const Command& command);
+
+/// What the history panel calls it: "ROI: disk", "move handle 1", "settle".
+std::string describe(const Command& command);
+
+}  // namespace lapwing::viewer

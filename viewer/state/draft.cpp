@@ -1,0 +1,103 @@
+#include "state/draft.h"
+
+#include "lapwing/session/run_deform.h"
+
+namespace lapwing::viewer {
+namespace {
+
+bool is_nothing(const RegionSpec& spec) {
+  const auto* list = std::get_if<ListedVertices>(&spec.form);
+  return list != nullptr && list->vertices.empty();
+}
+
+EditParameters parameters_of(const DeformStep& step) {
+  return {step.weights, step.constraint_weight, step.hard, step.settle, step.commit_every};
+}
+
+// A handle too many would stand in the way of the step's own.
+void remove_handles(History& history) {
+  while (!history.state().selection.handles.empty()) {
+    history.perform(RemoveHandle{history.state().selection.handles.size() - 1});
+  }
+}
+
+void choose_belt(History& history, const BeltSpec& belt) {
+  if (const auto* border = std::get_if<BorderBelt>(&belt)) {
+    history.perform(SetBeltWidth{border->fraction});
+  } else {
+    history.perform(Choose{{Part::Role::belt}, std::get<RegionSpec>(belt)});
+  }
+}
+
+// Whether the step's parts are what is chosen already.
+bool is_chosen(const AppState& state, const DeformStep& step) {
+  DeformStep there = open_step(state);
+  if (there.roi != step.roi || there.belt != step.belt) return false;
+  return std::equal(
+      there.handles.begin(), there.handles.end(), step.handles.begin(), step.handles.end(),
+      [](const MovedHandle& a, const MovedHandle& b) { return a.region == b.region; });
+}
+
+}  // namespace
+
+Draft draft_of(const AppState& state) {
+  Draft draft;
+  for (const auto& step : state.steps) draft.steps.push_back(*step);
+  draft.open = open_step(state);
+  draft.settled = state.settled != nullptr;
+  return draft;
+}
+
+Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
+                 const std::filesystem::path& base_directory) {
+  Recipe recipe;
+  recipe.mesh = mesh;
+  recipe.base_directory = base_directory;
+  for (const auto& step : state.steps) recipe.steps.emplace_back(*step);
+  if (state.settled) recipe.steps.emplace_back(open_step(state));
+  return recipe;
+}
+
+Solve solve_with(Kernels& kernels, Progress progress) {
+  return [&kernels, progress = std::move(progress)](const AppState& state) {
+    RunResult result;
+    result.mesh = *state.rest;
+    result.topology = *state.topology;
+    run_step(open_step(state), state.steps.size() + 1, kernels, progress, result);
+    return std::make_shared<const MovedVertices>(
+        moved_vertices(state.rest->positions, result.mesh.positions));
+  };
+}
+
+void perform(History& history, const DeformStep& step, const Solve& solve) {
+  history.perform(Commit{});
+  history.perform(SetParameters{parameters_of(step)});
+  if (!is_chosen(history.state(), step)) {
+    remove_handles(history);
+    history.perform(Choose{{Part::Role::roi}, step.roi});
+    for (std::size_t h = 0; h < step.handles.size(); ++h) {
+      if (is_nothing(step.handles[h].region)) continue;
+      history.perform(Choose{{Part::Role::handle, h}, step.handles[h].region});
+    }
+    choose_belt(history, step.belt);
+  }
+  for (std::size_t h = 0; h < history.state().moves.size(); ++h) {
+    history.perform(MoveHandle{h, step.handles[h].move});
+  }
+  if (solve && is_moved(history.state())) history.perform(Settle{solve(history.state())});
+}
+
+History restore(Mesh mesh, const Draft& draft, const Solve& solve) {
+  History history(open_state(std::move(mesh)));
+  for (const DeformStep& step : draft.steps) perform(history, step, solve);
+  perform(history, draft.open, draft.settled ? solve : Solve{});
+  return history;
+}
+
+History from_recipe(Mesh mesh, const Recipe& recipe, const Solve& solve) {
+  History history(open_state(std::move(mesh)));
+  for (const Step& step : recipe.steps) perform(history, std::get<DeformStep>(step), solve);
+  return history;
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,95 @@
+#include "state/edit_selection.h"
+
+#include "lapwing/base/errors.h"
+
+namespace lapwing::viewer {
+namespace {
+
+bool is_list(const RegionSpec& spec) {
+  return std::holds_alternative<ListedVertices>(spec.form);
+}
+
+RegionSpec listed(VertexSet vertices, const std::string& where) {
+  return {ListedVertices{std::move(vertices)}, where};
+}
+
+// A list is no way of choosing worth keeping: what is in it counts as added by hand.
+ChosenRegion painted(VertexSet vertices) {
+  ChosenRegion region;
+  region.added = vertices;
+  region.vertices = std::move(vertices);
+  return region;
+}
+
+}  // namespace
+
+ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const Topology& topology) {
+  VertexSet vertices = resolve(spec, mesh, topology);
+  // A recipe has no disk without a radius.
+  const auto* disk = std::get_if<GeodesicDisk>(&spec.form);
+  const bool is_point = disk != nullptr && !(disk->radius > 0.0);
+  if (is_list(spec) || is_point) return painted(std::move(vertices));
+  ChosenRegion region;
+  region.made = std::move(spec);
+  region.vertices = std::move(vertices);
+  return region;
+}
+
+ChosenRegion repainted(const ChosenRegion& region, VertexSet vertices) {
+  if (vertices.empty() || is_list(region.made)) return painted(std::move(vertices));
+  const VertexSet made = unite(subtract(region.vertices, region.added), region.removed);
+  ChosenRegion result;
+  result.made = region.made;
+  result.added = subtract(vertices, made);
+  result.removed = subtract(made, vertices);
+  result.vertices = std::move(vertices);
+  return result;
+}
+
+RegionSpec spec_of(const ChosenRegion& region, const std::string& where) {
+  if (is_list(region.made)) return listed(region.vertices, where);
+  RegionSpec spec{region.made.form, where};
+  if (!region.added.empty()) {
+    spec = {UnionRegion{{std::move(spec), listed(region.added, where)}}, where};
+  }
+  if (!region.removed.empty()) {
+    spec = {DifferenceRegion{{std::move(spec), listed(region.removed, where)}}, where};
+  }
+  return spec;
+}
+
+ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh, const Topology& topology) {
+  if (is_list(region.made)) return region;
+  try {
+    if (resolve(spec_of(region, "selection"), mesh, topology) == region.vertices) return region;
+  } catch (const InputError&) {
+    // The way it was made does not exist here any more.
+  }
+  return painted(region.vertices);
+}
+
+void renew_belt(EditSelection& selection, const Mesh& mesh, const Topology& topology) {
+  if (!selection.belt_fraction) return;
+  VertexSet belt;
+  if (!selection.roi.vertices.empty()) {
+    belt = resolve_border_belt({*selection.belt_fraction, "belt"}, selection.roi.vertices, mesh,
+                               topology);
+  }
+  for (const ChosenRegion& handle : selection.handles) belt = subtract(belt, handle.vertices);
+  selection.belt = painted(std::move(belt));
+}
+
+BeltSpec belt_spec(const EditSelection& selection) {
+  if (selection.belt_fraction) return BorderBelt{*selection.belt_fraction, "belt"};
+  return spec_of(selection.belt, "belt");
+}
+
+std::vector<RegionSpec> handle_specs(const EditSelection& selection) {
+  std::vector<RegionSpec> specs;
+  for (const ChosenRegion& handle : selection.handles) {
+    specs.push_back(spec_of(handle, "handle " + std::to_string(specs.size() + 1)));
+  }
+  return specs;
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lapwing/mesh/topology.h"
+#include "lapwing/region/border_belt.h"
+#include "lapwing/region/region_spec.h"
+
+namespace lapwing::viewer {
+
+/// Vertices that a person chose, and how, so that a recipe can say it. `resolve(spec_of(region))`
+/// gives `vertices` on the mesh that they were chosen on.
+struct ChosenRegion {
+  RegionSpec made{ListedVertices{}, "selection"};  ///< how it began: a disk, a loop, a box, ...
+  VertexSet added;                                 ///< by hand since; not in `made`
+  VertexSet removed;                               ///< by hand since; in `made`
+  VertexSet vertices;                              ///< what all that comes to
+
+  bool operator==(const ChosenRegion&) const = default;
+};
+
+/// The region that `spec` says. Throws what `resolve` does.
+ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const Topology& topology);
+
+/// The region changed by hand to hold `vertices`.
+ChosenRegion repainted(const ChosenRegion& region, VertexSet vertices);
+
+/// The region as a recipe writes it; messages call it `where`.
+RegionSpec spec_of(const ChosenRegion& region, const std::string& where);
+
+/// The same vertices on a mesh that has moved, where `made` may now say others: then they are
+/// listed.
+ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh, const Topology& topology);
+
+/// What the next edit concerns. Any part may still be missing.
+struct EditSelection {
+  ChosenRegion roi;
+  std::vector<ChosenRegion> handles;
+  /// The belt's width as a fraction of the ROI's radius; without it the belt was chosen by hand.
+  std::optional<double> belt_fraction = BorderBelt{}.fraction;
+  ChosenRegion belt;
+
+  bool operator==(const EditSelection&) const = default;
+};
+
+/// Makes a belt that goes by its width fit the ROI and the handles; any other stays. Linear in the
+/// ROI but for the geodesic distances.
+void renew_belt(EditSelection& selection, const Mesh& mesh, const Topology& topology);
+
+BeltSpec belt_spec(const EditSelection& selection);
+std::vector<RegionSpec> handle_specs(const EditSelection& selection);
+
+}  // namespace lapwing::viewer

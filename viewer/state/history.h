@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "state/change.h"
+#include "state/command.h"
+
+namespace lapwing::viewer {
+
+/// The state and the way to it: every step can be undone and redone, also after saving. A step
+/// costs what it changed.
+class History {
+ public:
+  explicit History(AppState start);
+
+  const AppState& state() const { return state_; }
+
+  /// Carries `command` out as a new step; what was undone is forgotten. A command that changes
+  /// nothing is no step. Throws what `apply` does, and nothing has changed then.
+  void perform(const Command& command);
+
+  bool can_undo() const { return done_ > 0; }
+  bool can_redo() const { return done_ < steps_.size(); }
+  void undo();  ///< nothing where it cannot
+  void redo();  ///< nothing where it cannot
+  /// Undoes or redoes until `steps` are done. Throws std::out_of_range beyond the last step.
+  void go_to(std::size_t steps);
+
+  /// Names of all steps, the first `done()` of which are done.
+  std::vector<std::string> names() const;
+  std::size_t done() const { return done_; }
+
+  /// The mesh was saved as it is now.
+  void mark_saved() { saved_at_ = done_; }
+  /// Whether the surface is another than the one that was saved or, before that, opened.
+  bool unsaved() const;
+
+  /// About how much memory the steps hold.
+  std::size_t bytes() const;
+
+ private:
+  struct Recorded {
+    std::string name;
+    Change change;
+  };
+
+  AppState state_;
+  std::vector<Recorded> steps_;
+  std::size_t done_ = 0;
+  std::optional<std::size_t> saved_at_ = 0;  // none when that state cannot be reached any more
+};
+
+}  // namespace lapwing::viewer

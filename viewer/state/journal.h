@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lapwing/io/file_descriptor.h"
+#include "state/draft.h"
+
+namespace lapwing::viewer {
+
+/// A mesh file as it was when it was opened.
+struct MeshStamp {
+  std::filesystem::path path;  ///< absolute
+  std::uint64_t bytes = 0;
+  std::int64_t modified = 0;  ///< of the file's clock, in its units
+
+  bool operator==(const MeshStamp&) const = default;
+};
+
+/// Throws IoError when there is no such file.
+MeshStamp stamp_of(const std::filesystem::path& mesh);
+
+/// Where journals are: lapwing/ in $XDG_CACHE_HOME, or in ~/.cache.
+std::filesystem::path journal_folder();
+
+/// An append-only record of one edit, so that a crash loses no step. One JSON line each: first the
+/// mesh, then what every step changed of the draft. A step is on the disk when `record` returns.
+class Journal {
+ public:
+  /// Starts a journal in `folder`, which is made if it is not there, and locks it while it is open.
+  /// Throws IoError when it cannot be written.
+  Journal(const std::filesystem::path& folder, const MeshStamp& mesh);
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+  ~Journal() = default;  ///< leaves the file, as a crash does
+
+  /// The edit is here now. Writes nothing where that is nothing new. Throws IoError.
+  void record(const AppState& state);
+
+  /// The mesh file is about to be replaced by the result: a copy of it is kept beside the journal,
+  /// since the steps start from there. Nothing after the first time. Throws IoError.
+  void keep_mesh();
+
+  /// The edit is done with, saved or given up: the file goes, and the copy.
+  void close();
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void append(std::string line);
+
+  std::filesystem::path path_;
+  FileDescriptor file_;
+  MeshStamp mesh_;
+  bool mesh_is_kept_ = false;
+  Draft last_;
+};
+
+/// A journal that nobody closed, whose writer is gone.
+struct InterruptedEdit {
+  std::filesystem::path journal;
+  std::filesystem::path opened;    ///< the mesh as it was called
+  MeshStamp mesh;                  ///< what the steps start from: that, or a copy of it
+  bool mesh_is_unchanged = false;  ///< still what it was
+  Draft draft;                     ///< for `restore`
+
+  bool is_empty() const { return draft.steps.empty() && draft.open == DeformStep{}; }
+};
+
+/// The interrupted edits of `folder`, the latest first. A last line that was not written out counts
+/// as not written, and a journal that cannot be read as none. Journals of running programs are left
+/// out.
+std::vector<InterruptedEdit> find_interrupted(const std::filesystem::path& folder);
+
+/// The edit was restored, and its steps are in a journal of their own; or nobody wants it.
+void discard(const InterruptedEdit& edit);
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,86 @@
+#include "tools/edit_session.h"
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/atomic_file.h"
+#include "state/draft.h"
+
+namespace lapwing::viewer {
+
+namespace fs = std::filesystem;
+
+EditSession::EditSession(History history, std::optional<MeshStamp> file, const fs::path& journals,
+                         Preparation::MakeKernels make_kernels, std::function<void()> wake)
+    : history_(std::move(history)),
+      file_(std::move(file)),
+      preparation_(std::move(make_kernels), std::move(wake)) {
+  try {
+    if (file_) journal_.emplace(journals, *file_);
+  } catch (const IoError& error) {
+    warning_ = error.what();
+  }
+  follow();
+}
+
+void EditSession::perform(const Command& command) {
+  history_.perform(command);
+  follow();
+  if (needs_settling(state())) preparation_.settle(state());
+}
+
+void EditSession::undo() {
+  history_.undo();
+  follow();
+}
+
+void EditSession::redo() {
+  history_.redo();
+  follow();
+}
+
+void EditSession::go_to(std::size_t steps) {
+  history_.go_to(steps);
+  follow();
+}
+
+// What was asked for before may not be wanted any more.
+void EditSession::follow() {
+  preparation_.cancel_settling();
+  preparation_.follow(state());
+  if (!journal_) return;
+  try {
+    journal_->record(state());
+    warning_.clear();
+  } catch (const Error& error) {
+    warning_ = error.what();
+  }
+}
+
+bool EditSession::take_result() {
+  const auto result = preparation_.take_result();
+  if (!result || !needs_settling(state()) || result->moves != state().moves) return false;
+  history_.perform(Settle{result->moved});
+  follow();
+  return true;
+}
+
+WriteReport EditSession::save(const fs::path& path) {
+  std::error_code error;
+  if (journal_ && fs::equivalent(path, file_->path, error)) journal_->keep_mesh();
+  WriteReport report = write_mesh(mesh_of(state()), path);
+  history_.mark_saved();
+  return report;
+}
+
+void EditSession::save_recipe(const fs::path& path) const {
+  if (!file_) throw InputError("a recipe names a mesh file; save the mesh first, and open that");
+  const fs::path folder = fs::absolute(path).parent_path();
+  replace_file(path, to_json(to_recipe(state(), file_->path.lexically_proximate(folder), folder)));
+}
+
+void EditSession::close() {
+  if (journal_) journal_->close();
+  journal_.reset();
+  preparation_.cancel();
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,209 @@
+#include "tools/gizmo_tool.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+namespace lapwing::viewer {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
+
+std::string direction(GizmoPart part, GizmoMode mode) {
+  if (part == GizmoPart::view) return "";
+  const std::string axis = kAxisNames[static_cast<std::size_t>(axis_of(part))];
+  if (mode == GizmoMode::rotate) return " about " + axis;
+  return is_plane(part) ? " without " + axis : " along " + axis;
+}
+
+std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), format, a, b, c);
+  return text.data();
+}
+
+// 0 to 2 for X, Y and Z, else -1.
+int axis_of_key(int key) {
+  return key >= 'X' && key <= 'Z' ? key - 'X' : -1;
+}
+
+GizmoPart part_of_axis(int axis, bool plane) {
+  const auto first = plane ? GizmoPart::without_x : GizmoPart::x;
+  return static_cast<GizmoPart>(static_cast<int>(first) + axis);
+}
+
+// The drag that a key begins.
+std::optional<GizmoMode> drag_of_key(int key, GizmoKeys keys) {
+  if (key == 'G') return GizmoMode::translate;
+  if (key == 'S') return GizmoMode::scale;
+  if (key == 'R' && keys != GizmoKeys::maya) return GizmoMode::rotate;
+  return std::nullopt;
+}
+
+// What a key has the gizmo show.
+std::optional<GizmoMode> mode_of_key(int key, GizmoKeys keys) {
+  if (key == 'W') return GizmoMode::translate;
+  if (key == 'E') return GizmoMode::rotate;
+  if (key == 'R' && keys == GizmoKeys::maya) return GizmoMode::scale;
+  return std::nullopt;
+}
+
+bool belongs_to_number(char32_t c) {
+  return (c >= U'0' && c <= U'9') || c == U'.' || c == U'-';
+}
+
+}  // namespace
+
+Gizmo GizmoTool::gizmo(const GizmoScene& scene) const {
+  const Eigen::Vector3d centroid = handle_centroid(scene.state, scene.handle);
+  const Move& move = live_ ? *live_ : scene.state.moves[scene.handle];
+  return {mode(), to_affine(move, centroid) * centroid, Eigen::Matrix3d::Identity()};
+}
+
+ToolAnswer GizmoTool::handle(const InputEvent& event, const GizmoScene& scene) {
+  snaps_ = event.modifiers.control;
+  if (event.kind == InputKind::key) return handle_key(event, scene);
+  if (event.kind == InputKind::text) return handle_text(event, scene);
+  if (event.kind == InputKind::scroll) return ToolAnswer::passed_on();
+  cursor_ = event.position;
+  if (!drag_) {
+    if (event.kind == InputKind::release) return ToolAnswer::passed_on();
+    hovered_ = hit_gizmo(gizmo(scene), scene.projection, cursor_);
+    if (event.kind == InputKind::move || event.button != MouseButton::left ||
+        hovered_ == GizmoPart::none) {
+      return ToolAnswer::passed_on();
+    }
+    begin(mode_, hovered_, scene);
+    by_button_ = true;
+    return ToolAnswer::only_taken();
+  }
+  if (event.kind == InputKind::press && event.button == MouseButton::right) {
+    give_up();
+    return ToolAnswer::only_taken();
+  }
+  drag_->move_to(cursor_);
+  renew(scene);
+  const auto ends = by_button_ ? InputKind::release : InputKind::press;
+  if (event.kind == ends && event.button == MouseButton::left) return confirm(scene);
+  return ToolAnswer::only_taken();
+}
+
+ToolAnswer GizmoTool::handle_key(const InputEvent& event, const GizmoScene& scene) {
+  if (drag_) return handle_drag_key(event, scene);
+  // Control+S and the like are somebody else's.
+  if (event.modifiers.control || event.modifiers.alt) return ToolAnswer::passed_on();
+  if (const auto mode = mode_of_key(event.key, scene.keys)) {
+    mode_ = *mode;
+    return ToolAnswer::only_taken();
+  }
+  if (const auto mode = drag_of_key(event.key, scene.keys)) {
+    begin(*mode, GizmoPart::view, scene);
+    by_button_ = false;
+    return ToolAnswer::only_taken();
+  }
+  return ToolAnswer::passed_on();
+}
+
+ToolAnswer GizmoTool::handle_drag_key(const InputEvent& event, const GizmoScene& scene) {
+  if (event.key == kEscape) {
+    give_up();
+    return ToolAnswer::only_taken();
+  }
+  if (event.key == kEnter) return confirm(scene);
+  GizmoMode mode = drag_->mode();
+  GizmoPart part = drag_->part();
+  if (event.key == kBackspace) {
+    if (!typed_.empty()) typed_.pop_back();
+  } else if (const int axis = axis_of_key(event.key); axis >= 0) {
+    // Turning without an axis is turning about it.
+    const bool plane = event.modifiers.shift && mode != GizmoMode::rotate;
+    part = part_of_axis(axis, plane);
+    if (part == drag_->part()) part = GizmoPart::view;
+  } else if (const auto other = drag_of_key(event.key, scene.keys)) {
+    mode = *other;
+  }
+  if (mode != drag_->mode() || part != drag_->part()) {
+    const std::string typed = typed_;
+    const Vector2d cursor = cursor_;
+    const bool by_button = by_button_;
+    cursor_ = start_;
+    give_up();
+    begin(mode, part, scene);
+    by_button_ = by_button;
+    cursor_ = cursor;
+    typed_ = typed;
+    drag_->move_to(cursor_);
+  }
+  renew(scene);
+  return ToolAnswer::only_taken();
+}
+
+ToolAnswer GizmoTool::handle_text(const InputEvent& event, const GizmoScene& scene) {
+  if (!drag_) return ToolAnswer::passed_on();
+  if (belongs_to_number(event.text)) {
+    typed_ += static_cast<char>(event.text);
+    renew(scene);
+  }
+  return ToolAnswer::only_taken();
+}
+
+void GizmoTool::begin(GizmoMode mode, GizmoPart part, const GizmoScene& scene) {
+  Gizmo there = gizmo(scene);
+  there.mode = mode;
+  start_ = cursor_;
+  snap_length_ = snap_length(there, scene.projection);
+  drag_.emplace(there, part, scene.projection, start_);
+  renew(scene);
+}
+
+void GizmoTool::renew(const GizmoScene& scene) {
+  std::optional<SnapSteps> snap;
+  if (snaps_) snap = SnapSteps{.length = snap_length_};
+  amount_ = drag_->amount(snap, typed_number());
+  live_ = drag_->move_after(scene.state.moves[scene.handle],
+                            handle_centroid(scene.state, scene.handle), amount_);
+}
+
+ToolAnswer GizmoTool::confirm(const GizmoScene& scene) {
+  ToolAnswer answer = ToolAnswer::only_taken();
+  if (*live_ != scene.state.moves[scene.handle]) answer.command = MoveHandle{scene.handle, *live_};
+  give_up();
+  return answer;
+}
+
+void GizmoTool::give_up() {
+  drag_.reset();
+  live_.reset();
+  typed_.clear();
+}
+
+std::optional<double> GizmoTool::typed_number() const {
+  char* end = nullptr;
+  const double number = std::strtod(typed_.c_str(), &end);
+  if (end == typed_.c_str() || *end != '\0') return std::nullopt;
+  return number;
+}
+
+std::string GizmoTool::readout() const {
+  if (!drag_) return {};
+  std::string text;
+  switch (drag_->mode()) {
+    case GizmoMode::translate:
+      text = formatted("move (%.4g, %.4g, %.4g)", amount_.lengths.x(), amount_.lengths.y(),
+                       amount_.lengths.z());
+      break;
+    case GizmoMode::rotate:
+      text = formatted("turn %.4g degrees", amount_.degrees);
+      break;
+    case GizmoMode::scale:
+      text = formatted("scale (%.4g, %.4g, %.4g)", amount_.factors.x(), amount_.factors.y(),
+                       amount_.factors.z());
+  }
+  text += direction(drag_->part(), drag_->mode());
+  if (!typed_.empty()) text += " [" + typed_ + "]";
+  return text;
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "state/command.h"
+#include "tools/gizmo_drag.h"
+#include "tools/input.h"
+#include "tools/tool_answer.h"
+
+namespace lapwing::viewer {
+
+/// What R does: it turns in Blender and scales in Maya. All other keys of both always work.
+enum class GizmoKeys { blender, maya };
+
+/// What the gizmo stands in.
+struct GizmoScene {
+  const AppState& state;
+  std::size_t handle = 0;  ///< of the state
+  const Projection& projection;
+  GizmoKeys keys = GizmoKeys::blender;
+};
+
+/// Moves a handle: by dragging a part of the gizmo, or by G, R or S and the mouse alone, held to an
+/// axis by X, Y, Z, to a plane by Shift with them, and by numbers typed. Control snaps. W, E and R
+/// choose what the gizmo shows. Enter or a click ends a drag, Escape or the right button gives it
+/// up.
+class GizmoTool {
+ public:
+  ToolAnswer handle(const InputEvent& event, const GizmoScene& scene);
+
+  /// The handle's move while it is dragged.
+  const std::optional<Move>& live() const { return live_; }
+  bool is_dragging() const { return drag_.has_value(); }
+  GizmoMode mode() const { return drag_ ? drag_->mode() : mode_; }
+  /// The part dragged or under the cursor.
+  GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
+  /// Where the gizmo is drawn: it goes with its handle.
+  Gizmo gizmo(const GizmoScene& scene) const;
+  /// For the status line while dragging: "turn 45 degrees about x".
+  std::string readout() const;
+
+ private:
+  ToolAnswer handle_key(const InputEvent& event, const GizmoScene& scene);
+  ToolAnswer handle_drag_key(const InputEvent& event, const GizmoScene& scene);
+  ToolAnswer handle_text(const InputEvent& event, const GizmoScene& scene);
+  void begin(GizmoMode mode, GizmoPart part, const GizmoScene& scene);
+  void renew(const GizmoScene& scene);
+  ToolAnswer confirm(const GizmoScene& scene);
+  void give_up();
+  std::optional<double> typed_number() const;
+
+  GizmoMode mode_ = GizmoMode::translate;
+  GizmoPart hovered_ = GizmoPart::none;
+  Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
+  bool snaps_ = false;
+
+  std::optional<GizmoDrag> drag_;
+  bool by_button_ = false;  // ends with its release
+  Eigen::Vector2d start_ = Eigen::Vector2d::Zero();
+  double snap_length_ = 1.0;
+  std::string typed_;
+  GizmoAmount amount_;
+  std::optional<Move> live_;
+};
+
+}  // namespace lapwing::viewer

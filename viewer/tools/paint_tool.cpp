@@ -1,0 +1,110 @@
+#include "tools/paint_tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/screen_selection.h"
+#include "tools/selection_edits.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kFactorOfStep = 1.15;
+constexpr double kSmallestBrush = 1.0;
+constexpr double kLargestBrush = 500.0;
+
+}  // namespace
+
+ToolAnswer PaintTool::handle(const InputEvent& event, const SelectScene& scene) {
+  if (event.kind == InputKind::key && (event.key == '[' || event.key == ']')) {
+    resize_brush(event.key == ']' ? 1.0 : -1.0);
+    return ToolAnswer::only_taken();
+  }
+  if (!dragging_) {
+    control_ = event.modifiers.control;
+    if (event.kind != InputKind::press || event.button != MouseButton::left) {
+      return ToolAnswer::passed_on();
+    }
+    begin(event, scene);
+    return ToolAnswer::only_taken();
+  }
+  switch (event.kind) {
+    case InputKind::key:
+      if (event.key != kEscape) return ToolAnswer::passed_on();
+      give_up();
+      return ToolAnswer::only_taken();
+    case InputKind::scroll:
+      resize_brush(event.scroll);
+      return ToolAnswer::only_taken();
+    case InputKind::move:
+      extend(event.position, scene);
+      return ToolAnswer::only_taken();
+    case InputKind::release:
+      if (event.button != MouseButton::left) return ToolAnswer::passed_on();
+      extend(event.position, scene);
+      return finish(scene);
+    default:
+      return ToolAnswer::passed_on();
+  }
+}
+
+void PaintTool::begin(const InputEvent& event, const SelectScene& scene) {
+  dragging_ = true;
+  pixels_ = vertex_pixels(scene.positions, scene.projection);
+  way_ = {event.position};
+  touched_.clear();
+  extend(event.position, scene);
+}
+
+void PaintTool::extend(const Vector2d& to, const SelectScene& scene) {
+  switch (options_.shape) {
+    case Shape::brush:
+      touched_ = unite(touched_, seen(near_line(pixels_, way_.back(), to, options_.radius), scene));
+      way_ = {to};
+      break;
+    case Shape::lasso:
+      way_.push_back(to);
+      touched_ = seen(in_polygon(pixels_, way_), scene);
+      break;
+    case Shape::box:
+      way_ = {way_.front(), to};
+      touched_ = seen(in_rectangle(pixels_, way_.front(), to), scene);
+  }
+}
+
+VertexSet PaintTool::seen(VertexSet vertices, const SelectScene& scene) const {
+  if (!options_.through && scene.is_visible) {
+    std::erase_if(vertices, [&](Index v) { return !scene.is_visible(v); });
+  }
+  return vertices;
+}
+
+ToolAnswer PaintTool::finish(const SelectScene& scene) {
+  ToolAnswer answer = ToolAnswer::only_taken();
+  answer.command = paint(scene.state, scene.part, touched_, erases());
+  give_up();
+  return answer;
+}
+
+void PaintTool::give_up() {
+  dragging_ = false;
+  way_.clear();
+  touched_.clear();
+}
+
+void PaintTool::resize_brush(double steps) {
+  options_.radius =
+      std::clamp(options_.radius * std::pow(kFactorOfStep, steps), kSmallestBrush, kLargestBrush);
+}
+
+std::vector<Vector2d> PaintTool::outline() const {
+  if (options_.shape == Shape::lasso) return way_;
+  if (options_.shape != Shape::box || way_.size() < 2) return {};
+  const Vector2d& a = way_.front();
+  const Vector2d& b = way_.back();
+  return {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
+}
+
+}  // namespace lapwing::viewer

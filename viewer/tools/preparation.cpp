@@ -1,0 +1,242 @@
+#include "tools/preparation.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "state/draft.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Phase = PreparationStatus::Phase;
+
+constexpr std::array<std::string_view, 10> kStages{
+    "pattern",       "order",   "laplacian", "preview",  "assemble",
+    "normal_matrix", "analyze", "factor",    "response", "upload"};
+
+// By stages, not by time, which depends on the mesh and the device.
+double fraction_of_preparation(std::string_view stage, double fraction) {
+  const auto found = std::find(kStages.begin(), kStages.end(), stage);
+  if (found == kStages.end()) return 1.0;
+  return (static_cast<double>(found - kStages.begin()) + fraction) / kStages.size();
+}
+
+bool can_be_prepared(const AppState& state) {
+  return !state.selection.roi.vertices.empty() && !state.selection.handles.empty();
+}
+
+bool same_preparation(const AppState& a, const AppState& b) {
+  return a.rest == b.rest && a.parameters == b.parameters && a.selection == b.selection;
+}
+
+// With commits on the way every part but the first prepares anew.
+SettledResult settled_result(const AppState& state, const Deformer& exact, Kernels& kernels,
+                             const Progress& progress) {
+  if (state.parameters.commit_every) return {state.moves, solve_with(kernels, progress)(state), {}};
+  DeformResult solved = exact.solve(motions_of(state), turns_of(state), progress);
+  return {state.moves,
+          std::make_shared<const MovedVertices>(
+              moved_vertices(state.rest->positions, solved.positions)),
+          std::move(solved.certificate)};
+}
+
+}  // namespace
+
+Preparation::Preparation(MakeKernels make_kernels, std::function<void()> wake)
+    : make_kernels_(std::move(make_kernels)), wake_(std::move(wake)), worker_([this] { run(); }) {}
+
+Preparation::~Preparation() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+    ++ticket_;
+    ++settle_ticket_;
+  }
+  asked_.notify_one();
+  worker_.join();
+}
+
+// Cancels all. What was ready is the caller's to destroy, without the lock: factors are large.
+Preparation::Ready Preparation::let_go() {
+  ++ticket_;
+  ++settle_ticket_;
+  to_prepare_.reset();
+  to_settle_.reset();
+  result_.reset();
+  status_ = {};
+  return std::exchange(ready_, {});
+}
+
+void Preparation::follow(const AppState& state) {
+  Ready old;
+  {
+    const std::lock_guard lock(mutex_);
+    if (followed_ && same_preparation(*followed_, state)) return;
+    old = let_go();
+    followed_ = state;
+    if (can_be_prepared(state)) {
+      to_prepare_ = state;
+      status_.phase = Phase::previewing;
+    }
+  }
+  asked_.notify_one();
+}
+
+void Preparation::settle(const AppState& state) {
+  {
+    const std::lock_guard lock(mutex_);
+    result_.reset();
+    to_settle_ = Request{state, ++settle_ticket_};
+    // From now on: the caller must not drag what the worker is about to use.
+    if (status_.phase == Phase::ready) status_.phase = Phase::settling;
+  }
+  asked_.notify_one();
+}
+
+std::optional<SettledResult> Preparation::take_result() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(result_, std::nullopt);
+}
+
+void Preparation::cancel_settling() {
+  const std::lock_guard lock(mutex_);
+  ++settle_ticket_;
+  result_.reset();
+  // The worker passes over one that it was given to, and says when it is done with it.
+  if (status_.phase != Phase::settling) to_settle_.reset();
+}
+
+void Preparation::cancel() {
+  Ready old;
+  const std::lock_guard lock(mutex_);
+  old = let_go();
+  followed_.reset();
+}
+
+PreparationStatus Preparation::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+std::shared_ptr<DragPreview> Preparation::preview() const {
+  const std::lock_guard lock(mutex_);
+  return ready_.preview;
+}
+
+std::shared_ptr<Deformer> Preparation::exact() const {
+  const std::lock_guard lock(mutex_);
+  return ready_.exact;
+}
+
+void Preparation::wake() const {
+  if (wake_) wake_();
+}
+
+void Preparation::run() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    asked_.wait(lock, [this] { return stop_ || to_prepare_ || (to_settle_ && ready_.exact); });
+    if (stop_) return;
+    if (to_prepare_) {
+      const AppState state = *std::exchange(to_prepare_, std::nullopt);
+      const std::uint64_t ticket = ticket_;
+      lock.unlock();
+      prepare(state, ticket);
+    } else {
+      const Request request = *std::exchange(to_settle_, std::nullopt);
+      const Ready ready = ready_;
+      lock.unlock();
+      settle_now(request.state, ready, request.ticket);
+    }
+    wake();
+    lock.lock();
+  }
+}
+
+void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
+  const Progress progress = [this, ticket](std::string_view stage, double fraction) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (ticket_ != ticket) return false;
+      status_.stage = stage;
+      status_.fraction = fraction_of_preparation(stage, fraction);
+    }
+    wake();
+    return true;
+  };
+  try {
+    Ready ready;
+    ready.preview = make_preview(state, progress);
+    if (!publish(ticket, ready, Phase::solving)) return;
+    ready.exact_kernels = make_kernels_();
+    // Held by the deformer: it must go before its kernels and the topology.
+    ready.exact = std::shared_ptr<Deformer>(
+        new Deformer(*ready.preview, *ready.exact_kernels, progress),
+        [kernels = ready.exact_kernels, topology = state.topology](Deformer* d) { delete d; });
+    publish(ticket, ready, Phase::ready);
+  } catch (const Cancelled&) {
+    // Whoever cancelled has set the status.
+  } catch (const std::exception& error) {
+    fail(ticket, Phase::failed, error.what());
+  }
+}
+
+std::shared_ptr<DragPreview> Preparation::make_preview(const AppState& state,
+                                                       const Progress& progress) {
+  const std::shared_ptr<Kernels> kernels = make_kernels_();
+  return {new DragPreview(state.rest->positions, *state.topology, edit_region(state),
+                          deform_options(state.parameters), *kernels, progress),
+          [kernels, topology = state.topology](DragPreview* p) { delete p; }};
+}
+
+bool Preparation::publish(std::uint64_t ticket, Ready ready, Phase phase) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (ticket_ != ticket) return false;
+    ready_ = std::move(ready);
+    // A result that was asked for comes next, and the exact one is never free in between.
+    status_.phase = phase == Phase::ready && to_settle_ ? Phase::settling : phase;
+    if (phase == Phase::ready) status_.fraction = 1.0;
+  }
+  wake();
+  return true;
+}
+
+void Preparation::fail(std::uint64_t ticket, Phase phase, const std::string& message) {
+  const std::lock_guard lock(mutex_);
+  if (ticket_ != ticket) return;
+  status_.phase = phase;
+  status_.message = message;
+}
+
+void Preparation::settle_now(const AppState& state, const Ready& ready, std::uint64_t ticket) {
+  const Progress progress = [this, ticket](std::string_view stage, double fraction) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (settle_ticket_ != ticket) return false;
+      status_.stage = stage;
+      status_.fraction = fraction;
+    }
+    wake();
+    return true;
+  };
+  std::optional<SettledResult> result;
+  std::string message;
+  try {
+    result = settled_result(state, *ready.exact, *ready.exact_kernels, progress);
+  } catch (const Cancelled&) {
+    // Whoever cancelled wants nothing.
+  } catch (const std::exception& error) {
+    message = error.what();
+  }
+  const std::lock_guard lock(mutex_);
+  if (ready_.exact != ready.exact) return;  // another preparation has begun
+  status_.phase = to_settle_ ? Phase::settling : Phase::ready;
+  if (settle_ticket_ != ticket) return;
+  status_.message = message;
+  result_ = std::move(result);
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag_preview.h"
+#include "state/app_state.h"
+
+namespace lapwing::viewer {
+
+/// What the worker is at, for a progress bar and a line of text.
+struct PreparationStatus {
+  enum class Phase {
+    idle,        ///< nothing to prepare, or cancelled
+    previewing,  ///< makes the preview
+    solving,     ///< the preview is ready; makes the exact one
+    ready,       ///< both are ready
+    settling,    ///< both are ready; computes a result
+    failed,      ///< `message` says why
+  };
+  Phase phase = Phase::idle;
+  std::string stage;      ///< a name of the engine's stages: "factor"
+  double fraction = 0.0;  ///< of the whole preparation by stages, or of settling; 0 to 1
+  std::string message;    ///< of the last failure, of settling too; empty without
+};
+
+/// What settling came to.
+struct SettledResult {
+  std::vector<Move> moves;  ///< those of the state that asked
+  std::shared_ptr<const MovedVertices> moved;
+  Certificate certificate;  ///< of the last part where the step commits on the way
+};
+
+/// Prepares an edit on a thread of its own, so that the window never waits: first the preview of a
+/// drag, then the exact one; and settles. All members may be called from one other thread, the
+/// window's, and return at once, but for the destructor, which waits for the end of a stage.
+class Preparation {
+ public:
+  /// The preview and the exact one are used from two threads and get kernels of their own; called
+  /// on the worker.
+  using MakeKernels = std::function<std::unique_ptr<Kernels>()>;
+
+  /// `wake` is called on the worker whenever the status has changed; it must not call back.
+  explicit Preparation(MakeKernels make_kernels, std::function<void()> wake = {});
+  ~Preparation();
+  Preparation(const Preparation&) = delete;
+  Preparation& operator=(const Preparation&) = delete;
+
+  /// Prepares what `state` chooses. Where selection, parameters or rest shape are no longer those
+  /// that were followed last, what is under way is cancelled and what was ready is let go; a mere
+  /// move changes nothing. Without ROI or handle there is nothing to prepare.
+  void follow(const AppState& state);
+
+  /// Computes the result of the moves of `state`, which is the one followed, as soon as the exact
+  /// one is ready. Takes the place of an earlier request.
+  void settle(const AppState& state);
+  /// The result that is there, once.
+  std::optional<SettledResult> take_result();
+  void cancel_settling();
+
+  /// Cancels everything and lets go of what is ready, until the next `follow`.
+  void cancel();
+
+  PreparationStatus status() const;
+
+  /// What to drag and draw; null until it is ready. Each stays usable while it is held, but the
+  /// exact one may only be drawn while it settles: drag the preview then.
+  std::shared_ptr<DragPreview> preview() const;
+  std::shared_ptr<Deformer> exact() const;
+
+ private:
+  struct Ready {
+    std::shared_ptr<DragPreview> preview;
+    std::shared_ptr<Deformer> exact;
+    std::shared_ptr<Kernels> exact_kernels;
+  };
+
+  struct Request {
+    AppState state;
+    std::uint64_t ticket = 0;
+  };
+
+  void run();
+  void prepare(const AppState& state, std::uint64_t ticket);
+  void settle_now(const AppState& state, const Ready& ready, std::uint64_t ticket);
+  std::shared_ptr<DragPreview> make_preview(const AppState& state, const Progress& progress);
+  bool publish(std::uint64_t ticket, Ready ready, PreparationStatus::Phase phase);
+  void fail(std::uint64_t ticket, PreparationStatus::Phase phase, const std::string& message);
+  Ready let_go();
+  void wake() const;
+
+  const MakeKernels make_kernels_;
+  const std::function<void()> wake_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable asked_;
+  // All below is guarded by the mutex. Work under a ticket that is not the current one is void.
+  std::uint64_t ticket_ = 0;
+  std::uint64_t settle_ticket_ = 0;
+  bool stop_ = false;
+  std::optional<AppState> followed_;
+  std::optional<AppState> to_prepare_;
+  std::optional<Request> to_settle_;
+  std::optional<SettledResult> result_;
+  PreparationStatus status_;
+  Ready ready_;
+
+  std::thread worker_;  // last: it uses all the others
+};
+
+}  // namespace lapwing::viewer

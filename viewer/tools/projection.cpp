@@ -1,0 +1,98 @@
+#include "tools/projection.h"
+
+#include <limits>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace lapwing::viewer {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+constexpr double kNear = 1.0;
+constexpr double kFar = 0.0;
+
+// Distance along the ray (Moeller and Trumbore 1997); infinity where it passes by.
+double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, const SightLine& ray) {
+  constexpr double kMiss = std::numeric_limits<double>::infinity();
+  const Vector3d p = ray.direction.cross(c - a);
+  const double determinant = p.dot(b - a);
+  if (determinant == 0.0) return kMiss;
+  const Vector3d from_a = ray.origin - a;
+  const double u = p.dot(from_a) / determinant;
+  const Vector3d q = from_a.cross(b - a);
+  const double v = q.dot(ray.direction) / determinant;
+  const double t = q.dot(c - a) / determinant;
+  const bool inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t >= 0.0;
+  return inside ? t : kMiss;
+}
+
+}  // namespace
+
+Projection::Projection(const Eigen::Matrix4d& clip_from_world, const Vector2d& size_in_pixels)
+    : clip_from_world_(clip_from_world),
+      world_from_clip_(clip_from_world.inverse()),
+      size_(size_in_pixels) {}
+
+std::optional<Vector2d> Projection::to_pixel(const Vector3d& point) const {
+  const Vector4d clip = clip_from_world_ * point.homogeneous();
+  if (!(clip.w() > 0.0)) return std::nullopt;
+  const Vector2d across = clip.head<2>() / clip.w();
+  return Vector2d(0.5 * (across + Vector2d::Ones()).cwiseProduct(size_));
+}
+
+SightLine Projection::ray_through(const Vector2d& pixel) const {
+  const Vector2d across = 2.0 * pixel.cwiseQuotient(size_) - Vector2d::Ones();
+  const Vector4d near = world_from_clip_ * Vector4d(across.x(), across.y(), kNear, 1.0);
+  const Vector4d far = world_from_clip_ * Vector4d(across.x(), across.y(), kFar, 1.0);
+  const Vector3d origin = near.hnormalized();
+  return {origin, (far.hnormalized() - origin).normalized()};
+}
+
+Vector3d Projection::toward_eye(const Vector3d& point) const {
+  const auto pixel = to_pixel(point);
+  return -ray_through(pixel.value_or(0.5 * size_)).direction;
+}
+
+double Projection::length_of_pixel(const Vector3d& point) const {
+  const auto pixel = to_pixel(point);
+  if (!pixel) return 0.0;
+  const SightLine beside = ray_through(*pixel + Vector2d::UnitX());
+  const Vector3d toward = point - beside.origin;
+  return (toward - toward.dot(beside.direction) * beside.direction).norm();
+}
+
+SurfacePoint surface_point(const Topology& topology, std::span<const Vector3d> positions,
+                           Index triangle, const Vector3d& position) {
+  SurfacePoint pick{triangle, kNoIndex, position};
+  double least = std::numeric_limits<double>::infinity();
+  for (const Index v : topology.triangles[triangle]) {
+    const double squared = (positions[v] - position).squaredNorm();
+    if (squared >= least) continue;
+    least = squared;
+    pick.vertex = v;
+  }
+  return pick;
+}
+
+std::optional<SurfacePoint> pick_surface(const Topology& topology,
+                                         std::span<const Vector3d> positions,
+                                         const SightLine& ray) {
+  double least = std::numeric_limits<double>::infinity();
+  Index first = kNoIndex;
+  for (Index t = 0; t < topology.triangles.size(); ++t) {
+    const Triangle& corners = topology.triangles[t];
+    const double distance =
+        distance_to(positions[corners[0]], positions[corners[1]], positions[corners[2]], ray);
+    if (distance >= least) continue;
+    least = distance;
+    first = t;
+  }
+  if (first == kNoIndex) return std::nullopt;
+  return surface_point(topology, positions, first, ray.origin + least * ray.direction);
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing::viewer {
+
+/// What shows at one pixel: a half line; `direction` has length 1.
+struct SightLine {
+  Eigen::Vector3d origin;
+  Eigen::Vector3d direction;
+};
+
+/// How the window shows space, in pixels from its upper left corner. `Camera::projection(aspect) *
+/// Camera::view()` gives the matrix: y down, depth 1 near and 0 far.
+class Projection {
+ public:
+  Projection(const Eigen::Matrix4d& clip_from_world, const Eigen::Vector2d& size_in_pixels);
+
+  /// Where `point` shows, inside the window or not; nothing behind the eye.
+  std::optional<Eigen::Vector2d> to_pixel(const Eigen::Vector3d& point) const;
+  /// What shows at a pixel, from the near plane on.
+  SightLine ray_through(const Eigen::Vector2d& pixel) const;
+  /// From `point` to the eye; length 1.
+  Eigen::Vector3d toward_eye(const Eigen::Vector3d& point) const;
+  /// The length, across the view at `point`, that one pixel shows.
+  double length_of_pixel(const Eigen::Vector3d& point) const;
+
+ private:
+  Eigen::Matrix4d clip_from_world_;
+  Eigen::Matrix4d world_from_clip_;
+  Eigen::Vector2d size_;
+};
+
+/// A place on the surface.
+struct SurfacePoint {
+  Index triangle = kNoIndex;
+  Index vertex = kNoIndex;  ///< the triangle's corner nearest to `position`
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+/// Where `ray` first meets the surface, from either side. Linear in its triangles; a window asks
+/// its picture instead where it can.
+std::optional<SurfacePoint> pick_surface(const Topology& topology,
+                                         std::span<const Eigen::Vector3d> positions,
+                                         const SightLine& ray);
+
+/// The place `position` on `triangle`.
+SurfacePoint surface_point(const Topology& topology, std::span<const Eigen::Vector3d> positions,
+                           Index triangle, const Eigen::Vector3d& position);
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "state/command.h"
+#include "tools/projection.h"
+
+namespace lapwing::viewer {
+
+/// What a selection tool works on.
+struct SelectScene {
+  const AppState& state;
+  std::span<const Eigen::Vector3d> positions;  ///< of the surface that is seen
+  const Projection& projection;
+  std::function<std::optional<SurfacePoint>(const Eigen::Vector2d& pixel)> pick;
+  /// Whether a vertex is seen, not hidden by the surface; without it all are
+  /// (SeenVertices tells).
+  std::function<bool(Index vertex)> is_visible;
+  Part part;  ///< what is being chosen
+};
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,73 @@
+#include "tools/selection_edits.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lapwing::viewer {
+namespace {
+
+using Role = Part::Role;
+
+VertexSet all_vertices(const AppState& state) {
+  VertexSet all(state.rest->vertex_count());
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
+
+// Of `vertices` those that the part may hold.
+VertexSet allowed(const AppState& state, const Part& part, VertexSet vertices) {
+  if (part.role == Role::roi) return vertices;
+  const EditSelection& selection = state.selection;
+  if (!selection.roi.vertices.empty()) vertices = intersect(vertices, selection.roi.vertices);
+  for (std::size_t h = 0; h < selection.handles.size(); ++h) {
+    if (part.role == Role::handle && part.handle == h) continue;
+    vertices = subtract(vertices, selection.handles[h].vertices);
+  }
+  // One that goes by its width makes room for handles by itself.
+  const bool belt_by_hand = part.role == Role::handle && !selection.belt_fraction;
+  return belt_by_hand ? subtract(vertices, selection.belt.vertices) : vertices;
+}
+
+std::optional<Command> change(const Part& part, VertexSet added, VertexSet removed) {
+  if (added.empty() && removed.empty()) return std::nullopt;
+  return Paint{part, std::move(added), std::move(removed)};
+}
+
+}  // namespace
+
+const VertexSet& vertices_of(const EditSelection& selection, const Part& part) {
+  static const VertexSet kNone;
+  if (part.role == Role::roi) return selection.roi.vertices;
+  if (part.role == Role::belt) return selection.belt.vertices;
+  return part.handle < selection.handles.size() ? selection.handles[part.handle].vertices : kNone;
+}
+
+std::optional<Command> paint(const AppState& state, const Part& part, const VertexSet& vertices,
+                             bool erase) {
+  const VertexSet& before = vertices_of(state.selection, part);
+  if (erase) return change(part, {}, intersect(before, vertices));
+  return change(part, allowed(state, part, subtract(vertices, before)), {});
+}
+
+std::optional<Command> grow(const AppState& state, const Part& part) {
+  const VertexSet& before = vertices_of(state.selection, part);
+  return paint(state, part, with_ring_neighbours(before, state.topology->rings), false);
+}
+
+std::optional<Command> shrink(const AppState& state, const Part& part) {
+  const VertexSet& before = vertices_of(state.selection, part);
+  const std::vector<char> inside = vertex_mask(state.rest->vertex_count(), before);
+  VertexSet outermost;
+  std::copy_if(before.begin(), before.end(), std::back_inserter(outermost), [&](Index v) {
+    const auto ring = state.topology->rings[v];
+    return std::any_of(ring.begin(), ring.end(), [&](Index w) { return !inside[w]; });
+  });
+  return paint(state, part, outermost, true);
+}
+
+std::optional<Command> invert(const AppState& state, const Part& part) {
+  const VertexSet& before = vertices_of(state.selection, part);
+  return change(part, allowed(state, part, subtract(all_vertices(state), before)), before);
+}
+
+}  // namespace lapwing::viewer
