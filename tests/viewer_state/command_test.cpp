@@ -74,6 +74,15 @@ TEST(Command, NewParametersAskForAResult) {
   EXPECT_TRUE(needs_settling(apply(settled_tube(), SetParameters{parameters})));
 }
 
+TEST(Command, ABeltOfAnotherWidthAsksForAResultOfTheSameMove) {
+  const AppState before = settled_tube();
+  const AppState after = apply(before, SetBeltWidth{0.3});
+  EXPECT_TRUE(needs_settling(after));
+  EXPECT_EQ(after.rest, before.rest);
+  EXPECT_EQ(after.moves, before.moves);
+  EXPECT_GT(after.selection.belt.vertices.size(), before.selection.belt.vertices.size());
+}
+
 TEST(Command, CommitMovesTheRestShapeToTheResult) {
   const AppState before = settled_tube();
   const AppState after = apply(before, Commit{});

@@ -166,6 +166,28 @@ TEST_F(ViewerWindow, SurvivesAResizeStorm) {
   expect_quits_silently();
 }
 
+TEST_F(ViewerWindow, ShowsWhatARecipeMakesInTheColoursOfItsRegions) {
+  std::ofstream(folder_ / "bend.json") << R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
+      {"op": "deform", "roi": {"all": true},
+       "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.6]}},
+       "handles": [{"region": {"box": {"min": [-1, -1, 5.4], "max": [1, 1, 7]}},
+                    "move": {"translate": [2, 0, 0]}}]}]})";
+  start({folder_ / "bend.json"});
+  const auto shows = [&](auto is_color) {
+    const Image image = desktop_->picture();
+    for (std::uint32_t y = 40; y < 770; y += 5) {
+      for (std::uint32_t x = 320; x < 1270; x += 5) {
+        if (is_color(image.pixel(x, y))) return true;
+      }
+    }
+    return false;
+  };
+  const auto yellow = [](const auto& p) { return p[0] > 150 && p[1] > 110 && p[2] < 80; };
+  const auto red = [](const auto& p) { return p[0] > 120 && p[1] < 70 && p[2] < 70; };
+  EXPECT_TRUE(eventually(kPatience, [&] { return shows(yellow) && shows(red); }));
+  expect_quits_silently();
+}
+
 TEST_F(ViewerWindow, SavesAPictureOfAnySizeAndQuits) {
   const fs::path picture = folder_ / "tube.png";
   start({tube(), "--screenshot", picture, "--size", "333x222"});

@@ -105,9 +105,10 @@ struct Applier {
     if (!(command.fraction >= 0.0 && command.fraction <= 1.0)) {
       throw InputError("the belt's width is a fraction of the ROI's radius; choose from 0 to 1");
     }
-    commit(state);
+    if (state.selection.belt_fraction == command.fraction) return;
     state.selection.belt_fraction = command.fraction;
     renew_belt(state.selection, *state.rest, *state.topology);
+    state.settled = nullptr;
   }
   void operator()(const MoveHandle& command) const {
     require_handle(state, command.handle);

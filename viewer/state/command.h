@@ -62,7 +62,8 @@ using Command = std::variant<Choose, Paint, RemoveHandle, SetBeltWidth, MoveHand
                              SetParameters>;
 
 /// The state after `command`. Choosing and painting commit what is settled first: what is chosen
-/// then is chosen on the surface that is seen. New parameters and moves ask for a new result.
+/// then is chosen on the surface that is seen. Moves, parameters and the belt's width ask for a new
+/// result from the same rest shape.
 /// Throws InputError when the state does not fit: a handle that does not exist, a result that
 /// nothing asked for, a choice or commit while a drag waits for its result; and what `resolve`
 /// throws. Pure.

@@ -39,8 +39,7 @@ FramePainter::FramePainter(gpu::Context& context, VkSurfaceKHR surface)
       ready_(make_semaphore(context)) {}
 
 FramePainter::~FramePainter() {
-  // At the end, so that nothing waits for the semaphore.
-  context_.vk().vkDeviceWaitIdle(context_.device());
+  context_.wait_idle();
   context_.vk().vkDestroySemaphore(context_.device(), ready_, nullptr);
 }
 

@@ -47,8 +47,7 @@ Swapchain::Swapchain(gpu::Context& context, VkSurfaceKHR surface)
 }
 
 Swapchain::~Swapchain() {
-  // At the end, so that the screen is done with the images too, for which there is nothing to wait.
-  context_.vk().vkDeviceWaitIdle(context_.device());
+  context_.wait_idle();
   destroy_views();
   for (const VkSemaphore semaphore : drawn_) {
     context_.vk().vkDestroySemaphore(context_.device(), semaphore, nullptr);

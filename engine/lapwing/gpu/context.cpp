@@ -216,6 +216,11 @@ VkResult Context::present(const VkPresentInfoKHR& info) {
   return table_.vkQueuePresentKHR(queue_, &info);
 }
 
+void Context::wait_idle() noexcept {
+  const std::scoped_lock lock(submit_mutex_);
+  table_.vkDeviceWaitIdle(device_);
+}
+
 void Context::wait(std::uint64_t value) const {
   auto info = structure<VkSemaphoreWaitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO);
   info.semaphoreCount = 1;

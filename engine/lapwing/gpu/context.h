@@ -82,6 +82,9 @@ class Context {
   /// Queues a swapchain's images for the screen, between submissions. The result is the caller's to
   /// judge: most ask for another swapchain.
   VkResult present(const VkPresentInfoKHR& info);
+  /// Blocks until the device has nothing to do, the screen included, while other threads cannot
+  /// submit. For shutdown only: nothing else tells when a swapchain is done with.
+  void wait_idle() noexcept;
 
   /// Blocks until the timeline reaches `value`. Throws GpuError when the device is lost.
   void wait(std::uint64_t value) const;
