@@ -166,21 +166,7 @@ bool Swapchain::present(const Image& image) {
 
 void Swapchain::transition(VkCommandBuffer commands, const Image& image, const ImageState& from,
                            const ImageState& to) const {
-  VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-  barrier.srcStageMask = from.stages;
-  barrier.srcAccessMask = from.accesses;
-  barrier.dstStageMask = to.stages;
-  barrier.dstAccessMask = to.accesses;
-  barrier.oldLayout = from.layout;
-  barrier.newLayout = to.layout;
-  barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  barrier.image = image.handle;
-  barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-  VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-  info.imageMemoryBarrierCount = 1;
-  info.pImageMemoryBarriers = &barrier;
-  context_.vk().vkCmdPipelineBarrier2(commands, &info);
+  transition_image(context_, commands, image.handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
 }
 
 }  // namespace lapwing::viewer

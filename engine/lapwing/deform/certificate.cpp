@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 
@@ -42,6 +43,18 @@ void count_flipped(std::span<const char> in_roi, std::span<const Matrix3d> rotat
       ++certificate.flipped_triangles;
     }
   }
+}
+
+std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_count) {
+  std::vector<char> held(vertex_count, 0);
+  for (const Index v : region.belt) held[v] = 1;
+  for (const auto& handle : region.handles) {
+    for (const Index v : handle) held[v] = 1;
+  }
+  std::vector<Index> free;
+  std::copy_if(region.roi.begin(), region.roi.end(), std::back_inserter(free),
+               [&](Index v) { return held[v] == 0; });
+  return free;
 }
 
 }  // namespace
@@ -89,6 +102,15 @@ void measure_shape(std::span<const Index> roi, const Topology& topology,
   certificate.largest_edge_stretch = edge.stretch;
   certificate.largest_edge_stretch_vertices = edge.vertices;
   count_flipped(in_roi, rotations, topology, rest, current, certificate);
+}
+
+void measure_region(const EditRegion& region, const Topology& topology,
+                    std::span<const double> weights, std::span<const Vector3d> rest,
+                    std::span<const Vector3d> current, Certificate& certificate) {
+  measure_shape(region.roi, topology, rest, current, certificate);
+  certificate.detail_error =
+      detail_error(free_vertices(region, rest.size()), topology, weights, rest, current);
+  certificate.edge_stretch = edge_stretch(region.roi, topology, rest, current);
 }
 
 void require_valid(const Certificate& certificate) {

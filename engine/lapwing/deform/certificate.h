@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lapwing/mesh/topology.h"
+#include "lapwing/region/edit_region.h"
 
 namespace lapwing {
 
@@ -55,6 +56,12 @@ inline constexpr std::size_t kListedTriangles = 8;
 void measure_shape(std::span<const Index> roi, const Topology& topology,
                    std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
                    Certificate& certificate);
+
+/// The same for an edit's region, with the detail error over its free vertices (`weights` are those
+/// of the Laplacians) and the edge stretch.
+void measure_region(const EditRegion& region, const Topology& topology,
+                    std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
+                    std::span<const Eigen::Vector3d> current, Certificate& certificate);
 
 /// Throws SolverError, saying what is wrong and what to try, unless the certificate holds: finite,
 /// and residual at most kLargestResidual.

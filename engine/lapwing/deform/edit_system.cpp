@@ -87,12 +87,4 @@ std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> pa
   return wanted;
 }
 
-std::vector<Index> EditSystem::free_vertices() const {
-  std::vector<Index> free;
-  for (std::size_t k = 0; k < constraints.W.size(); ++k) {
-    if (constraints.W[k] == 0.0) free.push_back(constraints.unknowns.vertices[k]);
-  }
-  return free;
-}
-
 }  // namespace lapwing

@@ -43,9 +43,6 @@ struct EditSystem {
 
   /// What the handles' motions ask for, over the whole mesh; 0 off the handles.
   std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;
-
-  /// Unknowns that neither belt nor handle holds.
-  std::vector<Index> free_vertices() const;
 };
 
 }  // namespace lapwing

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/laplacian/rotation.h"
+#include "lapwing/deform/handle_motion.h"
 
 namespace lapwing {
 namespace {
@@ -31,32 +31,25 @@ Affine3d part_of(const SimilarityMove& move, const Vector3d& handle_centroid, do
   return map;
 }
 
-Matrix3d linear_part(const MatrixMove& move) {
-  return move.matrix.leftCols<3>();
+Affine3d affine_of(const MatrixMove& move) {
+  Affine3d map = Affine3d::Identity();
+  map.affine() = move.matrix;
+  return map;
 }
 
 bool is_mirror(const MatrixMove& move) {
-  return linear_part(move).determinant() < 0.0;
+  return affine_of(move).linear().determinant() < 0.0;
 }
 
 Affine3d part_of(const MatrixMove& move, const Vector3d& handle_centroid, double share) {
-  Affine3d whole = Affine3d::Identity();
-  whole.affine() = move.matrix;
+  const Affine3d whole = affine_of(move);
   if (share == 1.0) return whole;
   if (is_mirror(move)) {
     throw InputError(
         "a matrix that mirrors cannot be carried out in parts: no motion leads from a handle to "
         "its mirror image");
   }
-  const Matrix3d R = nearest_rotation(whole.linear());
-  const Eigen::AngleAxisd turn(R);
-  const Matrix3d stretch = R.transpose() * whole.linear();
-  Affine3d map = Affine3d::Identity();
-  map.linear() = Eigen::AngleAxisd(share * turn.angle(), turn.axis()) *
-                 ((1.0 - share) * Matrix3d::Identity() + share * stretch);
-  const Vector3d centroid = handle_centroid + share * (whole * handle_centroid - handle_centroid);
-  map.translation() = centroid - map.linear() * handle_centroid;
-  return map;
+  return partial_motion(whole, shortest_turn(whole), handle_centroid, share);
 }
 
 AxisRotation turn_of_form(const SimilarityMove& move) {
@@ -67,7 +60,7 @@ AxisRotation turn_of_form(const SimilarityMove& move) {
 
 AxisRotation turn_of_form(const MatrixMove& move) {
   if (is_mirror(move)) return {};
-  const Eigen::AngleAxisd turn(nearest_rotation(linear_part(move)));
+  const Eigen::AngleAxisd turn = shortest_turn(affine_of(move));
   return {turn.axis(), turn.angle() * 180.0 / std::numbers::pi};
 }
 

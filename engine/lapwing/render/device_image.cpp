@@ -55,6 +55,11 @@ void DeviceImage::create_view(VkFormat format) {
 
 void DeviceImage::transition(VkCommandBuffer commands, const ImageState& from,
                              const ImageState& to) const {
+  transition_image(*context_, commands, handle_, aspect_, from, to);
+}
+
+void transition_image(const gpu::Context& context, VkCommandBuffer commands, VkImage image,
+                      VkImageAspectFlags aspect, const ImageState& from, const ImageState& to) {
   VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
   barrier.srcStageMask = from.stages;
   barrier.srcAccessMask = from.accesses;
@@ -64,12 +69,12 @@ void DeviceImage::transition(VkCommandBuffer commands, const ImageState& from,
   barrier.newLayout = to.layout;
   barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  barrier.image = handle_;
-  barrier.subresourceRange = {aspect_, 0, 1, 0, 1};
+  barrier.image = image;
+  barrier.subresourceRange = {aspect, 0, 1, 0, 1};
   VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   info.imageMemoryBarrierCount = 1;
   info.pImageMemoryBarriers = &barrier;
-  context_->vk().vkCmdPipelineBarrier2(commands, &info);
+  context.vk().vkCmdPipelineBarrier2(commands, &info);
 }
 
 void DeviceImage::release() noexcept {

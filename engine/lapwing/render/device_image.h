@@ -27,6 +27,11 @@ struct ImageState {
   VkAccessFlags2 accesses = VK_ACCESS_2_NONE;
 };
 
+/// Records a barrier on the whole of an image with one level and layer. From an undefined layout
+/// the contents are lost.
+void transition_image(const gpu::Context& context, VkCommandBuffer commands, VkImage image,
+                      VkImageAspectFlags aspect, const ImageState& from, const ImageState& to);
+
 /// A two-dimensional image in device memory with a view of all of it. The context must outlive it.
 class DeviceImage {
  public:
@@ -38,7 +43,7 @@ class DeviceImage {
 
   VkImage handle() const { return handle_; }
   VkImageView view() const { return view_; }
-  /// Records a barrier. From an undefined layout the contents are lost.
+  /// As transition_image.
   void transition(VkCommandBuffer commands, const ImageState& from, const ImageState& to) const;
 
  private:

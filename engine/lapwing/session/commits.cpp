@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/shape_measures.h"
 #include "lapwing/session/winding.h"
 
 namespace lapwing {
@@ -16,18 +15,6 @@ using Eigen::Vector3d;
 
 // 0.3 degrees in parts of 0.1 are three, though the quotient is rounded to a little more.
 constexpr double kRoundingOfQuotient = 1e-9;
-
-std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_count) {
-  std::vector<char> held(vertex_count, 0);
-  for (const Index v : region.belt) held[v] = 1;
-  for (const auto& handle : region.handles) {
-    for (const Index v : handle) held[v] = 1;
-  }
-  std::vector<Index> free;
-  std::copy_if(region.roi.begin(), region.roi.end(), std::back_inserter(free),
-               [&](Index v) { return held[v] == 0; });
-  return free;
-}
 
 }  // namespace
 
@@ -62,11 +49,8 @@ Certificate certify(const BoundStep& bound, std::span<const Vector3d> start,
       certificate.handle_error = std::max(certificate.handle_error, error);
     }
   }
-  measure_shape(region.roi, bound.topology, start, end, certificate);
   const auto weights = laplacian_weights(bound.topology, start, bound.step.weights);
-  certificate.detail_error =
-      detail_error(free_vertices(region, start.size()), bound.topology, weights, start, end);
-  certificate.edge_stretch = edge_stretch(region.roi, bound.topology, start, end);
+  measure_region(region, bound.topology, weights, start, end, certificate);
   require_valid(certificate);
   return certificate;
 }
