@@ -57,7 +57,11 @@ void show(const Arguments& arguments) {
   const auto context = open_device(window, arguments.device);
   ViewerApp app(context);
   if (!arguments.file.empty()) app.open(arguments.file);
-  if (!arguments.screenshot.empty()) app.order({arguments.screenshot, size});
+  if (arguments.screenshot.empty()) {
+    app.offer_interrupted();
+  } else {
+    app.order({arguments.screenshot, size});
+  }
   run_main_loop(window, *context, app);
 }
 

@@ -13,17 +13,17 @@ FileLoader::~FileLoader() {
   if (worker_.joinable()) worker_.join();
 }
 
-void FileLoader::start(const std::filesystem::path& path) {
+void FileLoader::start(std::string name, Load load) {
   cancel();
   if (worker_.joinable()) worker_.join();
   take();
   cancelled_ = false;
   busy_ = true;
-  worker_ = std::thread([this, path] { load(path); });
+  worker_ = std::thread([this, name = std::move(name), load = std::move(load)] { run(name, load); });
 }
 
-void FileLoader::load(const std::filesystem::path& path) {
-  const auto progress = [this, name = path.filename().string()](std::string_view stage, double) {
+void FileLoader::run(const std::string& name, const Load& load) {
+  const auto progress = [this, &name](std::string_view stage, double) {
     const std::scoped_lock lock(mutex_);
     stage_ = name + ": " + std::string(stage);
     Window::wake();
@@ -33,7 +33,7 @@ void FileLoader::load(const std::filesystem::path& path) {
   try {
     // Kernels are one thread's: these share no more than the device with the window's.
     VulkanKernels kernels(context_, Precision::automatic);
-    outcome.file = load_file(path, kernels, progress);
+    outcome.file = load(kernels, progress);
   } catch (const Cancelled&) {
     // Someone asked for this: there is nothing to say.
   } catch (...) {

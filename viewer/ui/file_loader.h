@@ -2,7 +2,7 @@
 
 #include <atomic>
 #include <exception>
-#include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,8 +21,10 @@ class FileLoader {
   /// Cancels, and waits until the loader has noticed.
   ~FileLoader();
 
-  /// Begins to load `path`; a file that is still being loaded is given up.
-  void start(const std::filesystem::path& path);
+  using Load = std::function<LoadedFile(Kernels& kernels, const Progress& progress)>;
+  /// Begins with `load`, on a thread of its own, and calls it `name`; what is still being loaded is
+  /// given up.
+  void start(std::string name, Load load);
   void cancel() { cancelled_ = true; }
 
   bool busy() const { return busy_; }
@@ -37,7 +39,7 @@ class FileLoader {
   std::optional<Outcome> take();
 
  private:
-  void load(const std::filesystem::path& path);
+  void run(const std::string& name, const Load& load);
 
   std::shared_ptr<gpu::Context> context_;
   std::thread worker_;

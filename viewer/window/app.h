@@ -51,6 +51,8 @@ class App {
   virtual Scene scene() = 0;
   /// What the window is called.
   virtual std::string title() const = 0;
+  /// The person wants the window closed; `wants_to_quit` says when it may be.
+  virtual void ask_to_close() = 0;
   virtual bool wants_to_quit() const = 0;
 };
 

@@ -41,7 +41,7 @@ class MainLoop {
         painter_(context, surface_.handle()) {}
 
   void run() {
-    while (!window_.close_requested() && !app_.wants_to_quit()) {
+    while (!app_.wants_to_quit()) {
       wait_for_work();
       const Stopwatch frame;
       painter_.finish_frame(timings_);
@@ -98,6 +98,7 @@ class MainLoop {
   }
 
   void hand_on_input() {
+    if (window_.take_close_request()) app_.ask_to_close();
     for (const InputEvent& event : window_.take_events()) {
       if (app_.handle(event)) frames_due_ = kFramesPerChange;
     }

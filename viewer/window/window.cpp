@@ -213,6 +213,7 @@ struct WindowCallbacks {
     for (int i = 0; i < count; ++i) of(handle).dropped_.emplace_back(paths[i]);
   }
 
+  static void on_close(GLFWwindow* handle) { of(handle).changed_ = true; }
   static void on_resize(GLFWwindow* handle, int, int) { of(handle).changed_ = true; }
   static void on_refresh(GLFWwindow* handle) { of(handle).changed_ = true; }
   static void on_scale(GLFWwindow* handle, float, float) { of(handle).changed_ = true; }
@@ -226,6 +227,7 @@ struct WindowCallbacks {
     glfwSetWindowFocusCallback(handle, on_focus);
     glfwSetCursorEnterCallback(handle, on_enter);
     glfwSetDropCallback(handle, on_drop);
+    glfwSetWindowCloseCallback(handle, on_close);
     glfwSetFramebufferSizeCallback(handle, on_resize);
     glfwSetWindowRefreshCallback(handle, on_refresh);
     glfwSetWindowContentScaleCallback(handle, on_scale);
@@ -303,8 +305,10 @@ bool Window::take_changed() {
   return woken.exchange(false) || changed;
 }
 
-bool Window::close_requested() const {
-  return glfwWindowShouldClose(handle_) != GLFW_FALSE;
+bool Window::take_close_request() {
+  const bool requested = glfwWindowShouldClose(handle_) != GLFW_FALSE;
+  glfwSetWindowShouldClose(handle_, GLFW_FALSE);
+  return requested;
 }
 
 VkExtent2D Window::pixels() const {

@@ -41,7 +41,8 @@ class Window {
   /// Whether anything happened since the last call that may change the panels.
   bool take_changed();
 
-  bool close_requested() const;
+  /// Whether the person wanted the window closed since the last call.
+  bool take_close_request();
   /// In pixels; 0 while minimized.
   VkExtent2D pixels() const;
   /// Pixels per unit of a desktop at 96 dots an inch: what texts are to be enlarged by.
