@@ -58,14 +58,19 @@ Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
   return recipe;
 }
 
+Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& progress) {
+  RunResult result;
+  result.mesh = *state.rest;
+  result.topology = *state.topology;
+  StepReport report = run_step(open_step(state), state.steps.size() + 1, kernels, progress, result);
+  return {std::make_shared<const MovedVertices>(
+              moved_vertices(state.rest->positions, result.mesh.positions)),
+          std::move(report.certificate)};
+}
+
 Solve solve_with(Kernels& kernels, Progress progress) {
   return [&kernels, progress = std::move(progress)](const AppState& state) {
-    RunResult result;
-    result.mesh = *state.rest;
-    result.topology = *state.topology;
-    run_step(open_step(state), state.steps.size() + 1, kernels, progress, result);
-    return std::make_shared<const MovedVertices>(
-        moved_vertices(state.rest->positions, result.mesh.positions));
+    return solve_open_step(state, kernels, progress).moved;
   };
 }
 

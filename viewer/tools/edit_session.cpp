@@ -55,12 +55,39 @@ void EditSession::follow() {
   }
 }
 
+void EditSession::prepare() {
+  preparation_.follow(state());
+  if (needs_settling(state())) preparation_.settle(state());
+}
+
 bool EditSession::take_result() {
-  const auto result = preparation_.take_result();
+  auto result = preparation_.take_result();
   if (!result || !needs_settling(state()) || result->moves != state().moves) return false;
   history_.perform(Settle{result->moved});
+  std::erase_if(certificates_, [](const auto& known) { return known.first.expired(); });
+  certificates_.insert_or_assign(result->moved, std::move(result->certificate));
   follow();
   return true;
+}
+
+void EditSession::settle_live(std::span<const Move> moves) {
+  // A copy of the state costs the selection: only where it is going to be used.
+  if (preparation_.status().phase != PreparationStatus::Phase::ready) return;
+  AppState dragged = state();
+  dragged.moves.assign(moves.begin(), moves.end());
+  dragged.settled.reset();
+  preparation_.settle_live(dragged);
+}
+
+std::shared_ptr<const MovedVertices> EditSession::take_live_result() {
+  auto result = preparation_.take_live_result();
+  return result ? std::move(result->moved) : nullptr;
+}
+
+const Certificate* EditSession::certificate() const {
+  if (!state().settled) return nullptr;
+  const auto known = certificates_.find(state().settled);
+  return known == certificates_.end() ? nullptr : &known->second;
 }
 
 WriteReport EditSession::save(const fs::path& path) {

@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "lapwing/io/mesh_file.h"
@@ -34,8 +37,24 @@ class EditSession {
   /// Gives up the result under way; the handle stays moved, and can be undone.
   void cancel_settling() { preparation_.cancel_settling(); }
 
+  /// Gives up the preparation and all that settles, until `prepare` or the next step.
+  void cancel_preparation() { preparation_.cancel(); }
+  /// Starts what was given up again, with the result that the state waits for.
+  void prepare();
+
   /// Performs the result that has come, if one has. Call it when woken.
   bool take_result();
+
+  /// Asks for the result of `moves`, one per handle, which are not in the state: those of a drag
+  /// under way. Only if nothing else settles; does nothing otherwise, so call it as often as they
+  /// change. Every step, undo and redo wins over it.
+  void settle_live(std::span<const Move> moves);
+  /// Where that result puts the vertices, once; null if none has come. Never a step of the history.
+  std::shared_ptr<const MovedVertices> take_live_result();
+
+  /// Of the result that the state shows, also after undo and redo back to it; null without one, and
+  /// where it is not known, as for a restored one.
+  const Certificate* certificate() const;
 
   /// Writes the surface as it is. Throws what `write_mesh` does.
   WriteReport save(const std::filesystem::path& path);
@@ -51,7 +70,11 @@ class EditSession {
  private:
   void follow();
 
+  // By the result that is certified, as long as the history knows it.
+  using Certificates = std::map<std::weak_ptr<const MovedVertices>, Certificate, std::owner_less<>>;
+
   History history_;
+  Certificates certificates_;
   std::optional<MeshStamp> file_;
   std::optional<Journal> journal_;
   std::string warning_;
