@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/gpu/device_lost.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "window/window.h"
 
@@ -19,10 +20,20 @@ void FileLoader::start(const std::filesystem::path& path) {
   take();
   cancelled_ = false;
   busy_ = true;
-  worker_ = std::thread([this, path] { load(path); });
+  unfinished_ = path;
+  worker_ = std::thread([this, path, context = context_] { load(path, context); });
 }
 
-void FileLoader::load(const std::filesystem::path& path) {
+void FileLoader::use_device(std::shared_ptr<gpu::Context> context) {
+  context_ = std::move(context);
+  std::unique_lock lock(mutex_);
+  const std::filesystem::path unfinished = unfinished_;
+  lock.unlock();
+  if (!unfinished.empty()) start(unfinished);
+}
+
+void FileLoader::load(const std::filesystem::path& path,
+                      const std::shared_ptr<gpu::Context>& context) {
   const auto progress = [this, name = path.filename().string()](std::string_view stage, double) {
     const std::scoped_lock lock(mutex_);
     stage_ = name + ": " + std::string(stage);
@@ -30,18 +41,23 @@ void FileLoader::load(const std::filesystem::path& path) {
     return !cancelled_;
   };
   Outcome outcome;
+  bool finished = true;
   try {
     // Kernels are one thread's: these share no more than the device with the window's.
-    VulkanKernels kernels(context_, Precision::automatic);
+    VulkanKernels kernels(context, Precision::automatic);
     outcome.file = load_file(path, kernels, progress);
   } catch (const Cancelled&) {
     // Someone asked for this: there is nothing to say.
+  } catch (const gpu::DeviceLost&) {
+    outcome.error = std::current_exception();
+    finished = false;
   } catch (...) {
     outcome.error = std::current_exception();
   }
   {
     const std::scoped_lock lock(mutex_);
     outcome_ = std::move(outcome);
+    if (finished) unfinished_.clear();
   }
   busy_ = false;
   Window::wake();

@@ -25,6 +25,9 @@ class FileLoader {
   void start(const std::filesystem::path& path);
   void cancel() { cancelled_ = true; }
 
+  /// From now on files are loaded on another device; what the old one did not finish begins anew.
+  void use_device(std::shared_ptr<gpu::Context> context);
+
   bool busy() const { return busy_; }
   /// What is being done, in words.
   std::string stage() const;
@@ -37,15 +40,16 @@ class FileLoader {
   std::optional<Outcome> take();
 
  private:
-  void load(const std::filesystem::path& path);
+  void load(const std::filesystem::path& path, const std::shared_ptr<gpu::Context>& context);
 
   std::shared_ptr<gpu::Context> context_;
   std::thread worker_;
   std::atomic<bool> busy_ = false;
   std::atomic<bool> cancelled_ = false;
   mutable std::mutex mutex_;
-  std::string stage_;               ///< under the mutex
-  std::optional<Outcome> outcome_;  ///< under the mutex
+  std::string stage_;                 ///< under the mutex
+  std::filesystem::path unfinished_;  ///< being loaded, or given up with a lost device; the same
+  std::optional<Outcome> outcome_;    ///< under the mutex
 };
 
 }  // namespace lapwing::viewer

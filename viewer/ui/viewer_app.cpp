@@ -35,10 +35,23 @@ bool is_click(const Vector2d& from, const Vector2d& to) {
 
 ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context)
     : context_(context),
-      kernels_(context, Precision::automatic),
+      kernels_(std::in_place, context, Precision::automatic),
       loader_(context),
-      id_picture_(*context),
+      id_picture_(std::in_place, *context),
       samples_(find_samples()) {}
+
+void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
+  std::optional<LoadedFile> file;
+  if (document_) file = std::move(document_->file);
+  document_.reset();
+  id_picture_.reset();
+  loader_.use_device(context);
+  kernels_.emplace(context, Precision::automatic);
+  id_picture_.emplace(*context);
+  context_ = std::move(context);
+  if (file) document_.emplace(std::move(*file), *kernels_);
+  say("the device was lost and opened again: " + context_->description().name);
+}
 
 void ViewerApp::open(const std::filesystem::path& file) {
   show_start_ = false;
@@ -61,7 +74,7 @@ void ViewerApp::take_loaded() {
 void ViewerApp::show(LoadedFile file) {
   // Two meshes at a time may not fit on the device.
   document_.reset();
-  document_.emplace(std::move(file), kernels_);
+  document_.emplace(std::move(file), *kernels_);
   up_axis_ = document_->file.up_axis;
   display_.style.color =
       document_->file.classes.empty() ? SurfaceColor::plain : SurfaceColor::regions;
@@ -245,9 +258,9 @@ void ViewerApp::say_what_is_at(const Vector2d& pixel) {
   if (!document_ || pixel.x() < 0.0 || pixel.y() < 0.0) return;
   fit_depth(camera_, document_->bounds);
   const VkExtent2D size = window_size();
-  id_picture_.draw(document_->surface, camera_, size.width, size.height);
-  const auto pick = id_picture_.pick(document_->surface, static_cast<std::uint32_t>(pixel.x()),
-                                     static_cast<std::uint32_t>(pixel.y()));
+  id_picture_->draw(document_->surface, camera_, size.width, size.height);
+  const auto pick = id_picture_->pick(document_->surface, static_cast<std::uint32_t>(pixel.x()),
+                                      static_cast<std::uint32_t>(pixel.y()));
   if (!pick) {
     status_.clear();
     return;
@@ -268,6 +281,7 @@ Scene ViewerApp::scene() {
   scene.paint = &document_->paint;
   scene.camera = camera_;
   scene.style = display_.style;
+  scene.moving = motion_.has_value();
   return scene;
 }
 

@@ -38,6 +38,7 @@ class ViewerApp final : public App {
   Scene scene() override;
   std::string title() const override;
   bool wants_to_quit() const override { return quit_; }
+  void use_device(std::shared_ptr<gpu::Context> context) override;
 
  private:
   void show(LoadedFile file);
@@ -66,9 +67,9 @@ class ViewerApp final : public App {
   void carry_out_order();
 
   std::shared_ptr<gpu::Context> context_;
-  VulkanKernels kernels_;
+  std::optional<VulkanKernels> kernels_;
   FileLoader loader_;
-  IdPicture id_picture_;
+  std::optional<IdPicture> id_picture_;
   std::optional<Document> document_;
   Camera camera_;
   UpAxis up_axis_ = UpAxis::y;
