@@ -34,7 +34,7 @@ class EditSurface {
   bool drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
 
   /// What to draw. Valid until the next call of `place` or `drag`.
-  const VulkanSurface& shown() const { return *shown_; }
+  VulkanSurface& shown() const { return *shown_; }
   SurfaceSource source() const { return source_; }
   /// Another number whenever the surface has changed.
   std::uint64_t version() const { return version_; }
@@ -49,7 +49,7 @@ class EditSurface {
   // What is drawn must live even if the worker lets go of it.
   std::shared_ptr<DragPreview> preview_;
   std::shared_ptr<Deformer> exact_;
-  const VulkanSurface* shown_ = nullptr;
+  VulkanSurface* shown_ = nullptr;
   SurfaceSource source_ = SurfaceSource::still;
   std::uint64_t version_ = 0;
   SurfacePaint paint_;

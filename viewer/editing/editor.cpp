@@ -28,26 +28,46 @@ bool contains(const VertexSet& vertices, Index vertex) {
   return std::binary_search(vertices.begin(), vertices.end(), vertex);
 }
 
+// On the same context: kernels are one thread's.
+Preparation::MakeKernels kernels_like(const VulkanKernels& kernels) {
+  return [context = kernels.context()] {
+    return std::make_unique<VulkanKernels>(context, Precision::automatic);
+  };
+}
+
 }  // namespace
 
 Editor::Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<void()> wake)
-    : context_(kernels.context()),
-      say_(std::move(say)),
+    : say_(std::move(say)),
       opened_(std::move(start.opened)),
-      opened_bounds_(bounds_of(opened_->positions)),
-      picker_(*context_),
-      surface_(*opened_, *start.history.state().topology, kernels) {
-  const auto make_kernels = [context = context_] {
-    return std::make_unique<VulkanKernels>(context, Precision::automatic);
-  };
+      opened_bounds_(bounds_of(opened_->positions)) {
   session_ = std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
-                                           journal_folder(), make_kernels, std::move(wake));
+                                           journal_folder(), kernels_like(kernels),
+                                           std::move(wake));
   if (!session_->warning().empty()) say_(session_->warning());
   if (handle_count() > 0) {
     part_ = {Role::handle, 0};
     tool_ = EditTool::move;
   }
+  show_on(kernels);
+}
+
+void Editor::show_on(VulkanKernels& kernels) {
+  device_.emplace(OnDevice{SurfacePicker(*kernels.context()),
+                           EditSurface(*opened_, *state().topology, kernels)});
+  measured_.reset();
   state_changed();
+}
+
+void Editor::release_device() {
+  gizmo_ = {};
+  session_->cancel_preparation();
+  device_.reset();
+}
+
+void Editor::use_device(VulkanKernels& kernels) {
+  session_->use_kernels(kernels_like(kernels));
+  show_on(kernels);
 }
 
 bool Editor::is_dragging() const {
@@ -60,10 +80,10 @@ GizmoScene Editor::gizmo_scene(const Projection& projection) const {
 
 SelectScene Editor::select_scene(const ViewFrame& view, const Projection& projection) {
   const auto pick = [this, &view](const Eigen::Vector2d& pixel) {
-    return picker_.pick(surface_, view, pixel);
+    return device_->picker.pick(device_->surface, view, pixel);
   };
   const auto is_visible = [this, &view, &projection](Index vertex) {
-    return SeenVertices(picker_.picture(surface_, view), *state().topology, positions_,
+    return SeenVertices(device_->picker.picture(device_->surface, view), *state().topology, positions_,
                         projection)(vertex);
   };
   return {state(), positions_, projection, pick, is_visible, part_};
@@ -135,7 +155,7 @@ void Editor::after_choice(const Part& part) {
 }
 
 void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
-  const auto pick = picker_.pick(surface_, view, pixel);
+  const auto pick = device_->picker.pick(device_->surface, view, pixel);
   if (!pick) return say_("");
   const auto& handles = state().selection.handles;
   for (std::size_t h = 0; h < handles.size(); ++h) {
@@ -176,7 +196,7 @@ void Editor::go_to(std::size_t steps) {
 }
 
 void Editor::settle() {
-  session_->settle();
+  session_->prepare();
 }
 
 void Editor::grow() {

@@ -47,6 +47,12 @@ class Editor {
   /// A click that no tool took: on a handle it takes hold of that. Says what is there.
   void click(const Eigen::Vector2d& pixel, const ViewFrame& view);
 
+  /// The device was lost: lets all go that was made on it.
+  void release_device();
+  /// And makes it anew, on the context of `kernels`, where the edit was. Nothing else may be called
+  /// between.
+  void use_device(VulkanKernels& kernels);
+
   /// Once a frame, before it is drawn and after the device is done with the last one: takes what
   /// the worker has, and lets the surface follow the hand.
   void update();
@@ -97,7 +103,7 @@ class Editor {
   void point_at(std::vector<Index> vertices) { pointed_at_ = std::move(vertices); }
   const std::vector<Index>& pointed_at() const { return pointed_at_; }
 
-  const EditSurface& surface() const { return surface_; }
+  const EditSurface& surface() const { return device_->surface; }
   /// Where the vertices are, but for a drag under way.
   const Positions& positions() const { return positions_; }
   /// Of all that is drawn.
@@ -107,6 +113,7 @@ class Editor {
   std::string hint() const;  ///< what to do next
 
  private:
+  void show_on(VulkanKernels& kernels);
   SelectScene select_scene(const ViewFrame& view, const Projection& projection);
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
   ToolAnswer send_to_tool(const InputEvent& event, const SelectScene& scene);
@@ -122,12 +129,15 @@ class Editor {
   void show_classes();
   void show_measure();
 
-  std::shared_ptr<gpu::Context> context_;
   Say say_;
   std::shared_ptr<const Mesh> opened_;
   Bounds opened_bounds_;
-  SurfacePicker picker_;
-  EditSurface surface_;
+  // All that is in device memory but for the worker's.
+  struct OnDevice {
+    SurfacePicker picker;
+    EditSurface surface;
+  };
+  std::optional<OnDevice> device_;
   std::unique_ptr<EditSession> session_;
 
   EditTool tool_ = EditTool::disk;

@@ -34,7 +34,7 @@ void Editor::state_changed() {
 }
 
 void Editor::show_still() {
-  surface_.place(before_ ? opened_->positions : positions_);
+  device_->surface.place(before_ ? opened_->positions : positions_);
 }
 
 void Editor::show_before(bool before) {
@@ -63,12 +63,12 @@ void Editor::follow_hand() {
     motions_of(state(), motions_);
   }
   const bool could_be_exact =
-      surface_.source() != SurfaceSource::exact &&
+      device_->surface.source() != SurfaceSource::exact &&
       session_->preparation().status().phase == PreparationStatus::Phase::ready;
   const bool same = std::equal(motions_.begin(), motions_.end(), followed_.begin(), followed_.end(),
                                [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });
   if (same && !could_be_exact) return;
-  if (!surface_.drag(session_->preparation(), motions_)) return;
+  if (!device_->surface.drag(session_->preparation(), motions_)) return;
   following_ = true;
   followed_.assign(motions_.begin(), motions_.end());
 }
@@ -83,34 +83,34 @@ bool Editor::follow_settled() {
     for (std::size_t k = 0; k < result->vertices.size(); ++k) {
       positions[result->vertices[k]] = result->positions[k];
     }
-    surface_.place(positions);
+    device_->surface.place(positions);
     following_ = true;
     followed_.clear();
   }
-  return following_ && surface_.source() == SurfaceSource::still;
+  return following_ && device_->surface.source() == SurfaceSource::still;
 }
 
 void Editor::show_classes() {
   const bool disk = tool_ == EditTool::disk && disk_.is_dragging();
   const VertexSet live = disk ? disk_.live() : paint_.is_dragging() ? paint_.live() : VertexSet{};
-  surface_.paint().set_classes(
+  device_->surface.paint().set_classes(
       shown_classes(state(), part_, live, paint_.is_dragging() && paint_.erases()));
 }
 
 bool Editor::is_measured() const {
-  return measure_ && measured_ == measure_ && measured_version_ == surface_.version();
+  return measure_ && measured_ == measure_ && measured_version_ == device_->surface.version();
 }
 
 // Numbers are of the still surface: what a drag shows has none yet.
 void Editor::show_measure() {
-  const bool still = !gizmo_.is_dragging() && surface_.source() == SurfaceSource::still;
+  const bool still = !gizmo_.is_dragging() && device_->surface.source() == SurfaceSource::still;
   if (!measure_ || !still || is_measured()) return;
   const auto numbers = measure_pose(*measure_, *state().topology, opened_->positions,
                                     before_ ? opened_->positions : positions_);
-  surface_.paint().set_scalars(numbers);
+  device_->surface.paint().set_scalars(numbers);
   measure_range_ = range_without_outliers(numbers);
   measured_ = measure_;
-  measured_version_ = surface_.version();
+  measured_version_ = device_->surface.version();
 }
 
 Bounds Editor::bounds() const {

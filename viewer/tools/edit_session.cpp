@@ -55,6 +55,11 @@ void EditSession::follow() {
   }
 }
 
+void EditSession::use_kernels(Preparation::MakeKernels make_kernels) {
+  preparation_.use_kernels(std::move(make_kernels));
+  prepare();
+}
+
 void EditSession::prepare() {
   preparation_.follow(state());
   if (needs_settling(state())) preparation_.settle(state());

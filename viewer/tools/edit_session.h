@@ -42,6 +42,9 @@ class EditSession {
   /// Starts what was given up again, with the result that the state waits for.
   void prepare();
 
+  /// The device was lost: goes on with kernels on another one, prepared anew.
+  void use_kernels(Preparation::MakeKernels make_kernels);
+
   /// Performs the result that has come, if one has. Call it when woken.
   bool take_result();
 

@@ -152,6 +152,19 @@ std::shared_ptr<Deformer> Preparation::exact() const {
   return ready_.exact;
 }
 
+void Preparation::use_kernels(MakeKernels make_kernels) {
+  cancel();
+  const std::lock_guard lock(mutex_);
+  make_kernels_ = std::move(make_kernels);
+}
+
+std::unique_ptr<Kernels> Preparation::make_kernels() const {
+  std::unique_lock lock(mutex_);
+  const MakeKernels make = make_kernels_;
+  lock.unlock();
+  return make();
+}
+
 void Preparation::wake() const {
   if (wake_) wake_();
 }
@@ -192,7 +205,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
     Ready ready;
     ready.preview = make_preview(state, progress);
     if (!publish(ticket, ready, Phase::solving)) return;
-    ready.exact_kernels = make_kernels_();
+    ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
     ready.exact = std::shared_ptr<Deformer>(
         new Deformer(*ready.preview, *ready.exact_kernels, progress),
@@ -207,7 +220,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
 
 std::shared_ptr<DragPreview> Preparation::make_preview(const AppState& state,
                                                        const Progress& progress) {
-  const std::shared_ptr<Kernels> kernels = make_kernels_();
+  const std::shared_ptr<Kernels> kernels = make_kernels();
   return {new DragPreview(state.rest->positions, *state.topology, edit_region(state),
                           deform_options(state.parameters), *kernels, progress),
           [kernels, topology = state.topology](DragPreview* p) { delete p; }};

@@ -73,6 +73,9 @@ class Preparation {
   /// Gives up what is under way and what waits to be taken, live or not.
   void cancel_settling();
 
+  /// Cancels everything, and makes what follows with other kernels: the device was lost.
+  void use_kernels(MakeKernels make_kernels);
+
   /// Cancels everything and lets go of what is ready, until the next `follow`.
   void cancel();
 
@@ -105,14 +108,15 @@ class Preparation {
   bool publish(std::uint64_t ticket, Ready ready, PreparationStatus::Phase phase);
   void fail(std::uint64_t ticket, PreparationStatus::Phase phase, const std::string& message);
   Ready let_go();
+  std::unique_ptr<Kernels> make_kernels() const;
   void wake() const;
 
-  const MakeKernels make_kernels_;
   const std::function<void()> wake_;
 
   mutable std::mutex mutex_;
   std::condition_variable asked_;
   // All below is guarded by the mutex. Work under a ticket that is not the current one is void.
+  MakeKernels make_kernels_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
   bool stop_ = false;

@@ -27,6 +27,9 @@ class FileLoader {
   void start(std::string name, Load load);
   void cancel() { cancelled_ = true; }
 
+  /// From now on files are loaded on another device; what the old one did not finish begins anew.
+  void use_device(std::shared_ptr<gpu::Context> context);
+
   bool busy() const { return busy_; }
   /// What is being done, in words.
   std::string stage() const;
@@ -39,7 +42,11 @@ class FileLoader {
   std::optional<Outcome> take();
 
  private:
-  void run(const std::string& name, const Load& load);
+  struct Job {
+    std::string name;
+    Load load;
+  };
+  void run(const Job& job, const std::shared_ptr<gpu::Context>& context);
 
   std::shared_ptr<gpu::Context> context_;
   std::thread worker_;
@@ -47,6 +54,7 @@ class FileLoader {
   std::atomic<bool> cancelled_ = false;
   mutable std::mutex mutex_;
   std::string stage_;               ///< under the mutex
+  std::optional<Job> unfinished_;   ///< under way, or given up with a lost device; the same
   std::optional<Outcome> outcome_;  ///< under the mutex
 };
 

@@ -78,6 +78,8 @@ void draw_timings_panel(const FrameTimings& timings) {
     std::snprintf(text, sizeof text, "%.2f ms", value);
     return std::string(text);
   };
+  row("blend, device", ms(timings.blend_ms));
+  row("normals, device", ms(timings.normals_ms));
   row("surface, device", ms(timings.draw_ms));
   row("panels, device", ms(timings.ui_ms));
   row("panels, processor", ms(timings.panels_ms));

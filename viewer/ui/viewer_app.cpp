@@ -10,7 +10,7 @@ namespace lapwing::viewer {
 
 ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context)
     : context_(context),
-      kernels_(context, Precision::automatic),
+      kernels_(std::in_place, context, Precision::automatic),
       loader_(context),
       samples_(find_samples()) {}
 
@@ -21,6 +21,15 @@ void ViewerApp::offer_interrupted() {
     if (edit.is_empty()) discard(edit);
     return edit.is_empty();
   });
+}
+
+void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
+  if (document_) document_->editor.release_device();
+  loader_.use_device(context);
+  kernels_.emplace(context, Precision::automatic);
+  context_ = std::move(context);
+  if (document_) document_->editor.use_device(*kernels_);
+  say("the device was lost and opened again: " + context_->description().name);
 }
 
 void ViewerApp::open(const std::filesystem::path& file) {
@@ -55,7 +64,7 @@ void ViewerApp::show(LoadedFile file) {
   if (document_) document_->editor.session().close();
   document_.reset();
   document_ = std::make_unique<Document>(
-      std::move(file), kernels_, [this](std::string message) { say(std::move(message)); },
+      std::move(file), *kernels_, [this](std::string message) { say(std::move(message)); },
       &Window::wake);
   if (restored) discard(*restored);
   document_->editor.set_gizmo_keys(gizmo_keys());
@@ -155,11 +164,12 @@ Scene ViewerApp::scene() {
   Scene scene;
   scene.background = display_.background;
   if (!document_) return scene;
-  const Editor& editor = document_->editor;
+  Editor& editor = document_->editor;
   scene.surface = &editor.surface().shown();
   scene.paint = &editor.surface().paint();
   scene.camera = view_frame().camera;
   scene.style = style_of(display_, editor);
+  scene.moving = motion_.has_value() || editor.is_dragging();
   return scene;
 }
 

@@ -42,6 +42,7 @@ class ViewerApp final : public App {
   std::string title() const override;
   void ask_to_close() override;
   bool wants_to_quit() const override { return quit_; }
+  void use_device(std::shared_ptr<gpu::Context> context) override;
 
  private:
   // Files.
@@ -88,7 +89,7 @@ class ViewerApp final : public App {
   VkExtent2D window_size() const;
 
   std::shared_ptr<gpu::Context> context_;
-  VulkanKernels kernels_;
+  std::optional<VulkanKernels> kernels_;
   FileLoader loader_;
   std::unique_ptr<Document> document_;
   Camera camera_;

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <atomic>
+#include <dlfcn.h>
+#include <string_view>
+#include <unistd.h>
 #include <utility>
 
 // volk declares Vulkan before GLFW looks for it.
@@ -19,6 +22,16 @@ namespace {
 
 // There is one window, and whoever wakes it may not know it.
 std::atomic<bool> woken = false;
+
+int code_without_display = 0;
+
+// Called by Xlib, on any thread, perhaps with its locks held.
+int end_without_display(void*) {
+  constexpr std::string_view kWords =
+      "lapwing-viewer: the display went away; start again where there is one\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kWords.data(), kWords.size());
+  _exit(code_without_display);
+}
 
 std::string glfw_reason() {
   const char* text = nullptr;
@@ -283,6 +296,16 @@ VkSurfaceKHR Window::create_surface(VkInstance instance) const {
   return surface;
 }
 
+void Window::exit_when_display_goes(int code) {
+  // GLFW brought Xlib along, unless it runs on something else that closes windows in order.
+  using Handler = int (*)(void* display);
+  auto* const set_handler =
+      reinterpret_cast<Handler (*)(Handler)>(dlsym(RTLD_DEFAULT, "XSetIOErrorHandler"));
+  if (set_handler == nullptr) return;
+  code_without_display = code;
+  set_handler(end_without_display);
+}
+
 void Window::wait(double seconds) {
   glfwWaitEventsTimeout(seconds);
 }
@@ -294,8 +317,11 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
-std::vector<InputEvent> Window::take_events() {
-  return std::exchange(events_, {});
+std::span<const InputEvent> Window::take_events() {
+  // Swapped, so that both keep their memory.
+  taken_.clear();
+  taken_.swap(events_);
+  return taken_;
 }
 std::vector<std::filesystem::path> Window::take_dropped_files() {
   return std::exchange(dropped_, {});

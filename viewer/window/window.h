@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ class Window {
   /// The caller's to destroy. Throws GpuError.
   VkSurfaceKHR create_surface(VkInstance instance) const;
 
+  /// From now on, a display that goes away (its server ends, its connection breaks) ends the
+  /// program at once, with `code` and a word on standard error. Nothing is put down in order then:
+  /// what draws waits for the display, too.
+  static void exit_when_display_goes(int code);
+
   /// Waits for something to happen, at most `seconds`.
   void wait(double seconds);
   /// Takes what has happened without waiting.
@@ -36,7 +42,8 @@ class Window {
   static void wake();
 
   /// What happened since the last call, oldest first; input that the panels want is left out.
-  std::vector<InputEvent> take_events();
+  /// Until the next call.
+  std::span<const InputEvent> take_events();
   std::vector<std::filesystem::path> take_dropped_files();
   /// Whether anything happened since the last call that may change the panels.
   bool take_changed();
@@ -54,6 +61,7 @@ class Window {
 
   GLFWwindow* handle_ = nullptr;
   std::vector<InputEvent> events_;
+  std::vector<InputEvent> taken_;
   std::vector<std::filesystem::path> dropped_;
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< in screen units
   MouseButton dragging_ = MouseButton::none;          ///< pressed over the picture
