@@ -43,6 +43,18 @@ class ASession : public ::testing::Test {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
+  // A crash, which closes nothing; the next start restores the edit and discards the old journal.
+  InterruptedEdit crash_and_restore() {
+    session_.reset();
+    const auto edits = find_interrupted(cache_);
+    EXPECT_EQ(edits.size(), 1U);
+    CpuKernels kernels;
+    session_.emplace(edits[0],
+                     restore(read_mesh(edits[0].mesh.path), edits[0].draft, solve_with(kernels)),
+                     cache_, [] { return std::make_unique<CpuKernels>(); });
+    discard(edits[0]);
+    return edits[0];
+  }
   Positions positions() const { return positions_of(session_->state()); }
   Positions restored() {
     session_.reset();  // as a crash does, it closes nothing
@@ -154,6 +166,53 @@ TEST_F(ASession, RestoredAfterSavingOverItsMeshStartsFromTheOldOne) {
   drag(twisted(60.0));
   const Positions before = positions();
   EXPECT_LT(largest_distance(restored(), before), 1e-9);
+}
+
+TEST_F(ASession, EveryCrashIsRestoredAlsoWhenItsMeshWasSavedOver) {
+  drag(bent());
+  session_->perform(Commit{});
+  session_->save(mesh_);
+  drag(twisted(60.0));
+  const Positions before = positions();
+  for (int crash = 0; crash < 3; ++crash) {
+    const InterruptedEdit edit = crash_and_restore();
+    EXPECT_EQ(edit.opened, mesh_);
+    EXPECT_EQ(edit.step_count(), 2U);
+    EXPECT_FALSE(std::filesystem::exists(edit.mesh.path)) << "discarded";
+    EXPECT_LT(largest_distance(positions(), before), 1e-9) << "crash " << crash;
+  }
+}
+
+TEST_F(ASession, RestoredSavesToTheFileThatWasOpened) {
+  drag(bent());
+  session_->save(mesh_);
+  crash_and_restore();
+  EXPECT_EQ(session_->file(), mesh_);
+  EXPECT_TRUE(session_->history().unsaved());
+  drag(twisted(60.0));
+  session_->save(session_->file());
+  EXPECT_FALSE(session_->history().unsaved());
+  EXPECT_LT(largest_distance(read_mesh(mesh_).positions, positions()), 1e-6);
+  const Positions before = positions();
+  crash_and_restore();
+  EXPECT_LT(largest_distance(positions(), before), 1e-9);
+  session_->close();
+  EXPECT_TRUE(std::filesystem::is_empty(cache_));
+}
+
+TEST_F(ASession, RestoredWithoutASaveKeepsNoCopy) {
+  drag(bent());
+  const Positions before = positions();
+  EXPECT_FALSE(crash_and_restore().has_copy());
+  EXPECT_FALSE(crash_and_restore().has_copy());
+  EXPECT_LT(largest_distance(positions(), before), 1e-9);
+}
+
+TEST_F(ASession, RestoredSettlesTheMoveThatWasOnItsWay) {
+  session_->perform(MoveHandle{0, bent()});
+  crash_and_restore();
+  wait_for_result();
+  EXPECT_FALSE(needs_settling(session_->state()));
 }
 
 TEST_F(ASession, ClosedLeavesNothing) {

@@ -108,6 +108,14 @@ std::vector<Affine3d> motions_of(const AppState& state) {
   return motions;
 }
 
+void motions_of(const AppState& state, std::size_t handle, const Move& move,
+                std::vector<Affine3d>& motions) {
+  motions.clear();
+  for (std::size_t h = 0; h < state.moves.size(); ++h) {
+    motions.push_back(to_affine(h == handle ? move : state.moves[h], handle_centroid(state, h)));
+  }
+}
+
 std::vector<AngleAxisd> turns_of(const AppState& state) {
   std::vector<AngleAxisd> turns;
   for (const Move& move : state.moves) {

@@ -73,6 +73,10 @@ DeformOptions deform_options(const EditParameters& parameters);
 
 /// What `Deformer::solve` takes: one motion and turn per handle, those of the recipe bit for bit.
 std::vector<Eigen::Affine3d> motions_of(const AppState& state);
+/// For a frame of a drag: `motions` becomes the same but for `handle`, which is moved by `move`.
+/// Allocates nothing once `motions` is as long as there are handles. Linear in their vertices.
+void motions_of(const AppState& state, std::size_t handle, const Move& move,
+                std::vector<Eigen::Affine3d>& motions);
 std::vector<Eigen::AngleAxisd> turns_of(const AppState& state);
 /// Of the handle's vertices at rest, about which a move without pivot turns.
 Eigen::Vector3d handle_centroid(const AppState& state, std::size_t handle);

@@ -8,17 +8,49 @@ namespace lapwing::viewer {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// The file that the edit was begun on. One that was saved over is named by its copy's stamp: the
+// copy is what counts.
+MeshStamp file_of(const InterruptedEdit& edit) {
+  if (!edit.has_copy()) return edit.mesh;
+  return {edit.opened, edit.mesh.bytes, edit.mesh.modified};
+}
+
+}  // namespace
+
 EditSession::EditSession(History history, std::optional<MeshStamp> file, const fs::path& journals,
                          Preparation::MakeKernels make_kernels, std::function<void()> wake)
     : history_(std::move(history)),
       file_(std::move(file)),
       preparation_(std::move(make_kernels), std::move(wake)) {
+  start_journal(journals, {});
+  follow();
+}
+
+EditSession::EditSession(const InterruptedEdit& edit, History history, const fs::path& journals,
+                         Preparation::MakeKernels make_kernels, std::function<void()> wake)
+    : history_(std::move(history)),
+      file_(file_of(edit)),
+      preparation_(std::move(make_kernels), std::move(wake)) {
+  start_journal(journals, edit.has_copy() ? std::optional(edit.mesh.path) : std::nullopt);
+  // What was saved over the file cannot be told from the history.
+  if (edit.has_copy()) history_.mark_unsaved();
+  follow();
+  if (needs_settling(state())) preparation_.settle(state());
+}
+
+void EditSession::start_journal(const fs::path& journals, const std::optional<fs::path>& copy) {
+  if (!file_) return;
   try {
-    if (file_) journal_.emplace(journals, *file_);
+    journal_.emplace(journals, *file_);
+    if (copy) journal_->keep_mesh(*copy);
   } catch (const IoError& error) {
+    // Steps that start from a mesh that nobody kept would be no help.
+    if (journal_) journal_->close();
+    journal_.reset();
     warning_ = error.what();
   }
-  follow();
 }
 
 void EditSession::perform(const Command& command) {

@@ -24,9 +24,18 @@ class EditSession {
   EditSession(History history, std::optional<MeshStamp> file, const std::filesystem::path& journals,
               Preparation::MakeKernels make_kernels, std::function<void()> wake = {});
 
+  /// Goes on with an interrupted edit: `history` is what `restore` made of it. Journals under the
+  /// name that the mesh was opened by, and keeps a copy of the mesh where the edit has one, so that
+  /// `discard(edit)` may follow unless there is a `warning`.
+  EditSession(const InterruptedEdit& edit, History history, const std::filesystem::path& journals,
+              Preparation::MakeKernels make_kernels, std::function<void()> wake = {});
+
   const History& history() const { return history_; }
   const AppState& state() const { return history_.state(); }
   const Preparation& preparation() const { return preparation_; }
+  /// What was opened, also of a restored edit, and not the copy that its steps start from: where
+  /// saving goes. Empty for a generated mesh.
+  std::filesystem::path file() const { return file_ ? file_->path : std::filesystem::path(); }
 
   /// A new step. Where it asks for a result that is under way when it returns. Throws what `apply`
   /// does.
@@ -71,6 +80,8 @@ class EditSession {
   const std::string& warning() const { return warning_; }
 
  private:
+  void start_journal(const std::filesystem::path& journals,
+                     const std::optional<std::filesystem::path>& copy);
   void follow();
 
   // By the result that is certified, as long as the history knows it.
