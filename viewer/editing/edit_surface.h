@@ -8,6 +8,7 @@
 #include "lapwing/render/surface_paint.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "lapwing/vulkan/vulkan_surface.h"
+#include "state/command.h"
 #include "tools/preparation.h"
 
 namespace lapwing::viewer {

@@ -53,8 +53,7 @@ Editor::Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<v
 }
 
 void Editor::show_on(VulkanKernels& kernels) {
-  device_.emplace(OnDevice{SurfacePicker(*kernels.context()),
-                           EditSurface(*opened_, *state().topology, kernels)});
+  device_.emplace(*opened_, *state().topology, kernels);
   measured_.reset();
   state_changed();
 }

@@ -134,6 +134,9 @@ class Editor {
   Bounds opened_bounds_;
   // All that is in device memory but for the worker's.
   struct OnDevice {
+    OnDevice(const Mesh& mesh, const Topology& topology, VulkanKernels& kernels)
+        : picker(*kernels.context()), surface(mesh, topology, kernels) {}
+
     SurfacePicker picker;
     EditSurface surface;
   };

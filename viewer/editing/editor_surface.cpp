@@ -57,11 +57,7 @@ void Editor::follow_hand() {
     return;
   }
   if (dragging && continuous_ && follow_settled()) return;
-  if (dragging) {
-    motions_of(state(), handle_, *gizmo_.live(), motions_);
-  } else {
-    motions_of(state(), motions_);
-  }
+  motions_of(state(), handle_, dragging ? *gizmo_.live() : state().moves[handle_], motions_);
   const bool could_be_exact =
       device_->surface.source() != SurfaceSource::exact &&
       session_->preparation().status().phase == PreparationStatus::Phase::ready;

@@ -48,7 +48,7 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
 }  // namespace
 
 Preparation::Preparation(MakeKernels make_kernels, std::function<void()> wake)
-    : make_kernels_(std::move(make_kernels)), wake_(std::move(wake)), worker_([this] { run(); }) {}
+    : wake_(std::move(wake)), make_kernels_(std::move(make_kernels)), worker_([this] { run(); }) {}
 
 Preparation::~Preparation() {
   {

@@ -190,7 +190,7 @@ std::optional<std::vector<Index>> draw_certificate(const Editor& editor) {
   draw_number_line("edge stretch", "%.3f", certificate->edge_stretch);
   int number = 0;
   for (const CertificateWarning& warning :
-       warnings_of(*certificate, *editor.state().topology)) {
+       warnings_of(*certificate, *editor.state().topology, editor.bounds().diagonal())) {
     ImGui::PushID(number++);
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(242, 194, 77, 255));
     ImGui::TextWrapped("%s", warning.text.c_str());

@@ -10,9 +10,9 @@ namespace {
 
 using Role = Part::Role;
 
-constexpr ImVec4 kRoiColor{0.55F, 0.65F, 0.80F, 1.0F};
-constexpr ImVec4 kHandleColor{0.95F, 0.80F, 0.25F, 1.0F};
-constexpr ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
+const ImVec4 kRoiColor{0.55F, 0.65F, 0.80F, 1.0F};
+const ImVec4 kHandleColor{0.95F, 0.80F, 0.25F, 1.0F};
+const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
 
 // A row that chooses `part`, in the colour that it has on the surface.
 void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4& color) {
