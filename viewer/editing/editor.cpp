@@ -10,6 +10,9 @@ namespace {
 
 using Role = Part::Role;
 
+// So that between handle and belt something is left to follow.
+constexpr int kRingsAroundHandle = 6;
+
 bool is_paint(EditTool tool) {
   return tool == EditTool::brush || tool == EditTool::lasso || tool == EditTool::box;
 }
@@ -214,6 +217,23 @@ void Editor::remove_handle() {
   if (part_.role == Role::handle && part_.handle < handle_count()) {
     perform(RemoveHandle{part_.handle});
   }
+}
+
+bool Editor::handles_leave_roi() const {
+  const auto& [roi, handles, fraction, belt] = state().selection;
+  return std::any_of(handles.begin(), handles.end(), [&roi = roi](const ChosenRegion& handle) {
+    return !subtract(handle.vertices, roi.vertices).empty();
+  });
+}
+
+void Editor::enlarge_roi() {
+  const EditSelection& selection = state().selection;
+  VertexSet wanted;
+  for (const ChosenRegion& handle : selection.handles) wanted = unite(wanted, handle.vertices);
+  for (int ring = 0; ring < kRingsAroundHandle; ++ring) {
+    wanted = with_ring_neighbours(wanted, state().topology->rings);
+  }
+  perform(Paint{{Role::roi}, subtract(wanted, selection.roi.vertices), {}});
 }
 
 void Editor::take(EditTool tool) {

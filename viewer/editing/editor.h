@@ -66,6 +66,9 @@ class Editor {
   void shrink();
   void invert();
   void remove_handle();
+  /// Handles may not leave the ROI: it takes them in, with some rings around for the surface to follow.
+  bool handles_leave_roi() const;
+  void enlarge_roi();
 
   const EditSession& session() const { return *session_; }
   EditSession& session() { return *session_; }

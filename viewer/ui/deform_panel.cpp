@@ -46,6 +46,7 @@ void draw_progress(Editor& editor) {
   const PreparationStatus status = session.preparation().status();
   ImGui::TextWrapped("%s", words(status.phase));
   if (!status.message.empty()) ImGui::TextWrapped("%s", status.message.c_str());
+  if (editor.handles_leave_roi() && ImGui::Button("Enlarge the ROI")) editor.enlarge_roi();
   const bool prepares = status.phase == Phase::previewing || status.phase == Phase::solving;
   if (prepares || status.phase == Phase::settling) {
     const float share = static_cast<float>(status.fraction);
@@ -137,7 +138,7 @@ void draw_settling(SettleOptions& settle, bool& chosen, bool& edited) {
 }
 
 void draw_parameters(Editor& editor, PanelDrafts& drafts) {
-  ImGui::Separator();
+  if (!ImGui::TreeNode("How it is computed")) return;
   EditParameters parameters = drafts.parameters.value_or(editor.state().parameters);
   bool edited = false;  // under way
   bool chosen = false;  // done
@@ -145,10 +146,6 @@ void draw_parameters(Editor& editor, PanelDrafts& drafts) {
   if (ImGui::Checkbox("settle on release", &settles)) {
     parameters.settle = settles ? std::optional(SettleOptions{}) : std::nullopt;
     chosen = true;
-  }
-  bool continuous = editor.settles_while_dragging();
-  if (ImGui::Checkbox("settle while dragging", &continuous)) {
-    editor.set_settles_while_dragging(continuous);
   }
   bool commits = parameters.commit_every.has_value();
   if (ImGui::Checkbox("commit on the way, every", &commits)) {
@@ -163,6 +160,7 @@ void draw_parameters(Editor& editor, PanelDrafts& drafts) {
                    {{"uniform", LaplacianWeights::uniform},
                     {"cotangent", LaplacianWeights::cotangent}});
   chosen |= ImGui::Checkbox("hard constraints", &parameters.hard);
+  ImGui::TreePop();
   if (edited) drafts.parameters = parameters;
   if (!chosen) return;
   drafts.parameters.reset();
@@ -206,9 +204,13 @@ std::optional<std::vector<Index>> draw_certificate(const Editor& editor) {
 std::optional<std::vector<Index>> draw_deform_panel(Editor& editor, PanelDrafts& drafts) {
   ImGui::PushItemWidth(11.0F * ImGui::GetFontSize());
   draw_progress(editor);
+  bool continuous = editor.settles_while_dragging();
+  if (ImGui::Checkbox("settle while dragging", &continuous)) {
+    editor.set_settles_while_dragging(continuous);
+  }
   draw_move(editor, drafts);
-  draw_parameters(editor, drafts);
   auto shown = draw_certificate(editor);
+  draw_parameters(editor, drafts);
   ImGui::PopItemWidth();
   return shown;
 }
