@@ -199,12 +199,16 @@ TEST(Preparation, TheLastResultAskedForComes) {
 
 TEST(Preparation, LiveResultComesByItself) {
   const AppState still = chosen_tube();
-  Preparation preparation(cpu_kernels);
+  std::atomic<bool> held = false;  // the worker, at what it says next
+  Preparation preparation(cpu_kernels, [&held] { held.wait(true); });
   preparation.follow(still);
   wait_for(preparation, Phase::ready);
   const AppState dragged = apply(still, MoveHandle{0, bent()});
+  held = true;
   EXPECT_TRUE(preparation.settle_live(dragged));
   EXPECT_EQ(preparation.status().phase, Phase::settling) << "the exact one may not be dragged now";
+  held = false;
+  held.notify_all();
   wait_for(preparation, Phase::ready);
   EXPECT_FALSE(preparation.take_result().has_value());
   CpuKernels kernels;

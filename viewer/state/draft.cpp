@@ -10,10 +10,6 @@ bool is_nothing(const RegionSpec& spec) {
   return list != nullptr && list->vertices.empty();
 }
 
-EditParameters parameters_of(const DeformStep& step) {
-  return {step.weights, step.constraint_weight, step.hard, step.settle, step.commit_every};
-}
-
 // A handle too many would stand in the way of the step's own.
 void remove_handles(History& history) {
   while (!history.state().selection.handles.empty()) {
@@ -76,7 +72,7 @@ Solve solve_with(Kernels& kernels, Progress progress) {
 
 void perform(History& history, const DeformStep& step, const Solve& solve) {
   history.perform(Commit{});
-  history.perform(SetParameters{parameters_of(step)});
+  history.perform(SetParameters{step.parameters});
   if (!is_chosen(history.state(), step)) {
     remove_handles(history);
     history.perform(Choose{{Part::Role::roi}, step.roi});
