@@ -75,6 +75,8 @@ constexpr std::array kKeyBindings{KeyBinding{kHome, kPlain, Action::frame_all},
                                   KeyBinding{'O', kControl, Action::open},
                                   KeyBinding{'S', kControl, Action::save},
                                   KeyBinding{'S', kControlShift, Action::save_as},
+                                  KeyBinding{'E', kControl, Action::save_recipe},
+                                  KeyBinding{'R', kControl, Action::replay_recipe},
                                   KeyBinding{'P', kControl, Action::save_picture},
                                   KeyBinding{'Q', kControl, Action::quit}};
 
@@ -174,6 +176,10 @@ std::string_view words(Action action) {
       return "save the mesh";
     case Action::save_as:
       return "save the mesh as another file";
+    case Action::save_recipe:
+      return "save the steps as a recipe";
+    case Action::replay_recipe:
+      return "replay a recipe on this mesh";
     case Action::save_picture:
       return "save a picture";
     case Action::quit:

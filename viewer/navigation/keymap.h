@@ -57,6 +57,8 @@ enum class Action {
   open,
   save,
   save_as,
+  save_recipe,
+  replay_recipe,
   save_picture,
   quit,
 };

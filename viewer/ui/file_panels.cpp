@@ -1,5 +1,8 @@
 // The panels that ask about files.
 
+#include <array>
+#include <chrono>
+#include <ctime>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -13,6 +16,22 @@ constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_AlwaysAutoResize |
 
 void place_in_the_middle() {
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+}
+
+bool is_pressed(ImGuiKey key) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
+
+// "2004-07-08 14:05", by the clock on the wall.
+std::string in_words(std::filesystem::file_time_type time) {
+  const auto system = std::chrono::file_clock::to_sys(time);
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(
+      std::chrono::time_point_cast<std::chrono::system_clock::duration>(system));
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local);
+  return text.data();
 }
 
 struct PathWords {
@@ -62,9 +81,10 @@ std::optional<UnsavedChoice> draw_unsaved_panel(const std::string& name) {
   place_in_the_middle();
   if (ImGui::Begin("Not saved", nullptr, kDialog)) {
     ImGui::Text("%s has been edited and not saved.", name.c_str());
-    if (ImGui::Button("Save")) choice = UnsavedChoice::save;
+    ImGui::TextDisabled("Enter saves, Delete discards, Escape goes back to it.");
+    if (ImGui::Button("Save") || is_pressed(ImGuiKey_Enter)) choice = UnsavedChoice::save;
     ImGui::SameLine();
-    if (ImGui::Button("Discard")) choice = UnsavedChoice::discard;
+    if (ImGui::Button("Discard") || is_pressed(ImGuiKey_Delete)) choice = UnsavedChoice::discard;
     ImGui::SameLine();
     if (ImGui::Button("Cancel")) choice = UnsavedChoice::cancel;
   }
@@ -78,14 +98,16 @@ std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const Interrup
   place_in_the_middle();
   if (ImGui::Begin("Interrupted edits", nullptr, kDialog)) {
     ImGui::TextDisabled("These were not closed. Restoring carries their steps out again.");
+    ImGui::TextDisabled("Enter restores the latest.");
     for (std::size_t e = 0; e < edits.size(); ++e) {
       ImGui::PushID(static_cast<int>(e));
-      if (ImGui::Button("Restore")) choice = {e, What::restore};
+      const bool first = e == 0 && is_pressed(ImGuiKey_Enter);
+      if (ImGui::Button("Restore") || first) choice = {e, What::restore};
       ImGui::SameLine();
       if (ImGui::Button("Discard")) choice = {e, What::discard};
       ImGui::SameLine();
-      ImGui::Text("%s, %zu committed steps", edits[e].opened.filename().c_str(),
-                  edits[e].draft.steps.size());
+      ImGui::Text("%s, %zu edits, %s", edits[e].opened.filename().c_str(),
+                  edits[e].step_count(), in_words(edits[e].last_step).c_str());
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", edits[e].opened.c_str());
       ImGui::PopID();
     }

@@ -63,6 +63,7 @@ class ViewerApp final : public App {
   void perform(Action action);
   void drag_to(const InputEvent& event);
   void escape();
+  bool asks() const;
   void look_from(View view);
   void frame_all();
   void frame(std::span<const Index> vertices);

@@ -157,12 +157,8 @@ void ViewerApp::draw_file_menu() {
   item("Save as...", "Ctrl+Shift+S", Action::save_as);
   item("Save picture...", "Ctrl+P", Action::save_picture);
   ImGui::Separator();
-  if (ImGui::MenuItem("Save recipe...", nullptr, false, is_open)) {
-    save_as(PathPurpose::save_recipe);
-  }
-  if (ImGui::MenuItem("Replay a recipe...", nullptr, false, is_open)) {
-    save_as(PathPurpose::replay_recipe);
-  }
+  item("Save recipe...", "Ctrl+E", Action::save_recipe);
+  item("Replay a recipe...", "Ctrl+R", Action::replay_recipe);
   ImGui::Separator();
   if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
 }

@@ -128,7 +128,16 @@ void ViewerApp::drag_to(const InputEvent& event) {
   }
 }
 
+// While a dialog waits for an answer keys are its own.
+bool ViewerApp::asks() const {
+  return leaving_for_ || !interrupted_.empty() || path_plan_.purpose;
+}
+
 bool ViewerApp::handle(const InputEvent& event) {
+  if (asks() && (event.kind == InputKind::key || event.kind == InputKind::text)) {
+    if (event.key == kEscape) escape();
+    return true;
+  }
   Editor::Handled handled;
   if (document_ && !motion_) {
     handled = document_->editor.handle(event, view_frame());
@@ -167,6 +176,7 @@ void ViewerApp::escape() {
   picture_plan_.open = false;
   path_plan_.purpose.reset();
   leaving_for_ = nullptr;
+  interrupted_.clear();
   if (document_) show_start_ = false;
   loader_.cancel();
 }
@@ -235,6 +245,12 @@ void ViewerApp::perform(Action action) {
       return;
     case Action::save_as:
       if (document_) save_as(PathPurpose::save_mesh);
+      return;
+    case Action::save_recipe:
+      if (document_) save_as(PathPurpose::save_recipe);
+      return;
+    case Action::replay_recipe:
+      if (document_) save_as(PathPurpose::replay_recipe);
       return;
     case Action::save_picture:
       picture_plan_.open = true;
