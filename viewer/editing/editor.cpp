@@ -44,10 +44,17 @@ Editor::Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<v
     : say_(std::move(say)),
       opened_(std::move(start.opened)),
       opened_bounds_(bounds_of(opened_->positions)) {
-  session_ = std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
-                                           journal_folder(), kernels_like(kernels),
-                                           std::move(wake));
-  if (!session_->warning().empty()) say_(session_->warning());
+  session_ =
+      start.restored
+          ? std::make_unique<EditSession>(*start.restored, std::move(start.history),
+                                          journal_folder(), kernels_like(kernels), std::move(wake))
+          : std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
+                                          journal_folder(), kernels_like(kernels), std::move(wake));
+  if (!session_->warning().empty()) {
+    say_(session_->warning());
+  } else if (start.restored) {
+    discard(*start.restored);
+  }
   if (handle_count() > 0) {
     part_ = {Role::handle, 0};
     tool_ = EditTool::move;
@@ -85,8 +92,8 @@ SelectScene Editor::select_scene(const ViewFrame& view, const Projection& projec
     return device_->picker.pick(device_->surface, view, pixel);
   };
   const auto is_visible = [this, &view, &projection](Index vertex) {
-    return SeenVertices(device_->picker.picture(device_->surface, view), *state().topology, positions_,
-                        projection)(vertex);
+    return SeenVertices(device_->picker.picture(device_->surface, view), *state().topology,
+                        positions_, projection)(vertex);
   };
   return {state(), positions_, projection, pick, is_visible, part_};
 }
@@ -197,6 +204,10 @@ void Editor::go_to(std::size_t steps) {
   if (!is_dragging()) step([&] { session_->go_to(steps); });
 }
 
+void Editor::continue_with(History history) {
+  if (!is_dragging()) step([&] { session_->continue_with(std::move(history)); });
+}
+
 void Editor::settle() {
   session_->prepare();
 }
@@ -281,7 +292,7 @@ std::string Editor::hint() const {
   const std::string what = part_.role == Role::roi      ? "the region to edit (ROI)"
                            : part_.role == Role::handle ? "a handle in it"
                                                         : "the belt";
-  return std::string(is_paint(tool_) ? "paint "
+  return std::string(is_paint(tool_)           ? "paint "
                      : tool_ == EditTool::loop ? "click around "
                                                : "drag from the middle to the rim of ") +
          what;

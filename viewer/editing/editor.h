@@ -24,8 +24,9 @@ enum class EditTool { move, disk, loop, brush, lasso, box };
 /// An edit to begin with.
 struct EditStart {
   History history;
-  std::shared_ptr<const Mesh> opened;  ///< before any step, to compare with
-  std::optional<MeshStamp> file;       ///< EditSession's
+  std::shared_ptr<const Mesh> opened;            ///< before any step, to compare with
+  std::optional<MeshStamp> file;                 ///< EditSession's
+  std::optional<InterruptedEdit> restored = {};  ///< what the history continues
 };
 
 /// One mesh being edited in a window: its session, the tool in hand, and its surface on the device.
@@ -61,12 +62,14 @@ class Editor {
   void undo();
   void redo();
   void go_to(std::size_t steps);
+  void continue_with(History history);
   void settle();  ///< the moves that have no result yet
   void grow();
   void shrink();
   void invert();
   void remove_handle();
-  /// Handles may not leave the ROI: it takes them in, with some rings around for the surface to follow.
+  /// Handles may not leave the ROI: it takes them in, with some rings around for the surface to
+  /// follow.
   bool handles_leave_roi() const;
   void enlarge_roi();
 

@@ -61,8 +61,9 @@ void Editor::follow_hand() {
   const bool could_be_exact =
       device_->surface.source() != SurfaceSource::exact &&
       session_->preparation().status().phase == PreparationStatus::Phase::ready;
-  const bool same = std::equal(motions_.begin(), motions_.end(), followed_.begin(), followed_.end(),
-                               [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });
+  const bool same =
+      std::equal(motions_.begin(), motions_.end(), followed_.begin(), followed_.end(),
+                 [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });
   if (same && !could_be_exact) return;
   if (!device_->surface.drag(session_->preparation(), motions_)) return;
   following_ = true;

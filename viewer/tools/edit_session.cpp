@@ -74,6 +74,12 @@ void EditSession::go_to(std::size_t steps) {
   follow();
 }
 
+void EditSession::continue_with(History history) {
+  history_ = std::move(history);
+  follow();
+  if (needs_settling(state())) preparation_.settle(state());
+}
+
 // What was asked for before may not be wanted any more.
 void EditSession::follow() {
   preparation_.cancel_settling();

@@ -43,6 +43,8 @@ class EditSession {
   void undo();
   void redo();
   void go_to(std::size_t steps);
+  /// Goes on with a history that began as this one does, with steps more or fewer.
+  void continue_with(History history);
   /// Gives up the result under way; the handle stays moved, and can be undone.
   void cancel_settling() { preparation_.cancel_settling(); }
 

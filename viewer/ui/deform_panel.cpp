@@ -65,8 +65,8 @@ void draw_progress(Editor& editor) {
 }
 
 bool draw_vector(const char* label, Eigen::Vector3d& vector, bool& let_go) {
-  const bool changed = ImGui::InputScalarN(label, ImGuiDataType_Double, vector.data(), 3, nullptr,
-                                           nullptr, "%.5g");
+  const bool changed =
+      ImGui::InputScalarN(label, ImGuiDataType_Double, vector.data(), 3, nullptr, nullptr, "%.5g");
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
   return changed;
 }
@@ -156,9 +156,9 @@ void draw_parameters(Editor& editor, PanelDrafts& drafts) {
     edited |= draw_number("degrees each", *parameters.commit_every, chosen);
   }
   if (parameters.settle) draw_settling(*parameters.settle, chosen, edited);
-  chosen |= choose("weights", parameters.weights,
-                   {{"uniform", LaplacianWeights::uniform},
-                    {"cotangent", LaplacianWeights::cotangent}});
+  chosen |=
+      choose("weights", parameters.weights,
+             {{"uniform", LaplacianWeights::uniform}, {"cotangent", LaplacianWeights::cotangent}});
   chosen |= ImGui::Checkbox("hard constraints", &parameters.hard);
   ImGui::TreePop();
   if (edited) drafts.parameters = parameters;

@@ -74,8 +74,7 @@ std::optional<PoseMeasure> measure_of(Coloring coloring) {
 
 SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor) {
   SurfaceStyle style = choices.style;
-  style.color =
-      choices.coloring == Coloring::plain ? SurfaceColor::plain : SurfaceColor::regions;
+  style.color = choices.coloring == Coloring::plain ? SurfaceColor::plain : SurfaceColor::regions;
   if (measure_of(choices.coloring) && editor.is_measured()) {
     style.color = SurfaceColor::scalar;
     style.range = editor.measure_range();

@@ -12,14 +12,14 @@ struct Document {
   Document(LoadedFile file, VulkanKernels& kernels, Editor::Say say, std::function<void()> wake)
       : opened(file.opened),
         report(std::move(file.report)),
-        save_path(opened.file ? opened.file->path : std::filesystem::path()),
-        editor({std::move(file.history), opened.mesh, opened.file}, kernels, std::move(say),
-               std::move(wake)) {}
+        editor({std::move(file.history), opened.mesh, opened.file, std::move(file.restored)},
+               kernels, std::move(say), std::move(wake)),
+        save_path(editor.session().file()) {}
 
   OpenedMesh opened;
   CheckReport report;
-  std::filesystem::path save_path;  ///< empty as long as nobody has said where
   Editor editor;
+  std::filesystem::path save_path;  ///< empty as long as nobody has said where
 };
 
 }  // namespace lapwing::viewer

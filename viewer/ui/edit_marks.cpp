@@ -25,7 +25,8 @@ ImU32 color_of(GizmoPart part) {
 class Pen {
  public:
   Pen(const ViewFrame& view, double pixels_per_unit)
-      : list_(*ImGui::GetBackgroundDrawList()), projection_(view.projection()),
+      : list_(*ImGui::GetBackgroundDrawList()),
+        projection_(view.projection()),
         unit_(pixels_per_unit) {}
 
   const Projection& projection() const { return projection_; }
@@ -63,8 +64,8 @@ class Pen {
   void text(const Vector2d& pixel, const std::string& words) {
     const ImVec2 from = at(pixel);
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-    list_.AddRectFilled({from.x - 4.0F, from.y - 2.0F}, {from.x + size.x + 4.0F, from.y + size.y + 2.0F},
-                        kShade, 3.0F);
+    list_.AddRectFilled({from.x - 4.0F, from.y - 2.0F},
+                        {from.x + size.x + 4.0F, from.y + size.y + 2.0F}, kShade, 3.0F);
     list_.AddText(from, kLine, words.c_str());
   }
 

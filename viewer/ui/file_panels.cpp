@@ -45,8 +45,7 @@ PathWords words(PathPurpose purpose) {
     case PathPurpose::save_mesh:
       return {"Save the mesh", "The extension says the format: obj, off, ply or stl.", "Save"};
     case PathPurpose::save_recipe:
-      return {"Save the steps as a recipe", "lapwing run carries it out without a window.",
-              "Save"};
+      return {"Save the steps as a recipe", "lapwing run carries it out without a window.", "Save"};
     case PathPurpose::replay_recipe:
       return {"Replay a recipe", "Its steps are carried out on the mesh that is open.", "Replay"};
   }
@@ -106,8 +105,8 @@ std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const Interrup
       ImGui::SameLine();
       if (ImGui::Button("Discard")) choice = {e, What::discard};
       ImGui::SameLine();
-      ImGui::Text("%s, %zu edits, %s", edits[e].opened.filename().c_str(),
-                  edits[e].step_count(), in_words(edits[e].last_step).c_str());
+      ImGui::Text("%s, %zu edits, %s", edits[e].opened.filename().c_str(), edits[e].step_count(),
+                  in_words(edits[e].last_step).c_str());
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", edits[e].opened.c_str());
       ImGui::PopID();
     }

@@ -22,7 +22,8 @@ std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& draft
   if (ImGui::Selectable("opened", history.done() == 0)) chosen = 0;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const bool undone = k >= history.done();
-    if (undone) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    if (undone)
+      ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     const std::string label = std::to_string(k + 1) + "  " + names[k];
     if (ImGui::Selectable(label.c_str(), k + 1 == history.done())) chosen = k + 1;
     if (undone) ImGui::PopStyleColor();

@@ -42,14 +42,17 @@ LoadedFile load_file(const fs::path& path, Kernels& kernels, const Progress& pro
 }
 
 LoadedFile load_shape(const NamedShape& shape) {
-  return unedited({std::string(shape.name), std::make_shared<const Mesh>(shape.make()), {},
-                   UpAxis::z},
-                  {});
+  return unedited(
+      {std::string(shape.name), std::make_shared<const Mesh>(shape.make()), {}, UpAxis::z}, {});
 }
 
-LoadedFile load_replay(const fs::path& recipe, const OpenedMesh& opened, Kernels& kernels,
+LoadedFile load_replay(const fs::path& recipe, History history, Kernels& kernels,
                        const Progress& progress) {
-  return carried_out(read_recipe(recipe), opened, kernels, progress);
+  const std::size_t before = history.done();
+  for (const Step& step : read_recipe(recipe).steps) {
+    perform(history, std::get<DeformStep>(step), solve_with(kernels, progress));
+  }
+  return {{}, {}, std::move(history), {}, before};
 }
 
 LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,

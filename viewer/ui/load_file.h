@@ -17,9 +17,9 @@ namespace lapwing::viewer {
 
 /// The mesh that an edit began with.
 struct OpenedMesh {
-  std::string name;                     ///< of the file or the shape
-  std::shared_ptr<const Mesh> mesh;     ///< before any step
-  std::optional<MeshStamp> file;        ///< none for a generated mesh
+  std::string name;                  ///< of the file or the shape
+  std::shared_ptr<const Mesh> mesh;  ///< before any step
+  std::optional<MeshStamp> file;     ///< none for a generated mesh
   UpAxis up_axis = UpAxis::y;
 };
 
@@ -28,8 +28,9 @@ struct LoadedFile {
   OpenedMesh opened;
   CheckReport report;  ///< of the mesh as it was opened
   History history;
-  /// The edit that this continues; to be discarded once the new one has a journal of its own.
-  std::optional<InterruptedEdit> restored = {};
+  std::optional<InterruptedEdit> restored = {};  ///< what the history continues
+  /// Of a replay: how many steps the history had that it goes on from.
+  std::optional<std::size_t> replayed_from = {};
 };
 
 /// Reads a mesh or, if `path` ends in .json, carries a recipe out on `kernels`, every step one of
@@ -38,9 +39,10 @@ LoadedFile load_file(const std::filesystem::path& path, Kernels& kernels, const 
 
 LoadedFile load_shape(const NamedShape& shape);
 
-/// Carries the steps of a recipe out on another mesh than its own. Throws as `load_file`.
-LoadedFile load_replay(const std::filesystem::path& recipe, const OpenedMesh& opened,
-                       Kernels& kernels, const Progress& progress);
+/// Carries the steps of a recipe out on the surface that `history` leads to, whichever mesh it was
+/// written for. Throws as `load_file`.
+LoadedFile load_replay(const std::filesystem::path& recipe, History history, Kernels& kernels,
+                       const Progress& progress);
 
 /// Carries an interrupted edit out again. Throws as `load_file`, and InputError when the mesh is
 /// not what it was.

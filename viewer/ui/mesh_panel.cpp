@@ -66,8 +66,7 @@ void draw_mesh_panel(const Document& document) {
     row("mean edge", number(s.mean_edge_length));
     ImGui::EndTable();
   }
-  if (!document.report.has_problems())
-    ImGui::TextDisabled("The mesh doctor finds no problem.");
+  if (!document.report.has_problems()) ImGui::TextDisabled("The mesh doctor finds no problem.");
   for (const Defect& defect : document.report.defects) draw_defect(defect);
 }
 

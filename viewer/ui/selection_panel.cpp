@@ -70,8 +70,7 @@ void draw_paint_options(Editor& editor) {
 // One step of the history for a whole pull of the slider.
 void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   const auto& fraction = editor.state().selection.belt_fraction;
-  float percent =
-      static_cast<float>(drafts.belt_percent.value_or(100.0 * fraction.value_or(0.0)));
+  float percent = static_cast<float>(drafts.belt_percent.value_or(100.0 * fraction.value_or(0.0)));
   ImGui::SliderFloat("belt width", &percent, 0.0F, 50.0F,
                      fraction || drafts.belt_percent ? "%.0f %% of radius" : "chosen by hand");
   if (ImGui::IsItemActive()) drafts.belt_percent = static_cast<double>(percent);

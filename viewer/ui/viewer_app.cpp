@@ -50,7 +50,11 @@ void ViewerApp::take_loaded() {
   if (!outcome) return;
   try {
     if (outcome->error) std::rethrow_exception(outcome->error);
-    if (outcome->file) show(std::move(*outcome->file));
+    if (outcome->file && outcome->file->replayed_from) {
+      go_on_with(std::move(*outcome->file));
+    } else if (outcome->file) {
+      show(std::move(*outcome->file));
+    }
   } catch (const Error& error) {
     if (order_) throw;
     say(error.what());
@@ -59,14 +63,12 @@ void ViewerApp::take_loaded() {
 }
 
 void ViewerApp::show(LoadedFile file) {
-  const auto restored = std::move(file.restored);
   // Two meshes at a time may not fit on the device.
   if (document_) document_->editor.session().close();
   document_.reset();
   document_ = std::make_unique<Document>(
       std::move(file), *kernels_, [this](std::string message) { say(std::move(message)); },
       &Window::wake);
-  if (restored) discard(*restored);
   document_->editor.set_gizmo_keys(gizmo_keys());
   up_axis_ = document_->opened.up_axis;
   frames_shown_ = 0;
@@ -74,6 +76,15 @@ void ViewerApp::show(LoadedFile file) {
   status_.clear();
   look_from(View::three_quarter);
   frame_all();
+}
+
+void ViewerApp::go_on_with(LoadedFile replay) {
+  if (!document_) return;
+  Editor& editor = document_->editor;
+  if (editor.session().history().done() != *replay.replayed_from || editor.is_dragging()) {
+    return say("the mesh was edited while the recipe was replayed; replay it again");
+  }
+  editor.continue_with(std::move(replay.history));
 }
 
 void ViewerApp::leave_for(std::function<void()> action) {
@@ -151,11 +162,9 @@ void ViewerApp::use_path() {
       }
       break;
     case PathPurpose::replay_recipe:
-      leave_for([this, path] {
-        load(path.filename().string(), [path, opened = document_->opened](
-                                           Kernels& kernels, const Progress& progress) {
-          return load_replay(path, opened, kernels, progress);
-        });
+      load(path.filename().string(), [path, history = document_->editor.session().history()](
+                                         Kernels& kernels, const Progress& progress) {
+        return load_replay(path, history, kernels, progress);
       });
   }
 }

@@ -48,6 +48,7 @@ class ViewerApp final : public App {
   // Files.
   void load(std::string name, FileLoader::Load load);
   void show(LoadedFile file);
+  void go_on_with(LoadedFile replay);
   void take_loaded();
   /// Goes on with `action`, which gives up what is open, once nothing is lost by it.
   void leave_for(std::function<void()> action);

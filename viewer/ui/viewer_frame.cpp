@@ -257,8 +257,7 @@ std::string ViewerApp::status_text(const FrameTimings& last) const {
                   editor.positions().size(), last.draw_ms + last.ui_ms);
     text += numbers;
     if (const Certificate* certificate = editor.session().certificate()) {
-      std::snprintf(numbers, sizeof numbers, "  |  residual %.0e",
-                    certificate->relative_residual);
+      std::snprintf(numbers, sizeof numbers, "  |  residual %.0e", certificate->relative_residual);
       text += numbers;
     }
     text += state_of_the_edit(editor);
