@@ -1,6 +1,7 @@
 #include "ui/load_file.h"
 
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/render/closed_surface.h"
 #include "lapwing/session/run_recipe.h"
 
 namespace lapwing::viewer {
@@ -14,6 +15,7 @@ LoadedFile examined(std::string name, Mesh mesh, const Progress& progress) {
   file.topology = build_topology(file.mesh);
   report_progress(progress, "check", 0.0);
   file.report = check(file.mesh, file.topology);
+  file.closed_outward = is_closed_outward(file.mesh.positions, file.topology.triangles);
   return file;
 }
 

@@ -20,6 +20,7 @@ struct LoadedFile {
   Mesh mesh;
   Topology topology;
   CheckReport report;
+  bool closed_outward = false;  ///< as is_closed_outward says
   UpAxis up_axis = UpAxis::y;
   Positions rest;                    ///< before a recipe's steps; empty without
   std::vector<VertexClass> classes;  ///< of a recipe's last step; empty without

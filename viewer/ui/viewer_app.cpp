@@ -272,6 +272,12 @@ void ViewerApp::say_what_is_at(const Vector2d& pixel) {
   status_ = text;
 }
 
+// Whether the eye is, give or take.
+bool ViewerApp::is_inside(const Bounds& bounds) const {
+  return (bounds.min.array() <= camera_.eye.array()).all() &&
+         (camera_.eye.array() <= bounds.max.array()).all();
+}
+
 Scene ViewerApp::scene() {
   Scene scene;
   scene.background = display_.background;
@@ -282,6 +288,9 @@ Scene ViewerApp::scene() {
   scene.camera = camera_;
   scene.style = display_.style;
   scene.moving = motion_.has_value();
+  if (scene.moving && document_->file.closed_outward && !is_inside(document_->bounds)) {
+    scene.style.sides = Sides::front;
+  }
   return scene;
 }
 

@@ -54,6 +54,7 @@ class ViewerApp final : public App {
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
   void say_what_is_at(const Eigen::Vector2d& pixel);
   Eigen::Vector3d upward() const;
+  bool is_inside(const Bounds& bounds) const;
   double sidebar_share() const;
   double sidebar_pixels() const;
 
