@@ -75,6 +75,7 @@ void ViewerApp::show(LoadedFile file) {
   // Two meshes at a time may not fit on the device.
   document_.reset();
   document_.emplace(std::move(file), *kernels_);
+  title_ = document_->file.name + " - Lapwing";
   up_axis_ = document_->file.up_axis;
   display_.style.color =
       document_->file.classes.empty() ? SurfaceColor::plain : SurfaceColor::regions;
@@ -96,10 +97,6 @@ void ViewerApp::say(std::string message) {
 void ViewerApp::resize(const Vector2d& size) {
   size_ = size;
   camera_.target_across = sidebar_share();
-}
-
-std::string ViewerApp::title() const {
-  return document_ ? document_->file.name + " - Lapwing" : "Lapwing";
 }
 
 Vector3d ViewerApp::upward() const {

@@ -36,7 +36,7 @@ class ViewerApp final : public App {
   void resize(const Eigen::Vector2d& size) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
-  std::string title() const override;
+  std::string_view title() const override { return title_; }
   bool wants_to_quit() const override { return quit_; }
   void use_device(std::shared_ptr<gpu::Context> context) override;
 
@@ -88,6 +88,7 @@ class ViewerApp final : public App {
   std::string typed_path_;
   std::vector<std::string> log_;
   std::string status_;
+  std::string title_ = "Lapwing";
   std::optional<PictureOrder> order_;
   int frames_shown_ = 0;  ///< of the document
   bool quit_ = false;

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
+#include <string_view>
 
 #include "lapwing/render/camera.h"
 #include "lapwing/render/renderer.h"
@@ -57,8 +57,8 @@ class App {
   virtual void draw_ui(const FrameTimings& last) = 0;
   /// What to draw under them; must live until the next call.
   virtual Scene scene() = 0;
-  /// What the window is called.
-  virtual std::string title() const = 0;
+  /// What the window is called. Until the next call.
+  virtual std::string_view title() const = 0;
   virtual bool wants_to_quit() const = 0;
 
   /// The device was lost and `context` takes its place: whatever the app made on the old one is to
