@@ -118,6 +118,10 @@ int Process::wait(double seconds) {
   return status_;
 }
 
+void Process::kill_now() {
+  kill(pid_, SIGKILL);
+}
+
 std::string Process::errors() const {
   return contents(errors_);
 }
@@ -148,6 +152,10 @@ std::string Desktop::xdotool(const std::string& arguments) const {
 
 Image Desktop::picture() const {
   return read_dump(contents(folder_ / "Xvfb_screen0"));
+}
+
+void Desktop::vanish() {
+  server_->kill_now();
 }
 
 Image Desktop::settled_picture() const {

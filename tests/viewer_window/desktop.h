@@ -29,6 +29,8 @@ class Process {
   /// runs then.
   int wait(double seconds);
   std::string errors() const;
+  /// SIGKILL.
+  void kill_now();
 
  private:
   pid_t pid_;
@@ -41,12 +43,15 @@ class Desktop {
  public:
   explicit Desktop(const std::filesystem::path& folder);
 
+  const std::string& name() const { return display_; }  ///< ":N"
   /// For the environment of programs.
   std::string display() const { return "DISPLAY=" + display_; }
   /// Runs xdotool and returns what it prints.
   std::string xdotool(const std::string& arguments) const;
   /// What the display shows.
   Image picture() const;
+  /// Ends at once, without a word to the windows on it.
+  void vanish();
   /// What it shows once that is the same twice in a row.
   Image settled_picture() const;
 

@@ -9,6 +9,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "support/gpu.h"
 #include "viewer_window/desktop.h"
+#include "viewer_window/drag_and_drop.h"
 
 namespace lapwing {
 namespace {
@@ -141,22 +142,38 @@ TEST_F(ViewerWindow, AClickSaysWhatIsThere) {
   expect_quits_silently();
 }
 
-TEST_F(ViewerWindow, ComesBackAfterItWasHidden) {
+// A window manager minimizes by unmapping.
+TEST_F(ViewerWindow, ComesBackAfterItWasMinimized) {
   open_tube();
-  desktop_->xdotool("windowunmap --sync " + window_);
-  desktop_->xdotool("windowmap --sync " + window_);
+  for (const char* size : {"1280 800", "300 200", "1280 800"}) {
+    desktop_->xdotool("windowunmap --sync " + window_);
+    desktop_->xdotool("windowsize " + window_ + " " + size);
+    desktop_->xdotool("windowmap --sync " + window_);
+    ASSERT_TRUE(viewer_->running()) << viewer_->errors();
+  }
   EXPECT_TRUE(eventually(kPatience, [&] { return shows_the_tube(desktop_->picture()); }));
+  expect_quits_silently();
+}
+
+TEST_F(ViewerWindow, OpensAFileThatIsDroppedOnIt) {
+  open_tube();
+  write_mesh(icosphere(2), folder_ / "ball.obj");
+  EXPECT_TRUE(test::drop_file(desktop_->name(), window_, folder_ / "ball.obj"));
+  EXPECT_TRUE(eventually(kPatience, [&] {
+    return desktop_->xdotool("getwindowname " + window_).starts_with("ball.obj");
+  }));
   expect_quits_silently();
 }
 
 TEST_F(ViewerWindow, SurvivesAResizeStorm) {
   open_tube();
   std::string storm;
-  for (int i = 0; i < 30; ++i) {
+  constexpr int kSizes = 200;
+  for (int i = 0; i < kSizes; ++i) {
     const int width = 80 + i * 397 % 1200;
     const int height = 70 + i * 211 % 730;
     storm += " windowsize " + window_ + " " + std::to_string(width) + " " + std::to_string(height) +
-             " sleep 0.05";
+             " sleep 0.02";
   }
   desktop_->xdotool(storm);
   ASSERT_TRUE(viewer_->running()) << viewer_->errors();
@@ -212,6 +229,21 @@ TEST_F(ViewerWindow, WithoutDisplaySaysSo) {
                                       folder_ / "errors");
   EXPECT_EQ(viewer_->wait(kPatience), 5);
   EXPECT_THAT(viewer_->errors(), HasSubstr("DISPLAY"));
+}
+
+TEST_F(ViewerWindow, SaysThatTheDisplayWentAway) {
+  open_tube();
+  desktop_->vanish();
+  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
+}
+
+TEST_F(ViewerWindow, SaysThatTheDisplayWentAwayInTheMiddleOfADrag) {
+  open_tube();
+  desktop_->xdotool("mousemove 790 300 mousedown 2 mousemove 700 340 mousemove 600 380");
+  desktop_->vanish();
+  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
 }
 
 TEST_F(ViewerWindow, WithoutVulkanSaysSo) {

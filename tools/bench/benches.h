@@ -54,8 +54,9 @@ struct FrameBench {
 };
 
 /// Drags a whole mesh (as bench_deform does) through what the viewer's window draws with, on images
-/// that no display holds up, and prints what each part of a frame costs: while the handle moves and
-/// when it rests.
+/// that no display holds up, and prints what each part of a frame costs: drawn as the window does
+/// while something moves (without antialiasing, without backs where none is seen) and as when
+/// nothing does.
 void bench_frame(const FrameBench& settings);
 
 }  // namespace lapwing::bench

@@ -169,6 +169,12 @@ void ViewerApp::use_path() {
   }
 }
 
+// Whether the eye is, give or take.
+bool ViewerApp::is_inside(const Bounds& bounds) const {
+  return (bounds.min.array() <= camera_.eye.array()).all() &&
+         (camera_.eye.array() <= bounds.max.array()).all();
+}
+
 Scene ViewerApp::scene() {
   Scene scene;
   scene.background = display_.background;

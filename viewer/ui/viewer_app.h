@@ -114,6 +114,7 @@ class ViewerApp final : public App {
   std::string typed_path_;
   std::vector<std::string> log_;
   std::string status_;
+  std::string title_ = "Lapwing";
   std::optional<PictureOrder> order_;
   int frames_shown_ = 0;  ///< of the document
   bool quit_ = false;

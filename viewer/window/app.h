@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
+#include <string_view>
 
 #include "lapwing/render/camera.h"
 #include "lapwing/render/renderer.h"

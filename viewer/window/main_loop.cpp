@@ -100,8 +100,8 @@ class MainLoop {
   }
 
   void fit_title() {
-    if (std::string title = app_.title(); title != title_) {
-      title_ = std::move(title);
+    if (const std::string_view title = app_.title(); title != title_) {
+      title_ = title;
       window_.set_title(title_);
     }
   }
