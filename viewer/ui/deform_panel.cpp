@@ -78,6 +78,12 @@ bool draw_number(const char* label, double& number, bool& let_go) {
   return changed;
 }
 
+// Without what rounding leaves, which would be long to read.
+Eigen::Vector3d readable(const Eigen::Vector3d& vector, double size) {
+  constexpr double kRounding = 1e-9;
+  return (vector.array().abs() > kRounding * size).select(vector, 0.0);
+}
+
 // The handle's move from its rest position, typed in.
 void draw_move(Editor& editor, PanelDrafts& drafts) {
   const AppState& state = editor.state();
@@ -94,6 +100,8 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
     return;
   }
   SimilarityMove move = drafts.move.value_or(*similarity);
+  move.translate = readable(move.translate, editor.bounds().diagonal());
+  move.rotate.axis = readable(move.rotate.axis, 1.0);
   bool let_go = false;
   bool changed = draw_vector("move", move.translate, let_go);
   changed |= draw_vector("axis", move.rotate.axis, let_go);

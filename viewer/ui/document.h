@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <utility>
 
 #include "editing/editor.h"
@@ -11,13 +12,19 @@ namespace lapwing::viewer {
 struct Document {
   Document(LoadedFile file, VulkanKernels& kernels, Editor::Say say, std::function<void()> wake)
       : opened(file.opened),
+        title(opened.name + " - Lapwing"),
+        unsaved_title(opened.name + "* - Lapwing"),
         report(std::move(file.report)),
+        closed_outward(file.closed_outward),
         editor({std::move(file.history), opened.mesh, opened.file, std::move(file.restored)},
                kernels, std::move(say), std::move(wake)),
         save_path(editor.session().file()) {}
 
   OpenedMesh opened;
+  std::string title;  ///< of the window
+  std::string unsaved_title;
   CheckReport report;
+  bool closed_outward;
   Editor editor;
   std::filesystem::path save_path;  ///< empty as long as nobody has said where
 };

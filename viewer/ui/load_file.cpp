@@ -3,6 +3,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/recipe/recipe.h"
+#include "lapwing/render/closed_surface.h"
 #include "state/draft.h"
 
 namespace lapwing::viewer {
@@ -18,7 +19,9 @@ OpenedMesh read(const fs::path& path, const Progress& progress) {
 LoadedFile examined(OpenedMesh opened, History history, const Progress& progress) {
   report_progress(progress, "check", 0.0);
   CheckReport report = check(*opened.mesh, *history.state().topology);
-  return {std::move(opened), std::move(report), std::move(history)};
+  const bool closed =
+      is_closed_outward(opened.mesh->positions, history.state().topology->triangles);
+  return {std::move(opened), std::move(report), std::move(history), closed};
 }
 
 LoadedFile unedited(OpenedMesh opened, const Progress& progress) {
@@ -52,7 +55,9 @@ LoadedFile load_replay(const fs::path& recipe, History history, Kernels& kernels
   for (const Step& step : read_recipe(recipe).steps) {
     perform(history, std::get<DeformStep>(step), solve_with(kernels, progress));
   }
-  return {{}, {}, std::move(history), {}, before};
+  LoadedFile file{{}, {}, std::move(history)};
+  file.replayed_from = before;
+  return file;
 }
 
 LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,

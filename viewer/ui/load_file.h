@@ -28,6 +28,7 @@ struct LoadedFile {
   OpenedMesh opened;
   CheckReport report;  ///< of the mesh as it was opened
   History history;
+  bool closed_outward = false;                   ///< as is_closed_outward says
   std::optional<InterruptedEdit> restored = {};  ///< what the history continues
   /// Of a replay: how many steps the history had that it goes on from.
   std::optional<std::size_t> replayed_from = {};

@@ -110,10 +110,10 @@ void ViewerApp::say(std::string message) {
   log_.push_back(std::move(message));
 }
 
-std::string ViewerApp::title() const {
+std::string_view ViewerApp::title() const {
   if (!document_) return "Lapwing";
-  const bool unsaved = document_->editor.session().history().unsaved();
-  return document_->opened.name + (unsaved ? "* - Lapwing" : " - Lapwing");
+  return document_->editor.session().history().unsaved() ? document_->unsaved_title
+                                                         : document_->title;
 }
 
 void ViewerApp::save_as(PathPurpose purpose) {
@@ -185,6 +185,9 @@ Scene ViewerApp::scene() {
   scene.camera = view_frame().camera;
   scene.style = style_of(display_, editor);
   scene.moving = motion_.has_value() || editor.is_dragging();
+  if (scene.moving && document_->closed_outward && !is_inside(editor.bounds())) {
+    scene.style.sides = Sides::front;
+  }
   return scene;
 }
 

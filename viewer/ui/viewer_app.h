@@ -39,7 +39,7 @@ class ViewerApp final : public App {
   void resize(const Eigen::Vector2d& size) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
-  std::string title() const override;
+  std::string_view title() const override;
   void ask_to_close() override;
   bool wants_to_quit() const override { return quit_; }
   void use_device(std::shared_ptr<gpu::Context> context) override;
@@ -73,6 +73,7 @@ class ViewerApp final : public App {
   Eigen::Vector3d upward() const;
   ViewFrame view_frame() const;
   GizmoKeys gizmo_keys() const;
+  bool is_inside(const Bounds& bounds) const;
   double sidebar_share() const;
   double sidebar_pixels() const;
 

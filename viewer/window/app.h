@@ -57,8 +57,8 @@ class App {
   virtual void draw_ui(const FrameTimings& last) = 0;
   /// What to draw under them; must live until the next call.
   virtual Scene scene() = 0;
-  /// What the window is called.
-  virtual std::string title() const = 0;
+  /// What the window is called. Until the next call.
+  virtual std::string_view title() const = 0;
   /// The person wants the window closed; `wants_to_quit` says when it may be.
   virtual void ask_to_close() = 0;
   virtual bool wants_to_quit() const = 0;
