@@ -48,7 +48,7 @@ void show(const Arguments& arguments) {
   window.exit_when_display_goes(kDevice);
   WindowGraphics graphics(window, arguments.device);
   const auto context = graphics.open_device();
-  ViewerApp app(context);
+  ViewerApp app(context, journal_folder());
   if (!arguments.file.empty()) app.open(arguments.file);
   if (arguments.screenshot.empty()) {
     app.offer_interrupted();

@@ -113,6 +113,10 @@ bool Process::running() {
   return false;
 }
 
+void Process::send(int signal) {
+  ::kill(pid_, signal);
+}
+
 int Process::wait(double seconds) {
   eventually(seconds, [&] { return !running(); });
   return status_;

@@ -25,6 +25,7 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   bool running();
+  void send(int signal);
   /// Its exit code, or minus the signal that ended it, waiting up to `seconds`; -1000 if it still
   /// runs then.
   int wait(double seconds);
@@ -44,6 +45,7 @@ class Desktop {
   explicit Desktop(const std::filesystem::path& folder);
 
   const std::string& name() const { return display_; }  ///< ":N"
+  const std::filesystem::path& folder() const { return folder_; }
   /// For the environment of programs.
   std::string display() const { return "DISPLAY=" + display_; }
   /// Runs xdotool and returns what it prints.

@@ -78,6 +78,7 @@ class SphereApp final : public App {
   }
   Scene scene() override { return sphere_->scene(); }
   std::string_view title() const override { return "a title longer than a short string"; }
+  void ask_to_close() override {}
   bool wants_to_quit() const override { return frames >= kLastFrame; }
   void use_device(std::shared_ptr<gpu::Context> context) override {
     EXPECT_NE(context, context_);
@@ -173,13 +174,14 @@ TEST_F(MainLoopTest, EndsWhereEveryFrameLosesTheDevice) {
 class WatchedViewer final : public App {
  public:
   WatchedViewer(std::shared_ptr<gpu::Context> context, const Desktop& desktop)
-      : viewer_(std::move(context)), desktop_(desktop) {}
+      : viewer_(std::move(context), desktop.folder() / "journals"), desktop_(desktop) {}
 
   bool handle(const InputEvent& event) override { return viewer_.handle(event); }
   void open(const fs::path& file) override { viewer_.open(file); }
   void resize(const Eigen::Vector2d& size) override { viewer_.resize(size); }
   Scene scene() override { return viewer_.scene(); }
   std::string_view title() const override { return viewer_.title(); }
+  void ask_to_close() override {}
   bool wants_to_quit() const override { return pictures_.size() == 2; }
 
   void draw_ui(const FrameTimings& last) override {

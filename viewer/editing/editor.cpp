@@ -46,10 +46,10 @@ Editor::Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<v
       opened_bounds_(bounds_of(opened_->positions)) {
   session_ =
       start.restored
-          ? std::make_unique<EditSession>(*start.restored, std::move(start.history),
-                                          journal_folder(), kernels_like(kernels), std::move(wake))
+          ? std::make_unique<EditSession>(*start.restored, std::move(start.history), start.journals,
+                                          kernels_like(kernels), std::move(wake))
           : std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
-                                          journal_folder(), kernels_like(kernels), std::move(wake));
+                                          start.journals, kernels_like(kernels), std::move(wake));
   if (!session_->warning().empty()) {
     say_(session_->warning());
   } else if (start.restored) {

@@ -24,9 +24,10 @@ enum class EditTool { move, disk, loop, brush, lasso, box };
 /// An edit to begin with.
 struct EditStart {
   History history;
-  std::shared_ptr<const Mesh> opened;            ///< before any step, to compare with
-  std::optional<MeshStamp> file;                 ///< EditSession's
-  std::optional<InterruptedEdit> restored = {};  ///< what the history continues
+  std::shared_ptr<const Mesh> opened;       ///< before any step, to compare with
+  std::optional<MeshStamp> file;            ///< EditSession's
+  std::optional<InterruptedEdit> restored;  ///< what the history continues
+  std::filesystem::path journals;           ///< EditSession's
 };
 
 /// One mesh being edited in a window: its session, the tool in hand, and its surface on the device.

@@ -105,39 +105,6 @@ std::vector<std::string> lines_of(const fs::path& path) {
   return lines;
 }
 
-std::optional<InterruptedEdit> read_journal(const fs::path& path) {
-  const std::vector<std::string> lines = lines_of(path);
-  if (lines.empty()) return std::nullopt;
-  InterruptedEdit edit;
-  edit.journal = path;
-  try {
-    edit.mesh = stamp_from(Json::parse(lines.front()));
-    edit.opened = edit.mesh.path;
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-  for (std::size_t k = 1; k < lines.size(); ++k) {
-    try {
-      const Json line = Json::parse(lines[k]);
-      if (line.contains("mesh")) {
-        edit.mesh = stamp_from(line.at("mesh"));
-        continue;
-      }
-      Draft next = edit.draft;
-      carry_out(line, next);
-      edit.draft = std::move(next);
-    } catch (const std::exception&) {
-      break;  // a disk that lost power may hold a damaged end; what precedes it is good
-    }
-  }
-  try {
-    edit.mesh_is_unchanged = stamp_of(edit.mesh.path) == edit.mesh;
-  } catch (const IoError&) {
-    edit.mesh_is_unchanged = false;
-  }
-  return edit;
-}
-
 // With the mesh's extension, by which its reader goes.
 fs::path copy_of_mesh(fs::path journal, const fs::path& mesh) {
   return journal.replace_extension(mesh.extension());
@@ -249,6 +216,39 @@ std::size_t InterruptedEdit::step_count() const {
       std::any_of(draft.open.handles.begin(), draft.open.handles.end(),
                   [](const MovedHandle& handle) { return handle.move != Move(SimilarityMove{}); });
   return draft.steps.size() + (is_moved ? 1 : 0);
+}
+
+std::optional<InterruptedEdit> read_journal(const fs::path& path) {
+  const std::vector<std::string> lines = lines_of(path);
+  if (lines.empty()) return std::nullopt;
+  InterruptedEdit edit;
+  edit.journal = path;
+  try {
+    edit.mesh = stamp_from(Json::parse(lines.front()));
+    edit.opened = edit.mesh.path;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    try {
+      const Json line = Json::parse(lines[k]);
+      if (line.contains("mesh")) {
+        edit.mesh = stamp_from(line.at("mesh"));
+        continue;
+      }
+      Draft next = edit.draft;
+      carry_out(line, next);
+      edit.draft = std::move(next);
+    } catch (const std::exception&) {
+      break;  // a disk that lost power may hold a damaged end; what precedes it is good
+    }
+  }
+  try {
+    edit.mesh_is_unchanged = stamp_of(edit.mesh.path) == edit.mesh;
+  } catch (const IoError&) {
+    edit.mesh_is_unchanged = false;
+  }
+  return edit;
 }
 
 std::vector<InterruptedEdit> find_interrupted(const fs::path& folder) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,9 +78,12 @@ struct InterruptedEdit {
   std::size_t step_count() const;
 };
 
-/// The interrupted edits of `folder`, the latest first. A last line that was not written out counts
-/// as not written, and a journal that cannot be read as none. Journals of running programs are left
-/// out.
+/// What a journal says, also while its program runs; nothing where it cannot be read. A last line
+/// that was not written out counts as not written.
+std::optional<InterruptedEdit> read_journal(const std::filesystem::path& path);
+
+/// The interrupted edits of `folder`, the latest first: journals that can be read, of programs that
+/// no longer run.
 std::vector<InterruptedEdit> find_interrupted(const std::filesystem::path& folder);
 
 /// The edit was restored, and its steps are in a journal of their own (EditSession writes it); or

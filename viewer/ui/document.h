@@ -10,14 +10,16 @@ namespace lapwing::viewer {
 
 /// What is open.
 struct Document {
-  Document(LoadedFile file, VulkanKernels& kernels, Editor::Say say, std::function<void()> wake)
+  Document(LoadedFile file, const std::filesystem::path& journals, VulkanKernels& kernels,
+           Editor::Say say, std::function<void()> wake)
       : opened(file.opened),
         title(opened.name + " - Lapwing"),
         unsaved_title(opened.name + "* - Lapwing"),
         report(std::move(file.report)),
         closed_outward(file.closed_outward),
-        editor({std::move(file.history), opened.mesh, opened.file, std::move(file.restored)},
-               kernels, std::move(say), std::move(wake)),
+        editor(
+            {std::move(file.history), opened.mesh, opened.file, std::move(file.restored), journals},
+            kernels, std::move(say), std::move(wake)),
         save_path(editor.session().file()) {}
 
   OpenedMesh opened;

@@ -8,14 +8,15 @@
 
 namespace lapwing::viewer {
 
-ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context)
+ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals)
     : context_(context),
+      journals_(std::move(journals)),
       kernels_(std::in_place, context, Precision::automatic),
       loader_(context),
       samples_(find_samples()) {}
 
 void ViewerApp::offer_interrupted() {
-  interrupted_ = find_interrupted(journal_folder());
+  interrupted_ = find_interrupted(journals_);
   // Nothing of these would come back.
   std::erase_if(interrupted_, [](const InterruptedEdit& edit) {
     if (edit.is_empty()) discard(edit);
@@ -67,8 +68,8 @@ void ViewerApp::show(LoadedFile file) {
   if (document_) document_->editor.session().close();
   document_.reset();
   document_ = std::make_unique<Document>(
-      std::move(file), *kernels_, [this](std::string message) { say(std::move(message)); },
-      &Window::wake);
+      std::move(file), journals_, *kernels_,
+      [this](std::string message) { say(std::move(message)); }, &Window::wake);
   document_->editor.set_gizmo_keys(gizmo_keys());
   up_axis_ = document_->opened.up_axis;
   frames_shown_ = 0;

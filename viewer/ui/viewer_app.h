@@ -28,7 +28,8 @@ struct PictureOrder {
 /// concern: viewer_app (files), viewer_input (mouse and keys), viewer_frame (panels).
 class ViewerApp final : public App {
  public:
-  explicit ViewerApp(std::shared_ptr<gpu::Context> context);
+  /// Journals go to that folder.
+  ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals);
 
   void order(PictureOrder picture) { order_ = std::move(picture); }
   /// Offers edits that a crash interrupted.
@@ -92,6 +93,7 @@ class ViewerApp final : public App {
   VkExtent2D window_size() const;
 
   std::shared_ptr<gpu::Context> context_;
+  std::filesystem::path journals_;
   std::optional<VulkanKernels> kernels_;
   FileLoader loader_;
   std::unique_ptr<Document> document_;
