@@ -29,7 +29,7 @@ Vector3d CpuRingRotations::edge_forces(std::size_t row) const {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
     const Index j = rings_.neighbours[e];
-    const Vector3d was = -edges_[e].head<3>();
+    const Vector3d was = -rings_.edges[e];
     Vector3d wish = T * was - was;
     if (rings_.is_row(j)) wish += transform(j) * was - was;
     sum += rings_.stiffness[e] * wish;
