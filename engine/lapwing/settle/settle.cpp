@@ -49,9 +49,11 @@ struct Settler::State {
   std::unique_ptr<RingRotations> rotations;
   Anderson anderson;
 
-  // Of one iteration. Vectors over the unknowns hold x of all, then y, then z.
+  // Of one iteration. Vectors over the unknowns, which come in the order of elimination, hold x of
+  // all, then y, then z.
   std::vector<Vector3d> displacement;  ///< of RegionRings::vertices
   std::vector<double> energies;        ///< per row
+  std::vector<double> weights;         ///< W of each unknown
   std::vector<double> wanted;          ///< over the unknowns
   std::vector<double> constant;        ///< what wanted positions add to the right-hand side
   std::vector<double> x;               ///< where the unknowns are
@@ -76,6 +78,9 @@ struct Settler::State {
         energies(rings.row_count()),
         partial((laplacian.size() + kUnknownsPerTask - 1) / kUnknownsPerTask) {
     for (auto* vector : {&wanted, &constant, &x, &g}) vector->resize(3 * system.size());
+    for (const int k : system.elimination_order()) {
+      weights.push_back(system.constraints().W[static_cast<std::size_t>(k)]);
+    }
   }
 
   void begin(std::span<const Vector3d> handles, std::span<const Vector3d> u);
@@ -84,6 +89,7 @@ struct Settler::State {
   void global_step();
   Measures measure();
 
+  Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
   Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
     const std::size_t n = system.size();
     return {numbers[k], numbers[n + k], numbers[2 * n + k]};
@@ -91,24 +97,25 @@ struct Settler::State {
 };
 
 void Settler::State::begin(std::span<const Vector3d> handles, std::span<const Vector3d> u) {
-  const Unknowns& unknowns = system.constraints().unknowns;
+  const std::vector<int>& order = system.elimination_order();
   const std::size_t n = system.size();
+  system.right_hand_side(handles, g);
   for (std::size_t r = 0; r < rings.row_count(); ++r) displacement[r] = handles[rings.vertices[r]];
   for (std::size_t k = 0; k < n; ++k) {
-    const Index v = unknowns.vertices[k];
+    const Index v = vertex(k);
+    const auto own = static_cast<std::size_t>(order[k]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       wanted[axis * n + k] = handles[v][static_cast<Eigen::Index>(axis)];
       x[axis * n + k] = u[v][static_cast<Eigen::Index>(axis)];
+      constant[axis * n + k] = g[axis * n + own];
     }
   }
-  system.right_hand_side(handles, constant);
   anderson.restart();
 }
 
 void Settler::State::finish(std::span<const double> from, std::span<Vector3d> u) const {
   for (std::size_t r = 0; r < rings.row_count(); ++r) u[rings.vertices[r]] = displacement[r];
-  const Unknowns& unknowns = system.constraints().unknowns;
-  for (std::size_t k = 0; k < system.size(); ++k) u[unknowns.vertices[k]] = of_unknown(from, k);
+  for (std::size_t k = 0; k < system.size(); ++k) u[vertex(k)] = of_unknown(from, k);
 }
 
 void Settler::State::fit_rotations(std::span<const double> from) {
@@ -126,13 +133,12 @@ void Settler::State::global_step() {
   parallel_for(g.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) g[i] += constant[i];
   });
-  system.solve_in_place(g, 3);
+  system.solve_in_elimination_order(g, 3);
 }
 
 // Of x with the rotations last fitted, and of the step from x to g. Sums go task by task, so that
 // they do not depend on the number of threads.
 Settler::State::Measures Settler::State::measure() {
-  const auto& W = system.constraints().W;
   parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t task = begin; task < end; ++task) {
       Measures& sum = partial[task] = {};
@@ -142,7 +148,9 @@ Settler::State::Measures Settler::State::measure() {
         const double step = (of_unknown(g, k) - at).squaredNorm();
         sum.residual += step;
         sum.largest_step = std::max(sum.largest_step, step);
-        if (W[k] > 0.0) sum.energy += W[k] * (at - of_unknown(wanted, k)).squaredNorm();
+        if (weights[k] > 0.0) {
+          sum.energy += weights[k] * (at - of_unknown(wanted, k)).squaredNorm();
+        }
       }
     }
   });
