@@ -13,7 +13,7 @@ CpuRingRotations::CpuRingRotations(const RegionRings& rings, RingMotion motion)
       rest_((rings.row_count() + kFitLanes - 1) / kFitLanes),
       displacement_(std::max(rings.vertices.size(), rest_.size() * kFitLanes), Vector4::Zero()),
       transforms_(rings.stiffness.empty() ? 0 : rest_.size()),
-      turned_(rings.row_count(), Vector4::Zero()) {
+      turned_(rings.vertices.size(), Vector4::Zero()) {
   entry_starts_.push_back(0);
   for (std::size_t batch = 0; batch < rest_.size(); ++batch) pack_batch(batch);
 }

@@ -41,7 +41,7 @@ class CpuRingRotations final : public RingRotations {
   std::vector<FitEntries> entries_;
   std::vector<Vector4> displacement_;   ///< per vertex, of the last fit; no fewer than lanes
   std::vector<Transforms> transforms_;  ///< per batch, where edges resist; else empty
-  std::vector<Vector4> turned_;         ///< per row: T_i delta_i - delta_i
+  std::vector<Vector4> turned_;  ///< per vertex: T_i delta_i - delta_i, 0 for one that is no row
 };
 
 }  // namespace lapwing
