@@ -111,7 +111,7 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   if (tool_ == EditTool::move) return {};
   const ToolAnswer answer = send_to_tool(event, select_scene(view, projection));
   Handled handled = carry_out(answer);
-  if (answer.taken) show_classes();
+  classes_are_old_ = classes_are_old_ || answer.taken;
   // The line to the cursor and the brush go with it.
   if (event.kind == InputKind::move) {
     handled.changed = handled.taken || tool_ == EditTool::brush || !loop_.corners().empty();

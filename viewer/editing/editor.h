@@ -133,7 +133,7 @@ class Editor {
   void show_still();
   void follow_hand();
   bool follow_settled();
-  void show_classes();
+  void show_classes();  ///< where they have changed
   void show_measure();
 
   Say say_;
@@ -168,6 +168,7 @@ class Editor {
   std::vector<Eigen::Affine3d> motions_;
   std::vector<Eigen::Affine3d> followed_;
   std::vector<Move> live_moves_;
+  bool classes_are_old_ = true;
   bool continuous_ = false;
   bool before_ = false;
   std::optional<PoseMeasure> measure_;

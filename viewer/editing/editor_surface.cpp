@@ -1,7 +1,7 @@
 // What of an editor is on the screen: the surface and its colours.
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "editing/editor.h"
 #include "lapwing/deform/handle_motion.h"
@@ -29,7 +29,7 @@ void Editor::state_changed() {
   }
   following_ = false;
   followed_.clear();
-  show_classes();
+  classes_are_old_ = true;
   if (!needs_settling(now)) show_still();
 }
 
@@ -46,6 +46,7 @@ void Editor::show_before(bool before) {
 void Editor::update() {
   if (session_->take_result()) state_changed();
   follow_hand();
+  show_classes();
   show_measure();
 }
 
@@ -88,6 +89,7 @@ bool Editor::follow_settled() {
 }
 
 void Editor::show_classes() {
+  if (!std::exchange(classes_are_old_, false)) return;
   const bool disk = tool_ == EditTool::disk && disk_.is_dragging();
   const VertexSet live = disk ? disk_.live() : paint_.is_dragging() ? paint_.live() : VertexSet{};
   device_->surface.paint().set_classes(

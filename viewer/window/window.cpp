@@ -169,7 +169,11 @@ struct WindowCallbacks {
     event.position = in_pixels(handle);
     event.button = window.dragging_;
     event.modifiers = pressed_modifiers(handle);
-    if (!window.events_.empty() && window.events_.back().kind == InputKind::move) {
+    // A lasso is all of its way, however long a frame takes; otherwise where the cursor is by now is
+    // enough.
+    const bool may_skip = window.dragging_ == MouseButton::none && !window.events_.empty() &&
+                          window.events_.back().kind == InputKind::move;
+    if (may_skip) {
       window.events_.back() = event;
     } else {
       window.events_.push_back(event);
