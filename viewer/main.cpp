@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -47,11 +48,11 @@ void show(const Arguments& arguments) {
                 static_cast<int>(kWindowSize.height));
   window.exit_when_display_goes(kDevice);
   WindowGraphics graphics(window, arguments.device);
-  const auto context = graphics.open_device();
+  auto context = graphics.open_device();
   ViewerApp app(context);
   if (!arguments.file.empty()) app.open(arguments.file);
   if (!arguments.screenshot.empty()) app.order({arguments.screenshot, size});
-  run_main_loop(window, graphics, context, app);
+  run_main_loop(window, graphics, std::move(context), app);
 }
 
 int fail(const std::exception& error, ExitCode code) {
