@@ -10,6 +10,7 @@
 #include <memory>
 #include <signal.h>
 #include <stdexcept>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -41,6 +42,8 @@ void change_environment(const std::vector<std::string>& changes) {
 [[noreturn]] void become(std::vector<std::string>& arguments,
                          const std::vector<std::string>& environment,
                          const std::filesystem::path& errors) {
+  // A test that crashes takes its programs along: they hold the pipe that its output is read from.
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
   change_environment(environment);
   const int file = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   dup2(file, STDERR_FILENO);
