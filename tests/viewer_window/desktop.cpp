@@ -131,9 +131,8 @@ std::string Process::errors() const {
 
 Desktop::Desktop(const std::filesystem::path& folder) : folder_(folder) {
   const std::filesystem::path number = folder / "display";
-  const std::string command = std::string("exec ") + LAPWING_XVFB +
-                              " -screen 0 1280x800x24 -noreset -nolisten tcp -fbdir " +
-                              folder.string() + " -displayfd 3 3>" + number.string();
+  std::string command = "exec " LAPWING_XVFB " -screen 0 1280x800x24 -noreset -nolisten tcp";
+  command += " -fbdir " + folder.string() + " -displayfd 3 3>" + number.string();
   server_ = std::make_unique<Process>(std::vector<std::string>{"/bin/sh", "-c", command},
                                       std::vector<std::string>{}, folder / "xvfb.log");
   constexpr double kPatience = 20.0;
