@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -47,7 +48,7 @@ void show(const Arguments& arguments) {
                 static_cast<int>(kWindowSize.height));
   window.exit_when_display_goes(kDevice);
   WindowGraphics graphics(window, arguments.device);
-  const auto context = graphics.open_device();
+  auto context = graphics.open_device();
   ViewerApp app(context, journal_folder());
   if (!arguments.file.empty()) app.open(arguments.file);
   if (arguments.screenshot.empty()) {
@@ -55,7 +56,7 @@ void show(const Arguments& arguments) {
   } else {
     app.order({arguments.screenshot, size});
   }
-  run_main_loop(window, graphics, context, app);
+  run_main_loop(window, graphics, std::move(context), app);
 }
 
 int fail(const std::exception& error, ExitCode code) {

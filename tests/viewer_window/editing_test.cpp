@@ -237,7 +237,8 @@ TEST_F(Editing, EachGizmoModeMovesTheHandle) {
   EXPECT_TRUE(after("s", "", "1.5",
                     [](const SimilarityMove& m) { return std::abs(m.scale - 1.5) < 1e-9; }));
   EXPECT_TRUE(settles());
-  expect_quits_silently();
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
 }
 
 TEST_F(Editing, ClosingAsksWhetherToSave) {
@@ -247,13 +248,11 @@ TEST_F(Editing, ClosingAsksWhetherToSave) {
   person_->type("0.5");
   person_->keys("Return");
   ASSERT_TRUE(settles());
-  person_->keys("ctrl+q");
-  desktop_->settled_picture();
+  person_->open_dialog("ctrl+q");
   person_->keys("Escape");
   desktop_->settled_picture();
   ASSERT_TRUE(person_->draft()) << "still editing";
-  person_->keys("ctrl+q");
-  desktop_->settled_picture();
+  person_->open_dialog("ctrl+q");
   person_->keys("Return");
   EXPECT_EQ(person_->wait(), 0);
   EXPECT_GT(largest_distance(read_mesh(tube()).positions, mesh_.positions), 0.1) << "saved";
@@ -329,9 +328,7 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
   EXPECT_LT(test::mean_difference(desktop_->settled_picture(), edited), 0.3);
 
   const auto save_as = [&](const std::string& keys, const fs::path& path) {
-    person_->keys(keys);
-    desktop_->settled_picture();
-    person_->keys("ctrl+a");
+    person_->open_dialog(keys);
     person_->type(path.string());
     person_->keys("Return");
     return test::eventually(60.0, [&] { return fs::exists(path); });

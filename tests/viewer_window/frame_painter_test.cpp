@@ -1,7 +1,6 @@
 #include "window/frame_painter.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -106,8 +105,7 @@ TEST(FramePainter, TimesEveryPartOfADragFrame) {
 
 TEST(FramePainter, DragFramesAllocateNothing) {
   LAPWING_NEEDS_GPU();
-  // The validation layers allocate in every call.
-  unsetenv("LAPWING_VALIDATION");
+  const test::WithoutValidation without_validation;
   Frames frames;
   for (int f = 0; f < 3; ++f) frames.drag_and_paint(0.1 * f);
   long calls = 0;

@@ -125,8 +125,7 @@ TEST_F(MainLoopTest, WithoutFaultsOpensEverythingOnce) {
 }
 
 TEST_F(MainLoopTest, DragFramesAllocateNothing) {
-  // The validation layers allocate in every call.
-  unsetenv("LAPWING_VALIDATION");
+  const test::WithoutValidation without_validation;
   WindowGraphics graphics(*window_, "auto");
   const auto context = graphics.open_device();
   SphereApp app(context);

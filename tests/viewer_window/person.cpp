@@ -70,6 +70,19 @@ int Person::quit() {
   return wait();
 }
 
+int Person::discard_and_quit() {
+  open_dialog("ctrl+q");
+  keys("Delete");
+  return wait();
+}
+
+void Person::open_dialog(const std::string& names) const {
+  const Image before = desktop_.settled_picture();
+  keys(names);
+  eventually(kPatience, [&] { return mean_difference(desktop_.picture(), before) > 1.0; });
+  desktop_.settled_picture();
+}
+
 int Person::wait() {
   return viewer_->wait(kPatience);
 }

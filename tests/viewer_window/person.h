@@ -31,6 +31,10 @@ class Person {
   void start();
   void kill();
   int quit();
+  /// Quits an edit that is not saved.
+  int discard_and_quit();
+  /// Presses keys that open a dialog; waits until it is there.
+  void open_dialog(const std::string& names) const;
   /// The exit code of a viewer that is about to quit.
   int wait();
   bool waits_for_window();

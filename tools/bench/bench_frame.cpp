@@ -94,75 +94,96 @@ Eigen::Affine3d motion_at(double share, double size) {
          Eigen::AngleAxisd(0.3 * share, Eigen::Vector3d(1.0, 2.0, 3.0).normalized());
 }
 
+// A mesh on its way through the frames of a window that nobody sees.
+class DraggedMesh {
+ public:
+  explicit DraggedMesh(const FrameBench& settings)
+      : mesh_(read_mesh(settings.mesh)),
+        topology_(build_topology(mesh_)),
+        context_(open(settings.device)),
+        kernels_(context_, Precision::automatic),
+        deformer_(mesh_.positions, topology_, whole_mesh_region(mesh_), {}, kernels_),
+        paint_(surface()),
+        screen_(*context_),
+        painter_(*context_, screen_),
+        panels_(settings),
+        size_{settings.width, settings.height},
+        diagonal_(bounds_of(mesh_.positions).diagonal()),
+        closed_(is_closed_outward(mesh_.positions, topology_.triangles)) {
+    painter_.set_fonts();
+    paint_.set_polygons(mesh_, topology_);
+    paint_.set_classes(vertex_classes(deformer_.region(), mesh_.vertex_count()));
+    scene_.surface = &surface();
+    scene_.paint = &paint_;
+    scene_.style.color = SurfaceColor::regions;
+    scene_.camera = fit(bounds_of(mesh_.positions), view_axes(View::three_quarter),
+                        static_cast<double>(settings.width) / settings.height);
+  }
+
+  // One frame, drawn as the window does while something moves or as when nothing does.
+  void drag(bool quick, Parts& parts) {
+    const Stopwatch frame;
+    const std::array motions{motion_at(0.5 + 0.5 * std::sin(0.2 * ++frames_), diagonal_)};
+    deformer_.drag(motions);
+    scene_.moving = quick;
+    scene_.style.sides = quick && closed_ ? Sides::front : Sides::both;
+    const Stopwatch layout;
+    const ImDrawData& laid_out = panels_.lay_out(times_);
+    times_.panels_ms = layout.elapsed_ms();
+    painter_.paint(size_, scene_, laid_out);
+    painter_.finish_frame(times_);
+    parts.add(times_, frame.elapsed_ms());
+  }
+
+  std::size_t vertex_count() const { return mesh_.vertex_count(); }
+  const std::string& device() const { return context_->description().name; }
+  Image picture() { return screen_.picture(); }
+
+ private:
+  static std::shared_ptr<gpu::Context> open(const std::string& device) {
+    gpu::ContextOptions options;
+    options.device = device;
+    return std::make_shared<gpu::Context>(options);
+  }
+  VulkanSurface& surface() { return dynamic_cast<VulkanSurface&>(deformer_.surface()); }
+
+  Mesh mesh_;
+  Topology topology_;
+  std::shared_ptr<gpu::Context> context_;
+  VulkanKernels kernels_;
+  Deformer deformer_;
+  SurfacePaint paint_;
+  viewer::OffscreenScreen screen_;
+  viewer::FramePainter painter_;
+  Panels panels_;
+  Scene scene_;
+  VkExtent2D size_;
+  double diagonal_;
+  bool closed_;
+  FrameTimings times_;
+  int frames_ = 0;
+};
+
 }  // namespace
 
 void bench_frame(const FrameBench& settings) {
-  const Mesh mesh = read_mesh(settings.mesh);
-  const Topology topology = build_topology(mesh);
-  gpu::ContextOptions device;
-  device.device = settings.device;
-  const auto context = std::make_shared<gpu::Context>(device);
-  VulkanKernels kernels(context, Precision::automatic);
-  const EditRegion region = whole_mesh_region(mesh);
-  Deformer deformer(mesh.positions, topology, region, {}, kernels);
-  auto& surface = dynamic_cast<VulkanSurface&>(deformer.surface());
-  SurfacePaint paint(surface);
-  paint.set_polygons(mesh, topology);
-  paint.set_classes(vertex_classes(region, mesh.vertex_count()));
-
-  viewer::OffscreenScreen screen(*context);
-  viewer::FramePainter painter(*context, screen);
-  Panels panels(settings);
-  painter.set_fonts();
-  const Bounds bounds = bounds_of(mesh.positions);
-  Scene scene;
-  scene.surface = &surface;
-  scene.paint = &paint;
-  scene.style.color = SurfaceColor::regions;
-  scene.camera = fit(bounds, view_axes(View::three_quarter),
-                     static_cast<double>(settings.width) / settings.height);
-
-  const VkExtent2D size{settings.width, settings.height};
-  FrameTimings times;
-  int frames = 0;
-  // A drag frame, drawn as the window does while something moves, or as it does afterwards.
-  const bool closed = is_closed_outward(mesh.positions, topology.triangles);
-  const auto frame = [&](bool quick) {
-    const Stopwatch watch;
-    const double share = 0.5 + 0.5 * std::sin(0.2 * ++frames);
-    const std::array motions{motion_at(share, bounds.diagonal())};
-    deformer.drag(motions);
-    scene.moving = quick;
-    scene.style.sides = quick && closed ? Sides::front : Sides::both;
-    const Stopwatch layout;
-    const ImDrawData& laid_out = panels.lay_out(times);
-    times.panels_ms = layout.elapsed_ms();
-    painter.paint(size, scene, laid_out);
-    painter.finish_frame(times);
-    return watch.elapsed_ms();
-  };
-
+  DraggedMesh dragged(settings);
   Parts quick;
   Parts fine;
-  frame(true);
-  frame(false);
+  Parts uncounted;
+  dragged.drag(true, uncounted);
+  dragged.drag(false, uncounted);
   for (int run = 0; run < settings.repeats; ++run) {
-    for (int f = 0; f < kFramesPerRun; ++f) {
-      const double ms = frame(true);
-      quick.add(times, ms);
-    }
-    for (int f = 0; f < kFramesPerRun; ++f) {
-      const double ms = frame(false);
-      fine.add(times, ms);
-    }
+    for (int f = 0; f < kFramesPerRun; ++f) dragged.drag(true, quick);
+    for (int f = 0; f < kFramesPerRun; ++f) dragged.drag(false, fine);
   }
-  std::printf("%s: %zu vertices, device %s, %u x %u pixels, %zu drag frames of each kind\n",
-              std::filesystem::path(settings.mesh).filename().c_str(), mesh.vertex_count(),
-              context->description().name.c_str(), settings.width, settings.height,
-              quick.parts[0].milliseconds.size());
+  std::printf("%s: %zu vertices, device %s, %u x %u pixels, %d drag frames of each kind\n",
+              std::filesystem::path(settings.mesh).filename().c_str(), dragged.vertex_count(),
+              dragged.device().c_str(), settings.width, settings.height,
+              kFramesPerRun * settings.repeats);
   quick.print("drawn as while it moves, ms");
   fine.print("drawn as when it rests, ms");
-  if (!settings.picture.empty()) write_png(settings.picture, screen.picture());
+  if (!settings.picture.empty()) write_png(settings.picture, dragged.picture());
 }
 
 }  // namespace lapwing::bench

@@ -65,7 +65,8 @@ bool draw_path_panel(PathPlan& plan) {
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(24.0F * ImGui::GetFontSize());
     const bool entered =
-        ImGui::InputText("##path", &plan.path, ImGuiInputTextFlags_EnterReturnsTrue);
+        ImGui::InputText("##path", &plan.path,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     use = (ImGui::Button(said.button) || entered) && !plan.path.empty();
     ImGui::SameLine();
     if (ImGui::Button("Cancel")) open = false;

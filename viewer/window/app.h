@@ -53,7 +53,7 @@ class App {
   /// The pixels of the picture; before the first frame and whenever it changes. Never 0.
   virtual void resize(const Eigen::Vector2d& size) = 0;
   /// Calls ImGui for the panels of one frame. `last` is of the frame before. What this throws ends
-  /// the main loop.
+  /// the main loop, but for gpu::DeviceLost.
   virtual void draw_ui(const FrameTimings& last) = 0;
   /// What to draw under them; must live until the next call.
   virtual Scene scene() = 0;

@@ -3,6 +3,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -122,7 +123,11 @@ class MainLoop {
 
   void hand_on_input() {
     if (window_.take_close_request()) app_.ask_to_close();
-    for (const InputEvent& event : window_.take_events()) {
+    // What follows on an event that lost the device is handed on in the next turn.
+    if (events_.empty()) events_ = window_.take_events();
+    while (!events_.empty()) {
+      const InputEvent& event = events_.front();
+      events_ = events_.subspan(1);
       if (app_.handle(event)) frames_due_ = kFramesPerChange;
     }
     for (const std::filesystem::path& file : window_.take_dropped_files()) app_.open(file);
@@ -157,11 +162,12 @@ class MainLoop {
   std::unique_ptr<Screen> screen_;
   std::optional<FramePainter> painter_;
   bool device_lost_ = false;
-  int losses_ = 0;  ///< since a frame was shown
+  int losses_ = 0;  // since a frame was shown
   FrameTimings timings_;
   VkExtent2D pixels_{};
   double scale_ = 0.0;
   std::string title_;
+  std::span<const InputEvent> events_;  // not yet handed on
   int frames_due_ = kFramesPerChange;
 };
 
