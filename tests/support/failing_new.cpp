@@ -59,14 +59,6 @@ void* operator new(std::size_t bytes) {
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return lapwing::test::allocate(bytes == 0 ? 1 : bytes, static_cast<std::size_t>(alignment));
 }
-// A sanitizer's own would not call the one above.
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-  try {
-    return operator new(bytes);
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
-}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }

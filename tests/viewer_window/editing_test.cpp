@@ -274,7 +274,7 @@ TEST_F(Editing, EveryStepSurvivesBeingKilledAtAnyMoment) {
     const auto edits = viewer::find_interrupted(person_->journals());
     ASSERT_EQ(edits.size(), 1U) << "crash " << crash;
     const Draft left = edits[0].draft;
-    EXPECT_TRUE(left == seen || !(seen.open == left.open) || left.settled)
+    EXPECT_TRUE(left == seen || left.settled || left.open != seen.open)
         << "what was recorded is there, or what came after it";
 
     person_->start();
@@ -284,7 +284,6 @@ TEST_F(Editing, EveryStepSurvivesBeingKilledAtAnyMoment) {
     ASSERT_TRUE(person_->eventually_is([&](const Draft& d) { return d.open == left.open; }))
         << "crash " << crash;
   }
-  ASSERT_TRUE(settles());
 }
 
 TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
@@ -305,13 +304,13 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
   const double size = bounds_of(mesh_.positions).diagonal();
   const Vector2d wrist = person_->pixel_of(hand + Vector3d(-0.02 * size, 0.0, 0.0));
   const Vector2d arm = person_->pixel_of(hand + Vector3d(-0.16 * size, 0.0, 0.0));
-  const Vector2d palm = person_->pixel_of(hand + Vector3d(-0.05 * size, 0.0, 0.0));
+  const Vector2d palm = person_->pixel_of(hand + Vector3d(-0.07 * size, 0.0, 0.0));
   person_->drag({wrist, 0.5 * (wrist + arm), arm});
   ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
   person_->drag({wrist, 0.5 * (wrist + palm), palm});
   ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
 
-  drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -80.0});
+  drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -40.0});
   ASSERT_TRUE(settles());
   const Draft bent = person_->draft().value();
   const Image edited = desktop_->settled_picture();
@@ -331,7 +330,9 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
     person_->open_dialog(keys);
     person_->type(path.string());
     person_->keys("Return");
-    return test::eventually(60.0, [&] { return fs::exists(path); });
+    const bool saved = test::eventually(60.0, [&] { return fs::exists(path); });
+    desktop_->settled_picture();
+    return saved;
   };
   ASSERT_TRUE(save_as("ctrl+e", folder_ / "arm.json"));
   ASSERT_TRUE(save_as("ctrl+shift+s", folder_ / "arm.ply"));
@@ -339,6 +340,7 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
 
   CpuKernels kernels;
   const auto replayed = run_recipe(read_recipe(folder_ / "arm.json"), kernels);
+  EXPECT_TRUE(replayed->report.steps.at(0).certificate.settled);
   const Positions saved = read_mesh(folder_ / "arm.ply").positions;
   EXPECT_LT(largest_distance(saved, replayed->mesh.positions), 1e-5 * size);
   EXPECT_GT(largest_distance(saved, mesh_.positions), 0.02 * size);

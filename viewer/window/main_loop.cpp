@@ -146,6 +146,7 @@ class MainLoop {
       throw;
     }
     ImGui::Render();
+    window_.panels_have_seen_keys();
     timings_.panels_ms = panels.elapsed_ms();
     // A window that changed while it was drawn is drawn again.
     if (painter_->paint(pixels_, app_.scene(), *ImGui::GetDrawData())) {

@@ -1,5 +1,6 @@
 #include "window/window.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <dlfcn.h>
@@ -169,8 +170,8 @@ struct WindowCallbacks {
     event.position = in_pixels(handle);
     event.button = window.dragging_;
     event.modifiers = pressed_modifiers(handle);
-    // A lasso is all of its way, however long a frame takes; otherwise where the cursor is by now is
-    // enough.
+    // A lasso is all of its way, however long a frame takes; otherwise where the cursor is by now
+    // is enough.
     const bool may_skip = window.dragging_ == MouseButton::none && !window.events_.empty() &&
                           window.events_.back().kind == InputKind::move;
     if (may_skip) {
@@ -192,8 +193,22 @@ struct WindowCallbacks {
     add(handle, event);
   }
 
+  // ImGui sees keys as they are at each frame: one that goes down and up between two would be lost
+  // to it, however long a frame takes.
+  static void tell_imgui(GLFWwindow* handle, const Window::KeyRelease& key, int action) {
+    Window& window = of(handle);
+    if (action == GLFW_PRESS) window.pressed_since_frame_.push_back(key.key);
+    const auto& pressed = window.pressed_since_frame_;
+    const bool is_new = std::find(pressed.begin(), pressed.end(), key.key) != pressed.end();
+    if (action == GLFW_RELEASE && is_new) {
+      window.late_releases_.push_back(key);
+    } else {
+      ImGui_ImplGlfw_KeyCallback(handle, key.key, key.scancode, action, key.modifiers);
+    }
+  }
+
   static void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
-    ImGui_ImplGlfw_KeyCallback(handle, key, scancode, action, mods);
+    tell_imgui(handle, {key, scancode, mods}, action);
     of(handle).changed_ = true;
     if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
     InputEvent event;
@@ -329,6 +344,14 @@ std::span<const InputEvent> Window::take_events() {
 }
 std::vector<std::filesystem::path> Window::take_dropped_files() {
   return std::exchange(dropped_, {});
+}
+void Window::panels_have_seen_keys() {
+  pressed_since_frame_.clear();
+  for (const KeyRelease& key : late_releases_) {
+    ImGui_ImplGlfw_KeyCallback(handle_, key.key, key.scancode, GLFW_RELEASE, key.modifiers);
+    changed_ = true;
+  }
+  late_releases_.clear();
 }
 bool Window::take_changed() {
   const bool changed = std::exchange(changed_, false);

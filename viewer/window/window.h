@@ -45,6 +45,9 @@ class Window {
   /// Until the next call.
   std::span<const InputEvent> take_events();
   std::vector<std::filesystem::path> take_dropped_files();
+  /// The panels have been laid out: keys that were let go since they were pressed are up for the
+  /// next one.
+  void panels_have_seen_keys();
   /// Whether anything happened since the last call that may change the panels.
   bool take_changed();
 
@@ -59,12 +62,21 @@ class Window {
  private:
   friend struct WindowCallbacks;
 
+  /// As GLFW says it.
+  struct KeyRelease {
+    int key;
+    int scancode;
+    int modifiers;
+  };
+
   GLFWwindow* handle_ = nullptr;
   std::vector<InputEvent> events_;
   std::vector<InputEvent> taken_;
   std::vector<std::filesystem::path> dropped_;
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< in screen units
   MouseButton dragging_ = MouseButton::none;          ///< pressed over the picture
+  std::vector<int> pressed_since_frame_;              ///< GLFW's keys
+  std::vector<KeyRelease> late_releases_;
   bool changed_ = true;
 };
 
