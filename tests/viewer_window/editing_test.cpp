@@ -281,9 +281,14 @@ TEST_F(Editing, EveryStepSurvivesBeingKilledAtAnyMoment) {
     ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
     desktop_->settled_picture();
     person_->keys("Return");
+    ASSERT_TRUE(test::eventually(60.0, [&] { return !fs::exists(edits[0].journal); }))
+        << "crash " << crash << ": nobody took the edit over";
     ASSERT_TRUE(person_->eventually_is([&](const Draft& d) { return d.open == left.open; }))
         << "crash " << crash;
   }
+  ASSERT_TRUE(settles()) << "what was moved and not settled is settled now";
+  const SimilarityMove moved = move();
+  EXPECT_GT(moved.translate.norm() + moved.rotate.degrees, 0.0) << "steps were made in between";
 }
 
 TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
