@@ -20,7 +20,7 @@ struct Document {
         editor(
             {std::move(file.history), opened.mesh, opened.file, std::move(file.restored), journals},
             kernels, std::move(say), std::move(wake)),
-        save_path(editor.session().file()) {}
+        save_path(file.from_recipe ? std::filesystem::path() : editor.session().file()) {}
 
   OpenedMesh opened;
   std::string title;  ///< of the window

@@ -33,7 +33,11 @@ LoadedFile unedited(OpenedMesh opened, const Progress& progress) {
 LoadedFile carried_out(const Recipe& recipe, OpenedMesh opened, Kernels& kernels,
                        const Progress& progress) {
   History history = from_recipe(Mesh(*opened.mesh), recipe, solve_with(kernels, progress));
-  return examined(std::move(opened), std::move(history), progress);
+  // The recipe has it.
+  history.mark_saved();
+  LoadedFile file = examined(std::move(opened), std::move(history), progress);
+  file.from_recipe = true;
+  return file;
 }
 
 }  // namespace

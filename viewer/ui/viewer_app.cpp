@@ -8,6 +8,17 @@
 
 namespace lapwing::viewer {
 
+namespace {
+
+// Beside the mesh that was opened, and not over it.
+std::filesystem::path edited_path(const OpenedMesh& opened) {
+  if (!opened.file) return opened.name + ".ply";
+  const std::filesystem::path& path = opened.file->path;
+  return path.parent_path() / (path.stem().string() + "-edited" + path.extension().string());
+}
+
+}  // namespace
+
 ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals)
     : context_(context),
       journals_(std::move(journals)),
@@ -122,10 +133,10 @@ void ViewerApp::save_as(PathPurpose purpose) {
   const auto& path = document_->save_path;
   switch (purpose) {
     case PathPurpose::save_mesh:
-      path_plan_.path = path.empty() ? document_->opened.name + ".ply" : path.string();
+      path_plan_.path = path.empty() ? edited_path(document_->opened).string() : path.string();
       break;
     case PathPurpose::save_recipe:
-      path_plan_.path = std::filesystem::path(path).replace_extension(".json").string();
+      path_plan_.path = edited_path(document_->opened).replace_extension(".json").string();
       break;
     case PathPurpose::replay_recipe:
       path_plan_.path.clear();
