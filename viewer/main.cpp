@@ -4,11 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/gpu/context.h"
 #include "navigation/keymap.h"
 #include "ui/viewer_app.h"
 #include "window/main_loop.h"
@@ -42,23 +42,21 @@ std::optional<VkExtent2D> parse_size(const std::string& text) {
   throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, as in 1280x960, got " + text);
 }
 
-std::shared_ptr<gpu::Context> open_device(const Window& window, const std::string& device) {
-  gpu::ContextOptions options;
-  options.device = device;
-  options.instance_extensions = window.instance_extensions();
-  options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
-  return std::make_shared<gpu::Context>(options);
-}
-
 void show(const Arguments& arguments) {
   const auto size = parse_size(arguments.size);
   Window window("Lapwing", static_cast<int>(kWindowSize.width),
                 static_cast<int>(kWindowSize.height));
-  const auto context = open_device(window, arguments.device);
-  ViewerApp app(context);
+  window.exit_when_display_goes(kDevice);
+  WindowGraphics graphics(window, arguments.device);
+  auto context = graphics.open_device();
+  ViewerApp app(context, journal_folder());
   if (!arguments.file.empty()) app.open(arguments.file);
-  if (!arguments.screenshot.empty()) app.order({arguments.screenshot, size});
-  run_main_loop(window, *context, app);
+  if (arguments.screenshot.empty()) {
+    app.offer_interrupted();
+  } else {
+    app.order({arguments.screenshot, size});
+  }
+  run_main_loop(window, graphics, std::move(context), app);
 }
 
 int fail(const std::exception& error, ExitCode code) {

@@ -48,6 +48,21 @@ TEST_P(Transfer, TouchesOnlyItsRange) {
   EXPECT_EQ(tail, (std::vector{20, 30, 4}));
 }
 
+TEST_P(Transfer, CountsWhatCrosses) {
+  LAPWING_NEEDS_GPU();
+  Context context(options());
+  gpu::Transfer transfer(context);
+  const Buffer buffer(context, "numbers", 4 * sizeof(int));
+  std::vector<int> numbers(4, 7);
+  transfer.upload(buffer, std::span<const int>(numbers));
+  EXPECT_EQ(context.transfers().uploaded, 16U);
+  EXPECT_EQ(context.transfers().downloaded, 0U);
+  numbers.resize(2);
+  transfer.download(buffer, std::span(numbers), sizeof(int));
+  EXPECT_EQ(context.transfers().uploaded, 16U);
+  EXPECT_EQ(context.transfers().downloaded, 8U);
+}
+
 TEST_P(Transfer, BeyondTheEndIsRefused) {
   LAPWING_NEEDS_GPU();
   Context context(options());

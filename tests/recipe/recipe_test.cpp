@@ -58,10 +58,10 @@ TEST(Recipe, ReadsTheExample) {
   EXPECT_EQ(
       step.handles[0].move,
       Move(SimilarityMove{{0, 10, 0}, {Vector3d::UnitZ(), 30.0}, 1.5, Vector3d(Vector3d::Zero())}));
-  EXPECT_EQ(step.weights, LaplacianWeights::cotangent);
-  EXPECT_EQ(step.constraint_weight, 2.0);
-  EXPECT_TRUE(step.hard);
-  EXPECT_FALSE(step.settle.has_value());
+  EXPECT_EQ(step.parameters.weights, LaplacianWeights::cotangent);
+  EXPECT_EQ(step.parameters.constraint_weight, 2.0);
+  EXPECT_TRUE(step.parameters.hard);
+  EXPECT_FALSE(step.parameters.settle.has_value());
 }
 
 TEST(Recipe, SettlesByDefaultOrAsTold) {
@@ -70,7 +70,7 @@ TEST(Recipe, SettlesByDefaultOrAsTold) {
         "roi": {"all": true}, "weights": "cotangent",
         "handles": [{"region": {"vertices": [1]}, "move": {}}])" +
                             keys + "}]}"))
-        .settle;
+        .parameters.settle;
   };
   SettleOptions expected;
   expected.weights = LaplacianWeights::cotangent;
@@ -88,7 +88,7 @@ TEST(Recipe, CommitsOnTheWayOnlyAsTold) {
     return first_step(parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
         "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}])" +
                             keys + "}]}"))
-        .commit_every;
+        .parameters.commit_every;
   };
   EXPECT_EQ(commit_every(""), std::nullopt);
   EXPECT_EQ(commit_every(R"(, "commit_every": 130)"), 130.0);
@@ -101,10 +101,10 @@ TEST(Recipe, DefaultsAreThoseOfThePaper) {
   const DeformStep& step = first_step(recipe);
   EXPECT_EQ(step.belt, BeltSpec(BorderBelt{0.1, ""}));
   EXPECT_EQ(step.handles[0].move, Move(SimilarityMove{}));
-  EXPECT_EQ(step.weights, LaplacianWeights::uniform);
-  EXPECT_EQ(step.constraint_weight, 1.0);
-  EXPECT_FALSE(step.hard);
-  EXPECT_EQ(step.settle, SettleOptions{});
+  EXPECT_EQ(step.parameters.weights, LaplacianWeights::uniform);
+  EXPECT_EQ(step.parameters.constraint_weight, 1.0);
+  EXPECT_FALSE(step.parameters.hard);
+  EXPECT_EQ(step.parameters.settle, SettleOptions{});
   EXPECT_TRUE(recipe.save_path().empty());
 }
 
@@ -165,10 +165,10 @@ Recipe full_recipe() {
   MatrixMove matrix;
   matrix.matrix(0, 3) = 0.1 + 0.2;
   step.handles.push_back({{ListedVertices{}}, matrix});
-  step.weights = LaplacianWeights::cotangent;
-  step.constraint_weight = 10.0;
-  step.hard = true;
-  step.commit_every = 0.1;
+  step.parameters.weights = LaplacianWeights::cotangent;
+  step.parameters.constraint_weight = 10.0;
+  step.parameters.hard = true;
+  step.parameters.commit_every = 0.1;
   DeformStep other;
   other.belt = RegionSpec{ListedVertices{{1, 2}}};
   other.handles.push_back({{ListedVertices{{4}}}, SimilarityMove{}});

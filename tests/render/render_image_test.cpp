@@ -122,6 +122,24 @@ TEST(RenderImage, BackFacesAreDarker) {
   EXPECT_LT(brightness(inside, kMiddle, kMiddle), brightness(outside, kMiddle, kMiddle) - 100);
 }
 
+TEST(RenderImage, FrontsAloneLeaveTheBackOfASheetOut) {
+  LAPWING_NEEDS_GPU();
+  Subject sheet(grid(2, 2));
+  sheet.options.background = Background::transparent;
+  sheet.options.style.sides = Sides::front;
+  EXPECT_GT(coverage(sheet.render()), 0.5);
+  sheet.camera = fit(sheet.mesh.positions, view_axes(View::back), 1.0, {.orthographic = true});
+  EXPECT_EQ(coverage(sheet.render()), 0.0);
+}
+
+TEST(RenderImage, FrontsAloneOfAClosedSurfaceAreTheSamePicture) {
+  LAPWING_NEEDS_GPU();
+  Subject ring(torus(48, 24, 1.0, 0.4));
+  const Image both = ring.render();
+  ring.options.style.sides = Sides::front;
+  EXPECT_LT(mean_difference(ring.render(), both), 0.05);
+}
+
 TEST(RenderImage, RegionsHaveTheirColorsWithCrispBorders) {
   LAPWING_NEEDS_GPU();
   Subject square(grid(7, 1));

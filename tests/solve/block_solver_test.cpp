@@ -2,6 +2,10 @@
 
 #include "lapwing/solve/block_solver.h"
 
+#include <algorithm>
+#include <numeric>
+#include <random>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,6 +58,31 @@ TEST_P(EveryBlockSolver, SolvesInPlace) {
   auto y = b;
   solver_->solve(y, y, 1);
   EXPECT_EQ(x, y);
+}
+
+TEST_P(EveryBlockSolver, SolvesInTheOrderOfTheCaller) {
+  constexpr std::size_t kColumns = 3;
+  for (const OwnedMatrix& A :
+       {laplacian_matrix(icosphere(2), 1.0, 5), rsi_matrix(icosphere(1), 1.0, 5)}) {
+    const std::size_t n = A.matrix.scalar_size();
+    const auto block_size = static_cast<std::size_t>(A.matrix.block_size);
+    const auto b = random_vector(kColumns * n, 2);
+    const auto x = solve_with(*solver_, A.matrix, b, kColumns);
+    std::vector<Index> places(n / block_size);
+    std::iota(places.begin(), places.end(), 0U);
+    std::shuffle(places.begin(), places.end(), std::mt19937(3));
+    const auto placed = [&](const std::vector<double>& numbers) {
+      std::vector<double> result(numbers.size());
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::size_t row = i % n;
+        result[i - row + block_size * places[row / block_size] + row % block_size] = numbers[i];
+      }
+      return result;
+    };
+    auto y = placed(b);
+    solver_->solve_in_places(y, kColumns, places);
+    EXPECT_EQ(y, placed(x));
+  }
 }
 
 TEST_P(EveryBlockSolver, FactorsOtherValuesWithTheSameAnalysis) {

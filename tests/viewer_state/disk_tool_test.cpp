@@ -42,6 +42,31 @@ TEST_F(ADisk, ClickChoosesAtOnceAndScrollingChangesIt) {
   EXPECT_NEAR(disk_of(send(scrolled(front_, -2.0))).radius, first, 1e-9);
 }
 
+TEST_F(ADisk, ScrollingChangesItsOwnPartWhenTheSceneHasGoneOn) {
+  send(press(front_));
+  sphere_.perform(send(release(front_)));
+  const std::size_t clicked = sphere_.roi().size();
+  sphere_.part = {Part::Role::handle, 0};
+  sphere_.perform(send(scrolled(front_, 3.0)));
+  EXPECT_GT(sphere_.roi().size(), clicked);
+  EXPECT_TRUE(sphere_.state.selection.handles.empty());
+  send(press(front_));
+  sphere_.perform(send(release(front_)));
+  EXPECT_EQ(sphere_.state.selection.handles.size(), 1U) << "the next one is for the next part";
+}
+
+TEST_F(ADisk, SaysWhetherItWasClicked) {
+  EXPECT_FALSE(tool_.was_clicked());
+  send(press(front_));
+  EXPECT_FALSE(tool_.was_clicked());
+  send(release(front_));
+  EXPECT_TRUE(tool_.was_clicked());
+  send(press(front_));
+  send(move_to(front_ + Vector2d(60, 0)));
+  send(release(front_ + Vector2d(60, 0)));
+  EXPECT_FALSE(tool_.was_clicked());
+}
+
 TEST_F(ADisk, RimBesideTheSurfaceIsMeasuredStraight) {
   send(press(front_));
   send(move_to(front_ + Vector2d(390, 0)));

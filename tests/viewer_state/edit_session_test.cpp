@@ -27,7 +27,33 @@ class ASession : public ::testing::Test {
   }
   void drag(const Move& move) {
     session_->perform(MoveHandle{0, move});
+    wait_for_result();
+  }
+  void wait_for_result() {
     while (!session_->take_result()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  void wait_for(PreparationStatus::Phase phase) {
+    while (session_->preparation().status().phase != phase) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  std::shared_ptr<const MovedVertices> wait_for_live_result() {
+    for (;;) {
+      if (auto result = session_->take_live_result()) return result;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  // A crash, which closes nothing; the next start restores the edit and discards the old journal.
+  InterruptedEdit crash_and_restore() {
+    session_.reset();
+    const auto edits = find_interrupted(cache_);
+    EXPECT_EQ(edits.size(), 1U);
+    CpuKernels kernels;
+    session_.emplace(edits[0],
+                     restore(read_mesh(edits[0].mesh.path), edits[0].draft, solve_with(kernels)),
+                     cache_, [] { return std::make_unique<CpuKernels>(); });
+    discard(edits[0]);
+    return edits[0];
   }
   Positions positions() const { return positions_of(session_->state()); }
   Positions restored() {
@@ -56,7 +82,7 @@ TEST_F(ASession, NewParametersSettleAnew) {
   drag(twisted(90.0));
   const Positions before = positions();
   session_->perform(SetParameters{{.settle = SettleOptions{.stretch_resistance = 0.5}}});
-  while (!session_->take_result()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  wait_for_result();
   EXPECT_GT(largest_distance(positions(), before), 1e-3);
 }
 
@@ -66,6 +92,64 @@ TEST_F(ASession, WhatIsUndoneIsNotSettledAgain) {
   std::this_thread::sleep_for(std::chrono::milliseconds(30));
   EXPECT_FALSE(session_->take_result());
   EXPECT_FALSE(is_moved(session_->state()));
+}
+
+TEST_F(ASession, CertificateGoesWithItsResult) {
+  EXPECT_EQ(session_->certificate(), nullptr);
+  drag(bent());
+  const double first = session_->certificate()->largest_rotation_degrees;
+  drag(twisted(120.0));
+  const double second = session_->certificate()->largest_rotation_degrees;
+  EXPECT_GT(second, first + 30.0);
+  while (session_->history().can_undo()) {
+    session_->undo();
+    EXPECT_EQ(session_->certificate() != nullptr, session_->state().settled != nullptr);
+  }
+  session_->go_to(4);
+  EXPECT_EQ(session_->certificate()->largest_rotation_degrees, first);
+  session_->go_to(6);
+  EXPECT_EQ(session_->certificate()->largest_rotation_degrees, second);
+  session_->perform(Commit{});
+  EXPECT_EQ(session_->certificate(), nullptr);
+}
+
+TEST_F(ASession, CancelledPreparationStartsAgainWhenAskedFor) {
+  wait_for(PreparationStatus::Phase::ready);
+  session_->cancel_preparation();
+  EXPECT_EQ(session_->preparation().status().phase, PreparationStatus::Phase::idle);
+  EXPECT_EQ(session_->preparation().preview(), nullptr);
+  session_->prepare();
+  wait_for(PreparationStatus::Phase::ready);
+}
+
+TEST_F(ASession, ResultGivenUpWithThePreparationComesWithTheNext) {
+  session_->perform(MoveHandle{0, bent()});
+  session_->cancel_preparation();
+  session_->prepare();
+  wait_for_result();
+  EXPECT_FALSE(needs_settling(session_->state()));
+}
+
+TEST_F(ASession, LiveResultIsNoStep) {
+  wait_for(PreparationStatus::Phase::ready);
+  const std::vector<Move> dragged{bent()};
+  session_->settle_live(dragged);
+  const auto live = wait_for_live_result();
+  EXPECT_FALSE(session_->take_result());
+  EXPECT_EQ(session_->history().done(), 2U);
+  EXPECT_FALSE(is_moved(session_->state()));
+  drag(bent());
+  EXPECT_EQ(*session_->state().settled, *live) << "what was seen is what comes";
+}
+
+TEST_F(ASession, AMoveWinsOverALiveResult) {
+  session_->perform(SetParameters{{.settle = SettleOptions{.tolerance = 1e-9}}});
+  wait_for(PreparationStatus::Phase::ready);
+  const std::vector<Move> dragged{twisted(170.0)};
+  session_->settle_live(dragged);
+  drag(bent());
+  EXPECT_EQ(session_->take_live_result(), nullptr);
+  EXPECT_EQ(session_->state().moves[0], bent());
 }
 
 TEST_F(ASession, RestoredAfterACrashIsWhereItWas) {
@@ -82,6 +166,53 @@ TEST_F(ASession, RestoredAfterSavingOverItsMeshStartsFromTheOldOne) {
   drag(twisted(60.0));
   const Positions before = positions();
   EXPECT_LT(largest_distance(restored(), before), 1e-9);
+}
+
+TEST_F(ASession, EveryCrashIsRestoredAlsoWhenItsMeshWasSavedOver) {
+  drag(bent());
+  session_->perform(Commit{});
+  session_->save(mesh_);
+  drag(twisted(60.0));
+  const Positions before = positions();
+  for (int crash = 0; crash < 3; ++crash) {
+    const InterruptedEdit edit = crash_and_restore();
+    EXPECT_EQ(edit.opened, mesh_);
+    EXPECT_EQ(edit.step_count(), 2U);
+    EXPECT_FALSE(std::filesystem::exists(edit.mesh.path)) << "discarded";
+    EXPECT_LT(largest_distance(positions(), before), 1e-9) << "crash " << crash;
+  }
+}
+
+TEST_F(ASession, RestoredSavesToTheFileThatWasOpened) {
+  drag(bent());
+  session_->save(mesh_);
+  crash_and_restore();
+  EXPECT_EQ(session_->file(), mesh_);
+  EXPECT_TRUE(session_->history().unsaved());
+  drag(twisted(60.0));
+  session_->save(session_->file());
+  EXPECT_FALSE(session_->history().unsaved());
+  EXPECT_LT(largest_distance(read_mesh(mesh_).positions, positions()), 1e-6);
+  const Positions before = positions();
+  crash_and_restore();
+  EXPECT_LT(largest_distance(positions(), before), 1e-9);
+  session_->close();
+  EXPECT_TRUE(std::filesystem::is_empty(cache_));
+}
+
+TEST_F(ASession, RestoredWithoutASaveKeepsNoCopy) {
+  drag(bent());
+  const Positions before = positions();
+  EXPECT_FALSE(crash_and_restore().has_copy());
+  EXPECT_FALSE(crash_and_restore().has_copy());
+  EXPECT_LT(largest_distance(positions(), before), 1e-9);
+}
+
+TEST_F(ASession, RestoredSettlesTheMoveThatWasOnItsWay) {
+  session_->perform(MoveHandle{0, bent()});
+  crash_and_restore();
+  wait_for_result();
+  EXPECT_FALSE(needs_settling(session_->state()));
 }
 
 TEST_F(ASession, ClosedLeavesNothing) {

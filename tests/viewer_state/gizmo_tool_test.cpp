@@ -3,13 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/failing_new.h"
 #include "viewer_state/test_view.h"
 #include "viewer_state/tube_edit.h"
 
 namespace lapwing::viewer::test {
 namespace {
 
+using lapwing::test::FailingNew;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class AGizmoTool : public ::testing::Test {
  protected:
@@ -151,6 +154,57 @@ TEST_F(AGizmoTool, SaysWhatItDoes) {
   send(key('X'));
   type("45");
   EXPECT_THAT(tool_.readout(), HasSubstr("turn 45 degrees about x"));
+}
+
+TEST_F(AGizmoTool, SaysWhenTheHandleHasTurnedTooFar) {
+  send(key('R'));
+  send(key('Z'));
+  type("180");
+  EXPECT_FALSE(tool_.turns_too_far());
+  performed(send(key(kEnter)));
+  send(key('R'));
+  send(key('Z'));
+  type("20");
+  EXPECT_TRUE(tool_.turns_too_far()) << "the turns add up";
+  EXPECT_THAT(tool_.readout(), HasSubstr("turned 200 degrees in all"));
+  EXPECT_THAT(tool_.readout(), HasSubstr("commit on the way"));
+  send(key(kEscape));
+  EXPECT_FALSE(tool_.turns_too_far());
+}
+
+TEST_F(AGizmoTool, WithCommitsOnTheWayNoTurnIsTooFar) {
+  state_ = apply(state_, SetParameters{{.commit_every = 90.0}});
+  send(key('R'));
+  send(key('Z'));
+  type("300");
+  EXPECT_FALSE(tool_.turns_too_far());
+  EXPECT_THAT(tool_.readout(), Not(HasSubstr("commit")));
+}
+
+TEST_F(AGizmoTool, FrameOfADragAllocatesNothing) {
+  send(move_to(middle_ + Vector2d(100, 0)));
+  std::vector<Eigen::Affine3d> motions(state_.moves.size());
+  for (const int drag : {'G', 'R', 'S'}) {
+    send(key(drag));
+    const FailingNew counted(-1);
+    for (int k = 0; k < 50; ++k) {
+      send(move_to(middle_ + Vector2d(90 - k, 3 * k)));
+      motions_of(state_, 0, *tool_.live(), motions);
+    }
+    EXPECT_EQ(FailingNew::calls(), 0) << static_cast<char>(drag);
+    send(key(kEscape));
+  }
+}
+
+TEST_F(AGizmoTool, MotionsOfADragAreThoseOfItsMovePerformed) {
+  state_ = apply(state_, Choose{kSecondHandle, box(2.0, 2.3)});
+  state_ = apply(state_, MoveHandle{1, bent()});
+  std::vector<Eigen::Affine3d> motions;
+  motions_of(state_, 0, twisted(30.0), motions);
+  const auto expected = motions_of(apply(state_, MoveHandle{0, twisted(30.0)}));
+  ASSERT_EQ(motions.size(), 2U);
+  EXPECT_EQ(motions[0].matrix(), expected[0].matrix());
+  EXPECT_EQ(motions[1].matrix(), expected[1].matrix());
 }
 
 TEST_F(AGizmoTool, GoesWithItsHandle) {

@@ -157,6 +157,41 @@ TEST_F(AJournal, KeepsTheMeshThatIsSavedOver) {
   EXPECT_TRUE(std::filesystem::is_empty(cache_));
 }
 
+TEST_F(AJournal, KeepsAMeshFromElsewhereUnderTheNameItWasOpenedBy) {
+  const std::filesystem::path elsewhere = folder_ / "elsewhere.obj";
+  write_mesh(grid(2, 2), elsewhere);
+  {
+    Journal journal(cache_, stamp());
+    journal.keep_mesh(elsewhere);
+    journal.record(chosen_tube());
+  }
+  const std::string before = content_of(elsewhere);
+  std::filesystem::remove(elsewhere);
+  const auto edit = interrupted().at(0);
+  EXPECT_EQ(edit.opened, mesh_);
+  EXPECT_TRUE(edit.has_copy());
+  EXPECT_TRUE(edit.mesh_is_unchanged);
+  EXPECT_EQ(content_of(edit.mesh.path), before);
+}
+
+TEST_F(AJournal, CountsTheEditsAndSaysWhenTheLastWas) {
+  const AppState still = chosen_tube();
+  const AppState moved = apply(still, MoveHandle{0, bent()});
+  const AppState committed = apply(apply(moved, Settle{handles_alone(moved)}), Commit{});
+  const AppState moved_on = apply(committed, MoveHandle{0, bent()});
+  const auto left_at = [this](const AppState& state) {
+    { Journal(cache_, stamp()).record(state); }
+    const InterruptedEdit edit = interrupted().at(0);
+    EXPECT_EQ(edit.last_step, std::filesystem::last_write_time(edit.journal));
+    discard(edit);
+    return edit.step_count();
+  };
+  EXPECT_EQ(left_at(still), 0U) << "nothing is moved yet";
+  EXPECT_EQ(left_at(moved), 1U);
+  EXPECT_EQ(left_at(committed), 1U);
+  EXPECT_EQ(left_at(moved_on), 2U);
+}
+
 TEST_F(AJournal, DiscardedIsGone) {
   { Journal(cache_, stamp()).record(chosen_tube()); }
   discard(interrupted().at(0));

@@ -119,7 +119,10 @@ TEST(Preparation, CommitsOnTheWayWhereTheParametersSaySo) {
   preparation.follow(state);
   preparation.settle(state);
   CpuKernels kernels;
-  EXPECT_EQ(*wait_for_result(preparation).moved, *solve_with(kernels)(state));
+  const Solved expected = solve_open_step(state, kernels);
+  const SettledResult result = wait_for_result(preparation);
+  EXPECT_EQ(*result.moved, *expected.moved);
+  EXPECT_EQ(result.certificate.settle_iterations, expected.certificate.settle_iterations);
 }
 
 TEST(Preparation, AMoveAloneStartsNothingAnew) {
@@ -192,6 +195,53 @@ TEST(Preparation, TheLastResultAskedForComes) {
   preparation.settle(first);
   preparation.settle(last);
   EXPECT_EQ(wait_for_result(preparation).moves, last.moves);
+}
+
+TEST(Preparation, LiveResultComesByItself) {
+  const AppState still = chosen_tube();
+  std::atomic<bool> held = false;  // the worker, at what it says next
+  Preparation preparation(cpu_kernels, [&held] { held.wait(true); });
+  preparation.follow(still);
+  wait_for(preparation, Phase::ready);
+  const AppState dragged = apply(still, MoveHandle{0, bent()});
+  held = true;
+  EXPECT_TRUE(preparation.settle_live(dragged));
+  EXPECT_EQ(preparation.status().phase, Phase::settling) << "the exact one may not be dragged now";
+  held = false;
+  held.notify_all();
+  wait_for(preparation, Phase::ready);
+  EXPECT_FALSE(preparation.take_result().has_value());
+  CpuKernels kernels;
+  EXPECT_EQ(preparation.take_live_result()->moved->vertices,
+            solve_with(kernels)(dragged)->vertices);
+  EXPECT_FALSE(preparation.take_live_result().has_value());
+}
+
+TEST(Preparation, LiveResultIsNotAskedForWhileAnythingElseIs) {
+  const AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  EXPECT_FALSE(preparation.settle_live(state)) << "nothing is ready yet";
+  preparation.settle(state);
+  EXPECT_FALSE(preparation.settle_live(state));
+  wait_for(preparation, Phase::ready);
+  EXPECT_FALSE(preparation.settle_live(state)) << "the result waits to be taken";
+  EXPECT_TRUE(preparation.take_result().has_value());
+  EXPECT_TRUE(preparation.settle_live(state));
+  EXPECT_FALSE(preparation.settle_live(state)) << "one after the other";
+}
+
+TEST(Preparation, SettlingTakesThePlaceOfALiveResult) {
+  AppState state =
+      apply(chosen_tube(), SetParameters{{.settle = SettleOptions{.tolerance = 1e-9}}});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  wait_for(preparation, Phase::ready);
+  EXPECT_TRUE(preparation.settle_live(apply(state, MoveHandle{0, twisted(170.0)})));
+  state = apply(state, MoveHandle{0, bent()});
+  preparation.settle(state);
+  EXPECT_EQ(wait_for_result(preparation).moves, state.moves);
+  EXPECT_FALSE(preparation.take_live_result().has_value());
 }
 
 TEST(Preparation, NothingChosenIsNothingToPrepare) {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <signal.h>
 #include <stdexcept>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -41,6 +42,8 @@ void change_environment(const std::vector<std::string>& changes) {
 [[noreturn]] void become(std::vector<std::string>& arguments,
                          const std::vector<std::string>& environment,
                          const std::filesystem::path& errors) {
+  // A test that crashes takes its programs along: they hold the pipe that its output is read from.
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
   change_environment(environment);
   const int file = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   dup2(file, STDERR_FILENO);
@@ -113,9 +116,17 @@ bool Process::running() {
   return false;
 }
 
+void Process::send(int signal) {
+  ::kill(pid_, signal);
+}
+
 int Process::wait(double seconds) {
   eventually(seconds, [&] { return !running(); });
   return status_;
+}
+
+void Process::kill_now() {
+  kill(pid_, SIGKILL);
 }
 
 std::string Process::errors() const {
@@ -124,9 +135,8 @@ std::string Process::errors() const {
 
 Desktop::Desktop(const std::filesystem::path& folder) : folder_(folder) {
   const std::filesystem::path number = folder / "display";
-  const std::string command = std::string("exec ") + LAPWING_XVFB +
-                              " -screen 0 1280x800x24 -noreset -nolisten tcp -fbdir " +
-                              folder.string() + " -displayfd 3 3>" + number.string();
+  std::string command = "exec " LAPWING_XVFB " -screen 0 1280x800x24 -noreset -nolisten tcp";
+  command += " -fbdir " + folder.string() + " -displayfd 3 3>" + number.string();
   server_ = std::make_unique<Process>(std::vector<std::string>{"/bin/sh", "-c", command},
                                       std::vector<std::string>{}, folder / "xvfb.log");
   constexpr double kPatience = 20.0;
@@ -148,6 +158,10 @@ std::string Desktop::xdotool(const std::string& arguments) const {
 
 Image Desktop::picture() const {
   return read_dump(contents(folder_ / "Xvfb_screen0"));
+}
+
+void Desktop::vanish() {
+  server_->kill_now();
 }
 
 Image Desktop::settled_picture() const {

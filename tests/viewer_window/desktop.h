@@ -25,10 +25,13 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   bool running();
+  void send(int signal);
   /// Its exit code, or minus the signal that ended it, waiting up to `seconds`; -1000 if it still
   /// runs then.
   int wait(double seconds);
   std::string errors() const;
+  /// SIGKILL.
+  void kill_now();
 
  private:
   pid_t pid_;
@@ -41,12 +44,16 @@ class Desktop {
  public:
   explicit Desktop(const std::filesystem::path& folder);
 
+  const std::string& name() const { return display_; }  ///< ":N"
+  const std::filesystem::path& folder() const { return folder_; }
   /// For the environment of programs.
   std::string display() const { return "DISPLAY=" + display_; }
   /// Runs xdotool and returns what it prints.
   std::string xdotool(const std::string& arguments) const;
   /// What the display shows.
   Image picture() const;
+  /// Ends at once, without a word to the windows on it.
+  void vanish();
   /// What it shows once that is the same twice in a row.
   Image settled_picture() const;
 

@@ -9,6 +9,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "support/gpu.h"
 #include "viewer_window/desktop.h"
+#include "viewer_window/drag_and_drop.h"
 
 namespace lapwing {
 namespace {
@@ -41,12 +42,16 @@ class ViewerWindow : public ::testing::Test {
 
   fs::path tube() const { return folder_ / "tube.obj"; }
 
+  // Of a person who has edited nothing yet.
+  std::vector<std::string> environment() const {
+    return {desktop_->display(), "XDG_CACHE_HOME=" + (folder_ / "cache").string()};
+  }
+
   // The messages of the validation layers, where they are on, go to standard error. (Not under
   // AddressSanitizer: they leak what they know of swapchains.)
   void start(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), LAPWING_VIEWER);
-    viewer_ =
-        std::make_unique<Process>(arguments, std::vector{desktop_->display()}, folder_ / "errors");
+    viewer_ = std::make_unique<Process>(arguments, environment(), folder_ / "errors");
   }
 
   // Opens the tube and waits until it is on the screen.
@@ -64,10 +69,10 @@ class ViewerWindow : public ::testing::Test {
     return desktop_->settled_picture();
   }
 
-  // The background is lighter than the tube, and bluish.
+  // The background is lighter than the tube, the panels are darker.
   static bool shows_the_tube(const Image& image) {
-    const auto [r, g, b, a] = image.pixel(790, 400);
-    return r > b && r < 235 && r > 60;
+    const auto red = image.pixel(790, 400)[0];
+    return red > 60 && red < 190;
   }
 
   // Right of the device's name and the frame's time, which vary.
@@ -128,7 +133,9 @@ TEST_F(ViewerWindow, QuestionMarkListsTheControls) {
 }
 
 TEST_F(ViewerWindow, AClickSaysWhatIsThere) {
-  const Image first = status_line(open_tube());
+  open_tube();
+  desktop_->xdotool("key m");
+  const Image first = status_line(desktop_->settled_picture());
   const auto says = [&](const std::string& click) {
     desktop_->xdotool(click);
     desktop_->settled_picture();
@@ -141,22 +148,38 @@ TEST_F(ViewerWindow, AClickSaysWhatIsThere) {
   expect_quits_silently();
 }
 
-TEST_F(ViewerWindow, ComesBackAfterItWasHidden) {
+// A window manager minimizes by unmapping.
+TEST_F(ViewerWindow, ComesBackAfterItWasMinimized) {
   open_tube();
-  desktop_->xdotool("windowunmap --sync " + window_);
-  desktop_->xdotool("windowmap --sync " + window_);
+  for (const char* size : {"1280 800", "300 200", "1280 800"}) {
+    desktop_->xdotool("windowunmap --sync " + window_);
+    desktop_->xdotool("windowsize " + window_ + " " + size);
+    desktop_->xdotool("windowmap --sync " + window_);
+    ASSERT_TRUE(viewer_->running()) << viewer_->errors();
+  }
   EXPECT_TRUE(eventually(kPatience, [&] { return shows_the_tube(desktop_->picture()); }));
+  expect_quits_silently();
+}
+
+TEST_F(ViewerWindow, OpensAFileThatIsDroppedOnIt) {
+  open_tube();
+  write_mesh(icosphere(2), folder_ / "ball.obj");
+  EXPECT_TRUE(test::drop_file(desktop_->name(), window_, folder_ / "ball.obj"));
+  EXPECT_TRUE(eventually(kPatience, [&] {
+    return desktop_->xdotool("getwindowname " + window_).starts_with("ball.obj");
+  }));
   expect_quits_silently();
 }
 
 TEST_F(ViewerWindow, SurvivesAResizeStorm) {
   open_tube();
   std::string storm;
-  for (int i = 0; i < 30; ++i) {
+  constexpr int kSizes = 200;
+  for (int i = 0; i < kSizes; ++i) {
     const int width = 80 + i * 397 % 1200;
     const int height = 70 + i * 211 % 730;
     storm += " windowsize " + window_ + " " + std::to_string(width) + " " + std::to_string(height) +
-             " sleep 0.05";
+             " sleep 0.02";
   }
   desktop_->xdotool(storm);
   ASSERT_TRUE(viewer_->running()) << viewer_->errors();
@@ -212,6 +235,21 @@ TEST_F(ViewerWindow, WithoutDisplaySaysSo) {
                                       folder_ / "errors");
   EXPECT_EQ(viewer_->wait(kPatience), 5);
   EXPECT_THAT(viewer_->errors(), HasSubstr("DISPLAY"));
+}
+
+TEST_F(ViewerWindow, SaysThatTheDisplayWentAway) {
+  open_tube();
+  desktop_->vanish();
+  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
+}
+
+TEST_F(ViewerWindow, SaysThatTheDisplayWentAwayInTheMiddleOfADrag) {
+  open_tube();
+  desktop_->xdotool("mousemove 790 300 mousedown 2 mousemove 700 340 mousemove 600 380");
+  desktop_->vanish();
+  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
 }
 
 TEST_F(ViewerWindow, WithoutVulkanSaysSo) {

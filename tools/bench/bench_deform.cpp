@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <cstdio>
 #include <map>
-#include <numeric>
 
 #include <Eigen/SparseCore>
 
@@ -16,27 +14,12 @@
 #include "lapwing/vulkan/open_device.h"
 #include "measure.h"
 #include "time_cgal_arap.h"
+#include "whole_mesh_region.h"
 
 namespace lapwing::bench {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-
-// Belt: the lowest 5% of the vertices in y; handle: the highest 5%.
-EditRegion lowest_and_highest(const Mesh& mesh) {
-  std::vector<Index> by_height(mesh.vertex_count());
-  std::iota(by_height.begin(), by_height.end(), 0U);
-  EditRegion region;
-  region.roi = by_height;
-  std::stable_sort(by_height.begin(), by_height.end(),
-                   [&](Index a, Index b) { return mesh.positions[a].y() < mesh.positions[b].y(); });
-  const auto share = static_cast<std::ptrdiff_t>(mesh.vertex_count() / 20);
-  region.belt.assign(by_height.begin(), by_height.begin() + share);
-  region.handles.emplace_back(by_height.end() - share, by_height.end());
-  std::sort(region.belt.begin(), region.belt.end());
-  std::sort(region.handles[0].begin(), region.handles[0].end());
-  return region;
-}
 
 Sparse as_sparse(const BlockRows& M, std::size_t vertex_count) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -100,7 +83,7 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
                   int repeats) {
   const Mesh mesh = read_mesh(path);
   const Topology topology = build_topology(mesh);
-  const EditRegion region = lowest_and_highest(mesh);
+  const EditRegion region = whole_mesh_region(mesh);
   const auto kernels = open_device(device);
   const std::array motions{
       Eigen::Affine3d(Eigen::Translation3d(0.0, 0.2 * bounds_of(mesh.positions).diagonal(), 0.0))};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -42,5 +43,20 @@ struct SettleBench {
 /// cylinder beside the linear solution alone and, where CGAL was there to build with, its
 /// as-rigid-as-possible deformation; and on the four test motions of tools/classics.
 void bench_settle(const SettleBench& settings);
+
+struct FrameBench {
+  std::string mesh;
+  std::string device = "auto";
+  std::uint32_t width = 1280;  ///< in pixels
+  std::uint32_t height = 800;  ///< in pixels
+  int repeats = 7;
+  std::string picture;  ///< a PNG of the last frame, or empty
+};
+
+/// Drags a whole mesh (as bench_deform does) through what the viewer's window draws with, on images
+/// that no display holds up, and prints what each part of a frame costs: drawn as the window does
+/// while something moves (without antialiasing, without backs where none is seen) and as when
+/// nothing does.
+void bench_frame(const FrameBench& settings);
 
 }  // namespace lapwing::bench

@@ -62,6 +62,20 @@ int main(int argc, char** argv) {
     lapwing::bench::bench_settle(settle_settings);
   });
 
+#ifdef LAPWING_HAVE_VIEWER
+  auto* frame = app.add_subcommand("frame", "what a drag frame of the viewer costs, by parts");
+  lapwing::bench::FrameBench frame_settings;
+  frame->add_option("MESH", frame_settings.mesh)->required();
+  frame->add_option("--device", frame_settings.device);
+  frame->add_option("--width", frame_settings.width)->capture_default_str();
+  frame->add_option("--height", frame_settings.height)->capture_default_str();
+  frame->add_option("--picture", frame_settings.picture, "write the last frame here (PNG)");
+  frame->callback([&] {
+    frame_settings.repeats = repeats;
+    lapwing::bench::bench_frame(frame_settings);
+  });
+#endif
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

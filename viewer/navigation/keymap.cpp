@@ -9,6 +9,7 @@ constexpr Modifiers kPlain{};
 constexpr Modifiers kShift{.shift = true};
 constexpr Modifiers kControl{.control = true};
 constexpr Modifiers kAlt{.alt = true};
+constexpr Modifiers kControlShift{.shift = true, .control = true};
 
 // Where no tool takes it, the left button orbits in every keymap: not every mouse has three.
 constexpr std::array kBlenderDrags{DragBinding{MouseButton::middle, kPlain, Motion::orbit},
@@ -51,6 +52,31 @@ constexpr std::array kKeyBindings{KeyBinding{kHome, kPlain, Action::frame_all},
                                   KeyBinding{kTab, kPlain, Action::toggle_panels},
                                   KeyBinding{'?', kPlain, Action::toggle_controls},
                                   KeyBinding{kF1, kPlain, Action::toggle_controls},
+                                  KeyBinding{'I', kPlain, Action::choose_roi},
+                                  KeyBinding{'H', kPlain, Action::choose_handle},
+                                  KeyBinding{'H', kShift, Action::add_handle},
+                                  KeyBinding{'T', kPlain, Action::choose_belt},
+                                  KeyBinding{'D', kPlain, Action::take_disk},
+                                  KeyBinding{'O', kPlain, Action::take_loop},
+                                  KeyBinding{'P', kPlain, Action::take_brush},
+                                  KeyBinding{'L', kPlain, Action::take_lasso},
+                                  KeyBinding{'B', kPlain, Action::take_box},
+                                  KeyBinding{'M', kPlain, Action::take_move},
+                                  KeyBinding{kEscape, kPlain, Action::take_move},
+                                  KeyBinding{kEnter, kPlain, Action::go_on},
+                                  KeyBinding{'=', kControl, Action::grow},
+                                  KeyBinding{'-', kControl, Action::shrink},
+                                  KeyBinding{'I', kControl, Action::invert},
+                                  KeyBinding{kDelete, kPlain, Action::remove_handle},
+                                  KeyBinding{'C', kPlain, Action::toggle_before},
+                                  KeyBinding{'Z', kControl, Action::undo},
+                                  KeyBinding{'Z', kControlShift, Action::redo},
+                                  KeyBinding{'Y', kControl, Action::redo},
+                                  KeyBinding{'O', kControl, Action::open},
+                                  KeyBinding{'S', kControl, Action::save},
+                                  KeyBinding{'S', kControlShift, Action::save_as},
+                                  KeyBinding{'E', kControl, Action::save_recipe},
+                                  KeyBinding{'R', kControl, Action::replay_recipe},
                                   KeyBinding{'P', kControl, Action::save_picture},
                                   KeyBinding{'Q', kControl, Action::quit}};
 
@@ -108,6 +134,52 @@ std::string_view words(Action action) {
       return "hide or show the panels";
     case Action::toggle_controls:
       return "this list";
+    case Action::choose_roi:
+      return "choose the region to edit (ROI)";
+    case Action::choose_handle:
+      return "choose the handle";
+    case Action::add_handle:
+      return "choose one more handle";
+    case Action::choose_belt:
+      return "choose the belt by hand";
+    case Action::take_move:
+      return "move: the gizmo, and the left button turns the view";
+    case Action::take_disk:
+      return "choose by a disk: drag from its middle to its rim, or click and scroll";
+    case Action::take_loop:
+      return "choose by a loop: click around, close it, click the side to keep";
+    case Action::take_brush:
+      return "choose by a brush: [ and ] size it, Ctrl erases";
+    case Action::take_lasso:
+      return "choose by a lasso: Ctrl erases";
+    case Action::take_box:
+      return "choose by a box: Ctrl erases";
+    case Action::go_on:
+      return "go on from the ROI to the handle, and from there to moving it";
+    case Action::grow:
+      return "grow what is chosen by a ring";
+    case Action::shrink:
+      return "shrink what is chosen by a ring";
+    case Action::invert:
+      return "choose what is not chosen";
+    case Action::remove_handle:
+      return "remove the handle";
+    case Action::toggle_before:
+      return "compare with the mesh as it was opened";
+    case Action::undo:
+      return "undo";
+    case Action::redo:
+      return "redo";
+    case Action::open:
+      return "open";
+    case Action::save:
+      return "save the mesh";
+    case Action::save_as:
+      return "save the mesh as another file";
+    case Action::save_recipe:
+      return "save the steps as a recipe";
+    case Action::replay_recipe:
+      return "replay a recipe on this mesh";
     case Action::save_picture:
       return "save a picture";
     case Action::quit:
@@ -169,6 +241,16 @@ std::string key_name(int key) {
   }
 }
 
+// GizmoTool's keys.
+std::vector<ControlLine> gizmo_controls() {
+  return {{"G, R, S", "move, turn, scale the handle with the mouse (Maya: R scales, E turns)"},
+          {"X, Y, Z meanwhile", "along or about that axis; with Shift, in the plane across it"},
+          {"0 to 9, . and - meanwhile", "by that number"},
+          {"Ctrl meanwhile", "in steps"},
+          {"Enter or click, Escape or right click", "done, or give it up"},
+          {"W, E", "the gizmo moves, turns the handle"}};
+}
+
 std::string row(const std::vector<std::string>& cells) {
   std::string text = "|";
   for (const std::string& cell : cells) text += " " + cell + " |";
@@ -218,7 +300,7 @@ std::vector<ControlLine> mouse_controls(const Keymap& keymap) {
 }
 
 std::vector<ControlLine> key_controls() {
-  std::vector<ControlLine> lines;
+  std::vector<ControlLine> lines = gizmo_controls();
   for (const KeyBinding& binding : kKeyBindings) {
     std::string how = words(binding.modifiers) + key_name(binding.key);
     const std::string_view what = words(binding.action);

@@ -91,21 +91,20 @@ EditRegion edit_region(const AppState& state) {
                              handle_specs(state.selection), *state.rest, *state.topology);
 }
 
-DeformOptions deform_options(const EditParameters& parameters) {
-  DeformOptions options;
-  options.weights = parameters.weights;
-  options.constraint_weight = parameters.constraint_weight;
-  options.hard = parameters.hard;
-  options.settle = parameters.settle;
-  return options;
-}
-
 std::vector<Affine3d> motions_of(const AppState& state) {
   std::vector<Affine3d> motions;
   for (std::size_t h = 0; h < state.moves.size(); ++h) {
     motions.push_back(to_affine(state.moves[h], handle_centroid(state, h)));
   }
   return motions;
+}
+
+void motions_of(const AppState& state, std::size_t handle, const Move& move,
+                std::vector<Affine3d>& motions) {
+  motions.clear();
+  for (std::size_t h = 0; h < state.moves.size(); ++h) {
+    motions.push_back(to_affine(h == handle ? move : state.moves[h], handle_centroid(state, h)));
+  }
 }
 
 std::vector<AngleAxisd> turns_of(const AppState& state) {
@@ -143,11 +142,7 @@ DeformStep open_step(const AppState& state) {
   for (const RegionSpec& spec : handle_specs(state.selection)) {
     step.handles.push_back({spec, state.moves[step.handles.size()]});
   }
-  step.weights = state.parameters.weights;
-  step.constraint_weight = state.parameters.constraint_weight;
-  step.hard = state.parameters.hard;
-  step.settle = state.parameters.settle;
-  step.commit_every = state.parameters.commit_every;
+  step.parameters = state.parameters;
   return step;
 }
 

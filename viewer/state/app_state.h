@@ -1,28 +1,18 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
 
-#include "lapwing/deform/deform_options.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/region/edit_region.h"
 #include "state/edit_selection.h"
 
 namespace lapwing::viewer {
 
-/// How the next edit is computed; the names are those of DeformStep.
-struct EditParameters {
-  LaplacianWeights weights = LaplacianWeights::uniform;
-  double constraint_weight = 1.0;
-  bool hard = false;
-  std::optional<SettleOptions> settle = SettleOptions{};
-  std::optional<double> commit_every;
-
-  bool operator==(const EditParameters&) const = default;
-};
+/// How the next edit is computed.
+using EditParameters = DeformParameters;
 
 /// Vertices that a result puts elsewhere, and where.
 struct MovedVertices {
@@ -69,10 +59,13 @@ Mesh mesh_of(const AppState& state);
 /// ROI, belt and handles, checked: what the Deformer is prepared with. Throws InputError, in words
 /// that say what is still missing.
 EditRegion edit_region(const AppState& state);
-DeformOptions deform_options(const EditParameters& parameters);
 
 /// What `Deformer::solve` takes: one motion and turn per handle, those of the recipe bit for bit.
 std::vector<Eigen::Affine3d> motions_of(const AppState& state);
+/// For a frame of a drag: `motions` becomes the same but for `handle`, which is moved by `move`.
+/// Allocates nothing once `motions` is as long as there are handles. Linear in their vertices.
+void motions_of(const AppState& state, std::size_t handle, const Move& move,
+                std::vector<Eigen::Affine3d>& motions);
 std::vector<Eigen::AngleAxisd> turns_of(const AppState& state);
 /// Of the handle's vertices at rest, about which a move without pivot turns.
 Eigen::Vector3d handle_centroid(const AppState& state, std::size_t handle);

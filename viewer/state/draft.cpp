@@ -10,10 +10,6 @@ bool is_nothing(const RegionSpec& spec) {
   return list != nullptr && list->vertices.empty();
 }
 
-EditParameters parameters_of(const DeformStep& step) {
-  return {step.weights, step.constraint_weight, step.hard, step.settle, step.commit_every};
-}
-
 // A handle too many would stand in the way of the step's own.
 void remove_handles(History& history) {
   while (!history.state().selection.handles.empty()) {
@@ -58,20 +54,25 @@ Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
   return recipe;
 }
 
+Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& progress) {
+  RunResult result;
+  result.mesh = *state.rest;
+  result.topology = *state.topology;
+  StepReport report = run_step(open_step(state), state.steps.size() + 1, kernels, progress, result);
+  return {std::make_shared<const MovedVertices>(
+              moved_vertices(state.rest->positions, result.mesh.positions)),
+          std::move(report.certificate)};
+}
+
 Solve solve_with(Kernels& kernels, Progress progress) {
   return [&kernels, progress = std::move(progress)](const AppState& state) {
-    RunResult result;
-    result.mesh = *state.rest;
-    result.topology = *state.topology;
-    run_step(open_step(state), state.steps.size() + 1, kernels, progress, result);
-    return std::make_shared<const MovedVertices>(
-        moved_vertices(state.rest->positions, result.mesh.positions));
+    return solve_open_step(state, kernels, progress).moved;
   };
 }
 
 void perform(History& history, const DeformStep& step, const Solve& solve) {
   history.perform(Commit{});
-  history.perform(SetParameters{parameters_of(step)});
+  history.perform(SetParameters{step.parameters});
   if (!is_chosen(history.state(), step)) {
     remove_handles(history);
     history.perform(Choose{{Part::Role::roi}, step.roi});

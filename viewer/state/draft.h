@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapwing/base/progress.h"
+#include "lapwing/deform/certificate.h"
 #include "lapwing/kernels/kernels.h"
 #include "state/history.h"
 
@@ -30,8 +31,14 @@ Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
 /// What a state's moves come to.
 using Solve = std::function<std::shared_ptr<const MovedVertices>(const AppState&)>;
 
-/// A Solve that runs the open step as `run_recipe` does, in parts where it says so. Throws what
-/// `run_recipe` does. `kernels` must outlive it.
+struct Solved {
+  std::shared_ptr<const MovedVertices> moved;
+  Certificate certificate;
+};
+/// Runs the open step as `run_recipe` does, in parts where it says so. Throws what that does.
+Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& progress = {});
+
+/// A Solve that does that. `kernels` must outlive it.
 Solve solve_with(Kernels& kernels, Progress progress = {});
 
 /// Carries a step of a recipe out by the commands that a person would have used, which can then be

@@ -34,6 +34,8 @@ class History {
 
   /// The mesh was saved as it is now.
   void mark_saved() { saved_at_ = done_; }
+  /// No state of this history is what a file holds, not even the first.
+  void mark_unsaved() { saved_at_.reset(); }
   /// Whether the surface is another than the one that was saved or, before that, opened.
   bool unsaved() const;
 

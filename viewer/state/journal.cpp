@@ -105,39 +105,6 @@ std::vector<std::string> lines_of(const fs::path& path) {
   return lines;
 }
 
-std::optional<InterruptedEdit> read_journal(const fs::path& path) {
-  const std::vector<std::string> lines = lines_of(path);
-  if (lines.empty()) return std::nullopt;
-  InterruptedEdit edit;
-  edit.journal = path;
-  try {
-    edit.mesh = stamp_from(Json::parse(lines.front()));
-    edit.opened = edit.mesh.path;
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-  for (std::size_t k = 1; k < lines.size(); ++k) {
-    try {
-      const Json line = Json::parse(lines[k]);
-      if (line.contains("mesh")) {
-        edit.mesh = stamp_from(line.at("mesh"));
-        continue;
-      }
-      Draft next = edit.draft;
-      carry_out(line, next);
-      edit.draft = std::move(next);
-    } catch (const std::exception&) {
-      break;  // a disk that lost power may hold a damaged end; what precedes it is good
-    }
-  }
-  try {
-    edit.mesh_is_unchanged = stamp_of(edit.mesh.path) == edit.mesh;
-  } catch (const IoError&) {
-    edit.mesh_is_unchanged = false;
-  }
-  return edit;
-}
-
 // With the mesh's extension, by which its reader goes.
 fs::path copy_of_mesh(fs::path journal, const fs::path& mesh) {
   return journal.replace_extension(mesh.extension());
@@ -214,11 +181,11 @@ void Journal::record(const AppState& state) {
   last_ = std::move(draft);
 }
 
-void Journal::keep_mesh() {
+void Journal::keep_mesh(const fs::path& mesh) {
   if (mesh_is_kept_) return;
   const fs::path copy = copy_of_mesh(path_, mesh_.path);
   std::error_code error;
-  fs::copy_file(mesh_.path, copy, fs::copy_options::overwrite_existing, error);
+  fs::copy_file(mesh, copy, fs::copy_options::overwrite_existing, error);
   if (error) fail(copy, error.value());
   const FileDescriptor written(::open(copy.c_str(), O_RDONLY | O_CLOEXEC));
   if (!written.is_open() || ::fsync(written.get()) != 0) fail(copy, errno);
@@ -244,20 +211,58 @@ void Journal::append(std::string line) {
   fail(path_, error);
 }
 
+std::size_t InterruptedEdit::step_count() const {
+  const bool is_moved =
+      std::any_of(draft.open.handles.begin(), draft.open.handles.end(),
+                  [](const MovedHandle& handle) { return handle.move != Move(SimilarityMove{}); });
+  return draft.steps.size() + (is_moved ? 1 : 0);
+}
+
+std::optional<InterruptedEdit> read_journal(const fs::path& path) {
+  const std::vector<std::string> lines = lines_of(path);
+  if (lines.empty()) return std::nullopt;
+  InterruptedEdit edit;
+  edit.journal = path;
+  try {
+    edit.mesh = stamp_from(Json::parse(lines.front()));
+    edit.opened = edit.mesh.path;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    try {
+      const Json line = Json::parse(lines[k]);
+      if (line.contains("mesh")) {
+        edit.mesh = stamp_from(line.at("mesh"));
+        continue;
+      }
+      Draft next = edit.draft;
+      carry_out(line, next);
+      edit.draft = std::move(next);
+    } catch (const std::exception&) {
+      break;  // a disk that lost power may hold a damaged end; what precedes it is good
+    }
+  }
+  try {
+    edit.mesh_is_unchanged = stamp_of(edit.mesh.path) == edit.mesh;
+  } catch (const IoError&) {
+    edit.mesh_is_unchanged = false;
+  }
+  return edit;
+}
+
 std::vector<InterruptedEdit> find_interrupted(const fs::path& folder) {
-  std::vector<std::pair<fs::file_time_type, InterruptedEdit>> found;
+  std::vector<InterruptedEdit> edits;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() != kExtension || is_locked(entry.path())) continue;
     if (auto edit = read_journal(entry.path())) {
-      found.emplace_back(entry.last_write_time(error), *std::move(edit));
+      edit->last_step = entry.last_write_time(error);
+      edits.push_back(*std::move(edit));
     }
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<InterruptedEdit> edits;
-  edits.reserve(found.size());
-  for (auto& [time, edit] : found) edits.push_back(std::move(edit));
+  std::stable_sort(edits.begin(), edits.end(),
+                   [](const auto& a, const auto& b) { return a.last_step > b.last_step; });
   return edits;
 }
 

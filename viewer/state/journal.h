@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,10 @@ class Journal {
 
   /// The mesh file is about to be replaced by the result: a copy of it is kept beside the journal,
   /// since the steps start from there. Nothing after the first time. Throws IoError.
-  void keep_mesh();
+  void keep_mesh() { keep_mesh(mesh_.path); }
+  /// The steps start from `mesh`, not from the file, which was replaced before: a copy is kept
+  /// likewise, and `mesh` may go. Throws IoError.
+  void keep_mesh(const std::filesystem::path& mesh);
 
   /// The edit is done with, saved or given up: the file goes, and the copy.
   void close();
@@ -61,20 +65,29 @@ class Journal {
 /// A journal that nobody closed, whose writer is gone.
 struct InterruptedEdit {
   std::filesystem::path journal;
-  std::filesystem::path opened;    ///< the mesh as it was called
-  MeshStamp mesh;                  ///< what the steps start from: that, or a copy of it
-  bool mesh_is_unchanged = false;  ///< still what it was
-  Draft draft;                     ///< for `restore`
+  std::filesystem::path opened;               ///< the mesh as it was called
+  MeshStamp mesh;                             ///< what the steps start from: that, or a copy of it
+  bool mesh_is_unchanged = false;             ///< still what it was
+  Draft draft;                                ///< for `restore`
+  std::filesystem::file_time_type last_step;  ///< when it was recorded
 
   bool is_empty() const { return draft.steps.empty() && draft.open == DeformStep{}; }
+  /// Whether the file was saved over, and `mesh` is the copy of what it was.
+  bool has_copy() const { return mesh.path != opened; }
+  /// How many edits the recipe has: those committed, and the open one once a handle is moved.
+  std::size_t step_count() const;
 };
 
-/// The interrupted edits of `folder`, the latest first. A last line that was not written out counts
-/// as not written, and a journal that cannot be read as none. Journals of running programs are left
-/// out.
+/// What a journal says, also while its program runs; nothing where it cannot be read. A last line
+/// that was not written out counts as not written.
+std::optional<InterruptedEdit> read_journal(const std::filesystem::path& path);
+
+/// The interrupted edits of `folder`, the latest first: journals that can be read, of programs that
+/// no longer run.
 std::vector<InterruptedEdit> find_interrupted(const std::filesystem::path& folder);
 
-/// The edit was restored, and its steps are in a journal of their own; or nobody wants it.
+/// The edit was restored, and its steps are in a journal of their own (EditSession writes it); or
+/// nobody wants it.
 void discard(const InterruptedEdit& edit);
 
 }  // namespace lapwing::viewer

@@ -42,7 +42,7 @@ ToolAnswer DiskTool::handle(const InputEvent& event, const SelectScene& scene) {
   }
   if (event.kind == InputKind::scroll && center_ != kNoIndex) {
     radius_ *= std::pow(kFactorOfScroll, event.scroll);
-    return dragging_ ? ToolAnswer::only_taken() : chosen(scene);
+    return dragging_ ? ToolAnswer::only_taken() : chosen();
   }
   if (!dragging_) return ToolAnswer::passed_on();
   if (event.kind == InputKind::key && event.key == kEscape) {
@@ -55,12 +55,13 @@ ToolAnswer DiskTool::handle(const InputEvent& event, const SelectScene& scene) {
   if (has_moved_ && event.kind == InputKind::move) radius_ = radius_at(event.position, scene);
   if (!releases) return ToolAnswer::only_taken();
   dragging_ = false;
-  return chosen(scene);
+  return chosen();
 }
 
 void DiskTool::begin(const SurfacePoint& pick, const InputEvent& event, const SelectScene& scene) {
   dragging_ = true;
   has_moved_ = false;
+  part_ = scene.part;
   center_ = pick.vertex;
   start_ = event.position;
   if (radius_ == 0.0) radius_ = kFirstRadius * bounds_of(scene.positions).diagonal();
@@ -80,8 +81,8 @@ double DiskTool::radius_at(const Vector2d& pixel, const SelectScene& scene) cons
   return (pixel - start_).norm() * scene.projection.length_of_pixel(scene.positions[center_]);
 }
 
-ToolAnswer DiskTool::chosen(const SelectScene& scene) const {
-  return {true, Choose{scene.part, {GeodesicDisk{center_, radius_}, "disk"}}, {}};
+ToolAnswer DiskTool::chosen() const {
+  return {true, Choose{part_, {GeodesicDisk{center_, radius_}, "disk"}}, {}};
 }
 
 VertexSet DiskTool::live() const {

@@ -10,7 +10,8 @@
 namespace lapwing::viewer {
 
 /// Chooses a geodesic disk: press on its centre and drag to its rim, or click and scroll. Scrolling
-/// changes the disk chosen last, too. Escape gives up.
+/// changes the disk chosen last, too, also where the scene has gone on to another part since.
+/// Escape gives up.
 class DiskTool {
  public:
   ToolAnswer handle(const InputEvent& event, const SelectScene& scene);
@@ -19,17 +20,21 @@ class DiskTool {
   /// The vertices in the disk while it is dragged.
   VertexSet live() const;
   double radius() const { return radius_; }
+  /// Whether the disk chosen last came by a click, its radius still to be scrolled; false while one
+  /// is dragged, and before the first.
+  bool was_clicked() const { return center_ != kNoIndex && !dragging_ && !has_moved_; }
 
-  /// Another surface or part: nothing of the last disk counts any more.
+  /// Another surface, or a part chosen by other means: nothing of the last disk counts any more.
   void reset() { *this = {}; }
 
  private:
   void begin(const SurfacePoint& pick, const InputEvent& event, const SelectScene& scene);
   double radius_at(const Eigen::Vector2d& pixel, const SelectScene& scene) const;
-  ToolAnswer chosen(const SelectScene& scene) const;
+  ToolAnswer chosen() const;
 
   bool dragging_ = false;
   bool has_moved_ = false;  // far enough to be no click
+  Part part_;               // what it was begun for
   Index center_ = kNoIndex;
   Eigen::Vector2d start_ = Eigen::Vector2d::Zero();
   double radius_ = 0.0;

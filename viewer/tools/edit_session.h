@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "lapwing/io/mesh_file.h"
@@ -21,9 +24,18 @@ class EditSession {
   EditSession(History history, std::optional<MeshStamp> file, const std::filesystem::path& journals,
               Preparation::MakeKernels make_kernels, std::function<void()> wake = {});
 
+  /// Goes on with an interrupted edit: `history` is what `restore` made of it. Journals under the
+  /// name that the mesh was opened by, and keeps a copy of the mesh where the edit has one, so that
+  /// `discard(edit)` may follow unless there is a `warning`.
+  EditSession(const InterruptedEdit& edit, History history, const std::filesystem::path& journals,
+              Preparation::MakeKernels make_kernels, std::function<void()> wake = {});
+
   const History& history() const { return history_; }
   const AppState& state() const { return history_.state(); }
   const Preparation& preparation() const { return preparation_; }
+  /// What was opened, also of a restored edit, and not the copy that its steps start from: where
+  /// saving goes. Empty for a generated mesh.
+  std::filesystem::path file() const { return file_ ? file_->path : std::filesystem::path(); }
 
   /// A new step. Where it asks for a result that is under way when it returns. Throws what `apply`
   /// does.
@@ -31,11 +43,32 @@ class EditSession {
   void undo();
   void redo();
   void go_to(std::size_t steps);
+  /// Goes on with a history that began as this one does, with steps more or fewer.
+  void continue_with(History history);
   /// Gives up the result under way; the handle stays moved, and can be undone.
   void cancel_settling() { preparation_.cancel_settling(); }
 
+  /// Gives up the preparation and all that settles, until `prepare` or the next step.
+  void cancel_preparation() { preparation_.cancel(); }
+  /// Starts what was given up again, with the result that the state waits for.
+  void prepare();
+
+  /// The device was lost: goes on with kernels on another one, prepared anew.
+  void use_kernels(Preparation::MakeKernels make_kernels);
+
   /// Performs the result that has come, if one has. Call it when woken.
   bool take_result();
+
+  /// Asks for the result of `moves`, one per handle, which are not in the state: those of a drag
+  /// under way. Only if nothing else settles; does nothing otherwise, so call it as often as they
+  /// change. Every step, undo and redo wins over it.
+  void settle_live(std::span<const Move> moves);
+  /// Where that result puts the vertices, once; null if none has come. Never a step of the history.
+  std::shared_ptr<const MovedVertices> take_live_result();
+
+  /// Of the result that the state shows, also after undo and redo back to it; null without one, and
+  /// where it is not known, as for a restored one.
+  const Certificate* certificate() const;
 
   /// Writes the surface as it is. Throws what `write_mesh` does.
   WriteReport save(const std::filesystem::path& path);
@@ -49,9 +82,15 @@ class EditSession {
   const std::string& warning() const { return warning_; }
 
  private:
+  void start_journal(const std::filesystem::path& journals,
+                     const std::optional<std::filesystem::path>& copy);
   void follow();
 
+  // By the result that is certified, as long as the history knows it.
+  using Certificates = std::map<std::weak_ptr<const MovedVertices>, Certificate, std::owner_less<>>;
+
   History history_;
+  Certificates certificates_;
   std::optional<MeshStamp> file_;
   std::optional<Journal> journal_;
   std::string warning_;

@@ -4,10 +4,15 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "lapwing/deform/turn_tracker.h"
+
 namespace lapwing::viewer {
 namespace {
 
 using Eigen::Vector2d;
+
+// Of a half turn typed, which is none too many.
+constexpr double kRoundingDegrees = 1e-6;
 
 constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
 
@@ -19,7 +24,7 @@ std::string direction(GizmoPart part, GizmoMode mode) {
 }
 
 std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0) {
-  std::array<char, 96> text{};
+  std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), format, a, b, c);
   return text.data();
 }
@@ -164,6 +169,8 @@ void GizmoTool::renew(const GizmoScene& scene) {
   amount_ = drag_->amount(snap, typed_number());
   live_ = drag_->move_after(scene.state.moves[scene.handle],
                             handle_centroid(scene.state, scene.handle), amount_);
+  turns_too_far_ = !scene.state.parameters.commit_every &&
+                   turn_of(*live_).degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
 }
 
 ToolAnswer GizmoTool::confirm(const GizmoScene& scene) {
@@ -176,6 +183,7 @@ ToolAnswer GizmoTool::confirm(const GizmoScene& scene) {
 void GizmoTool::give_up() {
   drag_.reset();
   live_.reset();
+  turns_too_far_ = false;
   typed_.clear();
 }
 
@@ -203,6 +211,12 @@ std::string GizmoTool::readout() const {
   }
   text += direction(drag_->part(), drag_->mode());
   if (!typed_.empty()) text += " [" + typed_ + "]";
+  if (turns_too_far_) {
+    text += formatted(
+        "; turned %.4g degrees in all: the surface may wind the other way round; "
+        "commit on the way",
+        turn_of(*live_).degrees);
+  }
   return text;
 }
 

@@ -37,7 +37,11 @@ class GizmoTool {
   GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
   /// Where the gizmo is drawn: it goes with its handle.
   Gizmo gizmo(const GizmoScene& scene) const;
-  /// For the status line while dragging: "turn 45 degrees about x".
+  /// Whether the handle, dragged as it is, has turned farther from rest than the surface surely
+  /// follows at once (kLargestSettledTurnDegrees), and nothing is committed on the way.
+  bool turns_too_far() const { return turns_too_far_; }
+  /// For the status line while dragging: "turn 45 degrees about x", and what to do where it turns
+  /// too far.
   std::string readout() const;
 
  private:
@@ -62,6 +66,7 @@ class GizmoTool {
   std::string typed_;
   GizmoAmount amount_;
   std::optional<Move> live_;
+  bool turns_too_far_ = false;  // of the live move
 };
 
 }  // namespace lapwing::viewer

@@ -11,8 +11,18 @@ enum class MouseButton { none, left, middle, right };
 
 /// Keys that are no letters; letters and digits are their upper-case character.
 enum Key : int {
-  kEscape = 256, kEnter, kTab, kBackspace, kDelete, kHome, kEnd,
-  kLeft, kRight, kUp, kDown, kF1,
+  kEscape = 256,
+  kEnter,
+  kTab,
+  kBackspace,
+  kDelete,
+  kHome,
+  kEnd,
+  kLeft,
+  kRight,
+  kUp,
+  kDown,
+  kF1,
 };
 
 struct Modifiers {

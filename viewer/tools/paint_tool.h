@@ -24,6 +24,7 @@ class PaintTool {
   ToolAnswer handle(const InputEvent& event, const SelectScene& scene);
 
   Options& options() { return options_; }
+  const Options& options() const { return options_; }
   bool is_dragging() const { return dragging_; }
   bool erases() const { return options_.erase != control_; }
   /// The vertices of the stroke so far.

@@ -34,7 +34,10 @@ bool same_preparation(const AppState& a, const AppState& b) {
 // With commits on the way every part but the first prepares anew.
 SettledResult settled_result(const AppState& state, const Deformer& exact, Kernels& kernels,
                              const Progress& progress) {
-  if (state.parameters.commit_every) return {state.moves, solve_with(kernels, progress)(state), {}};
+  if (state.parameters.commit_every) {
+    Solved solved = solve_open_step(state, kernels, progress);
+    return {state.moves, std::move(solved.moved), std::move(solved.certificate)};
+  }
   DeformResult solved = exact.solve(motions_of(state), turns_of(state), progress);
   return {state.moves,
           std::make_shared<const MovedVertices>(
@@ -45,7 +48,7 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
 }  // namespace
 
 Preparation::Preparation(MakeKernels make_kernels, std::function<void()> wake)
-    : make_kernels_(std::move(make_kernels)), wake_(std::move(wake)), worker_([this] { run(); }) {}
+    : wake_(std::move(wake)), make_kernels_(std::move(make_kernels)), worker_([this] { run(); }) {}
 
 Preparation::~Preparation() {
   {
@@ -65,6 +68,7 @@ Preparation::Ready Preparation::let_go() {
   to_prepare_.reset();
   to_settle_.reset();
   result_.reset();
+  live_result_.reset();
   status_ = {};
   return std::exchange(ready_, {});
 }
@@ -88,6 +92,7 @@ void Preparation::settle(const AppState& state) {
   {
     const std::lock_guard lock(mutex_);
     result_.reset();
+    live_result_.reset();
     to_settle_ = Request{state, ++settle_ticket_};
     // From now on: the caller must not drag what the worker is about to use.
     if (status_.phase == Phase::ready) status_.phase = Phase::settling;
@@ -100,10 +105,27 @@ std::optional<SettledResult> Preparation::take_result() {
   return std::exchange(result_, std::nullopt);
 }
 
+bool Preparation::settle_live(const AppState& state) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (status_.phase != Phase::ready || result_ || live_result_) return false;
+    to_settle_ = Request{state, ++settle_ticket_, true};
+    status_.phase = Phase::settling;
+  }
+  asked_.notify_one();
+  return true;
+}
+
+std::optional<SettledResult> Preparation::take_live_result() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(live_result_, std::nullopt);
+}
+
 void Preparation::cancel_settling() {
   const std::lock_guard lock(mutex_);
   ++settle_ticket_;
   result_.reset();
+  live_result_.reset();
   // The worker passes over one that it was given to, and says when it is done with it.
   if (status_.phase != Phase::settling) to_settle_.reset();
 }
@@ -130,6 +152,19 @@ std::shared_ptr<Deformer> Preparation::exact() const {
   return ready_.exact;
 }
 
+void Preparation::use_kernels(MakeKernels make_kernels) {
+  cancel();
+  const std::lock_guard lock(mutex_);
+  make_kernels_ = std::move(make_kernels);
+}
+
+std::unique_ptr<Kernels> Preparation::make_kernels() const {
+  std::unique_lock lock(mutex_);
+  const MakeKernels make = make_kernels_;
+  lock.unlock();
+  return make();
+}
+
 void Preparation::wake() const {
   if (wake_) wake_();
 }
@@ -148,7 +183,7 @@ void Preparation::run() {
       const Request request = *std::exchange(to_settle_, std::nullopt);
       const Ready ready = ready_;
       lock.unlock();
-      settle_now(request.state, ready, request.ticket);
+      settle_now(request, ready);
     }
     wake();
     lock.lock();
@@ -170,7 +205,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
     Ready ready;
     ready.preview = make_preview(state, progress);
     if (!publish(ticket, ready, Phase::solving)) return;
-    ready.exact_kernels = make_kernels_();
+    ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
     ready.exact = std::shared_ptr<Deformer>(
         new Deformer(*ready.preview, *ready.exact_kernels, progress),
@@ -185,7 +220,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
 
 std::shared_ptr<DragPreview> Preparation::make_preview(const AppState& state,
                                                        const Progress& progress) {
-  const std::shared_ptr<Kernels> kernels = make_kernels_();
+  const std::shared_ptr<Kernels> kernels = make_kernels();
   return {new DragPreview(state.rest->positions, *state.topology, edit_region(state),
                           deform_options(state.parameters), *kernels, progress),
           [kernels, topology = state.topology](DragPreview* p) { delete p; }};
@@ -211,8 +246,9 @@ void Preparation::fail(std::uint64_t ticket, Phase phase, const std::string& mes
   status_.message = message;
 }
 
-void Preparation::settle_now(const AppState& state, const Ready& ready, std::uint64_t ticket) {
-  const Progress progress = [this, ticket](std::string_view stage, double fraction) {
+void Preparation::settle_now(const Request& request, const Ready& ready) {
+  const Progress progress = [this, ticket = request.ticket](std::string_view stage,
+                                                            double fraction) {
     {
       const std::lock_guard lock(mutex_);
       if (settle_ticket_ != ticket) return false;
@@ -225,7 +261,7 @@ void Preparation::settle_now(const AppState& state, const Ready& ready, std::uin
   std::optional<SettledResult> result;
   std::string message;
   try {
-    result = settled_result(state, *ready.exact, *ready.exact_kernels, progress);
+    result = settled_result(request.state, *ready.exact, *ready.exact_kernels, progress);
   } catch (const Cancelled&) {
     // Whoever cancelled wants nothing.
   } catch (const std::exception& error) {
@@ -234,9 +270,9 @@ void Preparation::settle_now(const AppState& state, const Ready& ready, std::uin
   const std::lock_guard lock(mutex_);
   if (ready_.exact != ready.exact) return;  // another preparation has begun
   status_.phase = to_settle_ ? Phase::settling : Phase::ready;
-  if (settle_ticket_ != ticket) return;
+  if (settle_ticket_ != request.ticket) return;
   status_.message = message;
-  result_ = std::move(result);
+  (request.live ? live_result_ : result_) = std::move(result);
 }
 
 }  // namespace lapwing::viewer

@@ -35,7 +35,7 @@ struct PreparationStatus {
 struct SettledResult {
   std::vector<Move> moves;  ///< those of the state that asked
   std::shared_ptr<const MovedVertices> moved;
-  Certificate certificate;  ///< of the last part where the step commits on the way
+  Certificate certificate;  ///< of all parts as one where the step commits on the way
 };
 
 /// Prepares an edit on a thread of its own, so that the window never waits: first the preview of a
@@ -63,15 +63,28 @@ class Preparation {
   void settle(const AppState& state);
   /// The result that is there, once.
   std::optional<SettledResult> take_result();
+
+  /// The same for a drag under way, whose moves `state` holds for once: a result to look at, which
+  /// comes by `take_live_result`. Only if nothing settles and no result waits to be taken; false
+  /// otherwise, and nothing is asked for. A later `settle` takes its place at once.
+  bool settle_live(const AppState& state);
+  std::optional<SettledResult> take_live_result();
+
+  /// Gives up what is under way and what waits to be taken, live or not.
   void cancel_settling();
+
+  /// Cancels everything, and makes what follows with other kernels: the device was lost.
+  void use_kernels(MakeKernels make_kernels);
 
   /// Cancels everything and lets go of what is ready, until the next `follow`.
   void cancel();
 
   PreparationStatus status() const;
 
-  /// What to drag and draw; null until it is ready. Each stays usable while it is held, but the
-  /// exact one may only be drawn while it settles: drag the preview then.
+  /// What to drag and draw; null until it is ready. Each stays usable while it is held. The worker
+  /// uses the exact one while it settles, live or not: then it may only be drawn, and the preview
+  /// is to drag. It is free for a drag exactly while `status().phase` is `ready`, which only the
+  /// members above end: never the worker, so that a phase just read holds for the frame.
   std::shared_ptr<DragPreview> preview() const;
   std::shared_ptr<Deformer> exact() const;
 
@@ -85,23 +98,25 @@ class Preparation {
   struct Request {
     AppState state;
     std::uint64_t ticket = 0;
+    bool live = false;
   };
 
   void run();
   void prepare(const AppState& state, std::uint64_t ticket);
-  void settle_now(const AppState& state, const Ready& ready, std::uint64_t ticket);
+  void settle_now(const Request& request, const Ready& ready);
   std::shared_ptr<DragPreview> make_preview(const AppState& state, const Progress& progress);
   bool publish(std::uint64_t ticket, Ready ready, PreparationStatus::Phase phase);
   void fail(std::uint64_t ticket, PreparationStatus::Phase phase, const std::string& message);
   Ready let_go();
+  std::unique_ptr<Kernels> make_kernels() const;
   void wake() const;
 
-  const MakeKernels make_kernels_;
   const std::function<void()> wake_;
 
   mutable std::mutex mutex_;
   std::condition_variable asked_;
   // All below is guarded by the mutex. Work under a ticket that is not the current one is void.
+  MakeKernels make_kernels_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
   bool stop_ = false;
@@ -109,6 +124,7 @@ class Preparation {
   std::optional<AppState> to_prepare_;
   std::optional<Request> to_settle_;
   std::optional<SettledResult> result_;
+  std::optional<SettledResult> live_result_;
   PreparationStatus status_;
   Ready ready_;
 

@@ -20,7 +20,7 @@ ImU32 encoded(const Eigen::Vector3f& linear) {
   return IM_COL32(bytes[0], bytes[1], bytes[2], 255);
 }
 
-void draw_legend(const SurfaceStyle& style, const SurfacePaint& paint) {
+void draw_legend(const SurfaceStyle& style) {
   constexpr int kParts = 24;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -34,7 +34,7 @@ void draw_legend(const SurfaceStyle& style, const SurfacePaint& paint) {
         right, right, left);
   }
   ImGui::Dummy({width, height});
-  const ScalarRange range = color_range(style, paint);
+  const ScalarRange range = style.range.value_or(ScalarRange{});
   ImGui::Text("%.3g", static_cast<double>(range.low));
   char high[32];
   std::snprintf(high, sizeof high, "%.3g", static_cast<double>(range.high));
@@ -47,24 +47,62 @@ void choose(const char* label, Value& value,
             const std::array<std::pair<const char*, Value>, count>& choices) {
   ImGui::TextDisabled("%s", label);
   for (std::size_t c = 0; c < count; ++c) {
-    if (c > 0) ImGui::SameLine();
+    // Two in a row.
+    if (c % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetContentRegionMax().x);
     if (ImGui::RadioButton(choices[c].first, value == choices[c].second)) value = choices[c].second;
   }
 }
 
 }  // namespace
 
-void draw_display_panel(DisplayChoices& choices, const Document& document) {
+std::optional<PoseMeasure> measure_of(Coloring coloring) {
+  switch (coloring) {
+    case Coloring::plain:
+    case Coloring::regions:
+      break;
+    case Coloring::displacement:
+      return PoseMeasure::displacement;
+    case Coloring::rotation:
+      return PoseMeasure::rotation;
+    case Coloring::detail:
+      return PoseMeasure::detail;
+    case Coloring::stretch:
+      return PoseMeasure::stretch;
+  }
+  return {};
+}
+
+SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor) {
+  SurfaceStyle style = choices.style;
+  style.color = choices.coloring == Coloring::plain ? SurfaceColor::plain : SurfaceColor::regions;
+  if (measure_of(choices.coloring) && editor.is_measured()) {
+    style.color = SurfaceColor::scalar;
+    style.range = editor.measure_range();
+  }
+  return style;
+}
+
+void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   SurfaceStyle& style = choices.style;
   ImGui::Checkbox("Wireframe", &style.wireframe);
   ImGui::SameLine();
   ImGui::Checkbox("Flat", &style.flat);
-  if (!document.file.rest.empty()) {
-    choose("Colour", style.color,
-           std::array{std::pair{"plain", SurfaceColor::plain},
-                      std::pair{"regions", SurfaceColor::regions},
-                      std::pair{"displacement", SurfaceColor::scalar}});
-    if (style.color == SurfaceColor::scalar) draw_legend(style, document.paint);
+  ImGui::SameLine();
+  bool before = editor.shows_before();
+  if (ImGui::Checkbox("Before", &before)) editor.show_before(before);
+  choose("Colour", choices.coloring,
+         std::array{std::pair{"plain", Coloring::plain}, std::pair{"regions", Coloring::regions},
+                    std::pair{"displacement", Coloring::displacement},
+                    std::pair{"rotation", Coloring::rotation},
+                    std::pair{"detail error", Coloring::detail},
+                    std::pair{"stretch", Coloring::stretch}});
+  const auto measure = measure_of(choices.coloring);
+  editor.color_by(measure);
+  if (measure && editor.is_measured()) {
+    std::string title(legend_title(*measure));
+    std::replace(title.begin(), title.end(), '\n', ' ');
+    ImGui::TextDisabled("%s", title.c_str());
+    draw_legend(style_of(choices, editor));
   }
   choose(
       "Background", choices.background,

@@ -1,40 +1,34 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "lapwing/render/surface_paint.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "editing/editor.h"
 #include "ui/load_file.h"
 
 namespace lapwing::viewer {
 
-/// What is open: a mesh and its surface on the device.
+/// What is open.
 struct Document {
-  Document(LoadedFile loaded, VulkanKernels& kernels)
-      : file(std::move(loaded)),
-        bounds(bounds_of(file.mesh.positions)),
-        made(kernels.make_surface({file.mesh.positions, file.topology, {}, {}, 0})),
-        surface(dynamic_cast<VulkanSurface&>(*made)),
-        paint(surface) {
-    paint.set_polygons(file.mesh, file.topology);
-    if (!file.classes.empty()) paint.set_classes(file.classes);
-    if (file.rest.empty()) return;
-    std::vector<float> distances;
-    for (std::size_t v = 0; v < file.rest.size(); ++v) {
-      distances.push_back(static_cast<float>((file.mesh.positions[v] - file.rest[v]).norm()));
-    }
-    paint.set_scalars(distances);
-  }
+  Document(LoadedFile file, const std::filesystem::path& journals, VulkanKernels& kernels,
+           Editor::Say say, std::function<void()> wake)
+      : opened(file.opened),
+        title(opened.name + " - Lapwing"),
+        unsaved_title(opened.name + "* - Lapwing"),
+        report(std::move(file.report)),
+        closed_outward(file.closed_outward),
+        editor(
+            {std::move(file.history), opened.mesh, opened.file, std::move(file.restored), journals},
+            kernels, std::move(say), std::move(wake)),
+        save_path(file.from_recipe ? std::filesystem::path() : editor.session().file()) {}
 
-  LoadedFile file;
-  Bounds bounds;
-  std::unique_ptr<DeformedSurface> made;
-  VulkanSurface& surface;
-  SurfacePaint paint;  ///< its numbers are how far a recipe moved each vertex
+  OpenedMesh opened;
+  std::string title;  ///< of the window
+  std::string unsaved_title;
+  CheckReport report;
+  bool closed_outward;
+  Editor editor;
+  std::filesystem::path save_path;  ///< empty as long as nobody has said where
 };
 
 }  // namespace lapwing::viewer

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/gpu/device_lost.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "window/window.h"
 
@@ -13,35 +14,50 @@ FileLoader::~FileLoader() {
   if (worker_.joinable()) worker_.join();
 }
 
-void FileLoader::start(const std::filesystem::path& path) {
+void FileLoader::start(std::string name, Load load) {
   cancel();
   if (worker_.joinable()) worker_.join();
   take();
   cancelled_ = false;
   busy_ = true;
-  worker_ = std::thread([this, path] { load(path); });
+  Job job{std::move(name), std::move(load)};
+  unfinished_ = job;
+  worker_ = std::thread([this, job = std::move(job), context = context_] { run(job, context); });
 }
 
-void FileLoader::load(const std::filesystem::path& path) {
-  const auto progress = [this, name = path.filename().string()](std::string_view stage, double) {
+void FileLoader::use_device(std::shared_ptr<gpu::Context> context) {
+  context_ = std::move(context);
+  std::unique_lock lock(mutex_);
+  std::optional<Job> unfinished = unfinished_;
+  lock.unlock();
+  if (unfinished) start(std::move(unfinished->name), std::move(unfinished->load));
+}
+
+void FileLoader::run(const Job& job, const std::shared_ptr<gpu::Context>& context) {
+  const auto progress = [this, &job](std::string_view stage, double) {
     const std::scoped_lock lock(mutex_);
-    stage_ = name + ": " + std::string(stage);
+    stage_ = job.name + ": " + std::string(stage);
     Window::wake();
     return !cancelled_;
   };
   Outcome outcome;
+  bool finished = true;
   try {
     // Kernels are one thread's: these share no more than the device with the window's.
-    VulkanKernels kernels(context_, Precision::automatic);
-    outcome.file = load_file(path, kernels, progress);
+    VulkanKernels kernels(context, Precision::automatic);
+    outcome.file = job.load(kernels, progress);
   } catch (const Cancelled&) {
     // Someone asked for this: there is nothing to say.
+  } catch (const gpu::DeviceLost&) {
+    outcome.error = std::current_exception();
+    finished = false;
   } catch (...) {
     outcome.error = std::current_exception();
   }
   {
     const std::scoped_lock lock(mutex_);
     outcome_ = std::move(outcome);
+    if (finished) unfinished_.reset();
   }
   busy_ = false;
   Window::wake();

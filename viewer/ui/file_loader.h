@@ -2,7 +2,7 @@
 
 #include <atomic>
 #include <exception>
-#include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,9 +21,14 @@ class FileLoader {
   /// Cancels, and waits until the loader has noticed.
   ~FileLoader();
 
-  /// Begins to load `path`; a file that is still being loaded is given up.
-  void start(const std::filesystem::path& path);
+  using Load = std::function<LoadedFile(Kernels& kernels, const Progress& progress)>;
+  /// Begins with `load`, on a thread of its own, and calls it `name`; what is still being loaded is
+  /// given up.
+  void start(std::string name, Load load);
   void cancel() { cancelled_ = true; }
+
+  /// From now on files are loaded on another device; what the old one did not finish begins anew.
+  void use_device(std::shared_ptr<gpu::Context> context);
 
   bool busy() const { return busy_; }
   /// What is being done, in words.
@@ -37,7 +42,11 @@ class FileLoader {
   std::optional<Outcome> take();
 
  private:
-  void load(const std::filesystem::path& path);
+  struct Job {
+    std::string name;
+    Load load;
+  };
+  void run(const Job& job, const std::shared_ptr<gpu::Context>& context);
 
   std::shared_ptr<gpu::Context> context_;
   std::thread worker_;
@@ -45,6 +54,7 @@ class FileLoader {
   std::atomic<bool> cancelled_ = false;
   mutable std::mutex mutex_;
   std::string stage_;               ///< under the mutex
+  std::optional<Job> unfinished_;   ///< under way, or given up with a lost device; the same
   std::optional<Outcome> outcome_;  ///< under the mutex
 };
 

@@ -1,44 +1,81 @@
 #include "ui/load_file.h"
 
+#include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/recipe/recipe.h"
+#include "lapwing/render/closed_surface.h"
+#include "state/draft.h"
 
 namespace lapwing::viewer {
 namespace {
 
-LoadedFile examined(std::string name, Mesh mesh, const Progress& progress) {
-  LoadedFile file;
-  file.name = std::move(name);
-  file.mesh = std::move(mesh);
-  report_progress(progress, "topology", 0.0);
-  file.topology = build_topology(file.mesh);
-  report_progress(progress, "check", 0.0);
-  file.report = check(file.mesh, file.topology);
-  return file;
+namespace fs = std::filesystem;
+
+OpenedMesh read(const fs::path& path, const Progress& progress) {
+  report_progress(progress, "read", 0.0);
+  return {path.filename().string(), std::make_shared<const Mesh>(read_mesh(path)), stamp_of(path)};
 }
 
-LoadedFile carried_out(const std::filesystem::path& path, Kernels& kernels,
+LoadedFile examined(OpenedMesh opened, History history, const Progress& progress) {
+  report_progress(progress, "check", 0.0);
+  CheckReport report = check(*opened.mesh, *history.state().topology);
+  const bool closed =
+      is_closed_outward(opened.mesh->positions, history.state().topology->triangles);
+  return {std::move(opened), std::move(report), std::move(history), closed};
+}
+
+LoadedFile unedited(OpenedMesh opened, const Progress& progress) {
+  report_progress(progress, "topology", 0.0);
+  History history(open_state(Mesh(*opened.mesh)));
+  return examined(std::move(opened), std::move(history), progress);
+}
+
+LoadedFile carried_out(const Recipe& recipe, OpenedMesh opened, Kernels& kernels,
                        const Progress& progress) {
-  const auto result = run_recipe(read_recipe(path), kernels, progress);
-  LoadedFile file = examined(path.filename().string(), std::move(result->mesh), progress);
-  file.rest = std::move(result->original);
-  if (result->last) file.classes = vertex_classes(result->last->region(), file.mesh.vertex_count());
-  file.notes = std::move(result->report.warnings);
+  History history = from_recipe(Mesh(*opened.mesh), recipe, solve_with(kernels, progress));
+  // The recipe has it.
+  history.mark_saved();
+  LoadedFile file = examined(std::move(opened), std::move(history), progress);
+  file.from_recipe = true;
   return file;
 }
 
 }  // namespace
 
-LoadedFile load_file(const std::filesystem::path& path, Kernels& kernels,
-                     const Progress& progress) {
-  if (path.extension() == ".json") return carried_out(path, kernels, progress);
-  report_progress(progress, "read", 0.0);
-  return examined(path.filename().string(), read_mesh(path), progress);
+LoadedFile load_file(const fs::path& path, Kernels& kernels, const Progress& progress) {
+  if (path.extension() != ".json") return unedited(read(path, progress), progress);
+  const Recipe recipe = read_recipe(path);
+  return carried_out(recipe, read(recipe.mesh_path(), progress), kernels, progress);
 }
 
 LoadedFile load_shape(const NamedShape& shape) {
-  LoadedFile file = examined(std::string(shape.name), shape.make(), {});
-  file.up_axis = UpAxis::z;
+  return unedited(
+      {std::string(shape.name), std::make_shared<const Mesh>(shape.make()), {}, UpAxis::z}, {});
+}
+
+LoadedFile load_replay(const fs::path& recipe, History history, Kernels& kernels,
+                       const Progress& progress) {
+  const std::size_t before = history.done();
+  for (const Step& step : read_recipe(recipe).steps) {
+    perform(history, std::get<DeformStep>(step), solve_with(kernels, progress));
+  }
+  LoadedFile file{{}, {}, std::move(history)};
+  file.replayed_from = before;
+  return file;
+}
+
+LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,
+                            const Progress& progress) {
+  if (!edit.mesh_is_unchanged) {
+    throw InputError(edit.mesh.path.string() +
+                     " is not the mesh that the interrupted edit began with; put that back, or "
+                     "discard the edit");
+  }
+  OpenedMesh opened = read(edit.mesh.path, progress);
+  opened.name = edit.opened.filename().string();
+  History history = restore(Mesh(*opened.mesh), edit.draft, solve_with(kernels, progress));
+  LoadedFile file = examined(std::move(opened), std::move(history), progress);
+  file.restored = edit;
   return file;
 }
 

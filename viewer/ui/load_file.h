@@ -1,35 +1,54 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "lapwing/base/progress.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/mesh/topology.h"
 #include "lapwing/render/camera.h"
-#include "lapwing/render/surface_paint.h"
+#include "state/history.h"
+#include "state/journal.h"
 
 namespace lapwing::viewer {
 
-/// A mesh with all that showing it takes, but for the device.
-struct LoadedFile {
-  std::string name;  ///< of the file or the shape
-  Mesh mesh;
-  Topology topology;
-  CheckReport report;
+/// The mesh that an edit began with.
+struct OpenedMesh {
+  std::string name;                  ///< of the file or the shape
+  std::shared_ptr<const Mesh> mesh;  ///< before any step
+  std::optional<MeshStamp> file;     ///< none for a generated mesh
   UpAxis up_axis = UpAxis::y;
-  Positions rest;                    ///< before a recipe's steps; empty without
-  std::vector<VertexClass> classes;  ///< of a recipe's last step; empty without
-  std::vector<std::string> notes;    ///< of the recipe, for the log
 };
 
-/// Reads a mesh or, if `path` ends in .json, carries out a recipe on `kernels`. Throws what
-/// `read_mesh`, `read_recipe` and `run_recipe` throw.
+/// An edit to show, and what is to be said of it.
+struct LoadedFile {
+  OpenedMesh opened;
+  CheckReport report;  ///< of the mesh as it was opened
+  History history;
+  bool closed_outward = false;                   ///< as is_closed_outward says
+  std::optional<InterruptedEdit> restored = {};  ///< what the history continues
+  bool from_recipe = false;  ///< whose mesh must not be saved over without asking
+  /// Of a replay: how many steps the history had that it goes on from.
+  std::optional<std::size_t> replayed_from = {};
+};
+
+/// Reads a mesh or, if `path` ends in .json, carries a recipe out on `kernels`, every step one of
+/// the history. Throws what `read_mesh`, `read_recipe` and `run_recipe` throw.
 LoadedFile load_file(const std::filesystem::path& path, Kernels& kernels, const Progress& progress);
 
 LoadedFile load_shape(const NamedShape& shape);
+
+/// Carries the steps of a recipe out on the surface that `history` leads to, whichever mesh it was
+/// written for. Throws as `load_file`.
+LoadedFile load_replay(const std::filesystem::path& recipe, History history, Kernels& kernels,
+                       const Progress& progress);
+
+/// Carries an interrupted edit out again. Throws as `load_file`, and InputError when the mesh is
+/// not what it was.
+LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,
+                            const Progress& progress);
 
 }  // namespace lapwing::viewer

@@ -52,9 +52,9 @@ void draw_defect(const Defect& defect) {
 }  // namespace
 
 void draw_mesh_panel(const Document& document) {
-  const MeshStatistics& s = document.file.report.statistics;
+  const MeshStatistics& s = document.report.statistics;
   if (ImGui::BeginTable("mesh", 2, ImGuiTableFlags_SizingFixedFit)) {
-    row("name", document.file.name);
+    row("name", document.opened.name);
     row("vertices", std::to_string(s.vertices));
     row("faces", std::to_string(s.faces));
     if (s.triangles != s.faces) row("triangles", std::to_string(s.triangles));
@@ -66,9 +66,8 @@ void draw_mesh_panel(const Document& document) {
     row("mean edge", number(s.mean_edge_length));
     ImGui::EndTable();
   }
-  if (!document.file.report.has_problems())
-    ImGui::TextDisabled("The mesh doctor finds no problem.");
-  for (const Defect& defect : document.file.report.defects) draw_defect(defect);
+  if (!document.report.has_problems()) ImGui::TextDisabled("The mesh doctor finds no problem.");
+  for (const Defect& defect : document.report.defects) draw_defect(defect);
 }
 
 void draw_timings_panel(const FrameTimings& timings) {
@@ -78,6 +77,8 @@ void draw_timings_panel(const FrameTimings& timings) {
     std::snprintf(text, sizeof text, "%.2f ms", value);
     return std::string(text);
   };
+  row("blend, device", ms(timings.blend_ms));
+  row("normals, device", ms(timings.normals_ms));
   row("surface, device", ms(timings.draw_ms));
   row("panels, device", ms(timings.ui_ms));
   row("panels, processor", ms(timings.panels_ms));

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "editing/editor.h"
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
 #include "ui/document.h"
@@ -13,24 +14,57 @@
 
 namespace lapwing::viewer {
 
+/// What a person is about to choose: numbers become a command when the field or slider is let go.
+struct PanelDrafts {
+  std::optional<double> belt_percent;
+  std::optional<SimilarityMove> move;
+  std::optional<EditParameters> parameters;
+  std::size_t history_shown = 0;  ///< step that the list was scrolled to
+};
+
 // The panels. Each lays itself out with ImGui where the caller has begun a window, and changes only
 // what it is given.
 
 /// File, sizes, and what the mesh doctor found.
 void draw_mesh_panel(const Document& document);
 
+/// Parts, tools, and what is chosen.
+void draw_selection_panel(Editor& editor, PanelDrafts& drafts);
+
+/// The handle's move in numbers, how the edit is computed, how far the worker is, and what the
+/// result promises. Vertices that a person wants to be shown.
+std::optional<std::vector<Index>> draw_deform_panel(Editor& editor, PanelDrafts& drafts);
+
+/// What a path is typed in for.
+enum class PathPurpose { save_mesh, save_recipe, replay_recipe };
+
+/// All steps, to go back and forth; what a person wants to do with them as a recipe.
+std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& drafts);
+
+/// What the surface is coloured by.
+enum class Coloring { plain, regions, displacement, rotation, detail, stretch };
+std::optional<PoseMeasure> measure_of(Coloring coloring);
+
 /// How the picture looks.
 struct DisplayChoices {
   SurfaceStyle style;
   Background background = Background::gradient;
+  Coloring coloring = Coloring::regions;
 };
-void draw_display_panel(DisplayChoices& choices, const Document& document);
+/// The style that shows `editor` as chosen.
+SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor);
+void draw_display_panel(DisplayChoices& choices, Editor& editor);
 
 /// What each part of a frame took.
 void draw_timings_panel(const FrameTimings& timings);
 
 /// Messages, the newest last.
 void draw_log_panel(std::span<const std::string> messages);
+
+/// Over the picture, under the panels: gizmo, outlines of the tools, vertices pointed at. Pixels of
+/// `view` for each of ImGui's units.
+void draw_edit_marks(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
+                     const Eigen::Vector2d& cursor);
 
 /// The list of controls, in a window of its own; `open` turns false when it is closed.
 void draw_controls_list(const Keymap& keymap, bool& open);
@@ -51,6 +85,27 @@ struct PicturePlan {
 };
 /// Asks for path and size, in a window of its own; true when the picture is to be saved.
 bool draw_picture_panel(PicturePlan& plan);
+
+/// A path that is being typed in.
+struct PathPlan {
+  std::optional<PathPurpose> purpose;  ///< none while nothing is asked
+  std::string path;
+};
+/// Asks for it, in a window of its own; true when it is to be used.
+bool draw_path_panel(PathPlan& plan);
+
+/// What becomes of an edit that is not saved.
+enum class UnsavedChoice { save, discard, cancel };
+/// Asks, in a window of its own.
+std::optional<UnsavedChoice> draw_unsaved_panel(const std::string& name);
+
+/// What to do with an edit that a crash interrupted.
+struct InterruptedChoice {
+  std::size_t edit = 0;  ///< which one
+  enum class What { restore, discard, later } what = What::later;
+};
+/// Asks, in a window of its own.
+std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const InterruptedEdit> edits);
 
 /// Meshes and recipes worth opening, of those that tools/demo and tools/test fetched: looked for in
 /// build/models and tools/recipes here, and beside the program's build folder.

@@ -2,12 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "lapwing/render/id_picture.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "navigation/keymap.h"
 #include "ui/document.h"
@@ -24,68 +24,100 @@ struct PictureOrder {
   std::optional<VkExtent2D> size;  ///< the window's unless given
 };
 
-/// The viewer: shows a mesh, moves the camera around it, says what is there.
+/// The viewer: what is open, how it is looked at, and the panels around it. Its sources are by
+/// concern: viewer_app (files), viewer_input (mouse and keys), viewer_frame (panels).
 class ViewerApp final : public App {
  public:
-  explicit ViewerApp(std::shared_ptr<gpu::Context> context);
+  /// Journals go to that folder.
+  ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals);
 
   void order(PictureOrder picture) { order_ = std::move(picture); }
+  /// Offers edits that a crash interrupted.
+  void offer_interrupted();
 
   bool handle(const InputEvent& event) override;
   void open(const std::filesystem::path& file) override;
   void resize(const Eigen::Vector2d& size) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
-  std::string title() const override;
+  std::string_view title() const override;
+  void ask_to_close() override;
   bool wants_to_quit() const override { return quit_; }
+  void use_device(std::shared_ptr<gpu::Context> context) override;
 
  private:
+  // Files.
+  void load(std::string name, FileLoader::Load load);
   void show(LoadedFile file);
+  void go_on_with(LoadedFile replay);
   void take_loaded();
+  /// Goes on with `action`, which gives up what is open, once nothing is lost by it.
+  void leave_for(std::function<void()> action);
+  void save_as(PathPurpose purpose);
+  bool save_to(const std::filesystem::path& path);
+  void use_path();
+  void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
+  void carry_out_order();
   /// Says something in the status line and the log.
   void say(std::string message);
 
+  // Mouse and keys.
   void perform(Action action);
   void drag_to(const InputEvent& event);
+  void escape();
+  bool asks() const;
   void look_from(View view);
   void frame_all();
+  void frame(std::span<const Index> vertices);
   void orbit_by(double right, double down);
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
-  void say_what_is_at(const Eigen::Vector2d& pixel);
   Eigen::Vector3d upward() const;
+  ViewFrame view_frame() const;
+  GizmoKeys gizmo_keys() const;
+  bool is_inside(const Bounds& bounds) const;
   double sidebar_share() const;
   double sidebar_pixels() const;
 
+  // Panels.
   void draw_menu();
+  void draw_file_menu();
+  void draw_edit_menu();
   void draw_view_menu();
   void draw_sidebar(const FrameTimings& last);
   void draw_status(const FrameTimings& last);
-  void draw_picture_panel();
+  std::string status_text(const FrameTimings& last) const;
+  void draw_dialogs();
+  void draw_start();
+  void draw_interrupted();
+  void draw_unsaved();
   VkExtent2D window_size() const;
-  void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
-  void carry_out_order();
 
   std::shared_ptr<gpu::Context> context_;
-  VulkanKernels kernels_;
+  std::filesystem::path journals_;
+  std::optional<VulkanKernels> kernels_;
   FileLoader loader_;
-  IdPicture id_picture_;
-  std::optional<Document> document_;
+  std::unique_ptr<Document> document_;
   Camera camera_;
   UpAxis up_axis_ = UpAxis::y;
   DisplayChoices display_;
   std::size_t keymap_ = 0;  ///< of keymaps()
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
-  std::optional<Motion> motion_;  ///< under way
+  std::optional<Motion> motion_;  ///< of the camera, under way
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
   bool show_panels_ = true;
   bool show_controls_ = false;
   bool show_start_ = true;
+  PanelDrafts drafts_;
   PicturePlan picture_plan_;
+  PathPlan path_plan_;
+  std::vector<InterruptedEdit> interrupted_;
+  std::function<void()> leaving_for_;  ///< waits for the person to say what becomes of the edit
   std::vector<std::filesystem::path> samples_;
   std::string typed_path_;
   std::vector<std::string> log_;
   std::string status_;
+  std::string title_ = "Lapwing";
   std::optional<PictureOrder> order_;
   int frames_shown_ = 0;  ///< of the document
   bool quit_ = false;

@@ -2,7 +2,9 @@
 
 #include <cstdio>
 #include <imgui.h>
+#include <utility>
 
+#include "lapwing/base/errors.h"
 #include "ui/viewer_app.h"
 
 namespace lapwing::viewer {
@@ -23,17 +25,115 @@ bool begin_menu(const char* label) {
   return true;
 }
 
+// For the status line: what the worker does, and what a drag shows.
+std::string state_of_the_edit(const Editor& editor) {
+  using Phase = PreparationStatus::Phase;
+  const PreparationStatus status = editor.session().preparation().status();
+  const int percent = static_cast<int>(100.0 * status.fraction);
+  std::string text;
+  switch (status.phase) {
+    case Phase::previewing:
+    case Phase::solving:
+      text = "  |  preparing: " + status.stage + " " + std::to_string(percent) + "%";
+      break;
+    case Phase::settling:
+      text = "  |  settling " + std::to_string(percent) + "%";
+      break;
+    case Phase::failed:
+      text = "  |  " + status.message;
+      break;
+    case Phase::idle:
+    case Phase::ready:
+      break;
+  }
+  if (editor.surface().source() == SurfaceSource::preview) text += "  |  preview";
+  if (editor.surface().source() == SurfaceSource::exact) text += "  |  exact";
+  if (editor.shows_before()) text += "  |  before";
+  return text;
+}
+
 }  // namespace
+
+void ViewerApp::draw_ui(const FrameTimings& last) {
+  take_loaded();
+  if (document_) document_->editor.update();
+  carry_out_order();
+  draw_menu();
+  draw_status(last);
+  if (document_) {
+    const double per_unit = size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x);
+    draw_edit_marks(document_->editor, view_frame(), per_unit, cursor_);
+    if (show_panels_) draw_sidebar(last);
+  }
+  draw_dialogs();
+  if (document_) ++frames_shown_;
+}
+
+void ViewerApp::draw_dialogs() {
+  if (!interrupted_.empty()) {
+    draw_interrupted();
+  } else if (show_start_ && !loader_.busy()) {
+    draw_start();
+  }
+  if (picture_plan_.open && document_ && draw_picture_panel(picture_plan_)) {
+    try {
+      save_picture(picture_plan_.path, {static_cast<std::uint32_t>(picture_plan_.width),
+                                        static_cast<std::uint32_t>(picture_plan_.height)});
+      say("saved " + picture_plan_.path);
+    } catch (const Error& error) {
+      say(error.what());
+    }
+  }
+  if (document_ && draw_path_panel(path_plan_)) use_path();
+  if (leaving_for_ && !path_plan_.purpose) draw_unsaved();
+  if (show_controls_) draw_controls_list(keymaps()[keymap_], show_controls_);
+}
+
+void ViewerApp::draw_start() {
+  const auto choice = draw_start_panel(samples_, typed_path_);
+  if (!choice) return;
+  if (const auto* path = std::get_if<std::filesystem::path>(&*choice)) {
+    open(*path);
+  } else {
+    leave_for([this, shape = std::get<const NamedShape*>(*choice)] { show(load_shape(*shape)); });
+  }
+}
+
+void ViewerApp::draw_interrupted() {
+  using What = InterruptedChoice::What;
+  const auto choice = draw_interrupted_panel(interrupted_);
+  if (!choice) return;
+  if (choice->what == What::later) return interrupted_.clear();
+  const InterruptedEdit edit = interrupted_[choice->edit];
+  interrupted_.erase(interrupted_.begin() + static_cast<std::ptrdiff_t>(choice->edit));
+  if (choice->what == What::discard) return discard(edit);
+  interrupted_.clear();
+  leave_for([this, edit] {
+    load(edit.opened.filename().string(), [edit](Kernels& kernels, const Progress& progress) {
+      return load_interrupted(edit, kernels, progress);
+    });
+  });
+}
+
+void ViewerApp::draw_unsaved() {
+  const auto choice = draw_unsaved_panel(document_->opened.name);
+  if (!choice) return;
+  if (*choice == UnsavedChoice::save && document_->save_path.empty()) {
+    return save_as(PathPurpose::save_mesh);
+  }
+  const auto action = std::exchange(leaving_for_, nullptr);
+  if (*choice == UnsavedChoice::save && !save_to(document_->save_path)) return;
+  if (*choice != UnsavedChoice::cancel) action();
+}
 
 void ViewerApp::draw_menu() {
   if (!ImGui::BeginMainMenuBar()) return;
   if (begin_menu("File")) {
-    if (ImGui::MenuItem("Open...")) show_start_ = true;
-    if (ImGui::MenuItem("Save picture...", "Ctrl+P", false, document_.has_value())) {
-      perform(Action::save_picture);
-    }
-    ImGui::Separator();
-    if (ImGui::MenuItem("Quit", "Ctrl+Q")) quit_ = true;
+    draw_file_menu();
+    ImGui::EndMenu();
+  }
+  if (begin_menu("Edit")) {
+    draw_edit_menu();
     ImGui::EndMenu();
   }
   if (begin_menu("View")) {
@@ -45,6 +145,43 @@ void ViewerApp::draw_menu() {
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();
+}
+
+void ViewerApp::draw_file_menu() {
+  const bool is_open = document_ != nullptr;
+  const auto item = [&](const char* label, const char* keys, Action action) {
+    if (ImGui::MenuItem(label, keys, false, is_open)) perform(action);
+  };
+  if (ImGui::MenuItem("Open...", "Ctrl+O")) show_start_ = true;
+  item("Save", "Ctrl+S", Action::save);
+  item("Save as...", "Ctrl+Shift+S", Action::save_as);
+  item("Save picture...", "Ctrl+P", Action::save_picture);
+  ImGui::Separator();
+  item("Save recipe...", "Ctrl+E", Action::save_recipe);
+  item("Replay a recipe...", "Ctrl+R", Action::replay_recipe);
+  ImGui::Separator();
+  if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
+}
+
+void ViewerApp::draw_edit_menu() {
+  struct Item {
+    const char* label;
+    const char* keys;
+    Action action;
+  };
+  constexpr Item kItems[]{{"Undo", "Ctrl+Z", Action::undo},
+                          {"Redo", "Ctrl+Shift+Z", Action::redo},
+                          {"Choose ROI", "I", Action::choose_roi},
+                          {"Choose handle", "H", Action::choose_handle},
+                          {"Add a handle", "Shift+H", Action::add_handle},
+                          {"Choose belt", "T", Action::choose_belt},
+                          {"Grow", "Ctrl+=", Action::grow},
+                          {"Shrink", "Ctrl+-", Action::shrink},
+                          {"Invert", "Ctrl+I", Action::invert},
+                          {"Remove handle", "Delete", Action::remove_handle}};
+  for (const Item& item : kItems) {
+    if (ImGui::MenuItem(item.label, item.keys, false, document_ != nullptr)) perform(item.action);
+  }
 }
 
 void ViewerApp::draw_view_menu() {
@@ -76,7 +213,9 @@ void ViewerApp::draw_view_menu() {
   if (!begin_menu("Mouse as in")) return;
   for (std::size_t k = 0; k < keymaps().size(); ++k) {
     const std::string name(keymaps()[k].name);
-    if (ImGui::MenuItem(name.c_str(), nullptr, keymap_ == k)) keymap_ = k;
+    if (!ImGui::MenuItem(name.c_str(), nullptr, keymap_ == k)) continue;
+    keymap_ = k;
+    if (document_) document_->editor.set_gizmo_keys(gizmo_keys());
   }
   ImGui::EndMenu();
 }
@@ -88,16 +227,44 @@ void ViewerApp::draw_sidebar(const FrameTimings& last) {
   ImGui::SetNextWindowSize(
       {static_cast<float>(sidebar_pixels()) / per_unit, viewport.WorkSize.y - status_height()});
   if (ImGui::Begin("Panels", nullptr, kFixed)) {
-    if (ImGui::CollapsingHeader("Mesh", ImGuiTreeNodeFlags_DefaultOpen)) {
-      draw_mesh_panel(*document_);
+    Editor& editor = document_->editor;
+    constexpr auto kOpen = ImGuiTreeNodeFlags_DefaultOpen;
+    if (ImGui::CollapsingHeader("Mesh")) draw_mesh_panel(*document_);
+    if (ImGui::CollapsingHeader("Selection", kOpen)) draw_selection_panel(editor, drafts_);
+    if (ImGui::CollapsingHeader("Deform", kOpen)) {
+      if (auto vertices = draw_deform_panel(editor, drafts_)) {
+        frame(*vertices);
+        editor.point_at(*std::move(vertices));
+      }
     }
-    if (ImGui::CollapsingHeader("Display", ImGuiTreeNodeFlags_DefaultOpen)) {
-      draw_display_panel(display_, *document_);
+    if (ImGui::CollapsingHeader("Display", kOpen)) draw_display_panel(display_, editor);
+    if (ImGui::CollapsingHeader("History", kOpen)) {
+      if (const auto purpose = draw_history_panel(editor, drafts_)) save_as(*purpose);
     }
     if (ImGui::CollapsingHeader("Timings")) draw_timings_panel(last);
     if (ImGui::CollapsingHeader("Log")) draw_log_panel(log_);
   }
   ImGui::End();
+}
+
+// Device and size, how long a frame takes, what is on the screen, and what to do.
+std::string ViewerApp::status_text(const FrameTimings& last) const {
+  std::string text = context_->description().name;
+  if (document_) {
+    const Editor& editor = document_->editor;
+    char numbers[96];
+    std::snprintf(numbers, sizeof numbers, "  |  %zu vertices  |  %.1f ms",
+                  editor.positions().size(), last.draw_ms + last.ui_ms);
+    text += numbers;
+    if (const Certificate* certificate = editor.session().certificate()) {
+      std::snprintf(numbers, sizeof numbers, "  |  residual %.0e", certificate->relative_residual);
+      text += numbers;
+    }
+    text += state_of_the_edit(editor);
+  }
+  if (loader_.busy()) return text + "  |  " + loader_.stage() + " (Escape cancels)";
+  if (!status_.empty()) return text + "  |  " + status_;
+  return text + "  |  " + (document_ ? document_->editor.hint() : "? lists the controls");
 }
 
 void ViewerApp::draw_status(const FrameTimings& last) {
@@ -110,21 +277,7 @@ void ViewerApp::draw_status(const FrameTimings& last) {
                       ImVec2(style.WindowPadding.x, style.FramePadding.y));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
   if (ImGui::Begin("Status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar)) {
-    std::string text = context_->description().name;
-    if (document_) {
-      char numbers[96];
-      std::snprintf(numbers, sizeof numbers, "  |  %zu vertices  |  %.1f ms",
-                    document_->file.mesh.vertex_count(), last.draw_ms + last.ui_ms);
-      text += numbers;
-    }
-    if (loader_.busy()) {
-      text += "  |  " + loader_.stage() + " (Escape cancels)";
-    } else if (!status_.empty()) {
-      text += "  |  " + status_;
-    } else {
-      text += "  |  ? lists the controls";
-    }
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(status_text(last).c_str());
   }
   ImGui::End();
   ImGui::PopStyleVar(2);

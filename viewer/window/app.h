@@ -1,7 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <memory>
+#include <string_view>
 
 #include "lapwing/render/camera.h"
 #include "lapwing/render/renderer.h"
@@ -10,26 +11,33 @@
 namespace lapwing {
 class SurfacePaint;
 class VulkanSurface;
+namespace gpu {
+class Context;
+}
 }  // namespace lapwing
 
 namespace lapwing::viewer {
 
 /// What a frame shows under the panels. Without a surface only the background.
 struct Scene {
-  const VulkanSurface* surface = nullptr;
+  VulkanSurface* surface = nullptr;
   const SurfacePaint* paint = nullptr;  ///< of the surface
   Camera camera;
   SurfaceStyle style;
   Background background = Background::gradient;
+  /// Whether it is being moved: then it is drawn quickly, without antialiasing.
+  bool moving = false;
 };
 
 /// How long the parts of a frame took, in milliseconds. Those on the device are 0 where it has no
-/// timestamps.
+/// timestamps, and where there was nothing to do.
 struct FrameTimings {
-  double draw_ms = 0.0;    ///< the surface, on the device
-  double ui_ms = 0.0;      ///< the panels, on the device
-  double panels_ms = 0.0;  ///< laying the panels out, on the processor
-  double frame_ms = 0.0;   ///< from the first event to the picture handed to the screen
+  double blend_ms = 0.0;    ///< the positions of a drag, on the device
+  double normals_ms = 0.0;  ///< their normals, on the device
+  double draw_ms = 0.0;     ///< the surface, on the device
+  double ui_ms = 0.0;       ///< the panels, on the device
+  double panels_ms = 0.0;   ///< laying the panels out, on the processor
+  double frame_ms = 0.0;    ///< from the first event to the picture handed to the screen
 };
 
 /// What the main loop calls, all on one thread.
@@ -45,13 +53,20 @@ class App {
   /// The pixels of the picture; before the first frame and whenever it changes. Never 0.
   virtual void resize(const Eigen::Vector2d& size) = 0;
   /// Calls ImGui for the panels of one frame. `last` is of the frame before. What this throws ends
-  /// the main loop.
+  /// the main loop, but for gpu::DeviceLost.
   virtual void draw_ui(const FrameTimings& last) = 0;
   /// What to draw under them; must live until the next call.
   virtual Scene scene() = 0;
-  /// What the window is called.
-  virtual std::string title() const = 0;
+  /// What the window is called. Until the next call.
+  virtual std::string_view title() const = 0;
+  /// The person wants the window closed; `wants_to_quit` says when it may be.
+  virtual void ask_to_close() = 0;
   virtual bool wants_to_quit() const = 0;
+
+  /// The device was lost and `context` takes its place: whatever the app made on the old one is to
+  /// be made anew, from what the host has, and the old one let go. May follow on any other call
+  /// that threw gpu::DeviceLost.
+  virtual void use_device(std::shared_ptr<gpu::Context> context) = 0;
 };
 
 }  // namespace lapwing::viewer

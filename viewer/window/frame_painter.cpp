@@ -1,7 +1,7 @@
 #include "window/frame_painter.h"
 
-#include <array>
 #include <imgui.h>
+#include <span>
 
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/recorder.h"
@@ -9,16 +9,14 @@
 namespace lapwing::viewer {
 namespace {
 
-constexpr std::uint32_t kSamples = 4;
+constexpr std::uint32_t kFineSamples = 4;
 
 // Timestamps of a frame.
 enum Moment : std::uint32_t { kBegun, kSurfaceDrawn, kPanelsDrawn, kMomentCount };
 
-// A new image is waited for where it is first written: submissions wait for `ready` there.
+// A new image is waited for where it is first written: submissions wait for its `ready` there.
 constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED,
                                VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_NONE};
-constexpr ImageState kShown{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE,
-                            VK_ACCESS_2_NONE};
 
 VkSemaphoreSubmitInfo at_stage(VkSemaphore semaphore, VkPipelineStageFlags2 stage) {
   VkSemaphoreSubmitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
@@ -27,73 +25,97 @@ VkSemaphoreSubmitInfo at_stage(VkSemaphore semaphore, VkPipelineStageFlags2 stag
   return info;
 }
 
+// A semaphore, if there is one, as a list.
+std::span<const VkSemaphoreSubmitInfo> listed(const VkSemaphoreSubmitInfo& info) {
+  return {&info, info.semaphore == VK_NULL_HANDLE ? 0U : 1U};
+}
+
 }  // namespace
 
-FramePainter::FramePainter(gpu::Context& context, VkSurfaceKHR surface)
+FramePainter::Drawing::Drawing(gpu::Context& context, VkFormat color, std::uint32_t samples)
+    : format{.color = color, .samples = sample_count(context, samples)},
+      renderer(context, format) {}
+
+FramePainter::FramePainter(gpu::Context& context, Screen& screen)
     : context_(context),
-      swapchain_(context, surface),
-      format_{.color = swapchain_.format(), .samples = sample_count(context, kSamples)},
-      renderer_(context, format_),
-      ui_(context, format_.color),
-      commands_(context, "frame", kMomentCount),
-      ready_(make_semaphore(context)) {}
+      screen_(screen),
+      fine_(context, screen.format(), kFineSamples),
+      quick_(context, screen.format(), 1),
+      ui_(context, screen.format()),
+      commands_(context, "frame", kMomentCount) {}
 
 FramePainter::~FramePainter() {
   context_.wait_idle();
-  context_.vk().vkDestroySemaphore(context_.device(), ready_, nullptr);
 }
 
 void FramePainter::finish_frame(FrameTimings& timings) {
   commands_.wait();
-  if (!timed_) return;
+  if (!painted_) return;
+  timings.blend_ms = painted_->blend_ms;
+  timings.normals_ms = painted_->normals_ms;
   timings.draw_ms = commands_.milliseconds_between(kBegun, kSurfaceDrawn);
   timings.ui_ms = commands_.milliseconds_between(kSurfaceDrawn, kPanelsDrawn);
-  timed_ = false;
+  painted_.reset();
 }
 
 void FramePainter::fit_to(VkExtent2D pixels) {
   if (!outdated_ && pixels.width == fitted_.width && pixels.height == fitted_.height) return;
-  scope_.reset();
+  fine_.scope.reset();
+  quick_.scope.reset();
   fitted_ = pixels;
-  outdated_ = !swapchain_.resize(pixels);
-  if (!outdated_) scope_.emplace(context_, swapchain_.extent(), format_);
+  outdated_ = !screen_.resize(pixels);
+}
+
+FramePainter::Drawing& FramePainter::drawing_for(const Scene& scene) {
+  Drawing& drawing = scene.moving ? quick_ : fine_;
+  if (!drawing.scope) drawing.scope.emplace(context_, screen_.extent(), drawing.format);
+  return drawing;
 }
 
 bool FramePainter::paint(VkExtent2D pixels, const Scene& scene, const ImDrawData& panels) {
   fit_to(pixels);
   if (outdated_) return false;
-  const auto image = swapchain_.acquire(ready_);
+  const auto image = screen_.acquire();
   if (!image) {
     outdated_ = true;
     return false;
   }
   ui_.take(panels);
   record(*image, scene, panels);
-  const std::array waits{at_stage(ready_, kAcquired.stages)};
-  const std::array signals{at_stage(image->drawn, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)};
-  commands_.submit(waits, signals);
-  timed_ = true;
-  outdated_ = !swapchain_.present(*image);
+  submit(*image);
+  painted_ = scene.surface != nullptr ? scene.surface->take_times() : SurfaceTimes{};
+  outdated_ = !screen_.present(*image);
   return !outdated_;
 }
 
-void FramePainter::record(const Swapchain::Image& image, const Scene& scene,
+void FramePainter::submit(const Screen::Image& image) {
+  const VkSemaphoreSubmitInfo ready = at_stage(image.ready, kAcquired.stages);
+  const VkSemaphoreSubmitInfo drawn = at_stage(image.drawn, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
+  commands_.submit(listed(ready), listed(drawn));
+}
+
+void FramePainter::record(const Screen::Image& image, const Scene& scene,
                           const ImDrawData& panels) {
-  const VkExtent2D extent = swapchain_.extent();
+  const VkExtent2D extent = screen_.extent();
+  const Drawing& drawing = drawing_for(scene);
   gpu::Recorder recorder(commands_);
   const VkCommandBuffer commands = recorder.handle();
   recorder.timestamp();
-  swapchain_.transition(commands, image, kAcquired, kColorTarget);
-  scope_->begin(commands, image.view);
-  renderer_.begin(commands, extent, scene.background);
+  const auto transition = [&](const ImageState& from, const ImageState& to) {
+    transition_image(context_, commands, image.handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
+  };
+  transition(kAcquired, kColorTarget);
+  drawing.scope->begin(commands, image.view);
+  drawing.renderer.begin(commands, extent, scene.background);
   if (scene.surface != nullptr) {
-    renderer_.draw(commands, extent, *scene.surface, *scene.paint, scene.camera, scene.style);
+    drawing.renderer.draw(commands, extent, *scene.surface, *scene.paint, scene.camera,
+                          scene.style);
   }
-  scope_->end(commands);
+  drawing.scope->end(commands);
   recorder.timestamp();
 
   // Panels have straight edges and antialiased texts: one sample is enough for them.
-  swapchain_.transition(commands, image, kColorTarget, kColorTarget);
+  transition(kColorTarget, kColorTarget);
   VkRenderingAttachmentInfo color{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
   color.imageView = image.view;
   color.imageLayout = kColorTarget.layout;
@@ -107,7 +129,7 @@ void FramePainter::record(const Swapchain::Image& image, const Scene& scene,
   context_.vk().vkCmdBeginRendering(commands, &scope);
   ui_.draw(commands, extent, panels);
   context_.vk().vkCmdEndRendering(commands);
-  swapchain_.transition(commands, image, kColorTarget, kShown);
+  transition(kColorTarget, screen_.shown());
   recorder.timestamp();
   recorder.finish();
 }

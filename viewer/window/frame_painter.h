@@ -5,17 +5,18 @@
 #include "lapwing/gpu/command_list.h"
 #include "lapwing/render/draw_scope.h"
 #include "lapwing/render/renderer.h"
+#include "lapwing/vulkan/vulkan_surface.h"
 #include "window/app.h"
-#include "window/swapchain.h"
+#include "window/screen.h"
 #include "window/ui_renderer.h"
 
 namespace lapwing::viewer {
 
-/// Draws a window's frames, one at a time: surface antialiased, panels over it. The context and the
-/// surface must outlive it.
+/// Draws frames on a screen, one at a time: the surface, panels over it. Allocates nothing from one
+/// frame of a size to the next. The context and the screen must outlive it.
 class FramePainter {
  public:
-  FramePainter(gpu::Context& context, VkSurfaceKHR surface);
+  FramePainter(gpu::Context& context, Screen& screen);
   ~FramePainter();
   FramePainter(const FramePainter&) = delete;
   FramePainter& operator=(const FramePainter&) = delete;
@@ -29,24 +30,34 @@ class FramePainter {
 
   /// Draws one frame of a window of `pixels` and hands it to the screen, after `finish_frame`.
   /// False where it could not be shown because the window changed or has no size: if it still has
-  /// one, another frame is needed.
+  /// one, another frame is needed. Throws SurfaceLost and gpu::DeviceLost, after which only the
+  /// destructor may be called.
   bool paint(VkExtent2D pixels, const Scene& scene, const ImDrawData& panels);
 
  private:
+  /// What draws the surface with so many samples per pixel.
+  struct Drawing {
+    Drawing(gpu::Context& context, VkFormat color, std::uint32_t samples);
+
+    TargetFormat format;
+    Renderer renderer;
+    std::optional<DrawScope> scope;  ///< of the screen's size, once it is needed
+  };
+
   void fit_to(VkExtent2D pixels);
-  void record(const Swapchain::Image& image, const Scene& scene, const ImDrawData& panels);
+  void record(const Screen::Image& image, const Scene& scene, const ImDrawData& panels);
+  void submit(const Screen::Image& image);
+  Drawing& drawing_for(const Scene& scene);
 
   gpu::Context& context_;
-  Swapchain swapchain_;
-  TargetFormat format_;
-  Renderer renderer_;
+  Screen& screen_;
+  Drawing fine_;
+  Drawing quick_;
   UiRenderer ui_;
   gpu::CommandList commands_;
-  std::optional<DrawScope> scope_;  ///< of the swapchain's size
-  VkSemaphore ready_ = VK_NULL_HANDLE;
-  VkExtent2D fitted_{};  ///< the window that the swapchain was made for
+  VkExtent2D fitted_{};  ///< the window that the screen's images were made for
   bool outdated_ = true;
-  bool timed_ = false;  ///< a frame has been submitted since `finish_frame`
+  std::optional<SurfaceTimes> painted_;  ///< of a frame submitted since `finish_frame`
 };
 
 }  // namespace lapwing::viewer

@@ -2,12 +2,16 @@
 
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
+#include <imgui_internal.h>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/gpu/context.h"
+#include "lapwing/gpu/device_lost.h"
 #include "window/frame_painter.h"
+#include "window/swapchain.h"
 #include "window/theme.h"
 
 namespace lapwing::viewer {
@@ -17,46 +21,66 @@ namespace {
 constexpr int kFramesPerChange = 3;
 // A desktop may lose an event; the window then looks again after so long.
 constexpr double kLongestWaitSeconds = 0.5;
-
-class Surface {
- public:
-  Surface(const Window& window, const gpu::Context& context)
-      : instance_(context.instance()), handle_(window.create_surface(instance_)) {}
-  ~Surface() { vkDestroySurfaceKHR(instance_, handle_, nullptr); }
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
-  VkSurfaceKHR handle() const { return handle_; }
-
- private:
-  VkInstance instance_;
-  VkSurfaceKHR handle_;
-};
+// A screen or a device that is lost so often without a frame between is not coming back.
+constexpr int kMostLosses = 5;
 
 class MainLoop {
  public:
-  MainLoop(Window& window, gpu::Context& context, App& app)
-      : window_(window),
-        app_(app),
-        surface_(window, context),
-        painter_(context, surface_.handle()) {}
+  MainLoop(Window& window, Graphics& graphics, std::shared_ptr<gpu::Context> context, App& app)
+      : window_(window), graphics_(graphics), app_(app), context_(std::move(context)) {
+    open_screen();
+  }
 
   void run() {
-    while (!window_.close_requested() && !app_.wants_to_quit()) {
-      wait_for_work();
-      const Stopwatch frame;
-      painter_.finish_frame(timings_);
-      fit_fonts();
-      fit_title();
-      const bool sized = tell_size();
-      hand_on_input();
-      if (frames_due_ == 0 || !sized) continue;
-      --frames_due_;
-      draw();
-      timings_.frame_ms = frame.elapsed_ms();
+    while (!app_.wants_to_quit()) {
+      try {
+        if (device_lost_) reopen_device();
+        if (!painter_) open_screen();
+        take_turn();
+      } catch (const SurfaceLost&) {
+        if (++losses_ > kMostLosses) throw;
+        close_screen();
+      } catch (const gpu::DeviceLost&) {
+        if (++losses_ > kMostLosses) throw;
+        device_lost_ = true;
+      }
     }
   }
 
  private:
+  void take_turn() {
+    wait_for_work();
+    const Stopwatch frame;
+    painter_->finish_frame(timings_);
+    fit_fonts();
+    fit_title();
+    const bool sized = tell_size();
+    hand_on_input();
+    if (frames_due_ == 0 || !sized) return;
+    --frames_due_;
+    draw();
+    timings_.frame_ms = frame.elapsed_ms();
+  }
+
+  void open_screen() {
+    screen_ = graphics_.open_screen(*context_);
+    painter_.emplace(*context_, *screen_);
+    scale_ = 0.0;  // the fonts are to be handed over anew
+    frames_due_ = kFramesPerChange;
+  }
+
+  void close_screen() {
+    painter_.reset();
+    screen_.reset();
+  }
+
+  void reopen_device() {
+    close_screen();
+    context_ = graphics_.open_device();
+    app_.use_device(context_);
+    device_lost_ = false;
+  }
+
   void wait_for_work() {
     if (frames_due_ > 0) {
       window_.poll();
@@ -73,12 +97,12 @@ class MainLoop {
     if (scale == scale_) return;
     scale_ = scale;
     set_theme(scale);
-    painter_.set_fonts();
+    painter_->set_fonts();
   }
 
   void fit_title() {
-    if (std::string title = app_.title(); title != title_) {
-      title_ = std::move(title);
+    if (const std::string_view title = app_.title(); title != title_) {
+      title_ = title;
       window_.set_title(title_);
     }
   }
@@ -98,7 +122,12 @@ class MainLoop {
   }
 
   void hand_on_input() {
-    for (const InputEvent& event : window_.take_events()) {
+    if (window_.take_close_request()) app_.ask_to_close();
+    // What follows on an event that lost the device is handed on in the next turn.
+    if (events_.empty()) events_ = window_.take_events();
+    while (!events_.empty()) {
+      const InputEvent& event = events_.front();
+      events_ = events_.subspan(1);
       if (app_.handle(event)) frames_due_ = kFramesPerChange;
     }
     for (const std::filesystem::path& file : window_.take_dropped_files()) app_.open(file);
@@ -108,30 +137,61 @@ class MainLoop {
     const Stopwatch panels;
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    app_.draw_ui(timings_);
+    try {
+      app_.draw_ui(timings_);
+    } catch (...) {
+      // The next frame, if there is one, must find this one ended.
+      ImGui::ErrorCheckEndFrameRecover(nullptr);
+      ImGui::EndFrame();
+      throw;
+    }
     ImGui::Render();
+    window_.panels_have_seen_keys();
     timings_.panels_ms = panels.elapsed_ms();
     // A window that changed while it was drawn is drawn again.
-    if (!painter_.paint(pixels_, app_.scene(), *ImGui::GetDrawData())) {
+    if (painter_->paint(pixels_, app_.scene(), *ImGui::GetDrawData())) {
+      losses_ = 0;
+    } else {
       frames_due_ = kFramesPerChange;
     }
   }
 
   Window& window_;
+  Graphics& graphics_;
   App& app_;
-  Surface surface_;
-  FramePainter painter_;
+  std::shared_ptr<gpu::Context> context_;
+  std::unique_ptr<Screen> screen_;
+  std::optional<FramePainter> painter_;
+  bool device_lost_ = false;
+  int losses_ = 0;  // since a frame was shown
   FrameTimings timings_;
   VkExtent2D pixels_{};
   double scale_ = 0.0;
   std::string title_;
+  std::span<const InputEvent> events_;  // not yet handed on
   int frames_due_ = kFramesPerChange;
 };
 
 }  // namespace
 
-void run_main_loop(Window& window, gpu::Context& context, App& app) {
-  MainLoop(window, context, app).run();
+WindowGraphics::WindowGraphics(const Window& window, std::string device)
+    : window_(window), device_(std::move(device)) {}
+
+std::shared_ptr<gpu::Context> WindowGraphics::open_device() {
+  gpu::ContextOptions options;
+  options.device = device_;
+  options.instance_extensions = window_.instance_extensions();
+  options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
+  return std::make_shared<gpu::Context>(options);
+}
+
+std::unique_ptr<Screen> WindowGraphics::open_screen(gpu::Context& context) {
+  return std::make_unique<Swapchain>(context, window_);
+}
+
+void run_main_loop(Window& window, Graphics& graphics, std::shared_ptr<gpu::Context> context,
+                   App& app) {
+  MainLoop(window, graphics, std::move(context), app).run();
 }
 
 }  // namespace lapwing::viewer

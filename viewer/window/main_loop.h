@@ -1,16 +1,42 @@
 #pragma once
 
-#include "window/app.h"
-#include "window/window.h"
+#include <memory>
 
-namespace lapwing::gpu {
-class Context;
-}
+#include "window/app.h"
+#include "window/screen.h"
+#include "window/window.h"
 
 namespace lapwing::viewer {
 
+/// What frames are drawn with: opened at the start, and again when it is lost.
+class Graphics {
+ public:
+  virtual ~Graphics() = default;
+  /// Both throw GpuError when there is none.
+  virtual std::shared_ptr<gpu::Context> open_device() = 0;
+  virtual std::unique_ptr<Screen> open_screen(gpu::Context& context) = 0;
+};
+
+/// A window's.
+class WindowGraphics final : public Graphics {
+ public:
+  /// `device` as in gpu::ContextOptions. The window must outlive it.
+  WindowGraphics(const Window& window, std::string device);
+  std::shared_ptr<gpu::Context> open_device() override;
+  std::unique_ptr<Screen> open_screen(gpu::Context& context) override;
+
+ private:
+  const Window& window_;
+  std::string device_;
+};
+
 /// Shows `app` in `window` until the person or the app quits. Draws only when something happened:
-/// an idle window takes no time. Throws GpuError when the device cannot draw into the window.
-void run_main_loop(Window& window, gpu::Context& context, App& app);
+/// an idle window takes no time. `context`, which `app` uses too, is of `graphics`.
+///
+/// A screen that is lost is opened again, and so is a device, which `App::use_device` is then told.
+/// Throws GpuError when the device cannot draw into the window, and when screen or device are lost
+/// again and again without a frame between.
+void run_main_loop(Window& window, Graphics& graphics, std::shared_ptr<gpu::Context> context,
+                   App& app);
 
 }  // namespace lapwing::viewer

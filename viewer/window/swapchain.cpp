@@ -5,9 +5,14 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/context.h"
+#include "lapwing/gpu/results.h"
+#include "window/window.h"
 
 namespace lapwing::viewer {
 namespace {
+
+// A desktop that shows none of a window's pictures gives no image back.
+constexpr std::uint64_t kLongestWaitNanoseconds = 1'000'000'000;
 
 // Whether the screen still takes the images, if less well than it could.
 bool usable(VkResult result) {
@@ -22,8 +27,7 @@ VkExtent2D fitting_extent(VkExtent2D pixels, const VkSurfaceCapabilitiesKHR& can
           std::clamp(pixels.height, can.minImageExtent.height, can.maxImageExtent.height)};
 }
 
-}  // namespace
-
+// A binary one.
 VkSemaphore make_semaphore(const gpu::Context& context) {
   const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
   VkSemaphore semaphore = VK_NULL_HANDLE;
@@ -32,40 +36,62 @@ VkSemaphore make_semaphore(const gpu::Context& context) {
   return semaphore;
 }
 
-Swapchain::Swapchain(gpu::Context& context, VkSurfaceKHR surface)
-    : context_(context), surface_(surface) {
-  VkBool32 supported = VK_FALSE;
-  context.check(vkGetPhysicalDeviceSurfaceSupportKHR(context.physical_device(),
-                                                     context.queue_family(), surface, &supported),
-                "vkGetPhysicalDeviceSurfaceSupportKHR");
-  if (supported == VK_FALSE) {
-    throw GpuError(context.description().name +
-                   " cannot show pictures on this desktop; choose another with --device "
-                   "(`lapwing info` lists them)");
+}  // namespace
+
+Swapchain::Swapchain(gpu::Context& context, const Window& window)
+    : context_(context), surface_(window.create_surface(context.instance())) {
+  try {
+    check_support();
+    choose_format();
+    ready_ = make_semaphore(context);
+  } catch (...) {
+    release();
+    throw;
   }
-  choose_format();
 }
 
 Swapchain::~Swapchain() {
+  release();
+}
+
+void Swapchain::release() noexcept {
   context_.wait_idle();
   destroy_views();
+  const auto& vk = context_.vk();
   for (const VkSemaphore semaphore : drawn_) {
-    context_.vk().vkDestroySemaphore(context_.device(), semaphore, nullptr);
+    vk.vkDestroySemaphore(context_.device(), semaphore, nullptr);
   }
-  if (handle_ != VK_NULL_HANDLE) {
-    context_.vk().vkDestroySwapchainKHR(context_.device(), handle_, nullptr);
+  vk.vkDestroySemaphore(context_.device(), ready_, nullptr);
+  if (handle_ != VK_NULL_HANDLE) vk.vkDestroySwapchainKHR(context_.device(), handle_, nullptr);
+  vkDestroySurfaceKHR(context_.instance(), surface_, nullptr);
+}
+
+void Swapchain::check(VkResult result, const char* call) const {
+  if (result == VK_ERROR_SURFACE_LOST_KHR) {
+    throw SurfaceLost(std::string(call) + ": the desktop gave the window's pictures up");
   }
+  context_.check(result, call);
+}
+
+void Swapchain::check_support() const {
+  VkBool32 supported = VK_FALSE;
+  check(vkGetPhysicalDeviceSurfaceSupportKHR(context_.physical_device(), context_.queue_family(),
+                                             surface_, &supported),
+        "vkGetPhysicalDeviceSurfaceSupportKHR");
+  if (supported != VK_FALSE) return;
+  throw GpuError(context_.description().name +
+                 " cannot show pictures on this desktop; choose another with --device "
+                 "(`lapwing info` lists them)");
 }
 
 void Swapchain::choose_format() {
   std::uint32_t count = 0;
-  context_.check(
-      vkGetPhysicalDeviceSurfaceFormatsKHR(context_.physical_device(), surface_, &count, nullptr),
-      "vkGetPhysicalDeviceSurfaceFormatsKHR");
+  check(vkGetPhysicalDeviceSurfaceFormatsKHR(context_.physical_device(), surface_, &count, nullptr),
+        "vkGetPhysicalDeviceSurfaceFormatsKHR");
   std::vector<VkSurfaceFormatKHR> formats(count);
-  context_.check(vkGetPhysicalDeviceSurfaceFormatsKHR(context_.physical_device(), surface_, &count,
-                                                      formats.data()),
-                 "vkGetPhysicalDeviceSurfaceFormatsKHR");
+  check(vkGetPhysicalDeviceSurfaceFormatsKHR(context_.physical_device(), surface_, &count,
+                                             formats.data()),
+        "vkGetPhysicalDeviceSurfaceFormatsKHR");
   for (const VkSurfaceFormatKHR& format : formats) {
     if (format.colorSpace != VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) continue;
     if (format.format != VK_FORMAT_B8G8R8A8_SRGB && format.format != VK_FORMAT_R8G8B8A8_SRGB) {
@@ -80,9 +106,8 @@ void Swapchain::choose_format() {
 
 bool Swapchain::resize(VkExtent2D pixels) {
   VkSurfaceCapabilitiesKHR can;
-  context_.check(
-      vkGetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical_device(), surface_, &can),
-      "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
+  check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical_device(), surface_, &can),
+        "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
   destroy_views();
   extent_ = fitting_extent(pixels, can);
   if (extent_.width == 0 || extent_.height == 0) return false;
@@ -109,8 +134,7 @@ void Swapchain::create_images(VkExtent2D pixels, const VkSurfaceCapabilitiesKHR&
   info.clipped = VK_TRUE;
   info.oldSwapchain = handle_;
   VkSwapchainKHR made = VK_NULL_HANDLE;
-  context_.check(vk.vkCreateSwapchainKHR(context_.device(), &info, nullptr, &made),
-                 "vkCreateSwapchainKHR");
+  check(vk.vkCreateSwapchainKHR(context_.device(), &info, nullptr, &made), "vkCreateSwapchainKHR");
   if (handle_ != VK_NULL_HANDLE) vk.vkDestroySwapchainKHR(context_.device(), handle_, nullptr);
   handle_ = made;
 
@@ -140,15 +164,20 @@ void Swapchain::destroy_views() {
   images_.clear();
 }
 
-std::optional<Swapchain::Image> Swapchain::acquire(VkSemaphore ready) {
+std::optional<Screen::Image> Swapchain::acquire() {
   if (images_.empty()) return {};
   std::uint32_t index = 0;
   const VkResult result = context_.vk().vkAcquireNextImageKHR(
-      context_.device(), handle_, std::numeric_limits<std::uint64_t>::max(), ready, VK_NULL_HANDLE,
-      &index);
-  if (result == VK_ERROR_OUT_OF_DATE_KHR) return {};
-  if (!usable(result)) context_.check(result, "vkAcquireNextImageKHR");
-  return Image{index, images_[index], views_[index], drawn_[index]};
+      context_.device(), handle_, kLongestWaitNanoseconds, ready_, VK_NULL_HANDLE, &index);
+  if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_TIMEOUT || result == VK_NOT_READY) {
+    return {};
+  }
+  if (!usable(result)) check(result, "vkAcquireNextImageKHR");
+  return Image{index, images_[index], views_[index], ready_, drawn_[index]};
+}
+
+ImageState Swapchain::shown() const {
+  return {VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
 }
 
 bool Swapchain::present(const Image& image) {
@@ -160,13 +189,8 @@ bool Swapchain::present(const Image& image) {
   info.pImageIndices = &image.index;
   const VkResult result = context_.present(info);
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) return false;
-  context_.check(result, "vkQueuePresentKHR");
+  check(result, "vkQueuePresentKHR");
   return true;
-}
-
-void Swapchain::transition(VkCommandBuffer commands, const Image& image, const ImageState& from,
-                           const ImageState& to) const {
-  transition_image(context_, commands, image.handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
 }
 
 }  // namespace lapwing::viewer

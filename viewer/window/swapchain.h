@@ -6,7 +6,7 @@
 
 #include <volk.h>
 
-#include "lapwing/render/device_image.h"
+#include "window/screen.h"
 
 namespace lapwing::gpu {
 class Context;
@@ -14,48 +14,32 @@ class Context;
 
 namespace lapwing::viewer {
 
-/// The images of a window that the screen shows in turn. The context and the surface must outlive
-/// it.
-class Swapchain {
+class Window;
+
+/// The images of a window that the desktop shows in turn, at its own pace. The context and the
+/// window must outlive it; one at a time for a window.
+class Swapchain final : public Screen {
  public:
-  /// Throws GpuError when the context's device cannot show anything on the surface. There are no
-  /// images before the first `resize`.
-  Swapchain(gpu::Context& context, VkSurfaceKHR surface);
-  ~Swapchain();
+  /// Throws GpuError when the context's device cannot show anything in the window.
+  Swapchain(gpu::Context& context, const Window& window);
+  ~Swapchain() override;
   Swapchain(const Swapchain&) = delete;
   Swapchain& operator=(const Swapchain&) = delete;
 
-  /// An _SRGB one.
-  VkFormat format() const { return format_.format; }
-  /// Of the images.
-  VkExtent2D extent() const { return extent_; }
-
-  /// Makes new images for a window of `pixels`, or as large as the desktop insists on. False, and
-  /// no images, while the window has no size. What was submitted to draw into the old ones must be
-  /// done.
-  bool resize(VkExtent2D pixels);
-
-  /// One image to draw into.
-  struct Image {
-    std::uint32_t index = 0;
-    VkImage handle = VK_NULL_HANDLE;
-    VkImageView view = VK_NULL_HANDLE;
-    VkSemaphore drawn = VK_NULL_HANDLE;  ///< to be signalled when it may be shown
-  };
-  /// The next image; `ready` is signalled when it may be drawn into. None where the images no
-  /// longer fit the window: `resize`, then.
-  std::optional<Image> acquire(VkSemaphore ready);
-  /// Shows an image once its `drawn` is signalled. False where the images no longer fit.
-  bool present(const Image& image);
-
-  /// Records a barrier from an image's old contents, or from being drawn into, to the state given.
-  void transition(VkCommandBuffer commands, const Image& image, const ImageState& from,
-                  const ImageState& to) const;
+  VkFormat format() const override { return format_.format; }
+  VkExtent2D extent() const override { return extent_; }
+  bool resize(VkExtent2D pixels) override;
+  std::optional<Image> acquire() override;
+  ImageState shown() const override;
+  bool present(const Image& image) override;
 
  private:
+  void check_support() const;
   void choose_format();
   void create_images(VkExtent2D pixels, const VkSurfaceCapabilitiesKHR& can);
   void destroy_views();
+  void release() noexcept;
+  void check(VkResult result, const char* call) const;
 
   gpu::Context& context_;
   VkSurfaceKHR surface_;
@@ -64,12 +48,10 @@ class Swapchain {
   VkSwapchainKHR handle_ = VK_NULL_HANDLE;
   std::vector<VkImage> images_;
   std::vector<VkImageView> views_;
+  VkSemaphore ready_ = VK_NULL_HANDLE;
   /// One per image, kept from one swapchain to the next: the screen may still wait for one of them
   /// when its images are replaced.
   std::vector<VkSemaphore> drawn_;
 };
-
-/// A binary semaphore.
-VkSemaphore make_semaphore(const gpu::Context& context);
 
 }  // namespace lapwing::viewer

@@ -100,6 +100,7 @@ void UiRenderer::take(const ImDrawData& panels) {
     std::memcpy(vertices + first_vertex, list->VtxBuffer.Data, count * sizeof(ImDrawVert));
     first_vertex += count;
   }
+  context_.count_upload(corner_count * sizeof(std::uint32_t) + vertex_count * sizeof(ImDrawVert));
 }
 
 void UiRenderer::draw(VkCommandBuffer commands, VkExtent2D extent, const ImDrawData& panels) const {

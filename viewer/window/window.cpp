@@ -1,7 +1,11 @@
 #include "window/window.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <dlfcn.h>
+#include <string_view>
+#include <unistd.h>
 #include <utility>
 
 // volk declares Vulkan before GLFW looks for it.
@@ -19,6 +23,16 @@ namespace {
 
 // There is one window, and whoever wakes it may not know it.
 std::atomic<bool> woken = false;
+
+int code_without_display = 0;
+
+// Called by Xlib, on any thread, perhaps with its locks held.
+int end_without_display(void*) {
+  constexpr std::string_view kWords =
+      "lapwing-viewer: the display went away; start again where there is one\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kWords.data(), kWords.size());
+  _exit(code_without_display);
+}
 
 std::string glfw_reason() {
   const char* text = nullptr;
@@ -156,7 +170,11 @@ struct WindowCallbacks {
     event.position = in_pixels(handle);
     event.button = window.dragging_;
     event.modifiers = pressed_modifiers(handle);
-    if (!window.events_.empty() && window.events_.back().kind == InputKind::move) {
+    // A lasso is all of its way, however long a frame takes; otherwise where the cursor is by now
+    // is enough.
+    const bool may_skip = window.dragging_ == MouseButton::none && !window.events_.empty() &&
+                          window.events_.back().kind == InputKind::move;
+    if (may_skip) {
       window.events_.back() = event;
     } else {
       window.events_.push_back(event);
@@ -175,8 +193,22 @@ struct WindowCallbacks {
     add(handle, event);
   }
 
+  // ImGui sees keys as they are at each frame: one that goes down and up between two would be lost
+  // to it, however long a frame takes.
+  static void tell_imgui(GLFWwindow* handle, const Window::KeyRelease& key, int action) {
+    Window& window = of(handle);
+    if (action == GLFW_PRESS) window.pressed_since_frame_.push_back(key.key);
+    const auto& pressed = window.pressed_since_frame_;
+    const bool is_new = std::find(pressed.begin(), pressed.end(), key.key) != pressed.end();
+    if (action == GLFW_RELEASE && is_new) {
+      window.late_releases_.push_back(key);
+    } else {
+      ImGui_ImplGlfw_KeyCallback(handle, key.key, key.scancode, action, key.modifiers);
+    }
+  }
+
   static void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
-    ImGui_ImplGlfw_KeyCallback(handle, key, scancode, action, mods);
+    tell_imgui(handle, {key, scancode, mods}, action);
     of(handle).changed_ = true;
     if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
     InputEvent event;
@@ -213,6 +245,7 @@ struct WindowCallbacks {
     for (int i = 0; i < count; ++i) of(handle).dropped_.emplace_back(paths[i]);
   }
 
+  static void on_close(GLFWwindow* handle) { of(handle).changed_ = true; }
   static void on_resize(GLFWwindow* handle, int, int) { of(handle).changed_ = true; }
   static void on_refresh(GLFWwindow* handle) { of(handle).changed_ = true; }
   static void on_scale(GLFWwindow* handle, float, float) { of(handle).changed_ = true; }
@@ -226,6 +259,7 @@ struct WindowCallbacks {
     glfwSetWindowFocusCallback(handle, on_focus);
     glfwSetCursorEnterCallback(handle, on_enter);
     glfwSetDropCallback(handle, on_drop);
+    glfwSetWindowCloseCallback(handle, on_close);
     glfwSetFramebufferSizeCallback(handle, on_resize);
     glfwSetWindowRefreshCallback(handle, on_refresh);
     glfwSetWindowContentScaleCallback(handle, on_scale);
@@ -281,6 +315,16 @@ VkSurfaceKHR Window::create_surface(VkInstance instance) const {
   return surface;
 }
 
+void Window::exit_when_display_goes(int code) {
+  // GLFW brought Xlib along, unless it runs on something else that closes windows in order.
+  using Handler = int (*)(void* display);
+  auto* const set_handler =
+      reinterpret_cast<Handler (*)(Handler)>(dlsym(RTLD_DEFAULT, "XSetIOErrorHandler"));
+  if (set_handler == nullptr) return;
+  code_without_display = code;
+  set_handler(end_without_display);
+}
+
 void Window::wait(double seconds) {
   glfwWaitEventsTimeout(seconds);
 }
@@ -292,19 +336,32 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
-std::vector<InputEvent> Window::take_events() {
-  return std::exchange(events_, {});
+std::span<const InputEvent> Window::take_events() {
+  // Swapped, so that both keep their memory.
+  taken_.clear();
+  taken_.swap(events_);
+  return taken_;
 }
 std::vector<std::filesystem::path> Window::take_dropped_files() {
   return std::exchange(dropped_, {});
+}
+void Window::panels_have_seen_keys() {
+  pressed_since_frame_.clear();
+  for (const KeyRelease& key : late_releases_) {
+    ImGui_ImplGlfw_KeyCallback(handle_, key.key, key.scancode, GLFW_RELEASE, key.modifiers);
+    changed_ = true;
+  }
+  late_releases_.clear();
 }
 bool Window::take_changed() {
   const bool changed = std::exchange(changed_, false);
   return woken.exchange(false) || changed;
 }
 
-bool Window::close_requested() const {
-  return glfwWindowShouldClose(handle_) != GLFW_FALSE;
+bool Window::take_close_request() {
+  const bool requested = glfwWindowShouldClose(handle_) != GLFW_FALSE;
+  glfwSetWindowShouldClose(handle_, GLFW_FALSE);
+  return requested;
 }
 
 VkExtent2D Window::pixels() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ class Window {
   /// The caller's to destroy. Throws GpuError.
   VkSurfaceKHR create_surface(VkInstance instance) const;
 
+  /// From now on, a display that goes away (its server ends, its connection breaks) ends the
+  /// program at once, with `code` and a word on standard error. Nothing is put down in order then:
+  /// what draws waits for the display, too.
+  static void exit_when_display_goes(int code);
+
   /// Waits for something to happen, at most `seconds`.
   void wait(double seconds);
   /// Takes what has happened without waiting.
@@ -36,12 +42,17 @@ class Window {
   static void wake();
 
   /// What happened since the last call, oldest first; input that the panels want is left out.
-  std::vector<InputEvent> take_events();
+  /// Until the next call.
+  std::span<const InputEvent> take_events();
   std::vector<std::filesystem::path> take_dropped_files();
+  /// The panels have been laid out: keys that were let go since they were pressed are up for the
+  /// next one.
+  void panels_have_seen_keys();
   /// Whether anything happened since the last call that may change the panels.
   bool take_changed();
 
-  bool close_requested() const;
+  /// Whether the person wanted the window closed since the last call.
+  bool take_close_request();
   /// In pixels; 0 while minimized.
   VkExtent2D pixels() const;
   /// Pixels per unit of a desktop at 96 dots an inch: what texts are to be enlarged by.
@@ -51,11 +62,21 @@ class Window {
  private:
   friend struct WindowCallbacks;
 
+  /// As GLFW says it.
+  struct KeyRelease {
+    int key;
+    int scancode;
+    int modifiers;
+  };
+
   GLFWwindow* handle_ = nullptr;
   std::vector<InputEvent> events_;
+  std::vector<InputEvent> taken_;
   std::vector<std::filesystem::path> dropped_;
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< in screen units
   MouseButton dragging_ = MouseButton::none;          ///< pressed over the picture
+  std::vector<int> pressed_since_frame_;              ///< GLFW's keys
+  std::vector<KeyRelease> late_releases_;
   bool changed_ = true;
 };
 

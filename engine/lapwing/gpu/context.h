@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -29,6 +30,12 @@ struct ContextOptions {
   /// False: memory of the device is never mapped, as on a discrete GPU, so that every copy is
   /// staged. For tests.
   bool map_device_memory = true;
+};
+
+/// Bytes that the host wrote for the device, and read from it.
+struct TransferCounts {
+  std::uint64_t uploaded = 0;
+  std::uint64_t downloaded = 0;
 };
 
 /// An instance, one device and one queue of Vulkan 1.3, with synchronization2, dynamic rendering,
@@ -93,6 +100,11 @@ class Context {
   /// For another queue or a presentation to wait on.
   VkSemaphore timeline() const { return timeline_; }
 
+  /// All of every Transfer so far, and what others wrote into mapped memory and told.
+  TransferCounts transfers() const { return {uploaded_, downloaded_}; }
+  void count_upload(std::size_t bytes) noexcept { uploaded_ += bytes; }
+  void count_download(std::size_t bytes) noexcept { downloaded_ += bytes; }
+
   bool validation_enabled() const { return validation_ != nullptr; }
   /// Errors and warnings of the validation layers so far; 0 without validation.
   std::size_t validation_message_count() const;
@@ -121,6 +133,8 @@ class Context {
   VkSemaphore timeline_ = VK_NULL_HANDLE;
   std::mutex submit_mutex_;
   std::uint64_t last_submitted_ = 0;
+  std::atomic<std::uint64_t> uploaded_ = 0;
+  std::atomic<std::uint64_t> downloaded_ = 0;
 };
 
 /// Validation messages of every context of this process so far, those of shutdown included.

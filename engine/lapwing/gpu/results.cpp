@@ -1,6 +1,7 @@
 #include "lapwing/gpu/results.h"
 
 #include "lapwing/base/errors.h"
+#include "lapwing/gpu/device_lost.h"
 
 namespace lapwing::gpu {
 namespace {
@@ -51,8 +52,10 @@ std::string result_name(VkResult result) {
 
 void check_result(VkResult result, const char* call, const std::string& where) {
   if (result >= VK_SUCCESS) return;
-  throw GpuError(std::string(call) + " failed on " + where + ": " + result_name(result) +
-                 next_step(result));
+  const std::string message =
+      std::string(call) + " failed on " + where + ": " + result_name(result) + next_step(result);
+  if (result == VK_ERROR_DEVICE_LOST) throw DeviceLost(message);
+  throw GpuError(message);
 }
 
 }  // namespace lapwing::gpu

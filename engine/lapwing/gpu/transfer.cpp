@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/gpu/context.h"
 #include "lapwing/gpu/recorder.h"
 
 namespace lapwing::gpu {
@@ -43,6 +44,7 @@ Transfer::Staging& Transfer::staging() {
 void Transfer::upload(const Buffer& buffer, std::span<const std::byte> data, VkDeviceSize offset) {
   check_range(buffer, offset, data.size());
   if (data.empty()) return;
+  context_.count_upload(data.size());
   if (!buffer.mapped().empty()) {
     std::memcpy(buffer.mapped().data() + offset, data.data(), data.size());
     return;
@@ -61,6 +63,7 @@ void Transfer::upload(const Buffer& buffer, std::span<const std::byte> data, VkD
 void Transfer::download(const Buffer& buffer, std::span<std::byte> data, VkDeviceSize offset) {
   check_range(buffer, offset, data.size());
   if (data.empty()) return;
+  context_.count_download(data.size());
   if (!buffer.mapped().empty()) {
     std::memcpy(data.data(), buffer.mapped().data() + offset, data.size());
     return;

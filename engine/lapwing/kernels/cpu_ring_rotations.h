@@ -26,8 +26,9 @@ class CpuRingRotations final : public RingRotations {
     double entries[9][kFitLanes];
   };
 
-  void fit_lane(FitBatch& batch, int lane) const;
-  void fit_rows(std::size_t first, int count, std::span<double> energies);
+  void pack_batch(std::size_t batch);
+  void fit_lane(const FitRest& rest, FitBatch& batch, int lane) const;
+  void fit(std::size_t batch_number, FitBatch& batch) const;
   Eigen::Matrix3d transform(std::size_t row) const;
   double edge_energy(std::size_t row) const;
   Eigen::Vector3d edge_forces(std::size_t row) const;
@@ -35,10 +36,12 @@ class CpuRingRotations final : public RingRotations {
   RegionRings rings_;
   RingMotion motion_;
   FitBatchFunction fit_batch_;
-  std::vector<Vector4> edges_;         ///< per entry: v_j - v_i at rest, w_ij
-  std::vector<Vector4> displacement_;  ///< per vertex
-  std::vector<Transforms> transforms_;
-  std::vector<Vector4> turned_;  ///< per row: T_i delta_i - delta_i
+  std::vector<FitRest> rest_;              ///< per batch of kFitLanes rows
+  std::vector<std::size_t> entry_starts_;  ///< per batch, in entries_
+  std::vector<FitEntries> entries_;
+  std::vector<Vector4> displacement_;   ///< per vertex, of the last fit; no fewer than lanes
+  std::vector<Transforms> transforms_;  ///< per batch, where edges resist; else empty
+  std::vector<Vector4> turned_;  ///< per vertex: T_i delta_i - delta_i, 0 for one that is no row
 };
 
 }  // namespace lapwing

@@ -4,17 +4,18 @@
 
 typedef double Lanes __attribute__((vector_size(sizeof(double) * kFitLanes), may_alias));
 typedef long long LaneBits __attribute__((vector_size(sizeof(double) * kFitLanes)));
-typedef double Four __attribute__((vector_size(32), may_alias, aligned(8)));
+typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kFitLanes)));
 
 #define LAPWING_INLINE static inline __attribute__((always_inline))
 
 // As in laplacian/rotation.cpp: below this product of distances to the other eigenvalues the
 // eigenvector loses half its digits.
 constexpr double kSmallestGap = 1e-6;
-// From the upper bound a well-conditioned root takes six to eight steps.
-constexpr int kUncheckedNewtonSteps = 5;
+// From the upper bound a well-conditioned root takes three or four steps.
+constexpr int kUncheckedNewtonSteps = 2;
 constexpr int kMostNewtonSteps = 12;
-constexpr double kConverged = 1e-14;
+// A step this small squares to nothing.
+constexpr double kConverged = 1e-9;
 
 LAPWING_INLINE Lanes absolute(Lanes x) { return x < 0.0 ? -x : x; }
 LAPWING_INLINE Lanes square_root(Lanes x) {
@@ -31,45 +32,52 @@ LAPWING_INLINE bool any(LaneBits bits) {
 LAPWING_INLINE Lanes& lanes_at(double* p) { return *reinterpret_cast<Lanes*>(p); }
 LAPWING_INLINE const Lanes& lanes_at(const double* p) { return *reinterpret_cast<const Lanes*>(p); }
 
-LAPWING_INLINE void sum_ring(const FitRings& rings, std::size_t row, int lane, FitBatch& batch) {
-  const std::uint32_t begin = rings.starts[row];
-  const std::uint32_t end = rings.starts[row + 1];
-  const Four here = *reinterpret_cast<const Four*>(rings.displacement + 4 * row);
-  Four H0 = {};
-  Four H1 = {};
-  Four H2 = {};
-  Four edges = {};
-  Four moved_edges = {};
-  Four delta = {};
-  Four moved = {};
-  double squares = 0.0;
-  for (std::uint32_t k = begin; k < end; ++k) {
-    const Four e = *reinterpret_cast<const Four*>(rings.edges + 4 * static_cast<std::size_t>(k));
-    const std::size_t j = rings.neighbours[k];
-    const Four d = e + (*reinterpret_cast<const Four*>(rings.displacement + 4 * j) - here);
-    H0 += d * e[0];
-    H1 += d * e[1];
-    H2 += d * e[2];
-    edges += e;
-    moved_edges += d;
-    delta -= e * e[3];
-    moved -= d * e[3];
-    squares += e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+LAPWING_INLINE RoughLanes rough(Lanes x) { return __builtin_convertvector(x, RoughLanes); }
+LAPWING_INLINE Lanes exact(RoughLanes x) { return __builtin_convertvector(x, Lanes); }
+LAPWING_INLINE Lanes rough_root(Lanes x) {
+  const RoughLanes square = rough(x);
+  RoughLanes root;
+  for (int l = 0; l < kFitLanes; ++l) root[l] = __builtin_sqrtf(square[l]);
+  return exact(root);
+}
+LAPWING_INLINE Lanes rough_inverse(Lanes x) { return exact(1.0F / rough(x)); }
+
+// Coordinate `axis` of the displacement of each lane's vertex.
+LAPWING_INLINE Lanes gather(const double* displacement, const std::uint32_t* vertices, int axis) {
+  const double* from = displacement + axis;
+  const auto at = [&](int lane) { return from[4 * static_cast<std::size_t>(vertices[lane])]; };
+  return Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+}
+
+// H and `moved`.
+LAPWING_INLINE void sum_rings(const FitRings& rings, FitBatch& batch) {
+  std::uint32_t rows[kFitLanes];
+  for (int lane = 0; lane < kFitLanes; ++lane) {
+    rows[lane] = rings.first_row + static_cast<std::uint32_t>(lane);
   }
-  // The x_k sum to 0 over K_i, so d_k need not be centred.
-  const Four center = edges / static_cast<double>(end - begin + 1);
-  H0 -= moved_edges * center[0];
-  H1 -= moved_edges * center[1];
-  H2 -= moved_edges * center[2];
+  // The x_k sum to 0 over K_i, so the d_k may be measured from any point: from i moved by c - v_i
+  // that of i itself is v_i - c.
+  Lanes here[3];
+  Lanes H[9];
+  Lanes moved[3];
   for (int a = 0; a < 3; ++a) {
-    batch.H[a][lane] = H0[a];
-    batch.H[3 + a][lane] = H1[a];
-    batch.H[6 + a][lane] = H2[a];
-    batch.delta[a][lane] = delta[a];
-    batch.moved[a][lane] = moved[a];
+    here[a] = gather(rings.displacement, rows, a);
+    moved[a] = lanes_at(rings.rest.delta[a]);
+    for (int c = 0; c < 3; ++c) {
+      H[3 * c + a] = lanes_at(rings.rest.center[a]) * lanes_at(rings.rest.center[c]);
+    }
   }
-  batch.spread[lane] = squares - (edges[0] * center[0] + edges[1] * center[1] +
-                                  edges[2] * center[2]);
+  for (std::size_t k = 0; k < rings.entry_count; ++k) {
+    const FitEntries& entry = rings.entries[k];
+    for (int a = 0; a < 3; ++a) {
+      const Lanes shift = gather(rings.displacement, entry.neighbour, a) - here[a];
+      const Lanes d = lanes_at(entry.arm[a]) + shift;
+      moved[a] -= shift * lanes_at(entry.weight);
+      for (int c = 0; c < 3; ++c) H[3 * c + a] += d * lanes_at(entry.arm[c]);
+    }
+  }
+  for (int k = 0; k < 9; ++k) lanes_at(batch.H[k]) = H[k];
+  for (int a = 0; a < 3; ++a) lanes_at(batch.moved[a]) = moved[a];
 }
 
 struct Root {
@@ -77,7 +85,8 @@ struct Root {
   LaneBits found;  // with a slope that is large enough
 };
 
-// The largest root of Horn's matrix for |H| = 1, as largest_root in laplacian/rotation.cpp.
+// The largest root of Horn's matrix for |H| = 1, as largest_root in laplacian/rotation.cpp. Newton's
+// method forgives a slope of single precision.
 LAPWING_INLINE Root largest_root(const Lanes* H) {
   const Lanes c0 = H[4] * H[8] - H[5] * H[7];
   const Lanes c1 = H[5] * H[6] - H[3] * H[8];
@@ -88,20 +97,26 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
   const Lanes c6 = H[1] * H[5] - H[2] * H[4];
   const Lanes c7 = H[2] * H[3] - H[0] * H[5];
   const Lanes c8 = H[0] * H[4] - H[1] * H[3];
-  const Lanes b = -8.0 * (H[0] * c0 + H[1] * c1 + H[2] * c2);
-  const Lanes c = 1.0 - 4.0 * (c0 * c0 + c1 * c1 + c2 * c2 + c3 * c3 + c4 * c4 + c5 * c5 +
-                               c6 * c6 + c7 * c7 + c8 * c8);
-  Lanes l = Lanes{} + 1.7320508075688772;  // the singular values sum to no more
+  const Lanes determinant = H[0] * c0 + H[1] * c1 + H[2] * c2;
+  const Lanes squares = c0 * c0 + c1 * c1 + c2 * c2 + c3 * c3 + c4 * c4 + c5 * c5 + c6 * c6 +
+                        c7 * c7 + c8 * c8;
+  const Lanes b = -8.0 * determinant;
+  const Lanes c = 1.0 - 4.0 * squares;
+  // The root l is the sum of the singular values, the last with the sign of the determinant, and
+  // so l^2 = 1 + 2 sqrt(squares + 2 determinant l), l^2 <= 3. A bound from above, and rounded up.
+  const Lanes positive = determinant > 0.0 ? determinant : Lanes{};
+  Lanes l = rough_root(1.0 + 2.0 * rough_root(squares + 3.4641016151377544 * positive)) * 1.000001;
   Lanes down = {};
   Lanes slope = {};
   for (int step = 0; step < kMostNewtonSteps; ++step) {
     slope = (4.0 * l * l - 4.0) * l + b;
-    down = slope > kSmallestGap ? (((l * l - 2.0) * l + b) * l + c) / slope : Lanes{};
+    const Lanes value = ((l * l - 2.0) * l + b) * l + c;
+    down = slope > kSmallestGap ? value * rough_inverse(slope) : Lanes{};
     l -= down;
     if (step >= kUncheckedNewtonSteps && !any(down > kConverged)) break;
   }
   slope = (4.0 * l * l - 4.0) * l + b;
-  return {l, (slope > kSmallestGap) & (absolute(down) < 1e-9)};
+  return {l, (slope > kSmallestGap) & (absolute(down) <= kConverged)};
 }
 
 // R from H, both column after column; a bit for every lane where it is not sure.
@@ -187,35 +202,29 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, Lanes* R) {
 }
 
 // What follows from T.
-LAPWING_INLINE void finish(bool similarity, FitBatch& batch) {
+LAPWING_INLINE void finish(bool similarity, const FitRest& rest, FitBatch& batch) {
   if (similarity) {
     Lanes along = {};
     for (int k = 0; k < 9; ++k) along += lanes_at(batch.T[k]) * lanes_at(batch.H[k]);
-    const Lanes spread = lanes_at(batch.spread);
+    const Lanes spread = lanes_at(rest.spread);
     const Lanes scale = spread > 0.0 ? along / spread : Lanes{} + 1.0;
     for (int k = 0; k < 9; ++k) lanes_at(batch.T[k]) *= scale;
   }
   Lanes energy = {};
   for (int a = 0; a < 3; ++a) {
-    const Lanes wish = lanes_at(batch.T[a]) * lanes_at(batch.delta[0]) +
-                       lanes_at(batch.T[3 + a]) * lanes_at(batch.delta[1]) +
-                       lanes_at(batch.T[6 + a]) * lanes_at(batch.delta[2]);
-    lanes_at(batch.turned[a]) = wish - lanes_at(batch.delta[a]);
+    const Lanes wish = lanes_at(batch.T[a]) * lanes_at(rest.delta[0]) +
+                       lanes_at(batch.T[3 + a]) * lanes_at(rest.delta[1]) +
+                       lanes_at(batch.T[6 + a]) * lanes_at(rest.delta[2]);
+    lanes_at(batch.turned[a]) = wish - lanes_at(rest.delta[a]);
     const Lanes off = lanes_at(batch.moved[a]) - wish;
     energy += off * off;
   }
   lanes_at(batch.energy) = energy;
 }
 
-unsigned fit_batch(const FitRings& rings, std::size_t first, int count, bool similarity,
-                   FitBatch& batch) {
-  for (int lane = 0; lane < count; ++lane) {
-    sum_ring(rings, first + static_cast<std::size_t>(lane), lane, batch);
-  }
-  for (int lane = count; lane < kFitLanes; ++lane) {
-    for (int k = 0; k < 9; ++k) batch.H[k][lane] = k % 4 == 0 ? 1.0 : 0.0;
-  }
+unsigned fit_batch(const FitRings& rings, bool similarity, FitBatch& batch) {
+  sum_rings(rings, batch);
   const unsigned unsure = rotate(batch, reinterpret_cast<Lanes*>(batch.T));
-  finish(similarity, batch);
-  return unsure & ((1U << static_cast<unsigned>(count)) - 1U);
+  finish(similarity, rings.rest, batch);
+  return unsure;
 }

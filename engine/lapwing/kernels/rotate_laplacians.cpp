@@ -13,8 +13,7 @@ void CpuRingRotations::rotate_laplacians(std::span<double> b) {
       const std::size_t row = rings_.unknown_rows[k];
       Vector4 sum = turned_[row];
       for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
-        const Index j = rings_.neighbours[e];
-        if (rings_.is_row(j)) sum -= rings_.reverse_weights[e] * turned_[j];
+        sum -= rings_.reverse_weights[e] * turned_[rings_.neighbours[e]];
       }
       if (!rings_.stiffness.empty()) sum.head<3>() += edge_forces(row);
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -29,7 +28,7 @@ Vector3d CpuRingRotations::edge_forces(std::size_t row) const {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
     const Index j = rings_.neighbours[e];
-    const Vector3d was = -edges_[e].head<3>();
+    const Vector3d was = -rings_.edges[e];
     Vector3d wish = T * was - was;
     if (rings_.is_row(j)) wish += transform(j) * was - was;
     sum += rings_.stiffness[e] * wish;

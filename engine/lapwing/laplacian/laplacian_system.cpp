@@ -23,10 +23,11 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
         const auto w = laplacian_weights(topology, rest, weights);
         std::vector<double> edges;
         if (stretch_resistance > 0.0) edges = edge_weights(topology, rest);
-        rings_ = region_rings(topology, rest, w, edges, stretch_resistance, roi,
-                              constraints.unknowns.vertices);
         L_ = laplacian_rows(topology.rings, w, roi);
         A = pattern.normal().normal_matrix(L_, constraints.W);
+        const std::vector<Index> rows = rows_by_elimination(roi);
+        rings_ = region_rings(topology, rest, w, edges, stretch_resistance, rows,
+                              std::span(rows).first(size()));
         if (!edges.empty()) add_edge_terms(A);
       },
       [&] { solver_->analyze(pattern.blocks(), 1, pattern.order()); });
@@ -41,11 +42,27 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
   timings.add("laplacian", watch.elapsed_ms());
 }
 
+// The vertices of the unknowns in the order of elimination, then the others of the region.
+std::vector<Index> LaplacianSystem::rows_by_elimination(std::span<const Index> roi) {
+  const Unknowns& unknowns = constraints_.unknowns;
+  std::vector<Index> rows;
+  rows.reserve(roi.size());
+  places_.resize(size());
+  for (const int k : elimination_order()) {
+    places_[static_cast<std::size_t>(k)] = static_cast<Index>(rows.size());
+    rows.push_back(unknowns.vertices[static_cast<std::size_t>(k)]);
+  }
+  for (const Index v : roi) {
+    if (unknowns.of_vertex[v] == kNoIndex) rows.push_back(v);
+  }
+  return rows;
+}
+
 // Every row holds the edges of its ring, so an edge between two rows counts twice.
 void LaplacianSystem::add_edge_terms(BlockMatrix& A) const {
   const BlockPattern& blocks = *A.pattern;
   for (std::size_t c = 0; c < size(); ++c) {
-    const std::size_t row = rings_.unknown_rows[c];
+    const std::size_t row = rings_.unknown_rows[places_[c]];
     for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
       const Index j = rings_.neighbours[e];
       const double w = rings_.stiffness[e] * (rings_.is_row(j) ? 2.0 : 1.0);
@@ -67,7 +84,7 @@ std::vector<double> LaplacianSystem::from_given(std::span<const Vector3d> given)
   pattern_.normal().multiply_transposed(L_, rows, result);
   if (rings_.stiffness.empty()) return result;
   for (std::size_t k = 0; k < size(); ++k) {
-    const std::size_t row = rings_.unknown_rows[k];
+    const std::size_t row = rings_.unknown_rows[places_[k]];
     for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
       Eigen::Map<Vector3d>(result.data() + 3 * k) -=
           2.0 * rings_.stiffness[e] * given[rings_.vertices[rings_.neighbours[e]]];
@@ -93,6 +110,11 @@ void LaplacianSystem::right_hand_side(std::span<const Vector3d> wanted, std::spa
       b[axis * n + k] = constraints_.W[k] * d - moved[3 * k + axis];
     }
   }
+}
+
+void LaplacianSystem::solve_in_elimination_order(std::span<double> columns_of_b,
+                                                 std::size_t columns) const {
+  if (size() > 0) solver_->solve_in_places(columns_of_b, columns, places_);
 }
 
 void LaplacianSystem::solve_in_place(std::span<double> columns_of_b, std::size_t columns) const {

@@ -27,7 +27,10 @@ class LaplacianSystem {
                   const SystemPattern& pattern, LaplacianWeights weights, double stretch_resistance,
                   StageTimings& timings);
 
+  /// Unknowns and their rows come in the order of elimination, so that neighbours in space are
+  /// neighbours in memory: unknown k of these is unknown `elimination_order()[k]`.
   const RegionRings& rings() const { return rings_; }
+  const std::vector<int>& elimination_order() const { return pattern_.order(); }
   const Constraints& constraints() const { return constraints_; }
   std::size_t size() const { return constraints_.unknowns.size(); }
 
@@ -39,8 +42,11 @@ class LaplacianSystem {
   /// Replaces `columns` right-hand sides of `size()` numbers, one after the other, by their
   /// solutions. Allocates nothing from the second call on. One thread at a time.
   void solve_in_place(std::span<double> columns_of_b, std::size_t columns) const;
+  /// As `solve_in_place`, the unknowns in the order of elimination.
+  void solve_in_elimination_order(std::span<double> columns_of_b, std::size_t columns) const;
 
  private:
+  std::vector<Index> rows_by_elimination(std::span<const Index> roi);
   void add_edge_terms(BlockMatrix& A) const;
   std::vector<double> from_given(std::span<const Eigen::Vector3d> given) const;
 
@@ -48,6 +54,7 @@ class LaplacianSystem {
   const SystemPattern& pattern_;
   RegionRings rings_;
   BlockRows L_;
+  std::vector<Index> places_;  ///< unknown -> where it stands in the order of elimination
   std::unique_ptr<BlockSolver> solver_;
 };
 

@@ -17,7 +17,7 @@ struct RegionRings {
   std::vector<double> weights;          ///< per entry: w_ij, of eq. 1
   std::vector<double> reverse_weights;  ///< per entry: w_ji; 0 where j is no row
   std::vector<double> stiffness;        ///< per entry: mu/2 times the edge's own weight; or empty
-  std::vector<Index> unknown_rows;      ///< unknown -> its row
+  std::vector<Index> unknown_rows;      ///< unknown, in the caller's order -> its row
 
   std::size_t row_count() const { return starts.size() - 1; }
   bool is_row(Index own) const { return own < row_count(); }

@@ -94,6 +94,23 @@ void refuse_mirror(const JsonNode& node) {
       "a matrix that mirrors cannot be carried out in parts; leave out \"commit_every\"");
 }
 
+DeformParameters read_parameters(const JsonNode& step) {
+  DeformParameters parameters;
+  if (const auto weights = step.find("weights")) parameters.weights = read_weights(*weights);
+  if (const auto weight = step.find("constraint_weight")) {
+    parameters.constraint_weight = weight->positive_number();
+  }
+  if (const auto hard = step.find("hard")) parameters.hard = hard->boolean();
+  parameters.settle->weights = parameters.weights;
+  if (const auto settle = step.find("settle")) {
+    parameters.settle = read_settle(*settle, parameters.weights);
+  }
+  if (const auto degrees = step.find("commit_every")) {
+    parameters.commit_every = read_commit_every(*degrees);
+  }
+  return parameters;
+}
+
 Step read_deform(const JsonNode& node) {
   node.require_keys({"op", "roi", "belt", "handles", "weights", "constraint_weight", "hard",
                      "settle", "commit_every"});
@@ -104,15 +121,8 @@ Step read_deform(const JsonNode& node) {
   const JsonNode handles = node.at("handles");
   for (const JsonNode& handle : handles.elements()) step.handles.push_back(read_handle(handle));
   if (step.handles.empty()) handles.fail("expected at least one handle");
-  if (const auto weights = node.find("weights")) step.weights = read_weights(*weights);
-  if (const auto weight = node.find("constraint_weight")) {
-    step.constraint_weight = weight->positive_number();
-  }
-  if (const auto hard = node.find("hard")) step.hard = hard->boolean();
-  step.settle->weights = step.weights;
-  if (const auto settle = node.find("settle")) step.settle = read_settle(*settle, step.weights);
-  if (const auto degrees = node.find("commit_every")) {
-    step.commit_every = read_commit_every(*degrees);
+  step.parameters = read_parameters(node);
+  if (step.parameters.commit_every) {
     for (const JsonNode& handle : handles.elements()) refuse_mirror(handle.at("move"));
   }
   return step;

@@ -7,11 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include "lapwing/laplacian/weights.h"
+#include "lapwing/recipe/deform_parameters.h"
 #include "lapwing/recipe/move.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/region_spec.h"
-#include "lapwing/settle/settle_options.h"
 
 namespace lapwing {
 
@@ -29,13 +28,7 @@ struct DeformStep {
   RegionSpec roi;
   BeltSpec belt = BorderBelt{};
   std::vector<MovedHandle> handles;  ///< at least one
-  LaplacianWeights weights = LaplacianWeights::uniform;
-  double constraint_weight = 1.0;  ///< above 0
-  bool hard = false;               ///< belt and handles held exactly, not by weight
-  std::optional<SettleOptions> settle = SettleOptions{};  ///< none: the linear solution as it is
-  /// A larger turn of a handle is made in equal parts of at most this many degrees, each committed:
-  /// its result is the rest shape of the next. Above 0, at most kLargestSettledTurnDegrees.
-  std::optional<double> commit_every = {};
+  DeformParameters parameters;
   bool operator==(const DeformStep&) const = default;
 };
 

@@ -89,13 +89,14 @@ const char* name_of(LaplacianWeights weights) {
 
 Json json_of_settle(const DeformStep& step) {
   SettleOptions defaults;
-  defaults.weights = step.weights;
-  if (!step.settle || *step.settle == defaults) return step.settle.has_value();
-  return {{"tolerance", step.settle->tolerance},
-          {"max_iterations", step.settle->max_iterations},
-          {"stretch_resistance", step.settle->stretch_resistance},
-          {"details", step.settle->details == Details::preserve ? "preserve" : "follow"},
-          {"weights", name_of(step.settle->weights)}};
+  defaults.weights = step.parameters.weights;
+  if (!step.parameters.settle || *step.parameters.settle == defaults)
+    return step.parameters.settle.has_value();
+  return {{"tolerance", step.parameters.settle->tolerance},
+          {"max_iterations", step.parameters.settle->max_iterations},
+          {"stretch_resistance", step.parameters.settle->stretch_resistance},
+          {"details", step.parameters.settle->details == Details::preserve ? "preserve" : "follow"},
+          {"weights", name_of(step.parameters.settle->weights)}};
 }
 
 Json json_of(const DeformStep& step) {
@@ -107,11 +108,11 @@ Json json_of(const DeformStep& step) {
             {"roi", json_of(step.roi)},
             {"belt", json_of_any(step.belt)},
             {"handles", std::move(handles)},
-            {"weights", name_of(step.weights)},
-            {"constraint_weight", step.constraint_weight},
-            {"hard", step.hard},
+            {"weights", name_of(step.parameters.weights)},
+            {"constraint_weight", step.parameters.constraint_weight},
+            {"hard", step.parameters.hard},
             {"settle", json_of_settle(step)}};
-  if (step.commit_every) keys["commit_every"] = *step.commit_every;
+  if (step.parameters.commit_every) keys["commit_every"] = *step.parameters.commit_every;
   return keys;
 }
 

@@ -24,6 +24,8 @@ struct Camera {
   double near_distance = 0.01;  ///< along the viewing direction; may be negative if orthographic
   double far_distance = 100.0;
 
+  bool operator==(const Camera&) const = default;
+
   /// From world to camera space: x right, y up, looking along -z. A rotation and a translation.
   Eigen::Matrix4d view() const;
   /// From camera space to Vulkan's clip space: y down, depth 1 at `near_distance` and 0 at

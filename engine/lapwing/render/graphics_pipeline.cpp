@@ -52,7 +52,8 @@ struct FixedState {
   VkPipelineColorBlendAttachmentState attachment{};
   VkPipelineColorBlendStateCreateInfo blend{
       VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-  std::array<VkDynamicState, 2> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  std::array<VkDynamicState, 3> dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                               VK_DYNAMIC_STATE_CULL_MODE};
   VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
 
   explicit FixedState(bool blended) {
@@ -165,7 +166,7 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
 
 void GraphicsPipeline::record(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
                               std::span<const std::byte> push, std::uint32_t vertices,
-                              std::uint32_t first) const {
+                              std::uint32_t first, Sides sides) const {
   const VkDeviceSize limit = context_.limits().maxStorageBufferRange;
   std::array<VkDescriptorBufferInfo, kMaxBuffers> infos;
   std::array<VkWriteDescriptorSet, kMaxBuffers> writes;
@@ -185,6 +186,7 @@ void GraphicsPipeline::record(VkCommandBuffer commands, std::span<const gpu::Buf
   }
   const auto& vk = context_.vk();
   vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+  vk.vkCmdSetCullMode(commands, sides == Sides::front ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE);
   if (!buffers.empty()) {
     vk.vkCmdPushDescriptorSetKHR(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0,
                                  static_cast<std::uint32_t>(buffers.size()), writes.data());

@@ -34,9 +34,11 @@ struct GraphicsPipelineInfo {
   bool blend = false;  ///< by opacity over what is there; the picture's own opacity grows
 };
 
+/// Which sides of triangles are drawn; the front is the one seen counter-clockwise.
+enum class Sides { both, front };
+
 /// A pipeline that draws triangles without vertex or index buffers: shaders pull what they need
-/// from storage buffers. Both faces are drawn; viewport and scissor are dynamic. The context must
-/// outlive it.
+/// from storage buffers. Viewport and scissor are dynamic. The context must outlive it.
 class GraphicsPipeline {
  public:
   /// Throws GpuError, naming the pipeline, when the device cannot draw or refuses it.
@@ -50,17 +52,19 @@ class GraphicsPipeline {
   /// by binding.
   template <typename Push>
   void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
-            const Push& push, std::uint32_t vertices, std::uint32_t first = 0) const {
+            const Push& push, std::uint32_t vertices, std::uint32_t first = 0,
+            Sides sides = Sides::both) const {
     static_assert(std::is_trivially_copyable_v<Push>);
     record(commands, {buffers.begin(), buffers.size()}, std::as_bytes(std::span(&push, 1)),
-           vertices, first);
+           vertices, first, sides);
   }
 
  private:
   void create_layout(const GraphicsPipelineInfo& info);
   void create_pipeline(const TargetFormat& target, const GraphicsPipelineInfo& info);
   void record(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
-              std::span<const std::byte> push, std::uint32_t vertices, std::uint32_t first) const;
+              std::span<const std::byte> push, std::uint32_t vertices, std::uint32_t first,
+              Sides sides) const;
   void release() noexcept;
 
   const gpu::Context& context_;

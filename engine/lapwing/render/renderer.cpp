@@ -154,7 +154,7 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const VulkanSur
                 {&surface.position_buffer(), &surface.normal_buffer(), &surface.triangle_buffer(),
                  &paint.class_buffer(), &paint.scalar_buffer(), &paint.edge_buffer(), &color_maps_},
                 surface_push(extent, surface.origin(), camera, style, color_range(style, paint)),
-                static_cast<std::uint32_t>(3 * surface.triangle_count()));
+                static_cast<std::uint32_t>(3 * surface.triangle_count()), 0, style.sides);
 }
 
 void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent,

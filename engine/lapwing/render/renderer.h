@@ -31,6 +31,8 @@ struct SurfaceStyle {
   bool wireframe = false;            ///< polygon edges over the surface
   bool flat = false;                 ///< one normal per triangle
   float line_width = 1.0F;           ///< of the wireframe, in pixels
+  /// `front` draws faster, and the same picture where no back is seen (see is_closed_outward).
+  Sides sides = Sides::both;
 };
 
 /// The range that `style` gives the colour map. By default that of the paint's numbers, made
@@ -53,8 +55,8 @@ class Renderer {
 
   /// Sets viewport and scissor and fills the picture. First in every scope.
   void begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const;
-  /// Both sides of the surface, the back darker. Commands recorded before must have made its
-  /// buffers visible to the vertex stage (a gpu::Recorder begins with that).
+  /// The surface; its back, where it is drawn, is darker. Commands recorded before must have made
+  /// its buffers visible to the vertex stage (a gpu::Recorder begins with that).
   void draw(VkCommandBuffer commands, VkExtent2D extent, const VulkanSurface& surface,
             const SurfacePaint& paint, const Camera& camera, const SurfaceStyle& style) const;
   void draw(VkCommandBuffer commands, VkExtent2D extent, const OverlayBuffer& overlay) const;

@@ -19,14 +19,14 @@ constexpr double kRoundingOfQuotient = 1e-9;
 }  // namespace
 
 std::size_t commit_count(const DeformStep& step, std::size_t number) {
-  if (!step.commit_every) return 1;
+  if (!step.parameters.commit_every) return 1;
   const double degrees = largest_turn(step).turn.degrees;
-  const double count = std::ceil(degrees / *step.commit_every - kRoundingOfQuotient);
+  const double count = std::ceil(degrees / *step.parameters.commit_every - kRoundingOfQuotient);
   if (!(count <= static_cast<double>(kMostCommits))) {
     std::ostringstream text;
     text << "step " << number << " turns by " << degrees
-         << " degrees; with \"commit_every\": " << *step.commit_every << " that is more than "
-         << kMostCommits << " commits. Raise it, or turn less";
+         << " degrees; with \"commit_every\": " << *step.parameters.commit_every
+         << " that is more than " << kMostCommits << " commits. Raise it, or turn less";
     throw InputError(text.str());
   }
   return static_cast<std::size_t>(std::max(count, 1.0));
@@ -49,7 +49,7 @@ Certificate certify(const BoundStep& bound, std::span<const Vector3d> start,
       certificate.handle_error = std::max(certificate.handle_error, error);
     }
   }
-  const auto weights = laplacian_weights(bound.topology, start, bound.step.weights);
+  const auto weights = laplacian_weights(bound.topology, start, bound.step.parameters.weights);
   measure_region(region, bound.topology, weights, start, end, certificate);
   require_valid(certificate);
   return certificate;

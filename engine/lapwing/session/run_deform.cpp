@@ -10,22 +10,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-DeformOptions options_of(const DeformStep& step) {
-  DeformOptions options;
-  options.weights = step.weights;
-  options.constraint_weight = step.constraint_weight;
-  options.hard = step.hard;
-  options.settle = step.settle;
-  return options;
-}
-
 // The mesh follows the handles from share `from` of the step to share `to`.
 Certificate run_part(const BoundStep& bound, double from, double to, Kernels& kernels,
                      const Progress& progress, RunResult& result, StageTimings& timings) {
   // A factor is large: the one before goes first.
   result.last.reset();
-  result.last = std::make_unique<Deformer>(result.mesh.positions, result.topology, bound.region,
-                                           options_of(bound.step), kernels, progress);
+  result.last =
+      std::make_unique<Deformer>(result.mesh.positions, result.topology, bound.region,
+                                 deform_options(bound.step.parameters), kernels, progress);
   Deformer& deformer = *result.last;
   for (const auto& [name, ms] : deformer.timings().stages()) timings.add(name, ms);
   const std::vector<Eigen::Affine3d> motions = bound.motions(from, to);
@@ -35,7 +27,7 @@ Certificate run_part(const BoundStep& bound, double from, double to, Kernels& ke
     DeformResult solved = deformer.solve(motions, bound.turns(from, to), progress);
     result.mesh.positions = std::move(solved.positions);
     certificate = std::move(solved.certificate);
-    if (bound.step.settle) deformer.show(result.mesh.positions);
+    if (bound.step.parameters.settle) deformer.show(result.mesh.positions);
   });
   return certificate;
 }

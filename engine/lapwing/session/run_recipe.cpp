@@ -48,7 +48,7 @@ void load(const Recipe& recipe, const Progress& progress, RunResult& result) {
 // What became of each vertex in the step that ran last.
 VertexMeasures measure_step(const DeformStep& step, const Positions& before,
                             const RunResult& result) {
-  const auto weights = laplacian_weights(result.topology, before, step.weights);
+  const auto weights = laplacian_weights(result.topology, before, step.parameters.weights);
   return measure_vertices(result.last->region().roi, result.topology, weights, before,
                           result.mesh.positions);
 }

@@ -50,16 +50,18 @@ std::vector<Index> path_from_still(const EditRegion& region, const Topology& top
 
 std::string advice(const DeformStep& step, double degrees) {
   std::ostringstream text;
-  if (!step.settle) text << "let the step settle";
-  if (!step.commit_every) {
+  if (!step.parameters.settle) text << "let the step settle";
+  if (!step.parameters.commit_every) {
     const double every = suggested_commit_every(degrees);
-    text << (step.settle ? "" : ", and ") << "add \"commit_every\": " << every
+    text << (step.parameters.settle ? "" : ", and ") << "add \"commit_every\": " << every
          << " (or --commit-every " << every << ")";
-  } else if (step.settle && step.settle->stretch_resistance < kMuchResistance) {
-    const double more = std::max(kLittleResistance, 10.0 * step.settle->stretch_resistance);
+  } else if (step.parameters.settle &&
+             step.parameters.settle->stretch_resistance < kMuchResistance) {
+    const double more =
+        std::max(kLittleResistance, 10.0 * step.parameters.settle->stretch_resistance);
     text << "set \"stretch_resistance\" of \"settle\" to " << more << " (or --stretch-resistance "
          << more << ")";
-  } else if (step.settle) {
+  } else if (step.parameters.settle) {
     text << "turn less, or give the turn a longer region";
   }
   return text.str();
@@ -97,7 +99,7 @@ std::string winding_warning(const DeformStep& step, std::size_t number,
                             const std::optional<double>& wound) {
   const LargestTurn largest = largest_turn(step);
   const double degrees = largest.turn.degrees;
-  const bool at_once = !step.commit_every && degrees > kLargestSettledTurnDegrees;
+  const bool at_once = !step.parameters.commit_every && degrees > kLargestSettledTurnDegrees;
   const bool lost = wound && std::abs(*wound - degrees) > 180.0;
   if (!at_once && !lost) return {};
   std::ostringstream text;

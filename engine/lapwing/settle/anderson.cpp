@@ -6,9 +6,17 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "lapwing/base/instruction_set.h"
 #include "lapwing/base/parallel.h"
 
 namespace lapwing {
+
+extern const AndersonLoops kAndersonLoopsBaseline;
+#ifdef __x86_64__
+extern const AndersonLoops kAndersonLoopsAvx2;
+extern const AndersonLoops kAndersonLoopsAvx512;
+#endif
+
 namespace {
 
 // Differences that are nearly parallel say nothing: this much of their size is added to each.
@@ -19,6 +27,7 @@ constexpr std::size_t kChunk = 1024;
 
 using Vector = Eigen::Map<Eigen::VectorXd>;
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
+using RoughVector = Eigen::Map<Eigen::VectorXf>;
 
 template <typename Body>
 void for_chunks(std::size_t size, const Body& body) {
@@ -33,8 +42,18 @@ void for_chunks(std::size_t size, const Body& body) {
 
 }  // namespace
 
+const AndersonLoops& anderson_loops() {
+#ifdef __x86_64__
+  const InstructionSet set = available_instruction_sets().front();
+  if (set == InstructionSet::avx512) return kAndersonLoopsAvx512;
+  if (set == InstructionSet::avx2) return kAndersonLoopsAvx2;
+#endif
+  return kAndersonLoopsBaseline;
+}
+
 Anderson::Anderson(std::size_t size, int window)
-    : size_(size),
+    : loops_(anderson_loops()),
+      size_(size),
       window_(std::clamp(window, 1, kLargestWindow)),
       last_g_(size),
       last_residual_(size),
@@ -56,17 +75,19 @@ void Anderson::take_differences(std::span<const double> x, std::span<const doubl
     Vector last_g(last_g_.data() + at, count);
     Vector residual(last_residual_.data() + at, count);
     if (store) {
-      Vector(column(g_differences_, newest) + at, count) = new_g - last_g;
-      Vector(column(residual_differences_, newest) + at, count) = new_g - current - residual;
+      RoughVector(column(g_differences_, newest) + at, count) = (new_g - last_g).cast<float>();
+      RoughVector(column(residual_differences_, newest) + at, count) =
+          (new_g - current - residual).cast<float>();
     }
     last_g = new_g;
     residual = new_g - current;
     Sums& sums = partial_[chunk];
-    const ConstVector difference(column(residual_differences_, newest) + at, count);
+    const float* difference = column(residual_differences_, newest) + at;
     for (int i = 0; i < used_; ++i) {
-      const ConstVector d_i(column(residual_differences_, i) + at, count);
-      sums[static_cast<std::size_t>(i)] = d_i.dot(residual);
-      sums[static_cast<std::size_t>(kLargestWindow + i)] = d_i.dot(difference);
+      loops_.multiply(column(residual_differences_, i) + at, difference, residual.data(),
+                      static_cast<std::size_t>(count),
+                      sums[static_cast<std::size_t>(kLargestWindow + i)],
+                      sums[static_cast<std::size_t>(i)]);
     }
   });
   has_last_ = true;
@@ -87,10 +108,10 @@ void Anderson::take_differences(std::span<const double> x, std::span<const doubl
 void Anderson::combine(std::span<double> x, std::span<const double> g,
                        std::span<const double> factors) {
   for_chunks(size_, [&](std::size_t, std::size_t at, Eigen::Index count) {
-    Vector next(x.data() + at, count);
-    next = ConstVector(g.data() + at, count);
+    std::copy_n(g.data() + at, count, x.data() + at);
     for (std::size_t i = 0; i < factors.size(); ++i) {
-      next -= factors[i] * ConstVector(column(g_differences_, static_cast<int>(i)) + at, count);
+      loops_.subtract(factors[i], column(g_differences_, static_cast<int>(i)) + at, x.data() + at,
+                      static_cast<std::size_t>(count));
     }
   });
 }

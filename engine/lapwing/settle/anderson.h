@@ -4,12 +4,14 @@
 #include <span>
 #include <vector>
 
+#include "lapwing/settle/anderson_loops.h"
+
 namespace lapwing {
 
 /// Anderson acceleration of a fixed-point iteration x <- G(x) (Walker, Ni 2011): the next x is the
 /// combination of the last few G(x) for which the combined residual G(x) - x is smallest. Memory is
-/// taken once, 2 (window + 1) vectors; two passes over it each step, on all threads. Same input,
-/// same bits.
+/// taken once: 2 vectors, and 2 window more in single precision, which is enough for differences;
+/// two passes over it each step, on all threads. Same input, same bits.
 class Anderson {
  public:
   static constexpr int kLargestWindow = 8;
@@ -34,10 +36,11 @@ class Anderson {
 
   void take_differences(std::span<const double> x, std::span<const double> g);
   void combine(std::span<double> x, std::span<const double> g, std::span<const double> factors);
-  double* column(std::vector<double>& columns, int k) const {
+  float* column(std::vector<float>& columns, int k) const {
     return columns.data() + static_cast<std::size_t>(k) * size_;
   }
 
+  const AndersonLoops& loops_;
   std::size_t size_;
   int window_;
   int used_ = 0;    ///< differences stored
@@ -45,8 +48,8 @@ class Anderson {
   bool has_last_ = false;
   std::vector<double> last_g_;
   std::vector<double> last_residual_;
-  std::vector<double> g_differences_;
-  std::vector<double> residual_differences_;
+  std::vector<float> g_differences_;
+  std::vector<float> residual_differences_;
   std::array<std::array<double, kLargestWindow>, kLargestWindow> products_{};  ///< of differences
   std::array<double, kLargestWindow> with_residual_{};
   std::vector<Sums> partial_;  ///< per chunk of the vectors

@@ -39,10 +39,6 @@ double mean_length(std::span<const Vector3d> edges) {
   return sum > 0.0 ? sum / static_cast<double>(edges.size()) : 1.0;
 }
 
-Eigen::Map<const Eigen::ArrayXd> as_array(std::span<const double> numbers) {
-  return {numbers.data(), static_cast<Eigen::Index>(numbers.size())};
-}
-
 }  // namespace
 
 struct Settler::State {
@@ -53,13 +49,22 @@ struct Settler::State {
   std::unique_ptr<RingRotations> rotations;
   Anderson anderson;
 
-  // Of one iteration. Vectors over the unknowns hold x of all, then y, then z.
+  // Of one iteration. Vectors over the unknowns, which come in the order of elimination, hold x of
+  // all, then y, then z.
   std::vector<Vector3d> displacement;  ///< of RegionRings::vertices
   std::vector<double> energies;        ///< per row
+  std::vector<double> weights;         ///< W of each unknown
   std::vector<double> wanted;          ///< over the unknowns
   std::vector<double> constant;        ///< what wanted positions add to the right-hand side
   std::vector<double> x;               ///< where the unknowns are
   std::vector<double> g;               ///< right-hand side, then where one global step takes them
+
+  struct Measures {
+    double residual = 0.0;      ///< |g - x|
+    double largest_step = 0.0;  ///< of a vertex, in mean edge lengths
+    double energy = 0.0;
+  };
+  std::vector<Measures> partial;  ///< per task, of squares
 
   State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o)
       : system(laplacian),
@@ -70,18 +75,21 @@ struct Settler::State {
             rings, o.details == Details::follow ? RingMotion::similarity : RingMotion::rotation)),
         anderson(3 * laplacian.size(), kWindow),
         displacement(rings.vertices.size(), Vector3d::Zero()),
-        energies(rings.row_count()) {
+        energies(rings.row_count()),
+        partial((laplacian.size() + kUnknownsPerTask - 1) / kUnknownsPerTask) {
     for (auto* vector : {&wanted, &constant, &x, &g}) vector->resize(3 * system.size());
+    for (const int k : system.elimination_order()) {
+      weights.push_back(system.constraints().W[static_cast<std::size_t>(k)]);
+    }
   }
 
   void begin(std::span<const Vector3d> handles, std::span<const Vector3d> u);
   void finish(std::span<const double> from, std::span<Vector3d> u) const;
   void fit_rotations(std::span<const double> from);
   void global_step();
-  double energy(std::span<const double> from) const;
-  double residual() const;
-  double largest_step() const;
+  Measures measure();
 
+  Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
   Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
     const std::size_t n = system.size();
     return {numbers[k], numbers[n + k], numbers[2 * n + k]};
@@ -89,24 +97,25 @@ struct Settler::State {
 };
 
 void Settler::State::begin(std::span<const Vector3d> handles, std::span<const Vector3d> u) {
-  const Unknowns& unknowns = system.constraints().unknowns;
+  const std::vector<int>& order = system.elimination_order();
   const std::size_t n = system.size();
+  system.right_hand_side(handles, g);
   for (std::size_t r = 0; r < rings.row_count(); ++r) displacement[r] = handles[rings.vertices[r]];
   for (std::size_t k = 0; k < n; ++k) {
-    const Index v = unknowns.vertices[k];
+    const Index v = vertex(k);
+    const auto own = static_cast<std::size_t>(order[k]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       wanted[axis * n + k] = handles[v][static_cast<Eigen::Index>(axis)];
       x[axis * n + k] = u[v][static_cast<Eigen::Index>(axis)];
+      constant[axis * n + k] = g[axis * n + own];
     }
   }
-  system.right_hand_side(handles, constant);
   anderson.restart();
 }
 
 void Settler::State::finish(std::span<const double> from, std::span<Vector3d> u) const {
   for (std::size_t r = 0; r < rings.row_count(); ++r) u[rings.vertices[r]] = displacement[r];
-  const Unknowns& unknowns = system.constraints().unknowns;
-  for (std::size_t k = 0; k < system.size(); ++k) u[unknowns.vertices[k]] = of_unknown(from, k);
+  for (std::size_t k = 0; k < system.size(); ++k) u[vertex(k)] = of_unknown(from, k);
 }
 
 void Settler::State::fit_rotations(std::span<const double> from) {
@@ -118,37 +127,45 @@ void Settler::State::fit_rotations(std::span<const double> from) {
   rotations->fit_rotations(displacement, energies);
 }
 
-// With the rotations last fitted.
-double Settler::State::energy(std::span<const double> from) const {
-  double sum = as_array(energies).sum();
-  const auto& W = system.constraints().W;
-  for (std::size_t k = 0; k < W.size(); ++k) {
-    if (W[k] > 0.0) sum += W[k] * (of_unknown(from, k) - of_unknown(wanted, k)).squaredNorm();
-  }
-  return sum;
-}
-
 // g = argmin over u with the rotations fixed.
 void Settler::State::global_step() {
   rotations->rotate_laplacians(g);
   parallel_for(g.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) g[i] += constant[i];
   });
-  system.solve_in_place(g, 3);
+  system.solve_in_elimination_order(g, 3);
 }
 
-double Settler::State::residual() const {
-  return (as_array(g) - as_array(x)).matrix().norm();
-}
-
-// How far a vertex moves from x to g, in mean edge lengths.
-double Settler::State::largest_step() const {
-  const auto n = static_cast<Eigen::Index>(system.size());
-  const auto step = [&](Eigen::Index axis) {
-    return as_array(g).segment(axis * n, n) - as_array(x).segment(axis * n, n);
-  };
-  const double largest = (step(0).square() + step(1).square() + step(2).square()).maxCoeff();
-  return std::sqrt(largest) / mean_edge;
+// Of x with the rotations last fitted, and of the step from x to g. Sums go task by task, so that
+// they do not depend on the number of threads.
+Settler::State::Measures Settler::State::measure() {
+  parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task) {
+      Measures& sum = partial[task] = {};
+      const std::size_t last = std::min((task + 1) * kUnknownsPerTask, system.size());
+      for (std::size_t k = task * kUnknownsPerTask; k < last; ++k) {
+        const Vector3d at = of_unknown(x, k);
+        const double step = (of_unknown(g, k) - at).squaredNorm();
+        sum.residual += step;
+        sum.largest_step = std::max(sum.largest_step, step);
+        if (weights[k] > 0.0) {
+          sum.energy += weights[k] * (at - of_unknown(wanted, k)).squaredNorm();
+        }
+      }
+    }
+  });
+  Measures all;
+  for (const Measures& sum : partial) {
+    all.residual += sum.residual;
+    all.largest_step = std::max(all.largest_step, sum.largest_step);
+    all.energy += sum.energy;
+  }
+  all.residual = std::sqrt(all.residual);
+  all.largest_step = std::sqrt(all.largest_step) / mean_edge;
+  all.energy +=
+      Eigen::Map<const Eigen::ArrayXd>(energies.data(), static_cast<Eigen::Index>(energies.size()))
+          .sum();
+  return all;
 }
 
 Settler::Settler(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options) {
@@ -181,10 +198,9 @@ SettleResult Settler::settle(std::span<const Vector3d> wanted, std::span<Vector3
       s.fit_rotations(s.x);
       s.global_step();
       ++result.iterations;
-      result.last_step = s.largest_step();
-      result.settled = result.last_step <= s.options.tolerance;
-      const double residual = s.residual();
-      const double energy = s.energy(s.x);
+      const auto [residual, largest_step, energy] = s.measure();
+      result.last_step = largest_step;
+      result.settled = largest_step <= s.options.tolerance;
       if (result.settled || !s.options.accelerate) {
         std::copy(s.g.begin(), s.g.end(), s.x.begin());
       } else if (residual > last_residual && energy > last_energy) {
@@ -202,7 +218,7 @@ SettleResult Settler::settle(std::span<const Vector3d> wanted, std::span<Vector3
   }
   s.finish(s.x, u);
   s.fit_rotations(s.x);
-  result.energy = s.energy(s.x);
+  result.energy = s.measure().energy;
   return result;
 }
 

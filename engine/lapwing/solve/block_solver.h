@@ -62,6 +62,11 @@ class BlockSolver {
   /// numbers each. B and X may be the same memory.
   virtual void solve(std::span<const double> B, std::span<double> X, std::size_t columns) = 0;
 
+  /// As `solve`, in place, for right-hand sides in an order of the caller's: block b is block
+  /// places[b] there. Cheapest near the order of elimination.
+  virtual void solve_in_places(std::span<double> X, std::size_t columns,
+                               std::span<const Index> places);
+
   virtual SolverStatistics statistics() const { return {}; }
 
   /// Has `factor` report stage "factor" on the calling thread, with the share of its operations

@@ -106,6 +106,7 @@ void BlendResponse::set_parameters(std::span<const double> parameters) {
                    [](double p) { return static_cast<float>(p); });
   }
   reinterpret_cast<GroupHeader*>(memory.data())->group_count = count;
+  state_.context->count_upload(sizeof(GroupHeader) + count * sizeof(Group));
 }
 
 }  // namespace lapwing

@@ -14,6 +14,10 @@ namespace {
 
 using Vec4 = std::array<float, 4>;
 
+// Timestamps of `frame_` and of `normals_`.
+enum FrameMoment : std::uint32_t { kBegun, kBlended, kNormalsDone, kFrameMoments };
+enum NormalsMoment : std::uint32_t { kPlaced, kRenewed, kNormalsMoments };
+
 std::vector<Eigen::Vector3d> download_vectors(VulkanState& state, const gpu::Buffer& buffer,
                                               const Eigen::Vector3d& offset) {
   std::vector<Vec4> values(buffer.bytes() / sizeof(Vec4));
@@ -50,9 +54,11 @@ VulkanSurface::VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceIn
       triangle_count_(input.topology.triangles.size()),
       origin_(bounds_of(input.rest).center()),
       buffers_(std::make_unique<Buffers>(*state_, input, origin_)),
-      frame_(std::make_unique<gpu::CommandList>(*state_->context, "drag frame")) {
+      frame_(std::make_unique<gpu::CommandList>(*state_->context, "drag frame", kFrameMoments)),
+      normals_(std::make_unique<gpu::CommandList>(*state_->context, "normals", kNormalsMoments)) {
   upload_rest(input);
   record_frame();
+  record_normals();
 }
 
 VulkanSurface::~VulkanSurface() = default;
@@ -84,25 +90,39 @@ void VulkanSurface::upload_rest(const SurfaceInput& input) {
 
 void VulkanSurface::record_frame() {
   gpu::Recorder recorder(*frame_);
+  recorder.timestamp();
   buffers_->blend_response.record(recorder, buffers_->positions.buffer());
+  recorder.timestamp();
   buffers_->vertex_normals.record(recorder, buffers_->affected, buffers_->positions,
                                   buffers_->normals);
+  recorder.timestamp();
+  recorder.finish();
+}
+
+void VulkanSurface::record_normals() {
+  gpu::Recorder recorder(*normals_);
+  recorder.timestamp();
+  buffers_->vertex_normals.record(recorder, buffers_->affected, buffers_->positions,
+                                  buffers_->normals);
+  recorder.timestamp();
   recorder.finish();
 }
 
 void VulkanSurface::blend(std::span<const double> parameters) {
   buffers_->blend_response.set_parameters(parameters);
   frame_->run();
+  times_.blend_ms += frame_->milliseconds_between(kBegun, kBlended);
+  times_.normals_ms += frame_->milliseconds_between(kBlended, kNormalsDone);
 }
 
 void VulkanSurface::place(std::span<const Eigen::Vector3d> positions) {
   upload_positions(positions);
-  gpu::CommandList normals(*state_->context, "normals");
-  gpu::Recorder recorder(normals);
-  buffers_->vertex_normals.record(recorder, buffers_->affected, buffers_->positions,
-                                  buffers_->normals);
-  recorder.finish();
-  normals.run();
+  normals_->run();
+  times_.normals_ms += normals_->milliseconds_between(kPlaced, kRenewed);
+}
+
+SurfaceTimes VulkanSurface::take_times() {
+  return std::exchange(times_, {});
 }
 
 Positions VulkanSurface::positions() const {

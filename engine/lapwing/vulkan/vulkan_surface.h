@@ -10,6 +10,12 @@ namespace lapwing {
 
 class VulkanState;
 
+/// Device time in milliseconds; 0 on a device without timestamps.
+struct SurfaceTimes {
+  double blend_ms = 0.0;
+  double normals_ms = 0.0;
+};
+
 /// A deformed surface in device memory, in float32. The renderer draws from its buffers, without a
 /// copy, once `blend` or `place` has returned.
 class VulkanSurface final : public DeformedSurface {
@@ -21,6 +27,9 @@ class VulkanSurface final : public DeformedSurface {
   void place(std::span<const Eigen::Vector3d> positions) override;
   Positions positions() const override;
   std::vector<Eigen::Vector3d> normals() const override;
+
+  /// Of all calls of `blend` and `place` since this was last called.
+  SurfaceTimes take_times();
 
   gpu::Context& context() const;
   std::size_t vertex_count() const { return vertex_count_; }
@@ -41,13 +50,16 @@ class VulkanSurface final : public DeformedSurface {
   void upload_positions(std::span<const Eigen::Vector3d> positions);
   void upload_rest(const SurfaceInput& input);
   void record_frame();
+  void record_normals();
 
   std::shared_ptr<VulkanState> state_;
   std::size_t vertex_count_;
   std::size_t triangle_count_;
   Eigen::Vector3d origin_;
   std::unique_ptr<Buffers> buffers_;
-  std::unique_ptr<gpu::CommandList> frame_;
+  std::unique_ptr<gpu::CommandList> frame_;    ///< of a blend
+  std::unique_ptr<gpu::CommandList> normals_;  ///< after a placing
+  SurfaceTimes times_;
 };
 
 }  // namespace lapwing

@@ -146,9 +146,10 @@ class BlockCholesky::Implementation {
     factor(matrix, progress, kept);
   }
 
-  void solve(std::span<const double> B, std::span<double> X, std::size_t columns) {
+  void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
+             std::span<const Index> places) {
     if (!factored_) throw SolverError("there is no factorization to solve with; call factor first");
-    solve_->solve(B, X, columns);
+    solve_->solve(B, X, columns, places);
   }
 
   const SolverStatistics& statistics() const { return statistics_; }
@@ -227,7 +228,12 @@ void BlockCholesky::refactor_diagonal(const BlockMatrix& matrix, std::span<const
 }
 
 void BlockCholesky::solve(std::span<const double> B, std::span<double> X, std::size_t columns) {
-  implementation_->guard([&] { implementation_->solve(B, X, columns); });
+  implementation_->guard([&] { implementation_->solve(B, X, columns, {}); });
+}
+
+void BlockCholesky::solve_in_places(std::span<double> X, std::size_t columns,
+                                    std::span<const Index> places) {
+  implementation_->guard([&] { implementation_->solve(X, X, columns, places); });
 }
 
 SolverStatistics BlockCholesky::statistics() const {

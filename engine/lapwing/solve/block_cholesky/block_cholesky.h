@@ -51,6 +51,9 @@ class BlockCholesky final : public BlockSolver {
 
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns) override;
 
+  void solve_in_places(std::span<double> X, std::size_t columns,
+                       std::span<const Index> places) override;
+
   SolverStatistics statistics() const override;
 
  private:

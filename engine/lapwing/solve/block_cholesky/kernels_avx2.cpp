@@ -13,6 +13,8 @@ constexpr int kSolveRows = 4;
 #include "lapwing/solve/block_cholesky/factor_kernels.inl"
 #include "lapwing/solve/block_cholesky/solve_kernels.inl"
 
+constexpr KernelTable kTable = kernel_table(Rows<4>::kernels());
+
 }  // namespace
 
 extern const KernelTable kAvx2Kernels;

@@ -12,6 +12,9 @@ constexpr int kSolveRows = 8;
 
 #include "lapwing/solve/block_cholesky/factor_kernels.inl"
 #include "lapwing/solve/block_cholesky/solve_kernels.inl"
+#include "lapwing/solve/block_cholesky/solve_kernels_four.inl"
+
+constexpr KernelTable kTable = kernel_table(FourColumns::kernels());
 
 }  // namespace
 

@@ -18,6 +18,8 @@ constexpr int kSolveRows = 2;
 #include "lapwing/solve/block_cholesky/factor_kernels.inl"
 #include "lapwing/solve/block_cholesky/solve_kernels.inl"
 
+constexpr KernelTable kTable = kernel_table(Rows<4>::kernels());
+
 }  // namespace
 
 extern const KernelTable kBaselineKernels;

@@ -247,13 +247,15 @@ struct Rows {
   }
 };
 
-constexpr KernelTable kTable = {
-    factor_pivots,
-    solve_rows,
-    update,
-    add_to_panel,
-    add_to_update,
-    {{forward_pivots_1, forward_updates_1, backward_updates_1, backward_pivots_1},
-     Rows<4>::kernels(),
-     Rows<8>::kernels(),
-     Rows<12>::kernels()}};
+// `four` is what solves four right-hand sides.
+constexpr KernelTable kernel_table(const SolveKernels& four) {
+  return {factor_pivots,
+          solve_rows,
+          update,
+          add_to_panel,
+          add_to_update,
+          {{forward_pivots_1, forward_updates_1, backward_updates_1, backward_pivots_1},
+           four,
+           Rows<8>::kernels(),
+           Rows<12>::kernels()}};
+}

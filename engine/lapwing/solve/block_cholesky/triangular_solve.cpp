@@ -218,11 +218,13 @@ std::size_t TriangularSolve::bytes_needed(const Symbolic& symbolic, int threads)
          threads * (arena_bytes(sizes.stack) + arena_bytes(sizes.scratch));
 }
 
-void TriangularSolve::solve(std::span<const double> B, std::span<double> X, std::size_t columns) {
+void TriangularSolve::solve(std::span<const double> B, std::span<double> X, std::size_t columns,
+                            std::span<const Index> places) {
   const std::size_t size = static_cast<std::size_t>(symbolic_.blocks) * symbolic_.block_size;
   for (std::size_t first = 0; first < columns; first += kWidestSolve) {
     const std::size_t count = std::min<std::size_t>(columns - first, kWidestSolve);
-    solve_columns({B.data() + first * size, X.data() + first * size, static_cast<int>(count)});
+    solve_columns(
+        {B.data() + first * size, X.data() + first * size, static_cast<int>(count), places});
   }
 }
 
@@ -259,6 +261,12 @@ double* TriangularSolve::own_rows(const Front& front) const {
          static_cast<std::size_t>(front.first_block) * symbolic_.block_size * width_;
 }
 
+// Where a pivot block stands in the columns.
+std::size_t TriangularSolve::place(const Front& front, int pivot_block) const {
+  const int block = symbolic_.order[front.first_block + pivot_block];
+  return columns_.places.empty() ? block : columns_.places[block];
+}
+
 void TriangularSolve::load_pivots(const Front& front, double* y) const {
   const auto width = static_cast<std::size_t>(width_);
   const auto b = static_cast<std::size_t>(symbolic_.block_size);
@@ -266,7 +274,7 @@ void TriangularSolve::load_pivots(const Front& front, double* y) const {
   if (static_cast<int>(width) > columns_.count) std::fill_n(y, front.pivots * width, 0.0);
   std::fill_n(y + front.pivots * width, (padded_pivots(front) - front.pivots) * width, 0.0);
   for (int j = 0; j < front.pivot_blocks; ++j) {
-    const double* from = columns_.B + b * symbolic_.order[front.first_block + j];
+    const double* from = columns_.B + b * place(front, j);
     double* to = y + j * b * width;
     for (int r = 0; r < columns_.count; ++r) {
       for (std::size_t z = 0; z < b; ++z) to[z * width + r] = from[r * size + z];
@@ -279,7 +287,7 @@ void TriangularSolve::store_pivots(const Front& front, const double* y) const {
   const auto b = static_cast<std::size_t>(symbolic_.block_size);
   const std::size_t size = b * symbolic_.blocks;
   for (int j = 0; j < front.pivot_blocks; ++j) {
-    double* to = columns_.X + b * symbolic_.order[front.first_block + j];
+    double* to = columns_.X + b * place(front, j);
     const double* from = y + j * b * width;
     for (int r = 0; r < columns_.count; ++r) {
       for (std::size_t z = 0; z < b; ++z) to[r * size + z] = from[z * width + r];

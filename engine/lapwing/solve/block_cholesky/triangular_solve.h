@@ -21,8 +21,9 @@ class TriangularSolve {
   static std::size_t bytes_needed(const Symbolic& symbolic, int threads);
 
   /// Solves A X = B for `columns` right-hand sides stored one after the other. B and X may be the
-  /// same memory.
-  void solve(std::span<const double> B, std::span<double> X, std::size_t columns);
+  /// same memory. Block b is block places[b] of them; block b where `places` is empty.
+  void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
+             std::span<const Index> places);
 
  private:
   class Forward;
@@ -33,12 +34,14 @@ class TriangularSolve {
     const double* B = nullptr;
     double* X = nullptr;
     int count = 0;
+    std::span<const Index> places;
   };
 
   void solve_columns(const Columns& columns);
   void reserve(int width);
   double* update_rows(const Front& front, int thread) const;
   double* own_rows(const Front& front) const;
+  std::size_t place(const Front& front, int pivot_block) const;
   void load_pivots(const Front& front, double* y) const;
   void store_pivots(const Front& front, const double* y) const;
   int chunks_for(const Front& front, int pieces) const;

@@ -1,0 +1,201 @@
+// The triangular solves' inner loops for four right-hand sides where a register holds a column of a
+// strip: registers run along the strip, so that each number of the factor is loaded once. Included
+// after solve_kernels.inl.
+
+struct FourColumns {
+  static constexpr int kWidth = 4;
+  static constexpr int kPairs = kStrip / 2;  // registers for the rows of a strip, two in each
+  static constexpr int kStripRows = kWidth * kStrip;
+  static constexpr int kBlockStrips = 32;  // 8 KB of update rows, turned once for all pivots
+
+  // The rows of a strip, turned: register r holds right-hand side r of all 8.
+  struct Turned {
+    Vector side[kWidth];
+  };
+
+  LAPWING_INLINE UnalignedVector& pair_at(double* p) {
+    return *reinterpret_cast<UnalignedVector*>(p);
+  }
+  LAPWING_INLINE Vector pair_at(const double* p) {
+    return *reinterpret_cast<const UnalignedVector*>(p);
+  }
+
+  LAPWING_INLINE Turned turn_rows(const double* rows) {
+    Vector p[kPairs];
+    LAPWING_UNROLL for (int i = 0; i < kPairs; ++i) p[i] = pair_at(rows + 2 * kWidth * i);
+    constexpr Bits kFirst = {0, 4, 8, 12, 1, 5, 9, 13};
+    constexpr Bits kSecond = {2, 6, 10, 14, 3, 7, 11, 15};
+    constexpr Bits kLow = {0, 1, 2, 3, 8, 9, 10, 11};
+    constexpr Bits kHigh = {4, 5, 6, 7, 12, 13, 14, 15};
+    const Vector a = __builtin_shuffle(p[0], p[1], kFirst);
+    const Vector b = __builtin_shuffle(p[2], p[3], kFirst);
+    const Vector c = __builtin_shuffle(p[0], p[1], kSecond);
+    const Vector d = __builtin_shuffle(p[2], p[3], kSecond);
+    return {__builtin_shuffle(a, b, kLow), __builtin_shuffle(a, b, kHigh),
+            __builtin_shuffle(c, d, kLow), __builtin_shuffle(c, d, kHigh)};
+  }
+
+  // rows -= the turned ones.
+  LAPWING_INLINE void subtract_turned(const Turned& turned, double* rows) {
+    constexpr Bits kLow = {0, 8, 1, 9, 2, 10, 3, 11};
+    constexpr Bits kHigh = {4, 12, 5, 13, 6, 14, 7, 15};
+    constexpr Bits kFirst = {0, 1, 8, 9, 2, 3, 10, 11};
+    constexpr Bits kSecond = {4, 5, 12, 13, 6, 7, 14, 15};
+    const auto& s = turned.side;
+    const Vector a = __builtin_shuffle(s[0], s[1], kLow);
+    const Vector b = __builtin_shuffle(s[0], s[1], kHigh);
+    const Vector c = __builtin_shuffle(s[2], s[3], kLow);
+    const Vector d = __builtin_shuffle(s[2], s[3], kHigh);
+    pair_at(rows) -= __builtin_shuffle(a, c, kFirst);
+    pair_at(rows + 2 * kWidth) -= __builtin_shuffle(a, c, kSecond);
+    pair_at(rows + 4 * kWidth) -= __builtin_shuffle(b, d, kFirst);
+    pair_at(rows + 6 * kWidth) -= __builtin_shuffle(b, d, kSecond);
+  }
+
+  // Each side's sum over the 8 rows.
+  LAPWING_INLINE RowVector sum_of_rows(const Turned& turned) {
+    constexpr Bits kEven = {0, 8, 2, 10, 4, 12, 6, 14};
+    constexpr Bits kOdd = {1, 9, 3, 11, 5, 13, 7, 15};
+    constexpr Bits kFirst = {0, 1, 8, 9, 4, 5, 12, 13};
+    constexpr Bits kSecond = {2, 3, 10, 11, 6, 7, 14, 15};
+    const auto& s = turned.side;
+    const Vector a = __builtin_shuffle(s[0], s[1], kEven) + __builtin_shuffle(s[0], s[1], kOdd);
+    const Vector b = __builtin_shuffle(s[2], s[3], kEven) + __builtin_shuffle(s[2], s[3], kOdd);
+    const Vector c = __builtin_shuffle(a, b, kFirst) + __builtin_shuffle(a, b, kSecond);
+    return RowVector{c[0], c[1], c[2], c[3]} + RowVector{c[4], c[5], c[6], c[7]};
+  }
+
+  // rows of M neighbouring strips -= the strips times y over `count` columns.
+  template <int M>
+  LAPWING_INLINE void subtract(const double* strip, int count, const double* y, double* rows) {
+    Turned sum[M] = {};
+    const std::size_t next = static_cast<std::size_t>(kStrip) * count;
+    for (int k = 0; k < count; ++k) {
+      LAPWING_UNROLL for (int m = 0; m < M; ++m) {
+        const Vector column = vector_at(strip + next * m + kStrip * k);
+        LAPWING_UNROLL for (int r = 0; r < kWidth; ++r) {
+          sum[m].side[r] += column * y[kWidth * k + r];
+        }
+      }
+    }
+    LAPWING_UNROLL for (int m = 0; m < M; ++m) subtract_turned(sum[m], rows + kStripRows * m);
+  }
+
+  // Strips that follow each other, the first `stride` numbers long, each `growth` longer than the
+  // one before.
+  struct Strips {
+    const double* first;
+    std::size_t stride;
+    std::size_t growth;
+    int count;
+  };
+
+  // N rows of y -= N columns of the transposed strips times the turned rows at `x`.
+  template <int N>
+  LAPWING_INLINE void subtract_columns(const Strips& strips, const double* x, double* y) {
+    Turned sum[N] = {};
+    const double* strip = strips.first;
+    std::size_t stride = strips.stride;
+    for (int s = 0; s < strips.count; ++s) {
+      Turned rows;
+      LAPWING_UNROLL for (int r = 0; r < kWidth; ++r) {
+        rows.side[r] = vector_at(x + kStripRows * s + kStrip * r);
+      }
+      LAPWING_UNROLL for (int n = 0; n < N; ++n) {
+        const Vector column = vector_at(strip + kStrip * n);
+        LAPWING_UNROLL for (int r = 0; r < kWidth; ++r) sum[n].side[r] += column * rows.side[r];
+      }
+      strip += stride;
+      stride += strips.growth;
+    }
+    LAPWING_UNROLL for (int n = 0; n < N; ++n) row_vector_at(y + kWidth * n) -= sum_of_rows(sum[n]);
+  }
+
+  LAPWING_INLINE void subtract_columns(Strips strips, int columns, const double* x, double* y) {
+    if (strips.count == 0) return;
+    int k = 0;
+    for (; k + 4 <= columns; k += 4, strips.first += 4 * kStrip) {
+      subtract_columns<4>(strips, x, y + kWidth * k);
+    }
+    for (; k < columns; ++k, strips.first += kStrip) {
+      subtract_columns<1>(strips, x, y + kWidth * k);
+    }
+  }
+
+  LAPWING_INLINE void turn_and_store(const double* rows, double* turned) {
+    const Turned t = turn_rows(rows);
+    LAPWING_UNROLL for (int r = 0; r < kWidth; ++r) vector_at(turned + kStrip * r) = t.side[r];
+  }
+
+  static void forward_pivots(const FrontView& front, double* y) {
+    for (int s = 0; s < front.pivot_strips; ++s) {
+      const double* strip = strip_at(front, s);
+      double* rows = y + kStripRows * s;
+      if (s > 0) subtract<1>(strip, kStrip * s, y, rows);
+      const double* tile = strip + kStrip * kStrip * s;
+      const int width = smaller(kStrip, front.pivots - kStrip * s);
+      RowVector row[kStrip];
+      LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
+      LAPWING_UNROLL for (int j = 0; j < kStrip; ++j) {
+        if (j >= width) break;
+        row[j] *= tile[kStrip * j + j];
+        LAPWING_UNROLL for (int i = j + 1; i < kStrip; ++i) row[i] -= row[j] * tile[kStrip * j + i];
+      }
+      LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row_vector_at(rows + kWidth * i) = row[i];
+    }
+  }
+
+  static void forward_updates(const FrontView& front, const double* y, double* w, int first,
+                              int last) {
+    int s = first;
+    for (; s + 2 <= last; s += 2) {
+      subtract<2>(strip_at(front, front.pivot_strips + s), front.pivots, y, w + kStripRows * s);
+    }
+    if (s < last) {
+      subtract<1>(strip_at(front, front.pivot_strips + s), front.pivots, y, w + kStripRows * s);
+    }
+  }
+
+  static void backward_updates(const FrontView& front, const double* w, double* y, int first,
+                               int last) {
+    alignas(64) double x[kBlockStrips * kStripRows];
+    const std::size_t stride = static_cast<std::size_t>(kStrip) * front.pivots;
+    for (int begin = 0; begin < front.update_strips; begin += kBlockStrips) {
+      const int count = smaller(kBlockStrips, front.update_strips - begin);
+      for (int s = 0; s < count; ++s) {
+        turn_and_store(w + kStripRows * (begin + s), x + kStripRows * s);
+      }
+      subtract_columns({strip_at(front, front.pivot_strips + begin) + kStrip * first, stride, 0,
+                        count},
+                       last - first, x, y + kWidth * first);
+    }
+  }
+
+  static void backward_pivots(const FrontView& front, double* y, double* scratch) {
+    for (int s = front.pivot_strips - 1; s >= 0; --s) {
+      const double* tile = strip_at(front, s) + kStrip * kStrip * s;
+      double* rows = y + kStripRows * s;
+      const int width = smaller(kStrip, front.pivots - kStrip * s);
+      const int below = front.pivot_strips - 1 - s;
+      if (below > 0) {
+        const auto length = static_cast<std::size_t>(kStrip * kStrip);
+        subtract_columns({strip_at(front, s + 1) + kStrip * kStrip * s, length * (s + 2), length,
+                          below},
+                         width, scratch + kStripRows * (s + 1), rows);
+      }
+      RowVector row[kStrip];
+      LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
+      LAPWING_UNROLL for (int j = kStrip - 1; j >= 0; --j) {
+        if (j >= width) continue;
+        row[j] *= tile[kStrip * j + j];
+        LAPWING_UNROLL for (int i = 0; i < j; ++i) row[i] -= row[j] * tile[kStrip * i + j];
+      }
+      LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row_vector_at(rows + kWidth * i) = row[i];
+      if (s > 0) turn_and_store(rows, scratch + kStripRows * s);
+    }
+  }
+
+  static constexpr SolveKernels kernels() {
+    return {forward_pivots, forward_updates, backward_updates, backward_pivots};
+  }
+};

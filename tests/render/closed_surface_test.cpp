@@ -1,0 +1,62 @@
+#include "lapwing/render/closed_surface.h"
+
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+bool closed_outward(const Mesh& mesh) {
+  return is_closed_outward(mesh.positions, build_topology(mesh).triangles);
+}
+
+Mesh turned_inside_out(Mesh mesh) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    std::swap(mesh.face_vertices[mesh.face_starts[f]], mesh.face_vertices[mesh.face_starts[f] + 1]);
+  }
+  return mesh;
+}
+
+// Beside each other, far from the origin.
+Mesh both(const Mesh& a, const Mesh& b) {
+  Mesh mesh = a;
+  for (const Eigen::Vector3d& p : b.positions) {
+    mesh.positions.push_back(p + Eigen::Vector3d(1e6, 0.0, 0.0));
+  }
+  for (std::size_t f = 0; f < b.face_count(); ++f) {
+    std::vector<Index> face(b.face(f).begin(), b.face(f).end());
+    for (Index& v : face) v += static_cast<Index>(a.vertex_count());
+    mesh.add_face(face);
+  }
+  return mesh;
+}
+
+TEST(ClosedSurface, ClosedShapesAre) {
+  EXPECT_TRUE(closed_outward(icosphere(2)));
+  EXPECT_TRUE(closed_outward(torus(12, 8, 1.0, 0.3)));
+  EXPECT_TRUE(closed_outward(both(icosphere(1), icosphere(2))));
+}
+
+TEST(ClosedSurface, OpenShapesAreNot) {
+  EXPECT_FALSE(closed_outward(grid(4, 4)));
+  EXPECT_FALSE(closed_outward(cylinder(8, 5, 1.0, 2.0)));
+  EXPECT_FALSE(closed_outward(both(icosphere(2), grid(4, 4))));
+  EXPECT_FALSE(closed_outward(Mesh{}));
+}
+
+TEST(ClosedSurface, ShapesTurnedInsideOutAreNot) {
+  EXPECT_FALSE(closed_outward(turned_inside_out(icosphere(2))));
+  EXPECT_FALSE(closed_outward(both(icosphere(3), turned_inside_out(icosphere(1)))));
+}
+
+TEST(ClosedSurface, OneFlippedFaceIsSeen) {
+  Mesh sphere = icosphere(2);
+  std::swap(sphere.face_vertices[0], sphere.face_vertices[1]);
+  EXPECT_FALSE(closed_outward(sphere));
+}
+
+}  // namespace
+}  // namespace lapwing

@@ -1,0 +1,101 @@
+#include "tools/certificate_words.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing::viewer::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+
+class CertificateWords : public ::testing::Test {
+ protected:
+  std::vector<CertificateWarning> warnings() const {
+    return warnings_of(certificate_, topology_, kDiagonal);
+  }
+  CertificateWarning only_warning() const {
+    const auto all = warnings();
+    EXPECT_EQ(all.size(), 1U);
+    return all.empty() ? CertificateWarning{} : all.front();
+  }
+
+  static constexpr double kDiagonal = 2.0;
+  Topology topology_ = build_topology(grid(4, 4));
+  Certificate certificate_;
+};
+
+TEST_F(CertificateWords, AllIsWellWithoutAny) {
+  EXPECT_THAT(warnings(), IsEmpty());
+}
+
+TEST_F(CertificateWords, NotSettledSaysHowFarAndWhatToDo) {
+  certificate_.settled = false;
+  certificate_.settle_iterations = 100;
+  certificate_.settle_last_step = 0.02;
+  const auto warning = only_warning();
+  EXPECT_THAT(warning.text, HasSubstr("after 100 iterations"));
+  EXPECT_THAT(warning.text, HasSubstr("0.02 mean edges"));
+  EXPECT_THAT(warning.text, HasSubstr("stretch resistance"));
+  EXPECT_THAT(warning.vertices, IsEmpty());
+}
+
+TEST_F(CertificateWords, FoldedTrianglesNameTheirCorners) {
+  certificate_.flipped_triangles = 12;
+  certificate_.first_flipped_triangles = {0};
+  const Triangle& corners = topology_.triangles[0];
+  EXPECT_THAT(only_warning().text, HasSubstr("12 triangles are folded over"));
+  EXPECT_THAT(only_warning().vertices, ::testing::UnorderedElementsAreArray(corners));
+  certificate_.flipped_triangles = 1;
+  EXPECT_THAT(only_warning().text, HasSubstr("A triangle is folded over"));
+}
+
+TEST_F(CertificateWords, RingThatGrewOrShrankIsFramedWithItsNeighbours) {
+  certificate_.largest_scale = 2.5;
+  certificate_.largest_scale_vertex = 12;
+  EXPECT_THAT(only_warning().text, HasSubstr("grew to 2.5 times"));
+  EXPECT_THAT(only_warning().vertices, IsSupersetOf(topology_.rings[12]));
+  certificate_.largest_scale = 1.0;
+  certificate_.smallest_scale = 0.4;
+  certificate_.smallest_scale_vertex = 6;
+  EXPECT_THAT(only_warning().text, HasSubstr("shrank to 40%"));
+  EXPECT_THAT(only_warning().vertices, IsSupersetOf(topology_.rings[6]));
+}
+
+TEST_F(CertificateWords, LostDetailsAreSaidAboveAQuarter) {
+  certificate_.detail_error = 0.24;
+  EXPECT_THAT(warnings(), IsEmpty());
+  certificate_.detail_error = 0.31;
+  EXPECT_THAT(only_warning().text, HasSubstr("31% of the details"));
+}
+
+TEST_F(CertificateWords, EdgeLongerThanTwiceNamesItsEnds) {
+  certificate_.largest_edge_stretch = 1.5;
+  certificate_.largest_edge_stretch_vertices = {3, 4};
+  EXPECT_THAT(only_warning().text, HasSubstr("2.5 times as long"));
+  EXPECT_THAT(only_warning().vertices, ElementsAre(3, 4));
+}
+
+TEST_F(CertificateWords, HandleIsJudgedByTheSizeOfTheMesh) {
+  certificate_.handle_error = 0.015;
+  EXPECT_THAT(warnings(), IsEmpty());
+  certificate_.handle_error = 0.05;
+  EXPECT_THAT(only_warning().text, HasSubstr("2.5% of the mesh's size"));
+  EXPECT_THAT(warnings_of(certificate_, topology_, 0.0), IsEmpty());
+}
+
+TEST_F(CertificateWords, WhatNeverSettledComesFirst) {
+  certificate_.settled = false;
+  certificate_.detail_error = 0.5;
+  certificate_.flipped_triangles = 2;
+  certificate_.first_flipped_triangles = {0, 1};
+  ASSERT_EQ(warnings().size(), 3U);
+  EXPECT_THAT(warnings()[0].text, HasSubstr("Not settled"));
+}
+
+}  // namespace
+}  // namespace lapwing::viewer::test

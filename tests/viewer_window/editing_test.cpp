@@ -1,0 +1,355 @@
+// A person edits meshes in a real window, by real events.
+#include <algorithm>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/session/run_recipe.h"
+#include "state/journal.h"
+#include "support/gpu.h"
+#include "support/models.h"
+#include "viewer_window/person.h"
+
+namespace lapwing {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using test::Desktop;
+using test::Person;
+using ::testing::IsEmpty;
+using viewer::Draft;
+using viewer::GizmoMode;
+using viewer::GizmoPart;
+
+double largest_distance(const Positions& a, const Positions& b) {
+  double largest = 0.0;
+  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - b[v]).norm());
+  return largest;
+}
+
+template <typename Form>
+bool is(const RegionSpec& region) {
+  return std::holds_alternative<Form>(region.form);
+}
+
+// The vertices that a region of the draft holds on `mesh`.
+VertexSet resolved(const RegionSpec& region, const Mesh& mesh) {
+  return resolve(region, mesh, build_topology(mesh));
+}
+
+class Editing : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    LAPWING_NEEDS_DESKTOP();
+    desktop_ = std::make_unique<Desktop>(folder_.path());
+    person_ = std::make_unique<Person>(*desktop_, folder_.path());
+  }
+
+  // A tube along z, seen from the right: z goes to the left.
+  void open_tube() {
+    write_mesh(rippled_cylinder(24, 41), tube());
+    mesh_ = read_mesh(tube());
+    person_->open(tube());
+    ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
+    desktop_->settled_picture();
+    person_->look_from(View::right, mesh_.positions);
+  }
+
+  // ROI and handle by brushes of the box tool: from z = 1 on, and from z = 5.4 on.
+  void choose_parts() {
+    person_->keys("b");
+    person_->keys("i");
+    box_from(1.0);
+    ASSERT_TRUE(
+        person_->eventually_is([](const Draft& d) { return is<ListedVertices>(d.open.roi); }));
+    person_->keys("h");
+    box_from(5.4);
+    ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+    person_->keys("m");
+  }
+
+  void box_from(double z) {
+    const Vector2d corner = person_->pixel_of({0.5, -0.7, z});
+    const Vector2d opposite = person_->pixel_of({0.5, 0.7, 6.2});
+    person_->drag({corner, 0.5 * (corner + opposite), opposite});
+  }
+
+  // Until the result of what the person did last is there.
+  bool settles() {
+    return person_->eventually_is([](const Draft& d) { return d.settled; });
+  }
+
+  viewer::Gizmo gizmo(GizmoMode mode) const {
+    const Draft draft = person_->draft().value();
+    const VertexSet vertices = resolved(draft.open.handles.at(0).region, mesh_);
+    Vector3d centroid = Vector3d::Zero();
+    for (const Index v : vertices) centroid += mesh_.positions[v];
+    centroid /= static_cast<double>(vertices.size());
+    return {mode, to_affine(draft.open.handles[0].move, centroid) * centroid};
+  }
+
+  // Takes a part of the gizmo and drags it by so many pixels.
+  void drag_part(GizmoMode mode, GizmoPart part, const Vector2d& by) {
+    const Vector2d from = test::middle_of(gizmo(mode), part, person_->projection());
+    person_->drag({from, from + 0.3 * by, from + 0.7 * by, from + by});
+  }
+
+  SimilarityMove move() const {
+    return std::get<SimilarityMove>(person_->draft().value().open.handles.at(0).move);
+  }
+
+  void expect_quits_silently() {
+    EXPECT_EQ(person_->quit(), 0);
+    EXPECT_THAT(person_->errors(), IsEmpty());
+  }
+
+  fs::path tube() const { return folder_ / "tube.obj"; }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<Desktop> desktop_;
+  std::unique_ptr<Person> person_;
+  Mesh mesh_;
+};
+
+TEST_F(Editing, EachSelectionToolChoosesWhatItShows) {
+  open_tube();
+  const auto roi = [&] { return resolved(person_->draft().value().open.roi, mesh_); };
+  const Vector2d middle = person_->pixel_of({0.5, 0.0, 3.0});
+  const Vector2d rim = person_->pixel_of({0.5, 0.0, 4.0});
+
+  person_->keys("d");
+  person_->keys("i");
+  person_->drag({middle, 0.5 * (middle + rim), rim});
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
+  const double dragged = std::get<GeodesicDisk>(person_->draft()->open.roi.form).radius;
+  EXPECT_NEAR(dragged, 1.0, 0.15) << "the radius goes to the cursor";
+
+  person_->keys("i");
+  person_->click(middle);
+  person_->scroll(middle, 2);
+  EXPECT_TRUE(person_->eventually_is([&](const Draft& d) {
+    const auto* disk = std::get_if<GeodesicDisk>(&d.open.roi.form);
+    return disk != nullptr && disk->radius > 1.15 * dragged;
+  })) << "the wheel enlarges the disk that was clicked";
+
+  person_->keys("i");
+  person_->keys("o");
+  for (const Vector3d& corner : {Vector3d(0.5, -0.2, 2.5), Vector3d(0.5, 0.2, 2.5),
+                                 Vector3d(0.5, 0.2, 3.5), Vector3d(0.5, -0.2, 3.5)}) {
+    person_->click(person_->pixel_of(corner));
+  }
+  person_->keys("Return");
+  person_->click(middle);
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<LoopRegion>(d.open.roi); }));
+  EXPECT_LT(roi().size(), 200U) << "the side that was clicked";
+
+  person_->keys("b");
+  person_->keys("i");
+  person_->drag({person_->pixel_of({0.5, -0.6, 1.0}), person_->pixel_of({0.5, 0.6, 5.0})});
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return !is<LoopRegion>(d.open.roi); }));
+  const std::size_t in_box = roi().size();
+  EXPECT_GT(in_box, 250U);
+  for (const Index v : roi()) {
+    EXPECT_GT(mesh_.positions[v].x(), -0.2) << "only what is seen is chosen";
+  }
+
+  person_->keys("p");
+  person_->drag({middle, rim}, "ctrl");
+  ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
+    return resolved(d.open.roi, mesh_).size() < in_box;
+  })) << "Ctrl erases under the brush";
+  const std::size_t erased = roi().size();
+
+  person_->keys("l");
+  const Vector2d across(0.0, 40.0);
+  person_->drag({middle - across, rim - across, rim + across, middle + across});
+  ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
+    return resolved(d.open.roi, mesh_).size() > erased;
+  })) << "the lasso adds what it goes around";
+
+  const std::size_t before = roi().size();
+  person_->keys("ctrl+equal");
+  ASSERT_TRUE(person_->eventually_is(
+      [&](const Draft& d) { return resolved(d.open.roi, mesh_).size() > before; }));
+  person_->keys("ctrl+minus");
+  person_->keys("ctrl+i");
+  EXPECT_TRUE(person_->eventually_is([&](const Draft& d) {
+    return resolved(d.open.roi, mesh_).size() > mesh_.vertex_count() - before - 100;
+  })) << "inverted";
+  expect_quits_silently();
+}
+
+TEST_F(Editing, EachGizmoModeMovesTheHandle) {
+  open_tube();
+  choose_parts();
+
+  drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -60.0});
+  ASSERT_TRUE(settles());
+  EXPECT_GT(move().translate.y(), 0.1);
+  EXPECT_EQ(move().translate.x(), 0.0);
+
+  drag_part(GizmoMode::translate, GizmoPart::without_x, {40.0, 30.0});
+  ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
+    return d.settled && std::get<SimilarityMove>(d.open.handles[0].move).translate.z() < -0.05;
+  })) << "the plane across x";
+
+  person_->keys("e");
+  drag_part(GizmoMode::rotate, GizmoPart::y, {60.0, 0.0});
+  ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
+    return d.settled && std::get<SimilarityMove>(d.open.handles[0].move).rotate.degrees > 5.0;
+  })) << "the ring about y";
+  EXPECT_NEAR(std::abs(move().rotate.axis.normalized().y()), 1.0, 1e-6);
+
+  // Keys and typed numbers, from rest.
+  person_->keys("ctrl+z");
+  person_->keys("ctrl+z");
+  person_->keys("ctrl+z");
+  person_->keys("ctrl+z");
+  person_->keys("ctrl+z");
+  person_->keys("ctrl+z");
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) {
+    return d.open.handles[0].move == Move(SimilarityMove{});
+  })) << "each move and each result is one step";
+  const auto after = [&](const std::string& mode, const std::string& axis,
+                         const std::string& number, auto wanted) {
+    person_->keys(mode);
+    if (!axis.empty()) person_->keys(axis);
+    person_->type(number);
+    person_->keys("Return");
+    return person_->eventually_is([&](const Draft& d) {
+      const auto* now = std::get_if<SimilarityMove>(&d.open.handles[0].move);
+      return now != nullptr && wanted(*now);
+    });
+  };
+  EXPECT_TRUE(after("g", "y", "0.5", [](const SimilarityMove& m) {
+    return m.translate.isApprox(Vector3d(0.0, 0.5, 0.0), 1e-9);
+  }));
+  EXPECT_TRUE(after("r", "z", "30", [](const SimilarityMove& m) {
+    return std::abs(m.rotate.degrees - 30.0) < 1e-9;
+  }));
+  EXPECT_TRUE(after("s", "", "1.5",
+                    [](const SimilarityMove& m) { return std::abs(m.scale - 1.5) < 1e-9; }));
+  EXPECT_TRUE(settles());
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
+}
+
+TEST_F(Editing, ClosingAsksWhetherToSave) {
+  open_tube();
+  choose_parts();
+  person_->keys("g");
+  person_->type("0.5");
+  person_->keys("Return");
+  ASSERT_TRUE(settles());
+  person_->open_dialog("ctrl+q");
+  person_->keys("Escape");
+  desktop_->settled_picture();
+  ASSERT_TRUE(person_->draft()) << "still editing";
+  person_->open_dialog("ctrl+q");
+  person_->keys("Return");
+  EXPECT_EQ(person_->wait(), 0);
+  EXPECT_GT(largest_distance(read_mesh(tube()).positions, mesh_.positions), 0.1) << "saved";
+  EXPECT_FALSE(person_->draft()) << "nothing is left to restore";
+}
+
+TEST_F(Editing, EveryStepSurvivesBeingKilledAtAnyMoment) {
+  open_tube();
+  choose_parts();
+  std::mt19937 random(20040708);
+  for (int crash = 0; crash < 20; ++crash) {
+    const std::string number = "0." + std::to_string(1 + crash % 7);
+    person_->keys(crash % 2 == 0 ? "g" : "r");
+    person_->type(number);
+    person_->keys("Return");
+    test::sleep_seconds(std::uniform_real_distribution(0.0, 0.4)(random));
+    const Draft seen = person_->draft().value();
+    person_->kill();
+    const auto edits = viewer::find_interrupted(person_->journals());
+    ASSERT_EQ(edits.size(), 1U) << "crash " << crash;
+    const Draft left = edits[0].draft;
+    EXPECT_TRUE(left == seen || left.settled || left.open != seen.open)
+        << "what was recorded is there, or what came after it";
+
+    person_->start();
+    ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
+    desktop_->settled_picture();
+    person_->keys("Return");
+    ASSERT_TRUE(test::eventually(60.0, [&] { return !fs::exists(edits[0].journal); }))
+        << "crash " << crash << ": nobody took the edit over";
+    ASSERT_TRUE(person_->eventually_is([&](const Draft& d) { return d.open == left.open; }))
+        << "crash " << crash;
+  }
+  ASSERT_TRUE(settles()) << "what was moved and not settled is settled now";
+  const SimilarityMove moved = move();
+  EXPECT_GT(moved.translate.norm() + moved.rotate.degrees, 0.0) << "steps were made in between";
+}
+
+TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
+  LAPWING_NEEDS_MODELS(files, "cgal");
+  const fs::path armadillo = folder_ / "armadillo.off";
+  fs::copy_file(test::models_folder() / "cgal" / "meshes" / "armadillo.off", armadillo);
+  mesh_ = read_mesh(armadillo);
+  person_->open(armadillo);
+  ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
+  desktop_->settled_picture();
+  person_->look_from(View::front, mesh_.positions);
+  const Image opened = desktop_->settled_picture();
+
+  // The left hand is what lies farthest to one side.
+  const Vector3d hand =
+      *std::max_element(mesh_.positions.begin(), mesh_.positions.end(),
+                        [](const Vector3d& a, const Vector3d& b) { return a.x() < b.x(); });
+  const double size = bounds_of(mesh_.positions).diagonal();
+  const Vector2d wrist = person_->pixel_of(hand + Vector3d(-0.02 * size, 0.0, 0.0));
+  const Vector2d arm = person_->pixel_of(hand + Vector3d(-0.16 * size, 0.0, 0.0));
+  const Vector2d palm = person_->pixel_of(hand + Vector3d(-0.07 * size, 0.0, 0.0));
+  person_->drag({wrist, 0.5 * (wrist + arm), arm});
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
+  person_->drag({wrist, 0.5 * (wrist + palm), palm});
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+
+  drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -40.0});
+  ASSERT_TRUE(settles());
+  const Draft bent = person_->draft().value();
+  const Image edited = desktop_->settled_picture();
+  EXPECT_GT(test::mean_difference(edited, opened), 0.5);
+
+  person_->keys("ctrl+z");
+  person_->keys("ctrl+z");
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return !d.settled; }));
+  const Image undone = desktop_->settled_picture();
+  EXPECT_GT(test::mean_difference(edited, undone), 0.3);
+  person_->keys("ctrl+shift+z");
+  person_->keys("ctrl+shift+z");
+  ASSERT_TRUE(person_->eventually_is([&](const Draft& d) { return d == bent; }));
+  EXPECT_LT(test::mean_difference(desktop_->settled_picture(), edited), 0.3);
+
+  const auto save_as = [&](const std::string& keys, const fs::path& path) {
+    person_->open_dialog(keys);
+    person_->type(path.string());
+    person_->keys("Return");
+    const bool saved = test::eventually(60.0, [&] { return fs::exists(path); });
+    desktop_->settled_picture();
+    return saved;
+  };
+  ASSERT_TRUE(save_as("ctrl+e", folder_ / "arm.json"));
+  ASSERT_TRUE(save_as("ctrl+shift+s", folder_ / "arm.ply"));
+  expect_quits_silently();
+
+  CpuKernels kernels;
+  const auto replayed = run_recipe(read_recipe(folder_ / "arm.json"), kernels);
+  EXPECT_TRUE(replayed->report.steps.at(0).certificate.settled);
+  const Positions saved = read_mesh(folder_ / "arm.ply").positions;
+  EXPECT_LT(largest_distance(saved, replayed->mesh.positions), 1e-5 * size);
+  EXPECT_GT(largest_distance(saved, mesh_.positions), 0.02 * size);
+}
+
+}  // namespace
+}  // namespace lapwing

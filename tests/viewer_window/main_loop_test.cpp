@@ -1,0 +1,241 @@
+#include "window/main_loop.h"
+
+#include <cstdlib>
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/gpu/context.h"
+#include "lapwing/gpu/device_lost.h"
+#include "lapwing/io/mesh_file.h"
+#include "support/failing_new.h"
+#include "support/gpu.h"
+#include "ui/viewer_app.h"
+#include "viewer_window/desktop.h"
+#include "viewer_window/faulty_driver.h"
+#include "viewer_window/test_frames.h"
+
+namespace lapwing::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using lapwing::test::Desktop;
+using lapwing::test::mean_difference;
+using test::DraggedSphere;
+using test::Fault;
+using Call = Fault::Call;
+using test::FaultyGraphics;
+
+constexpr int kFaultyFrame = 4;
+constexpr int kLastFrame = 12;
+
+// A display, with windows of this very program on it.
+class MainLoopTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    LAPWING_NEEDS_DESKTOP();
+    std::string pattern = (fs::temp_directory_path() / "lapwing-loop-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    desktop_ = std::make_unique<Desktop>(folder_);
+    const std::string display = desktop_->display();
+    setenv("DISPLAY", display.c_str() + display.find('=') + 1, 1);
+    unsetenv("WAYLAND_DISPLAY");
+    window_ = std::make_unique<Window>("Lapwing", 640, 400);
+  }
+
+  void TearDown() override {
+    window_.reset();
+    desktop_.reset();
+    if (!folder_.empty()) fs::remove_all(folder_);
+  }
+
+  fs::path folder_;
+  std::unique_ptr<Desktop> desktop_;
+  std::unique_ptr<Window> window_;
+};
+
+// Drags a sphere a little in every frame and quits after some.
+class SphereApp final : public App {
+ public:
+  explicit SphereApp(std::shared_ptr<gpu::Context> context) : context_(std::move(context)) {
+    sphere_ = std::make_unique<DraggedSphere>(context_);
+  }
+
+  bool handle(const InputEvent&) override { return false; }
+  void open(const fs::path&) override {}
+  void resize(const Eigen::Vector2d&) override {}
+  void draw_ui(const FrameTimings&) override {
+    ++frames;
+    // The first frames compile shaders and find out how much memory they take.
+    if (count_allocations && frames == kFaultyFrame) counting_.emplace(-1);
+    if (count_allocations && frames == kLastFrame) {
+      allocations = lapwing::test::FailingNew::calls();
+      counting_.reset();
+    }
+    sphere_->drag(0.01 * frames);
+    Window::wake();
+  }
+  Scene scene() override { return sphere_->scene(); }
+  std::string_view title() const override { return "a title longer than a short string"; }
+  void ask_to_close() override {}
+  bool wants_to_quit() const override { return frames >= kLastFrame; }
+  void use_device(std::shared_ptr<gpu::Context> context) override {
+    EXPECT_NE(context, context_);
+    sphere_.reset();
+    context_ = std::move(context);
+    sphere_ = std::make_unique<DraggedSphere>(context_);
+    ++devices_taken;
+  }
+
+  int frames = 0;
+  int devices_taken = 0;
+  bool count_allocations = false;
+  long allocations = -1;  ///< of the frames from kFaultyFrame to the last
+
+ private:
+  std::shared_ptr<gpu::Context> context_;
+  std::unique_ptr<DraggedSphere> sphere_;
+  std::optional<lapwing::test::FailingNew> counting_;
+};
+
+// What was opened until the app quit.
+struct Outcome {
+  int devices = 0;
+  int screens = 0;
+  int devices_taken = 0;
+
+  bool operator==(const Outcome&) const = default;
+};
+constexpr Outcome kNothingOpenedAgain{1, 1, 0};
+constexpr Outcome kScreenOpenedAgain{1, 2, 0};
+constexpr Outcome kDeviceOpenedAgain{2, 2, 1};
+
+Outcome run_with(Window& window, const Fault& fault) {
+  FaultyGraphics graphics(window, fault);
+  const auto context = graphics.open_device();
+  SphereApp app(context);
+  run_main_loop(window, graphics, context, app);
+  EXPECT_EQ(app.frames, kLastFrame);
+  return {graphics.devices, graphics.screens, app.devices_taken};
+}
+
+TEST_F(MainLoopTest, WithoutFaultsOpensEverythingOnce) {
+  EXPECT_EQ(run_with(*window_, {}), kNothingOpenedAgain);
+}
+
+TEST_F(MainLoopTest, DragFramesAllocateNothing) {
+  const test::WithoutValidation without_validation;
+  WindowGraphics graphics(*window_, "auto");
+  const auto context = graphics.open_device();
+  SphereApp app(context);
+  app.count_allocations = true;
+  run_main_loop(*window_, graphics, context, app);
+  EXPECT_EQ(app.allocations, 0);
+}
+
+TEST_F(MainLoopTest, GoesOnWhereImagesNoLongerFitOrComeLate) {
+  for (const VkResult result : {VK_ERROR_OUT_OF_DATE_KHR, VK_SUBOPTIMAL_KHR, VK_TIMEOUT}) {
+    EXPECT_EQ(run_with(*window_, {Call::acquire, result, kFaultyFrame}), kNothingOpenedAgain);
+  }
+  for (const VkResult result : {VK_ERROR_OUT_OF_DATE_KHR, VK_SUBOPTIMAL_KHR}) {
+    EXPECT_EQ(run_with(*window_, {Call::present, result, kFaultyFrame}), kNothingOpenedAgain);
+  }
+}
+
+TEST_F(MainLoopTest, OpensALostSurfaceAgain) {
+  for (const Call call : {Call::acquire, Call::present}) {
+    EXPECT_EQ(run_with(*window_, {call, VK_ERROR_SURFACE_LOST_KHR, kFaultyFrame}),
+              kScreenOpenedAgain);
+  }
+}
+
+TEST_F(MainLoopTest, OpensALostDeviceAgainAndTellsTheApp) {
+  for (const Call call : {Call::acquire, Call::present}) {
+    EXPECT_EQ(run_with(*window_, {call, VK_ERROR_DEVICE_LOST, kFaultyFrame}), kDeviceOpenedAgain);
+  }
+  // A frame submits twice: what was dragged, and the picture.
+  for (const int number : {10, 11}) {
+    EXPECT_EQ(run_with(*window_, {Call::submit, VK_ERROR_DEVICE_LOST, number}), kDeviceOpenedAgain);
+  }
+}
+
+TEST_F(MainLoopTest, EndsWhereEveryFrameLosesTheSurface) {
+  EXPECT_THROW(run_with(*window_, {Call::acquire, VK_ERROR_SURFACE_LOST_KHR, 0, true}),
+               SurfaceLost);
+}
+
+TEST_F(MainLoopTest, EndsWhereEveryFrameLosesTheDevice) {
+  EXPECT_THROW(run_with(*window_, {Call::present, VK_ERROR_DEVICE_LOST, 0, true}), gpu::DeviceLost);
+}
+
+// The viewer's own app, which is watched and loses its device once a mesh is on the screen.
+class WatchedViewer final : public App {
+ public:
+  WatchedViewer(std::shared_ptr<gpu::Context> context, const Desktop& desktop)
+      : viewer_(std::move(context), desktop.folder() / "journals"), desktop_(desktop) {}
+
+  bool handle(const InputEvent& event) override { return viewer_.handle(event); }
+  void open(const fs::path& file) override { viewer_.open(file); }
+  void resize(const Eigen::Vector2d& size) override { viewer_.resize(size); }
+  Scene scene() override { return viewer_.scene(); }
+  std::string_view title() const override { return viewer_.title(); }
+  void ask_to_close() override {}
+  bool wants_to_quit() const override { return pictures_.size() == 2; }
+
+  void draw_ui(const FrameTimings& last) override {
+    Window::wake();
+    shown_ = viewer_.scene().surface != nullptr ? shown_ + 1 : 0;
+    // A view of its own, which must be kept.
+    if (shown_ == 2 && devices_ == 1) viewer_.handle({.kind = InputKind::key, .key = kLeft});
+    if (shown_ == kFaultyFrame) {
+      pictures_.push_back(surface_part(desktop_.settled_picture()));
+      if (pictures_.size() == 1) throw gpu::DeviceLost("blend");
+    }
+    viewer_.draw_ui(last);
+  }
+
+  void use_device(std::shared_ptr<gpu::Context> context) override {
+    ++devices_;
+    shown_ = 0;
+    viewer_.use_device(std::move(context));
+  }
+
+  const std::vector<Image>& pictures() const { return pictures_; }
+
+ private:
+  // Without the panels and the status line.
+  static Image surface_part(const Image& screen) {
+    Image part{300, 340, {}};
+    for (std::uint32_t y = 30; y < 30 + part.height; ++y) {
+      for (std::uint32_t x = 330; x < 330 + part.width; ++x) {
+        const auto pixel = screen.pixel(x, y);
+        part.rgba.insert(part.rgba.end(), pixel.begin(), pixel.end());
+      }
+    }
+    return part;
+  }
+
+  ViewerApp viewer_;
+  const Desktop& desktop_;
+  std::vector<Image> pictures_;
+  int shown_ = 0;
+  int devices_ = 1;
+};
+
+TEST_F(MainLoopTest, TheViewerShowsTheSameOnTheNextDevice) {
+  write_mesh(icosphere(2), folder_ / "sphere.obj");
+  FaultyGraphics graphics(*window_, {});
+  auto context = graphics.open_device();
+  WatchedViewer app(context, *desktop_);
+  app.open(folder_ / "sphere.obj");
+  run_main_loop(*window_, graphics, std::move(context), app);
+  ASSERT_EQ(app.pictures().size(), 2U);
+  EXPECT_EQ(graphics.devices, 2);
+  EXPECT_LT(mean_difference(app.pictures()[0], app.pictures()[1]), 0.01);
+  const auto middle = app.pictures()[1].pixel(150, 170);
+  EXPECT_GE(middle[0], middle[2]) << "the sphere, not the background";
+}
+
+}  // namespace
+}  // namespace lapwing::viewer

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lapwing/mesh/mesh.h"
+#include "lapwing/render/camera.h"
+#include "state/draft.h"
+#include "tools/gizmo.h"
+#include "viewer_window/desktop.h"
+
+namespace lapwing::test {
+
+/// Edits a mesh in the window with the mouse and the keys alone. What came of it is read from the
+/// journal, which has every step on the disk as soon as it is done.
+class Person {
+ public:
+  using Vector2d = Eigen::Vector2d;
+  using Vector3d = Eigen::Vector3d;
+
+  /// `folder` holds the mesh, the journals and what the viewer says.
+  Person(const Desktop& desktop, std::filesystem::path folder);
+
+  /// Starts the viewer; waits until the mesh is on the screen.
+  void open(const std::filesystem::path& mesh);
+  /// Starts it without a mesh.
+  void start();
+  void kill();
+  int quit();
+  /// Quits an edit that is not saved.
+  int discard_and_quit();
+  /// Presses keys that open a dialog; waits until it is there.
+  void open_dialog(const std::string& names) const;
+  /// The exit code of a viewer that is about to quit.
+  int wait();
+  bool waits_for_window();
+  std::string errors() const;
+
+  /// Hides the panels and looks from a side at all of `positions`: then the person knows where
+  /// everything shows.
+  void look_from(View view, const Positions& positions);
+  viewer::Projection projection() const;
+  Vector2d pixel_of(const Vector3d& point) const;
+
+  void keys(const std::string& names) const;
+  void type(const std::string& text) const;
+  void click(const Vector2d& pixel) const;
+  void scroll(const Vector2d& pixel, int notches) const;
+  /// Presses the left button at the first pixel and lets go at the last; `held` is a key.
+  void drag(const std::vector<Vector2d>& pixels, const std::string& held = "") const;
+
+  /// The edit as the journal of the running viewer has it; nothing before the first step.
+  std::optional<viewer::Draft> draft() const;
+  /// Waits until it is as said.
+  bool eventually_is(const std::function<bool(const viewer::Draft&)>& wanted) const;
+  std::filesystem::path journals() const { return folder_ / "cache" / "lapwing"; }
+
+ private:
+  const Desktop& desktop_;
+  std::filesystem::path folder_;
+  std::unique_ptr<Process> viewer_;
+  Camera camera_;
+};
+
+/// The middle of a part of a gizmo as it shows.
+Eigen::Vector2d middle_of(const viewer::Gizmo& gizmo, viewer::GizmoPart part,
+                          const viewer::Projection& projection);
+
+}  // namespace lapwing::test

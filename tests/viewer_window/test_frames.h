@@ -1,0 +1,118 @@
+#pragma once
+
+#include <array>
+#include <cstdlib>
+#include <imgui.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+#include "window/app.h"
+#include "window/theme.h"
+
+namespace lapwing::viewer::test {
+
+/// A sphere on a device that its twelve parameters move: an affine motion of its upper half.
+class DraggedSphere {
+ public:
+  explicit DraggedSphere(const std::shared_ptr<gpu::Context>& context)
+      : mesh_(icosphere(3)),
+        topology_(build_topology(mesh_)),
+        kernels_(context, Precision::automatic),
+        made_(make()),
+        paint_(surface()) {
+    scene_.surface = &surface();
+    scene_.paint = &paint_;
+    scene_.camera = fit(mesh_.positions, view_axes(View::front), 1.6);
+  }
+
+  VulkanSurface& surface() { return dynamic_cast<VulkanSurface&>(*made_); }
+
+  /// Moves it along x by `distance`, and a little in every other way.
+  void drag(double distance) {
+    std::array<double, 12> parameters;
+    parameters.fill(0.01 * distance);
+    parameters[9] = distance;
+    made_->blend(parameters);
+  }
+
+  const Scene& scene() const { return scene_; }
+
+ private:
+  // Column 3 r + a: coordinate r of a vertex, and 1 for r = 3, along axis a.
+  std::unique_ptr<DeformedSurface> make() {
+    std::vector<Index> moving;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      if (mesh_.positions[v].y() >= 0.0) moving.push_back(v);
+    }
+    std::vector<double> basis;
+    for (std::size_t column = 0; column < 12; ++column) {
+      for (const Index v : moving) {
+        const double value =
+            column < 9 ? mesh_.positions[v][static_cast<Eigen::Index>(column / 3)] : 1.0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          basis.push_back(axis == column % 3 ? value : 0.0);
+        }
+      }
+    }
+    return kernels_.make_surface({mesh_.positions, topology_, moving, basis, 12});
+  }
+
+  Mesh mesh_;
+  Topology topology_;
+  VulkanKernels kernels_;
+  std::unique_ptr<DeformedSurface> made_;
+  SurfacePaint paint_;
+  Scene scene_;
+};
+
+/// While alive, contexts are made without validation: its layers allocate in every call.
+class WithoutValidation {
+ public:
+  WithoutValidation() {
+    const char* const value = std::getenv(kName);
+    if (value != nullptr) before_ = value;
+    unsetenv(kName);
+  }
+  ~WithoutValidation() {
+    if (before_) setenv(kName, before_->c_str(), 1);
+  }
+  WithoutValidation(const WithoutValidation&) = delete;
+  WithoutValidation& operator=(const WithoutValidation&) = delete;
+
+ private:
+  static constexpr const char* kName = "LAPWING_VALIDATION";
+  std::optional<std::string> before_;
+};
+
+/// Panels of a frame laid out without a window.
+class WindowlessPanels {
+ public:
+  explicit WindowlessPanels(VkExtent2D size) {
+    ImGui::CreateContext();
+    set_theme(1.0);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
+    io.DeltaTime = 1.0F / 60.0F;
+  }
+  ~WindowlessPanels() { ImGui::DestroyContext(); }
+  WindowlessPanels(const WindowlessPanels&) = delete;
+  WindowlessPanels& operator=(const WindowlessPanels&) = delete;
+
+  /// One panel at the left edge.
+  const ImDrawData& lay_out() {
+    ImGui::NewFrame();
+    ImGui::SetNextWindowPos({0.0F, 0.0F});
+    ImGui::SetNextWindowSize({80.0F, 100.0F});
+    if (ImGui::Begin("Panel")) ImGui::TextUnformatted("a text");
+    ImGui::End();
+    ImGui::Render();
+    return *ImGui::GetDrawData();
+  }
+};
+
+}  // namespace lapwing::viewer::test

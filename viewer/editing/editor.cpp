@@ -1,0 +1,301 @@
+#include "editing/editor.h"
+
+#include <algorithm>
+
+#include "lapwing/base/errors.h"
+#include "tools/selection_edits.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Role = Part::Role;
+
+// So that between handle and belt something is left to follow.
+constexpr int kRingsAroundHandle = 6;
+
+bool is_paint(EditTool tool) {
+  return tool == EditTool::brush || tool == EditTool::lasso || tool == EditTool::box;
+}
+
+PaintTool::Shape shape_of(EditTool tool) {
+  return tool == EditTool::lasso ? PaintTool::Shape::lasso
+         : tool == EditTool::box ? PaintTool::Shape::box
+                                 : PaintTool::Shape::brush;
+}
+
+bool is_of_pointer(const InputEvent& event) {
+  return event.kind != InputKind::key && event.kind != InputKind::text;
+}
+
+bool contains(const VertexSet& vertices, Index vertex) {
+  return std::binary_search(vertices.begin(), vertices.end(), vertex);
+}
+
+// On the same context: kernels are one thread's.
+Preparation::MakeKernels kernels_like(const VulkanKernels& kernels) {
+  return [context = kernels.context()] {
+    return std::make_unique<VulkanKernels>(context, Precision::automatic);
+  };
+}
+
+}  // namespace
+
+Editor::Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<void()> wake)
+    : say_(std::move(say)),
+      opened_(std::move(start.opened)),
+      opened_bounds_(bounds_of(opened_->positions)) {
+  session_ =
+      start.restored
+          ? std::make_unique<EditSession>(*start.restored, std::move(start.history), start.journals,
+                                          kernels_like(kernels), std::move(wake))
+          : std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
+                                          start.journals, kernels_like(kernels), std::move(wake));
+  if (!session_->warning().empty()) {
+    say_(session_->warning());
+  } else if (start.restored) {
+    discard(*start.restored);
+  }
+  if (handle_count() > 0) {
+    part_ = {Role::handle, 0};
+    tool_ = EditTool::move;
+  }
+  show_on(kernels);
+}
+
+void Editor::show_on(VulkanKernels& kernels) {
+  device_.emplace(*opened_, *state().topology, kernels);
+  measured_.reset();
+  state_changed();
+}
+
+void Editor::release_device() {
+  gizmo_ = {};
+  session_->cancel_preparation();
+  device_.reset();
+}
+
+void Editor::use_device(VulkanKernels& kernels) {
+  session_->use_kernels(kernels_like(kernels));
+  show_on(kernels);
+}
+
+bool Editor::is_dragging() const {
+  return gizmo_.is_dragging() || disk_.is_dragging() || paint_.is_dragging();
+}
+
+GizmoScene Editor::gizmo_scene(const Projection& projection) const {
+  return {state(), handle_, projection, gizmo_keys_};
+}
+
+SelectScene Editor::select_scene(const ViewFrame& view, const Projection& projection) {
+  const auto pick = [this, &view](const Eigen::Vector2d& pixel) {
+    return device_->picker.pick(device_->surface, view, pixel);
+  };
+  const auto is_visible = [this, &view, &projection](Index vertex) {
+    return SeenVertices(device_->picker.picture(device_->surface, view), *state().topology,
+                        positions_, projection)(vertex);
+  };
+  return {state(), positions_, projection, pick, is_visible, part_};
+}
+
+Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
+  // Alt and the left button turn the view with every tool.
+  if (event.kind == InputKind::press && event.modifiers.alt && !is_dragging()) return {};
+  const Projection projection = view.projection();
+  if (handle_ < handle_count() && (has_gizmo() || gizmo_.is_dragging() || !is_of_pointer(event))) {
+    const GizmoPart before = gizmo_.part();
+    const ToolAnswer answer = send_to_gizmo(event, projection);
+    if (answer.taken) return carry_out(answer);
+    if (has_gizmo()) return {false, gizmo_.part() != before};
+  }
+  if (tool_ == EditTool::move) return {};
+  const ToolAnswer answer = send_to_tool(event, select_scene(view, projection));
+  Handled handled = carry_out(answer);
+  classes_are_old_ = classes_are_old_ || answer.taken;
+  // The line to the cursor and the brush go with it.
+  if (event.kind == InputKind::move) {
+    handled.changed = handled.taken || tool_ == EditTool::brush || !loop_.corners().empty();
+  }
+  return handled;
+}
+
+ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& projection) {
+  const bool was_dragging = gizmo_.is_dragging();
+  ToolAnswer answer = gizmo_.handle(event, gizmo_scene(projection));
+  if (gizmo_.is_dragging() && !was_dragging) {
+    before_ = false;
+    pointed_at_.clear();
+    // What settles now is of no use any more, and keeps the exact response from following.
+    session_->cancel_settling();
+  }
+  return answer;
+}
+
+ToolAnswer Editor::send_to_tool(const InputEvent& event, const SelectScene& scene) {
+  switch (tool_) {
+    case EditTool::disk:
+      return disk_.handle(event, scene);
+    case EditTool::loop:
+      return loop_.handle(event, scene);
+    case EditTool::brush:
+    case EditTool::lasso:
+    case EditTool::box:
+      return paint_.handle(event, scene);
+    case EditTool::move:
+      break;
+  }
+  return ToolAnswer::passed_on();
+}
+
+Editor::Handled Editor::carry_out(const ToolAnswer& answer) {
+  if (!answer.message.empty()) say_(answer.message);
+  if (answer.command) {
+    const Part part = part_;
+    const bool by_click = tool_ == EditTool::disk && disk_.was_clicked();
+    perform(*answer.command);
+    if (std::holds_alternative<Choose>(*answer.command) && !by_click) after_choice(part);
+  }
+  return {answer.taken, answer.taken};
+}
+
+// A disk that was clicked waits for the wheel; what was painted, for more strokes.
+void Editor::after_choice(const Part& part) {
+  if (part_ == part) go_on();
+}
+
+void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
+  const auto pick = device_->picker.pick(device_->surface, view, pixel);
+  if (!pick) return say_("");
+  const auto& handles = state().selection.handles;
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    if (contains(handles[h].vertices, pick->vertex)) choose({Role::handle, h});
+  }
+  char text[128];
+  std::snprintf(text, sizeof text, "vertex %u, face %u at (%.5g, %.5g, %.5g)", pick->vertex,
+                state().topology->triangle_faces[pick->triangle], pick->position.x(),
+                pick->position.y(), pick->position.z());
+  say_(text);
+}
+
+void Editor::step(const std::function<void()>& change) {
+  try {
+    change();
+    pointed_at_.clear();
+    if (!session_->warning().empty()) say_(session_->warning());
+  } catch (const Error& error) {
+    say_(error.what());
+  }
+  state_changed();
+}
+
+void Editor::perform(const Command& command) {
+  step([&] { session_->perform(command); });
+}
+
+void Editor::undo() {
+  if (!is_dragging()) step([&] { session_->undo(); });
+}
+
+void Editor::redo() {
+  if (!is_dragging()) step([&] { session_->redo(); });
+}
+
+void Editor::go_to(std::size_t steps) {
+  if (!is_dragging()) step([&] { session_->go_to(steps); });
+}
+
+void Editor::continue_with(History history) {
+  if (!is_dragging()) step([&] { session_->continue_with(std::move(history)); });
+}
+
+void Editor::settle() {
+  session_->prepare();
+}
+
+void Editor::grow() {
+  if (const auto command = viewer::grow(state(), part_)) perform(*command);
+}
+
+void Editor::shrink() {
+  if (const auto command = viewer::shrink(state(), part_)) perform(*command);
+}
+
+void Editor::invert() {
+  if (const auto command = viewer::invert(state(), part_)) perform(*command);
+}
+
+void Editor::remove_handle() {
+  if (part_.role == Role::handle && part_.handle < handle_count()) {
+    perform(RemoveHandle{part_.handle});
+  }
+}
+
+bool Editor::handles_leave_roi() const {
+  const auto& [roi, handles, fraction, belt] = state().selection;
+  return std::any_of(handles.begin(), handles.end(), [&roi = roi](const ChosenRegion& handle) {
+    return !subtract(handle.vertices, roi.vertices).empty();
+  });
+}
+
+void Editor::enlarge_roi() {
+  const EditSelection& selection = state().selection;
+  VertexSet wanted;
+  for (const ChosenRegion& handle : selection.handles) wanted = unite(wanted, handle.vertices);
+  for (int ring = 0; ring < kRingsAroundHandle; ++ring) {
+    wanted = with_ring_neighbours(wanted, state().topology->rings);
+  }
+  perform(Paint{{Role::roi}, subtract(wanted, selection.roi.vertices), {}});
+}
+
+void Editor::take(EditTool tool) {
+  if (is_dragging()) return;
+  tool_ = tool;
+  loop_.reset();
+  if (is_paint(tool)) paint_.options().shape = shape_of(tool);
+}
+
+void Editor::choose(const Part& part) {
+  if (is_dragging()) return;
+  part_ = part;
+  loop_.reset();
+  if (part.role == Role::handle && part.handle < handle_count()) handle_ = part.handle;
+}
+
+void Editor::go_on() {
+  if (part_.role == Role::roi && !state().selection.roi.vertices.empty()) {
+    choose({Role::handle, 0});
+    if (handle_count() > 0) take(EditTool::move);
+  } else if (part_.role == Role::handle && part_.handle < handle_count()) {
+    handle_ = part_.handle;
+    take(EditTool::move);
+  }
+}
+
+std::vector<Index> Editor::selected() const {
+  const EditSelection& selection = state().selection;
+  const VertexSet& vertices = vertices_of(selection, part_);
+  return vertices.empty() ? selection.roi.vertices : vertices;
+}
+
+std::string Editor::hint() const {
+  const auto& selection = state().selection;
+  if (loop_.is_closed()) return "click the side to keep";
+  if (!loop_.corners().empty()) {
+    return "click on around; Enter or a click on the first point closes the loop";
+  }
+  if (tool_ == EditTool::move) {
+    return handle_count() == 0 ? "H chooses a handle" : "drag the gizmo, or press G, R or S";
+  }
+  if (tool_ == EditTool::disk && disk_.was_clicked() && !vertices_of(selection, part_).empty()) {
+    return "the wheel changes the radius; Enter goes on";
+  }
+  const std::string what = part_.role == Role::roi      ? "the region to edit (ROI)"
+                           : part_.role == Role::handle ? "a handle in it"
+                                                        : "the belt";
+  return std::string(is_paint(tool_)           ? "paint "
+                     : tool_ == EditTool::loop ? "click around "
+                                               : "drag from the middle to the rim of ") +
+         what;
+}
+
+}  // namespace lapwing::viewer

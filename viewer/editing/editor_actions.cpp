@@ -1,0 +1,73 @@
+#include "editing/editor_actions.h"
+
+namespace lapwing::viewer {
+
+using Role = Part::Role;
+
+bool perform_on(Editor& editor, Action action) {
+  const std::size_t handles = editor.state().selection.handles.size();
+  const auto choose = [&](const Part& part) {
+    editor.choose(part);
+    if (editor.tool() == EditTool::move) editor.take(EditTool::disk);
+  };
+  switch (action) {
+    case Action::choose_roi:
+      choose({Role::roi});
+      return true;
+    case Action::choose_handle:
+      choose({Role::handle, editor.handle()});
+      return true;
+    case Action::add_handle:
+      choose({Role::handle, handles});
+      return true;
+    case Action::choose_belt:
+      choose({Role::belt});
+      return true;
+    case Action::take_move:
+      editor.take(EditTool::move);
+      return true;
+    case Action::take_disk:
+      editor.take(EditTool::disk);
+      return true;
+    case Action::take_loop:
+      editor.take(EditTool::loop);
+      return true;
+    case Action::take_brush:
+      editor.take(EditTool::brush);
+      return true;
+    case Action::take_lasso:
+      editor.take(EditTool::lasso);
+      return true;
+    case Action::take_box:
+      editor.take(EditTool::box);
+      return true;
+    case Action::go_on:
+      editor.go_on();
+      return true;
+    case Action::grow:
+      editor.grow();
+      return true;
+    case Action::shrink:
+      editor.shrink();
+      return true;
+    case Action::invert:
+      editor.invert();
+      return true;
+    case Action::remove_handle:
+      editor.remove_handle();
+      return true;
+    case Action::toggle_before:
+      editor.show_before(!editor.shows_before());
+      return true;
+    case Action::undo:
+      editor.undo();
+      return true;
+    case Action::redo:
+      editor.redo();
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace lapwing::viewer

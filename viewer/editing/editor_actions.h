@@ -1,0 +1,12 @@
+#pragma once
+
+#include "editing/editor.h"
+#include "navigation/keymap.h"
+
+namespace lapwing::viewer {
+
+/// Carries out what a key says of the edit. False for what is not the editor's: camera, files and
+/// panels.
+bool perform_on(Editor& editor, Action action);
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "lapwing/render/camera.h"
+#include "tools/projection.h"
+
+namespace lapwing::viewer {
+
+/// Through what a person looks at the surface: the camera, its near and far planes fitted, and the
+/// picture's size in pixels.
+struct ViewFrame {
+  Camera camera;
+  Eigen::Vector2d size = Eigen::Vector2d::Ones();
+
+  Projection projection() const {
+    return {camera.projection(size.x() / size.y()) * camera.view(), size};
+  }
+
+  bool operator==(const ViewFrame&) const = default;
+};
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,94 @@
+#include "tools/certificate_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace lapwing::viewer {
+namespace {
+
+std::string formatted(const char* format, double a) {
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), format, a);
+  return text.data();
+}
+
+// Its ring too: one vertex alone has no size to frame.
+std::vector<Index> with_ring(Index vertex, const Topology& topology) {
+  return with_ring_neighbours(std::array{vertex}, topology.rings);
+}
+
+std::vector<Index> corners_of(std::span<const Index> triangles, const Topology& topology) {
+  std::vector<Index> corners;
+  for (const Index t : triangles) {
+    corners.insert(corners.end(), topology.triangles[t].begin(), topology.triangles[t].end());
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+CertificateWarning not_settled(const Certificate& certificate) {
+  return {"Not settled after " + std::to_string(certificate.settle_iterations) +
+              formatted(" iterations: one more would move a vertex by %.2g mean edges. Allow more "
+                        "iterations, or add a little stretch resistance.",
+                        certificate.settle_last_step),
+          {}};
+}
+
+CertificateWarning folded(const Certificate& certificate, const Topology& topology) {
+  const std::size_t count = certificate.flipped_triangles;
+  return {(count == 1 ? std::string("A triangle is folded over.")
+                      : std::to_string(count) + " triangles are folded over.") +
+              " Move the handle less, or widen the ROI.",
+          corners_of(certificate.first_flipped_triangles, topology)};
+}
+
+CertificateWarning handle_missed(const Certificate& certificate, double mesh_diagonal) {
+  return {formatted("The handle misses its place by %.2g%% of the mesh's size.",
+                    100.0 * certificate.handle_error / mesh_diagonal) +
+              " Raise the constraint weight, or hold handles exactly.",
+          {}};
+}
+
+}  // namespace
+
+std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
+                                            const Topology& topology, double mesh_diagonal) {
+  std::vector<CertificateWarning> warnings;
+  if (!certificate.settled) warnings.push_back(not_settled(certificate));
+  if (certificate.flipped_triangles > 0) warnings.push_back(folded(certificate, topology));
+  if (mesh_diagonal > 0.0 && certificate.handle_error > kMostHandleMiss * mesh_diagonal) {
+    warnings.push_back(handle_missed(certificate, mesh_diagonal));
+  }
+  if (certificate.detail_error > kMostDetailLost) {
+    warnings.push_back({formatted("%.0f%% of the details are lost. Move the handle less at a time, "
+                                  "or widen the ROI.",
+                                  100.0 * certificate.detail_error),
+                        {}});
+  }
+  if (certificate.largest_scale > kMostRingScale) {
+    warnings.push_back(
+        {formatted("The surface grew to %.1f times its size in a place. Widen the ROI.",
+                   certificate.largest_scale),
+         with_ring(certificate.largest_scale_vertex, topology)});
+  }
+  if (certificate.smallest_scale < 1.0 / kMostRingScale) {
+    warnings.push_back(
+        {formatted("The surface shrank to %.0f%% of its size in a place. Widen the ROI.",
+                   100.0 * certificate.smallest_scale),
+         with_ring(certificate.smallest_scale_vertex, topology)});
+  }
+  if (certificate.largest_edge_stretch > kMostEdgeChange) {
+    auto ends = certificate.largest_edge_stretch_vertices;
+    std::sort(ends.begin(), ends.end());
+    warnings.push_back(
+        {formatted("An edge became %.1f times as long. Widen the ROI, or add a little stretch "
+                   "resistance.",
+                   1.0 + certificate.largest_edge_stretch),
+         {ends.begin(), ends.end()}});
+  }
+  return warnings;
+}
+
+}  // namespace lapwing::viewer

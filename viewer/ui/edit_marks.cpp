@@ -1,0 +1,151 @@
+#include <array>
+#include <imgui.h>
+
+#include "ui/panels.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr ImU32 kHighlight = IM_COL32(255, 220, 90, 255);
+constexpr ImU32 kLine = IM_COL32(255, 240, 200, 255);
+constexpr ImU32 kShade = IM_COL32(20, 20, 24, 160);
+constexpr ImU32 kPointer = IM_COL32(255, 90, 200, 255);
+constexpr float kThick = 2.5F;
+
+ImU32 color_of(GizmoPart part) {
+  constexpr std::array kAxes{IM_COL32(235, 80, 80, 255), IM_COL32(120, 205, 80, 255),
+                             IM_COL32(90, 150, 250, 255)};
+  const int axis = axis_of(part);
+  return axis < 0 ? IM_COL32(235, 235, 235, 255) : kAxes[static_cast<std::size_t>(axis)];
+}
+
+// Draws in pixels of the picture.
+class Pen {
+ public:
+  Pen(const ViewFrame& view, double pixels_per_unit)
+      : list_(*ImGui::GetBackgroundDrawList()),
+        projection_(view.projection()),
+        unit_(pixels_per_unit) {}
+
+  const Projection& projection() const { return projection_; }
+
+  ImVec2 at(const Vector2d& pixel) const {
+    return {static_cast<float>(pixel.x() / unit_), static_cast<float>(pixel.y() / unit_)};
+  }
+
+  // Dark below, so that it shows on every surface.
+  void line(const std::vector<Vector2d>& pixels, bool closed, ImU32 color, float thickness) {
+    if (pixels.size() < 2) return;
+    trace(pixels);
+    const auto flags = closed ? ImDrawFlags_Closed : ImDrawFlags_None;
+    list_.AddPolyline(points_.data(), static_cast<int>(points_.size()), kShade, flags,
+                      thickness + 2.0F);
+    list_.AddPolyline(points_.data(), static_cast<int>(points_.size()), color, flags, thickness);
+  }
+
+  void area(const std::vector<Vector2d>& pixels, ImU32 color) {
+    trace(pixels);
+    list_.AddConvexPolyFilled(points_.data(), static_cast<int>(points_.size()), color);
+  }
+
+  void circle(const Vector2d& pixel, double radius, ImU32 color) {
+    const float r = static_cast<float>(radius / unit_);
+    list_.AddCircle(at(pixel), r, kShade, 0, kThick + 1.0F);
+    list_.AddCircle(at(pixel), r, color, 0, kThick - 1.0F);
+  }
+
+  void dot(const Vector2d& pixel, ImU32 color) {
+    list_.AddCircleFilled(at(pixel), 5.0F, kShade);
+    list_.AddCircleFilled(at(pixel), 4.0F, color);
+  }
+
+  void text(const Vector2d& pixel, const std::string& words) {
+    const ImVec2 from = at(pixel);
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    list_.AddRectFilled({from.x - 4.0F, from.y - 2.0F},
+                        {from.x + size.x + 4.0F, from.y + size.y + 2.0F}, kShade, 3.0F);
+    list_.AddText(from, kLine, words.c_str());
+  }
+
+ private:
+  void trace(const std::vector<Vector2d>& pixels) {
+    points_.clear();
+    for (const Vector2d& pixel : pixels) points_.push_back(at(pixel));
+  }
+
+  ImDrawList& list_;
+  const Projection projection_;
+  const double unit_;
+  std::vector<ImVec2> points_;
+};
+
+// A box at the end of an arm that scales, an arrow's head at one that moves.
+void draw_arm_end(Pen& pen, const GizmoLine& line, GizmoMode mode, ImU32 color) {
+  const Vector2d& end = line.pixels.back();
+  const Vector2d along = (end - line.pixels.front()).normalized();
+  const Vector2d across(-along.y(), along.x());
+  if (mode == GizmoMode::scale) {
+    pen.area({end - 5.0 * along - 5.0 * across, end + 5.0 * along - 5.0 * across,
+              end + 5.0 * along + 5.0 * across, end - 5.0 * along + 5.0 * across},
+             color);
+  } else {
+    pen.area({end + 12.0 * along, end + 5.0 * across, end - 5.0 * across}, color);
+  }
+}
+
+void draw_gizmo(Pen& pen, const Editor& editor) {
+  const GizmoTool& tool = editor.gizmo_tool();
+  const Gizmo gizmo = tool.gizmo(editor.gizmo_scene(pen.projection()));
+  for (const GizmoLine& line : gizmo_lines(gizmo, pen.projection())) {
+    if (line.pixels.size() < 2) continue;
+    const bool taken = line.part == tool.part();
+    const ImU32 color = taken ? kHighlight : color_of(line.part);
+    if (is_plane(line.part)) {
+      pen.area(line.pixels, (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, taken ? 170 : 90));
+    }
+    pen.line(line.pixels, line.closed, color, kThick);
+    const bool arm = !line.closed && axis_of(line.part) >= 0 && !is_plane(line.part);
+    if (arm && gizmo.mode != GizmoMode::rotate) draw_arm_end(pen, line, gizmo.mode, color);
+  }
+  if (!tool.is_dragging()) return;
+  if (const auto center = pen.projection().to_pixel(gizmo.center)) {
+    pen.text(*center + Vector2d(24.0, 24.0), tool.readout());
+  }
+}
+
+std::vector<Vector2d> pixels_of(const Pen& pen, const Editor& editor,
+                                std::span<const Index> vertices) {
+  std::vector<Vector2d> pixels;
+  for (const Index v : vertices) {
+    if (const auto pixel = pen.projection().to_pixel(editor.positions()[v])) {
+      pixels.push_back(*pixel);
+    }
+  }
+  return pixels;
+}
+
+void draw_loop(Pen& pen, const Editor& editor) {
+  const LoopTool& loop = editor.loop_tool();
+  pen.line(pixels_of(pen, editor, loop.line()), false, loop.is_closed() ? kHighlight : kLine,
+           kThick);
+  for (const Vector2d& corner : pixels_of(pen, editor, loop.corners())) pen.dot(corner, kHighlight);
+}
+
+}  // namespace
+
+void draw_edit_marks(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
+                     const Vector2d& cursor) {
+  Pen pen(view, pixels_per_unit);
+  if (editor.has_gizmo() || editor.gizmo_tool().is_dragging()) draw_gizmo(pen, editor);
+  if (editor.tool() == EditTool::loop) draw_loop(pen, editor);
+  const PaintTool& paint = editor.paint_tool();
+  if (editor.tool() == EditTool::brush) pen.circle(cursor, paint.options().radius, kLine);
+  pen.line(paint.outline(), true, kLine, 1.5F);
+  for (const Vector2d& pixel : pixels_of(pen, editor, editor.pointed_at())) {
+    pen.circle(pixel, 14.0, kPointer);
+  }
+}
+
+}  // namespace lapwing::viewer

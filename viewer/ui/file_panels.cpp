@@ -1,0 +1,120 @@
+// The panels that ask about files.
+
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "ui/panels.h"
+
+namespace lapwing::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_AlwaysAutoResize |
+                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+
+void place_in_the_middle() {
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+}
+
+bool is_pressed(ImGuiKey key) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
+
+// "2004-07-08 14:05", by the clock on the wall.
+std::string in_words(std::filesystem::file_time_type time) {
+  const auto system = std::chrono::file_clock::to_sys(time);
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(
+      std::chrono::time_point_cast<std::chrono::system_clock::duration>(system));
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local);
+  return text.data();
+}
+
+struct PathWords {
+  const char* title;
+  const char* note;
+  const char* button;
+};
+
+PathWords words(PathPurpose purpose) {
+  switch (purpose) {
+    case PathPurpose::save_mesh:
+      return {"Save the mesh", "The extension says the format: obj, off, ply or stl.", "Save"};
+    case PathPurpose::save_recipe:
+      return {"Save the steps as a recipe", "lapwing run carries it out without a window.", "Save"};
+    case PathPurpose::replay_recipe:
+      return {"Replay a recipe", "Its steps are carried out on the mesh that is open.", "Replay"};
+  }
+  return {};
+}
+
+}  // namespace
+
+bool draw_path_panel(PathPlan& plan) {
+  if (!plan.purpose) return false;
+  const PathWords said = words(*plan.purpose);
+  place_in_the_middle();
+  bool open = true;
+  bool use = false;
+  if (ImGui::Begin(said.title, &open, kDialog)) {
+    ImGui::TextDisabled("%s", said.note);
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(24.0F * ImGui::GetFontSize());
+    const bool entered =
+        ImGui::InputText("##path", &plan.path,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    use = (ImGui::Button(said.button) || entered) && !plan.path.empty();
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) open = false;
+  }
+  ImGui::End();
+  if (!open) plan.purpose.reset();
+  return use && open;
+}
+
+std::optional<UnsavedChoice> draw_unsaved_panel(const std::string& name) {
+  std::optional<UnsavedChoice> choice;
+  place_in_the_middle();
+  if (ImGui::Begin("Not saved", nullptr, kDialog)) {
+    ImGui::Text("%s has been edited and not saved.", name.c_str());
+    ImGui::TextDisabled("Enter saves, Delete discards, Escape goes back to it.");
+    if (ImGui::Button("Save") || is_pressed(ImGuiKey_Enter)) choice = UnsavedChoice::save;
+    ImGui::SameLine();
+    if (ImGui::Button("Discard") || is_pressed(ImGuiKey_Delete)) choice = UnsavedChoice::discard;
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) choice = UnsavedChoice::cancel;
+  }
+  ImGui::End();
+  return choice;
+}
+
+std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const InterruptedEdit> edits) {
+  using What = InterruptedChoice::What;
+  std::optional<InterruptedChoice> choice;
+  place_in_the_middle();
+  if (ImGui::Begin("Interrupted edits", nullptr, kDialog)) {
+    ImGui::TextDisabled("These were not closed. Restoring carries their steps out again.");
+    ImGui::TextDisabled("Enter restores the latest.");
+    for (std::size_t e = 0; e < edits.size(); ++e) {
+      ImGui::PushID(static_cast<int>(e));
+      const bool first = e == 0 && is_pressed(ImGuiKey_Enter);
+      if (ImGui::Button("Restore") || first) choice = {e, What::restore};
+      ImGui::SameLine();
+      if (ImGui::Button("Discard")) choice = {e, What::discard};
+      ImGui::SameLine();
+      ImGui::Text("%s, %zu edits, %s", edits[e].opened.filename().c_str(), edits[e].step_count(),
+                  in_words(edits[e].last_step).c_str());
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", edits[e].opened.c_str());
+      ImGui::PopID();
+    }
+    if (ImGui::Button("Later")) choice = {0, What::later};
+  }
+  ImGui::End();
+  return choice;
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,105 @@
+#include <array>
+#include <imgui.h>
+#include <utility>
+
+#include "tools/selection_edits.h"
+#include "ui/panels.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Role = Part::Role;
+
+const ImVec4 kRoiColor{0.55F, 0.65F, 0.80F, 1.0F};
+const ImVec4 kHandleColor{0.95F, 0.80F, 0.25F, 1.0F};
+const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
+
+// A row that chooses `part`, in the colour that it has on the surface.
+void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4& color) {
+  ImGui::PushID(name);
+  ImGui::ColorButton("##color", color,
+                     ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                     {ImGui::GetFontSize(), ImGui::GetFontSize()});
+  ImGui::SameLine();
+  if (ImGui::RadioButton(name, editor.part() == part)) editor.choose(part);
+  const std::size_t count = vertices_of(editor.state().selection, part).size();
+  if (count > 0) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%zu", count);
+  }
+  ImGui::PopID();
+}
+
+void draw_parts(Editor& editor) {
+  draw_part(editor, "ROI", {Role::roi}, kRoiColor);
+  const std::size_t handles = editor.state().selection.handles.size();
+  for (std::size_t h = 0; h < handles; ++h) {
+    draw_part(editor, ("handle " + std::to_string(h + 1)).c_str(), {Role::handle, h}, kHandleColor);
+  }
+  draw_part(editor, handles == 0 ? "handle" : "one more handle", {Role::handle, handles},
+            kHandleColor);
+  draw_part(editor, "belt", {Role::belt}, kBeltColor);
+}
+
+void draw_tools(Editor& editor) {
+  struct Item {
+    const char* name;
+    EditTool tool;
+  };
+  constexpr std::array kTools{Item{"Disk", EditTool::disk},   Item{"Loop", EditTool::loop},
+                              Item{"Brush", EditTool::brush}, Item{"Lasso", EditTool::lasso},
+                              Item{"Box", EditTool::box},     Item{"Move", EditTool::move}};
+  for (std::size_t t = 0; t < kTools.size(); ++t) {
+    if (t % 3 != 0) ImGui::SameLine(static_cast<float>(t % 3) * 6.5F * ImGui::GetFontSize());
+    if (ImGui::RadioButton(kTools[t].name, editor.tool() == kTools[t].tool)) {
+      editor.take(kTools[t].tool);
+    }
+  }
+}
+
+void draw_paint_options(Editor& editor) {
+  PaintTool::Options& options = editor.paint_tool().options();
+  ImGui::Checkbox("through", &options.through);
+  ImGui::SameLine();
+  ImGui::Checkbox("erase", &options.erase);
+  if (editor.tool() != EditTool::brush) return;
+  float radius = static_cast<float>(options.radius);
+  if (ImGui::SliderFloat("brush", &radius, 1.0F, 200.0F, "%.0f pixels")) options.radius = radius;
+}
+
+// One step of the history for a whole pull of the slider.
+void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
+  const auto& fraction = editor.state().selection.belt_fraction;
+  float percent = static_cast<float>(drafts.belt_percent.value_or(100.0 * fraction.value_or(0.0)));
+  ImGui::SliderFloat("belt width", &percent, 0.0F, 50.0F,
+                     fraction || drafts.belt_percent ? "%.0f %% of radius" : "chosen by hand");
+  if (ImGui::IsItemActive()) drafts.belt_percent = static_cast<double>(percent);
+  if (!ImGui::IsItemDeactivated()) return;
+  const auto chosen = std::exchange(drafts.belt_percent, std::nullopt);
+  if (chosen) editor.perform(SetBeltWidth{0.01 * *chosen});
+}
+
+}  // namespace
+
+void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
+  draw_parts(editor);
+  ImGui::Separator();
+  draw_tools(editor);
+  const EditTool tool = editor.tool();
+  if (tool == EditTool::brush || tool == EditTool::lasso || tool == EditTool::box) {
+    draw_paint_options(editor);
+  }
+  if (ImGui::Button("Grow")) editor.grow();
+  ImGui::SameLine();
+  if (ImGui::Button("Shrink")) editor.shrink();
+  ImGui::SameLine();
+  if (ImGui::Button("Invert")) editor.invert();
+  const Part& part = editor.part();
+  if (part.role == Role::handle && part.handle < editor.state().selection.handles.size()) {
+    ImGui::SameLine();
+    if (ImGui::Button("Remove")) editor.remove_handle();
+  }
+  draw_belt_width(editor, drafts);
+}
+
+}  // namespace lapwing::viewer

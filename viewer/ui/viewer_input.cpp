@@ -1,0 +1,267 @@
+// What mouse and keys do: the editor's tools come first, then the camera.
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+#include "editing/editor_actions.h"
+#include "navigation/camera_motion.h"
+#include "ui/viewer_app.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// A press and release within so many pixels is a click, not a drag.
+constexpr double kClickPixels = 3.0;
+constexpr double kZoomPerNotch = 1.15;
+// Of a drag that zooms: pixels that make things e times as large.
+constexpr double kZoomPixels = 150.0;
+// Arrow keys turn by a twelfth of half a turn, 15 degrees.
+constexpr double kOrbitShare = 1.0 / 12.0;
+// Of what the mesh measures.
+constexpr ZoomRange kZoomRange{1e-4, 1e2};
+// Vertices are framed with so much around them, of what the mesh measures.
+constexpr double kSurroundings = 0.02;
+// Widths in letters of the font.
+constexpr float kSidebarLetters = 22.0F;
+
+bool is_click(const Vector2d& from, const Vector2d& to) {
+  return (to - from).norm() <= kClickPixels;
+}
+
+}  // namespace
+
+void ViewerApp::resize(const Vector2d& size) {
+  size_ = size;
+  camera_.target_across = sidebar_share();
+}
+
+Vector3d ViewerApp::upward() const {
+  return up_axis_ == UpAxis::y ? Vector3d::UnitY() : Vector3d::UnitZ();
+}
+
+double ViewerApp::sidebar_pixels() const {
+  if (!show_panels_ || !document_) return 0.0;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float font = ImGui::GetFont() != nullptr ? ImGui::GetFontSize() : 13.0F;
+  const double per_unit = std::max(1.0F, io.DisplayFramebufferScale.x);
+  return std::min(per_unit * static_cast<double>(kSidebarLetters * font), 0.5 * size_.x());
+}
+
+// How far right of the window's middle the free part's middle is, from 0 to 1.
+double ViewerApp::sidebar_share() const {
+  return sidebar_pixels() / size_.x();
+}
+
+ViewFrame ViewerApp::view_frame() const {
+  ViewFrame view{camera_, size_};
+  fit_depth(view.camera, document_->editor.bounds());
+  return view;
+}
+
+GizmoKeys ViewerApp::gizmo_keys() const {
+  return keymaps()[keymap_].name == "Maya" ? GizmoKeys::maya : GizmoKeys::blender;
+}
+
+void ViewerApp::frame_all() {
+  if (!document_) return;
+  std::vector<Index> all(document_->editor.positions().size());
+  for (Index v = 0; v < all.size(); ++v) all[v] = v;
+  frame(all);
+}
+
+void ViewerApp::frame(std::span<const Index> vertices) {
+  if (!document_ || vertices.empty()) return;
+  const Positions& positions = document_->editor.positions();
+  Positions points;
+  for (const Index v : vertices) points.push_back(positions[v]);
+  // A single vertex is shown with what is around it.
+  const double around = kSurroundings * document_->editor.bounds().diagonal();
+  if (bounds_of(points).diagonal() < around) {
+    const Vector3d middle = bounds_of(points).center();
+    for (int axis = 0; axis < 3; ++axis) {
+      points.push_back(middle + around * Vector3d::Unit(axis));
+      points.push_back(middle - around * Vector3d::Unit(axis));
+    }
+  }
+  Framing framing;
+  framing.field_of_view = camera_.field_of_view;
+  framing.orthographic = camera_.orthographic;
+  framing.legend = sidebar_share();
+  const Eigen::Matrix4d view = camera_.view();
+  const ViewAxes axes{view.block<1, 3>(2, 0).transpose(), view.block<1, 3>(1, 0).transpose()};
+  camera_ = fit(points, axes, size_.x() / size_.y(), framing);
+  camera_.target_across = framing.legend;
+}
+
+void ViewerApp::look_from(View view) {
+  camera_ = looking_from(camera_, view_axes(view, up_axis_));
+}
+
+void ViewerApp::orbit_by(double right, double down) {
+  camera_ = orbited(camera_, {right, down}, size_, upward());
+}
+
+void ViewerApp::zoom_by(double factor, const Vector2d& cursor) {
+  const double size = document_ ? std::max(document_->editor.bounds().diagonal(), 1e-12) : 1.0;
+  camera_ = zoomed(camera_, factor, cursor, size_,
+                   {kZoomRange.nearest * size, kZoomRange.farthest * size});
+}
+
+void ViewerApp::drag_to(const InputEvent& event) {
+  const Vector2d moved = event.position - cursor_;
+  cursor_ = event.position;
+  if (!motion_ || !document_) return;
+  switch (*motion_) {
+    case Motion::orbit:
+      orbit_by(moved.x(), moved.y());
+      break;
+    case Motion::pan:
+      camera_ = panned(camera_, moved, size_);
+      break;
+    case Motion::zoom:
+      zoom_by(std::exp((moved.x() - moved.y()) / kZoomPixels), pressed_at_);
+      break;
+  }
+}
+
+// While a dialog waits for an answer keys are its own.
+bool ViewerApp::asks() const {
+  return leaving_for_ || !interrupted_.empty() || path_plan_.purpose;
+}
+
+bool ViewerApp::handle(const InputEvent& event) {
+  if (asks() && (event.kind == InputKind::key || event.kind == InputKind::text)) {
+    if (event.key == kEscape) escape();
+    return true;
+  }
+  Editor::Handled handled;
+  if (document_ && !motion_) {
+    handled = document_->editor.handle(event, view_frame());
+    cursor_ = event.position;
+    if (handled.taken) return true;
+  }
+  switch (event.kind) {
+    case InputKind::press:
+      motion_ = motion_of(keymaps()[keymap_], event.button, event.modifiers);
+      cursor_ = pressed_at_ = event.position;
+      break;
+    case InputKind::move:
+      drag_to(event);
+      return motion_.has_value() || handled.changed;
+    case InputKind::release:
+      drag_to(event);
+      motion_.reset();
+      if (document_ && event.button == MouseButton::left && is_click(pressed_at_, event.position)) {
+        document_->editor.click(event.position, view_frame());
+      }
+      break;
+    case InputKind::scroll:
+      if (document_) zoom_by(std::pow(kZoomPerNotch, event.scroll), event.position);
+      break;
+    case InputKind::key:
+    case InputKind::text:
+      if (event.kind == InputKind::key && event.key == kEscape) escape();
+      if (const auto action = action_of(event)) perform(*action);
+      break;
+  }
+  return true;
+}
+
+void ViewerApp::escape() {
+  show_controls_ = false;
+  picture_plan_.open = false;
+  path_plan_.purpose.reset();
+  leaving_for_ = nullptr;
+  interrupted_.clear();
+  if (document_) show_start_ = false;
+  loader_.cancel();
+}
+
+void ViewerApp::perform(Action action) {
+  if (document_ && perform_on(document_->editor, action)) return;
+  const double step = kOrbitShare * size_.y();
+  switch (action) {
+    case Action::frame_all:
+      return frame_all();
+    case Action::frame_selection:
+      if (!document_) return;
+      if (const auto vertices = document_->editor.selected(); !vertices.empty()) {
+        return frame(vertices);
+      }
+      return frame_all();
+    case Action::view_front:
+      return look_from(View::front);
+    case Action::view_back:
+      return look_from(View::back);
+    case Action::view_right:
+      return look_from(View::right);
+    case Action::view_left:
+      return look_from(View::left);
+    case Action::view_top:
+      return look_from(View::top);
+    case Action::view_bottom:
+      return look_from(View::bottom);
+    case Action::view_three_quarter:
+      return look_from(View::three_quarter);
+    case Action::toggle_projection:
+      camera_.orthographic = !camera_.orthographic;
+      return;
+    case Action::orbit_left:
+      return orbit_by(step, 0.0);
+    case Action::orbit_right:
+      return orbit_by(-step, 0.0);
+    case Action::orbit_up:
+      return orbit_by(0.0, step);
+    case Action::orbit_down:
+      return orbit_by(0.0, -step);
+    case Action::zoom_in:
+      return zoom_by(kZoomPerNotch, 0.5 * size_);
+    case Action::zoom_out:
+      return zoom_by(1.0 / kZoomPerNotch, 0.5 * size_);
+    case Action::toggle_wireframe:
+      display_.style.wireframe = !display_.style.wireframe;
+      return;
+    case Action::toggle_flat:
+      display_.style.flat = !display_.style.flat;
+      return;
+    case Action::toggle_panels:
+      show_panels_ = !show_panels_;
+      camera_.target_across = sidebar_share();
+      return;
+    case Action::toggle_controls:
+      show_controls_ = !show_controls_;
+      return;
+    case Action::open:
+      show_start_ = true;
+      return;
+    case Action::save:
+      if (!document_) return;
+      if (document_->save_path.empty()) return save_as(PathPurpose::save_mesh);
+      save_to(document_->save_path);
+      return;
+    case Action::save_as:
+      if (document_) save_as(PathPurpose::save_mesh);
+      return;
+    case Action::save_recipe:
+      if (document_) save_as(PathPurpose::save_recipe);
+      return;
+    case Action::replay_recipe:
+      if (document_) save_as(PathPurpose::replay_recipe);
+      return;
+    case Action::save_picture:
+      picture_plan_.open = true;
+      picture_plan_.width = static_cast<int>(size_.x());
+      picture_plan_.height = static_cast<int>(size_.y());
+      return;
+    case Action::quit:
+      return ask_to_close();
+    default:
+      return;  // the editor's, without a mesh
+  }
+}
+
+}  // namespace lapwing::viewer

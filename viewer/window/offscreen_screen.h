@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "lapwing/render/image.h"
+#include "window/screen.h"
+
+namespace lapwing::viewer {
+
+/// One image that nobody sees and that waits for no display: for benchmarks and tests of frames.
+/// The context must outlive it.
+class OffscreenScreen final : public Screen {
+ public:
+  explicit OffscreenScreen(gpu::Context& context) : context_(context) {}
+
+  VkFormat format() const override { return VK_FORMAT_R8G8B8A8_SRGB; }
+  VkExtent2D extent() const override { return extent_; }
+  bool resize(VkExtent2D pixels) override;
+  std::optional<Image> acquire() override;
+  ImageState shown() const override;
+  bool present(const Image& image) override;
+
+  /// What was presented last, once it is drawn. After the first `present`.
+  lapwing::Image picture();
+
+ private:
+  gpu::Context& context_;
+  VkExtent2D extent_{};
+  std::optional<DeviceImage> image_;
+};
+
+}  // namespace lapwing::viewer
