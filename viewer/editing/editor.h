@@ -91,10 +91,13 @@ class Editor {
   const LoopTool& loop_tool() const { return loop_; }
   const GizmoTool& gizmo_tool() const { return gizmo_; }
   bool has_gizmo() const { return tool_ == EditTool::move && handle_ < handle_count(); }
+  void show_gizmo(GizmoMode mode) { gizmo_.show(mode); }
   GizmoScene gizmo_scene(const Projection& projection) const;
   std::size_t handle() const { return handle_; }  ///< the one that is moved
   void set_gizmo_keys(GizmoKeys keys) { gizmo_keys_ = keys; }
   bool is_dragging() const;
+  /// How many vertices `part` has, what is being chosen for it included.
+  std::size_t count(const Part& part) const;
 
   bool settles_while_dragging() const { return continuous_; }
   void set_settles_while_dragging(bool on) { continuous_ = on; }
@@ -134,6 +137,7 @@ class Editor {
   void follow_hand();
   bool follow_settled();
   void show_classes();  ///< where they have changed
+  VertexSet live() const;
   void show_measure();
 
   Say say_;

@@ -51,6 +51,7 @@ std::optional<GizmoMode> drag_of_key(int key, GizmoKeys keys) {
 std::optional<GizmoMode> mode_of_key(int key, GizmoKeys keys) {
   if (key == 'W') return GizmoMode::translate;
   if (key == 'E') return GizmoMode::rotate;
+  if (key == 'Q') return GizmoMode::scale;
   if (key == 'R' && keys == GizmoKeys::maya) return GizmoMode::scale;
   return std::nullopt;
 }
