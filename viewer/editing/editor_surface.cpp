@@ -27,6 +27,10 @@ void Editor::state_changed() {
     disk_.reset();
     loop_.reset();
   }
+  warnings_.clear();
+  if (const Certificate* certificate = session_->certificate()) {
+    warnings_ = warnings_of(*certificate, *now.topology, opened_bounds_.diagonal());
+  }
   following_ = false;
   followed_.clear();
   classes_are_old_ = true;

@@ -46,7 +46,7 @@ class GizmoTool {
   bool turns_too_far() const { return turns_too_far_; }
   /// For the status line while dragging: "turn 45 degrees about x", and what to do where it turns
   /// too far.
-  std::string readout() const;
+  void read_out(std::string& text) const;
 
  private:
   ToolAnswer handle_key(const InputEvent& event, const GizmoScene& scene);

@@ -3,7 +3,6 @@
 #include <imgui.h>
 #include <utility>
 
-#include "tools/certificate_words.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -202,8 +201,7 @@ std::optional<std::vector<Index>> draw_certificate(const Editor& editor) {
   draw_number_line("detail error", "%.3f", certificate->detail_error);
   draw_number_line("edge stretch", "%.3f", certificate->edge_stretch);
   int number = 0;
-  for (const CertificateWarning& warning :
-       warnings_of(*certificate, *editor.state().topology, editor.bounds().diagonal())) {
+  for (const CertificateWarning& warning : editor.warnings()) {
     ImGui::PushID(number++);
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(242, 194, 77, 255));
     ImGui::TextWrapped("%s", warning.text.c_str());
