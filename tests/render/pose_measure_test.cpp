@@ -39,7 +39,8 @@ TEST(PoseMeasure, OnlyAVertexThatMovedAndItsRingHaveNumbers) {
   const Index center = 3 * 7 + 3;
   current[center].z() += 0.5;
   const auto values = measured(PoseMeasure::displacement, sheet, current);
-  const auto ring = build_topology(sheet).rings[center];
+  const Topology topology = build_topology(sheet);
+  const auto ring = topology.rings[center];
   const auto numbers =
       std::count_if(values.begin(), values.end(), [](float value) { return !std::isnan(value); });
   EXPECT_EQ(numbers, static_cast<std::ptrdiff_t>(ring.size()) + 1);

@@ -207,7 +207,15 @@ TEST_F(Editing, EachGizmoModeMovesTheHandle) {
   })) << "the ring about y";
   EXPECT_NEAR(std::abs(move().rotate.axis.normalized().y()), 1.0, 1e-6);
 
+  person_->keys("q");
+  drag_part(GizmoMode::scale, GizmoPart::y, {0.0, -20.0});
+  ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
+    return d.settled && std::holds_alternative<MatrixMove>(d.open.handles[0].move);
+  })) << "the arm along y stretches";
+
   // Keys and typed numbers, from rest.
+  person_->keys("ctrl+z");
+  person_->keys("ctrl+z");
   person_->keys("ctrl+z");
   person_->keys("ctrl+z");
   person_->keys("ctrl+z");

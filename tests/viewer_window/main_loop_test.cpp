@@ -1,6 +1,7 @@
 #include "window/main_loop.h"
 
 #include <cstdlib>
+#include <fstream>
 #include <optional>
 
 #include <gmock/gmock.h>
@@ -167,6 +168,75 @@ TEST_F(MainLoopTest, EndsWhereEveryFrameLosesTheSurface) {
 
 TEST_F(MainLoopTest, EndsWhereEveryFrameLosesTheDevice) {
   EXPECT_THROW(run_with(*window_, {Call::present, VK_ERROR_DEVICE_LOST, 0, true}), gpu::DeviceLost);
+}
+
+// The viewer's own app with a handle that follows the mouse, one move a frame.
+class DraggingViewer final : public App {
+ public:
+  DraggingViewer(std::shared_ptr<gpu::Context> context, const fs::path& journals)
+      : viewer_(std::move(context), journals) {}
+
+  bool handle(const InputEvent& event) override { return viewer_.handle(event); }
+  void open(const fs::path& file) override { viewer_.open(file); }
+  void resize(const Eigen::Vector2d& size) override { viewer_.resize(size); }
+  void ask_to_close() override {}
+  void use_device(std::shared_ptr<gpu::Context> context) override {
+    viewer_.use_device(std::move(context));
+  }
+  std::string_view title() const override { return viewer_.title(); }
+  bool wants_to_quit() const override { return quiet_frames_ == kQuietFrames || frames_ == kMost; }
+
+  Scene scene() override {
+    const Scene scene = viewer_.scene();
+    if (still_ == nullptr) still_ = scene.surface;
+    follows_ = scene.surface != still_;
+    return scene;
+  }
+
+  void draw_ui(const FrameTimings& last) override {
+    Window::wake();
+    if (still_ != nullptr) drag();
+    viewer_.draw_ui(last);
+  }
+
+  bool is_quiet() const { return quiet_frames_ == kQuietFrames; }
+
+ private:
+  static constexpr int kQuietFrames = 20;
+  static constexpr int kMost = 3000;
+
+  // The worker, which prepares the edit meanwhile, needs memory until it is done.
+  void drag() {
+    const long calls = lapwing::test::FailingNew::calls();
+    quiet_frames_ = follows_ && calls == calls_ ? quiet_frames_ + 1 : 0;
+    calls_ = calls;
+    if (frames_++ == 0) viewer_.handle({.kind = InputKind::key, .key = 'G'});
+    viewer_.handle({.kind = InputKind::move, .position = {400.0 + frames_ % 50, 200.0}});
+  }
+
+  ViewerApp viewer_;
+  const VulkanSurface* still_ = nullptr;
+  bool follows_ = false;
+  int frames_ = 0;
+  int quiet_frames_ = 0;
+  long calls_ = 0;
+};
+
+TEST_F(MainLoopTest, DraggingAHandleInTheViewerAllocatesNothing) {
+  const test::WithoutValidation without_validation;
+  write_mesh(rippled_cylinder(24, 41), folder_ / "tube.obj");
+  std::ofstream(folder_ / "bend.json") << R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
+      {"op": "deform", "roi": {"all": true},
+       "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.6]}},
+       "handles": [{"region": {"box": {"min": [-1, -1, 5.4], "max": [1, 1, 7]}},
+                    "move": {"translate": [2, 0, 0]}}]}]})";
+  WindowGraphics graphics(*window_, "auto");
+  const auto context = graphics.open_device();
+  DraggingViewer app(context, folder_ / "journals");
+  app.open(folder_ / "bend.json");
+  const lapwing::test::FailingNew counting(-1);
+  run_main_loop(*window_, graphics, context, app);
+  EXPECT_TRUE(app.is_quiet());
 }
 
 // The viewer's own app, which is watched and loses its device once a mesh is on the screen.

@@ -149,7 +149,8 @@ bool Person::eventually_is(const std::function<bool(const viewer::Draft&)>& want
 
 Eigen::Vector2d middle_of(const viewer::Gizmo& gizmo, viewer::GizmoPart part,
                           const viewer::Projection& projection) {
-  for (const viewer::GizmoLine& line : gizmo_lines(gizmo, projection)) {
+  const viewer::GizmoLines lines(gizmo, projection);
+  for (const viewer::GizmoLine& line : lines.lines()) {
     if (line.part != part) continue;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     if (viewer::is_plane(part)) {

@@ -277,8 +277,7 @@ std::vector<Index> Editor::selected() const {
   return vertices.empty() ? selection.roi.vertices : vertices;
 }
 
-std::string Editor::hint() const {
-  const auto& selection = state().selection;
+const char* Editor::hint() const {
   if (loop_.is_closed()) return "click the side to keep";
   if (!loop_.corners().empty()) {
     return "click on around; Enter or a click on the first point closes the loop";
@@ -286,16 +285,21 @@ std::string Editor::hint() const {
   if (tool_ == EditTool::move) {
     return handle_count() == 0 ? "H chooses a handle" : "drag the gizmo, or press G, R or S";
   }
-  if (tool_ == EditTool::disk && disk_.was_clicked() && !vertices_of(selection, part_).empty()) {
+  if (tool_ == EditTool::disk && disk_.was_clicked() &&
+      !vertices_of(state().selection, part_).empty()) {
     return "the wheel changes the radius; Enter goes on";
   }
-  const std::string what = part_.role == Role::roi      ? "the region to edit (ROI)"
-                           : part_.role == Role::handle ? "a handle in it"
-                                                        : "the belt";
-  return std::string(is_paint(tool_)           ? "paint "
-                     : tool_ == EditTool::loop ? "click around "
-                                               : "drag from the middle to the rim of ") +
-         what;
+  if (part_.role == Role::roi) {
+    return is_paint(tool_)           ? "paint the region to edit (ROI)"
+           : tool_ == EditTool::loop ? "click around the region to edit (ROI)"
+                                     : "drag from the middle of the region to edit to its rim";
+  }
+  if (part_.role == Role::belt) {
+    return is_paint(tool_) ? "paint the belt" : "choose the belt, between ROI and handle";
+  }
+  return is_paint(tool_)           ? "paint a handle in the ROI"
+         : tool_ == EditTool::loop ? "click around a handle in the ROI"
+                                   : "drag from the middle of a handle in the ROI to its rim";
 }
 
 }  // namespace lapwing::viewer

@@ -10,6 +10,7 @@
 #include "editing/surface_picker.h"
 #include "editing/view_frame.h"
 #include "lapwing/render/pose_measure.h"
+#include "tools/certificate_words.h"
 #include "tools/disk_tool.h"
 #include "tools/edit_session.h"
 #include "tools/gizmo_tool.h"
@@ -91,10 +92,16 @@ class Editor {
   const LoopTool& loop_tool() const { return loop_; }
   const GizmoTool& gizmo_tool() const { return gizmo_; }
   bool has_gizmo() const { return tool_ == EditTool::move && handle_ < handle_count(); }
+  void show_gizmo(GizmoMode mode) { gizmo_.show(mode); }
   GizmoScene gizmo_scene(const Projection& projection) const;
   std::size_t handle() const { return handle_; }  ///< the one that is moved
   void set_gizmo_keys(GizmoKeys keys) { gizmo_keys_ = keys; }
   bool is_dragging() const;
+  /// How many vertices `part` has, what is being chosen for it included.
+  std::size_t count(const Part& part) const;
+
+  /// What is not as it should be with the result that is shown.
+  const std::vector<CertificateWarning>& warnings() const { return warnings_; }
 
   bool settles_while_dragging() const { return continuous_; }
   void set_settles_while_dragging(bool on) { continuous_ = on; }
@@ -117,7 +124,7 @@ class Editor {
   Bounds bounds() const;
   /// Of what is chosen: the part, or else the ROI; of everything without.
   std::vector<Index> selected() const;
-  std::string hint() const;  ///< what to do next
+  const char* hint() const;  ///< what to do next
 
  private:
   void show_on(VulkanKernels& kernels);
@@ -134,6 +141,7 @@ class Editor {
   void follow_hand();
   bool follow_settled();
   void show_classes();  ///< where they have changed
+  VertexSet live() const;
   void show_measure();
 
   Say say_;
@@ -159,6 +167,7 @@ class Editor {
   GizmoTool gizmo_;
   GizmoKeys gizmo_keys_ = GizmoKeys::blender;
 
+  std::vector<CertificateWarning> warnings_;
   Positions positions_;
   Bounds bounds_;
   // What `positions_` was made of.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "editing/editor.h"
-#include "lapwing/deform/handle_motion.h"
+#include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -26,6 +26,10 @@ void Editor::state_changed() {
     bounds_ = bounds_of(positions_);
     disk_.reset();
     loop_.reset();
+  }
+  warnings_.clear();
+  if (const Certificate* certificate = session_->certificate()) {
+    warnings_ = warnings_of(*certificate, *now.topology, opened_bounds_.diagonal());
   }
   following_ = false;
   followed_.clear();
@@ -90,10 +94,22 @@ bool Editor::follow_settled() {
 
 void Editor::show_classes() {
   if (!std::exchange(classes_are_old_, false)) return;
-  const bool disk = tool_ == EditTool::disk && disk_.is_dragging();
-  const VertexSet live = disk ? disk_.live() : paint_.is_dragging() ? paint_.live() : VertexSet{};
   device_->surface.paint().set_classes(
-      shown_classes(state(), part_, live, paint_.is_dragging() && paint_.erases()));
+      shown_classes(state(), part_, live(), paint_.is_dragging() && paint_.erases()));
+}
+
+// What a tool is choosing.
+VertexSet Editor::live() const {
+  if (tool_ == EditTool::disk && disk_.is_dragging()) return disk_.live();
+  return paint_.is_dragging() ? paint_.live() : VertexSet{};
+}
+
+std::size_t Editor::count(const Part& part) const {
+  const VertexSet& chosen = vertices_of(state().selection, part);
+  if (part != part_) return chosen.size();
+  if (disk_.is_dragging()) return live().size();
+  if (!paint_.is_dragging()) return chosen.size();
+  return (paint_.erases() ? subtract(chosen, live()) : unite(chosen, live())).size();
 }
 
 bool Editor::is_measured() const {

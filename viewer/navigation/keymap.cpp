@@ -248,7 +248,7 @@ std::vector<ControlLine> gizmo_controls() {
           {"0 to 9, . and - meanwhile", "by that number"},
           {"Ctrl meanwhile", "in steps"},
           {"Enter or click, Escape or right click", "done, or give it up"},
-          {"W, E", "the gizmo moves, turns the handle"}};
+          {"W, E, Q", "the gizmo moves, turns, scales the handle"}};
 }
 
 std::string row(const std::vector<std::string>& cells) {

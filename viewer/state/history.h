@@ -30,6 +30,8 @@ class History {
 
   /// Names of all steps, the first `done()` of which are done.
   std::vector<std::string> names() const;
+  const std::string& name(std::size_t step) const { return steps_[step].name; }
+  std::size_t size() const { return steps_.size(); }
   std::size_t done() const { return done_; }
 
   /// The mesh was saved as it is now.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include <Eigen/Geometry>
 
@@ -43,80 +42,103 @@ double distance_to_line(const Vector2d& p, const GizmoLine& line) {
   return least;
 }
 
-std::optional<GizmoLine> line_of(GizmoPart part, const std::vector<Vector3d>& points, bool closed,
-                                 const Projection& projection) {
-  GizmoLine line{part, {}, closed};
-  for (const Vector3d& point : points) {
-    const auto pixel = projection.to_pixel(point);
-    if (!pixel) return std::nullopt;
+constexpr double angle_of(int k) {
+  return 2.0 * std::numbers::pi * k / kRingPoints;
+}
+
+// The half of the ring about axis `a` that faces the eye, which stands at `toward_eye`: its middle
+// and what is aside, of length 1.
+struct HalfRing {
+  HalfRing(const Gizmo& gizmo, int a, const Vector3d& toward_eye) {
+    const Vector3d axis = gizmo.axes.col(a);
+    front = toward_eye - toward_eye.dot(axis) * axis;
+    if (front.norm() < 1e-6) front = gizmo.axes.col((a + 1) % 3);  // any half: all of it faces
+    front.normalize();
+    side = axis.cross(front);
+  }
+  Vector3d front;
+  Vector3d side;
+};
+
+}  // namespace
+
+// The next line, whose pixels are added one by one, in the memory of an earlier frame's.
+GizmoLine& GizmoLines::begin(GizmoPart part, bool closed) {
+  if (count_ == lines_.size()) lines_.emplace_back();
+  GizmoLine& line = lines_[count_++];
+  line.part = part;
+  line.closed = closed;
+  line.pixels.clear();
+  return line;
+}
+
+template <typename PointAt>
+void GizmoLines::add(GizmoPart part, bool closed, int points, const Projection& projection,
+                     const PointAt& point_at) {
+  GizmoLine& line = begin(part, closed);
+  for (int k = 0; k < points; ++k) {
+    const auto pixel = projection.to_pixel(point_at(k));
+    if (!pixel) {
+      --count_;
+      return;
+    }
     line.pixels.push_back(*pixel);
   }
-  return line;
 }
 
-GizmoLine circle(const Vector2d& center, double radius) {
-  GizmoLine line{GizmoPart::view, {}, true};
+void GizmoLines::add_circle(const Vector2d& center, double radius) {
+  GizmoLine& line = begin(GizmoPart::view, true);
   for (int k = 0; k < kRingPoints; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / kRingPoints;
-    line.pixels.emplace_back(center + radius * Vector2d(std::cos(angle), std::sin(angle)));
+    line.pixels.emplace_back(center +
+                             radius * Vector2d(std::cos(angle_of(k)), std::sin(angle_of(k))));
   }
-  return line;
 }
 
-// The half of the ring about axis `a` that faces the eye, which stands at `toward_eye`.
-std::vector<Vector3d> half_ring(const Gizmo& gizmo, int a, double radius,
-                                const Vector3d& toward_eye) {
-  const Vector3d axis = gizmo.axes.col(a);
-  Vector3d front = toward_eye - toward_eye.dot(axis) * axis;
-  if (front.norm() < 1e-6) front = gizmo.axes.col((a + 1) % 3);  // any half: all of it faces
-  front.normalize();
-  const Vector3d side = axis.cross(front);
-  std::vector<Vector3d> points;
-  for (int k = 0; k <= kRingPoints / 2; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / kRingPoints - 0.5 * std::numbers::pi;
-    points.push_back(gizmo.center + radius * (std::cos(angle) * front + std::sin(angle) * side));
-  }
-  return points;
-}
-
-void add_rings(const Gizmo& gizmo, double arm, const Projection& projection,
-               std::vector<GizmoLine>& lines) {
+void GizmoLines::add_rings(const Gizmo& gizmo, double arm, const Projection& projection) {
   const Vector3d toward_eye = projection.toward_eye(gizmo.center);
   for (int a = 0; a < 3; ++a) {
-    auto line = line_of(kAxes[static_cast<std::size_t>(a)], half_ring(gizmo, a, arm, toward_eye),
-                        false, projection);
-    if (line) lines.push_back(*std::move(line));
+    const HalfRing half(gizmo, a, toward_eye);
+    add(kAxes[static_cast<std::size_t>(a)], false, kRingPoints / 2 + 1, projection,
+        [&](int k) -> Vector3d {
+          const double angle = angle_of(k) - 0.5 * std::numbers::pi;
+          return gizmo.center + arm * (std::cos(angle) * half.front + std::sin(angle) * half.side);
+        });
   }
-  lines.push_back(circle(*projection.to_pixel(gizmo.center), kViewRingPixels));
+  add_circle(*projection.to_pixel(gizmo.center), kViewRingPixels);
 }
 
-void add_arms(const Gizmo& gizmo, double arm, const Projection& projection,
-              std::vector<GizmoLine>& lines) {
+void GizmoLines::add_arms(const Gizmo& gizmo, double arm, const Projection& projection) {
   const Vector3d toward_eye = projection.toward_eye(gizmo.center);
   for (int a = 0; a < 3; ++a) {
     const Vector3d axis = arm * gizmo.axes.col(a);
     if (std::abs(gizmo.axes.col(a).dot(toward_eye)) > kAlongSight) continue;
-    auto line = line_of(kAxes[static_cast<std::size_t>(a)],
-                        {gizmo.center + kArmStart * axis, gizmo.center + axis}, false, projection);
-    if (line) lines.push_back(*std::move(line));
+    add(kAxes[static_cast<std::size_t>(a)], false, 2, projection,
+        [&](int k) -> Vector3d { return gizmo.center + (k == 0 ? kArmStart : 1.0) * axis; });
   }
+  constexpr std::array<double, 4> kAlong{kPlaneStart, kPlaneEnd, kPlaneEnd, kPlaneStart};
+  constexpr std::array<double, 4> kAcross{kPlaneStart, kPlaneStart, kPlaneEnd, kPlaneEnd};
   for (int a = 0; a < 3; ++a) {
     if (std::abs(gizmo.axes.col(a).dot(toward_eye)) < kEdgeOn) continue;
     const Vector3d u = arm * gizmo.axes.col((a + 1) % 3);
     const Vector3d v = arm * gizmo.axes.col((a + 2) % 3);
-    const auto corner = [&](double s, double t) -> Vector3d {
-      return gizmo.center + s * u + t * v;
-    };
-    auto line = line_of(kPlanes[static_cast<std::size_t>(a)],
-                        {corner(kPlaneStart, kPlaneStart), corner(kPlaneEnd, kPlaneStart),
-                         corner(kPlaneEnd, kPlaneEnd), corner(kPlaneStart, kPlaneEnd)},
-                        true, projection);
-    if (line) lines.push_back(*std::move(line));
+    add(kPlanes[static_cast<std::size_t>(a)], true, 4, projection, [&](int k) -> Vector3d {
+      const auto corner = static_cast<std::size_t>(k);
+      return gizmo.center + kAlong[corner] * u + kAcross[corner] * v;
+    });
   }
-  lines.push_back(circle(*projection.to_pixel(gizmo.center), kMiddlePixels - kReachPixels));
+  add_circle(*projection.to_pixel(gizmo.center), kMiddlePixels - kReachPixels);
 }
 
-}  // namespace
+void GizmoLines::renew(const Gizmo& gizmo, const Projection& projection) {
+  count_ = 0;
+  if (!projection.to_pixel(gizmo.center)) return;
+  const double arm = kArmPixels * projection.length_of_pixel(gizmo.center);
+  if (gizmo.mode == GizmoMode::rotate) {
+    add_rings(gizmo, arm, projection);
+  } else {
+    add_arms(gizmo, arm, projection);
+  }
+}
 
 int axis_of(GizmoPart part) {
   switch (part) {
@@ -139,25 +161,13 @@ bool is_plane(GizmoPart part) {
          part == GizmoPart::without_z;
 }
 
-std::vector<GizmoLine> gizmo_lines(const Gizmo& gizmo, const Projection& projection) {
-  std::vector<GizmoLine> lines;
-  if (!projection.to_pixel(gizmo.center)) return lines;
-  const double arm = kArmPixels * projection.length_of_pixel(gizmo.center);
-  if (gizmo.mode == GizmoMode::rotate) {
-    add_rings(gizmo, arm, projection, lines);
-  } else {
-    add_arms(gizmo, arm, projection, lines);
-  }
-  return lines;
-}
-
 GizmoPart hit_gizmo(const Gizmo& gizmo, const Projection& projection, const Vector2d& pixel) {
   GizmoPart nearest = GizmoPart::none;
   double least = kReachPixels;
-  const std::vector<GizmoLine> lines = gizmo_lines(gizmo, projection);
+  const GizmoLines lines(gizmo, projection);
   for (const bool planes : {false, true}) {
     if (nearest != GizmoPart::none) break;
-    for (const GizmoLine& line : lines) {
+    for (const GizmoLine& line : lines.lines()) {
       if (is_plane(line.part) != planes) continue;
       const double distance = distance_to_line(pixel, line);
       if (distance >= least) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tools/projection.h"
@@ -34,8 +35,28 @@ struct GizmoLine {
 };
 
 /// Arms with the planes between them, or rings with only their halves that face the eye. Arms and
-/// planes that point at the eye are left out. Empty where the gizmo is behind the eye.
-std::vector<GizmoLine> gizmo_lines(const Gizmo& gizmo, const Projection& projection);
+/// planes that point at the eye are left out. Empty where the gizmo is behind the eye. Keeps its
+/// memory from one frame to the next.
+class GizmoLines {
+ public:
+  GizmoLines() = default;
+  GizmoLines(const Gizmo& gizmo, const Projection& projection) { renew(gizmo, projection); }
+
+  void renew(const Gizmo& gizmo, const Projection& projection);
+  std::span<const GizmoLine> lines() const { return std::span(lines_).first(count_); }
+
+ private:
+  GizmoLine& begin(GizmoPart part, bool closed);
+  template <typename PointAt>
+  void add(GizmoPart part, bool closed, int points, const Projection& projection,
+           const PointAt& point_at);
+  void add_circle(const Eigen::Vector2d& center, double radius);
+  void add_rings(const Gizmo& gizmo, double arm, const Projection& projection);
+  void add_arms(const Gizmo& gizmo, double arm, const Projection& projection);
+
+  std::vector<GizmoLine> lines_;
+  std::size_t count_ = 0;  // of them, those that are shown
+};
 
 /// The part within a few pixels of `pixel`; the nearest of several, planes last.
 GizmoPart hit_gizmo(const Gizmo& gizmo, const Projection& projection, const Eigen::Vector2d& pixel);

@@ -16,17 +16,16 @@ constexpr double kRoundingDegrees = 1e-6;
 
 constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
 
-std::string direction(GizmoPart part, GizmoMode mode) {
-  if (part == GizmoPart::view) return "";
-  const std::string axis = kAxisNames[static_cast<std::size_t>(axis_of(part))];
-  if (mode == GizmoMode::rotate) return " about " + axis;
-  return is_plane(part) ? " without " + axis : " along " + axis;
+void append_direction(std::string& text, GizmoPart part, GizmoMode mode) {
+  if (part == GizmoPart::view) return;
+  text += mode == GizmoMode::rotate ? " about " : is_plane(part) ? " without " : " along ";
+  text += kAxisNames[static_cast<std::size_t>(axis_of(part))];
 }
 
-std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), format, a, b, c);
-  return text.data();
+void append(std::string& text, const char* format, double a, double b = 0.0, double c = 0.0) {
+  std::array<char, 160> more{};
+  std::snprintf(more.data(), more.size(), format, a, b, c);
+  text += more.data();
 }
 
 // 0 to 2 for X, Y and Z, else -1.
@@ -51,6 +50,7 @@ std::optional<GizmoMode> drag_of_key(int key, GizmoKeys keys) {
 std::optional<GizmoMode> mode_of_key(int key, GizmoKeys keys) {
   if (key == 'W') return GizmoMode::translate;
   if (key == 'E') return GizmoMode::rotate;
+  if (key == 'Q') return GizmoMode::scale;
   if (key == 'R' && keys == GizmoKeys::maya) return GizmoMode::scale;
   return std::nullopt;
 }
@@ -194,30 +194,29 @@ std::optional<double> GizmoTool::typed_number() const {
   return number;
 }
 
-std::string GizmoTool::readout() const {
-  if (!drag_) return {};
-  std::string text;
+void GizmoTool::read_out(std::string& text) const {
+  text.clear();
+  if (!drag_) return;
   switch (drag_->mode()) {
     case GizmoMode::translate:
-      text = formatted("move (%.4g, %.4g, %.4g)", amount_.lengths.x(), amount_.lengths.y(),
-                       amount_.lengths.z());
+      append(text, "move (%.4g, %.4g, %.4g)", amount_.lengths.x(), amount_.lengths.y(),
+             amount_.lengths.z());
       break;
     case GizmoMode::rotate:
-      text = formatted("turn %.4g degrees", amount_.degrees);
+      append(text, "turn %.4g degrees", amount_.degrees);
       break;
     case GizmoMode::scale:
-      text = formatted("scale (%.4g, %.4g, %.4g)", amount_.factors.x(), amount_.factors.y(),
-                       amount_.factors.z());
+      append(text, "scale (%.4g, %.4g, %.4g)", amount_.factors.x(), amount_.factors.y(),
+             amount_.factors.z());
   }
-  text += direction(drag_->part(), drag_->mode());
-  if (!typed_.empty()) text += " [" + typed_ + "]";
+  append_direction(text, drag_->part(), drag_->mode());
+  if (!typed_.empty()) text.append(" [").append(typed_).append("]");
   if (turns_too_far_) {
-    text += formatted(
-        "; turned %.4g degrees in all: the surface may wind the other way round; "
-        "commit on the way",
-        turn_of(*live_).degrees);
+    append(text,
+           "; turned %.4g degrees in all: the surface may wind the other way round; commit on the "
+           "way",
+           turn_of(*live_).degrees);
   }
-  return text;
 }
 
 }  // namespace lapwing::viewer

@@ -22,9 +22,9 @@ struct GizmoScene {
 };
 
 /// Moves a handle: by dragging a part of the gizmo, or by G, R or S and the mouse alone, held to an
-/// axis by X, Y, Z, to a plane by Shift with them, and by numbers typed. Control snaps. W, E and R
-/// choose what the gizmo shows. Enter or a click ends a drag, Escape or the right button gives it
-/// up.
+/// axis by X, Y, Z, to a plane by Shift with them, and by numbers typed. Control snaps. W, E and Q
+/// (in Maya R) choose what the gizmo shows. Enter or a click ends a drag, Escape or the right
+/// button gives it up.
 class GizmoTool {
  public:
   ToolAnswer handle(const InputEvent& event, const GizmoScene& scene);
@@ -32,6 +32,10 @@ class GizmoTool {
   /// The handle's move while it is dragged.
   const std::optional<Move>& live() const { return live_; }
   bool is_dragging() const { return drag_.has_value(); }
+  /// What the gizmo shows from now on; nothing while it is dragged.
+  void show(GizmoMode mode) {
+    if (!drag_) mode_ = mode;
+  }
   GizmoMode mode() const { return drag_ ? drag_->mode() : mode_; }
   /// The part dragged or under the cursor.
   GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
@@ -42,7 +46,7 @@ class GizmoTool {
   bool turns_too_far() const { return turns_too_far_; }
   /// For the status line while dragging: "turn 45 degrees about x", and what to do where it turns
   /// too far.
-  std::string readout() const;
+  void read_out(std::string& text) const;
 
  private:
   ToolAnswer handle_key(const InputEvent& event, const GizmoScene& scene);

@@ -3,7 +3,6 @@
 #include <imgui.h>
 #include <utility>
 
-#include "tools/certificate_words.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -78,6 +77,23 @@ bool draw_number(const char* label, double& number, bool& let_go) {
   return changed;
 }
 
+template <typename Value>
+bool choose(const char* label, Value& value,
+            std::initializer_list<std::pair<const char*, Value>> choices) {
+  ImGui::TextDisabled("%s", label);
+  bool changed = false;
+  for (const auto& [name, choice] : choices) {
+    ImGui::SameLine();
+    ImGui::PushID(label);
+    if (ImGui::RadioButton(name, value == choice)) {
+      value = choice;
+      changed = true;
+    }
+    ImGui::PopID();
+  }
+  return changed;
+}
+
 // Without what rounding leaves, which would be long to read.
 Eigen::Vector3d readable(const Eigen::Vector3d& vector, double size) {
   constexpr double kRounding = 1e-9;
@@ -93,6 +109,13 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   ImGui::Text("handle %zu", handle + 1);
   ImGui::SameLine();
   if (ImGui::SmallButton("back to rest")) editor.perform(MoveHandle{handle, SimilarityMove{}});
+  GizmoMode mode = editor.gizmo_tool().mode();
+  if (choose("gizmo", mode,
+             {{"move", GizmoMode::translate},
+              {"turn", GizmoMode::rotate},
+              {"scale", GizmoMode::scale}})) {
+    editor.show_gizmo(mode);
+  }
   const Move& now = editor.gizmo_tool().live() ? *editor.gizmo_tool().live() : state.moves[handle];
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {
@@ -111,23 +134,6 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   if (!let_go) return;
   drafts.move.reset();
   if (move.rotate.axis.norm() > 0.0 && move.scale > 0.0) editor.perform(MoveHandle{handle, move});
-}
-
-template <typename Value>
-bool choose(const char* label, Value& value,
-            std::initializer_list<std::pair<const char*, Value>> choices) {
-  ImGui::TextDisabled("%s", label);
-  bool changed = false;
-  for (const auto& [name, choice] : choices) {
-    ImGui::SameLine();
-    ImGui::PushID(label);
-    if (ImGui::RadioButton(name, value == choice)) {
-      value = choice;
-      changed = true;
-    }
-    ImGui::PopID();
-  }
-  return changed;
 }
 
 void draw_settling(SettleOptions& settle, bool& chosen, bool& edited) {
@@ -195,8 +201,7 @@ std::optional<std::vector<Index>> draw_certificate(const Editor& editor) {
   draw_number_line("detail error", "%.3f", certificate->detail_error);
   draw_number_line("edge stretch", "%.3f", certificate->edge_stretch);
   int number = 0;
-  for (const CertificateWarning& warning :
-       warnings_of(*certificate, *editor.state().topology, editor.bounds().diagonal())) {
+  for (const CertificateWarning& warning : editor.warnings()) {
     ImGui::PushID(number++);
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(242, 194, 77, 255));
     ImGui::TextWrapped("%s", warning.text.c_str());

@@ -1,5 +1,6 @@
 #include <array>
 #include <imgui.h>
+#include <utility>
 
 #include "ui/panels.h"
 
@@ -24,30 +25,27 @@ ImU32 color_of(GizmoPart part) {
 // Draws in pixels of the picture.
 class Pen {
  public:
-  Pen(const ViewFrame& view, double pixels_per_unit)
+  Pen(const ViewFrame& view, double pixels_per_unit, std::vector<Vector2d>& points)
       : list_(*ImGui::GetBackgroundDrawList()),
         projection_(view.projection()),
-        unit_(pixels_per_unit) {}
+        unit_(pixels_per_unit),
+        points_(points) {}
 
   const Projection& projection() const { return projection_; }
 
-  ImVec2 at(const Vector2d& pixel) const {
-    return {static_cast<float>(pixel.x() / unit_), static_cast<float>(pixel.y() / unit_)};
-  }
-
   // Dark below, so that it shows on every surface.
-  void line(const std::vector<Vector2d>& pixels, bool closed, ImU32 color, float thickness) {
+  void line(std::span<const Vector2d> pixels, bool closed, ImU32 color, float thickness) {
     if (pixels.size() < 2) return;
-    trace(pixels);
-    const auto flags = closed ? ImDrawFlags_Closed : ImDrawFlags_None;
-    list_.AddPolyline(points_.data(), static_cast<int>(points_.size()), kShade, flags,
-                      thickness + 2.0F);
-    list_.AddPolyline(points_.data(), static_cast<int>(points_.size()), color, flags, thickness);
+    for (const auto& [shade, width] :
+         {std::pair{kShade, thickness + 2.0F}, std::pair{color, thickness}}) {
+      for (const Vector2d& pixel : pixels) list_.PathLineTo(at(pixel));
+      list_.PathStroke(shade, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
+    }
   }
 
-  void area(const std::vector<Vector2d>& pixels, ImU32 color) {
-    trace(pixels);
-    list_.AddConvexPolyFilled(points_.data(), static_cast<int>(points_.size()), color);
+  void area(std::span<const Vector2d> pixels, ImU32 color) {
+    for (const Vector2d& pixel : pixels) list_.PathLineTo(at(pixel));
+    list_.PathFillConvex(color);
   }
 
   void circle(const Vector2d& pixel, double radius, ImU32 color) {
@@ -69,16 +67,24 @@ class Pen {
     list_.AddText(from, kLine, words.c_str());
   }
 
- private:
-  void trace(const std::vector<Vector2d>& pixels) {
+  // Where vertices show, until the next call.
+  std::span<const Vector2d> pixels_of(const Editor& editor, std::span<const Index> vertices) {
     points_.clear();
-    for (const Vector2d& pixel : pixels) points_.push_back(at(pixel));
+    for (const Index v : vertices) {
+      if (const auto pixel = projection_.to_pixel(editor.positions()[v])) points_.push_back(*pixel);
+    }
+    return points_;
+  }
+
+ private:
+  ImVec2 at(const Vector2d& pixel) const {
+    return {static_cast<float>(pixel.x() / unit_), static_cast<float>(pixel.y() / unit_)};
   }
 
   ImDrawList& list_;
   const Projection projection_;
   const double unit_;
-  std::vector<ImVec2> points_;
+  std::vector<Vector2d>& points_;
 };
 
 // A box at the end of an arm that scales, an arrow's head at one that moves.
@@ -87,18 +93,21 @@ void draw_arm_end(Pen& pen, const GizmoLine& line, GizmoMode mode, ImU32 color) 
   const Vector2d along = (end - line.pixels.front()).normalized();
   const Vector2d across(-along.y(), along.x());
   if (mode == GizmoMode::scale) {
-    pen.area({end - 5.0 * along - 5.0 * across, end + 5.0 * along - 5.0 * across,
-              end + 5.0 * along + 5.0 * across, end - 5.0 * along + 5.0 * across},
-             color);
+    const std::array<Vector2d, 4> box{
+        end - 5.0 * along - 5.0 * across, end + 5.0 * along - 5.0 * across,
+        end + 5.0 * along + 5.0 * across, end - 5.0 * along + 5.0 * across};
+    pen.area(box, color);
   } else {
-    pen.area({end + 12.0 * along, end + 5.0 * across, end - 5.0 * across}, color);
+    const std::array<Vector2d, 3> head{end + 12.0 * along, end + 5.0 * across, end - 5.0 * across};
+    pen.area(head, color);
   }
 }
 
-void draw_gizmo(Pen& pen, const Editor& editor) {
+void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& readout) {
   const GizmoTool& tool = editor.gizmo_tool();
   const Gizmo gizmo = tool.gizmo(editor.gizmo_scene(pen.projection()));
-  for (const GizmoLine& line : gizmo_lines(gizmo, pen.projection())) {
+  lines.renew(gizmo, pen.projection());
+  for (const GizmoLine& line : lines.lines()) {
     if (line.pixels.size() < 2) continue;
     const bool taken = line.part == tool.part();
     const ImU32 color = taken ? kHighlight : color_of(line.part);
@@ -111,39 +120,31 @@ void draw_gizmo(Pen& pen, const Editor& editor) {
   }
   if (!tool.is_dragging()) return;
   if (const auto center = pen.projection().to_pixel(gizmo.center)) {
-    pen.text(*center + Vector2d(24.0, 24.0), tool.readout());
+    tool.read_out(readout);
+    pen.text(*center + Vector2d(24.0, 24.0), readout);
   }
-}
-
-std::vector<Vector2d> pixels_of(const Pen& pen, const Editor& editor,
-                                std::span<const Index> vertices) {
-  std::vector<Vector2d> pixels;
-  for (const Index v : vertices) {
-    if (const auto pixel = pen.projection().to_pixel(editor.positions()[v])) {
-      pixels.push_back(*pixel);
-    }
-  }
-  return pixels;
 }
 
 void draw_loop(Pen& pen, const Editor& editor) {
   const LoopTool& loop = editor.loop_tool();
-  pen.line(pixels_of(pen, editor, loop.line()), false, loop.is_closed() ? kHighlight : kLine,
+  pen.line(pen.pixels_of(editor, loop.line()), false, loop.is_closed() ? kHighlight : kLine,
            kThick);
-  for (const Vector2d& corner : pixels_of(pen, editor, loop.corners())) pen.dot(corner, kHighlight);
+  for (const Vector2d& corner : pen.pixels_of(editor, loop.corners())) pen.dot(corner, kHighlight);
 }
 
 }  // namespace
 
-void draw_edit_marks(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
+void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
                      const Vector2d& cursor) {
-  Pen pen(view, pixels_per_unit);
-  if (editor.has_gizmo() || editor.gizmo_tool().is_dragging()) draw_gizmo(pen, editor);
+  Pen pen(view, pixels_per_unit, points_);
+  if (editor.has_gizmo() || editor.gizmo_tool().is_dragging()) {
+    draw_gizmo(pen, editor, gizmo_, readout_);
+  }
   if (editor.tool() == EditTool::loop) draw_loop(pen, editor);
   const PaintTool& paint = editor.paint_tool();
   if (editor.tool() == EditTool::brush) pen.circle(cursor, paint.options().radius, kLine);
   pen.line(paint.outline(), true, kLine, 1.5F);
-  for (const Vector2d& pixel : pixels_of(pen, editor, editor.pointed_at())) {
+  for (const Vector2d& pixel : pen.pixels_of(editor, editor.pointed_at())) {
     pen.circle(pixel, 14.0, kPointer);
   }
 }

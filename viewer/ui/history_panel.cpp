@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <imgui.h>
 
 #include "ui/panels.h"
@@ -15,17 +17,17 @@ std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& draft
   if (ImGui::Button("Save recipe...")) purpose = PathPurpose::save_recipe;
   if (ImGui::Button("Replay a recipe...")) purpose = PathPurpose::replay_recipe;
 
-  const auto names = history.names();
   std::optional<std::size_t> chosen;
-  const float rows = static_cast<float>(std::min<std::size_t>(names.size() + 1, 12));
+  const float rows = static_cast<float>(std::min<std::size_t>(history.size() + 1, 12));
   ImGui::BeginChild("steps", {0.0F, rows * ImGui::GetTextLineHeightWithSpacing()});
   if (ImGui::Selectable("opened", history.done() == 0)) chosen = 0;
-  for (std::size_t k = 0; k < names.size(); ++k) {
+  for (std::size_t k = 0; k < history.size(); ++k) {
     const bool undone = k >= history.done();
     if (undone)
       ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    const std::string label = std::to_string(k + 1) + "  " + names[k];
-    if (ImGui::Selectable(label.c_str(), k + 1 == history.done())) chosen = k + 1;
+    std::array<char, 128> label{};
+    std::snprintf(label.data(), label.size(), "%zu  %s", k + 1, history.name(k).c_str());
+    if (ImGui::Selectable(label.data(), k + 1 == history.done())) chosen = k + 1;
     if (undone) ImGui::PopStyleColor();
   }
   if (drafts.history_shown != history.done()) ImGui::SetScrollHereY(1.0F);

@@ -61,10 +61,19 @@ void draw_timings_panel(const FrameTimings& timings);
 /// Messages, the newest last.
 void draw_log_panel(std::span<const std::string> messages);
 
-/// Over the picture, under the panels: gizmo, outlines of the tools, vertices pointed at. Pixels of
-/// `view` for each of ImGui's units.
-void draw_edit_marks(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
-                     const Eigen::Vector2d& cursor);
+/// Over the picture, under the panels: gizmo, outlines of the tools, vertices pointed at. Keeps its
+/// memory from one frame to the next.
+class EditMarks {
+ public:
+  /// Pixels of `view` for each of ImGui's units.
+  void draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
+            const Eigen::Vector2d& cursor);
+
+ private:
+  GizmoLines gizmo_;
+  std::string readout_;
+  std::vector<Eigen::Vector2d> points_;
+};
 
 /// The list of controls, in a window of its own; `open` turns false when it is closed.
 void draw_controls_list(const Keymap& keymap, bool& open);

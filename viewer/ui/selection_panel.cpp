@@ -2,7 +2,6 @@
 #include <imgui.h>
 #include <utility>
 
-#include "tools/selection_edits.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -22,7 +21,7 @@ void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4&
                      {ImGui::GetFontSize(), ImGui::GetFontSize()});
   ImGui::SameLine();
   if (ImGui::RadioButton(name, editor.part() == part)) editor.choose(part);
-  const std::size_t count = vertices_of(editor.state().selection, part).size();
+  const std::size_t count = editor.count(part);
   if (count > 0) {
     ImGui::SameLine();
     ImGui::TextDisabled("%zu", count);

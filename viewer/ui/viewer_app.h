@@ -85,7 +85,7 @@ class ViewerApp final : public App {
   void draw_view_menu();
   void draw_sidebar(const FrameTimings& last);
   void draw_status(const FrameTimings& last);
-  std::string status_text(const FrameTimings& last) const;
+  const std::string& status_text(const FrameTimings& last);
   void draw_dialogs();
   void draw_start();
   void draw_interrupted();
@@ -109,6 +109,7 @@ class ViewerApp final : public App {
   bool show_controls_ = false;
   bool show_start_ = true;
   PanelDrafts drafts_;
+  EditMarks marks_;
   PicturePlan picture_plan_;
   PathPlan path_plan_;
   std::vector<InterruptedEdit> interrupted_;
@@ -117,6 +118,7 @@ class ViewerApp final : public App {
   std::string typed_path_;
   std::vector<std::string> log_;
   std::string status_;
+  std::string status_line_;  ///< kept from one frame to the next
   std::string title_ = "Lapwing";
   std::optional<PictureOrder> order_;
   int frames_shown_ = 0;  ///< of the document

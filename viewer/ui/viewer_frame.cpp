@@ -1,5 +1,6 @@
 // The panels that surround the picture: menu, sidebar, status line.
 
+#include <array>
 #include <cstdio>
 #include <imgui.h>
 #include <utility>
@@ -25,22 +26,28 @@ bool begin_menu(const char* label) {
   return true;
 }
 
+// Without memory of its own: a frame allocates nothing.
+void append(std::string& text, const char* format, auto... values) {
+  std::array<char, 128> more{};
+  std::snprintf(more.data(), more.size(), format, values...);
+  text += more.data();
+}
+
 // For the status line: what the worker does, and what a drag shows.
-std::string state_of_the_edit(const Editor& editor) {
+void append_state(std::string& text, const Editor& editor) {
   using Phase = PreparationStatus::Phase;
   const PreparationStatus status = editor.session().preparation().status();
-  const int percent = static_cast<int>(100.0 * status.fraction);
-  std::string text;
+  const double percent = 100.0 * status.fraction;
   switch (status.phase) {
     case Phase::previewing:
     case Phase::solving:
-      text = "  |  preparing: " + status.stage + " " + std::to_string(percent) + "%";
+      append(text, "  |  preparing: %s %.0f%%", status.stage.c_str(), percent);
       break;
     case Phase::settling:
-      text = "  |  settling " + std::to_string(percent) + "%";
+      append(text, "  |  settling %.0f%%", percent);
       break;
     case Phase::failed:
-      text = "  |  " + status.message;
+      text.append("  |  ").append(status.message);
       break;
     case Phase::idle:
     case Phase::ready:
@@ -49,7 +56,6 @@ std::string state_of_the_edit(const Editor& editor) {
   if (editor.surface().source() == SurfaceSource::preview) text += "  |  preview";
   if (editor.surface().source() == SurfaceSource::exact) text += "  |  exact";
   if (editor.shows_before()) text += "  |  before";
-  return text;
 }
 
 }  // namespace
@@ -62,7 +68,7 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   draw_status(last);
   if (document_) {
     const double per_unit = size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x);
-    draw_edit_marks(document_->editor, view_frame(), per_unit, cursor_);
+    marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
     if (show_panels_) draw_sidebar(last);
   }
   draw_dialogs();
@@ -248,23 +254,27 @@ void ViewerApp::draw_sidebar(const FrameTimings& last) {
 }
 
 // Device and size, how long a frame takes, what is on the screen, and what to do.
-std::string ViewerApp::status_text(const FrameTimings& last) const {
-  std::string text = context_->description().name;
+const std::string& ViewerApp::status_text(const FrameTimings& last) {
+  std::string& text = status_line_;
+  text = context_->description().name;
   if (document_) {
     const Editor& editor = document_->editor;
-    char numbers[96];
-    std::snprintf(numbers, sizeof numbers, "  |  %zu vertices  |  %.1f ms",
-                  editor.positions().size(), last.draw_ms + last.ui_ms);
-    text += numbers;
+    append(text, "  |  %zu vertices  |  %.1f ms", editor.positions().size(),
+           last.draw_ms + last.ui_ms);
     if (const Certificate* certificate = editor.session().certificate()) {
-      std::snprintf(numbers, sizeof numbers, "  |  residual %.0e", certificate->relative_residual);
-      text += numbers;
+      append(text, "  |  residual %.0e", certificate->relative_residual);
     }
-    text += state_of_the_edit(editor);
+    append_state(text, editor);
   }
-  if (loader_.busy()) return text + "  |  " + loader_.stage() + " (Escape cancels)";
-  if (!status_.empty()) return text + "  |  " + status_;
-  return text + "  |  " + (document_ ? document_->editor.hint() : "? lists the controls");
+  text += "  |  ";
+  if (loader_.busy()) {
+    text.append(loader_.stage()).append(" (Escape cancels)");
+  } else if (!status_.empty()) {
+    text += status_;
+  } else {
+    text += document_ ? document_->editor.hint() : "? lists the controls";
+  }
+  return text;
 }
 
 void ViewerApp::draw_status(const FrameTimings& last) {
