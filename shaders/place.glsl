@@ -12,6 +12,7 @@ struct Place {
 Place place_of(uint v) {
   return Place(dvec3(places[3 * v], places[3 * v + 1], places[3 * v + 2]));
 }
+dvec3 value_of(Place place) { return place.value; }
 dvec3 difference(Place from, Place to) { return to.value - from.value; }
 #else
 struct Place {
@@ -22,6 +23,7 @@ Place place_of(uint v) {
   return Place(vec3(places[6 * v], places[6 * v + 1], places[6 * v + 2]),
                vec3(places[6 * v + 3], places[6 * v + 4], places[6 * v + 5]));
 }
+vec3 value_of(Place place) { return place.high; }
 // The high parts of neighbours are close, so their difference is exact: the result has float32's
 // relative precision however far the mesh lies from the origin.
 vec3 difference(Place from, Place to) {

@@ -12,6 +12,8 @@ const real kCollinearShare = 1e-12LF;
 const real kRankOneShare = 1e-12LF;
 const real kSmallestGap = 1e-6LF;
 const real kConverged = 1e-14LF;
+// As in kernels/rotate_frames.cpp.
+const real kRoundingShare = 1e-12LF;
 #else
 #define real float
 #define real3 vec3
@@ -23,4 +25,5 @@ const real kCollinearShare = 1e-6;
 const real kRankOneShare = 1e-6;
 const real kSmallestGap = 1e-2;
 const real kConverged = 1e-6;
+const real kRoundingShare = 1e-6;
 #endif

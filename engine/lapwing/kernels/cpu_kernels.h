@@ -13,6 +13,12 @@ class CpuKernels final : public Kernels {
   void assemble_rsi(const RingProblem& problem, std::span<double> blocks) override;
   void sample_laplacians(const RingProblem& problem,
                          std::span<Eigen::Vector3d> laplacians) override;
+  void sample_mapped_laplacians(const MappedRings& rings, MappedSampling sampling,
+                                std::span<const Eigen::Vector3d> source,
+                                std::span<Eigen::Vector3d> laplacians) override;
+  void rotate_frames(const MappedRings& rings, const FramedSurface& source,
+                     const FramedSurface& target, double scale,
+                     std::span<Eigen::Matrix3d> transforms) override;
   std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings,
                                                      RingMotion motion) override;
   std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) override;

@@ -8,6 +8,7 @@
 
 #include "lapwing/laplacian/region_rings.h"
 #include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/mesh/surface_point.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
@@ -92,6 +93,27 @@ enum class RingMotion {
   similarity,  ///< s_i R_i
 };
 
+/// The one-rings of a target region, laid onto a source surface through a common domain (paper
+/// section 5.2).
+struct MappedRings {
+  const RegionRings& target;
+  /// Per RegionRings::vertices: where it comes to lie on the source. Nowhere for a vertex that the
+  /// map does not reach; fields are 0 there, and frames leave it out.
+  std::span<const SurfacePoint> points;
+};
+
+/// How Laplacians are taken from a source surface.
+enum class MappedSampling {
+  one_ring,  ///< the target's ring is laid onto the source and its Laplacian taken there
+  linear,    ///< the Laplacians of the three corners are interpolated
+};
+
+/// A surface with its unit normals, one of each per vertex; a normal may be 0.
+struct FramedSurface {
+  std::span<const Eigen::Vector3d> positions;
+  std::span<const Eigen::Vector3d> normals;
+};
+
 /// The kernels, as the core sees the device. Each has a CPU twin in double precision (CpuKernels)
 /// and a Vulkan twin of the same name. Calls return when the result is there. Same input, same
 /// bits, on one device. Throws GpuError when the device fails.
@@ -111,6 +133,28 @@ class Kernels {
   /// delta_i = sum_j w_ij (v_i - v_j) for each row (eq. 1); 0 for a vertex without ring.
   virtual void sample_laplacians(const RingProblem& problem,
                                  std::span<Eigen::Vector3d> laplacians) = 0;
+
+  /// Laplacian coordinates of a source at the rows of a target, before they are turned. `source`
+  /// has one vector per source vertex: with one_ring a field f (positions, say, or what coats a
+  /// smooth surface), of which each row gets f(p_i) - sum_j w_ij f(p_j); with linear Laplacians, of
+  /// which each row gets the one at p_i. 0 for a row that lies nowhere and, with one_ring, for one
+  /// without ring.
+  virtual void sample_mapped_laplacians(const MappedRings& rings, MappedSampling sampling,
+                                        std::span<const Eigen::Vector3d> source,
+                                        std::span<Eigen::Vector3d> laplacians) = 0;
+
+  /// T_i = s_i R_i for each row, the turn from the source's frame at p_i to the target's frame
+  /// (paper section 5.1): R_i carries the source's normal at p_i, interpolated, to the target's,
+  /// and the edges of the mapped ring, projected onto the tangent plane, to those of the ring, in
+  /// the least-squares sense over all of them. s_i is `scale`, or where that is 0 the local
+  /// edge-length ratio sqrt(sum_j |target edge|^2 / sum_j |mapped edge|^2), 1 where the mapped ring
+  /// has no extent. `source` is per source vertex, `target` per RegionRings::vertices; both should
+  /// be the low-frequency surfaces. Where the edges tell nothing, R_i is the smallest rotation that
+  /// carries the normal; where a normal is 0, the best rotation of the unprojected edges, the
+  /// identity if there are none. A row that lies nowhere gets the identity times `scale`, or 1.
+  virtual void rotate_frames(const MappedRings& rings, const FramedSurface& source,
+                             const FramedSurface& target, double scale,
+                             std::span<Eigen::Matrix3d> transforms) = 0;
 
   /// The rings of a region, not turned yet. `rings` need not outlive it.
   virtual std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings,

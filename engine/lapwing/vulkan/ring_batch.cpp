@@ -12,9 +12,17 @@ namespace {
 constexpr std::size_t kBlocksPerBatch = std::size_t{1} << 18U;
 
 std::vector<RingBatch> split(const RingProblem& problem) {
+  return split_rows(problem.rows.size(),
+                    [&](std::size_t r) { return problem.rings.size(problem.rows[r]); });
+}
+
+}  // namespace
+
+std::vector<RingBatch> split_rows(std::size_t row_count,
+                                  const std::function<std::size_t(std::size_t)>& entries_of) {
   std::vector<RingBatch> batches;
-  for (std::size_t r = 0; r < problem.rows.size(); ++r) {
-    const std::size_t entries = problem.rings.size(problem.rows[r]);
+  for (std::size_t r = 0; r < row_count; ++r) {
+    const std::size_t entries = entries_of(r);
     if (batches.empty() || batches.back().block_count() + 1 + entries > kBlocksPerBatch) {
       batches.push_back({r, 0, 0});
     }
@@ -32,8 +40,6 @@ RingBatch largest_of(std::span<const RingBatch> batches) {
   }
   return largest;
 }
-
-}  // namespace
 
 RingBatches::RingBatches(VulkanState& state, const RingProblem& problem)
     : state_(state),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,7 @@
 
 namespace lapwing {
 
-/// Consecutive rows of a RingProblem.
+/// Consecutive rows of a RingProblem or of MappedRings.
 struct RingBatch {
   std::size_t first_row = 0;
   std::size_t row_count = 0;
@@ -22,6 +23,13 @@ struct RingBatch {
   std::size_t block_count() const { return row_count + entry_count; }
 };
 
+/// Rows 0 to `row_count` in as few batches as keep the buffers of each far below every device's
+/// limits. `entries_of` gives the size of a row's ring.
+std::vector<RingBatch> split_rows(std::size_t row_count,
+                                  const std::function<std::size_t(std::size_t)>& entries_of);
+/// The largest of each number over all batches.
+RingBatch largest_of(std::span<const RingBatch> batches);
+
 /// A RingProblem on the device, a batch of rows at a time (layout: shaders/ring.glsl), so that the
 /// memory for one call and the range of its output stay small however many rows there are.
 class RingBatches {
@@ -29,7 +37,6 @@ class RingBatches {
   RingBatches(VulkanState& state, const RingProblem& problem);
 
   const std::vector<RingBatch>& batches() const { return batches_; }
-  /// The largest of each number over all batches.
   const RingBatch& largest() const { return largest_; }
 
   /// Uploads `batch`, runs `kernel` on it with `output` as the last buffer, and waits.

@@ -9,10 +9,14 @@
 #include "lapwing/shaders/blend_response.h"
 #include "lapwing/shaders/fit_rotations_float32.h"
 #include "lapwing/shaders/fit_rotations_float64.h"
+#include "lapwing/shaders/rotate_frames_float32.h"
+#include "lapwing/shaders/rotate_frames_float64.h"
 #include "lapwing/shaders/rotate_laplacians_float32.h"
 #include "lapwing/shaders/rotate_laplacians_float64.h"
 #include "lapwing/shaders/sample_laplacians_float32.h"
 #include "lapwing/shaders/sample_laplacians_float64.h"
+#include "lapwing/shaders/sample_mapped_laplacians_float32.h"
+#include "lapwing/shaders/sample_mapped_laplacians_float64.h"
 #include "lapwing/shaders/vertex_normals.h"
 #include "lapwing/vulkan/vulkan_ring_rotations.h"
 #include "lapwing/vulkan/vulkan_state.h"
@@ -25,6 +29,8 @@ namespace {
 constexpr std::uint32_t kCountBytes = sizeof(std::uint32_t);
 // Those of shaders/rotations.glsl.
 constexpr std::uint32_t kRotationsBytes = 5 * sizeof(std::uint32_t);
+// Those of shaders/mapped_ring.glsl.
+constexpr std::uint32_t kMappedRingBytes = 3 * sizeof(std::uint32_t);
 
 std::shared_ptr<gpu::Context> make_context(const VulkanOptions& options) {
   gpu::ContextOptions context_options;
@@ -60,6 +66,9 @@ VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_f
       fit_rotations(*context, "fit_rotations",
                     float64 ? shaders::fit_rotations_float64() : shaders::fit_rotations_float32(),
                     kRotationsBytes),
+      rotate_frames(*context, "rotate_frames",
+                    float64 ? shaders::rotate_frames_float64() : shaders::rotate_frames_float32(),
+                    kMappedRingBytes),
       rotate_laplacians(
           *context, "rotate_laplacians",
           float64 ? shaders::rotate_laplacians_float64() : shaders::rotate_laplacians_float32(),
@@ -68,6 +77,10 @@ VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_f
           *context, "sample_laplacians",
           float64 ? shaders::sample_laplacians_float64() : shaders::sample_laplacians_float32(),
           kCountBytes),
+      sample_mapped_laplacians(*context, "sample_mapped_laplacians",
+                               float64 ? shaders::sample_mapped_laplacians_float64()
+                                       : shaders::sample_mapped_laplacians_float32(),
+                               kMappedRingBytes),
       blend_response(*context, "blend_response", shaders::blend_response(), kCountBytes),
       vertex_normals(*context, "vertex_normals", shaders::vertex_normals(), kCountBytes) {}
 

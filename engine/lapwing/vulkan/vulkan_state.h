@@ -18,8 +18,10 @@ class VulkanState {
   gpu::Transfer transfer;
   gpu::Kernel assemble_rsi;
   gpu::Kernel fit_rotations;
+  gpu::Kernel rotate_frames;
   gpu::Kernel rotate_laplacians;
   gpu::Kernel sample_laplacians;
+  gpu::Kernel sample_mapped_laplacians;
   gpu::Kernel blend_response;
   gpu::Kernel vertex_normals;
 };

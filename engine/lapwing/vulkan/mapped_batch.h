@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+#include "lapwing/vulkan/ring_batch.h"
+
+namespace lapwing {
+
+/// MappedRings on the device, a batch of rows at a time (layout: shaders/mapped_ring.glsl): the
+/// source and the points stay there, the rings come and go.
+class MappedBatches {
+ public:
+  /// `source` has one vector per source vertex: what the mapped rings take differences of.
+  MappedBatches(VulkanState& state, const MappedRings& rings,
+                std::span<const Eigen::Vector3d> source);
+
+  const std::vector<RingBatch>& batches() const { return batches_; }
+  const RingBatch& largest() const { return largest_; }
+  /// Where the entries of a batch begin in RegionRings.
+  std::size_t first_entry(const RingBatch& batch) const {
+    return rings_.target.starts[batch.first_row];
+  }
+
+  /// Uploads the rings of `batch`, runs `kernel` on them with `others` as the buffers that follow
+  /// and `flag` as its last push constant, and waits.
+  void run(const RingBatch& batch, const gpu::Kernel& kernel,
+           std::initializer_list<gpu::BufferRange> others, bool flag);
+
+ private:
+  void upload_points();
+  void upload_rings(const RingBatch& batch);
+
+  VulkanState& state_;
+  const MappedRings& rings_;
+  std::vector<RingBatch> batches_;
+  RingBatch largest_;
+  gpu::Buffer source_;
+  gpu::Buffer corners_;
+  gpu::Buffer point_weights_;
+  gpu::Buffer starts_;
+  gpu::Buffer neighbours_;
+  gpu::CommandList commands_;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,32 @@
+// A batch of rows, their one-rings, and where those lie on a source surface (vulkan/mapped_batch.h).
+// Row r is vertex first_row + r, with the neighbours of entries [starts[r], starts[r + 1]).
+
+#include "place.glsl"
+
+// Per vertex of the target: three corners and their weights, all 0 for nowhere.
+layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
+layout(std430, binding = 2) readonly buffer PointWeights { real point_weights[]; };
+layout(std430, binding = 3) readonly buffer Starts { uint starts[]; };
+layout(std430, binding = 4) readonly buffer Neighbours { uint neighbours[]; };
+
+layout(push_constant) uniform Push {
+  uint row_count;
+  uint first_row;
+  uint flag;  // the kernel's own
+};
+
+bool is_nowhere(uint v) {
+  return point_weights[3 * v] == 0 && point_weights[3 * v + 1] == 0 && point_weights[3 * v + 2] == 0;
+}
+
+// A place near the point where v lies.
+Place anchor_of(uint v) { return place_of(corners[3 * v]); }
+
+// The value at the point where v lies, less `anchor`. Twin: kernels/mapped_ring.h.
+real3 offset_from(Place anchor, uint v) {
+  real3 offset = real3(0);
+  for (uint c = 3 * v; c < 3 * v + 3; ++c) {
+    offset += point_weights[c] * difference(anchor, place_of(corners[c]));
+  }
+  return offset;
+}
