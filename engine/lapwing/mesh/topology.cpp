@@ -10,21 +10,6 @@ void accumulate_starts(std::vector<Index>& starts) {
   for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
 }
 
-Adjacency build_vertex_triangles(std::size_t vertex_count, std::span<const Triangle> triangles) {
-  Adjacency around;
-  around.starts.assign(vertex_count + 1, 0);
-  for (const Triangle& t : triangles) {
-    for (const Index v : t) ++around.starts[v + 1];
-  }
-  accumulate_starts(around.starts);
-  around.values.resize(around.starts.back());
-  std::vector<Index> next(around.starts.begin(), around.starts.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const Index v : triangles[t]) around.values[next[v]++] = static_cast<Index>(t);
-  }
-  return around;
-}
-
 Adjacency build_rings(const Adjacency& vertex_triangles, std::span<const Triangle> triangles) {
   Adjacency rings;
   const std::size_t n = vertex_triangles.row_count();
@@ -48,6 +33,21 @@ Adjacency build_rings(const Adjacency& vertex_triangles, std::span<const Triangl
 
 }  // namespace
 
+Adjacency triangles_around_vertices(std::size_t vertex_count, std::span<const Triangle> triangles) {
+  Adjacency around;
+  around.starts.assign(vertex_count + 1, 0);
+  for (const Triangle& t : triangles) {
+    for (const Index v : t) ++around.starts[v + 1];
+  }
+  accumulate_starts(around.starts);
+  around.values.resize(around.starts.back());
+  std::vector<Index> next(around.starts.begin(), around.starts.end() - 1);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const Index v : triangles[t]) around.values[next[v]++] = static_cast<Index>(t);
+  }
+  return around;
+}
+
 Topology build_topology(const Mesh& mesh) {
   validate_indices(mesh);
   Topology topology;
@@ -62,7 +62,7 @@ Topology build_topology(const Mesh& mesh) {
       topology.triangle_faces.push_back(static_cast<Index>(f));
     }
   }
-  topology.vertex_triangles = build_vertex_triangles(mesh.vertex_count(), topology.triangles);
+  topology.vertex_triangles = triangles_around_vertices(mesh.vertex_count(), topology.triangles);
   topology.rings = build_rings(topology.vertex_triangles, topology.triangles);
   return topology;
 }

@@ -27,9 +27,12 @@ struct DomainMap {
 /// the order of the loop, which go to (0, 0), (1, 0), (1, 1), (0, 1). Own numbers.
 using BoundaryPins = std::vector<Index>;
 
-/// Pins for a patch when nobody gave any: the boundary vertex farthest along the patch's first
-/// principal direction (disk); the four next to the corners of the rectangle that its two principal
-/// directions span (square). Moves with the patch when that is turned, moved or scaled.
+/// Pins for a patch when nobody gave any, from its principal directions as seen along its mean
+/// normal: the boundary vertex farthest along the first one (disk); the four next to the corners of
+/// the rectangle along both around the boundary (square). Where those four are not in order, as on
+/// winding boundaries, the four that are a quarter of the boundary apart, from the first on. Moves
+/// with the patch when that is turned, moved or scaled, symmetric ones too. Throws InputError for
+/// the square when the boundary has fewer than four vertices.
 BoundaryPins default_pins(const Patch& patch, std::span<const Eigen::Vector3d> own_positions,
                           Domain domain);
 
@@ -37,7 +40,9 @@ BoundaryPins default_pins(const Patch& patch, std::span<const Eigen::Vector3d> o
 /// every inner vertex is a convex combination of its ring, so no triangle flips (Tutte, Floater).
 /// `own_positions` has one position per own number of the patch. Deterministic. Throws InputError,
 /// naming the vertices by their numbers in the mesh, when the pins do not fit the domain (number,
-/// order, not on the boundary) or when the patch has no area.
+/// order, not on the boundary), or when the patch has no area or a vertex that is not finite. Where
+/// the boundary is short and the patch reaches far, inner triangles become smaller than the
+/// rounding of coordinates, and `flipped_triangles` may find some.
 DomainMap mean_value_map(const Patch& patch, std::span<const Eigen::Vector3d> own_positions,
                          Domain domain, const BoundaryPins& pins);
 

@@ -36,9 +36,12 @@ std::vector<Value> on_patch(const Patch& patch, std::span<const Value> values) {
   return own;
 }
 
-/// The patch of the mesh's triangles whose three corners are in `region`. Throws InputError, naming
-/// `where`, when it is no disk; the message says what it is (components, loops, handles, with
-/// vertices) and offers the largest disk inside (see disk.h).
+/// The patch of the mesh's triangles whose three corners are in `region`. Vertices of the region in
+/// none of them are left out silently: geodesic disks and boxes often have a few at their edge.
+/// Throws InputError, naming `where`, when the rest is no disk; the message says what it is
+/// (pieces, loops, handles, with vertices; see region/disk_report.h) and offers the region form
+/// "disk_in" for the largest disk inside (see region/largest_disk.h). Also when a vertex is not
+/// finite. Linear in the size of the mesh.
 Patch disk_patch(const VertexSet& region, const Topology& topology,
                  std::span<const Eigen::Vector3d> positions, const std::string& where);
 

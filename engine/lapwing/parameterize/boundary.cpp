@@ -1,0 +1,113 @@
+#include "lapwing/parameterize/boundary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "lapwing/base/errors.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Pins as they are named to a person: a midpoint has no number in the mesh.
+std::string name_pin(const Patch& patch, Index pin) {
+  if (pin < patch.vertices.size()) return "vertex " + std::to_string(patch.vertices[pin]);
+  return "own vertex " + std::to_string(pin) + " of the patch";
+}
+
+std::string names(const Patch& patch, const BoundaryPins& pins) {
+  std::string text;
+  for (const Index pin : pins) text += (text.empty() ? "" : ", ") + name_pin(patch, pin);
+  return text;
+}
+
+// From one place in a loop of n vertices on to another, a whole round to itself.
+std::size_t edges_between(std::size_t from, std::size_t to, std::size_t n) {
+  return from < to ? to - from : to + n - from;
+}
+
+// Where each pin is in the loop.
+std::vector<std::size_t> pin_places(const Patch& patch, Domain domain, const BoundaryPins& pins) {
+  const std::size_t needed = domain == Domain::disk ? 1 : 4;
+  if (pins.size() != needed) {
+    throw InputError(std::string(domain == Domain::disk ? "the disk" : "the square") + " needs " +
+                     std::to_string(needed) +
+                     (needed == 1 ? " boundary vertex" : " boundary vertices") +
+                     " to be pinned, got " + std::to_string(pins.size()));
+  }
+  std::vector<std::size_t> places;
+  for (const Index pin : pins) {
+    const auto at = std::find(patch.loop.begin(), patch.loop.end(), pin);
+    if (at == patch.loop.end()) {
+      throw InputError(name_pin(patch, pin) +
+                       " cannot be pinned: it is not on the boundary of the patch; name one that "
+                       "is, such as vertex " +
+                       std::to_string(patch.vertices[patch.loop.front()]));
+    }
+    places.push_back(static_cast<std::size_t>(at - patch.loop.begin()));
+  }
+  std::size_t passed = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    passed += edges_between(places[k], places[(k + 1) % places.size()], patch.loop.size());
+  }
+  if (passed != patch.loop.size()) {
+    throw InputError("the pins " + names(patch, pins) +
+                     " do not follow each other around the boundary; name four different ones, "
+                     "counterclockwise as seen from outside");
+  }
+  return places;
+}
+
+// Length of the loop's edges, edge k from vertex k on.
+std::vector<double> edge_lengths(const Patch& patch, std::span<const Vector3d> own_positions) {
+  const std::size_t n = patch.loop.size();
+  std::vector<double> lengths(n);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    lengths[k] = (own_positions[patch.loop[(k + 1) % n]] - own_positions[patch.loop[k]]).norm();
+    sum += lengths[k];
+  }
+  const double mean = sum > 0.0 ? sum / static_cast<double>(n) : 1.0;
+  for (double& length : lengths) length = std::max(length / mean, kShortestBoundaryEdge);
+  return lengths;
+}
+
+// A share of the way from pin `p` to the next one.
+Vector2d point_at(Domain domain, std::size_t p, double share) {
+  if (domain == Domain::disk) {
+    const double angle = 2.0 * std::numbers::pi * share;
+    return {std::cos(angle), std::sin(angle)};
+  }
+  constexpr std::array<std::array<double, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  const Vector2d from(kCorners[p].data());
+  const Vector2d to(kCorners[(p + 1) % 4].data());
+  return from + share * (to - from);
+}
+
+}  // namespace
+
+std::vector<Vector2d> boundary_points(const Patch& patch, std::span<const Vector3d> own_positions,
+                                      Domain domain, const BoundaryPins& pins) {
+  const std::vector<std::size_t> places = pin_places(patch, domain, pins);
+  const std::vector<double> lengths = edge_lengths(patch, own_positions);
+  const std::size_t n = patch.loop.size();
+  std::vector<Vector2d> points(n);
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    const std::size_t edges = edges_between(places[p], places[(p + 1) % places.size()], n);
+    double total = 0.0;
+    for (std::size_t k = 0; k < edges; ++k) total += lengths[(places[p] + k) % n];
+    double passed = 0.0;
+    for (std::size_t k = 0; k < edges; ++k) {
+      const std::size_t at = (places[p] + k) % n;
+      points[at] = point_at(domain, p, passed / total);
+      passed += lengths[at];
+    }
+  }
+  return points;
+}
+
+}  // namespace lapwing

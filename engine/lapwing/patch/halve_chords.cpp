@@ -1,0 +1,75 @@
+#include "lapwing/patch/halve_chords.h"
+
+#include <utility>
+
+#include "lapwing/mesh/triangle_sides.h"
+
+namespace lapwing {
+namespace {
+
+// Appends the parts of a triangle whose side k has the midpoint `middles[k]`, or kNoIndex.
+void split(const Triangle& triangle, const Triangle& middles, std::vector<Triangle>& parts) {
+  const auto halved = static_cast<int>(middles[0] != kNoIndex) +
+                      static_cast<int>(middles[1] != kNoIndex) +
+                      static_cast<int>(middles[2] != kNoIndex);
+  // Turned so that the halved sides come first.
+  std::size_t first = 0;
+  if (halved == 1) {
+    while (middles[first] == kNoIndex) ++first;
+  } else if (halved == 2) {
+    while (middles[(first + 2) % 3] != kNoIndex) ++first;
+  }
+  const auto at = [&](const Triangle& list, std::size_t k) { return list[(first + k) % 3]; };
+  const Index a = at(triangle, 0);
+  const Index b = at(triangle, 1);
+  const Index c = at(triangle, 2);
+  const Index ab = at(middles, 0);
+  const Index bc = at(middles, 1);
+  const Index ca = at(middles, 2);
+  if (halved == 0) {
+    parts.push_back(triangle);
+  } else if (halved == 1) {
+    parts.push_back({a, ab, c});
+    parts.push_back({ab, b, c});
+  } else if (halved == 2) {
+    parts.push_back({ab, b, bc});
+    // The diagonal follows from numbers, which do not change when the mesh is turned.
+    if (a < c) {
+      parts.push_back({a, ab, bc});
+      parts.push_back({a, bc, c});
+    } else {
+      parts.push_back({a, ab, c});
+      parts.push_back({ab, bc, c});
+    }
+  } else {
+    parts.push_back({a, ab, ca});
+    parts.push_back({ab, b, bc});
+    parts.push_back({ca, bc, c});
+    parts.push_back({ab, bc, ca});
+  }
+}
+
+}  // namespace
+
+void halve_chords(Patch& patch, const Adjacency& sides) {
+  std::vector<char> on_loop(patch.vertices.size(), 0);
+  for (const Index v : patch.loop) on_loop[v] = 1;
+  std::vector<Index> middles(3 * patch.triangles.size(), kNoIndex);
+  for (std::size_t e = 0; e < sides.row_count(); ++e) {
+    if (sides.size(e) == 1) continue;
+    const Index from = side_start(patch.triangles, sides[e][0]);
+    const Index to = side_end(patch.triangles, sides[e][0]);
+    if (on_loop[from] == 0 || on_loop[to] == 0) continue;
+    for (const Index side : sides[e]) middles[side] = static_cast<Index>(patch.size());
+    patch.midpoint_of.push_back({std::min(from, to), std::max(from, to)});
+  }
+  if (patch.midpoint_of.empty()) return;
+  const std::vector<Triangle> whole = std::exchange(patch.triangles, {});
+  const std::vector<Index> sources = std::exchange(patch.triangle_sources, {});
+  for (std::size_t t = 0; t < whole.size(); ++t) {
+    split(whole[t], {middles[3 * t], middles[3 * t + 1], middles[3 * t + 2]}, patch.triangles);
+    patch.triangle_sources.resize(patch.triangles.size(), sources[t]);
+  }
+}
+
+}  // namespace lapwing

@@ -1,0 +1,85 @@
+#include "lapwing/patch/patch.h"
+
+#include <algorithm>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/patch/halve_chords.h"
+#include "lapwing/region/disk_report.h"
+#include "lapwing/region/largest_disk.h"
+
+namespace lapwing {
+namespace {
+
+[[noreturn]] void fail_as_no_disk(const DiskReport& report, const VertexSet& region,
+                                  const Topology& topology,
+                                  std::span<const Eigen::Vector3d> positions,
+                                  const std::string& where) {
+  if (report.pieces.empty()) {
+    throw InputError(where +
+                     ": the region holds no triangle, which has all three corners in it; choose a "
+                     "larger one");
+  }
+  const std::size_t size = region.size() - report.loose.size();
+  const std::size_t inside = largest_disk(region, topology, positions).size();
+  throw InputError(where + ": the region is no disk: it " + describe(report) +
+                   ". Choose another one, or write {\"disk_in\": REGION} in its place for the "
+                   "largest disk inside, which has " +
+                   std::to_string(inside) + " of its " + std::to_string(size) + " vertices");
+}
+
+void require_finite(const VertexSet& vertices, std::span<const Eigen::Vector3d> positions,
+                    const std::string& where) {
+  VertexSet broken;
+  for (const Index v : vertices) {
+    if (!positions[v].allFinite()) broken.push_back(v);
+  }
+  if (broken.empty()) return;
+  throw InputError(where + ": " + name_vertices(broken) +
+                   " of the region has no finite position; leave it out, or mend the mesh with "
+                   "`lapwing check --fix`");
+}
+
+// From the smallest vertex on. Boundary sides run with the patch on their left.
+std::vector<Index> boundary_loop(std::span<const Triangle> triangles, const Adjacency& sides,
+                                 std::size_t vertex_count) {
+  std::vector<Index> next(vertex_count, kNoIndex);
+  std::size_t length = 0;
+  for (std::size_t e = 0; e < sides.row_count(); ++e) {
+    if (sides.size(e) != 1) continue;
+    next[side_start(triangles, sides[e][0])] = side_end(triangles, sides[e][0]);
+    ++length;
+  }
+  std::vector<Index> loop;
+  loop.reserve(length);
+  Index v = 0;
+  while (next[v] == kNoIndex) ++v;
+  for (; loop.size() < length; v = next[v]) loop.push_back(v);
+  return loop;
+}
+
+}  // namespace
+
+Index Patch::own_number(Index mesh_vertex) const {
+  const auto at = std::lower_bound(vertices.begin(), vertices.end(), mesh_vertex);
+  if (at == vertices.end() || *at != mesh_vertex) return kNoIndex;
+  return static_cast<Index>(at - vertices.begin());
+}
+
+Patch disk_patch(const VertexSet& region, const Topology& topology,
+                 std::span<const Eigen::Vector3d> positions, const std::string& where) {
+  RegionTriangles part = region_triangles(region, topology);
+  const Adjacency sides = sides_by_edge(part.triangles, part.vertices.size());
+  const DiskReport report = report_disk(part, sides);
+  if (!report.is_disk()) fail_as_no_disk(report, region, topology, positions, where);
+  require_finite(part.vertices, positions, where);
+  Patch patch;
+  patch.vertices = std::move(part.vertices);
+  patch.triangles = std::move(part.triangles);
+  patch.triangle_sources = std::move(part.sources);
+  patch.loop = boundary_loop(patch.triangles, sides, patch.vertices.size());
+  halve_chords(patch, sides);
+  return patch;
+}
+
+}  // namespace lapwing
