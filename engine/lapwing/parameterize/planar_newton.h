@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "lapwing/parameterize/symmetric_dirichlet.h"
+#include "lapwing/parameterize/warp.h"
+#include "lapwing/solve/block_solver.h"
+
+namespace lapwing {
+
+/// Projected Newton steps on the symmetric Dirichlet energy of a triangulation, some vertices held,
+/// plus springs from the pulled vertices to their targets:
+///   E(x) + stiffness / 2 sum |x_pull - target|^2.
+class PlanarNewton {
+ public:
+  PlanarNewton(std::span<const Triangle> triangles, std::span<const Eigen::Vector2d> rest,
+               std::span<const char> is_held);
+
+  /// Takes one step from `points`, which must be bijective and stay so: as far as the first
+  /// triangle to degenerate allows, then back until the objective falls (Smith and Schaefer 2015,
+  /// §3.3). Returns the share of the objective that it took away, 0 where it found no way down.
+  double step(std::span<const PointPull> pulls, double stiffness,
+              std::vector<Eigen::Vector2d>& points);
+
+ private:
+  /// Where the 2 x 2 block of two corners goes: the places in the matrix of the first entry of its
+  /// two columns, or of the two parts of its lower triangle for a corner with itself.
+  struct BlockPlace {
+    std::size_t first = 0;
+    std::size_t second = 0;
+  };
+  BlockPlace place(Index row, Index column) const;
+  void make_pattern();
+  void assemble(std::span<const PointPull> pulls, double stiffness,
+                std::span<const Eigen::Vector2d> points);
+  void add_part(const Triangle& triangle, const SymmetricDirichlet::Part& part);
+  double objective(std::span<const PointPull> pulls, double stiffness,
+                   std::span<const Eigen::Vector2d> points) const;
+
+  std::span<const Triangle> triangles_;
+  SymmetricDirichlet energy_;
+  std::vector<Index> unknown_of_vertex_;  ///< kNoIndex for held ones
+  std::size_t unknowns_ = 0;
+  BlockPattern pattern_;  ///< of scalars: unknown u is rows 2u and 2u + 1
+  BlockMatrix hessian_;
+  std::vector<double> gradient_;
+  std::vector<SymmetricDirichlet::Part> parts_;
+  std::unique_ptr<BlockSolver> solver_;
+};
+
+}  // namespace lapwing
