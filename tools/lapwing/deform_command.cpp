@@ -7,8 +7,8 @@
 
 #include "commands.h"
 #include "edit_output.h"
-#include "lapwing/io/atomic_file.h"
 #include "region_text.h"
+#include "step_flags.h"
 
 namespace lapwing::cli {
 namespace {
@@ -54,13 +54,7 @@ Json settle_json(const DeformArguments& a) {
   return {{"stretch_resistance", a.stretch_resistance}, {"details", a.details}};
 }
 
-// The flags as a recipe: one path from text to edit, and one set of error messages.
-Recipe as_recipe(const DeformArguments& a) {
-  const auto base = a.recipe.empty() ? std::filesystem::current_path()
-                                     : std::filesystem::absolute(a.recipe).parent_path();
-  const auto from_base = [&](const std::string& path) {
-    return std::filesystem::proximate(std::filesystem::absolute(path), base).string();
-  };
+Json step_json(const DeformArguments& a) {
   const Json handle = {{"region", region_json("--handle", a.handle)}, {"move", move_json(a)}};
   Json step = {{"op", "deform"},
                {"roi", region_json("--roi", a.roi)},
@@ -71,20 +65,12 @@ Recipe as_recipe(const DeformArguments& a) {
                {"hard", a.hard},
                {"settle", settle_json(a)}};
   if (a.commit_every) step["commit_every"] = *a.commit_every;
-  Json recipe = {
-      {"lapwing", kRecipeVersion}, {"mesh", from_base(a.mesh)}, {"steps", Json::array({step})}};
-  if (!a.output.save.empty()) recipe["save"] = from_base(a.output.save);
-  return parse_recipe(recipe.dump(), base, "flags of lapwing deform");
+  return step;
 }
 
 void deform(const DeformArguments& a) {
-  if (a.output.save.empty() && a.output.render.empty() && a.recipe.empty() &&
-      a.output.report.empty()) {
-    throw CLI::RequiredError("one of --save, --render, --report and --recipe");
-  }
-  const Recipe recipe = as_recipe(a);
-  a.output.run(recipe);
-  if (!a.recipe.empty()) replace_file(a.recipe, to_json(recipe));
+  const StepFlags flags{"deform", a.mesh, a.recipe, a.output};
+  flags.run(step_json(a));
 }
 
 }  // namespace

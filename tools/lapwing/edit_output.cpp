@@ -35,11 +35,28 @@ void print_certificate(const Certificate& c, double diagonal) {
               c.settle_iterations, c.settle_last_step);
 }
 
+void print_coat(const CoatReport& coat, double diagonal) {
+  std::printf("  coating from %zu vertices, scale %.3f, fading in over %.3g", coat.source_vertices,
+              coat.mean_scale, coat.transition_width);
+  for (std::size_t p = 0; p < coat.pins.size(); ++p) {
+    std::printf("%s[%u, %u]", p == 0 ? ",\n  borders laid on each other at " : ", ",
+                coat.pins[p][0], coat.pins[p][1]);
+  }
+  std::printf("\n  flipped in the domain: %zu triangles of the source, %zu of the target\n",
+              coat.flipped_source, coat.flipped_target);
+  std::printf("  residual %.1e, largest displacement %.2g of the diagonal\n",
+              coat.relative_residual, diagonal > 0.0 ? coat.largest_displacement / diagonal : 0.0);
+}
+
 void print_summary(const RunReport& report) {
   std::printf("%s: %zu vertices, %zu faces\n%s", report.mesh.c_str(), report.vertices, report.faces,
               format_stages(report).c_str());
   for (const StepReport& step : report.steps) {
-    print_certificate(step.certificate, report.bounds.diagonal());
+    if (step.coat) {
+      print_coat(*step.coat, report.bounds.diagonal());
+    } else {
+      print_certificate(step.certificate, report.bounds.diagonal());
+    }
   }
   std::printf("  peak memory %.0f MB\n", static_cast<double>(report.peak_memory_bytes) / 1e6);
 }

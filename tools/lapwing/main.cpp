@@ -56,6 +56,8 @@ int main(int argc, char** argv) {
       "`lapwing COMMAND --help` tells what a command takes.");
   lapwing::cli::add_run(app);
   lapwing::cli::add_deform(app);
+  lapwing::cli::add_coat(app);
+  lapwing::cli::add_peel(app);
   lapwing::cli::add_render(app);
   lapwing::cli::add_check(app);
   lapwing::cli::add_convert(app);

@@ -164,6 +164,14 @@ std::string_view JsonNode::only_key_of(std::initializer_list<std::string_view> k
   fail(what + " takes one of " + quoted_list(keys) + ", got " + quoted_list(present));
 }
 
+std::size_t JsonNode::one_of(const std::string& what,
+                             std::initializer_list<std::string_view> names) const {
+  const std::string name = string();
+  const auto* found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) fail("unknown " + what + " \"" + name + "\"; " + suggest(name, names));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
 std::vector<JsonNode> JsonNode::elements() const {
   require_list("a list");
   std::vector<JsonNode> nodes;
@@ -175,6 +183,10 @@ std::vector<JsonNode> JsonNode::elements() const {
 
 bool JsonNode::is_object() const {
   return value_->json->is_object();
+}
+
+bool JsonNode::is_string() const {
+  return value_->json->is_string();
 }
 
 bool JsonNode::boolean() const {
@@ -195,6 +207,12 @@ double JsonNode::number() const {
 double JsonNode::positive_number() const {
   const Json& json = *value_->json;
   if (!json.is_number() || !(json.get<double>() > 0.0)) fail_expecting("a number above 0");
+  return json.get<double>();
+}
+
+double JsonNode::number_from_zero() const {
+  const Json& json = *value_->json;
+  if (!json.is_number() || !(json.get<double>() >= 0.0)) fail_expecting("0 or more");
   return json.get<double>();
 }
 

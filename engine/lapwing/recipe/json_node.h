@@ -36,12 +36,17 @@ class JsonNode {
   std::string_view only_key_of(std::initializer_list<std::string_view> keys,
                                const std::string& what) const;
 
+  /// Which of `names` this string is, from 0; "unknown WHAT ..." and the nearest name otherwise.
+  std::size_t one_of(const std::string& what, std::initializer_list<std::string_view> names) const;
+
   std::vector<JsonNode> elements() const;
   bool is_object() const;
+  bool is_string() const;
   bool boolean() const;
   std::string string() const;
   double number() const;
   double positive_number() const;
+  double number_from_zero() const;  ///< 0 or more
   Index vertex() const;
   std::vector<Index> vertices() const;
   std::vector<double> numbers() const;

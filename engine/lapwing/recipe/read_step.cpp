@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapwing/deform/turn_tracker.h"
+#include "lapwing/recipe/read_coat.h"
 #include "lapwing/recipe/read_region.h"
 #include "lapwing/recipe/suggest.h"
 
@@ -33,25 +34,13 @@ MatrixMove read_matrix(const JsonNode& node) {
   return {matrix.topRows<3>()};
 }
 
-LaplacianWeights read_weights(const JsonNode& node) {
-  constexpr std::array<std::string_view, 2> kNames{"uniform", "cotangent"};
-  const std::string name = node.string();
-  if (name == kNames[0]) return LaplacianWeights::uniform;
-  if (name == kNames[1]) return LaplacianWeights::cotangent;
-  node.fail("unknown weights \"" + name + "\"; " + suggest(name, kNames));
-}
-
 MovedHandle read_handle(const JsonNode& node) {
   node.require_keys({"region", "move"});
   return {read_region(node.at("region")), read_move(node.at("move"))};
 }
 
 Details read_details(const JsonNode& node) {
-  constexpr std::array<std::string_view, 2> kNames{"preserve", "follow"};
-  const std::string name = node.string();
-  if (name == kNames[0]) return Details::preserve;
-  if (name == kNames[1]) return Details::follow;
-  node.fail("unknown details \"" + name + "\"; " + suggest(name, kNames));
+  return node.one_of("details", {"preserve", "follow"}) == 0 ? Details::preserve : Details::follow;
 }
 
 // true, false, or an object of options; `weights` are the step's.
@@ -71,8 +60,7 @@ std::optional<SettleOptions> read_settle(const JsonNode& node, LaplacianWeights 
     options.max_iterations = static_cast<int>(count);
   }
   if (const auto resistance = node.find("stretch_resistance")) {
-    options.stretch_resistance = resistance->number();
-    if (options.stretch_resistance < 0.0) resistance->fail("expected 0 or more");
+    options.stretch_resistance = resistance->number_from_zero();
   }
   if (const auto details = node.find("details")) options.details = read_details(*details);
   if (const auto own = node.find("weights")) options.weights = read_weights(*own);
@@ -130,6 +118,11 @@ Step read_deform(const JsonNode& node) {
 
 }  // namespace
 
+LaplacianWeights read_weights(const JsonNode& node) {
+  return node.one_of("weights", {"uniform", "cotangent"}) == 0 ? LaplacianWeights::uniform
+                                                               : LaplacianWeights::cotangent;
+}
+
 Move read_move(const JsonNode& node) {
   node.require_keys({"translate", "rotate", "scale", "pivot", "matrix"});
   if (const auto matrix = node.find("matrix")) {
@@ -149,11 +142,12 @@ Move read_move(const JsonNode& node) {
 }
 
 Step read_step(const JsonNode& node) {
-  constexpr std::array<std::string_view, 1> kOps{"deform"};
-  const JsonNode op = node.at("op");
-  const std::string name = op.string();
-  if (name == kOps[0]) return read_deform(node);
-  op.fail("unknown op \"" + name + "\"; " + suggest(name, kOps));
+  switch (node.at("op").one_of("op", {"deform", "coat"})) {
+    case 0:
+      return read_deform(node);
+    default:
+      return read_coat(node);
+  }
 }
 
 }  // namespace lapwing

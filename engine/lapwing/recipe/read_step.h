@@ -8,5 +8,6 @@ namespace lapwing {
 /// The step or move that `node` describes. Throws InputError with the place.
 Step read_step(const JsonNode& node);
 Move read_move(const JsonNode& node);
+LaplacianWeights read_weights(const JsonNode& node);
 
 }  // namespace lapwing

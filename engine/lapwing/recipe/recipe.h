@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "lapwing/recipe/coat_parameters.h"
 #include "lapwing/recipe/deform_parameters.h"
 #include "lapwing/recipe/move.h"
 #include "lapwing/region/border_belt.h"
@@ -32,9 +33,22 @@ struct DeformStep {
   bool operator==(const DeformStep&) const = default;
 };
 
+/// {"op": "coat"}: put the fine detail of a patch of one mesh on a patch of the mesh.
+struct CoatStep {
+  std::filesystem::path source;  ///< as written; empty: the mesh itself, as it is before the step
+  RegionSpec source_patch;
+  RegionSpec target_patch;
+  CoatParameters parameters;
+  std::string where = "coat";  ///< as in RegionSpec; no part of the value
+  bool operator==(const CoatStep& other) const {
+    return source == other.source && source_patch == other.source_patch &&
+           target_patch == other.target_patch && parameters == other.parameters;
+  }
+};
+
 /// One operation of a recipe. A new one is a type here, its reader in read_step.cpp and its writer
 /// in write_recipe.cpp.
-using Step = std::variant<DeformStep>;
+using Step = std::variant<DeformStep, CoatStep>;
 
 /// A whole edit: a mesh, what is done to it, and where the result goes.
 struct Recipe {

@@ -19,6 +19,7 @@ Json json_of(const Vector3d& v) {
 }
 Json json_of(const RegionSpec& spec);
 Json json_of(const DeformStep& step);
+Json json_of(const CoatStep& step);
 
 Json json_of(const std::vector<RegionSpec>& parts) {
   Json list = Json::array();
@@ -113,6 +114,33 @@ Json json_of(const DeformStep& step) {
             {"hard", step.parameters.hard},
             {"settle", json_of_settle(step)}};
   if (step.parameters.commit_every) keys["commit_every"] = *step.parameters.commit_every;
+  return keys;
+}
+
+Json json_of(const Transition& transition) {
+  const bool linear = transition.profile == Transition::Profile::linear;
+  return {{"width", transition.width}, {"profile", linear ? "linear" : "smooth"}};
+}
+
+Json json_of(const CoatStep& step) {
+  const CoatParameters& parameters = step.parameters;
+  const CorrespondenceOptions& map = parameters.correspondence;
+  Json keys{{"op", "coat"}};
+  if (!step.source.empty()) keys["source"] = step.source.string();
+  keys["source_patch"] = json_of(step.source_patch);
+  keys["target_patch"] = json_of(step.target_patch);
+  keys["detail_size"] = parameters.detail_size;
+  keys["smooth_target"] = parameters.smooth_target;
+  keys["weights"] = name_of(parameters.weights);
+  keys["domain"] = map.domain == Domain::disk ? "disk" : "square";
+  if (!map.boundary_pairs.empty()) keys["boundary_pairs"] = map.boundary_pairs;
+  if (!map.inner_pairs.empty()) keys["inner_pairs"] = map.inner_pairs;
+  const bool linear = parameters.sampling.sampling == MappedSampling::linear;
+  keys["sampling"] = linear ? "linear" : "one_ring";
+  keys["scale"] = parameters.sampling.scale ? Json(*parameters.sampling.scale) : Json("auto");
+  keys["amplitude"] = parameters.amplitude;
+  if (parameters.transition) keys["transition"] = json_of(*parameters.transition);
+  keys["remesh"] = parameters.remesh == Remeshing::automatic ? "auto" : "none";
   return keys;
 }
 

@@ -15,19 +15,6 @@ bool touches_outside(Index v, const std::vector<char>& in_roi, const Topology& t
   return std::any_of(ring.begin(), ring.end(), [&](Index w) { return !in_roi[w]; });
 }
 
-// Whether some edge of v has a triangle on one side only.
-bool on_mesh_boundary(Index v, const Topology& topology) {
-  const auto ring = topology.rings[v];
-  return std::any_of(ring.begin(), ring.end(), [&](Index w) {
-    int sides = 0;
-    for (const Index t : topology.vertex_triangles[v]) {
-      const Triangle& triangle = topology.triangles[t];
-      if (std::find(triangle.begin(), triangle.end(), w) != triangle.end()) ++sides;
-    }
-    return sides == 1;
-  });
-}
-
 void append_border(const VertexSet& component, const std::vector<char>& in_roi,
                    const Topology& topology, std::vector<Index>& border) {
   const std::size_t before = border.size();
@@ -39,6 +26,18 @@ void append_border(const VertexSet& component, const std::vector<char>& in_roi,
 }
 
 }  // namespace
+
+bool on_mesh_boundary(Index v, const Topology& topology) {
+  const auto ring = topology.rings[v];
+  return std::any_of(ring.begin(), ring.end(), [&](Index w) {
+    int sides = 0;
+    for (const Index t : topology.vertex_triangles[v]) {
+      const Triangle& triangle = topology.triangles[t];
+      if (std::find(triangle.begin(), triangle.end(), w) != triangle.end()) ++sides;
+    }
+    return sides == 1;
+  });
+}
 
 VertexSet roi_border(const VertexSet& roi, const Topology& topology) {
   const std::vector<char> in_roi = vertex_mask(topology.vertex_count(), roi);

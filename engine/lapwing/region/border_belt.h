@@ -18,6 +18,9 @@ struct BorderBelt {
 
 using BeltSpec = std::variant<BorderBelt, RegionSpec>;
 
+/// Whether some edge of `v` has a triangle on one side only.
+bool on_mesh_boundary(Index v, const Topology& topology);
+
 /// The border of the ROI's components: the vertices with a ring neighbour outside the ROI; where a
 /// component touches none, its vertices on the mesh's boundary. Empty on a closed component.
 VertexSet roi_border(const VertexSet& roi, const Topology& topology);

@@ -66,7 +66,31 @@ Json as_json(const VertexMeasures& measures) {
           {"stretch", numbers(measures.stretch)}};
 }
 
+Json as_json(const CoatReport& coat) {
+  return {{"source_vertices", coat.source_vertices},
+          {"pins", coat.pins},
+          {"flipped_source", coat.flipped_source},
+          {"flipped_target", coat.flipped_target},
+          {"warp_steps", coat.warp_steps},
+          {"constrained_steps", coat.constrained_steps},
+          {"mean_scale", number(coat.mean_scale)},
+          {"transition_width", number(coat.transition_width)},
+          {"relative_residual", number(coat.relative_residual)},
+          {"largest_displacement", number(coat.largest_displacement)},
+          {"largest_displacement_vertex", vertex(coat.largest_displacement_vertex)}};
+}
+
 Json as_json(const StepReport& step) {
+  if (step.coat) {
+    Json json = {{"op", step.op},
+                 {"roi", step.roi},
+                 {"free", step.free},
+                 {"belt", step.belt},
+                 {"timings_ms", as_json(step.timings)},
+                 {"coat", as_json(*step.coat)}};
+    if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
+    return json;
+  }
   std::size_t handle = 0;
   for (const std::size_t count : step.handles) handle += count;
   Json json = {{"op", step.op},
@@ -124,7 +148,7 @@ std::string format_stages(const RunReport& report) {
   for (std::size_t i = 0; i < report.steps.size(); ++i) {
     const StepReport& step = report.steps[i];
     text += "step " + std::to_string(i + 1) + ", " + step.op + ": " + std::to_string(step.free) +
-            " free vertices, solver " + step.solver +
+            " free vertices" + (step.solver.empty() ? "" : ", solver " + step.solver) +
             (step.commits > 1 ? ", " + std::to_string(step.commits) + " commits" : "") + "\n";
     append_stages(step.timings, text);
   }

@@ -7,11 +7,27 @@
 #include <vector>
 
 #include "lapwing/base/stopwatch.h"
+#include "lapwing/coating/correspondence.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/kernels.h"
 
 namespace lapwing {
+
+/// What a coat step did.
+struct CoatReport {
+  std::size_t source_vertices = 0;  ///< of the source patch
+  std::vector<VertexPair> pins;     ///< the boundary pairs, given or chosen
+  std::size_t flipped_source = 0;   ///< triangles that a map turned over or flattened
+  std::size_t flipped_target = 0;
+  int warp_steps = 0;  ///< to meet the inner pairs
+  int constrained_steps = 0;
+  double mean_scale = 1.0;  ///< of the coating on the target over that on the source
+  double transition_width = 0.0;
+  double relative_residual = 0.0;
+  double largest_displacement = 0.0;
+  Index largest_displacement_vertex = kNoIndex;
+};
 
 /// What one step of a recipe did.
 struct StepReport {
@@ -29,6 +45,7 @@ struct StepReport {
   /// Of all parts as one, from the surface that the step began with to the one that it ended with;
   /// residual and settling are the worst of the parts, the iterations those of all.
   Certificate certificate;
+  std::optional<CoatReport> coat = {};  ///< of a coat step, whose certificate says nothing
   VertexMeasures vertices;  ///< of the ROI, where the run was asked for them; empty otherwise
 };
 

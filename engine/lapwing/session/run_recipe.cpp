@@ -5,6 +5,7 @@
 #include "lapwing/base/memory_use.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/session/run_coat.h"
 #include "lapwing/session/run_deform.h"
 #include "lapwing/session/stage.h"
 
@@ -53,6 +54,30 @@ VertexMeasures measure_step(const DeformStep& step, const Positions& before,
                           result.mesh.positions);
 }
 
+VertexMeasures measure_step(const CoatStep& step, const Positions& before,
+                            const RunResult& result) {
+  const VertexSet region = resolve(step.target_patch, result.mesh, result.topology);
+  const auto weights = laplacian_weights(result.topology, before, step.parameters.weights);
+  return measure_vertices(region, result.topology, weights, before, result.mesh.positions);
+}
+
+// One overload per operation.
+struct Runner {
+  std::size_t number;
+  const std::filesystem::path& base_directory;
+  Kernels& kernels;
+  const Progress& progress;
+  RunResult& result;
+
+  StepReport operator()(const DeformStep& step) const {
+    return run_step(step, number, kernels, progress, result);
+  }
+  StepReport operator()(const CoatStep& step) const {
+    result.last.reset();
+    return run_step(step, base_directory, kernels, progress, result);
+  }
+};
+
 }  // namespace
 
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
@@ -63,8 +88,8 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
   for (const Step& step : recipe.steps) {
     const std::size_t number = result->report.steps.size() + 1;
     const Positions before = options.measure_vertices ? result->mesh.positions : Positions{};
-    result->report.steps.push_back(std::visit(
-        [&](const auto& s) { return run_step(s, number, kernels, progress, *result); }, step));
+    result->report.steps.push_back(
+        std::visit(Runner{number, recipe.base_directory, kernels, progress, *result}, step));
     if (!options.measure_vertices) continue;
     StepReport& report = result->report.steps.back();
     stage("measure_vertices", report.timings, progress, [&] {

@@ -1,0 +1,319 @@
+#include "lapwing/coating/coater.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
+#include "lapwing/coating/fairing.h"
+#include "lapwing/coating/ring_areas.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/laplacian/laplacian_system.h"
+
+namespace lapwing {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+// x of all unknowns, then y, then z, as LaplacianSystem solves for.
+using Columns = std::vector<double>;
+
+// (L y)_r = y_r - sum_j w_rj y_j over the rows of `rings`; vertices that are no unknowns are 0.
+std::vector<Vector3d> laplacians(const RegionRings& rings, const Columns& u, std::size_t n) {
+  const auto at = [&](std::size_t own) {
+    return own < n ? Vector3d(u[own], u[n + own], u[2 * n + own]) : Vector3d(0.0, 0.0, 0.0);
+  };
+  std::vector<Vector3d> result(rings.row_count());
+  for (std::size_t r = 0; r < result.size(); ++r) {
+    result[r] = rings.starts[r] == rings.starts[r + 1] ? Vector3d::Zero() : at(r);
+    for (std::size_t e = rings.starts[r]; e < rings.starts[r + 1]; ++e) {
+      result[r] -= rings.weights[e] * at(rings.neighbours[e]);
+    }
+  }
+  return result;
+}
+
+// L' y over the unknowns.
+Columns transposed(const RegionRings& rings, std::span<const Vector3d> y, std::size_t n) {
+  Columns b(3 * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    Vector3d sum = y[k];
+    for (std::size_t e = rings.starts[k]; e < rings.starts[k + 1]; ++e) {
+      const Index j = rings.neighbours[e];
+      if (rings.is_row(j)) sum -= rings.reverse_weights[e] * y[j];
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      b[axis * n + k] = sum[static_cast<Eigen::Index>(axis)];
+    }
+  }
+  return b;
+}
+
+double norm(const Columns& x) {
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())).norm();
+}
+
+}  // namespace
+
+struct Coater::State {
+  State(std::span<const Vector3d> rest_positions, const Topology& mesh_topology,
+        const Patch& target_patch, const CoaterOptions& coater_options, Kernels& device)
+      : rest(rest_positions),
+        topology(mesh_topology),
+        patch(target_patch),
+        options(coater_options),
+        kernels(device) {}
+
+  void make_smooth();
+  void make_system(const Progress& progress);
+  void make_frames();
+  Columns solve_for(std::span<const Vector3d> y, std::span<const Vector3d> wanted);
+  void take_own_detail_away();
+
+  const RegionRings& rings() const { return system->rings(); }
+  std::size_t unknown_count() const { return system->size(); }
+
+  std::span<const Vector3d> rest;
+  const Topology& topology;
+  Patch patch;
+  CoaterOptions options;
+  Kernels& kernels;
+  StageTimings timings;
+
+  Positions smooth;  // of the whole mesh; the rest where the target stays as it is
+  Constraints constraints;
+  std::unique_ptr<SystemPattern> pattern;
+  std::unique_ptr<LaplacianSystem> system;
+  std::vector<double> shares;       // f, per row of the rings
+  std::vector<double> squares;      // squared radius, per row
+  std::vector<double> holds;        // W, per unknown in the order of elimination
+  std::vector<Vector3d> positions;  // of the smooth target, per vertex of the rings
+  std::vector<Vector3d> normals;
+  Columns base;     // takes the target's own detail away; empty where it stays
+  Columns coating;  // adds the coating; empty before the first
+  double mean_scale = 0.0;
+  double residual = 0.0;
+};
+
+void Coater::State::make_smooth() {
+  smooth.assign(rest.begin(), rest.end());
+  if (options.smooth_target == 0.0) return;
+  const VertexSet around = grown(patch.vertices, options.smooth_target, topology, rest);
+  smooth = Fairing(rest, topology, around, options.weights)
+               .smooth(options.smooth_target, "smooth_target");
+}
+
+void Coater::State::make_system(const Progress& progress) {
+  EditRegion region;
+  region.roi = patch.vertices;
+  for (const Index own : patch.loop) region.belt.push_back(patch.vertices[own]);
+  region.belt = make_vertex_set(std::move(region.belt));
+  constraints = constraints_of(region, topology, 1.0, true);
+  const VertexSet& free = constraints.unknowns.vertices;
+  if (free.empty()) {
+    throw InputError(
+        "the target patch has no inner vertices to coat; choose a larger one, or a "
+        "finer mesh");
+  }
+  if (options.hold_length > 0.0) {
+    const auto weights = laplacian_weights(topology, rest, options.weights);
+    const auto radii = squared_rings(topology.rings, weights, rest, free);
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      const double squared = radii[k] * std::pow(std::numbers::pi / options.hold_length, 2);
+      constraints.W[k] = squared * squared;
+    }
+  }
+  report_progress(progress, "order", 0.0);
+  const Stopwatch watch;
+  pattern = std::make_unique<SystemPattern>(topology, region.roi, constraints.unknowns);
+  pattern->order();
+  timings.add("order", watch.elapsed_ms());
+  report_progress(progress, "laplacian", 0.0);
+  system = std::make_unique<LaplacianSystem>(rest, topology, region.roi, constraints, *pattern,
+                                             options.weights, 0.0, timings);
+  for (const int k : system->elimination_order()) {
+    holds.push_back(constraints.W[static_cast<std::size_t>(k)]);
+  }
+}
+
+void Coater::State::make_frames() {
+  const auto by_own = fades(options.transition, patch, topology, rest);
+  const std::size_t row_count = rings().row_count();
+  for (std::size_t r = 0; r < row_count; ++r) {
+    shares.push_back(by_own[patch.own_number(rings().vertices[r])]);
+  }
+  squares.assign(row_count, 0.0);
+  for (std::size_t r = 0; r < row_count; ++r) {
+    for (std::size_t e = rings().starts[r]; e < rings().starts[r + 1]; ++e) {
+      squares[r] += rings().weights[e] * rings().edges[e].squaredNorm();
+    }
+  }
+  std::vector<Vector3d> all(rest.size(), Vector3d::Zero());
+  vertex_normals(smooth, topology.triangles, topology.vertex_triangles, rings().vertices, all);
+  for (const Index v : rings().vertices) {
+    positions.push_back(smooth[v]);
+    normals.push_back(all[v]);
+  }
+}
+
+// u of (L'L + W) u = L' y + W d, d per row.
+Columns Coater::State::solve_for(std::span<const Vector3d> y, std::span<const Vector3d> wanted) {
+  const std::size_t n = unknown_count();
+  Columns b = transposed(rings(), y, n);
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      b[axis * n + k] += holds[k] * wanted[k][static_cast<Eigen::Index>(axis)];
+    }
+  }
+  Columns u = b;
+  system->solve_in_elimination_order(u, 3);
+
+  const Columns Au = transposed(rings(), laplacians(rings(), u, n), n);
+  Columns r = b;
+  for (std::size_t k = 0; k < 3 * n; ++k) r[k] -= Au[k] + holds[k % n] * u[k];
+  residual = norm(b) > 0.0 ? norm(r) / norm(b) : 0.0;
+  return u;
+}
+
+void Coater::State::take_own_detail_away() {
+  if (options.smooth_target == 0.0) return;
+  // Nothing outside the patch, as for a coating.
+  const auto detail = [&](Index own) -> Vector3d {
+    const Index v = rings().vertices[own];
+    if (!rings().is_row(own)) return Vector3d::Zero();
+    return rest[v] - smooth[v];
+  };
+  std::vector<Vector3d> y(rings().row_count());
+  std::vector<Vector3d> wanted(rings().row_count());
+  for (std::size_t r = 0; r < y.size(); ++r) {
+    const Vector3d here = detail(static_cast<Index>(r));
+    Vector3d xi = Vector3d::Zero();
+    for (std::size_t e = rings().starts[r]; e < rings().starts[r + 1]; ++e) {
+      xi += rings().weights[e] * (here - detail(rings().neighbours[e]));
+    }
+    y[r] = -shares[r] * xi;
+    wanted[r] = -shares[r] * here;
+  }
+  base = solve_for(y, wanted);
+}
+
+Coater::Coater(std::span<const Vector3d> rest, const Topology& topology, const Patch& patch,
+               const CoaterOptions& options, Kernels& kernels, const Progress& progress)
+    : state_(std::make_unique<State>(rest, topology, patch, options, kernels)) {
+  report_progress(progress, "smooth_target", 0.0);
+  const Stopwatch watch;
+  state_->make_smooth();
+  state_->timings.add("smooth_target", watch.elapsed_ms());
+  state_->make_system(progress);
+  const Stopwatch frames;
+  state_->make_frames();
+  state_->take_own_detail_away();
+  state_->timings.add("target_frames", frames.elapsed_ms());
+}
+
+Coater::~Coater() = default;
+Coater::Coater(Coater&&) noexcept = default;
+Coater& Coater::operator=(Coater&&) noexcept = default;
+
+namespace {
+
+// What the coating is at every row: its Laplacians and its displacement, on the source yet.
+struct Samples {
+  std::vector<Vector3d> xi;
+  std::vector<Vector3d> displacement;
+};
+
+Samples sample(const MappedRings& mapped, const Coating& coating, MappedSampling sampling,
+               std::span<const double> squares, std::span<const double> ratios, Kernels& kernels) {
+  const std::size_t rows = mapped.target.row_count();
+  Samples samples{std::vector<Vector3d>(rows), std::vector<Vector3d>(rows)};
+  kernels.sample_mapped_laplacians(mapped, MappedSampling::linear, coating.displacement,
+                                   samples.displacement);
+  if (sampling == MappedSampling::one_ring) {
+    kernels.sample_mapped_laplacians(mapped, sampling, coating.displacement, samples.xi);
+    return samples;
+  }
+  // From the density on the source to the Laplacian of a ring as large as this one is there.
+  kernels.sample_mapped_laplacians(mapped, sampling, coating.curvature, samples.xi);
+  for (std::size_t r = 0; r < rows; ++r) {
+    samples.xi[r] *= 0.25 * squares[r] / (ratios[r] * ratios[r]);
+  }
+  return samples;
+}
+
+}  // namespace
+
+void Coater::take(const Coating& coating, std::span<const SurfacePoint> points,
+                  const CoatOptions& options, const Progress& progress) {
+  State& state = *state_;
+  const RegionRings& rings = state.rings();
+  std::vector<SurfacePoint> by_own;
+  by_own.reserve(rings.vertices.size());
+  for (const Index v : rings.vertices) {
+    const Index own = state.patch.own_number(v);
+    by_own.push_back(own == kNoIndex ? SurfacePoint::nowhere() : points[own]);
+  }
+  const MappedRings mapped{rings, by_own};
+  const std::size_t rows = rings.row_count();
+
+  report_progress(progress, "frames", 0.0);
+  Stopwatch watch;
+  std::vector<Matrix3d> T(rows);
+  state.kernels.rotate_frames(mapped, {coating.smooth, coating.normals},
+                              {state.positions, state.normals}, 0.0, T);
+  std::vector<double> ratios(rows);
+  for (std::size_t r = 0; r < rows; ++r) {
+    ratios[r] = T[r].col(0).norm();
+    if (options.scale) T[r] *= *options.scale / ratios[r];
+  }
+  state.timings.add("frames", watch.elapsed_ms());
+
+  report_progress(progress, "sample", 0.0);
+  watch.restart();
+  Samples samples = sample(mapped, coating, options.sampling, state.squares, ratios, state.kernels);
+  double sum = 0.0;
+  for (std::size_t r = 0; r < rows; ++r) {
+    samples.xi[r] = state.shares[r] * (T[r] * samples.xi[r]);
+    samples.displacement[r] = state.shares[r] * (T[r] * samples.displacement[r]);
+    sum += T[r].col(0).norm();
+  }
+  state.mean_scale = sum / static_cast<double>(rows);
+  state.timings.add("sample", watch.elapsed_ms());
+
+  report_progress(progress, "solve", 0.0);
+  watch.restart();
+  state.coating = state.solve_for(samples.xi, samples.displacement);
+  state.timings.add("solve", watch.elapsed_ms());
+}
+
+Positions Coater::coat(double amplitude) const {
+  const State& state = *state_;
+  const std::size_t n = state.unknown_count();
+  Positions positions(state.rest.begin(), state.rest.end());
+  const auto add = [&](const Columns& u, double share) {
+    if (u.empty() || share == 0.0) return;
+    for (std::size_t k = 0; k < n; ++k) {
+      positions[state.rings().vertices[k]] += share * Vector3d(u[k], u[n + k], u[2 * n + k]);
+    }
+  };
+  add(state.base, 1.0);
+  add(state.coating, amplitude);
+  return positions;
+}
+
+double Coater::mean_scale() const {
+  return state_->mean_scale;
+}
+double Coater::relative_residual() const {
+  return state_->residual;
+}
+const VertexSet& Coater::free() const {
+  return state_->constraints.unknowns.vertices;
+}
+const StageTimings& Coater::timings() const {
+  return state_->timings;
+}
+
+}  // namespace lapwing

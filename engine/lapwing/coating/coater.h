@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/coating/peel.h"
+#include "lapwing/coating/transition.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/laplacian/weights.h"
+
+namespace lapwing {
+
+struct CoaterOptions {
+  LaplacianWeights weights = LaplacianWeights::cotangent;
+  /// The target's own features below this length go; 0 keeps the target as it is.
+  double smooth_target = 0.0;
+  Transition transition;
+  /// Waves longer than this come from where the coating's displacement would put the surface rather
+  /// than from its Laplacians; 0: everything from the Laplacians. See Coater.
+  double hold_length = 0.0;
+};
+
+/// How a coating is taken over.
+struct CoatOptions {
+  MappedSampling sampling = MappedSampling::one_ring;
+  /// Its size on the target over that on the source; none: the local ratio of edge lengths.
+  std::optional<double> scale;
+  bool operator==(const CoatOptions&) const = default;
+};
+
+/// Puts coatings on a target patch (paper sections 5.1 and 5.2). With u the displacement of the
+/// target U, f the transition's share, xi the coating's Laplacians sampled at the target's
+/// vertices, T = s R from the source's frame to the target's, and xi_U = delta(U) - delta(U
+/// smooth):
+///     (L'L + W) u = L' f (a T xi - xi_U) + W f (a T d - (U - U smooth))
+/// on one n x n factor, a the amplitude. The boundary loop is held exactly; nothing outside the
+/// patch moves. d is the coating's displacement, and W = (pi r / hold_length)^4, r the ring's
+/// radius, which outweighs L'L for waves longer than hold_length: Laplacians that are turned with
+/// the surface they come to are no longer those of any surface, and without W what does not fit
+/// adds up to a bulge as wide as the patch.
+///
+///     Coater coater(target.positions, topology, patch, options, kernels);   // factors
+///     coater.take(coating, points, {});                                     // one solve
+///     Positions coated = coater.coat(1.0);                                  // as often as wanted
+class Coater {
+ public:
+  /// Stages reported and timed: "smooth_target", "pattern", "order", "laplacian". `rest`,
+  /// `topology` and `kernels` must outlive the object. Throws InputError when the patch has no
+  /// inner vertex, SolverError when the system is singular.
+  Coater(std::span<const Eigen::Vector3d> rest, const Topology& topology, const Patch& patch,
+         const CoaterOptions& options, Kernels& kernels, const Progress& progress = {});
+  ~Coater();
+  Coater(Coater&&) noexcept;
+  Coater& operator=(Coater&&) noexcept;
+
+  /// Samples, turns and solves for `coating`, which replaces the one before. `points` has, per own
+  /// number of the target patch, where it lies on the coating's patch. Stages "sample", "frames",
+  /// "solve".
+  void take(const Coating& coating, std::span<const SurfacePoint> points,
+            const CoatOptions& options, const Progress& progress = {});
+
+  /// The whole target with `amplitude` times the coating: 0 gives the target (smooth, where that
+  /// was asked for), negative engraves. Linear in the amplitude; no solve.
+  Positions coat(double amplitude) const;
+
+  /// The mean of s over the patch, of the coating taken last.
+  double mean_scale() const;
+  /// |A u - b| / |b| of the coating's system.
+  double relative_residual() const;
+  const VertexSet& free() const;
+  const StageTimings& timings() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lapwing

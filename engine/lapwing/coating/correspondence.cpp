@@ -1,0 +1,143 @@
+#include "lapwing/coating/correspondence.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
+#include "lapwing/parameterize/domain_locator.h"
+
+namespace lapwing {
+namespace {
+
+constexpr std::array<std::string_view, 2> kSides{"source", "target"};
+
+std::string place_of(const std::string& where, const char* list, std::size_t pair) {
+  return where + "/" + list + "/" + std::to_string(pair);
+}
+
+// The own number of side `side` of a pair, which must be on the patch's boundary or inside it.
+Index own_number(const PlacedPatch& side, std::size_t which, const VertexPair& pair, bool boundary,
+                 const std::string& place) {
+  const Index v = pair[which];
+  const Index own = side.patch.own_number(v);
+  const std::string name = "vertex " + std::to_string(v);
+  const std::string patch = "the " + std::string(kSides[which]) + " patch";
+  if (own == kNoIndex) {
+    throw InputError(place + ": " + name + " is not in " + patch + ", whose " +
+                     std::to_string(side.patch.vertices.size()) + " vertices begin with " +
+                     std::to_string(side.patch.vertices.front()) + "; choose one of them");
+  }
+  const auto& loop = side.patch.loop;
+  const bool on_loop = std::find(loop.begin(), loop.end(), own) != loop.end();
+  if (boundary && !on_loop) {
+    const auto nearest = *std::min_element(loop.begin(), loop.end(), [&](Index a, Index b) {
+      return (side.positions[a] - side.positions[own]).squaredNorm() <
+             (side.positions[b] - side.positions[own]).squaredNorm();
+    });
+    throw InputError(place + ": " + name + " lies inside " + patch +
+                     ", and a boundary pair needs a vertex of its border; the nearest is " +
+                     std::to_string(side.patch.vertices[nearest]));
+  }
+  if (!boundary && on_loop) {
+    throw InputError(place + ": " + name + " lies on the border of " + patch +
+                     ", which inner pairs leave alone; give it in \"boundary_pairs\"");
+  }
+  return own;
+}
+
+struct Pins {
+  BoundaryPins source;
+  BoundaryPins target;
+};
+
+Pins pins_of(const PlacedPatch& source, const PlacedPatch& target,
+             const CorrespondenceOptions& options, const std::string& where) {
+  if (options.boundary_pairs.empty()) {
+    return {default_pins(source.patch, source.positions, options.domain),
+            default_pins(target.patch, target.positions, options.domain)};
+  }
+  const std::size_t wanted = options.domain == Domain::disk ? 1 : 4;
+  if (options.boundary_pairs.size() != wanted) {
+    throw InputError(where + "/boundary_pairs: the " +
+                     (wanted == 1 ? "disk takes one pair" : "square takes four pairs") +
+                     ", in order around the border, got " +
+                     std::to_string(options.boundary_pairs.size()));
+  }
+  Pins pins;
+  for (std::size_t p = 0; p < options.boundary_pairs.size(); ++p) {
+    const std::string place = place_of(where, "boundary_pairs", p);
+    pins.source.push_back(own_number(source, 0, options.boundary_pairs[p], true, place));
+    pins.target.push_back(own_number(target, 1, options.boundary_pairs[p], true, place));
+  }
+  return pins;
+}
+
+DomainMap map_of(const PlacedPatch& side, std::size_t which, Domain domain,
+                 const BoundaryPins& pins, const std::string& where) {
+  try {
+    return mean_value_map(side.patch, side.positions, domain, pins);
+  } catch (const InputError& error) {
+    throw InputError(where + ": the " + std::string(kSides[which]) + " patch: " + error.what());
+  }
+}
+
+[[noreturn]] void fail_contradicting(const CorrespondenceOptions& options, const WarpReport& report,
+                                     const std::string& where) {
+  std::string text = where +
+                     "/inner_pairs: these pairs cannot be met together without folding the "
+                     "map:";
+  for (const Index p : report.unmet) {
+    const VertexPair& pair = options.inner_pairs[p];
+    text += " [" + std::to_string(pair[0]) + ", " + std::to_string(pair[1]) + "]";
+  }
+  throw InputError(text + ". Leave out one of them, or correct it");
+}
+
+// Bends the source's map so that the vertices of the inner pairs come to lie on each other.
+void meet_inner_pairs(const PlacedPatch& source, const PlacedPatch& target,
+                      const CorrespondenceOptions& options, const std::string& where,
+                      Correspondence& result) {
+  std::vector<PointPull> pulls;
+  for (std::size_t p = 0; p < options.inner_pairs.size(); ++p) {
+    const std::string place = place_of(where, "inner_pairs", p);
+    const Index from = own_number(source, 0, options.inner_pairs[p], false, place);
+    const Index to = own_number(target, 1, options.inner_pairs[p], false, place);
+    const auto same = std::find_if(pulls.begin(), pulls.end(),
+                                   [&](const PointPull& pull) { return pull.vertex == from; });
+    if (same != pulls.end()) {
+      throw InputError(place + ": vertex " + std::to_string(options.inner_pairs[p][0]) +
+                       " of the source is in pair " + std::to_string(same - pulls.begin()) +
+                       " too; a vertex can lie in one place only");
+    }
+    pulls.push_back({from, result.target.points[to]});
+  }
+  if (pulls.empty()) return;
+  WarpResult warped =
+      warp_domain(source.patch.triangles, source.patch.loop, result.source.points, pulls);
+  result.warp = std::move(warped.report);
+  if (!result.warp.unmet.empty()) fail_contradicting(options, result.warp, where);
+  result.source.points = std::move(warped.points);
+}
+
+}  // namespace
+
+Correspondence correspond(const PlacedPatch& source, const PlacedPatch& target,
+                          const CorrespondenceOptions& options, const std::string& where) {
+  Correspondence result;
+  const Pins pins = pins_of(source, target, options, where);
+  for (std::size_t p = 0; p < pins.source.size(); ++p) {
+    result.pins.push_back(
+        {source.patch.vertices[pins.source[p]], target.patch.vertices[pins.target[p]]});
+  }
+  parallel_invoke([&] { result.source = map_of(source, 0, options.domain, pins.source, where); },
+                  [&] { result.target = map_of(target, 1, options.domain, pins.target, where); });
+  meet_inner_pairs(source, target, options, where, result);
+  result.flipped_source = flipped_triangles(source.patch.triangles, result.source.points).size();
+  result.flipped_target = flipped_triangles(target.patch.triangles, result.target.points).size();
+  const DomainLocator locator(source.patch.triangles, result.source.points);
+  result.points = locator.locate(result.target.points);
+  return result;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,29 @@
+#include "lapwing/coating/transition.h"
+
+#include <algorithm>
+
+#include "lapwing/region/geodesic.h"
+
+namespace lapwing {
+
+double fade(const Transition& transition, double distance) {
+  if (transition.width <= 0.0) return 1.0;
+  const double x = std::clamp(distance / transition.width, 0.0, 1.0);
+  return transition.profile == Transition::Profile::linear ? x : x * x * (3.0 - 2.0 * x);
+}
+
+std::vector<double> fades(const Transition& transition, const Patch& patch,
+                          const Topology& topology, std::span<const Eigen::Vector3d> positions) {
+  std::vector<double> shares(patch.vertices.size(), 1.0);
+  if (transition.width <= 0.0) return shares;
+  std::vector<Index> border;
+  for (const Index own : patch.loop) border.push_back(patch.vertices[own]);
+  const auto distances = geodesic_distances(topology, positions, border, transition.width,
+                                            vertex_mask(positions.size(), patch.vertices));
+  for (std::size_t own = 0; own < shares.size(); ++own) {
+    shares[own] = fade(transition, distances[patch.vertices[own]]);
+  }
+  return shares;
+}
+
+}  // namespace lapwing
