@@ -55,7 +55,12 @@ real3x3 frame_of(real3 normal) {
 real3 plane_turn(real3x3 H) {
   const real cosine = H[0][0] + H[1][1];
   const real sine = H[0][1] - H[1][0];
-  return real3(cosine, sine, sqrt(cosine * cosine + sine * sine));
+  // Squares of the numbers of a small mesh may be too small.
+  const real larger = max(abs(cosine), abs(sine));
+  if (!(larger > 0)) return real3(0);
+  const real c = cosine / larger;
+  const real s = sine / larger;
+  return real3(cosine, sine, larger * sqrt(c * c + s * s));
 }
 
 // moment = sum_j b_j a_j'; spread = sqrt(sum_j |a_j|^2 sum_j |b_j|^2).

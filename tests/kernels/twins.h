@@ -17,7 +17,7 @@ struct Twin {
   bool on_gpu;
   Precision precision;
   bool mapped;       ///< false: every copy staged, as on a discrete GPU
-  double tolerance;  ///< of assemble_rsi and sample_laplacians, relative
+  double tolerance;  ///< of kernels in this precision, relative
 };
 
 inline constexpr double kFloat64Tolerance = 1e-12;
