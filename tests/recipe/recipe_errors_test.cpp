@@ -132,10 +132,10 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Mistake{"NoForm", with_roi("{}"),
                 ": /steps/0/roi: a region needs one of \"all\", \"vertices\", \"disk\", \"box\", "
-                "\"loop\", \"union\", \"minus\""},
+                "\"loop\", \"union\", \"minus\", \"disk_in\""},
         Mistake{"TwoForms", with_roi(R"({"all": true, "vertices": [1]})"),
                 ": /steps/0/roi: a region takes one of \"all\", \"vertices\", \"disk\", \"box\", "
-                "\"loop\", \"union\", \"minus\", got \"all\", \"vertices\""},
+                "\"loop\", \"union\", \"minus\", \"disk_in\", got \"all\", \"vertices\""},
         Mistake{"AllFalse", with_roi(R"({"all": false})"),
                 ": /steps/0/roi/all: expected true, the only value; name vertices otherwise"},
         Mistake{"NegativeVertex", with_roi(R"({"vertices": [1, -1]})"),
@@ -170,14 +170,16 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/roi/union: expected at least 1 region, got 0"},
         Mistake{"MinusOfOne", with_roi(R"({"minus": [{"all": true}]})"),
                 ": /steps/0/roi/minus: expected at least 2 regions, got 1"},
+        Mistake{"DiskInAList", with_roi(R"({"disk_in": [{"all": true}]})"),
+                ": /steps/0/roi/disk_in: expected an object, got a list of 1"},
         Mistake{"InnerRegion", with_roi(R"({"union": [{"all": true}, {"disc": {}}]})"),
                 ": /steps/0/roi/union/1/disc: unknown key; did you mean \"disk\"? Known here: "
                 "\"all\", \"vertices\", \"disk\", \"box\", \"loop\", \"inside\", \"union\", "
-                "\"minus\""},
+                "\"minus\", \"disk_in\""},
         Mistake{"FractionForARoi", with_roi(R"({"fraction": 0.1})"),
                 ": /steps/0/roi/fraction: unknown key; Known here: "
                 "\"all\", \"vertices\", \"disk\", \"box\", \"loop\", \"inside\", \"union\", "
-                "\"minus\""},
+                "\"minus\", \"disk_in\""},
         Mistake{"FractionTooLarge", with_belt(R"({"fraction": 2})"),
                 ": /steps/0/belt/fraction: expected a number from 0 to 1, got 2"},
         Mistake{"FractionAndMore", with_belt(R"({"fraction": 0.1, "all": true})"),

@@ -116,6 +116,8 @@ TEST(Recipe, ReadsEveryFormOfRegion) {
   EXPECT_EQ(roi_of(R"({"box": {"min": [0, 0, 0], "max": [1, 2, 3]}})"),
             (RegionSpec{Box{{0, 0, 0}, {1, 2, 3}}}));
   EXPECT_EQ(roi_of(R"({"loop": [3, 4, 5], "inside": 9})"), (RegionSpec{LoopRegion{{3, 4, 5}, 9}}));
+  EXPECT_EQ(roi_of(R"({"disk_in": {"vertices": [1, 2]}})"),
+            (RegionSpec{DiskInRegion{{{ListedVertices{{1, 2}}}}}}));
   EXPECT_EQ(
       roi_of(R"({"union": [{"vertices": [1]}, {"minus": [{"all": true},
                                                                {"vertices": [2]}]}]})"),
@@ -156,7 +158,8 @@ Recipe full_recipe() {
   const RegionSpec disk{GeodesicDisk{Vector3d(0.1, -1e-300, 1.0 / 3.0), 1e22}};
   const RegionSpec box{Box{{-1, -2, -3}, {4, 5, 6}}};
   const RegionSpec loop{LoopRegion{{5, 6, 7, 8}, 1}};
-  step.roi = {UnionRegion{{disk, box, {DifferenceRegion{{{AllVertices{}}, loop}}}}}};
+  step.roi = {
+      UnionRegion{{disk, {DiskInRegion{{box}}}, {DifferenceRegion{{{AllVertices{}}, loop}}}}}};
   step.belt = BorderBelt{0.15, ""};
   step.handles.push_back({{ListedVertices{many}}, SimilarityMove{}});
   step.handles.push_back(

@@ -118,6 +118,17 @@ TEST(Region, UnionAndDifferenceAreThoseOfSets) {
               HasSubstr("/steps/0/roi/minus: nothing is left"));
 }
 
+TEST(Region, DiskInAnAnnulusIsMostOfIt) {
+  const RegionSpec hole = spec(Box{{0.4, 0.4, -1}, {0.6, 0.6, 1}});
+  const RegionSpec annulus = spec(DifferenceRegion{{spec(AllVertices{}), hole}});
+  const VertexSet disk = resolve_on(grid(20, 20), spec(DiskInRegion{{annulus}}));
+  EXPECT_EQ(disk, intersect(disk, resolve_on(grid(20, 20), annulus)));
+  EXPECT_GT(disk.size(), 350U);
+  EXPECT_LT(disk.size(), 416U);
+  EXPECT_THAT(error_on(grid(2, 2), spec(DiskInRegion{{spec(ListedVertices{{0, 8}})}})),
+              HasSubstr("/steps/0/roi/disk_in: no triangle has its three corners in the region"));
+}
+
 TEST(Region, EqualityIgnoresWhereItWasWritten) {
   EXPECT_EQ((RegionSpec{Box{}, "a.json: /steps/0/roi"}), (RegionSpec{Box{}, ""}));
   EXPECT_NE((RegionSpec{UnionRegion{{spec(AllVertices{})}}, ""}),

@@ -147,6 +147,7 @@ struct FormName {
   std::string operator()(const LoopRegion&) const { return "loop"; }
   std::string operator()(const UnionRegion&) const { return "union"; }
   std::string operator()(const DifferenceRegion&) const { return "difference"; }
+  std::string operator()(const DiskInRegion&) const { return "disk in a region"; }
 };
 
 std::string with_number(const char* format, double number) {

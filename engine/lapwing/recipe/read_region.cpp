@@ -62,9 +62,10 @@ RegionSpec read_nested(const JsonNode& node, int depth) {
   if (depth > kDeepestNesting) {
     node.fail("regions are nested more than " + std::to_string(kDeepestNesting) + " deep");
   }
-  node.require_keys({"all", "vertices", "disk", "box", "loop", "inside", "union", "minus"});
-  const std::string_view form =
-      node.only_key_of({"all", "vertices", "disk", "box", "loop", "union", "minus"}, "a region");
+  node.require_keys(
+      {"all", "vertices", "disk", "box", "loop", "inside", "union", "minus", "disk_in"});
+  const std::string_view form = node.only_key_of(
+      {"all", "vertices", "disk", "box", "loop", "union", "minus", "disk_in"}, "a region");
   if (form != "loop" && node.has("inside")) {
     node.at("inside").fail("\"inside\" goes with \"loop\" only; remove it");
   }
@@ -77,6 +78,7 @@ RegionSpec read_nested(const JsonNode& node, int depth) {
   if (form == "loop") spec.form = read_loop(node);
   if (form == "union") spec.form = UnionRegion{read_parts(value, 1, depth)};
   if (form == "minus") spec.form = DifferenceRegion{read_parts(value, 2, depth)};
+  if (form == "disk_in") spec.form = DiskInRegion{{read_nested(value, depth + 1)}};
   return spec;
 }
 

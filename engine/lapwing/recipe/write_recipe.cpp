@@ -51,6 +51,9 @@ struct FormWriter {
   Json operator()(const DifferenceRegion& region) const {
     return {{"minus", json_of(region.parts)}};
   }
+  Json operator()(const DiskInRegion& region) const {
+    return {{"disk_in", json_of(region.parts.at(0))}};
+  }
 };
 
 Json json_of(const RegionSpec& spec) {

@@ -6,6 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/region/geodesic.h"
+#include "lapwing/region/largest_disk.h"
 #include "lapwing/region/loop_region.h"
 
 namespace lapwing {
@@ -132,6 +133,18 @@ struct Resolver {
     }
     return vertices;
   }
+
+  VertexSet operator()(const DiskInRegion& region) const {
+    if (region.parts.empty()) return {};
+    VertexSet vertices =
+        largest_disk(resolve(region.parts.front(), mesh, topology), topology, mesh.positions);
+    if (vertices.empty()) {
+      throw InputError(where +
+                       "/disk_in: no triangle has its three corners in the region; choose a larger "
+                       "one");
+    }
+    return vertices;
+  }
 };
 
 }  // namespace
@@ -140,6 +153,9 @@ bool operator==(const UnionRegion& a, const UnionRegion& b) {
   return a.parts == b.parts;
 }
 bool operator==(const DifferenceRegion& a, const DifferenceRegion& b) {
+  return a.parts == b.parts;
+}
+bool operator==(const DiskInRegion& a, const DiskInRegion& b) {
   return a.parts == b.parts;
 }
 

@@ -55,13 +55,19 @@ struct DifferenceRegion {
   std::vector<RegionSpec> parts;
 };
 
+/// The largest disk inside a region (see largest_disk.h): what can be laid into the plane.
+struct DiskInRegion {
+  std::vector<RegionSpec> parts;  ///< one
+};
+
 bool operator==(const UnionRegion& a, const UnionRegion& b);
 bool operator==(const DifferenceRegion& a, const DifferenceRegion& b);
+bool operator==(const DiskInRegion& a, const DiskInRegion& b);
 
 /// A choice of vertices as a person wrote it, not yet bound to a mesh.
 struct RegionSpec {
   std::variant<AllVertices, ListedVertices, GeodesicDisk, Box, LoopRegion, UnionRegion,
-               DifferenceRegion>
+               DifferenceRegion, DiskInRegion>
       form;
   /// Where it was written, as messages name it ("bend.json: /steps/0/roi"); no part of the value.
   std::string where = "region";
@@ -70,9 +76,9 @@ struct RegionSpec {
 };
 
 /// The vertices that `spec` chooses on `mesh`. Throws InputError, naming `where`: a vertex that the
-/// mesh does not have, a box or difference that holds nothing, a disk near a mesh without
-/// triangles, a loop that cannot be joined, does not separate the mesh or does not hold `inside`
-/// on one side.
+/// mesh does not have, a box or difference that holds nothing, a disk near a mesh or in a region
+/// without triangles, a loop that cannot be joined, does not separate the mesh or does not hold
+/// `inside` on one side.
 VertexSet resolve(const RegionSpec& spec, const Mesh& mesh, const Topology& topology);
 
 }  // namespace lapwing
