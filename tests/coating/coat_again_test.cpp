@@ -53,7 +53,7 @@ struct Scene {
 
   Positions coat(const std::vector<SurfacePoint>& points, double amplitude,
                  const CoaterOptions& options = {}) {
-    Coater coater(target.mesh.positions, target.topology, target.patch, options, kernels);
+    Coater coater({target.mesh.positions}, target.topology, target.patch, options, kernels);
     coater.take(coating, points, {});
     return coater.coat(amplitude);
   }
@@ -94,7 +94,7 @@ TEST(Coat, GivesASurfaceItsOwnCoatingBack) {
   for (const double hold : {0.0, kDetail}) {
     CoaterOptions options;
     options.hold_length = hold;
-    Coater coater(target.mesh.positions, target.topology, target.patch, options, kernels);
+    Coater coater({target.mesh.positions}, target.topology, target.patch, options, kernels);
     coater.take(coating, each_to_itself(source.patch), {});
     EXPECT_LT(largest_distance(coater.coat(1.0), mesh.positions), 1e-9);
     EXPECT_LT(coater.relative_residual(), 1e-10);
@@ -169,9 +169,12 @@ TEST(Coat, TakesTheTargetsOwnDetailAwayWhereAsked) {
   // The potato as its own target: what is left without any coating is its smooth version.
   Scene scene;
   CoaterOptions options;
-  options.smooth_target = kDetail;
   options.hold_length = kDetail;
-  Coater coater(scene.source.mesh.positions, scene.source.topology, scene.source.patch, options,
+  const Positions& rest = scene.source.mesh.positions;
+  const Positions smooth_target =
+      smooth_around(scene.source.patch.vertices, kDetail, rest, scene.source.topology,
+                    LaplacianWeights::cotangent, "smooth_target");
+  Coater coater({rest, smooth_target}, scene.source.topology, scene.source.patch, options,
                 scene.kernels);
   coater.take(scene.coating, each_to_itself(scene.source.patch), {});
   const Positions smooth = coater.coat(0.0);
@@ -200,7 +203,7 @@ TEST(Coat, FollowsSourceAndTargetMovedAsAWhole) {
     scaled.hold_length *= size;
     scaled.transition.width *= size;
     const auto map = correspond(source.placed(), on.placed(), {}, "coat");
-    Coater coater(on.mesh.positions, on.topology, on.patch, scaled, scene.kernels);
+    Coater coater({on.mesh.positions}, on.topology, on.patch, scaled, scene.kernels);
     coater.take(coating, map.points, {});
     return coater.coat(1.0);
   };
@@ -224,7 +227,7 @@ TEST(Coat, NeedsInnerVertices) {
   Scene scene;
   const PatchedMesh triangle(grid(1, 1));
   EXPECT_THAT(error_message<InputError>([&] {
-                Coater(triangle.mesh.positions, triangle.topology, triangle.patch, {},
+                Coater({triangle.mesh.positions}, triangle.topology, triangle.patch, {},
                        scene.kernels);
               }),
               testing::HasSubstr("no inner vertices"));

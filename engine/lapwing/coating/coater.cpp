@@ -5,7 +5,6 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/coating/fairing.h"
 #include "lapwing/coating/ring_areas.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
@@ -58,15 +57,15 @@ double norm(const Columns& x) {
 }  // namespace
 
 struct Coater::State {
-  State(std::span<const Vector3d> rest_positions, const Topology& mesh_topology,
-        const Patch& target_patch, const CoaterOptions& coater_options, Kernels& device)
-      : rest(rest_positions),
+  State(const CoatTarget& target, const Topology& mesh_topology, const Patch& target_patch,
+        const CoaterOptions& coater_options, Kernels& device)
+      : rest(target.rest),
+        smooth(target.smooth.empty() ? target.rest : target.smooth),
         topology(mesh_topology),
         patch(target_patch),
         options(coater_options),
         kernels(device) {}
 
-  void make_smooth();
   void make_system(const Progress& progress);
   void make_frames();
   Columns solve_for(std::span<const Vector3d> y, std::span<const Vector3d> wanted);
@@ -76,13 +75,13 @@ struct Coater::State {
   std::size_t unknown_count() const { return system->size(); }
 
   std::span<const Vector3d> rest;
+  std::span<const Vector3d> smooth;
   const Topology& topology;
   Patch patch;
   CoaterOptions options;
   Kernels& kernels;
   StageTimings timings;
 
-  Positions smooth;  // of the whole mesh; the rest where the target stays as it is
   Constraints constraints;
   std::unique_ptr<SystemPattern> pattern;
   std::unique_ptr<LaplacianSystem> system;
@@ -96,14 +95,6 @@ struct Coater::State {
   double mean_scale = 0.0;
   double residual = 0.0;
 };
-
-void Coater::State::make_smooth() {
-  smooth.assign(rest.begin(), rest.end());
-  if (options.smooth_target == 0.0) return;
-  const VertexSet around = grown(patch.vertices, options.smooth_target, topology, rest);
-  smooth = Fairing(rest, topology, around, options.weights)
-               .smooth(options.smooth_target, "smooth_target");
-}
 
 void Coater::State::make_system(const Progress& progress) {
   EditRegion region;
@@ -178,7 +169,7 @@ Columns Coater::State::solve_for(std::span<const Vector3d> y, std::span<const Ve
 }
 
 void Coater::State::take_own_detail_away() {
-  if (options.smooth_target == 0.0) return;
+  if (smooth.data() == rest.data()) return;
   // Nothing outside the patch, as for a coating.
   const auto detail = [&](Index own) -> Vector3d {
     const Index v = rings().vertices[own];
@@ -199,13 +190,9 @@ void Coater::State::take_own_detail_away() {
   base = solve_for(y, wanted);
 }
 
-Coater::Coater(std::span<const Vector3d> rest, const Topology& topology, const Patch& patch,
+Coater::Coater(const CoatTarget& target, const Topology& topology, const Patch& patch,
                const CoaterOptions& options, Kernels& kernels, const Progress& progress)
-    : state_(std::make_unique<State>(rest, topology, patch, options, kernels)) {
-  report_progress(progress, "smooth_target", 0.0);
-  const Stopwatch watch;
-  state_->make_smooth();
-  state_->timings.add("smooth_target", watch.elapsed_ms());
+    : state_(std::make_unique<State>(target, topology, patch, options, kernels)) {
   state_->make_system(progress);
   const Stopwatch frames;
   state_->make_frames();

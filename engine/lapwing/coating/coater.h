@@ -16,12 +16,17 @@ namespace lapwing {
 
 struct CoaterOptions {
   LaplacianWeights weights = LaplacianWeights::cotangent;
-  /// The target's own features below this length go; 0 keeps the target as it is.
-  double smooth_target = 0.0;
   Transition transition;
   /// Waves longer than this come from where the coating's displacement would put the surface rather
   /// than from its Laplacians; 0: everything from the Laplacians. See Coater.
   double hold_length = 0.0;
+};
+
+/// The surface to coat, both over the whole mesh.
+struct CoatTarget {
+  std::span<const Eigen::Vector3d> rest;  ///< U
+  /// U smooth: what U has over it goes, and the frames are its. Empty keeps all of U.
+  std::span<const Eigen::Vector3d> smooth = {};
 };
 
 /// How a coating is taken over.
@@ -34,8 +39,8 @@ struct CoatOptions {
 
 /// Puts coatings on a target patch (paper sections 5.1 and 5.2). With u the displacement of the
 /// target U, f the transition's share, xi the coating's Laplacians sampled at the target's
-/// vertices, T = s R from the source's frame to the target's, and xi_U = delta(U) - delta(U
-/// smooth):
+/// vertices, T = s R from the source's frame to that of U smooth, and
+/// xi_U = delta(U) - delta(U smooth):
 ///     (L'L + W) u = L' f (a T xi - xi_U) + W f (a T d - (U - U smooth))
 /// on one n x n factor, a the amplitude. The boundary loop is held exactly; nothing outside the
 /// patch moves. d is the coating's displacement, and W = (pi r / hold_length)^4, r the ring's
@@ -43,15 +48,16 @@ struct CoatOptions {
 /// the surface they come to are no longer those of any surface, and without W what does not fit
 /// adds up to a bulge as wide as the patch.
 ///
-///     Coater coater(target.positions, topology, patch, options, kernels);   // factors
-///     coater.take(coating, points, {});                                     // one solve
-///     Positions coated = coater.coat(1.0);                                  // as often as wanted
+///     Coater coater({positions, smooth}, topology, patch, options, kernels);  // factors
+///     coater.take(coating, points, {});                                       // one solve
+///     Positions coated = coater.coat(1.0);                                    // as often as
+///     wanted
 class Coater {
  public:
-  /// Stages reported and timed: "smooth_target", "pattern", "order", "laplacian". `rest`,
+  /// Stages reported and timed: "order", "laplacian", "target_frames". What `target` points to,
   /// `topology` and `kernels` must outlive the object. Throws InputError when the patch has no
   /// inner vertex, SolverError when the system is singular.
-  Coater(std::span<const Eigen::Vector3d> rest, const Topology& topology, const Patch& patch,
+  Coater(const CoatTarget& target, const Topology& topology, const Patch& patch,
          const CoaterOptions& options, Kernels& kernels, const Progress& progress = {});
   ~Coater();
   Coater(Coater&&) noexcept;

@@ -29,6 +29,12 @@ VertexSet free_vertices(const VertexSet& region, const Topology& topology) {
   return free;
 }
 
+void require_length(double length, const char* where) {
+  if (length > 0.0 && std::isfinite(length)) return;
+  throw InputError(std::string(where) + ": expected a length above 0, got " +
+                   std::to_string(length));
+}
+
 // sum_j s_ij (x_i - x_j) over the root of the row's mass.
 BlockRows scaled_rows(const Adjacency& rings, std::span<const double> s,
                       std::span<const Index> vertices, std::span<const double> masses) {
@@ -63,10 +69,7 @@ Fairing::Fairing(std::span<const Vector3d> positions, const Topology& topology,
 }
 
 Positions Fairing::smooth(double length, const char* where) const {
-  if (!(length > 0.0) || !std::isfinite(length)) {
-    throw InputError(std::string(where) + ": expected a length above 0, got " +
-                     std::to_string(length));
-  }
+  require_length(length, where);
   Positions result(positions_.begin(), positions_.end());
   if (free().empty()) return result;
   const double t = std::pow(length / (2.0 * std::numbers::pi), 2);
@@ -99,6 +102,13 @@ VertexSet grown(const VertexSet& region, double distance, const Topology& topolo
     if (distances[v] <= distance) result.push_back(v);
   }
   return unite(result, region);
+}
+
+Positions smooth_around(const VertexSet& region, double length, std::span<const Vector3d> positions,
+                        const Topology& topology, LaplacianWeights weights, const char* where) {
+  require_length(length, where);
+  return Fairing(positions, topology, grown(region, length, topology, positions), weights)
+      .smooth(length, where);
 }
 
 }  // namespace lapwing

@@ -48,9 +48,14 @@ class Fairing {
   std::unique_ptr<BlockSolver> solver_;  ///< analyzed
 };
 
-/// The region and every vertex within `distance` of it, along the surface: where fairing should
-/// work so that its held border leaves the region itself alone.
+/// The region and every vertex within `distance` of it, along the surface.
 VertexSet grown(const VertexSet& region, double distance, const Topology& topology,
                 std::span<const Eigen::Vector3d> positions);
+
+/// The whole mesh with `region`, and what lies within `length` of it, smooth: fairing's border is
+/// held where the mesh goes on, so that it leaves the region itself alone. Throws as `smooth` does.
+Positions smooth_around(const VertexSet& region, double length,
+                        std::span<const Eigen::Vector3d> positions, const Topology& topology,
+                        LaplacianWeights weights, const char* where);
 
 }  // namespace lapwing

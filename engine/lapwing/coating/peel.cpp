@@ -38,9 +38,8 @@ Coating peel(Patch patch, std::span<const Vector3d> positions, const Topology& t
              double detail_size, LaplacianWeights weights, Kernels& kernels) {
   Coating coating;
   coating.detail_size = detail_size;
-  const Fairing fairing(positions, topology,
-                        grown(patch.vertices, detail_size, topology, positions), weights);
-  const Positions smooth = fairing.smooth(detail_size);
+  const Positions smooth =
+      smooth_around(patch.vertices, detail_size, positions, topology, weights, "detail_size");
   std::vector<Vector3d> displacement(positions.size());
   for (std::size_t v = 0; v < displacement.size(); ++v) displacement[v] = positions[v] - smooth[v];
 

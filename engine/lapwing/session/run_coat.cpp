@@ -6,6 +6,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/coater.h"
 #include "lapwing/coating/correspondence.h"
+#include "lapwing/coating/fairing.h"
 #include "lapwing/coating/peel.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/session/stage.h"
@@ -82,24 +83,33 @@ StepReport run_step(const CoatStep& step, const std::filesystem::path& base_dire
     coating = peel(std::move(source_patch), source.mesh->positions, *source.topology,
                    parameters.detail_size, parameters.weights, kernels);
   });
+  const Positions before = result.mesh.positions;
+  Positions smooth = before;
+  if (parameters.smooth_target > 0.0) {
+    stage("smooth_target", report.timings, progress, [&] {
+      smooth = smooth_around(target_patch.vertices, parameters.smooth_target, before,
+                             result.topology, parameters.weights, "smooth_target");
+    });
+  }
+  // The surfaces below the detail are laid on each other: it has no say in where it comes to.
   Correspondence map;
-  const auto placed = on_patch<Vector3d>(target_patch, result.mesh.positions);
+  const auto placed = on_patch<Vector3d>(target_patch, smooth);
   stage("map", report.timings, progress, [&] {
-    map = correspond({coating.patch, coating.positions}, {target_patch, placed},
+    map = correspond({coating.patch, coating.smooth}, {target_patch, placed},
                      parameters.correspondence, step.where);
   });
 
   // How much larger the target patch is: lengths on the source become lengths there.
   const double ratio = std::sqrt(area(target_patch.triangles, placed) /
-                                 area(coating.patch.triangles, coating.positions));
+                                 area(coating.patch.triangles, coating.smooth));
   CoaterOptions options;
   options.weights = parameters.weights;
-  options.smooth_target = parameters.smooth_target;
   options.hold_length = ratio * parameters.detail_size;
   options.transition = parameters.transition.value_or(
       Transition{ratio * parameters.detail_size, Transition::Profile::smooth});
-  const Positions before = result.mesh.positions;
-  Coater coater(before, result.topology, target_patch, options, kernels, progress);
+  CoatTarget target{before};
+  if (parameters.smooth_target > 0.0) target.smooth = smooth;
+  Coater coater(target, result.topology, target_patch, options, kernels, progress);
   coater.take(coating, map.points, parameters.sampling, progress);
   result.mesh.positions = coater.coat(parameters.amplitude);
   for (const auto& [name, ms] : coater.timings().stages()) report.timings.add(name, ms);
