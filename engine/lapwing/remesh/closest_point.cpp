@@ -143,22 +143,25 @@ void ClosestPoint::visit(Search& search) const {
       }
       continue;
     }
-    for (Index i = node.begin; i < node.end; ++i) {
-      const Item& item = items_[i];
-      if (item.normal.dot(search.direction) < 0.0) continue;
-      const auto weights = closest_weights(item.corners, search.point);
-      const Vector3d position = combine(item.corners, weights);
-      const double d = (position - search.point).squaredNorm();
-      if (d >= search.best_distance2) continue;
-      search.best_distance2 = d;
-      search.best = {item.triangle, weights, position};
-    }
+    for (Index i = node.begin; i < node.end; ++i) try_item(i, search);
   }
 }
 
-TrianglePoint ClosestPoint::find(Index group, const Vector3d& point,
-                                 const Vector3d& direction) const {
+void ClosestPoint::try_item(Index number, Search& search) const {
+  const Item& item = items_[number];
+  if (item.normal.dot(search.direction) < 0.0) return;
+  const auto weights = closest_weights(item.corners, search.point);
+  const Vector3d position = combine(item.corners, weights);
+  const double distance2 = (position - search.point).squaredNorm();
+  if (distance2 >= search.best_distance2) return;
+  search.best_distance2 = distance2;
+  search.best = {item.triangle, weights, position, number};
+}
+
+TrianglePoint ClosestPoint::find(Index group, const Vector3d& point, const Vector3d& direction,
+                                 Index hint) const {
   Search search{point, direction, roots_[group], std::numeric_limits<double>::infinity(), {}};
+  if (hint != kNoIndex) try_item(hint, search);
   visit(search);
   if (search.best.triangle == kNoIndex) {
     search.direction.setZero();

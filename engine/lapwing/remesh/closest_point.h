@@ -15,6 +15,7 @@ struct TrianglePoint {
   Index triangle = kNoIndex;
   std::array<double, 3> weights{};
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Index hint = kNoIndex;  ///< for the next search close by in the same group
 };
 
 /// Finds the closest point on triangles that come in groups; a search looks at one group only. A
@@ -27,10 +28,11 @@ class ClosestPoint {
                const Adjacency& groups);
 
   /// The closest point to `point` on group `group`. Triangles that look against `direction` are
-  /// left out, unless all do: on a thin sheet the other side may be closer. O(log n) mostly. Of
-  /// equally close points any, but always the same.
+  /// left out, unless all do: on a thin sheet the other side may be closer. O(log n) mostly, less
+  /// with the hint of an answer close by. Of equally close points any, but always the same.
   TrianglePoint find(Index group, const Eigen::Vector3d& point,
-                     const Eigen::Vector3d& direction = Eigen::Vector3d::Zero()) const;
+                     const Eigen::Vector3d& direction = Eigen::Vector3d::Zero(),
+                     Index hint = kNoIndex) const;
 
  private:
   struct Node {
@@ -47,6 +49,7 @@ class ClosestPoint {
 
   Index build(Index begin, Index end);
   void visit(Search& search) const;
+  void try_item(Index item, Search& search) const;
 
   std::vector<Item> items_;
   std::vector<Node> nodes_;

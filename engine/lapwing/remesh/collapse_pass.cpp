@@ -2,6 +2,7 @@
 #include <array>
 #include <queue>
 
+#include "lapwing/remesh/fold_check.h"
 #include "lapwing/remesh/passes.h"
 
 namespace lapwing::remeshing {
@@ -128,7 +129,7 @@ class Collapser {
     };
     add_around(v, u);
     if (moves) add_around(u, v);
-    return check.passes();
+    return check.passes() && !folds_when_moved(patch_, place, v, u);
   }
 
   // Where the line's edges at `v`, and at `u` when that moves, will run.

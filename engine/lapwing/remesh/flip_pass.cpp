@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/remesh/fold_check.h"
 #include "lapwing/remesh/passes.h"
 
 namespace lapwing::remeshing {
@@ -15,12 +16,15 @@ using Eigen::Vector3d;
 using Corners = std::array<Vector3d, 3>;
 
 constexpr int kMostRounds = 8;
-constexpr double kSharpestFoldCosine = 0.5;
 
 double angle_at(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d x = a - p;
   const Vector3d y = b - p;
   return std::atan2(x.cross(y).norm(), x.dot(y));
+}
+
+Vector3d area(const Corners& t) {
+  return (t[1] - t[0]).cross(t[2] - t[0]);
 }
 
 double smallest_angle(const Corners& t) {
@@ -57,7 +61,7 @@ class Flipper {
         if (!net_.is_alive(h) || net_.twin(h) == kNoIndex || net_.twin(h) < h) continue;
         if (net_.on_line(h)) continue;
         const Quad quad(patch_, h);
-        if (!is_better(quad) || !may_flip(quad)) continue;
+        if (!is_better(quad) || !may_flip(h, quad)) continue;
         net_.flip(h);
         flipped = true;
         count(quad);
@@ -99,13 +103,8 @@ class Flipper {
     for (const Index v : {quad.a, quad.b}) ++surplus_[v];
   }
 
-  bool may_flip(const Quad& quad) const {
-    const auto area = [](const Corners& t) { return (t[1] - t[0]).cross(t[2] - t[0]).eval(); };
-    const Vector3d left = area(quad.left);
-    const Vector3d right = area(quad.right);
-    if (left.dot(right) < kSharpestFoldCosine * left.norm() * right.norm()) return false;
-    const Vector3d before = area(quad.above) + area(quad.below);
-    ReplacementCheck check(before);
+  bool may_flip(Index h, const Quad& quad) const {
+    ReplacementCheck check(area(quad.above) + area(quad.below));
     for (const Corners& was : {quad.above, quad.below}) {
       check.add(was, quad.left);
       check.add(was, quad.right);
@@ -113,7 +112,31 @@ class Flipper {
     for (const Index v : {quad.v, quad.u}) {
       if (net_.valence(v) <= (net_.is_border_vertex(v) ? 2 : 3)) return false;
     }
-    return check.passes() && !patch_.is_same(quad.a, quad.b) && !patch_.are_joined(quad.a, quad.b);
+    return check.passes() && !folds(h, quad) && !patch_.is_same(quad.a, quad.b) &&
+           !patch_.are_joined(quad.a, quad.b);
+  }
+
+  // Whether the new edge or one of the four around it is sharper than allowed and than any of them
+  // before.
+  bool folds(Index h, const Quad& quad) const {
+    const Vector3d above = area(quad.above);
+    const Vector3d below = area(quad.below);
+    const Vector3d left = area(quad.left);
+    const Vector3d right = area(quad.right);
+    double before = fold_margin(above, below, false);
+    double after = fold_margin(left, right, false);
+    const auto compare = [&](Index e, const Vector3d& was, const Vector3d& is) {
+      if (net_.twin(e) == kNoIndex) return;
+      const Vector3d other = area(patch_.triangle(net_.twin(e)));
+      before = std::min(before, fold_margin(other, was, net_.on_line(e)));
+      after = std::min(after, fold_margin(other, is, net_.on_line(e)));
+    };
+    const Index k = net_.twin(h);
+    compare(Halfedges::next(h), above, right);
+    compare(Halfedges::previous(h), above, left);
+    compare(Halfedges::next(k), below, left);
+    compare(Halfedges::previous(k), below, right);
+    return after < std::min(0.0, before);
   }
 
   WorkingPatch& patch_;

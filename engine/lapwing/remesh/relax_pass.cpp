@@ -1,9 +1,9 @@
 #include <array>
-#include <cmath>
 
 #include <Eigen/Geometry>
 
 #include "lapwing/base/parallel.h"
+#include "lapwing/remesh/fold_check.h"
 #include "lapwing/remesh/passes.h"
 
 namespace lapwing::remeshing {
@@ -42,8 +42,7 @@ Vector3d middle_on_line(const WorkingPatch& patch, Index v) {
   return (second * patch.at(ends[0]) + first * patch.at(ends[1])) / (first + second);
 }
 
-Vector3d relaxed(const WorkingPatch& patch, Index v, double step) {
-  const Vector3d normal = patch.normal_at(v);
+Vector3d relaxed(WorkingPatch& patch, Index v, double step, const Vector3d& normal) {
   const Vector3d& p = patch.at(v);
   if (patch.kinds[v] == VertexKind::line) {
     return patch.project(v, p + step * (middle_on_line(patch, v) - p), normal);
@@ -52,18 +51,20 @@ Vector3d relaxed(const WorkingPatch& patch, Index v, double step) {
   return patch.project(v, p + step * (move - normal.dot(move) * normal), normal);
 }
 
-bool may_move(const WorkingPatch& patch, Index v, const Vector3d& place) {
-  ReplacementCheck check(patch.normal_at(v));
+bool may_move(const WorkingPatch& patch, Index v, const Vector3d& place, const Vector3d& normal) {
+  ReplacementCheck check(normal);
   patch.net.for_outgoing(v, [&](Index h) {
     const auto before = patch.triangle(h);
     check.add(before, {place, before[1], before[2]});
   });
-  return check.passes();
+  return check.passes() && !folds_when_moved(patch, place, v);
 }
 
-void move_to(WorkingPatch& patch, Index v, const Vector3d& place) {
+bool move_to(WorkingPatch& patch, Index v, const Vector3d& place, const Vector3d& normal) {
+  if (!may_move(patch, v, place, normal)) return false;
   patch.positions[v] = place;
   patch.lengths[v] = patch.target_length.at(place);
+  return true;
 }
 
 }  // namespace
@@ -73,22 +74,18 @@ void relax(WorkingPatch& patch) {
     return patch.net.has_vertex(v) && patch.kinds[v] != VertexKind::fixed;
   };
   Positions places = patch.positions;
+  std::vector<Vector3d> normals(places.size());
   parallel_for(places.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
-      if (moves(v)) places[v] = relaxed(patch, v, 1.0);
+      if (!moves(v)) continue;
+      normals[v] = patch.normal_at(v);
+      places[v] = relaxed(patch, v, 1.0, normals[v]);
     }
   });
   for (Index v = 0; v < places.size(); ++v) {
-    if (!moves(v)) continue;
-    if (may_move(patch, v, places[v])) {
-      move_to(patch, v, places[v]);
-      continue;
-    }
+    if (!moves(v) || move_to(patch, v, places[v], normals[v])) continue;
     for (const double step : {0.5, 0.0}) {
-      const Vector3d place = relaxed(patch, v, step);
-      if (!may_move(patch, v, place)) continue;
-      move_to(patch, v, place);
-      break;
+      if (move_to(patch, v, relaxed(patch, v, step, normals[v]), normals[v])) break;
     }
   }
 }

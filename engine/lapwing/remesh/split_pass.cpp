@@ -64,6 +64,7 @@ class Splitter {
     patch_.positions.push_back(middle);
     patch_.lengths.push_back(patch_.target_length.at(middle));
     patch_.kinds.push_back(net_.on_line(h) ? VertexKind::line : VertexKind::free);
+    patch_.hints.push_back(patch_.kinds[u] == patch_.kinds[m] ? patch_.hints[u] : kNoIndex);
     patch_.sheet_of.push_back(patch_.sheet_of[h / 3]);
     patch_.sheet_of.push_back(patch_.sheet_of[net_.twin(h) / 3]);
     net_.for_outgoing(m, [&](Index out) {

@@ -57,10 +57,10 @@ Reference::Reference(const OriginalPatch& original)
       sheets_(original.triangles, original.positions, original.sheets),
       lines_(segments_of(original), original.positions, numbered(original.lines)) {}
 
-LinePoint Reference::on_line(Index line, const Vector3d& point) const {
-  const TrianglePoint found = lines_.find(line, point);
+LinePoint Reference::on_line(Index line, const Vector3d& point, Index hint) const {
+  const TrianglePoint found = lines_.find(line, point, Vector3d::Zero(), hint);
   return {original_.lines.values[found.triangle], found.weights[1] + found.weights[2],
-          found.position};
+          found.position, found.hint};
 }
 
 WorkingPatch::WorkingPatch(const OriginalPatch& original_patch, const TargetLength& target,
@@ -72,6 +72,7 @@ WorkingPatch::WorkingPatch(const OriginalPatch& original_patch, const TargetLeng
       positions(original_patch.positions),
       lengths(std::move(lengths_at_vertices)),
       kinds(original_patch.kinds),
+      hints(original_patch.kinds.size(), kNoIndex),
       sheet_of(original_patch.sheet_of) {}
 
 Index WorkingPatch::line_of(Index v) const {
@@ -89,9 +90,16 @@ Vector3d WorkingPatch::normal_at(Index v) const {
   return length > 0.0 ? Vector3d(sum / length) : Vector3d::Zero();
 }
 
-Vector3d WorkingPatch::project(Index v, const Vector3d& point, const Vector3d& normal) const {
-  if (kinds[v] == VertexKind::line) return reference.on_line(line_of(v), point).position;
-  return reference.on_sheet(sheet_of[net.outgoing(v) / 3], point, normal).position;
+Vector3d WorkingPatch::project(Index v, const Vector3d& point, const Vector3d& normal) {
+  if (kinds[v] == VertexKind::line) {
+    const LinePoint found = reference.on_line(line_of(v), point, hints[v]);
+    hints[v] = found.hint;
+    return found.position;
+  }
+  const Index sheet = sheet_of[net.outgoing(v) / 3];
+  const TrianglePoint found = reference.on_sheet(sheet, point, normal, hints[v]);
+  hints[v] = found.hint;
+  return found.position;
 }
 
 bool WorkingPatch::is_same(Index a, Index b) const {

@@ -14,6 +14,7 @@ struct LinePoint {
   Index halfedge = kNoIndex;
   double along = 0.0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Index hint = kNoIndex;  ///< for the next search close by on the same line
 };
 
 /// The original patch as what vertices are put back onto.
@@ -23,10 +24,10 @@ class Reference {
 
   /// See ClosestPoint::find.
   TrianglePoint on_sheet(Index sheet, const Eigen::Vector3d& point,
-                         const Eigen::Vector3d& direction) const {
-    return sheets_.find(sheet, point, direction);
+                         const Eigen::Vector3d& direction, Index hint = kNoIndex) const {
+    return sheets_.find(sheet, point, direction, hint);
   }
-  LinePoint on_line(Index line, const Eigen::Vector3d& point) const;
+  LinePoint on_line(Index line, const Eigen::Vector3d& point, Index hint = kNoIndex) const;
 
  private:
   const OriginalPatch& original_;
@@ -47,6 +48,7 @@ struct WorkingPatch {
   Positions positions;
   std::vector<double> lengths;  ///< per vertex: the target there
   std::vector<VertexKind> kinds;
+  std::vector<Index> hints;     ///< per vertex: for `project`
   std::vector<Index> sheet_of;  ///< per triangle
 
   const Eigen::Vector3d& at(Index v) const { return positions[v]; }
@@ -60,9 +62,9 @@ struct WorkingPatch {
   Index line_of(Index v) const;
   /// Area-weighted normal of the triangles around `v`, of unit length or zero.
   Eigen::Vector3d normal_at(Index v) const;
-  /// The point of the original surface, or of its line, that is closest to `point` for `v`.
-  Eigen::Vector3d project(Index v, const Eigen::Vector3d& point,
-                          const Eigen::Vector3d& normal) const;
+  /// The point of the original surface, or of its line, that is closest to `point` for `v`. Writes
+  /// what belongs to `v` alone.
+  Eigen::Vector3d project(Index v, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
   /// Whether two vertices are the same vertex of the mesh.
   bool is_same(Index a, Index b) const;
