@@ -15,6 +15,7 @@ void add_convert(CLI::App& app);
 void add_info(CLI::App& app);
 void add_shape(CLI::App& app);
 void add_subdivide(CLI::App& app);
+void add_remesh(CLI::App& app);
 
 /// Thrown by a command that did its work and still has something to tell the shell.
 struct ExitWith {

@@ -64,5 +64,6 @@ int main(int argc, char** argv) {
   lapwing::cli::add_info(app);
   lapwing::cli::add_shape(app);
   lapwing::cli::add_subdivide(app);
+  lapwing::cli::add_remesh(app);
   return lapwing::cli::run(app, argc, argv);
 }

@@ -1,0 +1,224 @@
+#include "lapwing/remesh/feature_lines.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+namespace lapwing::remeshing {
+namespace {
+
+using Eigen::Vector3d;
+
+const double kCornerCosine = std::cos(std::numbers::pi / 4);
+
+// Below this share of the square of its longest side, a triangle's area is rounding.
+constexpr double kNoArea = 1e-12;
+
+struct Turn {
+  Vector3d normal = Vector3d::Zero();  // zero for a triangle without area
+  Index longest = kNoIndex;            // its half-edge
+};
+
+class LineFinder {
+ public:
+  LineFinder(const Mesh& mesh, const std::vector<double>& lengths, OriginalPatch& patch)
+      : mesh_(mesh), lengths_(lengths), patch_(patch), net_(patch.net) {}
+
+  void run(double angle_degrees) {
+    mark_edges(angle_degrees);
+    collect_degrees();
+    fix_corners();
+    number_lines();
+    number_border();
+    collect_sheets();
+  }
+
+ private:
+  std::vector<Turn> triangle_normals() const {
+    std::vector<Turn> turns(patch_.triangles.size());
+    for (Index t = 0; t < turns.size(); ++t) {
+      const auto [a, b, c] = patch_.corner_positions(t);
+      const std::array sides{(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
+      const auto longest = std::max_element(sides.begin(), sides.end()) - sides.begin();
+      turns[t].longest = 3 * t + static_cast<Index>(longest);
+      const Vector3d normal = (b - a).cross(c - a);
+      const double area = normal.norm();
+      if (area > kNoArea * sides[static_cast<std::size_t>(longest)]) {
+        turns[t].normal = normal / area;
+      }
+    }
+    // A triangle without area lies along its longest edge and looks where its neighbour there does;
+    // a few rounds reach through stacks of them.
+    for (int round = 0; round < 4; ++round) {
+      for (Turn& turn : turns) {
+        const Index across = net_.twin(turn.longest);
+        if (turn.normal.isZero(0.0) && across != kNoIndex) turn.normal = turns[across / 3].normal;
+      }
+    }
+    return turns;
+  }
+
+  bool differs_in_texture(Index h, Index k) const {
+    const MeshAttributes& a = mesh_.attributes;
+    if (a.corner_uvs.empty()) return false;
+    const auto differs = [&](Index x, Index y) {
+      const Index i = a.corner_uvs[patch_.corners[x / 3][x % 3]];
+      const Index j = a.corner_uvs[patch_.corners[y / 3][y % 3]];
+      if (i == j) return false;
+      return i == kNoIndex || j == kNoIndex || a.uvs[i] != a.uvs[j];
+    };
+    return differs(h, Halfedges::next(k)) || differs(Halfedges::next(h), k);
+  }
+
+  bool differs_in_label(Index f, Index g) const {
+    const MeshAttributes& a = mesh_.attributes;
+    return (!a.face_materials.empty() && a.face_materials[f] != a.face_materials[g]) ||
+           (!a.face_groups.empty() && a.face_groups[f] != a.face_groups[g]);
+  }
+
+  void mark_edges(double angle_degrees) {
+    const double cosine = std::cos(angle_degrees * std::numbers::pi / 180.0);
+    const std::vector<Turn> turns = triangle_normals();
+    is_line_.assign(net_.halfedge_count(), 0);
+    for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      const Index k = net_.twin(h);
+      if (k == kNoIndex || k < h) continue;
+      const Index f = patch_.faces[h / 3];
+      const Index g = patch_.faces[k / 3];
+      if (f == g) continue;
+      const Vector3d& n = turns[h / 3].normal;
+      const Vector3d& m = turns[k / 3].normal;
+      const bool sharp = !n.isZero(0.0) && !m.isZero(0.0) && n.dot(m) < cosine;
+      is_line_[h] = is_line_[k] = sharp || differs_in_label(f, g) || differs_in_texture(h, k);
+    }
+  }
+
+  void collect_degrees() {
+    degrees_.assign(net_.vertex_count(), 0);
+    for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      if (is_line_[h]) ++degrees_[net_.origin(h)];
+    }
+  }
+
+  // The line's half-edge out of `v` other than `h`, where the line passes through.
+  Index other_way(Index v, Index h) const {
+    Index other = kNoIndex;
+    net_.for_outgoing(v, [&](Index out) {
+      if (is_line_[out] && out != h) other = out;
+    });
+    return other;
+  }
+
+  bool passes(Index v) const { return degrees_[v] == 2 && patch_.kinds[v] != VertexKind::fixed; }
+
+  // From `v` along the line from `h` on, until `reach` of it is behind or the line ends.
+  Vector3d point_along(Index v, Index h, double reach) const {
+    double gone = 0.0;
+    Index end = net_.target(h);
+    for (;;) {
+      gone += (patch_.positions[end] - patch_.positions[net_.origin(h)]).norm();
+      if (gone >= reach || end == v || !passes(end)) return patch_.positions[end];
+      h = other_way(end, net_.twin(h));
+      end = net_.target(h);
+    }
+  }
+
+  bool turns_at(Index v) const {
+    const Index h = other_way(v, kNoIndex);
+    const Index k = other_way(v, h);
+    const Vector3d& p = patch_.positions[v];
+    const auto turns = [&](const Vector3d& to, const Vector3d& from) {
+      const Vector3d in = p - from;
+      const Vector3d out = to - p;
+      return in.dot(out) < kCornerCosine * in.norm() * out.norm();
+    };
+    if (!turns(patch_.positions[net_.target(h)], patch_.positions[net_.target(k)])) return false;
+    return turns(point_along(v, h, lengths_[v]), point_along(v, k, lengths_[v]));
+  }
+
+  void fix_corners() {
+    std::vector<Index> corners;
+    for (Index v = 0; v < net_.vertex_count(); ++v) {
+      if (degrees_[v] == 0 || patch_.kinds[v] == VertexKind::fixed) continue;
+      if (degrees_[v] != 2 || turns_at(v)) corners.push_back(v);
+    }
+    for (Index v = 0; v < net_.vertex_count(); ++v) {
+      if (passes(v)) patch_.kinds[v] = VertexKind::line;
+    }
+    for (const Index v : corners) patch_.kinds[v] = VertexKind::fixed;
+  }
+
+  void follow_line(Index h) {
+    const auto line = static_cast<Index>(patch_.lines.row_count());
+    for (;;) {
+      patch_.lines.values.push_back(h);
+      net_.set_side(h, 2 * line);
+      net_.set_side(net_.twin(h), 2 * line + 1);
+      const Index end = net_.target(h);
+      if (patch_.kinds[end] == VertexKind::fixed) break;
+      h = other_way(end, net_.twin(h));
+      if (net_.on_line(h)) break;
+    }
+    patch_.lines.starts.push_back(static_cast<Index>(patch_.lines.values.size()));
+  }
+
+  // First those between fixed vertices, then those that close without one.
+  void number_lines() {
+    for (const bool closed : {false, true}) {
+      for (Index h = 0; h < net_.halfedge_count(); ++h) {
+        if (!is_line_[h] || net_.on_line(h)) continue;
+        if (closed || patch_.kinds[net_.origin(h)] == VertexKind::fixed) follow_line(h);
+      }
+    }
+  }
+
+  void number_border() {
+    auto side = static_cast<Index>(2 * patch_.lines.row_count());
+    for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      if (net_.twin(h) != kNoIndex) continue;
+      net_.set_side(h, side);
+      side += 2;
+    }
+  }
+
+  void collect_sheets() {
+    patch_.sheet_of.assign(patch_.triangles.size(), kNoIndex);
+    std::vector<Index> stack;
+    for (Index seed = 0; seed < patch_.triangles.size(); ++seed) {
+      if (patch_.sheet_of[seed] != kNoIndex) continue;
+      const auto sheet = static_cast<Index>(patch_.sheets.row_count());
+      patch_.sheet_of[seed] = sheet;
+      stack.assign(1, seed);
+      while (!stack.empty()) {
+        const Index t = stack.back();
+        stack.pop_back();
+        patch_.sheets.values.push_back(t);
+        for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+          if (net_.on_line(h)) continue;
+          const Index other = net_.twin(h) / 3;
+          if (patch_.sheet_of[other] != kNoIndex) continue;
+          patch_.sheet_of[other] = sheet;
+          stack.push_back(other);
+        }
+      }
+      patch_.sheets.starts.push_back(static_cast<Index>(patch_.sheets.values.size()));
+    }
+  }
+
+  const Mesh& mesh_;
+  const std::vector<double>& lengths_;
+  OriginalPatch& patch_;
+  Halfedges& net_;
+  std::vector<char> is_line_;  // per half-edge
+  std::vector<int> degrees_;   // per vertex: of its edges, how many are on lines
+};
+
+}  // namespace
+
+void find_feature_lines(const Mesh& mesh, double angle_degrees, const std::vector<double>& lengths,
+                        OriginalPatch& patch) {
+  LineFinder(mesh, lengths, patch).run(angle_degrees);
+}
+
+}  // namespace lapwing::remeshing

@@ -1,0 +1,111 @@
+// Based on: Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004; the
+// sizing field as in Dunyach et al., "Adaptive remeshing for real-time mesh deformation", 2013.
+#include "lapwing/remesh/isotropic.h"
+
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/mesh/compact.h"
+#include "lapwing/remesh/carry_back.h"
+#include "lapwing/remesh/feature_lines.h"
+#include "lapwing/remesh/passes.h"
+
+namespace lapwing {
+namespace {
+
+using namespace remeshing;
+
+// Beyond this a wrong unit is likelier than a wish.
+constexpr double kMostFaces = 2e7;
+// Relaxation steps per iteration: more than one spread the vertices better than more iterations.
+constexpr int kRelaxations = 2;
+
+void require_options(const RemeshOptions& options) {
+  if (options.iterations < 0) throw InputError("a negative number of remeshing iterations");
+  if (!std::isfinite(options.feature_angle_degrees)) {
+    throw InputError("the feature angle for remeshing must be finite");
+  }
+}
+
+// Equilateral triangles that would fill the patch; those of thin triangles by their length.
+double expected_faces(const OriginalPatch& patch, const std::vector<double>& lengths) {
+  double faces = 0.0;
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    const auto& [i, j, k] = patch.triangles[t];
+    const auto [a, b, c] = patch.corner_positions(t);
+    const double wanted = (lengths[i] + lengths[j] + lengths[k]) / 3.0;
+    const double sides = (b - a).norm() + (c - b).norm() + (a - c).norm();
+    faces +=
+        (b - a).cross(c - a).norm() * (2.0 / std::sqrt(3.0)) / (wanted * wanted) + sides / wanted;
+  }
+  return faces;
+}
+
+void require_reasonable(double faces) {
+  if (faces <= kMostFaces) return;
+  throw InputError("remeshing to this edge length would make about " +
+                   std::to_string(static_cast<long long>(std::min(faces, 1e18))) +
+                   " faces; choose a greater length or a smaller region");
+}
+
+std::vector<double> lengths_at(const Positions& positions, const TargetLength& target) {
+  std::vector<double> lengths;
+  lengths.reserve(positions.size());
+  for (const Eigen::Vector3d& p : positions) lengths.push_back(target.at(p));
+  return lengths;
+}
+
+RemeshResult unchanged(const Mesh& mesh) {
+  RemeshResult result;
+  result.mesh = mesh;
+  result.kept.resize(mesh.vertex_count());
+  std::iota(result.kept.begin(), result.kept.end(), Index{0});
+  result.note = "no face has all its corners in the region, so nothing was remeshed";
+  return result;
+}
+
+}  // namespace
+
+RemeshResult remesh_isotropic(const Mesh& mesh, const VertexSet& region,
+                              const std::function<double(const Eigen::Vector3d&)>& target_length,
+                              const RemeshOptions& options, const Progress& progress) {
+  validate_indices(mesh);
+  validate_attributes(mesh);
+  require_options(options);
+  report_progress(progress, "remesh", 0.0);
+  OriginalPatch original = cut_patch(mesh, region);
+  if (original.triangles.empty()) return unchanged(mesh);
+
+  const TargetLength target(target_length);
+  std::vector<double> lengths = lengths_at(original.positions, target);
+  const double faces = expected_faces(original, lengths);
+  require_reasonable(faces);
+  find_feature_lines(mesh, options.feature_angle_degrees, lengths, original);
+  const auto most_vertices =
+      original.positions.size() + static_cast<std::size_t>(4.0 * faces) + 1000;
+
+  WorkingPatch patch(original, target, std::move(lengths));
+  bool all_split = true;
+  for (int i = 0; i < options.iterations; ++i) {
+    const auto report = [&](double share) {
+      report_progress(progress, "remesh", (i + share) / options.iterations);
+    };
+    all_split = split_long_edges(patch, most_vertices);
+    report(0.2);
+    collapse_short_edges(patch);
+    report(0.4);
+    flip_for_valence(patch);
+    report(0.6);
+    for (int r = 0; r < kRelaxations; ++r) relax(patch);
+    report(1.0);
+  }
+  flip_for_angles(patch);
+  RemeshResult result = carry_back(mesh, patch);
+  if (!all_split) result.note = "some edges stayed longer than wanted";
+  return result;
+}
+
+}  // namespace lapwing
