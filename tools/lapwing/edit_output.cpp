@@ -35,9 +35,13 @@ void print_certificate(const Certificate& c, double diagonal) {
               c.settle_iterations, c.settle_last_step);
 }
 
-void print_coat(const CoatReport& coat, double diagonal) {
+void print_coat(const CoatReport& coat, std::size_t patch, double diagonal) {
   std::printf("  coating from %zu vertices, scale %.3f, fading in over %.3g", coat.source_vertices,
               coat.mean_scale, coat.transition_width);
+  if (coat.vertices_before_remeshing > 0) {
+    std::printf(",\n  patch remeshed from %zu to %zu vertices", coat.vertices_before_remeshing,
+                patch);
+  }
   for (std::size_t p = 0; p < coat.pins.size(); ++p) {
     std::printf("%s[%u, %u]", p == 0 ? ",\n  borders laid on each other at " : ", ",
                 coat.pins[p][0], coat.pins[p][1]);
@@ -53,7 +57,7 @@ void print_summary(const RunReport& report) {
               format_stages(report).c_str());
   for (const StepReport& step : report.steps) {
     if (step.coat) {
-      print_coat(*step.coat, report.bounds.diagonal());
+      print_coat(*step.coat, step.roi, report.bounds.diagonal());
     } else {
       print_certificate(step.certificate, report.bounds.diagonal());
     }

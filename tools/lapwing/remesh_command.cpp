@@ -73,8 +73,8 @@ void add_remesh(CLI::App& app) {
   command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL")->required();
   command->add_option("-o,--output", a->output, "its extension names the format")->required();
   command->add_option("--region", a->region, kRegionHelp)->capture_default_str();
-  auto* length = command->add_option("--length", a->length, "wanted edge length")
-                     ->check(CLI::PositiveNumber);
+  auto* length =
+      command->add_option("--length", a->length, "wanted edge length")->check(CLI::PositiveNumber);
   command->add_option("--scale", a->scale, "wanted edge length, in mean edges of the region")
       ->check(CLI::PositiveNumber)
       ->excludes(length)

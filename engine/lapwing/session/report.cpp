@@ -68,6 +68,7 @@ Json as_json(const VertexMeasures& measures) {
 
 Json as_json(const CoatReport& coat) {
   return {{"source_vertices", coat.source_vertices},
+          {"vertices_before_remeshing", coat.vertices_before_remeshing},
           {"pins", coat.pins},
           {"flipped_source", coat.flipped_source},
           {"flipped_target", coat.flipped_target},

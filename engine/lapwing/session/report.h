@@ -16,9 +16,10 @@ namespace lapwing {
 
 /// What a coat step did.
 struct CoatReport {
-  std::size_t source_vertices = 0;  ///< of the source patch
-  std::vector<VertexPair> pins;     ///< the boundary pairs, given or chosen
-  std::size_t flipped_source = 0;   ///< triangles that a map turned over or flattened
+  std::size_t source_vertices = 0;            ///< of the source patch
+  std::size_t vertices_before_remeshing = 0;  ///< of the target patch; 0 where it was fine enough
+  std::vector<VertexPair> pins;               ///< the boundary pairs, given or chosen
+  std::size_t flipped_source = 0;             ///< triangles that a map turned over or flattened
   std::size_t flipped_target = 0;
   int warp_steps = 0;  ///< to meet the inner pairs
   int constrained_steps = 0;

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/coating/carried_length.h"
 #include "lapwing/coating/coater.h"
 #include "lapwing/coating/correspondence.h"
 #include "lapwing/coating/fairing.h"
 #include "lapwing/coating/peel.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/remesh/isotropic.h"
 #include "lapwing/session/stage.h"
 
 namespace lapwing {
@@ -61,75 +65,196 @@ Largest largest_displacement(const Positions& before, const Positions& after) {
   return largest;
 }
 
-}  // namespace
+// More vertices than this are not worth waiting for; who wants them remeshes before.
+constexpr double kMostVertices = 400'000;
 
-StepReport run_step(const CoatStep& step, const std::filesystem::path& base_directory,
-                    Kernels& kernels, const Progress& progress, RunResult& result) {
-  const CoatParameters& parameters = step.parameters;
-  StepReport report;
-  report.op = "coat";
-  CoatReport& coat = report.coat.emplace();
-  Source source;
-  stage("source", report.timings, progress,
-        [&] { load_source(step, base_directory, result, source); });
-  Patch source_patch;
-  Patch target_patch;
-  stage("patches", report.timings, progress, [&] {
-    source_patch = patch_of(step.source_patch, *source.mesh, *source.topology);
-    target_patch = patch_of(step.target_patch, result.mesh, result.topology);
-  });
-  Coating coating;
-  stage("peel", report.timings, progress, [&] {
-    coating = peel(std::move(source_patch), source.mesh->positions, *source.topology,
-                   parameters.detail_size, parameters.weights, kernels);
-  });
-  const Positions before = result.mesh.positions;
-  Positions smooth = before;
-  if (parameters.smooth_target > 0.0) {
-    stage("smooth_target", report.timings, progress, [&] {
-      smooth = smooth_around(target_patch.vertices, parameters.smooth_target, before,
+// The target's side of a step, made anew when its patch is remeshed.
+struct Target {
+  Patch patch;
+  Positions smooth;
+  std::vector<Vector3d> laid;  // on the smooth surface, own numbers
+
+  Target(Patch target_patch, const CoatStep& step, const RunResult& result)
+      : patch(std::move(target_patch)), smooth(result.mesh.positions) {
+    const CoatParameters& parameters = step.parameters;
+    if (parameters.smooth_target > 0.0) {
+      smooth = smooth_around(patch.vertices, parameters.smooth_target, result.mesh.positions,
                              result.topology, parameters.weights, "smooth_target");
-    });
+    }
+    laid = on_patch<Vector3d>(patch, smooth);
   }
-  // The surfaces below the detail are laid on each other: it has no say in where it comes to.
-  Correspondence map;
-  const auto placed = on_patch<Vector3d>(target_patch, smooth);
-  stage("map", report.timings, progress, [&] {
-    map = correspond({coating.patch, coating.smooth}, {target_patch, placed},
-                     parameters.correspondence, step.where);
-  });
+};
 
+// The pairs of `options` on the remeshed target: border vertices are still there, inner ones become
+// the nearest.
+void renumber_target(CorrespondenceOptions& options, const Positions& before,
+                     const RemeshResult& remeshed) {
+  std::vector<Index> now(before.size(), kNoIndex);
+  for (Index v = 0; v < remeshed.kept.size(); ++v) {
+    if (remeshed.kept[v] != kNoIndex) now[remeshed.kept[v]] = v;
+  }
+  for (auto& [source, target] : options.boundary_pairs) target = now[target];
+  for (auto& [source, target] : options.inner_pairs) {
+    const Vector3d place = before[target];
+    target =
+        *std::min_element(remeshed.region.begin(), remeshed.region.end(), [&](Index a, Index b) {
+          return (remeshed.mesh.positions[a] - place).squaredNorm() <
+                 (remeshed.mesh.positions[b] - place).squaredNorm();
+        });
+  }
+}
+
+// Takes the remeshed target over; what was read of vertices that are new is where they are.
+void replace_mesh(RemeshResult& remeshed, RunResult& result) {
+  Positions original = remeshed.mesh.positions;
+  for (std::size_t v = 0; v < original.size(); ++v) {
+    if (remeshed.kept[v] != kNoIndex) original[v] = result.original[remeshed.kept[v]];
+  }
+  result.original = std::move(original);
+  result.mesh = std::move(remeshed.mesh);
+  result.topology = build_topology(result.mesh);
+}
+
+// One coat step on its way.
+class CoatRun {
+ public:
+  CoatRun(const CoatStep& step, const std::filesystem::path& base_directory, Kernels& kernels,
+          const Progress& progress, RunResult& result)
+      : step_(step),
+        base_directory_(base_directory),
+        kernels_(kernels),
+        progress_(progress),
+        result_(result),
+        pairs_(step.parameters.correspondence) {
+    report_.op = "coat";
+    report_.coat.emplace();
+  }
+
+  StepReport run();
+
+ private:
+  template <class Body>
+  void timed(const char* name, Body body) {
+    stage(name, report_.timings, progress_, body);
+  }
+  void peel_source();
+  void lay_on_each_other();
+  void remesh_where_coarse();
+  void coat();
+
+  const CoatStep& step_;
+  const std::filesystem::path& base_directory_;
+  Kernels& kernels_;
+  const Progress& progress_;
+  RunResult& result_;
+  CorrespondenceOptions pairs_;
+  Coating coating_;
+  std::optional<Target> target_;
+  Correspondence map_;
+  StepReport report_;
+};
+
+void CoatRun::peel_source() {
+  Source source;
+  timed("source", [&] { load_source(step_, base_directory_, result_, source); });
+  timed("peel", [&] {
+    const CoatParameters& parameters = step_.parameters;
+    coating_ =
+        peel(patch_of(step_.source_patch, *source.mesh, *source.topology), source.mesh->positions,
+             *source.topology, parameters.detail_size, parameters.weights, kernels_);
+  });
+}
+
+// The surfaces below the detail are laid on each other: it has no say in where it comes to.
+void CoatRun::lay_on_each_other() {
+  timed("map", [&] {
+    map_ = correspond({coating_.patch, coating_.smooth}, {target_->patch, target_->laid}, pairs_,
+                      step_.where);
+  });
+}
+
+void CoatRun::remesh_where_coarse() {
+  if (step_.parameters.remesh == Remeshing::none) return;
+  const Positions before = result_.mesh.positions;
+  CarriedLength length(coating_, target_->patch, on_patch<Vector3d>(target_->patch, before),
+                       map_.points);
+  if (!length.asks_for_remeshing()) return;
+  if (length.vertex_estimate() > kMostVertices) {
+    result_.report.warnings.push_back(
+        step_.where + ": the source is so much finer than the target that the patch would get " +
+        std::to_string(static_cast<std::size_t>(length.vertex_estimate())) +
+        " vertices; it gets fewer, and the finest detail is lost. `lapwing remesh` makes more");
+    length.limit_vertices(kMostVertices);
+  }
+  timed("remesh", [&] {
+    RemeshResult remeshed =
+        remesh_isotropic(result_.mesh, target_->patch.vertices, std::cref(length), {}, progress_);
+    if (!remeshed.note.empty()) result_.report.warnings.push_back(remeshed.note);
+    renumber_target(pairs_, before, remeshed);
+    const VertexSet region = remeshed.region;
+    report_.coat->vertices_before_remeshing = target_->patch.vertices.size();
+    replace_mesh(remeshed, result_);
+    target_.emplace(
+        disk_patch(region, result_.topology, result_.mesh.positions, step_.target_patch.where),
+        step_, result_);
+  });
+  lay_on_each_other();
+}
+
+void CoatRun::coat() {
+  const CoatParameters& parameters = step_.parameters;
+  CoatReport& report = *report_.coat;
   // How much larger the target patch is: lengths on the source become lengths there.
-  const double ratio = std::sqrt(area(target_patch.triangles, placed) /
-                                 area(coating.patch.triangles, coating.smooth));
+  const double ratio = std::sqrt(area(target_->patch.triangles, target_->laid) /
+                                 area(coating_.patch.triangles, coating_.smooth));
   CoaterOptions options;
   options.weights = parameters.weights;
   options.hold_length = ratio * parameters.detail_size;
   options.transition = parameters.transition.value_or(
       Transition{ratio * parameters.detail_size, Transition::Profile::smooth});
+  const Positions before = result_.mesh.positions;
   CoatTarget target{before};
-  if (parameters.smooth_target > 0.0) target.smooth = smooth;
-  Coater coater(target, result.topology, target_patch, options, kernels, progress);
-  coater.take(coating, map.points, parameters.sampling, progress);
-  result.mesh.positions = coater.coat(parameters.amplitude);
-  for (const auto& [name, ms] : coater.timings().stages()) report.timings.add(name, ms);
+  if (parameters.smooth_target > 0.0) target.smooth = target_->smooth;
+  Coater coater(target, result_.topology, target_->patch, options, kernels_, progress_);
+  coater.take(coating_, map_.points, parameters.sampling, progress_);
+  result_.mesh.positions = coater.coat(parameters.amplitude);
+  for (const auto& [name, ms] : coater.timings().stages()) report_.timings.add(name, ms);
 
-  report.roi = target_patch.vertices.size();
-  report.free = coater.free().size();
-  report.belt = target_patch.loop.size();
-  const Largest largest = largest_displacement(before, result.mesh.positions);
-  coat.source_vertices = coating.patch.vertices.size();
-  coat.pins = map.pins;
-  coat.flipped_source = map.flipped_source;
-  coat.flipped_target = map.flipped_target;
-  coat.warp_steps = map.warp.steps;
-  coat.constrained_steps = map.warp.constrained_steps;
-  coat.mean_scale = coater.mean_scale();
-  coat.transition_width = options.transition.width;
-  coat.relative_residual = coater.relative_residual();
-  coat.largest_displacement = largest.distance;
-  coat.largest_displacement_vertex = largest.vertex;
-  return report;
+  const Largest largest = largest_displacement(before, result_.mesh.positions);
+  report_.free = coater.free().size();
+  report.mean_scale = coater.mean_scale();
+  report.transition_width = options.transition.width;
+  report.relative_residual = coater.relative_residual();
+  report.largest_displacement = largest.distance;
+  report.largest_displacement_vertex = largest.vertex;
+}
+
+StepReport CoatRun::run() {
+  peel_source();
+  timed("smooth_target", [&] {
+    target_.emplace(patch_of(step_.target_patch, result_.mesh, result_.topology), step_, result_);
+  });
+  lay_on_each_other();
+  remesh_where_coarse();
+  coat();
+
+  CoatReport& report = *report_.coat;
+  report_.roi = target_->patch.vertices.size();
+  report_.belt = target_->patch.loop.size();
+  report.source_vertices = coating_.patch.vertices.size();
+  report.pins = map_.pins;
+  report.flipped_source = map_.flipped_source;
+  report.flipped_target = map_.flipped_target;
+  report.warp_steps = map_.warp.steps;
+  report.constrained_steps = map_.warp.constrained_steps;
+  return std::move(report_);
+}
+
+}  // namespace
+
+StepReport run_step(const CoatStep& step, const std::filesystem::path& base_directory,
+                    Kernels& kernels, const Progress& progress, RunResult& result) {
+  return CoatRun{step, base_directory, kernels, progress, result}.run();
 }
 
 }  // namespace lapwing
