@@ -7,6 +7,7 @@ namespace lapwing::cli {
 /// Each adds one subcommand to `app` and runs it when it was chosen; errors leave as exceptions.
 void add_run(CLI::App& app);
 void add_deform(CLI::App& app);
+void add_parameterize(CLI::App& app);
 void add_render(CLI::App& app);
 void add_check(CLI::App& app);
 void add_convert(CLI::App& app);
