@@ -205,6 +205,32 @@ TEST_F(CommandLine, ShapesAreMadeAndSubdivided) {
   EXPECT_THAT(unknown.output, HasSubstr("bumpy-plane"));
 }
 
+TEST_F(CommandLine, RegionIsLaidIntoThePlane) {
+  const std::string lay = "parameterize tube.obj --region disk:120,0.6 ";
+  const Outcome outcome = lapwing(lay + "-o flat.obj --picture flat.png --size 200");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("flipped  0 triangles"), HasSubstr("pins")));
+  const Mesh flat = read_mesh(file("flat.obj"));
+  EXPECT_GT(flat.attributes.uvs.size(), 5U);
+  EXPECT_THAT(read("flat.png"), ::testing::StartsWith("\x89PNG"));
+  ASSERT_EQ(lapwing(lay + "--domain square --picture square.png --size 200").exit_code, 0);
+  EXPECT_NE(read("square.png"), read("flat.png"));
+}
+
+TEST_F(CommandLine, WhatCannotBeLaidIntoThePlaneIsNamed) {
+  const Outcome tube = lapwing("parameterize tube.obj");
+  EXPECT_EQ(tube.exit_code, 3);
+  EXPECT_THAT(tube.output, AllOf(HasSubstr("--region: the region is no disk: it has 2 boundary"),
+                                 HasSubstr("{\"disk_in\": REGION}")));
+  EXPECT_EQ(lapwing("parameterize tube.obj --region '{\"disk_in\": {\"all\": true}}'").exit_code,
+            0);
+  const Outcome pin = lapwing("parameterize tube.obj --region disk:120,0.6 --pin 0");
+  EXPECT_EQ(pin.exit_code, 3);
+  EXPECT_THAT(pin.output, HasSubstr("vertex 0 is not in the patch"));
+  EXPECT_THAT(lapwing("parameterize tube.obj --region disk:120,0.6 --pin 120").output,
+              HasSubstr("vertex 120 cannot be pinned"));
+}
+
 TEST_F(CommandLine, CheckFindsAndFixes) {
   write("loose.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nf 1 2 3\n");
   const Outcome found = lapwing("check loose.obj");

@@ -9,6 +9,7 @@ void add_run(CLI::App& app);
 void add_deform(CLI::App& app);
 void add_coat(CLI::App& app);
 void add_peel(CLI::App& app);
+void add_parameterize(CLI::App& app);
 void add_render(CLI::App& app);
 void add_check(CLI::App& app);
 void add_convert(CLI::App& app);

@@ -65,5 +65,6 @@ int main(int argc, char** argv) {
   lapwing::cli::add_shape(app);
   lapwing::cli::add_subdivide(app);
   lapwing::cli::add_remesh(app);
+  lapwing::cli::add_parameterize(app);
   return lapwing::cli::run(app, argc, argv);
 }

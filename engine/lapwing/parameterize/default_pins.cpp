@@ -151,13 +151,19 @@ class PrincipalView {
       return;
     }
     // Equally wide all around, as a square is: then along its sides. One that is equally wide still
-    // keeps the axes it has. The angle's jump lies where no symmetric shape comes.
+    // keeps the axes it has.
     const std::complex<double> fourth = moment(4);
     if (std::abs(fourth) <= kSymmetric * size * size) return;
-    view_.turn(0.25 * (std::arg(fourth * std::polar(1.0, 1.0)) - 1.0 + std::numbers::pi));
+    view_.turn(0.25 * (std::arg(fourth) + std::numbers::pi));
+    // Of the four ways, the one with the first boundary vertex at the lower left. Its quadrant is
+    // taken a little turned, for a vertex in the middle of a side.
+    const Vector2d first = (*this)(patch_.loop.front());
+    const double quarter = 0.5 * std::numbers::pi;
+    const double angle = std::atan2(first.y(), first.x()) + std::numbers::pi - 0.2 * quarter;
+    view_.turn(quarter * std::floor(angle / quarter));
   }
 
-  // Toward the heavier tail; without one, toward the first boundary vertex that is on one side.
+  // Toward the heavier tail; without one, away from the first boundary vertex that is on one side.
   void choose_sign() {
     double tail = 0.0;
     for (const Sample& s : samples_) {
@@ -167,8 +173,8 @@ class PrincipalView {
     if (std::abs(tail) <= kSymmetric) {
       tail = 0.0;
       for (const Index v : patch_.loop) {
-        const double x = view_(positions_[v]).x();
-        if (tail == 0.0 && std::abs(x) > kSymmetric * radius_) tail = x;
+        const double x = (*this)(v).x();
+        if (tail == 0.0 && std::abs(x) > kSymmetric * radius_) tail = -x;
       }
     }
     if (tail < 0.0) view_.axes = {-view_.axes[0], -view_.axes[1]};
