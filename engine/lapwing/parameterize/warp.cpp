@@ -33,7 +33,7 @@ constexpr int kMostConstrainedSteps = 100;
 
 WarpedDomain make_domain(std::span<const Triangle> triangles, std::span<const Index> boundary,
                          std::span<const Vector2d> points) {
-  WarpedDomain domain{triangles, DomainChart(boundary, points), {}, extent(points)};
+  WarpedDomain domain{triangles, DomainChart(boundary, points), {}, extent(triangles, points)};
   domain.is_held.assign(points.size(), 1);
   for (const Triangle& t : triangles) {
     for (const Index v : t) domain.is_held[v] = 0;
@@ -52,7 +52,7 @@ void pull_constrained(const WarpedDomain& domain, std::span<const PointPull> pul
     ++report.constrained_steps;
     if (decrease < kSlowDecrease) stiffness *= kStiffer;
     std::vector<Vector2d> finished = points;
-    const int steps = step_elastically(domain, pulls, kMostLastSteps, finished);
+    const int steps = step_elastically(domain, pulls, PullWays::straight, kMostLastSteps, finished);
     if (largest_distance(pulls, finished) > 0.0) continue;
     report.steps += steps;
     points.swap(finished);
@@ -74,9 +74,12 @@ std::vector<Vector2d> warp(const WarpedDomain& domain, std::vector<PointPull> pu
                            std::span<const Vector2d> start, WarpReport& report) {
   std::unique_ptr<PlanarNewton> newton;
   while (true) {
-    std::vector<Vector2d> points(start.begin(), start.end());
-    report.steps = step_elastically(domain, pulls, kMostSteps, points);
-    if (!(largest_distance(pulls, points) > 0.0)) return points;
+    std::vector<Vector2d> points;
+    for (const PullWays ways : {PullWays::straight, PullWays::arcs}) {
+      points.assign(start.begin(), start.end());
+      report.steps = step_elastically(domain, pulls, ways, kMostSteps, points);
+      if (!(largest_distance(pulls, points) > 0.0)) return points;
+    }
     if (!newton) newton = std::make_unique<PlanarNewton>(domain.triangles, start, domain.is_held);
     pull_constrained(domain, pulls, *newton, points, report);
     if (largest_distance(pulls, points) <= kMet * domain.extent ||
