@@ -1,7 +1,9 @@
 #include "lapwing/parameterize/warp.h"
 
 #include <algorithm>
-#include <iterator>
+#include <limits>
+#include <memory>
+#include <utility>
 
 #include "lapwing/parameterize/check_warp.h"
 #include "lapwing/parameterize/elastic_steps.h"
@@ -69,17 +71,31 @@ std::size_t farthest(std::span<const PointPull> pulls, std::span<const Vector2d>
                                   pulls.begin());
 }
 
+// Straight ways first, then arcs; where neither arrives, the ends of those that come nearer.
+std::vector<Vector2d> follow_ways(const WarpedDomain& domain, std::span<const PointPull> pulls,
+                                  std::span<const Vector2d> start, WarpReport& report) {
+  std::vector<Vector2d> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PullWays ways : {PullWays::straight, PullWays::arcs}) {
+    std::vector<Vector2d> points(start.begin(), start.end());
+    const int steps = step_elastically(domain, pulls, ways, kMostSteps, points);
+    const double rest = largest_distance(pulls, points);
+    if (!(rest < least)) continue;
+    report.steps = steps;
+    least = rest;
+    best.swap(points);
+    if (least == 0.0) break;
+  }
+  return best;
+}
+
 // The pull farthest from its target is given up until the others are met.
 std::vector<Vector2d> warp(const WarpedDomain& domain, std::vector<PointPull> pulls,
                            std::span<const Vector2d> start, WarpReport& report) {
   std::unique_ptr<PlanarNewton> newton;
   while (true) {
-    std::vector<Vector2d> points;
-    for (const PullWays ways : {PullWays::straight, PullWays::arcs}) {
-      points.assign(start.begin(), start.end());
-      report.steps = step_elastically(domain, pulls, ways, kMostSteps, points);
-      if (!(largest_distance(pulls, points) > 0.0)) return points;
-    }
+    std::vector<Vector2d> points = follow_ways(domain, pulls, start, report);
+    if (!(largest_distance(pulls, points) > 0.0)) return points;
     if (!newton) newton = std::make_unique<PlanarNewton>(domain.triangles, start, domain.is_held);
     pull_constrained(domain, pulls, *newton, points, report);
     if (largest_distance(pulls, points) <= kMet * domain.extent ||
