@@ -28,10 +28,13 @@ constexpr int kMostLastSteps = 4;
 constexpr double kFirstStiffness = 10.0;
 constexpr double kLastStiffness = 1e9;
 constexpr double kStiffer = 4.0;
-constexpr double kSlowDecrease = 0.01;
+constexpr double kSlowDecrease = 0.05;
+
+// Radial-basis steps are tried again when the largest distance fell to this share of what it was.
+constexpr double kWorthAnotherTry = 0.8;
 
 // Of one call, over all that it tries.
-constexpr int kMostConstrainedSteps = 100;
+constexpr int kMostConstrainedSteps = 150;
 
 WarpedDomain make_domain(std::span<const Triangle> triangles, std::span<const Index> boundary,
                          std::span<const Vector2d> points) {
@@ -49,10 +52,14 @@ void pull_constrained(const WarpedDomain& domain, std::span<const PointPull> pul
                       PlanarNewton& newton, std::vector<Vector2d>& points, WarpReport& report) {
   const double unit = 1.0 / (domain.extent * domain.extent);
   double stiffness = kFirstStiffness;
+  double tried_at = std::numeric_limits<double>::infinity();
   while (stiffness <= kLastStiffness && report.constrained_steps < kMostConstrainedSteps) {
     const double decrease = newton.step(pulls, stiffness * unit, points);
     ++report.constrained_steps;
     if (decrease < kSlowDecrease) stiffness *= kStiffer;
+    const double rest = largest_distance(pulls, points);
+    if (rest > kWorthAnotherTry * tried_at) continue;
+    tried_at = rest;
     std::vector<Vector2d> finished = points;
     const int steps = step_elastically(domain, pulls, PullWays::straight, kMostLastSteps, finished);
     if (largest_distance(pulls, finished) > 0.0) continue;
