@@ -1,7 +1,9 @@
 #include "lapwing/parameterize/domain_chart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/LU>
 
@@ -31,6 +33,49 @@ bool follows_box(std::span<const Index> boundary, std::span<const Vector2d> poin
     }
   }
   return true;
+}
+
+constexpr double kLemniscate = 2.622057554292119464840;
+
+// The lemniscate sine at kLemniscate * t / pi, by its Fourier series
+//   2 pi / kLemniscate * sum_n (-1)^n sin((2n + 1) t) / cosh((n + 1/2) pi).
+double lemniscate_sine(double t) {
+  static const auto coefficients = [] {
+    std::array<double, 12> c{};
+    for (std::size_t n = 0; n < c.size(); ++n) {
+      const double sign = n % 2 == 0 ? 1.0 : -1.0;
+      c[n] = sign * 2.0 * std::numbers::pi / kLemniscate /
+             std::cosh((static_cast<double>(n) + 0.5) * std::numbers::pi);
+    }
+    return c;
+  }();
+  // Clenshaw's summation: sin((2n + 3) t) = 2 cos(2t) sin((2n + 1) t) - sin((2n - 1) t).
+  const double sine = std::sin(t);
+  const double twice_cosine = 2.0 - 4.0 * sine * sine;
+  double last = 0.0;
+  double sum = 0.0;
+  for (std::size_t n = coefficients.size(); n-- > 0;) {
+    const double next = coefficients[n] + twice_cosine * sum - last;
+    last = sum;
+    sum = next;
+  }
+  return sine * (sum + last);
+}
+
+// The square [-1, 1]^2, whose corners the lemniscate sine takes to +-1 and +-i when turned by an
+// eighth. Real and imaginary part, and 1 - |z|^2, from the addition theorems.
+DomainChart::Place place_in_square(double x, double y) {
+  constexpr double kQuarter = 0.25 * std::numbers::pi;
+  const double s = lemniscate_sine(kQuarter * (x - y));
+  const double t = lemniscate_sine(kQuarter * (x + y));
+  const double A = s * s;
+  const double B = t * t;
+  const double below = 1.0 - A * B;
+  const Vector2d z(s * std::sqrt(std::max(0.0, 1.0 - B * B)),
+                   t * std::sqrt(std::max(0.0, 1.0 - A * A)));
+  const double sides = lemniscate_sine(2.0 * kQuarter * (1.0 - std::abs(x))) *
+                       lemniscate_sine(2.0 * kQuarter * (1.0 - std::abs(y)));
+  return {z / below, sides * (1.0 + A + B - A * B) / below};
 }
 
 // The centre of the circle through three points.
@@ -78,10 +123,7 @@ DomainChart::DomainChart(std::span<const Index> boundary, std::span<const Vector
 DomainChart::Place DomainChart::place(const Vector2d& point) const {
   const Vector2d p = (point - centre_).cwiseQuotient(half_size_);
   if (!is_rectangle_) return {p, std::max(0.0, 1.0 - p.squaredNorm())};
-  const double x = std::clamp(p.x(), -1.0, 1.0);
-  const double y = std::clamp(p.y(), -1.0, 1.0);
-  return {{x * std::sqrt(1.0 - 0.5 * y * y), y * std::sqrt(1.0 - 0.5 * x * x)},
-          (1.0 - x) * (1.0 + x) * (1.0 - y) * (1.0 + y)};
+  return place_in_square(std::clamp(p.x(), -1.0, 1.0), std::clamp(p.y(), -1.0, 1.0));
 }
 
 }  // namespace lapwing

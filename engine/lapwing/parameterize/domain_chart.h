@@ -8,17 +8,18 @@
 
 namespace lapwing {
 
-/// Lays a domain smoothly over the unit disk, its boundary on the circle: a disk by scaling, a
-/// rectangle along the axes by (x, y) -> (x sqrt(1 - y^2/2), y sqrt(1 - x^2/2)) on [-1, 1]^2, which
-/// keeps the symmetries of the square.
+/// Lays a domain conformally over the unit disk, its boundary on the circle: a disk by scaling, a
+/// square by the lemniscate sine, which is the inverse of its Schwarz-Christoffel map. (A rectangle
+/// along the axes is scaled to a square first.) Keeps the symmetries of the domain, to rounding.
 class DomainChart {
  public:
-  /// Throws InputError when the boundary vertices lie neither on a circle nor on a rectangle.
+  /// Throws InputError when the boundary vertices lie neither on a circle nor on a rectangle
+  /// along the axes.
   DomainChart(std::span<const Index> boundary, std::span<const Eigen::Vector2d> points);
 
   struct Place {
     Eigen::Vector2d z;     ///< in the closed unit disk
-    double clearance = 0;  ///< 1 - |z|^2, without cancellation at the sides of a rectangle
+    double clearance = 0;  ///< 1 - |z|^2, without cancellation at the sides of a square
   };
   Place place(const Eigen::Vector2d& point) const;
 

@@ -45,15 +45,10 @@ std::vector<Vector2d> moved(std::span<const Vector2d> points, std::span<const Ve
   return result;
 }
 
-double extent(std::span<const Vector2d> points) {
-  if (points.empty()) return 0.0;
-  Vector2d low = points.front();
-  Vector2d high = points.front();
-  for (const Vector2d& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).maxCoeff();
+double extent(std::span<const Triangle> triangles, std::span<const Vector2d> points) {
+  double doubled = 0.0;
+  for (const Triangle& t : triangles) doubled += doubled_area(t, points);
+  return std::sqrt(0.5 * doubled);
 }
 
 bool is_inside(const Vector2d& point, std::span<const Index> polygon,

@@ -31,8 +31,8 @@ double largest_step(std::span<const Triangle> triangles, std::span<const Eigen::
 std::vector<Eigen::Vector2d> moved(std::span<const Eigen::Vector2d> points,
                                    std::span<const Eigen::Vector2d> moves, double step);
 
-/// The longer side of the points' bounding box.
-double extent(std::span<const Eigen::Vector2d> points);
+/// The side of a square of the triangles' area: a length that turning the domain does not change.
+double extent(std::span<const Triangle> triangles, std::span<const Eigen::Vector2d> points);
 
 /// Whether `point` lies inside the polygon with these corners and not on its sides.
 bool is_inside(const Eigen::Vector2d& point, std::span<const Index> polygon,

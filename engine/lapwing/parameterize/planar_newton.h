@@ -19,6 +19,7 @@ class PlanarNewton {
  public:
   PlanarNewton(std::span<const Triangle> triangles, std::span<const Eigen::Vector2d> rest,
                std::span<const char> is_held);
+  PlanarNewton(PlanarNewton&&) = delete;  // the matrix and the solver know where the pattern is
 
   /// Takes one step from `points`, which must be bijective and stay so: as far as the first
   /// triangle to degenerate allows, then back until the objective falls (Smith and Schaefer 2015,

@@ -18,8 +18,7 @@ double profile(double q) {
           q * (1.0 / 3 - q * (1.0 / 4 - q * (1.0 / 5 - q * (1.0 / 6 - q * (1.0 / 7 - q / 8))))));
 }
 
-// K(z, w) / (d_z d_w): 1 where z = w.
-double relative_kernel(const Place& z, const Place& w) {
+double kernel(const Place& z, const Place& w) {
   const double squared = (z.z - w.z).squaredNorm();
   return squared > 0.0 ? profile(z.clearance * w.clearance / squared) : 1.0;
 }
@@ -31,17 +30,14 @@ RadialBasisField::RadialBasisField(const DomainChart& chart, std::span<const Vec
     : chart_(chart) {
   const auto k = static_cast<Eigen::Index>(centres.size());
   for (const Vector2d& centre : centres) centres_.push_back(chart.place(centre));
-  // Divided by the clearances, so that the diagonal is 1 however near the boundary a centre lies.
   Eigen::MatrixXd K(k, k);
-  coefficients_ = Eigen::MatrixX2d::Zero(k, 2);
+  coefficients_.resize(k, 2);
   for (Eigen::Index j = 0; j < k; ++j) {
-    const Place& centre = centres_[static_cast<std::size_t>(j)];
+    const auto c = static_cast<std::size_t>(j);
     for (Eigen::Index i = j; i < k; ++i) {
-      K(i, j) = relative_kernel(centres_[static_cast<std::size_t>(i)], centre);
+      K(i, j) = kernel(centres_[static_cast<std::size_t>(i)], centres_[c]);
     }
-    if (centre.clearance > 0.0) {
-      coefficients_.row(j) = displacements[static_cast<std::size_t>(j)] / centre.clearance;
-    }
+    coefficients_.row(j) = displacements[c];
   }
   // Pivoted, for centres so close together that K is singular to rounding.
   coefficients_ = K.selfadjointView<Eigen::Lower>().ldlt().solve(coefficients_).eval();
@@ -52,10 +48,9 @@ Vector2d RadialBasisField::at(const Vector2d& point) const {
   if (!(z.clearance > 0.0)) return Vector2d::Zero();
   Vector2d sum = Vector2d::Zero();
   for (std::size_t j = 0; j < centres_.size(); ++j) {
-    sum += relative_kernel(z, centres_[j]) *
-           coefficients_.row(static_cast<Eigen::Index>(j)).transpose();
+    sum += kernel(z, centres_[j]) * coefficients_.row(static_cast<Eigen::Index>(j)).transpose();
   }
-  return z.clearance * sum;
+  return sum;
 }
 
 }  // namespace lapwing

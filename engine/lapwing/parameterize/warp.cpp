@@ -1,7 +1,9 @@
 #include "lapwing/parameterize/warp.h"
 
 #include <algorithm>
-#include <iterator>
+#include <limits>
+#include <memory>
+#include <utility>
 
 #include "lapwing/parameterize/check_warp.h"
 #include "lapwing/parameterize/elastic_steps.h"
@@ -26,14 +28,17 @@ constexpr int kMostLastSteps = 4;
 constexpr double kFirstStiffness = 10.0;
 constexpr double kLastStiffness = 1e9;
 constexpr double kStiffer = 4.0;
-constexpr double kSlowDecrease = 0.01;
+constexpr double kSlowDecrease = 0.05;
+
+// Radial-basis steps are tried again when the largest distance fell to this share of what it was.
+constexpr double kWorthAnotherTry = 0.8;
 
 // Of one call, over all that it tries.
-constexpr int kMostConstrainedSteps = 100;
+constexpr int kMostConstrainedSteps = 150;
 
 WarpedDomain make_domain(std::span<const Triangle> triangles, std::span<const Index> boundary,
                          std::span<const Vector2d> points) {
-  WarpedDomain domain{triangles, DomainChart(boundary, points), {}, extent(points)};
+  WarpedDomain domain{triangles, DomainChart(boundary, points), {}, extent(triangles, points)};
   domain.is_held.assign(points.size(), 1);
   for (const Triangle& t : triangles) {
     for (const Index v : t) domain.is_held[v] = 0;
@@ -47,12 +52,16 @@ void pull_constrained(const WarpedDomain& domain, std::span<const PointPull> pul
                       PlanarNewton& newton, std::vector<Vector2d>& points, WarpReport& report) {
   const double unit = 1.0 / (domain.extent * domain.extent);
   double stiffness = kFirstStiffness;
+  double tried_at = std::numeric_limits<double>::infinity();
   while (stiffness <= kLastStiffness && report.constrained_steps < kMostConstrainedSteps) {
     const double decrease = newton.step(pulls, stiffness * unit, points);
     ++report.constrained_steps;
     if (decrease < kSlowDecrease) stiffness *= kStiffer;
+    const double rest = largest_distance(pulls, points);
+    if (rest > kWorthAnotherTry * tried_at) continue;
+    tried_at = rest;
     std::vector<Vector2d> finished = points;
-    const int steps = step_elastically(domain, pulls, kMostLastSteps, finished);
+    const int steps = step_elastically(domain, pulls, PullWays::straight, kMostLastSteps, finished);
     if (largest_distance(pulls, finished) > 0.0) continue;
     report.steps += steps;
     points.swap(finished);
@@ -69,13 +78,30 @@ std::size_t farthest(std::span<const PointPull> pulls, std::span<const Vector2d>
                                   pulls.begin());
 }
 
+// Straight ways first, then arcs; where neither arrives, the ends of those that come nearer.
+std::vector<Vector2d> follow_ways(const WarpedDomain& domain, std::span<const PointPull> pulls,
+                                  std::span<const Vector2d> start, WarpReport& report) {
+  std::vector<Vector2d> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PullWays ways : {PullWays::straight, PullWays::arcs}) {
+    std::vector<Vector2d> points(start.begin(), start.end());
+    const int steps = step_elastically(domain, pulls, ways, kMostSteps, points);
+    const double rest = largest_distance(pulls, points);
+    if (!(rest < least)) continue;
+    report.steps = steps;
+    least = rest;
+    best.swap(points);
+    if (least == 0.0) break;
+  }
+  return best;
+}
+
 // The pull farthest from its target is given up until the others are met.
 std::vector<Vector2d> warp(const WarpedDomain& domain, std::vector<PointPull> pulls,
                            std::span<const Vector2d> start, WarpReport& report) {
   std::unique_ptr<PlanarNewton> newton;
   while (true) {
-    std::vector<Vector2d> points(start.begin(), start.end());
-    report.steps = step_elastically(domain, pulls, kMostSteps, points);
+    std::vector<Vector2d> points = follow_ways(domain, pulls, start, report);
     if (!(largest_distance(pulls, points) > 0.0)) return points;
     if (!newton) newton = std::make_unique<PlanarNewton>(domain.triangles, start, domain.is_held);
     pull_constrained(domain, pulls, *newton, points, report);

@@ -17,11 +17,15 @@ struct PointPull {
 
 /// What a warp did.
 struct WarpReport {
-  int steps = 0;  ///< radial-basis steps that were taken
-  int constrained_steps =
-      0;  ///< iterations of the constrained parameterization, where steps folded
+  int steps = 0;  ///< radial-basis steps on the way to the result
+  /// Iterations of the constrained parameterization, where steps folded; with those of attempts to
+  /// meet more pulls than could be met.
+  int constrained_steps = 0;
   std::vector<double> distances;  ///< per pull: how far its vertex is from its target at the end
-  std::vector<Index> unmet;       ///< pulls that could not be met without a fold, ascending
+  /// Pulls that could not be met without a fold, ascending: farther from their targets than 1e-6 of
+  /// the domain's size. As few as explain it where that is plain: pulls with one target, pulls that
+  /// turn a triangle over by themselves, else those that stayed farthest behind.
+  std::vector<Index> unmet;
 };
 
 struct WarpResult {
@@ -35,7 +39,9 @@ struct WarpResult {
 /// where steps cannot go on, a constrained parameterization (symmetric Dirichlet energy, whose
 /// barrier no triangle passes) pulls the rest of the way. Pulls that contradict each other end up
 /// in `unmet`; what is returned is bijective all the same. Deterministic. `boundary` is the
-/// boundary loop. Pulls must name distinct inner vertices and targets inside the boundary.
+/// boundary loop, on a circle or on a rectangle along the axes. Pulls must name distinct inner
+/// vertices and targets inside the boundary. O(n k + k^3) per step for k pulls. Throws InputError,
+/// naming pull and vertex by the numbers given, where any of this does not hold.
 WarpResult warp_domain(std::span<const Triangle> triangles, std::span<const Index> boundary,
                        std::span<const Eigen::Vector2d> points, std::span<const PointPull> pulls);
 
