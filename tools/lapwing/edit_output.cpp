@@ -125,9 +125,9 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
   SurfacePaint paint(*after);
   paint.set_polygons(result.mesh, result.topology);
   RenderOptions options = picture.render_options();
-  if (color == "regions" && result.last) {
+  if (color == "regions" && !result.region.roi.empty()) {
     options.style.color = SurfaceColor::regions;
-    paint.set_classes(vertex_classes(result.last->region(), result.mesh.vertex_count()));
+    paint.set_classes(vertex_classes(result.region, result.mesh.vertex_count()));
   } else if (color != "regions" && color != "plain") {
     color_by(color, result.topology, result.original, result.mesh.positions, paint, options);
   }

@@ -43,6 +43,12 @@ Patch patch_of(const RegionSpec& spec, const Mesh& mesh, const Topology& topolog
   return disk_patch(resolve(spec, mesh, topology), topology, mesh.positions, spec.where);
 }
 
+VertexSet border_of(const Patch& patch) {
+  std::vector<Index> border;
+  for (const Index own : patch.loop) border.push_back(patch.vertices[own]);
+  return make_vertex_set(std::move(border));
+}
+
 double area(std::span<const Triangle> triangles, std::span<const Vector3d> positions) {
   double twice = 0.0;
   for (const auto& [a, b, c] : triangles) {
@@ -241,6 +247,7 @@ StepReport CoatRun::run() {
   CoatReport& report = *report_.coat;
   report_.roi = target_->patch.vertices.size();
   report_.belt = target_->patch.loop.size();
+  result_.region = {target_->patch.vertices, border_of(target_->patch), {}};
   report.source_vertices = coating_.patch.vertices.size();
   report.pins = map_.pins;
   report.flipped_source = map_.flipped_source;

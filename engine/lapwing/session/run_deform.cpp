@@ -81,6 +81,7 @@ StepReport run_step(const DeformStep& step, std::size_t number, Kernels& kernels
   report.belt = region.belt.size();
   for (const VertexSet& handle : region.handles) report.handles.push_back(handle.size());
   report.free = result.last->free_count();
+  result.region = std::move(region);
   report.solver = result.last->solver_name();
   return report;
 }

@@ -46,19 +46,14 @@ void load(const Recipe& recipe, const Progress& progress, RunResult& result) {
   report.triangles = result.topology.triangles.size();
 }
 
-// What became of each vertex in the step that ran last.
-VertexMeasures measure_step(const DeformStep& step, const Positions& before,
+// What became of each vertex in the step that ran last; nothing where it changed the triangles.
+template <class SomeStep>
+VertexMeasures measure_step(const SomeStep& step, const Positions& before,
                             const RunResult& result) {
+  if (before.size() != result.mesh.vertex_count()) return {};
   const auto weights = laplacian_weights(result.topology, before, step.parameters.weights);
-  return measure_vertices(result.last->region().roi, result.topology, weights, before,
+  return measure_vertices(result.region.roi, result.topology, weights, before,
                           result.mesh.positions);
-}
-
-VertexMeasures measure_step(const CoatStep& step, const Positions& before,
-                            const RunResult& result) {
-  const VertexSet region = resolve(step.target_patch, result.mesh, result.topology);
-  const auto weights = laplacian_weights(result.topology, before, step.parameters.weights);
-  return measure_vertices(region, result.topology, weights, before, result.mesh.positions);
 }
 
 // One overload per operation.

@@ -14,6 +14,8 @@ struct RunResult {
   Mesh mesh;           ///< with the edited positions
   Positions original;  ///< the positions that were read
   Topology topology;   ///< of the mesh: steps change positions only
+  /// What the last step concerned; nothing without steps.
+  EditRegion region;
   /// The deformer of the last step or, where that commits on the way, of its last part and without
   /// settling; its surface on the device in the final pose. Null without steps.
   std::unique_ptr<Deformer> last;
