@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "io/temporary_folder.h"
+#include "lapwing/base/errors.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/session/run_recipe.h"
+#include "support/error_message.h"
 #include "viewer_state/tube_edit.h"
 
 namespace lapwing::viewer::test {
@@ -123,6 +125,24 @@ TEST_F(AnEdit, RecipeIsReplayedOnAnotherMesh) {
   const History other =
       from_recipe(cylinder(20, 30, 0.5, 3.0), recipe_of(history), solve_with(kernels_));
   EXPECT_GT(largest_distance(positions_of(other.state()), other.state().rest->positions), 0.3);
+}
+
+TEST_F(AnEdit, DeformStepsOfARecipeAreTheOnesItWasMadeOf) {
+  const AppState state = edited().state();
+  std::vector<DeformStep> made = draft_of(state).steps;
+  made.push_back(open_step(state));
+  EXPECT_EQ(deform_steps(to_recipe(state, "tube.obj", folder_.path())), made);
+}
+
+TEST_F(AnEdit, RecipeWithACoatIsRefusedWithTheStepAndTheWayAround) {
+  Recipe recipe = recipe_of(edited());
+  recipe.steps.emplace_back(CoatStep{});
+  const std::string said =
+      "step 3 is a coat, which the viewer cannot replay; `lapwing run` carries "
+      "it out, and the viewer opens the mesh it saves";
+  EXPECT_EQ(error_message<InputError>([&] { deform_steps(recipe); }), said);
+  EXPECT_EQ(error_message<InputError>([&] { from_recipe(mesh_, recipe, solve_with(kernels_)); }),
+            said);
 }
 
 }  // namespace

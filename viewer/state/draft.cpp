@@ -1,5 +1,6 @@
 #include "state/draft.h"
 
+#include "lapwing/base/errors.h"
 #include "lapwing/session/run_deform.h"
 
 namespace lapwing::viewer {
@@ -95,9 +96,24 @@ History restore(Mesh mesh, const Draft& draft, const Solve& solve) {
   return history;
 }
 
+std::vector<DeformStep> deform_steps(const Recipe& recipe) {
+  std::vector<DeformStep> steps;
+  for (const Step& step : recipe.steps) {
+    const auto* deform = std::get_if<DeformStep>(&step);
+    if (deform == nullptr) {
+      throw InputError("step " + std::to_string(steps.size() + 1) +
+                       " is a coat, which the viewer cannot replay; `lapwing run` carries it out, "
+                       "and the viewer opens the mesh it saves");
+    }
+    steps.push_back(*deform);
+  }
+  return steps;
+}
+
 History from_recipe(Mesh mesh, const Recipe& recipe, const Solve& solve) {
+  const std::vector<DeformStep> steps = deform_steps(recipe);
   History history(open_state(std::move(mesh)));
-  for (const Step& step : recipe.steps) perform(history, std::get<DeformStep>(step), solve);
+  for (const DeformStep& step : steps) perform(history, step, solve);
   return history;
 }
 

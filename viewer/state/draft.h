@@ -48,7 +48,12 @@ void perform(History& history, const DeformStep& step, const Solve& solve);
 /// The history that leads to `draft` on `mesh`. Throws what `apply` and `solve` do.
 History restore(Mesh mesh, const Draft& draft, const Solve& solve);
 
-/// A recipe's steps on `mesh`, which need not be its own; the last one stays open.
+/// The steps of `recipe`, all of which the viewer can replay. Throws InputError, naming the step
+/// and what to do, where one is no deform.
+std::vector<DeformStep> deform_steps(const Recipe& recipe);
+
+/// A recipe's steps on `mesh`, which need not be its own; the last one stays open. Throws what
+/// `deform_steps`, `apply` and `solve` do.
 History from_recipe(Mesh mesh, const Recipe& recipe, const Solve& solve);
 
 }  // namespace lapwing::viewer

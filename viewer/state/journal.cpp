@@ -39,11 +39,7 @@ Json json_of(const std::vector<DeformStep>& steps) {
 
 std::vector<DeformStep> steps_of(const Json& json) {
   const Json recipe{{"lapwing", kRecipeVersion}, {"mesh", "mesh"}, {"steps", json}};
-  std::vector<DeformStep> steps;
-  for (const Step& step : parse_recipe(recipe.dump(), {}, "journal").steps) {
-    steps.push_back(std::get<DeformStep>(step));
-  }
-  return steps;
+  return deform_steps(parse_recipe(recipe.dump(), {}, "journal"));
 }
 
 // A recipe has no step without a handle; in a journal a handle without vertices stands for none.

@@ -56,8 +56,8 @@ LoadedFile load_shape(const NamedShape& shape) {
 LoadedFile load_replay(const fs::path& recipe, History history, Kernels& kernels,
                        const Progress& progress) {
   const std::size_t before = history.done();
-  for (const Step& step : read_recipe(recipe).steps) {
-    perform(history, std::get<DeformStep>(step), solve_with(kernels, progress));
+  for (const DeformStep& step : deform_steps(read_recipe(recipe))) {
+    perform(history, step, solve_with(kernels, progress));
   }
   LoadedFile file{{}, {}, std::move(history)};
   file.replayed_from = before;
