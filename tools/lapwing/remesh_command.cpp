@@ -73,8 +73,8 @@ void add_remesh(CLI::App& app) {
   command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL")->required();
   command->add_option("-o,--output", a->output, "its extension names the format")->required();
   command->add_option("--region", a->region, kRegionHelp)->capture_default_str();
-  auto* length = command->add_option("--length", a->length, "wanted edge length")
-                     ->check(CLI::PositiveNumber);
+  auto* length =
+      command->add_option("--length", a->length, "wanted edge length")->check(CLI::PositiveNumber);
   command->add_option("--scale", a->scale, "wanted edge length, in mean edges of the region")
       ->check(CLI::PositiveNumber)
       ->excludes(length)
@@ -87,7 +87,7 @@ void add_remesh(CLI::App& app) {
                    "degrees between two faces from which their edge is kept")
       ->check(CLI::Range(0.0, 180.0))
       ->capture_default_str();
-  command->add_flag("--quiet", a->quiet, "no progress, no summary");
+  command->add_flag("--quiet", a->quiet, "print errors and notes only");
   command->callback([a] { remesh(*a); });
 }
 
