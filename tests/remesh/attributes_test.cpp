@@ -107,7 +107,7 @@ TEST(RemeshAttributes, StayBitForBitOutside) {
     EXPECT_EQ(now.face_materials[next], was.face_materials[f]);
     EXPECT_EQ(now.face_colors[next], was.face_colors[f]);
     for (Index k = 0; k < 3; ++k) {
-      EXPECT_EQ(now.corner_uvs[3 * next + k], was.corner_uvs[3 * f + k]);
+      EXPECT_EQ(now.uvs[now.corner_uvs[3 * next + k]], was.uvs[was.corner_uvs[3 * f + k]]);
     }
     ++next;
   }
@@ -176,6 +176,17 @@ TEST(RemeshAttributes, StoredCornerNormalsAreBlended) {
     const Vector3d wanted = result.positions[result.face_vertices[c]].normalized();
     ASSERT_LT((a.normals[a.corner_normals[c]] - wanted).norm(), 0.01);
   }
+}
+
+TEST(RemeshAttributes, ListsHoldNoTextureThatOnlyTheOldPatchUsed) {
+  Mesh mesh = rich_plane(16);
+  mesh.attributes.uvs.emplace_back(7.0, 7.0);  // used by nothing before either
+  const Mesh result = remesh_all(mesh, 0.1).mesh;
+  const MeshAttributes& a = result.attributes;
+  std::vector<char> is_used(a.uvs.size(), 0);
+  for (const Index i : a.corner_uvs) is_used[i] = 1;
+  EXPECT_EQ(std::ranges::count(is_used, 0), 1);
+  EXPECT_THAT(a.uvs, ::testing::Contains(Vector2d(7.0, 7.0)));
 }
 
 TEST(RemeshAttributes, CornersWithoutTextureStayWithout) {

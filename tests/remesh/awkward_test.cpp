@@ -61,12 +61,15 @@ TEST(RemeshRefuses, SurfacesThatTouchAtAVertex) {
   EXPECT_THAT(refusal(mesh), AllOf(HasSubstr("vertex 2"), HasSubstr("touch")));
 }
 
-TEST(RemeshRefuses, LengthsAndOptionsThatMeanNothing) {
+TEST(RemeshRefuses, ArgumentsThatMeanNothing) {
   const Mesh mesh = grid(4, 4);
   for (const double length : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
                               std::numeric_limits<double>::infinity()}) {
     EXPECT_THAT(refusal(mesh, length), HasSubstr("must be positive"));
   }
+  const VertexSet region{3, 25};
+  EXPECT_THAT(error_message<InputError>([&] { remesh_isotropic(mesh, region, everywhere(0.1)); }),
+              HasSubstr("vertex 25"));
   EXPECT_THAT(refusal(mesh, 1e-9), HasSubstr("greater length"));
   EXPECT_THAT(refusal(mesh, 0.1, {.iterations = -1}), HasSubstr("iterations"));
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -121,6 +121,43 @@ TEST(RemeshFeatures, SquareSpotKeepsItsCorners) {
   }
 }
 
+// A roof whose sides meet at the middle at 20 degrees, with a normal of its own on each side.
+Mesh shaded_roof(Index cells) {
+  Mesh mesh = grid(cells, cells);
+  MeshAttributes& a = mesh.attributes;
+  const double slope = std::tan(10.0 * 3.14159265 / 180.0);
+  a.normals = {Vector3d(-slope, 0, 1).normalized(), Vector3d(slope, 0, 1).normalized()};
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    double x = 0.0;
+    for (const Index v : mesh.face(f)) x += mesh.positions[v].x() / 3.0;
+    a.corner_normals.insert(a.corner_normals.end(), 3, x < 0.5 ? 0 : 1);
+  }
+  for (Vector3d& p : mesh.positions) p.z() = slope * (0.5 - std::abs(p.x() - 0.5));
+  return mesh;
+}
+
+TEST(RemeshFeatures, EdgesWithTwoStoredNormalsAreKeptBelowTheFeatureAngleToo) {
+  const Mesh mesh = shaded_roof(20);
+  const Mesh result = remesh_all(mesh, 0.08).mesh;
+  EXPECT_NEAR(area(result), area(mesh), 1e-12);
+  const MeshAttributes& a = result.attributes;
+  for (std::size_t c = 0; c < a.corner_normals.size(); ++c) {
+    const Vector3d normal = area_vector(result, c / 3).normalized();
+    ASSERT_LT((a.normals[a.corner_normals[c]] - normal).norm(), 1e-7);
+  }
+}
+
+TEST(RemeshFeatures, FlatShadingMakesNoFeatures) {
+  Mesh sphere = icosphere(3);
+  for (std::size_t f = 0; f < sphere.face_count(); ++f) {
+    sphere.attributes.normals.push_back(area_vector(sphere, f).normalized());
+    sphere.attributes.corner_normals.insert(sphere.attributes.corner_normals.end(), 3,
+                                            static_cast<Index>(f));
+  }
+  const RemeshResult result = remesh_all(sphere, 0.3);
+  EXPECT_LT(result.mesh.face_count(), sphere.face_count() / 2);
+}
+
 TEST(RemeshFeatures, DiagonalsOfPolygonsAreNoFeatures) {
   // Squares that are folded along their diagonals by more than the feature angle.
   Mesh mesh;

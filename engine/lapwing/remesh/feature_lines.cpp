@@ -15,6 +15,9 @@ const double kCornerCosine = std::cos(std::numbers::pi / 4);
 // Below this share of the square of its longest side, a triangle's area is rounding.
 constexpr double kNoArea = 1e-12;
 
+// Stored normals that are meant to be equal differ by the digits that files print.
+constexpr double kSameNormal = 1e-3;
+
 struct Turn {
   Vector3d normal = Vector3d::Zero();  // zero for a triangle without area
   Index longest = kNoIndex;            // its half-edge
@@ -27,6 +30,7 @@ class LineFinder {
 
   void run(double angle_degrees) {
     mark_edges(angle_degrees);
+    mark_normal_seams();
     collect_degrees();
     fix_corners();
     number_lines();
@@ -59,16 +63,47 @@ class LineFinder {
     return turns;
   }
 
+  // Whether the corners on the two sides of an edge differ at one of its ends.
+  template <class Differs>
+  bool differs_across(Index h, Index k, const Differs& differs) const {
+    const auto corner = [&](Index x) { return patch_.corners[x / 3][x % 3]; };
+    return differs(corner(h), corner(Halfedges::next(k))) ||
+           differs(corner(Halfedges::next(h)), corner(k));
+  }
+
   bool differs_in_texture(Index h, Index k) const {
     const MeshAttributes& a = mesh_.attributes;
     if (a.corner_uvs.empty()) return false;
-    const auto differs = [&](Index x, Index y) {
-      const Index i = a.corner_uvs[patch_.corners[x / 3][x % 3]];
-      const Index j = a.corner_uvs[patch_.corners[y / 3][y % 3]];
-      if (i == j) return false;
-      return i == kNoIndex || j == kNoIndex || a.uvs[i] != a.uvs[j];
-    };
-    return differs(h, Halfedges::next(k)) || differs(Halfedges::next(h), k);
+    return differs_across(h, k, [&](Index x, Index y) {
+      const Index i = a.corner_uvs[x];
+      const Index j = a.corner_uvs[y];
+      return i != j && (i == kNoIndex || j == kNoIndex || a.uvs[i] != a.uvs[j]);
+    });
+  }
+
+  bool differs_in_normals(Index h, Index k) const {
+    const MeshAttributes& a = mesh_.attributes;
+    return differs_across(h, k, [&](Index x, Index y) {
+      const Index i = a.corner_normals[x];
+      const Index j = a.corner_normals[y];
+      if (i == j || i == kNoIndex || j == kNoIndex) return false;
+      return (a.normals[i] - a.normals[j]).norm() > kSameNormal;
+    });
+  }
+
+  // Lines where stored normals differ, unless they differ at most edges.
+  void mark_normal_seams() {
+    if (mesh_.attributes.corner_normals.empty()) return;
+    std::vector<Index> seams;
+    std::size_t inner_edges = 0;
+    for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      const Index k = net_.twin(h);
+      if (k == kNoIndex || k < h) continue;
+      ++inner_edges;
+      if (differs_in_normals(h, k)) seams.push_back(h);
+    }
+    if (2 * seams.size() > inner_edges) return;
+    for (const Index h : seams) is_line_[h] = is_line_[net_.twin(h)] = 1;
   }
 
   bool differs_in_label(Index f, Index g) const {
