@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostVertices = 20000;
+constexpr std::size_t kMostVertices = 8000;
 
 double mean_edge(const Mesh& mesh) {
   return mean_edge_length(build_topology(mesh).rings, mesh.positions);

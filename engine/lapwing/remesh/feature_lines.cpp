@@ -1,5 +1,6 @@
 #include "lapwing/remesh/feature_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,7 +19,7 @@ constexpr double kNoArea = 1e-12;
 // Stored normals that are meant to be equal differ by the digits that files print.
 constexpr double kSameNormal = 1e-3;
 
-struct Turn {
+struct Facing {
   Vector3d normal = Vector3d::Zero();  // zero for a triangle without area
   Index longest = kNoIndex;            // its half-edge
 };
@@ -39,28 +40,30 @@ class LineFinder {
   }
 
  private:
-  std::vector<Turn> triangle_normals() const {
-    std::vector<Turn> turns(patch_.triangles.size());
-    for (Index t = 0; t < turns.size(); ++t) {
+  std::vector<Facing> triangle_normals() const {
+    std::vector<Facing> facings(patch_.triangles.size());
+    for (Index t = 0; t < facings.size(); ++t) {
       const auto [a, b, c] = patch_.corner_positions(t);
       const std::array sides{(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
       const auto longest = std::max_element(sides.begin(), sides.end()) - sides.begin();
-      turns[t].longest = 3 * t + static_cast<Index>(longest);
+      facings[t].longest = 3 * t + static_cast<Index>(longest);
       const Vector3d normal = (b - a).cross(c - a);
       const double area = normal.norm();
       if (area > kNoArea * sides[static_cast<std::size_t>(longest)]) {
-        turns[t].normal = normal / area;
+        facings[t].normal = normal / area;
       }
     }
     // A triangle without area lies along its longest edge and looks where its neighbour there does;
     // a few rounds reach through stacks of them.
     for (int round = 0; round < 4; ++round) {
-      for (Turn& turn : turns) {
-        const Index across = net_.twin(turn.longest);
-        if (turn.normal.isZero(0.0) && across != kNoIndex) turn.normal = turns[across / 3].normal;
+      for (Facing& facing : facings) {
+        const Index across = net_.twin(facing.longest);
+        if (facing.normal.isZero(0.0) && across != kNoIndex) {
+          facing.normal = facings[across / 3].normal;
+        }
       }
     }
-    return turns;
+    return facings;
   }
 
   // Whether the corners on the two sides of an edge differ at one of its ends.
@@ -114,7 +117,7 @@ class LineFinder {
 
   void mark_edges(double angle_degrees) {
     const double cosine = std::cos(angle_degrees * std::numbers::pi / 180.0);
-    const std::vector<Turn> turns = triangle_normals();
+    const std::vector<Facing> facings = triangle_normals();
     is_line_.assign(net_.halfedge_count(), 0);
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
       const Index k = net_.twin(h);
@@ -122,8 +125,8 @@ class LineFinder {
       const Index f = patch_.faces[h / 3];
       const Index g = patch_.faces[k / 3];
       if (f == g) continue;
-      const Vector3d& n = turns[h / 3].normal;
-      const Vector3d& m = turns[k / 3].normal;
+      const Vector3d& n = facings[h / 3].normal;
+      const Vector3d& m = facings[k / 3].normal;
       const bool sharp = !n.isZero(0.0) && !m.isZero(0.0) && n.dot(m) < cosine;
       is_line_[h] = is_line_[k] = sharp || differs_in_label(f, g) || differs_in_texture(h, k);
     }

@@ -31,15 +31,17 @@ struct RemeshResult {
 
 /// Local isotropic remeshing: the triangles of `mesh` whose three corners are in `region` are
 /// replaced by nearly equilateral ones with edges of about `target_length(point)`, on the same
-/// surface. Everything outside and the border of the patch stay as they are, bit for bit, and
-/// conforming; so do vertex and face attributes there. Inside, texture coordinates (seams kept),
-/// colours and numeric attributes are interpolated, materials and groups taken from the nearest
-/// face; lines between different materials, groups or UV charts are features, and so are edges
-/// where stored normals differ, unless most do. A feature may be cut short by a tenth of the target
-/// where its own edges are shorter. A vertex where the patch touches itself and the boundary of an
-/// open mesh are border. Edges next to a long border edge grow with it. Polygons of the patch are
-/// triangulated. Deterministic. Throws InputError, naming vertices, when the patch is not
-/// manifold or not finite or the length is not positive; Cancelled when `progress` says so.
+/// surface; polygons of the patch are triangulated. Everything outside and the border of the patch
+/// stay as they are, bit for bit, and conforming; so do vertex and face attributes there. The
+/// boundary of an open mesh is border too. Next to border edges longer than the target, triangles
+/// grow towards their size. Inside, texture coordinates (seams kept), colours and numeric
+/// attributes are interpolated (whole numbers taken from the nearest vertex), materials and groups
+/// taken from the nearest face. Lines between different materials, groups or UV charts are
+/// features; so are edges where stored normals differ, unless most do. A line whose own edges are
+/// shorter than the target may be straightened, by at most a tenth of it. Deterministic. Throws
+/// InputError, naming vertices, when the patch is not manifold or not finite or the length is not
+/// positive, or so small that it would make more than 20 million faces; Cancelled when `progress`
+/// says so.
 RemeshResult remesh_isotropic(const Mesh& mesh, const VertexSet& region,
                               const std::function<double(const Eigen::Vector3d&)>& target_length,
                               const RemeshOptions& options = {}, const Progress& progress = {});

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <utility>
 
 #include <Eigen/Geometry>
-
-#include "lapwing/base/errors.h"
 
 namespace lapwing::remeshing {
 namespace {
@@ -42,15 +40,6 @@ Adjacency numbered(const Adjacency& lists) {
 }
 
 }  // namespace
-
-double TargetLength::at(const Vector3d& point) const {
-  const double length = length_(point);
-  if (length > 0.0 && std::isfinite(length)) return length;
-  std::ostringstream message;
-  message << "the edge length wanted at (" << point.transpose() << ") is " << length
-          << "; it must be positive";
-  throw InputError(message.str());
-}
 
 Reference::Reference(const OriginalPatch& original)
     : original_(original),
