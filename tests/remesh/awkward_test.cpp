@@ -6,6 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/topology.h"
 #include "remesh/remesh_checks.h"
 #include "support/error_message.h"
 
@@ -98,7 +99,28 @@ TEST(RemeshIsotropic, RegionMayTouchItselfAtAVertex) {
 }
 
 TEST(RemeshIsotropic, JoinsNoBorderVerticesThatAreJoinedOutside) {
-  // A band around a tube, so narrow that each of its triangles has all corners on the border.
+  // A low roof over a rhombus whose short diagonal is an edge of the floor, which is outside.
+  Mesh house;
+  house.positions = {{-0.5, 0, 0}, {0.5, 0, 0},      {0, -1, 0},     {0, 1, 0},
+                     {0, 0, 0.3},  {0, -0.4, -0.05}, {0, 0.4, -0.05}};
+  for (const Triangle& t :
+       {Triangle{0, 2, 4}, Triangle{2, 1, 4}, Triangle{1, 3, 4}, Triangle{3, 0, 4},
+        Triangle{0, 1, 5}, Triangle{1, 2, 5}, Triangle{2, 0, 5}, Triangle{0, 3, 6},
+        Triangle{3, 1, 6}, Triangle{1, 0, 6}}) {
+    house.add_face(t);
+  }
+  const VertexSet roof{0, 1, 2, 3, 4};
+  ASSERT_EQ(shape_of(house).non_manifold, 0U);
+  for (const double length : {0.3, 5.0}) {
+    const RemeshResult result =
+        remesh_isotropic(house, roof, everywhere(length), {.feature_angle_degrees = 120.0});
+    EXPECT_EQ(shape_of(result.mesh), shape_of(house));
+    expect_outside_unchanged(house, roof, result);
+  }
+}
+
+TEST(RemeshIsotropic, NarrowBandBetweenTwoBordersStaysConforming) {
+  // Around a tube, each of its triangles with all corners on the border.
   const Mesh tube = cylinder(5, 8, 0.5, 2.0);
   const double rise = 2.0 / 7.0;
   const VertexSet region = vertices_where(

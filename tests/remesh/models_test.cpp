@@ -64,6 +64,26 @@ TEST(RemeshModels, HalfAnArmadilloIsRemeshedAndTheOtherHalfIsNot) {
             region_quality(mesh, region).vertices);
 }
 
+// Edges whose triangles look away from each other by more than 120 degrees.
+std::size_t count_folds(const Mesh& mesh) {
+  const Edges edges = build_edges(mesh);
+  std::size_t folds = 0;
+  for (std::size_t e = 0; e < edges.count(); ++e) {
+    if (edges.sides.size(e) != 2) continue;
+    const Vector3d a = area_vector(mesh, edges.face_of_corner[edges.sides[e][0]]);
+    const Vector3d b = area_vector(mesh, edges.face_of_corner[edges.sides[e][1]]);
+    folds += a.dot(b) < -0.5 * a.norm() * b.norm();
+  }
+  return folds;
+}
+
+TEST(RemeshModels, CoarseArmadilloHasNoMoreFoldsThanTheScan) {
+  LAPWING_NEEDS_MODELS(files, "cgal");
+  const Mesh mesh = read_mesh(models_folder() / "cgal/meshes/armadillo.off");
+  const RemeshResult result = remesh_all(mesh, 2.0 * mean_edge(mesh));
+  EXPECT_LE(count_folds(result.mesh), count_folds(mesh));
+}
+
 TEST(RemeshModels, ScannedBunnyBecomesUniform) {
   LAPWING_NEEDS_MODELS(files, "cgal");
   const Mesh mesh = read_mesh(models_folder() / "cgal/meshes/bunny00.off");
