@@ -102,6 +102,40 @@ TEST(RemeshFeatures, MaterialLineStaysWithinATenthOfTheLengthWhereTheyAreCoarser
   EXPECT_LT(result.mesh.face_count(), mesh.face_count() / 2);
 }
 
+TEST(RemeshFeatures, ToothInALineIsCutByATenthOfTheLengthAtMost) {
+  // A line along y = 0.5 with a tooth of height 0.04 between x = 0.45 and 0.55.
+  Mesh mesh = grid(20, 20);
+  mesh.positions[10 * 21 + 10].y() += 0.04;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    mesh.attributes.face_groups.push_back(f < mesh.face_count() / 2 ? 0 : 1);
+  }
+  mesh.attributes.groups = {"below", "above"};
+  const Mesh result = remesh_all(mesh, 0.2).mesh;
+  const auto& groups = result.attributes.face_groups;
+  const auto distance = [](const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+    const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    return (a + t * (b - a) - p).norm();
+  };
+  const std::array<Vector3d, 5> line{Vector3d(0, 0.5, 0), Vector3d(0.45, 0.5, 0),
+                                     Vector3d(0.5, 0.54, 0), Vector3d(0.55, 0.5, 0),
+                                     Vector3d(1, 0.5, 0)};
+  const Edges edges = build_edges(result);
+  for (std::size_t e = 0; e < edges.count(); ++e) {
+    const auto sides = edges.sides[e];
+    if (sides.size() != 2) continue;
+    if (groups[edges.face_of_corner[sides[0]]] == groups[edges.face_of_corner[sides[1]]]) continue;
+    const auto [a, b] = edges.ends[e];
+    for (const double t : {0.0, 0.2, 0.4, 0.5, 0.6, 0.8, 1.0}) {
+      const Vector3d p = result.positions[a] + t * (result.positions[b] - result.positions[a]);
+      double nearest = 1.0;
+      for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+        nearest = std::min(nearest, distance(p, line[k], line[k + 1]));
+      }
+      EXPECT_LE(nearest, 0.1 * 0.2 + 0.002) << p.transpose();
+    }
+  }
+}
+
 TEST(RemeshFeatures, SquareSpotKeepsItsCorners) {
   Mesh mesh = grid(20, 20);
   mesh.attributes.groups = {"square"};

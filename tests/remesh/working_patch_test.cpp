@@ -62,9 +62,12 @@ TEST(WorkingPatch, TakesTheFansOfOneVertexAsOne) {
   ASSERT_NE(one, other);
   EXPECT_EQ(touching.original.next_copy[other], one);
   EXPECT_TRUE(touching.patch->is_same(one, other));
-  for (const Index neighbour : {7U, 11U, 13U, 17U}) {
-    EXPECT_TRUE(touching.patch->are_joined(one, touching.own(neighbour)));
-    EXPECT_TRUE(touching.patch->are_joined(other, touching.own(neighbour)));
+  for (const Index copy : {one, other}) {
+    touching.patch->net.for_neighbours(copy, [&](Index neighbour) {
+      EXPECT_TRUE(touching.patch->are_joined(one, neighbour));
+      EXPECT_TRUE(touching.patch->are_joined(other, neighbour));
+      EXPECT_TRUE(touching.patch->are_joined(neighbour, one));
+    });
   }
 }
 

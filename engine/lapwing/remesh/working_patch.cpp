@@ -15,6 +15,8 @@ using Eigen::Vector3d;
 constexpr double kGoodEnough = 0.4;
 // Below this quality a triangle's normal is rounding.
 constexpr double kNoArea = 1e-9;
+// How far a line may leave where it was, in target lengths.
+constexpr double kLineTolerance = 0.1;
 constexpr double kLargestTurnCosine = 0.5;
 
 using Corners = std::array<Vector3d, 3>;
@@ -89,6 +91,21 @@ Vector3d WorkingPatch::project(Index v, const Vector3d& point, const Vector3d& n
   const TrianglePoint found = reference.on_sheet(sheet, point, normal, hints[v]);
   hints[v] = found.hint;
   return found.position;
+}
+
+bool WorkingPatch::line_stays_near(Index line, Index v, Index except, const Vector3d& place,
+                                   double length) const {
+  bool near = true;
+  net.for_outgoing(v, [&](Index h) {
+    const Index end = net.target(h);
+    if (!net.on_line(h) || net.side(h) / 2 != line || end == except) return;
+    for (const double along : {0.25, 0.5, 0.75}) {
+      const Vector3d point = place + along * (at(end) - place);
+      const double away = (reference.on_line(line, point).position - point).norm();
+      near = near && away <= kLineTolerance * length;
+    }
+  });
+  return near;
 }
 
 bool WorkingPatch::is_same(Index a, Index b) const {
