@@ -38,10 +38,10 @@ struct RemeshResult {
 /// attributes are interpolated (whole numbers taken from the nearest vertex), materials and groups
 /// taken from the nearest face. Lines between different materials, groups or UV charts are
 /// features; so are edges where stored normals differ, unless most do. A line whose own edges are
-/// shorter than the target may be straightened, by at most a tenth of it. Deterministic. Throws
-/// InputError, naming vertices, when the patch is not manifold or not finite or the length is not
-/// positive, or so small that it would make more than 20 million faces; Cancelled when `progress`
-/// says so.
+/// shorter than the target may be straightened, by about a tenth of it at most. Deterministic.
+/// Throws InputError, naming vertices, when the patch is not manifold or not finite or the length
+/// is not positive, or so small that it would make more than 20 million faces; Cancelled when
+/// `progress` says so.
 RemeshResult remesh_isotropic(const Mesh& mesh, const VertexSet& region,
                               const std::function<double(const Eigen::Vector3d&)>& target_length,
                               const RemeshOptions& options = {}, const Progress& progress = {});

@@ -17,6 +17,7 @@ constexpr double kGoodEnough = 0.4;
 constexpr double kNoArea = 1e-9;
 // How far a line may leave where it was, in target lengths.
 constexpr double kLineTolerance = 0.1;
+constexpr int kLineSamples = 8;
 constexpr double kLargestTurnCosine = 0.5;
 
 using Corners = std::array<Vector3d, 3>;
@@ -99,8 +100,8 @@ bool WorkingPatch::line_stays_near(Index line, Index v, Index except, const Vect
   net.for_outgoing(v, [&](Index h) {
     const Index end = net.target(h);
     if (!net.on_line(h) || net.side(h) / 2 != line || end == except) return;
-    for (const double along : {0.25, 0.5, 0.75}) {
-      const Vector3d point = place + along * (at(end) - place);
+    for (int i = 1; i < kLineSamples; ++i) {
+      const Vector3d point = place + (static_cast<double>(i) / kLineSamples) * (at(end) - place);
       const double away = (reference.on_line(line, point).position - point).norm();
       near = near && away <= kLineTolerance * length;
     }
