@@ -146,6 +146,7 @@ class CoatRun {
   void peel_source();
   void lay_on_each_other();
   void remesh_where_coarse();
+  Coater coater_for(const CoaterOptions& options);
   void coat();
 
   const CoatStep& step_;
@@ -207,6 +208,27 @@ void CoatRun::remesh_where_coarse() {
   lay_on_each_other();
 }
 
+Coater CoatRun::coater_for(const CoaterOptions& options) {
+  CoatTarget target{result_.mesh.positions};
+  if (step_.parameters.smooth_target > 0.0) target.smooth = target_->smooth;
+  try {
+    return Coater(target, result_.topology, target_->patch, options, kernels_, progress_);
+  } catch (const InputError& error) {
+    throw InputError(step_.target_patch.where + ": " + error.what());
+  }
+}
+
+// As a deform step's certificate does: a file with such positions is worse than none.
+void require_finite(const Patch& patch, const Positions& positions, const std::string& where) {
+  for (const Index v : patch.vertices) {
+    if (positions[v].allFinite()) continue;
+    throw SolverError(where + ": the result has positions that are not finite, vertex " +
+                      std::to_string(v) +
+                      " for one, so the mesh was left as it was; run `lapwing check` on source and "
+                      "target, and see that \"amplitude\" and \"scale\" are no larger than needed");
+  }
+}
+
 void CoatRun::coat() {
   const CoatParameters& parameters = step_.parameters;
   CoatReport& report = *report_.coat;
@@ -219,11 +241,10 @@ void CoatRun::coat() {
   options.transition = parameters.transition.value_or(
       Transition{ratio * parameters.detail_size, Transition::Profile::smooth});
   const Positions before = result_.mesh.positions;
-  CoatTarget target{before};
-  if (parameters.smooth_target > 0.0) target.smooth = target_->smooth;
-  Coater coater(target, result_.topology, target_->patch, options, kernels_, progress_);
+  Coater coater = coater_for(options);
   coater.take(coating_, map_.points, parameters.sampling, progress_);
   result_.mesh.positions = coater.coat(parameters.amplitude);
+  require_finite(target_->patch, result_.mesh.positions, step_.where);
   for (const auto& [name, ms] : coater.timings().stages()) report_.timings.add(name, ms);
 
   const Largest largest = largest_displacement(before, result_.mesh.positions);

@@ -46,14 +46,17 @@ void load(const Recipe& recipe, const Progress& progress, RunResult& result) {
   report.triangles = result.topology.triangles.size();
 }
 
-// What became of each vertex in the step that ran last; nothing where it changed the triangles.
+// What became of each vertex in the step that ran last.
 template <class SomeStep>
 VertexMeasures measure_step(const SomeStep& step, const Positions& before,
                             const RunResult& result) {
-  if (before.size() != result.mesh.vertex_count()) return {};
   const auto weights = laplacian_weights(result.topology, before, step.parameters.weights);
   return measure_vertices(result.region.roi, result.topology, weights, before,
                           result.mesh.positions);
+}
+
+bool changed_triangles(const StepReport& report) {
+  return report.coat && report.coat->vertices_before_remeshing > 0;
 }
 
 // One overload per operation.
@@ -85,8 +88,8 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
     const Positions before = options.measure_vertices ? result->mesh.positions : Positions{};
     result->report.steps.push_back(
         std::visit(Runner{number, recipe.base_directory, kernels, progress, *result}, step));
-    if (!options.measure_vertices) continue;
     StepReport& report = result->report.steps.back();
+    if (!options.measure_vertices || changed_triangles(report)) continue;
     stage("measure_vertices", report.timings, progress, [&] {
       report.vertices =
           std::visit([&](const auto& s) { return measure_step(s, before, *result); }, step);

@@ -11,19 +11,22 @@ namespace lapwing {
 
 /// What running a recipe leaves behind.
 struct RunResult {
-  Mesh mesh;           ///< with the edited positions
-  Positions original;  ///< the positions that were read
-  Topology topology;   ///< of the mesh: steps change positions only
+  Mesh mesh;  ///< with the edited positions
+  /// The positions that were read, per vertex of `mesh`; a vertex that a coat step's remeshing made
+  /// is where it was made.
+  Positions original;
+  Topology topology;  ///< of `mesh`
   /// What the last step concerned; nothing without steps.
   EditRegion region;
-  /// The deformer of the last step or, where that commits on the way, of its last part and without
-  /// settling; its surface on the device in the final pose. Null without steps.
+  /// The deformer of the last step if that is a deform or, where that commits on the way, of its
+  /// last part and without settling; its surface on the device in the final pose. Null without it.
   std::unique_ptr<Deformer> last;
   RunReport report;
 };
 
 struct RunOptions {
-  bool measure_vertices = false;  ///< fills in StepReport::vertices
+  /// Fills in StepReport::vertices, but for steps that changed the triangles.
+  bool measure_vertices = false;
 };
 
 /// Reads the recipe's mesh, examines it, and carries the steps out one after the other on
