@@ -249,7 +249,7 @@ void Coater::take(const Coating& coating, std::span<const SurfacePoint> points,
   Stopwatch watch;
   std::vector<Matrix3d> T(rows);
   state.kernels.rotate_frames(mapped, {coating.smooth, coating.normals},
-                              {state.positions, state.normals}, 0.0, T);
+                              {state.positions, state.normals}, T);
   std::vector<double> ratios(rows);
   for (std::size_t r = 0; r < rows; ++r) {
     ratios[r] = T[r].col(0).norm();
