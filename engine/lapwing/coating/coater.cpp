@@ -98,7 +98,7 @@ struct Coater::State {
   Columns solve_for(std::span<const Vector3d> y, std::span<const Vector3d> wanted);
   const HeldVertex* held_at(Index vertex) const;
   void solve_for_base();
-  void add_layer(const CoatLayer& layer, Samples& sum);
+  void add_layer(const CoatLayer& layer, const Progress& progress, Samples& sum);
 
   const RegionRings& rings() const { return system->rings(); }
   std::size_t unknown_count() const { return system->size(); }
@@ -251,7 +251,7 @@ Coater::Coater(Coater&&) noexcept = default;
 Coater& Coater::operator=(Coater&&) noexcept = default;
 
 // Samples `layer`, turns it and adds it to `sum`, on the target.
-void Coater::State::add_layer(const CoatLayer& layer, Samples& sum) {
+void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, Samples& sum) {
   std::vector<SurfacePoint> points;
   points.reserve(rings().vertices.size());
   for (const Index v : rings().vertices) {
@@ -261,10 +261,11 @@ void Coater::State::add_layer(const CoatLayer& layer, Samples& sum) {
   const MappedRings mapped{rings(), points};
   const std::size_t rows = rings().row_count();
 
+  report_progress(progress, "frames", 0.0);
   Stopwatch watch;
   std::vector<Matrix3d> T(rows);
   kernels.rotate_frames(mapped, {layer.coating.smooth, layer.coating.normals}, {positions, normals},
-                        0.0, T);
+                        T);
   std::vector<double> ratios(rows);
   for (std::size_t r = 0; r < rows; ++r) {
     ratios[r] = T[r].col(0).norm();
@@ -272,6 +273,7 @@ void Coater::State::add_layer(const CoatLayer& layer, Samples& sum) {
   }
   timings.add("frames", watch.elapsed_ms());
 
+  report_progress(progress, "sample", 0.0);
   watch.restart();
   const Samples samples =
       sample(mapped, layer.coating, layer.options.sampling, squares, ratios, kernels);
@@ -294,8 +296,7 @@ void Coater::take(std::span<const CoatLayer> layers, const Progress& progress) {
   const std::size_t rows = state.rings().row_count();
   Samples sum{std::vector<Vector3d>(rows, Vector3d::Zero()),
               std::vector<Vector3d>(rows, Vector3d::Zero())};
-  report_progress(progress, "sample", 0.0);
-  for (const CoatLayer& layer : layers) state.add_layer(layer, sum);
+  for (const CoatLayer& layer : layers) state.add_layer(layer, progress, sum);
   report_progress(progress, "solve", 0.0);
   const Stopwatch watch;
   state.coating = state.solve_for(sum.xi, sum.displacement);

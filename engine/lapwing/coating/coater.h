@@ -85,7 +85,7 @@ class Coater {
   Coater& operator=(Coater&&) noexcept;
 
   /// Samples, turns and solves for the sum of `layers`, each times its weights (paper section 5.3),
-  /// which replaces what was taken before. Stages "sample", "frames", "solve".
+  /// which replaces what was taken before. Stages "frames", "sample", "solve".
   void take(std::span<const CoatLayer> layers, const Progress& progress = {});
   /// For one coating.
   void take(const Coating& coating, std::span<const SurfacePoint> points,
