@@ -45,6 +45,16 @@ std::string with_option(const std::string& option) {
               option);
 }
 
+// A whole coat step; `keys` comes behind.
+std::string with_coat(const std::string& keys) {
+  return recipe(R"([{"op": "coat", "source_patch": {"all": true}, "target_patch": {"all": true},
+                     "detail_size": 1, )" +
+                keys + "}]");
+}
+std::string with_patches(const std::string& keys) {
+  return recipe(R"([{"op": "coat", )" + keys + "}]");
+}
+
 class RecipeMistake : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(RecipeMistake, IsAnsweredWithThePlaceAndTheNextStep) {
@@ -90,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoOp", recipe("[{}]"), ": /steps/0: the key \"op\" is missing; add it"},
         Mistake{"UnknownOp", recipe(R"([{"op": "defrom"}])"),
                 ": /steps/0/op: unknown op \"defrom\"; did you mean \"deform\"? Known here: "
-                "\"deform\""},
+                "\"deform\", \"coat\""},
         Mistake{"NoRoi", step(R"("handles": [])"),
                 ": /steps/0: the key \"roi\" is missing; add it"},
         Mistake{"NoHandle", step(R"("roi": {"all": true}, "handles": [])"),
@@ -111,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"SettleIterations", with_option(R"("settle": {"max_iterations": 1.5})"),
                 ": /steps/0/settle/max_iterations: expected a whole number from 1 to 1000000"},
         Mistake{"SettleResistance", with_option(R"("settle": {"stretch_resistance": -1})"),
-                ": /steps/0/settle/stretch_resistance: expected 0 or more"},
+                ": /steps/0/settle/stretch_resistance: expected 0 or more, got -1"},
         Mistake{"CommitsOfNothing", with_option(R"("commit_every": 0)"),
                 ": /steps/0/commit_every: expected a number above 0, got 0"},
         Mistake{"CommitsTooFarApart", with_option(R"("commit_every": 180.5)"),
@@ -213,6 +223,104 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownKey", with_move(R"({"translation": [0, 0, 1]})"),
                 ": /steps/0/handles/0/move/translation: unknown key; did you mean \"translate\"? "
                 "Known here: \"translate\", \"rotate\", \"scale\", \"pivot\", \"matrix\""}),
+    kName);
+
+const char* const kCoatKeys =
+    "Known here: \"op\", \"source\", \"source_patch\", \"target_patch\", \"detail_size\", "
+    "\"smooth_target\", \"weights\", \"domain\", \"boundary_pairs\", \"inner_pairs\", "
+    "\"sampling\", \"scale\", \"amplitude\", \"transition\", \"remesh\"";
+
+INSTANTIATE_TEST_SUITE_P(
+    Coat, RecipeMistake,
+    ::testing::Values(
+        Mistake{"UnknownKey", with_coat(R"("smooth_taget": 1)"),
+                std::string(": /steps/0/smooth_taget: unknown key; did you mean "
+                            "\"smooth_target\"? ") +
+                    kCoatKeys},
+        Mistake{"KeyOfADeform", with_coat(R"("handles": [])"),
+                std::string(": /steps/0/handles: unknown key; ") + kCoatKeys},
+        Mistake{"NoSourcePatch", with_patches(R"("target_patch": {"all": true}, "detail_size": 1)"),
+                ": /steps/0: the key \"source_patch\" is missing; add it"},
+        Mistake{"NoTargetPatch", with_patches(R"("source_patch": {"all": true}, "detail_size": 1)"),
+                ": /steps/0: the key \"target_patch\" is missing; add it"},
+        Mistake{"PatchMisspelt",
+                with_patches(R"("source_patch": {"vertices": [-1]}, "detail_size": 1)"),
+                ": /steps/0/source_patch/vertices/0: expected a vertex number (whole, from 0), got "
+                "-1"},
+        Mistake{"NoDetailSize",
+                with_patches(R"("source_patch": {"all": true}, "target_patch": {"all": true})"),
+                ": /steps/0: the key \"detail_size\" is missing; add it"},
+        Mistake{"DetailOfNoSize", with_patches(R"("source_patch": {"all": true},
+                "target_patch": {"all": true}, "detail_size": 0)"),
+                ": /steps/0/detail_size: expected a number above 0, got 0"},
+        Mistake{"DetailBelowZero", with_patches(R"("source_patch": {"all": true},
+                "target_patch": {"all": true}, "detail_size": -0.5)"),
+                ": /steps/0/detail_size: expected a number above 0, got -0.5"},
+        Mistake{"SourceNoName", with_coat(R"("source": 3)"),
+                ": /steps/0/source: expected a text in quotes, got 3"},
+        Mistake{"SourceEmpty", with_coat(R"("source": "")"),
+                ": /steps/0/source: expected the name of a file, got an empty text"},
+        Mistake{"SmoothTargetBelowZero", with_coat(R"("smooth_target": -1)"),
+                ": /steps/0/smooth_target: expected 0 or more, got -1"},
+        Mistake{"UnknownWeights", with_coat(R"("weights": "cotan")"),
+                ": /steps/0/weights: unknown weights \"cotan\"; did you mean \"cotangent\"? Known "
+                "here: \"uniform\", \"cotangent\""},
+        Mistake{"UnknownDomain", with_coat(R"("domain": "disc")"),
+                ": /steps/0/domain: unknown domain \"disc\"; did you mean \"disk\"? Known here: "
+                "\"disk\", \"square\""},
+        Mistake{"UnknownSampling", with_coat(R"("sampling": "linaer")"),
+                ": /steps/0/sampling: unknown sampling \"linaer\"; did you mean \"linear\"? Known "
+                "here: \"one_ring\", \"linear\""},
+        Mistake{"UnknownRemesh", with_coat(R"("remesh": "non")"),
+                ": /steps/0/remesh: unknown remesh \"non\"; did you mean \"none\"? Known here: "
+                "\"auto\", \"none\""},
+        Mistake{"RemeshAsBool", with_coat(R"("remesh": false)"),
+                ": /steps/0/remesh: expected a text in quotes, got false"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    CoatPairs, RecipeMistake,
+    ::testing::Values(
+        Mistake{"NoList", with_coat(R"("boundary_pairs": 3)"),
+                ": /steps/0/boundary_pairs: expected a list, got 3"},
+        Mistake{"NotInABracket", with_coat(R"("boundary_pairs": [3, 4])"),
+                ": /steps/0/boundary_pairs/0: expected a list of vertex numbers, got 3"},
+        Mistake{"OfOne", with_coat(R"("boundary_pairs": [[3]])"),
+                ": /steps/0/boundary_pairs/0: expected two vertices, of the source and of the "
+                "target, got 1"},
+        Mistake{"OfThree", with_coat(R"("inner_pairs": [[3, 4], [5, 6, 7]])"),
+                ": /steps/0/inner_pairs/1: expected two vertices, of the source and of the target, "
+                "got 3"},
+        Mistake{"OfTexts", with_coat(R"("inner_pairs": [["nose", 4]])"),
+                ": /steps/0/inner_pairs/0/0: expected a vertex number (whole, from 0), got the "
+                "text \"nose\""},
+        Mistake{"TwoForTheDisk", with_coat(R"("boundary_pairs": [[3, 4], [5, 6]])"),
+                ": /steps/0/boundary_pairs: the disk takes one pair of boundary vertices, got 2"},
+        Mistake{"OneForTheSquare", with_coat(R"("domain": "square", "boundary_pairs": [[3, 4]])"),
+                ": /steps/0/boundary_pairs: the square takes four pairs of boundary vertices, in "
+                "order around, got 1"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    CoatSize, RecipeMistake,
+    ::testing::Values(
+        Mistake{"ScaleOtherText", with_coat(R"("scale": "automatic")"),
+                ": /steps/0/scale: unknown scale \"automatic\"; Known here: \"auto\""},
+        Mistake{"ScaleOfNothing", with_coat(R"("scale": 0)"),
+                ": /steps/0/scale: expected a number above 0, got 0"},
+        Mistake{"ScaleAsList", with_coat(R"("scale": [1])"),
+                ": /steps/0/scale: expected a number above 0, got a list of 1"},
+        Mistake{"AmplitudeAsText", with_coat(R"("amplitude": "high")"),
+                ": /steps/0/amplitude: expected a number, got the text \"high\""},
+        Mistake{"TransitionAsNumber", with_coat(R"("transition": 0.5)"),
+                ": /steps/0/transition: expected an object, got 0.5"},
+        Mistake{"TransitionWithoutWidth", with_coat(R"("transition": {"profile": "linear"})"),
+                ": /steps/0/transition: the key \"width\" is missing; add it"},
+        Mistake{"TransitionBelowZero", with_coat(R"("transition": {"width": -1})"),
+                ": /steps/0/transition/width: expected 0 or more, got -1"},
+        Mistake{"UnknownProfile", with_coat(R"("transition": {"width": 1, "profile": "smoth"})"),
+                ": /steps/0/transition/profile: unknown profile \"smoth\"; did you mean "
+                "\"smooth\"? Known here: \"smooth\", \"linear\""}),
     kName);
 
 std::string error_of(const std::string& text) {

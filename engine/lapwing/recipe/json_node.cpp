@@ -199,6 +199,12 @@ std::string JsonNode::string() const {
   return value_->json->get<std::string>();
 }
 
+std::string JsonNode::file_name() const {
+  std::string text = string();
+  if (text.empty()) fail("expected the name of a file, got an empty text");
+  return text;
+}
+
 double JsonNode::number() const {
   if (!value_->json->is_number()) fail_expecting("a number");
   return value_->json->get<double>();

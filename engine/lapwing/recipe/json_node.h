@@ -44,6 +44,7 @@ class JsonNode {
   bool is_string() const;
   bool boolean() const;
   std::string string() const;
+  std::string file_name() const;  ///< a text that is not empty
   double number() const;
   double positive_number() const;
   double number_from_zero() const;  ///< 0 or more

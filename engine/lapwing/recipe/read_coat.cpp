@@ -97,7 +97,7 @@ CoatStep read_coat(const JsonNode& node) {
                      "amplitude", "transition", "remesh"});
   CoatStep step;
   step.where = node.where();
-  if (const auto source = node.find("source")) step.source = source->string();
+  if (const auto source = node.find("source")) step.source = source->file_name();
   step.source_patch = read_region(node.at("source_patch"));
   step.target_patch = read_region(node.at("target_patch"));
   step.parameters = read_parameters(node);

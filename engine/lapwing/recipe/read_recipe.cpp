@@ -17,12 +17,6 @@ void require_version(const JsonNode& root) {
   }
 }
 
-std::filesystem::path read_path(const JsonNode& node) {
-  const std::string text = node.string();
-  if (text.empty()) node.fail("expected the name of a file, got an empty text");
-  return text;
-}
-
 }  // namespace
 
 Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& base_directory,
@@ -32,9 +26,9 @@ Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& bas
   require_version(root);
   Recipe recipe;
   recipe.base_directory = base_directory;
-  recipe.mesh = read_path(root.at("mesh"));
+  recipe.mesh = root.at("mesh").file_name();
   for (const JsonNode& step : root.at("steps").elements()) recipe.steps.push_back(read_step(step));
-  if (const auto save = root.find("save")) recipe.save = read_path(*save);
+  if (const auto save = root.find("save")) recipe.save = save->file_name();
   return recipe;
 }
 

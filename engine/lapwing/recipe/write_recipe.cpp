@@ -216,7 +216,7 @@ std::string to_json(const Recipe& recipe) {
     return pretty(root, "", kLineWidth) + "\n";
   } catch (const Json::type_error&) {
     throw InputError(
-        "the name of the mesh or of the result is not UTF-8, which a recipe is "
+        "the name of the mesh, of a source or of the result is not UTF-8, which a recipe is "
         "written in; rename the file");
   }
 }

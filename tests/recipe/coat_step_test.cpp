@@ -1,0 +1,158 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/recipe/recipe.h"
+
+namespace lapwing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Recipe parse(const std::string& text) {
+  return parse_recipe(text, "/data", "coat.json");
+}
+
+// A recipe of one coat step; `keys` begins with a comma.
+CoatStep coat_of(const std::string& keys) {
+  const Recipe recipe = parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "coat",
+      "source_patch": {"all": true}, "target_patch": {"vertices": [1, 2, 3]}, "detail_size": 2)" +
+                              keys + "}]}");
+  return std::get<CoatStep>(recipe.steps.at(0));
+}
+
+Recipe recipe_of(CoatStep step) {
+  return {"target.ply", {std::move(step)}, "", "/data"};
+}
+
+// Every key away from its default.
+CoatStep full_step() {
+  CoatStep step;
+  step.source = "../meshes/lizard.ply";
+  step.source_patch = {DiskInRegion{{{GeodesicDisk{Index{7}, 0.25}}}}};
+  step.target_patch = {Box{{-1, -2, -3}, {4, 5, 6}}};
+  CoatParameters& parameters = step.parameters;
+  parameters.detail_size = 0.1 + 0.2;
+  parameters.smooth_target = 1.0 / 3.0;
+  parameters.weights = LaplacianWeights::uniform;
+  parameters.correspondence.domain = Domain::square;
+  parameters.correspondence.boundary_pairs = {{1, 10}, {2, 20}, {3, 30}, {4, 40}};
+  parameters.correspondence.inner_pairs = {{5, 50}, {6, 60}};
+  parameters.sampling = {MappedSampling::linear, 1e-300};
+  parameters.amplitude = -1.5;
+  parameters.transition = Transition{0.0, Transition::Profile::linear};
+  parameters.remesh = Remeshing::none;
+  return step;
+}
+
+TEST(CoatStep, ReadsEveryKey) {
+  CoatStep expected = full_step();
+  expected.source_patch = {AllVertices{}};
+  expected.target_patch = {ListedVertices{{1, 2, 3}}};
+  expected.parameters.detail_size = 2.0;
+  expected.parameters.smooth_target = 0.5;
+  expected.parameters.sampling.scale = 3.0;
+  EXPECT_EQ(coat_of(R"(, "source": "../meshes/lizard.ply", "smooth_target": 0.5,
+      "weights": "uniform", "domain": "square",
+      "boundary_pairs": [[1, 10], [2, 20], [3, 30], [4, 40]], "inner_pairs": [[5, 50], [6, 60]],
+      "sampling": "linear", "scale": 3, "amplitude": -1.5,
+      "transition": {"width": 0, "profile": "linear"}, "remesh": "none")"),
+            expected);
+}
+
+TEST(CoatStep, ShortestFormHasTheDefaults) {
+  CoatStep expected;
+  expected.source_patch = {AllVertices{}};
+  expected.target_patch = {ListedVertices{{1, 2, 3}}};
+  expected.parameters.detail_size = 2.0;
+  const CoatStep step = coat_of("");
+  EXPECT_EQ(step, expected);
+  EXPECT_TRUE(step.source.empty());
+  EXPECT_EQ(step.parameters.smooth_target, 0.0);
+  EXPECT_EQ(step.parameters.weights, LaplacianWeights::cotangent);
+  EXPECT_EQ(step.parameters.correspondence.domain, Domain::disk);
+  EXPECT_EQ(step.parameters.sampling.sampling, MappedSampling::one_ring);
+  EXPECT_EQ(step.parameters.sampling.scale, std::nullopt);
+  EXPECT_EQ(step.parameters.amplitude, 1.0);
+  EXPECT_EQ(step.parameters.transition, std::nullopt);
+  EXPECT_EQ(step.parameters.remesh, Remeshing::automatic);
+}
+
+TEST(CoatStep, DefaultsCanBeWrittenOut) {
+  EXPECT_EQ(coat_of(R"(, "smooth_target": 0, "weights": "cotangent", "domain": "disk",
+      "boundary_pairs": [], "inner_pairs": [], "sampling": "one_ring", "scale": "auto",
+      "amplitude": 1, "remesh": "auto")"),
+            coat_of(""));
+}
+
+TEST(CoatStep, TransitionIsSmoothUnlessToldOtherwise) {
+  EXPECT_EQ(coat_of(R"(, "transition": {"width": 0.5})").parameters.transition,
+            (Transition{0.5, Transition::Profile::smooth}));
+  EXPECT_EQ(coat_of(R"(, "transition": {"width": 0.5, "profile": "smooth"})"),
+            coat_of(R"(, "transition": {"width": 0.5})"));
+}
+
+TEST(CoatStep, DiskTakesOneBoundaryPair) {
+  EXPECT_EQ(coat_of(R"(, "boundary_pairs": [[3, 4]])").parameters.correspondence.boundary_pairs,
+            (std::vector<VertexPair>{{3, 4}}));
+}
+
+TEST(CoatStep, KnowsWhereItWasWritten) {
+  const CoatStep step = coat_of("");
+  EXPECT_EQ(step.where, "coat.json: /steps/0");
+  EXPECT_EQ(step.source_patch.where, "coat.json: /steps/0/source_patch");
+  EXPECT_EQ(step.target_patch.where, "coat.json: /steps/0/target_patch");
+}
+
+TEST(CoatStep, IsReadBackAsItWasWritten) {
+  for (const CoatStep& step : {full_step(), coat_of("")}) {
+    const std::string text = to_json(recipe_of(step));
+    EXPECT_EQ(std::get<CoatStep>(parse(text).steps.at(0)), step) << text;
+    EXPECT_EQ(to_json(parse(text)), text);
+  }
+}
+
+TEST(CoatStep, StandsBesideADeform) {
+  DeformStep deform;
+  deform.handles.push_back({{ListedVertices{{4}}}, SimilarityMove{}});
+  const Recipe recipe{"a.obj", {full_step(), deform, full_step()}, "out.ply", "/data"};
+  EXPECT_EQ(parse(to_json(recipe)), recipe);
+}
+
+TEST(CoatStep, IsWrittenForReaders) {
+  EXPECT_EQ(to_json(recipe_of(full_step())), R"({
+  "lapwing": 1,
+  "mesh": "target.ply",
+  "steps": [
+    {
+      "op": "coat",
+      "source": "../meshes/lizard.ply",
+      "source_patch": {"disk_in": {"disk": {"center": 7, "radius": 0.25}}},
+      "target_patch": {"box": {"min": [-1, -2, -3], "max": [4, 5, 6]}},
+      "detail_size": 0.30000000000000004,
+      "smooth_target": 0.3333333333333333,
+      "weights": "uniform",
+      "domain": "square",
+      "boundary_pairs": [[1, 10], [2, 20], [3, 30], [4, 40]],
+      "inner_pairs": [[5, 50], [6, 60]],
+      "sampling": "linear",
+      "scale": 1e-300,
+      "amplitude": -1.5,
+      "transition": {"width": 0, "profile": "linear"},
+      "remesh": "none"
+    }
+  ]
+}
+)");
+}
+
+TEST(CoatStep, WithoutASourceWritesNone) {
+  const std::string text = to_json(recipe_of(coat_of("")));
+  for (const char* key : {"\"source\":", "boundary_pairs", "inner_pairs", "transition"}) {
+    EXPECT_THAT(text, Not(HasSubstr(key)));
+  }
+  EXPECT_THAT(text, HasSubstr(R"("scale": "auto")"));
+}
+
+}  // namespace
+}  // namespace lapwing
