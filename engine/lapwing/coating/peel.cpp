@@ -1,5 +1,7 @@
 #include "lapwing/coating/peel.h"
 
+#include <utility>
+
 #include "lapwing/coating/fairing.h"
 #include "lapwing/coating/ring_areas.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -38,16 +40,18 @@ Coating peel(Patch patch, std::span<const Vector3d> positions, const Topology& t
              double detail_size, LaplacianWeights weights, Kernels& kernels) {
   Coating coating;
   coating.detail_size = detail_size;
-  const Positions smooth =
-      smooth_around(patch.vertices, detail_size, positions, topology, weights, "detail_size");
-  std::vector<Vector3d> displacement(positions.size());
-  for (std::size_t v = 0; v < displacement.size(); ++v) displacement[v] = positions[v] - smooth[v];
+  const auto [part, rest, smooth] =
+      smooth_part(patch.vertices, detail_size, positions, topology, weights, "detail_size");
+  std::vector<Vector3d> displacement(rest.size());
+  for (std::size_t v = 0; v < displacement.size(); ++v) displacement[v] = rest[v] - smooth[v];
 
-  coating.positions = on_patch<Vector3d>(patch, positions);
+  const VertexSet in_mesh = std::exchange(patch.vertices, own_numbers(part, patch.vertices));
+  coating.positions = on_patch<Vector3d>(patch, rest);
   coating.smooth = on_patch<Vector3d>(patch, smooth);
-  coating.normals = patch_normals(patch, topology, smooth);
+  coating.normals = patch_normals(patch, part.topology, smooth);
   coating.displacement = on_patch<Vector3d>(patch, displacement);
-  coating.curvature = patch_curvature(patch, topology, smooth, displacement, weights, kernels);
+  coating.curvature = patch_curvature(patch, part.topology, smooth, displacement, weights, kernels);
+  patch.vertices = in_mesh;
   coating.patch = std::move(patch);
   return coating;
 }
