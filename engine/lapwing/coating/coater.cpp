@@ -8,6 +8,7 @@
 #include "lapwing/coating/ring_areas.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/region/submesh.h"
 
 namespace lapwing {
 
@@ -59,12 +60,16 @@ double norm(const Columns& x) {
 struct Coater::State {
   State(const CoatTarget& target, const Topology& mesh_topology, const Patch& target_patch,
         const CoaterOptions& coater_options, Kernels& device)
-      : rest(target.rest),
-        smooth(target.smooth.empty() ? target.rest : target.smooth),
-        topology(mesh_topology),
+      : target_rest(target.rest),
+        keeps_detail(target.smooth.empty()),
+        part(submesh_around(target_patch.vertices, mesh_topology)),
+        rest(part.own(target.rest)),
+        smooth(keeps_detail ? rest : part.own(target.smooth)),
         patch(target_patch),
         options(coater_options),
-        kernels(device) {}
+        kernels(device) {
+    patch.vertices = part.region;
+  }
 
   void make_system(const Progress& progress);
   void make_frames();
@@ -74,15 +79,19 @@ struct Coater::State {
   const RegionRings& rings() const { return system->rings(); }
   std::size_t unknown_count() const { return system->size(); }
 
-  std::span<const Vector3d> rest;
-  std::span<const Vector3d> smooth;
-  const Topology& topology;
+  std::span<const Vector3d> target_rest;  // of the whole mesh
+  bool keeps_detail;
+  // All below is in the numbers of this part.
+  Submesh part;
+  Positions rest;
+  Positions smooth;
   Patch patch;
   CoaterOptions options;
   Kernels& kernels;
   StageTimings timings;
 
   Constraints constraints;
+  VertexSet free;  // in the mesh's numbers
   std::unique_ptr<SystemPattern> pattern;
   std::unique_ptr<LaplacianSystem> system;
   std::vector<double> shares;       // f, per row of the rings
@@ -101,36 +110,43 @@ void Coater::State::make_system(const Progress& progress) {
   region.roi = patch.vertices;
   for (const Index own : patch.loop) region.belt.push_back(patch.vertices[own]);
   region.belt = make_vertex_set(std::move(region.belt));
-  constraints = constraints_of(region, topology, 1.0, true);
-  const VertexSet& free = constraints.unknowns.vertices;
-  if (free.empty()) {
+  constraints = constraints_of(region, part.topology, 1.0, true);
+  const VertexSet& unknowns = constraints.unknowns.vertices;
+  if (unknowns.empty()) {
     throw InputError(
         "the target patch has no inner vertices to coat; choose a larger one, or a "
         "finer mesh");
   }
   if (options.hold_length > 0.0) {
-    const auto weights = laplacian_weights(topology, rest, options.weights);
-    const auto radii = squared_rings(topology.rings, weights, rest, free);
-    for (std::size_t k = 0; k < free.size(); ++k) {
+    const auto weights = laplacian_weights(part.topology, rest, options.weights);
+    const auto radii = squared_rings(part.topology.rings, weights, rest, unknowns);
+    for (std::size_t k = 0; k < unknowns.size(); ++k) {
       const double squared = radii[k] * std::pow(std::numbers::pi / options.hold_length, 2);
       constraints.W[k] = squared * squared;
     }
   }
+  for (const Index own : unknowns) free.push_back(part.vertices[own]);
   report_progress(progress, "order", 0.0);
   const Stopwatch watch;
-  pattern = std::make_unique<SystemPattern>(topology, region.roi, constraints.unknowns);
+  pattern = std::make_unique<SystemPattern>(part.topology, region.roi, constraints.unknowns);
   pattern->order();
   timings.add("order", watch.elapsed_ms());
   report_progress(progress, "laplacian", 0.0);
-  system = std::make_unique<LaplacianSystem>(rest, topology, region.roi, constraints, *pattern,
-                                             options.weights, 0.0, timings);
+  try {
+    system = std::make_unique<LaplacianSystem>(rest, part.topology, region.roi, constraints,
+                                               *pattern, options.weights, 0.0, timings);
+  } catch (const SolverError&) {  // names a vertex of the part
+    throw SolverError("the system of the target patch around vertex " +
+                      std::to_string(free.front()) +
+                      " is singular; look for damage with `lapwing check`");
+  }
   for (const int k : system->elimination_order()) {
     holds.push_back(constraints.W[static_cast<std::size_t>(k)]);
   }
 }
 
 void Coater::State::make_frames() {
-  const auto by_own = fades(options.transition, patch, topology, rest);
+  const auto by_own = fades(options.transition, patch, part.topology, rest);
   const std::size_t row_count = rings().row_count();
   for (std::size_t r = 0; r < row_count; ++r) {
     shares.push_back(by_own[patch.own_number(rings().vertices[r])]);
@@ -142,7 +158,8 @@ void Coater::State::make_frames() {
     }
   }
   std::vector<Vector3d> all(rest.size(), Vector3d::Zero());
-  vertex_normals(smooth, topology.triangles, topology.vertex_triangles, rings().vertices, all);
+  vertex_normals(smooth, part.topology.triangles, part.topology.vertex_triangles, rings().vertices,
+                 all);
   for (const Index v : rings().vertices) {
     positions.push_back(smooth[v]);
     normals.push_back(all[v]);
@@ -169,7 +186,7 @@ Columns Coater::State::solve_for(std::span<const Vector3d> y, std::span<const Ve
 }
 
 void Coater::State::take_own_detail_away() {
-  if (smooth.data() == rest.data()) return;
+  if (keeps_detail) return;
   // Nothing outside the patch, as for a coating.
   const auto detail = [&](Index own) -> Vector3d {
     const Index v = rings().vertices[own];
@@ -278,11 +295,12 @@ void Coater::take(const Coating& coating, std::span<const SurfacePoint> points,
 Positions Coater::coat(double amplitude) const {
   const State& state = *state_;
   const std::size_t n = state.unknown_count();
-  Positions positions(state.rest.begin(), state.rest.end());
+  Positions positions(state.target_rest.begin(), state.target_rest.end());
   const auto add = [&](const Columns& u, double share) {
     if (u.empty() || share == 0.0) return;
     for (std::size_t k = 0; k < n; ++k) {
-      positions[state.rings().vertices[k]] += share * Vector3d(u[k], u[n + k], u[2 * n + k]);
+      positions[state.part.vertices[state.rings().vertices[k]]] +=
+          share * Vector3d(u[k], u[n + k], u[2 * n + k]);
     }
   };
   add(state.base, 1.0);
@@ -297,7 +315,7 @@ double Coater::relative_residual() const {
   return state_->residual;
 }
 const VertexSet& Coater::free() const {
-  return state_->constraints.unknowns.vertices;
+  return state_->free;
 }
 const StageTimings& Coater::timings() const {
   return state_->timings;
