@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "benches.h"
-#include "lapwing/base/parallel.h"
+#include "lapwing/coating/carried_length.h"
 #include "lapwing/coating/coater.h"
 #include "lapwing/coating/correspondence.h"
 #include "lapwing/coating/fairing.h"
@@ -165,16 +165,17 @@ class CoatBenchRun {
     coating_ = peeled(*open_device("cpu"), detail_);
     smooth_ = smooth_target();
     laid_ = on_patch<Vector3d>(target_, smooth_);
-    const auto pins = own_pins();
-    source_map_ = mean_value_map(source_, coating_.smooth, Domain::disk, pins[0]);
-    target_map_ = mean_value_map(target_, laid_, Domain::disk, pins[1]);
+    pins_ = {default_pins(source_, coating_.smooth, Domain::disk),
+             default_pins(target_, laid_, Domain::disk)};
+    source_map_ = mean_value_map(source_, coating_.smooth, Domain::disk, pins_[0]);
+    target_map_ = mean_value_map(target_, laid_, Domain::disk, pins_[1]);
     inner_pairs_ =
         some_inner_pairs(source_, source_map_, target_, target_map_, settings.inner_pairs);
   }
 
   void print_sizes() const;
-  void measure_reference();
-  void measure_steps(const std::string& device);
+  void measure_steps(Kernels& kernels, bool smooth_target);
+  void measure_sliders(Kernels& kernels);
   void measure_parts();
 
  private:
@@ -187,17 +188,14 @@ class CoatBenchRun {
                          pair_.target.topology, LaplacianWeights::cotangent, "smooth_target");
   }
   double target_detail() const { return settings_.detail_size * pair_.target.edge_length; }
-  std::array<BoundaryPins, 2> own_pins() const {
-    return {default_pins(source_, coating_.smooth, Domain::disk),
-            default_pins(target_, laid_, Domain::disk)};
-  }
   CorrespondenceOptions pairs() const {
     CorrespondenceOptions options;
     options.inner_pairs = inner_pairs_;
     return options;
   }
-  CoatStep step() const;
-  void measure_sliders(Kernels& kernels);
+  CoatStep step(bool smooth_target) const;
+  void factor_system() const;
+  void solve_maps() const;
 
   const CoatBench& settings_;
   const Pair& pair_;
@@ -207,10 +205,10 @@ class CoatBenchRun {
   Coating coating_;
   Positions smooth_;
   std::vector<Vector3d> laid_;
+  std::array<BoundaryPins, 2> pins_;
   DomainMap source_map_;
   DomainMap target_map_;
   std::vector<VertexPair> inner_pairs_;
-  double reference_ms_ = 0.0;
 };
 
 void print_heading(const std::string& title) {
@@ -232,38 +230,24 @@ void CoatBenchRun::print_sizes() const {
       pair_.target.mesh.vertex_count(), settings_.detail_size, inner_pairs_.size());
 }
 
-// What the target is set beside: its n x n system, and the two parameterizations.
-void CoatBenchRun::measure_reference() {
-  print_heading("reference");
-  const Mesh& mesh = pair_.target.mesh;
+// What the step is set beside: the target's n x n system, and the two parameterizations.
+void CoatBenchRun::factor_system() const {
   const Topology& topology = pair_.target.topology;
-  const Samples system = measure(settings_.repeats, [&] {
-    EditRegion region;
-    region.roi = target_.vertices;
-    for (const Index own : target_.loop) region.belt.push_back(target_.vertices[own]);
-    region.belt = make_vertex_set(std::move(region.belt));
-    const Constraints constraints = constraints_of(region, topology, 1.0, true);
-    const SystemPattern pattern(topology, region.roi, constraints.unknowns);
-    pattern.order();
-    StageTimings timings;
-    const LaplacianSystem factored(mesh.positions, topology, region.roi, constraints, pattern,
-                                   LaplacianWeights::cotangent, 0.0, timings);
-  });
-  print("n x n system of the target", system);
-  const auto pins = own_pins();
-  const auto map_source = [&] { mean_value_map(source_, coating_.smooth, Domain::disk, pins[0]); };
-  const auto map_target = [&] { mean_value_map(target_, laid_, Domain::disk, pins[1]); };
-  const Samples in_turn = measure(settings_.repeats, [&] {
-    map_source();
-    map_target();
-  });
-  print("parameterizations, one after another", in_turn);
-  const Samples together =
-      measure(settings_.repeats, [&] { parallel_invoke(map_source, map_target); });
-  print("parameterizations, side by side", together);
-  reference_ms_ = system.median() + std::min(in_turn.median(), together.median());
-  std::printf("| %-36s | %9.2f |           |           |\n", "reference: system and maps",
-              reference_ms_);
+  EditRegion region;
+  region.roi = target_.vertices;
+  for (const Index own : target_.loop) region.belt.push_back(target_.vertices[own]);
+  region.belt = make_vertex_set(std::move(region.belt));
+  const Constraints constraints = constraints_of(region, topology, 1.0, true);
+  const SystemPattern pattern(topology, region.roi, constraints.unknowns);
+  pattern.order();
+  StageTimings timings;
+  const LaplacianSystem factored(pair_.target.mesh.positions, topology, region.roi, constraints,
+                                 pattern, LaplacianWeights::cotangent, 0.0, timings);
+}
+
+void CoatBenchRun::solve_maps() const {
+  mean_value_map(source_, coating_.smooth, Domain::disk, pins_[0]);
+  mean_value_map(target_, laid_, Domain::disk, pins_[1]);
 }
 
 // Each by itself, as nothing else runs.
@@ -289,9 +273,8 @@ void CoatBenchRun::measure_parts() {
         }));
   print("target: fairing factored and solved",
         measure(repeats, [&] { fairing->smooth(target_detail()); }));
-  const auto pins = own_pins();
   print("mean value map of the target",
-        measure(repeats, [&] { mean_value_map(target_, laid_, Domain::disk, pins[1]); }));
+        measure(repeats, [&] { mean_value_map(target_, laid_, Domain::disk, pins_[1]); }));
   DomainMap bent = source_map_;
   if (!inner_pairs_.empty()) {
     std::vector<PointPull> pulls;
@@ -306,20 +289,25 @@ void CoatBenchRun::measure_parts() {
   }
   print("flipped triangles of the source",
         measure(repeats, [&] { flipped_triangles(source_.triangles, bent.points); }));
+  std::vector<SurfacePoint> points;
   print("location of the target's vertices", measure(repeats, [&] {
-          DomainLocator(source_.triangles, bent.points).locate(target_map_.points);
+          points = DomainLocator(source_.triangles, bent.points).locate(target_map_.points);
+        }));
+  const auto own = on_patch<Vector3d>(target_, mesh.positions);
+  print("look whether to remesh", measure(repeats, [&] {
+          CarriedLength(coating_, target_, own, points).asks_for_remeshing();
         }));
 }
 
-CoatStep CoatBenchRun::step() const {
+CoatStep CoatBenchRun::step(bool smooth_target) const {
   CoatStep step;
   step.source = pair_.source_path;
   step.source_patch.form = ListedVertices{pair_.source.region};
   step.target_patch.form = ListedVertices{pair_.target.region};
   step.parameters.detail_size = detail_;
-  step.parameters.smooth_target = target_detail();
+  if (smooth_target) step.parameters.smooth_target = target_detail();
   step.parameters.correspondence = pairs();
-  step.parameters.remesh = settings_.remesh_check ? Remeshing::automatic : Remeshing::none;
+  step.parameters.remesh = Remeshing::none;
   return step;
 }
 
@@ -334,6 +322,7 @@ void CoatBenchRun::measure_sliders(Kernels& kernels) {
                 kernels);
   coater.take(coating_, map.points, {});
   double amplitude = 0.5;
+  print_heading("sliders");
   print("amplitude changed: coat", measure(20 * settings_.repeats, [&] {
           amplitude = 1.5 - amplitude;
           coater.coat(amplitude);
@@ -351,35 +340,44 @@ void CoatBenchRun::measure_sliders(Kernels& kernels) {
   print("  of it take", taking);
 }
 
-void CoatBenchRun::measure_steps(const std::string& device) {
-  const auto kernels = open_device(device);
-  const CoatStep coat = step();
+void CoatBenchRun::measure_steps(Kernels& kernels, bool smooth_target) {
+  const CoatStep coat = step(smooth_target);
   std::vector<std::string> order;
   std::map<std::string, Samples> stages;
   Samples total;
-  // Once to warm up.
+  Samples system;
+  Samples maps;
+  Samples reference;
+  // Once to warm up. Step and reference in turn: what else the machine does then slows both.
   for (int run = 0; run <= settings_.repeats; ++run) {
     RunResult result;
     result.mesh = pair_.target.mesh;
     result.topology = pair_.target.topology;
     result.original = result.mesh.positions;
     const Stopwatch watch;
-    const StepReport report = run_step(coat, "", *kernels, {}, result);
+    const StepReport report = run_step(coat, "", kernels, {}, result);
     double whole = watch.elapsed_ms();
+    const Samples system_now = measure_cold(1, [&] { factor_system(); });
+    const Samples maps_now = measure_cold(1, [&] { solve_maps(); });
     if (run == 0) continue;
+    system.milliseconds.push_back(system_now.median());
+    maps.milliseconds.push_back(maps_now.median());
+    reference.milliseconds.push_back(system_now.median() + maps_now.median());
     for (const auto& [name, ms] : report.timings.stages()) {
-      if (name == "source" || name == "remesh") whole -= ms;  // reading and remeshing
+      if (name == "source") whole -= ms;  // reading
       if (!stages.contains(name)) order.push_back(name);
       stages[name].milliseconds.push_back(ms);
     }
     total.milliseconds.push_back(whole);
   }
-  print_heading("coat step on " + kernels->device().name.substr(0, 22));
+  print_heading(std::string("coat step, target ") + (smooth_target ? "smoothed" : "as it is"));
   for (const std::string& name : order) print(name, stages[name]);
-  print("whole, without reading, remeshing", total);
+  print("whole, but for reading", total);
+  print("n x n system of the target", system);
+  print("the two parameterizations", maps);
+  print("reference: system and the two", reference);
   std::printf("| %-36s | %9.2f |           |           |\n", "whole / reference",
-              total.median() / reference_ms_);
-  measure_sliders(*kernels);
+              total.median() / reference.median());
 }
 
 }  // namespace
@@ -388,8 +386,13 @@ void bench_coat(const CoatBench& settings) {
   const Pair pair = settings.source.empty() ? generated_pair(settings) : read_pair(settings);
   CoatBenchRun run(settings, pair);
   run.print_sizes();
-  run.measure_reference();
-  for (const std::string& device : settings.devices) run.measure_steps(device);
+  for (const std::string& device : settings.devices) {
+    const auto kernels = open_device(device);
+    std::printf("\nOn %s\n", kernels->device().name.c_str());
+    run.measure_steps(*kernels, false);
+    run.measure_steps(*kernels, true);
+    run.measure_sliders(*kernels);
+  }
   run.measure_parts();
 }
 

@@ -51,14 +51,13 @@ struct CoatBench {
   std::string target;                  ///< likewise for the target
   double detail_size = 10.0;           ///< in mean edge lengths, of the source and of the target
   std::size_t inner_pairs = 4;
-  bool remesh_check = true;  ///< whether the step looks if it should remesh
   std::vector<std::string> devices{"cpu", "auto"};
   int repeats = 7;
 };
 
-/// A coat step from one patch to another by stages, on each of the devices, beside what it is
-/// measured by: the target's n x n system and the two parameterizations; then what a change of its
-/// amplitude and of its detail size costs, and its parts alone.
+/// A coat step from one patch to another, without remeshing, by stages, on each of the devices,
+/// beside what it is measured by: the target's n x n system and the two parameterizations; then
+/// what a change of its amplitude and of its detail size costs, and its parts alone.
 void bench_coat(const CoatBench& settings);
 
 struct FrameBench {

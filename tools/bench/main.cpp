@@ -74,8 +74,6 @@ int main(int argc, char** argv) {
   coat->add_option("--detail-size", coat_settings.detail_size, "in edge lengths")
       ->check(CLI::Range(0.1, 1000.0));
   coat->add_option("--inner-pairs", coat_settings.inner_pairs)->check(CLI::Range(0, 100));
-  coat->add_flag("!--no-remesh-check", coat_settings.remesh_check,
-                 "leave out the look whether to remesh");
   coat->add_option("--devices", coat_settings.devices)->delimiter(',');
   coat->callback([&] {
     coat_settings.repeats = repeats;

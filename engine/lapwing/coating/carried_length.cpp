@@ -86,9 +86,7 @@ void spread(std::span<const Triangle> triangles, std::vector<double>& values) {
 CarriedLength::CarriedLength(const Coating& coating, const Patch& target,
                              std::span<const Vector3d> positions,
                              std::span<const SurfacePoint> points)
-    : triangles_(target.triangles),
-      lengths_(mean_edges(target.triangles, positions)),
-      closest_(triangles_, positions, all_in_one(triangles_.size())) {
+    : triangles_(target.triangles), lengths_(mean_edges(target.triangles, positions)) {
   const auto source_edges = mean_edges(coating.patch.triangles, coating.smooth);
   const auto ratios = local_ratios(target, positions, points, coating.smooth);
   std::size_t coarse = 0;
@@ -100,6 +98,8 @@ CarriedLength::CarriedLength(const Coating& coating, const Patch& target,
   }
   too_coarse_ =
       static_cast<double>(coarse) > kCoarseShare * static_cast<double>(target.vertices.size());
+  if (!too_coarse_) return;
+  closest_.emplace(triangles_, positions, all_in_one(triangles_.size()));
   constexpr int kSpreads = 3;
   for (int i = 0; i < kSpreads; ++i) spread(triangles_, lengths_);
 
@@ -113,7 +113,7 @@ CarriedLength::CarriedLength(const Coating& coating, const Patch& target,
 }
 
 double CarriedLength::operator()(const Vector3d& point) const {
-  const remeshing::TrianglePoint nearest = closest_.find(0, point);
+  const remeshing::TrianglePoint nearest = closest_->find(0, point);
   return SurfacePoint{triangles_[nearest.triangle], nearest.weights}.of<double>(lengths_);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,10 +23,10 @@ class CarriedLength {
   /// should be at more than kCoarseShare of its vertices.
   bool asks_for_remeshing() const { return too_coarse_; }
 
-  /// The edge length wanted near `point` of the target.
+  /// The edge length wanted near `point` of a target that asks for remeshing.
   double operator()(const Eigen::Vector3d& point) const;
 
-  /// About how many vertices the patch has with these edges.
+  /// About how many vertices the patch has with these edges; 0 where it does not ask for remeshing.
   double vertex_estimate() const { return vertex_estimate_; }
 
   /// Makes all lengths longer so that the estimate is at most `count`.
@@ -37,7 +38,8 @@ class CarriedLength {
  private:
   std::vector<Triangle> triangles_;
   std::vector<double> lengths_;  ///< per own number
-  remeshing::ClosestPoint closest_;
+  /// None where nothing asks for remeshing: it costs more than all the rest.
+  std::optional<remeshing::ClosestPoint> closest_;
   bool too_coarse_ = false;
   double vertex_estimate_ = 0.0;
 };

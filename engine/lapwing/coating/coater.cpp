@@ -7,8 +7,10 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/coating/ring_areas.h"
+#include "lapwing/coating/ring_columns.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/region/submesh.h"
 
 namespace lapwing {
 
@@ -16,44 +18,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 namespace {
-
-// x of all unknowns, then y, then z, as LaplacianSystem solves for.
-using Columns = std::vector<double>;
-
-// (L y)_r = y_r - sum_j w_rj y_j over the rows of `rings`; vertices that are no unknowns are 0.
-std::vector<Vector3d> laplacians(const RegionRings& rings, const Columns& u, std::size_t n) {
-  const auto at = [&](std::size_t own) {
-    return own < n ? Vector3d(u[own], u[n + own], u[2 * n + own]) : Vector3d(0.0, 0.0, 0.0);
-  };
-  std::vector<Vector3d> result(rings.row_count());
-  for (std::size_t r = 0; r < result.size(); ++r) {
-    result[r] = rings.starts[r] == rings.starts[r + 1] ? Vector3d::Zero() : at(r);
-    for (std::size_t e = rings.starts[r]; e < rings.starts[r + 1]; ++e) {
-      result[r] -= rings.weights[e] * at(rings.neighbours[e]);
-    }
-  }
-  return result;
-}
-
-// L' y over the unknowns.
-Columns transposed(const RegionRings& rings, std::span<const Vector3d> y, std::size_t n) {
-  Columns b(3 * n);
-  for (std::size_t k = 0; k < n; ++k) {
-    Vector3d sum = y[k];
-    for (std::size_t e = rings.starts[k]; e < rings.starts[k + 1]; ++e) {
-      const Index j = rings.neighbours[e];
-      if (rings.is_row(j)) sum -= rings.reverse_weights[e] * y[j];
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      b[axis * n + k] = sum[static_cast<Eigen::Index>(axis)];
-    }
-  }
-  return b;
-}
-
-double norm(const Columns& x) {
-  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())).norm();
-}
 
 // What the coating is at every row: its Laplacians and its displacement, on the source yet.
 struct Samples {
@@ -84,14 +48,21 @@ Samples sample(const MappedRings& mapped, const Coating& coating, MappedSampling
 struct Coater::State {
   State(const CoatTarget& target, const Topology& mesh_topology, const Patch& target_patch,
         const CoaterOptions& coater_options, Kernels& device)
-      : rest(target.rest),
-        smooth(target.smooth.empty() ? target.rest : target.smooth),
+      : target_rest(target.rest),
+        keeps_detail(target.smooth.empty() && !target.whole),
         whole(target.whole),
-        held(target.held.begin(), target.held.end()),
-        topology(mesh_topology),
+        part(submesh_around(target_patch.vertices, mesh_topology)),
+        rest(part.own(target.rest)),
+        smooth(target.smooth.empty() ? rest : part.own(target.smooth)),
         patch(target_patch),
         options(coater_options),
-        kernels(device) {}
+        kernels(device) {
+    patch.vertices = part.region;
+    for (const HeldVertex& anchor : target.held) {
+      const VertexSet own = own_numbers(part, {anchor.vertex});
+      held.push_back({own.front(), anchor.displacement});
+    }
+  }
 
   void make_system(const Progress& progress);
   void make_frames();
@@ -103,17 +74,21 @@ struct Coater::State {
   const RegionRings& rings() const { return system->rings(); }
   std::size_t unknown_count() const { return system->size(); }
 
-  std::span<const Vector3d> rest;
-  std::span<const Vector3d> smooth;
+  std::span<const Vector3d> target_rest;  // of the whole mesh
+  bool keeps_detail;
   bool whole;
+  // All below is in the numbers of this part.
+  Submesh part;
+  Positions rest;
+  Positions smooth;
   std::vector<HeldVertex> held;
-  const Topology& topology;
   Patch patch;
   CoaterOptions options;
   Kernels& kernels;
   StageTimings timings;
 
   Constraints constraints;
+  VertexSet free;  // in the mesh's numbers
   std::unique_ptr<SystemPattern> pattern;
   std::unique_ptr<LaplacianSystem> system;
   std::vector<double> shares;       // f, per row of the rings
@@ -132,17 +107,17 @@ void Coater::State::make_system(const Progress& progress) {
   region.roi = patch.vertices;
   for (const Index own : patch.loop) region.belt.push_back(patch.vertices[own]);
   region.belt = make_vertex_set(std::move(region.belt));
-  constraints = constraints_of(region, topology, 1.0, true);
-  const VertexSet& free = constraints.unknowns.vertices;
-  if (free.empty()) {
+  constraints = constraints_of(region, part.topology, 1.0, true);
+  const VertexSet& unknowns = constraints.unknowns.vertices;
+  if (unknowns.empty()) {
     throw InputError(
         "the target patch has no inner vertices to coat; choose a larger one, or a "
         "finer mesh");
   }
   if (options.hold_length > 0.0 && !whole) {
-    const auto weights = laplacian_weights(topology, rest, options.weights);
-    const auto radii = squared_rings(topology.rings, weights, rest, free);
-    for (std::size_t k = 0; k < free.size(); ++k) {
+    const auto weights = laplacian_weights(part.topology, rest, options.weights);
+    const auto radii = squared_rings(part.topology.rings, weights, rest, unknowns);
+    for (std::size_t k = 0; k < unknowns.size(); ++k) {
       const double squared = radii[k] * std::pow(std::numbers::pi / options.hold_length, 2);
       constraints.W[k] = squared * squared;
     }
@@ -151,21 +126,28 @@ void Coater::State::make_system(const Progress& progress) {
     const Index k = constraints.unknowns.of_vertex[anchor.vertex];
     if (k != kNoIndex) constraints.W[k] = 1.0;
   }
+  for (const Index own : unknowns) free.push_back(part.vertices[own]);
   report_progress(progress, "order", 0.0);
   const Stopwatch watch;
-  pattern = std::make_unique<SystemPattern>(topology, region.roi, constraints.unknowns);
+  pattern = std::make_unique<SystemPattern>(part.topology, region.roi, constraints.unknowns);
   pattern->order();
   timings.add("order", watch.elapsed_ms());
   report_progress(progress, "laplacian", 0.0);
-  system = std::make_unique<LaplacianSystem>(rest, topology, region.roi, constraints, *pattern,
-                                             options.weights, 0.0, timings);
+  try {
+    system = std::make_unique<LaplacianSystem>(rest, part.topology, region.roi, constraints,
+                                               *pattern, options.weights, 0.0, timings);
+  } catch (const SolverError&) {  // names a vertex of the part
+    throw SolverError("the system of the target patch around vertex " +
+                      std::to_string(free.front()) +
+                      " is singular; look for damage with `lapwing check`");
+  }
   for (const int k : system->elimination_order()) {
     holds.push_back(constraints.W[static_cast<std::size_t>(k)]);
   }
 }
 
 void Coater::State::make_frames() {
-  const auto by_own = fades(options.transition, patch, topology, rest);
+  const auto by_own = fades(options.transition, patch, part.topology, rest);
   const std::size_t row_count = rings().row_count();
   for (std::size_t r = 0; r < row_count; ++r) {
     // Where all of the target goes, its border still keeps to what is outside.
@@ -179,7 +161,8 @@ void Coater::State::make_frames() {
     }
   }
   std::vector<Vector3d> all(rest.size(), Vector3d::Zero());
-  vertex_normals(smooth, topology.triangles, topology.vertex_triangles, rings().vertices, all);
+  vertex_normals(smooth, part.topology.triangles, part.topology.vertex_triangles, rings().vertices,
+                 all);
   for (const Index v : rings().vertices) {
     positions.push_back(smooth[v]);
     normals.push_back(all[v]);
@@ -214,7 +197,7 @@ const HeldVertex* Coater::State::held_at(Index vertex) const {
 
 // What happens without any coating: the target's own detail goes, and the handles move.
 void Coater::State::solve_for_base() {
-  if (smooth.data() == rest.data() && !whole && held.empty()) return;
+  if (keeps_detail && held.empty()) return;
   // Nothing outside the patch, as for a coating.
   const auto detail = [&](Index own) -> Vector3d {
     const Index v = rings().vertices[own];
@@ -306,11 +289,12 @@ void Coater::take(std::span<const CoatLayer> layers, const Progress& progress) {
 Positions Coater::coat(double amplitude) const {
   const State& state = *state_;
   const std::size_t n = state.unknown_count();
-  Positions positions(state.rest.begin(), state.rest.end());
+  Positions positions(state.target_rest.begin(), state.target_rest.end());
   const auto add = [&](const Columns& u, double share) {
     if (u.empty() || share == 0.0) return;
     for (std::size_t k = 0; k < n; ++k) {
-      positions[state.rings().vertices[k]] += share * Vector3d(u[k], u[n + k], u[2 * n + k]);
+      positions[state.part.vertices[state.rings().vertices[k]]] +=
+          share * Vector3d(u[k], u[n + k], u[2 * n + k]);
     }
   };
   add(state.base, 1.0);
@@ -325,7 +309,7 @@ double Coater::relative_residual() const {
   return state_->residual;
 }
 const VertexSet& Coater::free() const {
-  return state_->constraints.unknowns.vertices;
+  return state_->free;
 }
 const StageTimings& Coater::timings() const {
   return state_->timings;

@@ -75,9 +75,9 @@ struct CoatLayer {
 ///     wanted
 class Coater {
  public:
-  /// Stages reported and timed: "order", "laplacian", "target_frames". What `target` points to,
-  /// `topology` and `kernels` must outlive the object. Throws InputError when the patch has no
-  /// inner vertex, SolverError when the system is singular.
+  /// Stages reported and timed: "order", "laplacian", "target_frames". What
+  /// `target.rest` points to and `kernels` must outlive the object. Throws InputError when the
+  /// patch has no inner vertex, SolverError when the system is singular.
   Coater(const CoatTarget& target, const Topology& topology, const Patch& patch,
          const CoaterOptions& options, Kernels& kernels, const Progress& progress = {});
   ~Coater();

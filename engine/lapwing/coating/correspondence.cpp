@@ -54,8 +54,11 @@ struct Pins {
 Pins pins_of(const PlacedPatch& source, const PlacedPatch& target,
              const CorrespondenceOptions& options, const std::string& where) {
   if (options.boundary_pairs.empty()) {
-    return {default_pins(source.patch, source.positions, options.domain),
-            default_pins(target.patch, target.positions, options.domain)};
+    Pins pins;
+    parallel_invoke(
+        [&] { pins.source = default_pins(source.patch, source.positions, options.domain); },
+        [&] { pins.target = default_pins(target.patch, target.positions, options.domain); });
+    return pins;
   }
   const std::size_t wanted = options.domain == Domain::disk ? 1 : 4;
   if (options.boundary_pairs.size() != wanted) {

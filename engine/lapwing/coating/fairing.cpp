@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
 #include "lapwing/coating/ring_areas.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/geodesic.h"
@@ -57,15 +58,21 @@ Fairing::Fairing(std::span<const Vector3d> positions, const Topology& topology,
     : positions_(positions),
       unknowns_(free_vertices(region, topology), topology.vertex_count()),
       solver_(make_solver()) {
-  // The same from both ends of an edge, so that D is self-adjoint for the masses.
-  const std::vector<double> s = weights == LaplacianWeights::cotangent
-                                    ? edge_weights(topology, positions)
-                                    : std::vector<double>(topology.rings.values.size(), 1.0);
-  masses_ = squared_rings(topology.rings, s, positions, free());
-  for (double& mass : masses_) mass *= 0.25;
-  rows_ = scaled_rows(topology.rings, s, free(), masses_);
-  pattern_ = std::make_unique<SystemPattern>(topology, free(), unknowns_);
-  if (!free().empty()) solver_->analyze(pattern_->blocks(), 1, pattern_->order());
+  const auto make_rows = [&] {
+    // The same from both ends of an edge, so that D is self-adjoint for the masses.
+    const std::vector<double> s = weights == LaplacianWeights::cotangent
+                                      ? edge_weights(topology, positions)
+                                      : std::vector<double>(topology.rings.values.size(), 1.0);
+    masses_ = squared_rings(topology.rings, s, positions, free());
+    for (double& mass : masses_) mass *= 0.25;
+    rows_ = scaled_rows(topology.rings, s, free(), masses_);
+  };
+  parallel_invoke(
+      [&] {
+        pattern_ = std::make_unique<SystemPattern>(topology, free(), unknowns_);
+        if (!free().empty()) solver_->analyze(pattern_->blocks(), 1, pattern_->order());
+      },
+      make_rows);
 }
 
 Positions Fairing::smooth(double length, const char* where) const {
@@ -96,7 +103,19 @@ Positions Fairing::smooth(double length, const char* where) const {
 
 VertexSet grown(const VertexSet& region, double distance, const Topology& topology,
                 std::span<const Vector3d> positions) {
-  const auto distances = geodesic_distances(topology, positions, region, distance);
+  // Ways out of the region begin at its border, and none leads through its inside.
+  const std::vector<char> inside = vertex_mask(topology.vertex_count(), region);
+  VertexSet border;
+  for (const Index v : region) {
+    const auto ring = topology.rings[v];
+    if (std::any_of(ring.begin(), ring.end(), [&](Index j) { return inside[j] == 0; })) {
+      border.push_back(v);
+    }
+  }
+  std::vector<char> allowed(topology.vertex_count(), 1);
+  for (const Index v : region) allowed[v] = 0;
+  for (const Index v : border) allowed[v] = 1;
+  const auto distances = geodesic_distances(topology, positions, border, distance, allowed);
   VertexSet result;
   for (Index v = 0; v < distances.size(); ++v) {
     if (distances[v] <= distance) result.push_back(v);
@@ -104,11 +123,26 @@ VertexSet grown(const VertexSet& region, double distance, const Topology& topolo
   return unite(result, region);
 }
 
+SmoothedPart smooth_part(const VertexSet& region, double length,
+                         std::span<const Vector3d> positions, const Topology& topology,
+                         LaplacianWeights weights, const char* where) {
+  require_length(length, where);
+  SmoothedPart result;
+  result.part = submesh_around(grown(region, length, topology, positions), topology);
+  result.rest = result.part.own(positions);
+  result.smooth =
+      Fairing(result.rest, result.part.topology, result.part.region, weights).smooth(length, where);
+  return result;
+}
+
 Positions smooth_around(const VertexSet& region, double length, std::span<const Vector3d> positions,
                         const Topology& topology, LaplacianWeights weights, const char* where) {
-  require_length(length, where);
-  return Fairing(positions, topology, grown(region, length, topology, positions), weights)
-      .smooth(length, where);
+  const SmoothedPart smoothed = smooth_part(region, length, positions, topology, weights, where);
+  Positions result(positions.begin(), positions.end());
+  for (std::size_t own = 0; own < smoothed.smooth.size(); ++own) {
+    result[smoothed.part.vertices[own]] = smoothed.smooth[own];
+  }
+  return result;
 }
 
 }  // namespace lapwing

@@ -8,7 +8,7 @@
 #include "lapwing/laplacian/system_pattern.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/topology.h"
-#include "lapwing/region/vertex_set.h"
+#include "lapwing/region/submesh.h"
 #include "lapwing/solve/block_solver.h"
 
 namespace lapwing {
@@ -48,12 +48,26 @@ class Fairing {
   std::unique_ptr<BlockSolver> solver_;  ///< analyzed
 };
 
+/// Fairing of a region and what lies within a length of it, on a mesh of the two alone: fairing's
+/// border is held where the mesh goes on, so that it leaves the region itself alone.
+struct SmoothedPart {
+  Submesh part;
+  Positions rest;    ///< own numbers of the part
+  Positions smooth;  ///< likewise
+};
+
+/// `region` smooth, with what lies within `length` of it. Where edges are weighted by cotangents,
+/// their mean is that of the part. Beside clearing a few numbers per vertex of the mesh, the cost
+/// is that of the part. Throws as `Fairing::smooth` does.
+SmoothedPart smooth_part(const VertexSet& region, double length,
+                         std::span<const Eigen::Vector3d> positions, const Topology& topology,
+                         LaplacianWeights weights, const char* where);
+
 /// The region and every vertex within `distance` of it, along the surface.
 VertexSet grown(const VertexSet& region, double distance, const Topology& topology,
                 std::span<const Eigen::Vector3d> positions);
 
-/// The whole mesh with `region`, and what lies within `length` of it, smooth: fairing's border is
-/// held where the mesh goes on, so that it leaves the region itself alone. Throws as `smooth` does.
+/// The whole mesh with what `smooth_part` gives. Throws as that does.
 Positions smooth_around(const VertexSet& region, double length,
                         std::span<const Eigen::Vector3d> positions, const Topology& topology,
                         LaplacianWeights weights, const char* where);

@@ -1,5 +1,7 @@
 #include "lapwing/coating/peel.h"
 
+#include <utility>
+
 #include "lapwing/coating/fairing.h"
 #include "lapwing/coating/ring_areas.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -32,16 +34,20 @@ std::vector<Vector3d> patch_curvature(const Patch& patch, const Topology& topolo
   return on_patch<Vector3d>(patch, curvature);
 }
 
-// `displacement` per vertex of the mesh.
-Coating coating_of(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
-                   std::span<const Vector3d> smooth, std::span<const Vector3d> displacement,
-                   LaplacianWeights weights, Kernels& kernels) {
+// The coating whose displacement `displacement_on` says of the surface and its smooth version.
+template <class DisplacementOn>
+Coating coating_of(Patch patch, const SmoothedPart& smoothed, LaplacianWeights weights,
+                   Kernels& kernels, const DisplacementOn& displacement_on) {
+  const auto& [part, rest, smooth] = smoothed;
+  const VertexSet in_mesh = std::exchange(patch.vertices, own_numbers(part, patch.vertices));
+  const std::vector<Vector3d> displacement = displacement_on(patch.vertices);
   Coating coating;
-  coating.positions = on_patch<Vector3d>(patch, positions);
+  coating.positions = on_patch<Vector3d>(patch, rest);
   coating.smooth = on_patch<Vector3d>(patch, smooth);
-  coating.normals = patch_normals(patch, topology, smooth);
+  coating.normals = patch_normals(patch, part.topology, smooth);
   coating.displacement = on_patch<Vector3d>(patch, displacement);
-  coating.curvature = patch_curvature(patch, topology, smooth, displacement, weights, kernels);
+  coating.curvature = patch_curvature(patch, part.topology, smooth, displacement, weights, kernels);
+  patch.vertices = in_mesh;
   coating.patch = std::move(patch);
   return coating;
 }
@@ -50,26 +56,31 @@ Coating coating_of(Patch patch, std::span<const Vector3d> positions, const Topol
 
 Coating peel(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
              double detail_size, LaplacianWeights weights, Kernels& kernels) {
-  const Positions smooth =
-      smooth_around(patch.vertices, detail_size, positions, topology, weights, "detail_size");
-  std::vector<Vector3d> displacement(positions.size());
-  for (std::size_t v = 0; v < displacement.size(); ++v) displacement[v] = positions[v] - smooth[v];
-  Coating coating =
-      coating_of(std::move(patch), positions, topology, smooth, displacement, weights, kernels);
+  const SmoothedPart smoothed =
+      smooth_part(patch.vertices, detail_size, positions, topology, weights, "detail_size");
+  Coating coating = coating_of(std::move(patch), smoothed, weights, kernels, [&](const VertexSet&) {
+    std::vector<Vector3d> displacement = smoothed.rest;
+    for (std::size_t v = 0; v < displacement.size(); ++v) {
+      displacement[v] -= smoothed.smooth[v];
+    }
+    return displacement;
+  });
   coating.detail_size = detail_size;
   return coating;
 }
 
 Coating whole_shape(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
                     double frame_size, LaplacianWeights weights, Kernels& kernels) {
-  const Positions smooth =
-      smooth_around(patch.vertices, frame_size, positions, topology, weights, "frame_size");
-  Vector3d mean = Vector3d::Zero();
-  for (const Index v : patch.vertices) mean += positions[v];
-  mean /= static_cast<double>(patch.vertices.size());
-  std::vector<Vector3d> from_mean(positions.begin(), positions.end());
-  for (Vector3d& p : from_mean) p -= mean;
-  return coating_of(std::move(patch), positions, topology, smooth, from_mean, weights, kernels);
+  const SmoothedPart smoothed =
+      smooth_part(patch.vertices, frame_size, positions, topology, weights, "frame_size");
+  return coating_of(std::move(patch), smoothed, weights, kernels, [&](const VertexSet& region) {
+    Vector3d mean = Vector3d::Zero();
+    for (const Index own : region) mean += smoothed.rest[own];
+    mean /= static_cast<double>(region.size());
+    std::vector<Vector3d> from_mean = smoothed.rest;
+    for (Vector3d& p : from_mean) p -= mean;
+    return from_mean;
+  });
 }
 
 }  // namespace lapwing

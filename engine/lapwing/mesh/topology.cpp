@@ -10,7 +10,25 @@ void accumulate_starts(std::vector<Index>& starts) {
   for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
 }
 
-Adjacency build_rings(const Adjacency& vertex_triangles, std::span<const Triangle> triangles) {
+}  // namespace
+
+Adjacency triangles_around_vertices(std::size_t vertex_count, std::span<const Triangle> triangles) {
+  Adjacency around;
+  around.starts.assign(vertex_count + 1, 0);
+  for (const Triangle& t : triangles) {
+    for (const Index v : t) ++around.starts[v + 1];
+  }
+  accumulate_starts(around.starts);
+  around.values.resize(around.starts.back());
+  std::vector<Index> next(around.starts.begin(), around.starts.end() - 1);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const Index v : triangles[t]) around.values[next[v]++] = static_cast<Index>(t);
+  }
+  return around;
+}
+
+Adjacency rings_by_triangles(const Adjacency& vertex_triangles,
+                             std::span<const Triangle> triangles) {
   Adjacency rings;
   const std::size_t n = vertex_triangles.row_count();
   rings.starts.reserve(n + 1);
@@ -31,23 +49,6 @@ Adjacency build_rings(const Adjacency& vertex_triangles, std::span<const Triangl
   return rings;
 }
 
-}  // namespace
-
-Adjacency triangles_around_vertices(std::size_t vertex_count, std::span<const Triangle> triangles) {
-  Adjacency around;
-  around.starts.assign(vertex_count + 1, 0);
-  for (const Triangle& t : triangles) {
-    for (const Index v : t) ++around.starts[v + 1];
-  }
-  accumulate_starts(around.starts);
-  around.values.resize(around.starts.back());
-  std::vector<Index> next(around.starts.begin(), around.starts.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const Index v : triangles[t]) around.values[next[v]++] = static_cast<Index>(t);
-  }
-  return around;
-}
-
 Topology build_topology(const Mesh& mesh) {
   validate_indices(mesh);
   Topology topology;
@@ -63,7 +64,7 @@ Topology build_topology(const Mesh& mesh) {
     }
   }
   topology.vertex_triangles = triangles_around_vertices(mesh.vertex_count(), topology.triangles);
-  topology.rings = build_rings(topology.vertex_triangles, topology.triangles);
+  topology.rings = rings_by_triangles(topology.vertex_triangles, topology.triangles);
   return topology;
 }
 

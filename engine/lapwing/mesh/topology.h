@@ -43,6 +43,10 @@ Topology build_topology(const Mesh& mesh);
 /// The triangles around each vertex, ascending. Linear time.
 Adjacency triangles_around_vertices(std::size_t vertex_count, std::span<const Triangle> triangles);
 
+/// The one-ring of each vertex, as in Topology. `vertex_triangles` as above.
+Adjacency rings_by_triangles(const Adjacency& vertex_triangles,
+                             std::span<const Triangle> triangles);
+
 /// Cuts one polygon into triangles that keep its orientation: a triangle as it is, a convex polygon
 /// as a fan from its first corner, any other by clipping ears in its mean plane. Appends to
 /// `triangles`. Corners keep their order, so the result depends only on the polygon's shape.

@@ -168,15 +168,23 @@ struct DomainLocator::Grid {
 
   void fill() {
     cells.starts.assign(std::size_t{counts[0]} * counts[1] + 1, 0);
+    std::vector<Index> reached;  // the cells of each triangle, one triangle after the other
+    std::vector<std::size_t> ends;
+    reached.reserve(3 * triangles.size());
+    ends.reserve(triangles.size());
     for (const Triangle& t : triangles) {
-      for_cells(t, [&](std::size_t cell) { ++cells.starts[cell + 1]; });
+      for_cells(t, [&](std::size_t cell) {
+        ++cells.starts[cell + 1];
+        reached.push_back(static_cast<Index>(cell));
+      });
+      ends.push_back(reached.size());
     }
     for (std::size_t c = 1; c < cells.starts.size(); ++c) cells.starts[c] += cells.starts[c - 1];
     cells.values.resize(cells.starts.back());
     std::vector<Index> next(cells.starts.begin(), cells.starts.end() - 1);
+    std::size_t k = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      for_cells(triangles[t],
-                [&](std::size_t cell) { cells.values[next[cell]++] = static_cast<Index>(t); });
+      for (; k < ends[t]; ++k) cells.values[next[reached[k]]++] = static_cast<Index>(t);
     }
   }
 
