@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <sstream>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/carried_length.h"
@@ -11,6 +12,7 @@
 #include "lapwing/coating/correspondence.h"
 #include "lapwing/coating/fairing.h"
 #include "lapwing/coating/peel.h"
+#include "lapwing/deform/certificate.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/remesh/isotropic.h"
 #include "lapwing/session/stage.h"
@@ -218,14 +220,23 @@ Coater CoatRun::coater_for(const CoaterOptions& options) {
   }
 }
 
-// As a deform step's certificate does: a file with such positions is worse than none.
-void require_finite(const Patch& patch, const Positions& positions, const std::string& where) {
+// As a deform step's certificate does: a wrong mesh on the disk is worse than none.
+void require_valid(const Patch& patch, const Positions& positions, double relative_residual,
+                   const std::string& where) {
   for (const Index v : patch.vertices) {
     if (positions[v].allFinite()) continue;
     throw SolverError(where + ": the result has positions that are not finite, vertex " +
                       std::to_string(v) +
                       " for one, so the mesh was left as it was; run `lapwing check` on source and "
                       "target, and see that \"amplitude\" and \"scale\" are no larger than needed");
+  }
+  if (!(relative_residual <= kLargestResidual)) {
+    std::ostringstream text;
+    text << where << ": the solution misses the equations by " << relative_residual << " (at most "
+         << kLargestResidual
+         << " is allowed), so the mesh was left as it was; remesh the target patch with `lapwing "
+            "remesh`, or choose a smaller one";
+    throw SolverError(text.str());
   }
 }
 
@@ -244,7 +255,7 @@ void CoatRun::coat() {
   Coater coater = coater_for(options);
   coater.take(coating_, map_.points, parameters.sampling, progress_);
   result_.mesh.positions = coater.coat(parameters.amplitude);
-  require_finite(target_->patch, result_.mesh.positions, step_.where);
+  require_valid(target_->patch, result_.mesh.positions, coater.relative_residual(), step_.where);
   for (const auto& [name, ms] : coater.timings().stages()) report_.timings.add(name, ms);
 
   const Largest largest = largest_displacement(before, result_.mesh.positions);
