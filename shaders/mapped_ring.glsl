@@ -12,7 +12,7 @@ layout(std430, binding = 4) readonly buffer Neighbours { uint neighbours[]; };
 layout(push_constant) uniform Push {
   uint row_count;
   uint first_row;
-  uint flag;  // the kernel's own
+  uint flag;  // the kernel's own, 0 where it has none
 };
 
 bool is_nowhere(uint v) {

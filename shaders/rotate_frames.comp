@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// R_i from the source's frame to the target's; with the flag times the ratio of edge lengths (twin:
+// R_i from the source's frame to the target's, times the ratio of edge lengths (twin:
 // kernels/rotate_frames.cpp). One invocation per row.
 
 #include "invocation.glsl"
@@ -109,7 +109,7 @@ void main() {
     const real4 q = nearest_rotation(moment);
     T = real3x3(turn(q, real3(1, 0, 0)), turn(q, real3(0, 1, 0)), turn(q, real3(0, 0, 1)));
   }
-  if (flag != 0 && target_spread < kMostScale * kMostScale * source_spread) {
+  if (target_spread < kMostScale * kMostScale * source_spread) {
     T *= sqrt(target_spread / source_spread);
   }
   write_row(r, T);

@@ -183,6 +183,36 @@ TEST_F(CommandLine, WhatCannotBeLaidIntoThePlaneIsNamed) {
               HasSubstr("vertex 120 cannot be pinned"));
 }
 
+TEST_F(CommandLine, RemeshMakesTrianglesOfOneSizeWhereItIsAsked) {
+  const Outcome outcome =
+      lapwing("remesh tube.obj --region box:-1,-1,-1,1,1,1.5 --length 0.1 -o fine.obj");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("faces"), HasSubstr("mean edge"),
+                                    HasSubstr("smallest angle"), HasSubstr("remesh")));
+  const Mesh tube = read_mesh(file("tube.obj"));
+  const Mesh fine = read_mesh(file("fine.obj"));
+  EXPECT_GT(fine.face_count(), 2 * tube.face_count());
+  for (std::size_t v = 0; v < tube.vertex_count(); ++v) {
+    if (tube.positions[v].z() < 1.5) continue;
+    EXPECT_THAT(fine.positions, ::testing::Contains(tube.positions[v])) << "above the box";
+  }
+  ASSERT_EQ(lapwing("remesh tube.obj --scale 2 --iterations 3 --quiet -o coarse.ply").exit_code, 0);
+  EXPECT_LT(read_mesh(file("coarse.ply")).face_count(), tube.face_count());
+}
+
+TEST_F(CommandLine, RemeshRefusesWhatItCannotDo) {
+  EXPECT_EQ(lapwing("remesh tube.obj").exit_code, 2);
+  EXPECT_EQ(lapwing("remesh tube.obj --length 0 -o a.obj").exit_code, 2);
+  EXPECT_EQ(lapwing("remesh tube.obj --length 1 --scale 2 -o a.obj").exit_code, 2);
+  const Outcome region = lapwing("remesh tube.obj --region 999999 -o a.obj");
+  EXPECT_EQ(region.exit_code, 3);
+  EXPECT_THAT(region.output, HasSubstr("999999"));
+  EXPECT_EQ(lapwing("remesh tube.obj --length 1e-12 -o a.obj").exit_code, 3);
+  const Outcome nothing = lapwing("remesh tube.obj --region 3,7 -o a.obj");
+  EXPECT_EQ(nothing.exit_code, 0);
+  EXPECT_THAT(nothing.output, HasSubstr("nothing was remeshed"));
+}
+
 TEST_F(CommandLine, CheckFindsAndFixes) {
   write("loose.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nf 1 2 3\n");
   const Outcome found = lapwing("check loose.obj");

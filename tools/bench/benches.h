@@ -44,6 +44,23 @@ struct SettleBench {
 /// as-rigid-as-possible deformation; and on the four test motions of tools/classics.
 void bench_settle(const SettleBench& settings);
 
+struct CoatBench {
+  std::size_t vertices = 10'000;       ///< of each patch, about
+  std::size_t mesh_vertices = 30'000;  ///< of the generated mesh that holds both
+  std::string source;                  ///< a mesh to take the source patch from, or empty
+  std::string target;                  ///< likewise for the target
+  double detail_size = 10.0;           ///< in mean edge lengths, of the source and of the target
+  std::size_t inner_pairs = 4;
+  bool remesh_check = true;  ///< whether the step looks if it should remesh
+  std::vector<std::string> devices{"cpu", "auto"};
+  int repeats = 7;
+};
+
+/// A coat step from one patch to another by stages, on each of the devices, beside what it is
+/// measured by: the target's n x n system and the two parameterizations; then what a change of its
+/// amplitude and of its detail size costs, and its parts alone.
+void bench_coat(const CoatBench& settings);
+
 struct FrameBench {
   std::string mesh;
   std::string device = "auto";

@@ -62,6 +62,26 @@ int main(int argc, char** argv) {
     lapwing::bench::bench_settle(settle_settings);
   });
 
+  auto* coat = app.add_subcommand("coat", "a coat step by stages, and what sliders of it cost");
+  lapwing::bench::CoatBench coat_settings;
+  coat->add_option("--vertices", coat_settings.vertices, "of each patch, about")
+      ->check(CLI::Range(100, 1'000'000));
+  coat->add_option("--mesh-vertices", coat_settings.mesh_vertices, "of the generated mesh");
+  auto* source = coat->add_option("--source", coat_settings.source, "mesh of the source patch");
+  auto* target = coat->add_option("--target", coat_settings.target, "mesh of the target patch");
+  source->needs(target);
+  target->needs(source);
+  coat->add_option("--detail-size", coat_settings.detail_size, "in edge lengths")
+      ->check(CLI::Range(0.1, 1000.0));
+  coat->add_option("--inner-pairs", coat_settings.inner_pairs)->check(CLI::Range(0, 100));
+  coat->add_flag("!--no-remesh-check", coat_settings.remesh_check,
+                 "leave out the look whether to remesh");
+  coat->add_option("--devices", coat_settings.devices)->delimiter(',');
+  coat->callback([&] {
+    coat_settings.repeats = repeats;
+    lapwing::bench::bench_coat(coat_settings);
+  });
+
 #ifdef LAPWING_HAVE_VIEWER
   auto* frame = app.add_subcommand("frame", "what a drag frame of the viewer costs, by parts");
   lapwing::bench::FrameBench frame_settings;

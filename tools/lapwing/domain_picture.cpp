@@ -49,10 +49,11 @@ class Ink {
       return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
     };
     const double way = side(a, b, c) < 0.0 ? -1.0 : 1.0;
+    const int left = pixel(std::min({a.x(), b.x(), c.x()}));
+    const int right = pixel(std::max({a.x(), b.x(), c.x()}));
     const auto [low, high] = std::minmax({a.y(), b.y(), c.y()});
-    const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
     for_rows(low, high, [&](int y) {
-      for (int x = first_pixel(left); x <= last_pixel(right); ++x) {
+      for (int x = left; x <= right; ++x) {
         const Vector2d p(x + 0.5, y + 0.5);
         if (way * side(a, b, p) >= 0.0 && way * side(b, c, p) >= 0.0 &&
             way * side(c, a, p) >= 0.0) {
@@ -75,14 +76,13 @@ class Ink {
   }
 
  private:
-  int first_pixel(double at) const {
+  int pixel(double at) const {
     return static_cast<int>(std::clamp(std::floor(at), 0.0, size_ - 1.0));
   }
-  int last_pixel(double at) const { return first_pixel(at); }
 
   template <class Row>
   void for_rows(double low, double high, const Row& row) const {
-    for (int y = first_pixel(low); y <= last_pixel(high); ++y) row(y);
+    for (int y = pixel(low); y <= pixel(high); ++y) row(y);
   }
 
   // The pixels of one row that the segment passes within `reach`.
@@ -97,7 +97,7 @@ class Ink {
       low = std::max(low, std::min(at_first, at_last));
       high = std::min(high, std::max(at_first, at_last));
     }
-    return {first_pixel(low - reach), last_pixel(high + reach)};
+    return {pixel(low - reach), pixel(high + reach)};
   }
 
   void cover(int x, int y, double share) {

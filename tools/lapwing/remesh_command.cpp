@@ -87,7 +87,7 @@ void add_remesh(CLI::App& app) {
                    "degrees between two faces from which their edge is kept")
       ->check(CLI::Range(0.0, 180.0))
       ->capture_default_str();
-  command->add_flag("--quiet", a->quiet, "no progress, no summary");
+  command->add_flag("--quiet", a->quiet, "print errors and notes only");
   command->callback([a] { remesh(*a); });
 }
 

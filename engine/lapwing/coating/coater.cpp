@@ -1,5 +1,6 @@
 #include "lapwing/coating/coater.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -54,6 +55,30 @@ double norm(const Columns& x) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())).norm();
 }
 
+// What the coating is at every row: its Laplacians and its displacement, on the source yet.
+struct Samples {
+  std::vector<Vector3d> xi;
+  std::vector<Vector3d> displacement;
+};
+
+Samples sample(const MappedRings& mapped, const Coating& coating, MappedSampling sampling,
+               std::span<const double> squares, std::span<const double> ratios, Kernels& kernels) {
+  const std::size_t rows = mapped.target.row_count();
+  Samples samples{std::vector<Vector3d>(rows), std::vector<Vector3d>(rows)};
+  kernels.sample_mapped_laplacians(mapped, MappedSampling::linear, coating.displacement,
+                                   samples.displacement);
+  if (sampling == MappedSampling::one_ring) {
+    kernels.sample_mapped_laplacians(mapped, sampling, coating.displacement, samples.xi);
+    return samples;
+  }
+  // From the density on the source to the Laplacian of a ring as large as this one is there.
+  kernels.sample_mapped_laplacians(mapped, sampling, coating.curvature, samples.xi);
+  for (std::size_t r = 0; r < rows; ++r) {
+    samples.xi[r] *= 0.25 * squares[r] / (ratios[r] * ratios[r]);
+  }
+  return samples;
+}
+
 }  // namespace
 
 struct Coater::State {
@@ -61,6 +86,8 @@ struct Coater::State {
         const CoaterOptions& coater_options, Kernels& device)
       : rest(target.rest),
         smooth(target.smooth.empty() ? target.rest : target.smooth),
+        whole(target.whole),
+        held(target.held.begin(), target.held.end()),
         topology(mesh_topology),
         patch(target_patch),
         options(coater_options),
@@ -69,13 +96,17 @@ struct Coater::State {
   void make_system(const Progress& progress);
   void make_frames();
   Columns solve_for(std::span<const Vector3d> y, std::span<const Vector3d> wanted);
-  void take_own_detail_away();
+  const HeldVertex* held_at(Index vertex) const;
+  void solve_for_base();
+  void add_layer(const CoatLayer& layer, const Progress& progress, Samples& sum);
 
   const RegionRings& rings() const { return system->rings(); }
   std::size_t unknown_count() const { return system->size(); }
 
   std::span<const Vector3d> rest;
   std::span<const Vector3d> smooth;
+  bool whole;
+  std::vector<HeldVertex> held;
   const Topology& topology;
   Patch patch;
   CoaterOptions options;
@@ -108,13 +139,17 @@ void Coater::State::make_system(const Progress& progress) {
         "the target patch has no inner vertices to coat; choose a larger one, or a "
         "finer mesh");
   }
-  if (options.hold_length > 0.0) {
+  if (options.hold_length > 0.0 && !whole) {
     const auto weights = laplacian_weights(topology, rest, options.weights);
     const auto radii = squared_rings(topology.rings, weights, rest, free);
     for (std::size_t k = 0; k < free.size(); ++k) {
       const double squared = radii[k] * std::pow(std::numbers::pi / options.hold_length, 2);
       constraints.W[k] = squared * squared;
     }
+  }
+  for (const HeldVertex& anchor : held) {
+    const Index k = constraints.unknowns.of_vertex[anchor.vertex];
+    if (k != kNoIndex) constraints.W[k] = 1.0;
   }
   report_progress(progress, "order", 0.0);
   const Stopwatch watch;
@@ -133,7 +168,9 @@ void Coater::State::make_frames() {
   const auto by_own = fades(options.transition, patch, topology, rest);
   const std::size_t row_count = rings().row_count();
   for (std::size_t r = 0; r < row_count; ++r) {
-    shares.push_back(by_own[patch.own_number(rings().vertices[r])]);
+    // Where all of the target goes, its border still keeps to what is outside.
+    const bool stays = whole && r >= unknown_count();
+    shares.push_back(stays ? 0.0 : by_own[patch.own_number(rings().vertices[r])]);
   }
   squares.assign(row_count, 0.0);
   for (std::size_t r = 0; r < row_count; ++r) {
@@ -168,13 +205,21 @@ Columns Coater::State::solve_for(std::span<const Vector3d> y, std::span<const Ve
   return u;
 }
 
-void Coater::State::take_own_detail_away() {
-  if (smooth.data() == rest.data()) return;
+const HeldVertex* Coater::State::held_at(Index vertex) const {
+  const auto found =
+      std::lower_bound(held.begin(), held.end(), vertex,
+                       [](const HeldVertex& anchor, Index v) { return anchor.vertex < v; });
+  return found != held.end() && found->vertex == vertex ? &*found : nullptr;
+}
+
+// What happens without any coating: the target's own detail goes, and the handles move.
+void Coater::State::solve_for_base() {
+  if (smooth.data() == rest.data() && !whole && held.empty()) return;
   // Nothing outside the patch, as for a coating.
   const auto detail = [&](Index own) -> Vector3d {
     const Index v = rings().vertices[own];
     if (!rings().is_row(own)) return Vector3d::Zero();
-    return rest[v] - smooth[v];
+    return whole ? rest[v] : Vector3d(rest[v] - smooth[v]);
   };
   std::vector<Vector3d> y(rings().row_count());
   std::vector<Vector3d> wanted(rings().row_count());
@@ -185,7 +230,8 @@ void Coater::State::take_own_detail_away() {
       xi += rings().weights[e] * (here - detail(rings().neighbours[e]));
     }
     y[r] = -shares[r] * xi;
-    wanted[r] = -shares[r] * here;
+    const HeldVertex* anchor = held_at(rings().vertices[r]);
+    wanted[r] = anchor != nullptr ? anchor->displacement : Vector3d(-shares[r] * here);
   }
   base = solve_for(y, wanted);
 }
@@ -196,7 +242,7 @@ Coater::Coater(const CoatTarget& target, const Topology& topology, const Patch& 
   state_->make_system(progress);
   const Stopwatch frames;
   state_->make_frames();
-  state_->take_own_detail_away();
+  state_->solve_for_base();
   state_->timings.add("target_frames", frames.elapsed_ms());
 }
 
@@ -204,74 +250,56 @@ Coater::~Coater() = default;
 Coater::Coater(Coater&&) noexcept = default;
 Coater& Coater::operator=(Coater&&) noexcept = default;
 
-namespace {
-
-// What the coating is at every row: its Laplacians and its displacement, on the source yet.
-struct Samples {
-  std::vector<Vector3d> xi;
-  std::vector<Vector3d> displacement;
-};
-
-Samples sample(const MappedRings& mapped, const Coating& coating, MappedSampling sampling,
-               std::span<const double> squares, std::span<const double> ratios, Kernels& kernels) {
-  const std::size_t rows = mapped.target.row_count();
-  Samples samples{std::vector<Vector3d>(rows), std::vector<Vector3d>(rows)};
-  kernels.sample_mapped_laplacians(mapped, MappedSampling::linear, coating.displacement,
-                                   samples.displacement);
-  if (sampling == MappedSampling::one_ring) {
-    kernels.sample_mapped_laplacians(mapped, sampling, coating.displacement, samples.xi);
-    return samples;
+// Samples `layer`, turns it and adds it to `sum`, on the target.
+void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, Samples& sum) {
+  std::vector<SurfacePoint> points;
+  points.reserve(rings().vertices.size());
+  for (const Index v : rings().vertices) {
+    const Index own = patch.own_number(v);
+    points.push_back(own == kNoIndex ? SurfacePoint::nowhere() : layer.points[own]);
   }
-  // From the density on the source to the Laplacian of a ring as large as this one is there.
-  kernels.sample_mapped_laplacians(mapped, sampling, coating.curvature, samples.xi);
-  for (std::size_t r = 0; r < rows; ++r) {
-    samples.xi[r] *= 0.25 * squares[r] / (ratios[r] * ratios[r]);
-  }
-  return samples;
-}
-
-}  // namespace
-
-void Coater::take(const Coating& coating, std::span<const SurfacePoint> points,
-                  const CoatOptions& options, const Progress& progress) {
-  State& state = *state_;
-  const RegionRings& rings = state.rings();
-  std::vector<SurfacePoint> by_own;
-  by_own.reserve(rings.vertices.size());
-  for (const Index v : rings.vertices) {
-    const Index own = state.patch.own_number(v);
-    by_own.push_back(own == kNoIndex ? SurfacePoint::nowhere() : points[own]);
-  }
-  const MappedRings mapped{rings, by_own};
-  const std::size_t rows = rings.row_count();
+  const MappedRings mapped{rings(), points};
+  const std::size_t rows = rings().row_count();
 
   report_progress(progress, "frames", 0.0);
   Stopwatch watch;
   std::vector<Matrix3d> T(rows);
-  state.kernels.rotate_frames(mapped, {coating.smooth, coating.normals},
-                              {state.positions, state.normals}, 0.0, T);
+  kernels.rotate_frames(mapped, {layer.coating.smooth, layer.coating.normals}, {positions, normals},
+                        T);
   std::vector<double> ratios(rows);
   for (std::size_t r = 0; r < rows; ++r) {
     ratios[r] = T[r].col(0).norm();
-    if (options.scale) T[r] *= *options.scale / ratios[r];
+    if (layer.options.scale) T[r] *= *layer.options.scale / ratios[r];
   }
-  state.timings.add("frames", watch.elapsed_ms());
+  timings.add("frames", watch.elapsed_ms());
 
   report_progress(progress, "sample", 0.0);
   watch.restart();
-  Samples samples = sample(mapped, coating, options.sampling, state.squares, ratios, state.kernels);
-  double sum = 0.0;
+  const Samples samples =
+      sample(mapped, layer.coating, layer.options.sampling, squares, ratios, kernels);
+  double scales = 0.0;
   for (std::size_t r = 0; r < rows; ++r) {
-    samples.xi[r] = state.shares[r] * (T[r] * samples.xi[r]);
-    samples.displacement[r] = state.shares[r] * (T[r] * samples.displacement[r]);
-    sum += T[r].col(0).norm();
+    const double weight =
+        layer.weights.empty() ? 1.0 : layer.weights[patch.own_number(rings().vertices[r])];
+    sum.xi[r] += weight * shares[r] * (T[r] * samples.xi[r]);
+    if (held_at(rings().vertices[r]) == nullptr) {
+      sum.displacement[r] += weight * shares[r] * (T[r] * samples.displacement[r]);
+    }
+    scales += T[r].col(0).norm();
   }
-  state.mean_scale = sum / static_cast<double>(rows);
-  state.timings.add("sample", watch.elapsed_ms());
+  mean_scale = scales / static_cast<double>(rows);
+  timings.add("sample", watch.elapsed_ms());
+}
 
+void Coater::take(std::span<const CoatLayer> layers, const Progress& progress) {
+  State& state = *state_;
+  const std::size_t rows = state.rings().row_count();
+  Samples sum{std::vector<Vector3d>(rows, Vector3d::Zero()),
+              std::vector<Vector3d>(rows, Vector3d::Zero())};
+  for (const CoatLayer& layer : layers) state.add_layer(layer, progress, sum);
   report_progress(progress, "solve", 0.0);
-  watch.restart();
-  state.coating = state.solve_for(samples.xi, samples.displacement);
+  const Stopwatch watch;
+  state.coating = state.solve_for(sum.xi, sum.displacement);
   state.timings.add("solve", watch.elapsed_ms());
 }
 

@@ -22,11 +22,23 @@ struct CoaterOptions {
   double hold_length = 0.0;
 };
 
+/// A vertex that should be somewhere else, by how much.
+struct HeldVertex {
+  Index vertex = 0;
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
+};
+
 /// The surface to coat, both over the whole mesh.
 struct CoatTarget {
   std::span<const Eigen::Vector3d> rest;  ///< U
   /// U smooth: what U has over it goes, and the frames are its. Empty keeps all of U.
   std::span<const Eigen::Vector3d> smooth = {};
+  /// All of U inside the patch goes, not only what it has over U smooth: xi_U = delta(U). Its shape
+  /// is then that of what comes, between the borders that stay (paper section 5.3).
+  bool whole = false;
+  /// Anchors and handles inside the patch, held by the paper's weight 1 in the same solve.
+  /// Ascending by vertex; those on the border stay there.
+  std::span<const HeldVertex> held = {};
 };
 
 /// How a coating is taken over.
@@ -35,6 +47,15 @@ struct CoatOptions {
   /// Its size on the target over that on the source; none: the local ratio of edge lengths.
   std::optional<double> scale;
   bool operator==(const CoatOptions&) const = default;
+};
+
+/// One coating on its way to a target patch.
+struct CoatLayer {
+  const Coating& coating;
+  std::span<const SurfacePoint>
+      points;  ///< per own number of the target: where it lies on the coating
+  CoatOptions options = {};
+  std::span<const double> weights = {};  ///< per vertex of the target patch; empty: 1 everywhere
 };
 
 /// Puts coatings on a target patch (paper sections 5.1 and 5.2). With u the displacement of the
@@ -63,17 +84,21 @@ class Coater {
   Coater(Coater&&) noexcept;
   Coater& operator=(Coater&&) noexcept;
 
-  /// Samples, turns and solves for `coating`, which replaces the one before. `points` has, per own
-  /// number of the target patch, where it lies on the coating's patch. Stages "sample", "frames",
-  /// "solve".
+  /// Samples, turns and solves for the sum of `layers`, each times its weights (paper section 5.3),
+  /// which replaces what was taken before. Stages "frames", "sample", "solve".
+  void take(std::span<const CoatLayer> layers, const Progress& progress = {});
+  /// For one coating.
   void take(const Coating& coating, std::span<const SurfacePoint> points,
-            const CoatOptions& options, const Progress& progress = {});
+            const CoatOptions& options, const Progress& progress = {}) {
+    const CoatLayer layer{coating, points, options};
+    take(std::span(&layer, 1), progress);
+  }
 
   /// The whole target with `amplitude` times the coating: 0 gives the target (smooth, where that
   /// was asked for), negative engraves. Linear in the amplitude; no solve.
   Positions coat(double amplitude) const;
 
-  /// The mean of s over the patch, of the coating taken last.
+  /// The mean of s over the patch, of the layer taken last.
   double mean_scale() const;
   /// |A u - b| / |b| of the coating's system.
   double relative_residual() const;

@@ -32,17 +32,11 @@ std::vector<Vector3d> patch_curvature(const Patch& patch, const Topology& topolo
   return on_patch<Vector3d>(patch, curvature);
 }
 
-}  // namespace
-
-Coating peel(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
-             double detail_size, LaplacianWeights weights, Kernels& kernels) {
+// `displacement` per vertex of the mesh.
+Coating coating_of(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
+                   std::span<const Vector3d> smooth, std::span<const Vector3d> displacement,
+                   LaplacianWeights weights, Kernels& kernels) {
   Coating coating;
-  coating.detail_size = detail_size;
-  const Positions smooth =
-      smooth_around(patch.vertices, detail_size, positions, topology, weights, "detail_size");
-  std::vector<Vector3d> displacement(positions.size());
-  for (std::size_t v = 0; v < displacement.size(); ++v) displacement[v] = positions[v] - smooth[v];
-
   coating.positions = on_patch<Vector3d>(patch, positions);
   coating.smooth = on_patch<Vector3d>(patch, smooth);
   coating.normals = patch_normals(patch, topology, smooth);
@@ -50,6 +44,32 @@ Coating peel(Patch patch, std::span<const Vector3d> positions, const Topology& t
   coating.curvature = patch_curvature(patch, topology, smooth, displacement, weights, kernels);
   coating.patch = std::move(patch);
   return coating;
+}
+
+}  // namespace
+
+Coating peel(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
+             double detail_size, LaplacianWeights weights, Kernels& kernels) {
+  const Positions smooth =
+      smooth_around(patch.vertices, detail_size, positions, topology, weights, "detail_size");
+  std::vector<Vector3d> displacement(positions.size());
+  for (std::size_t v = 0; v < displacement.size(); ++v) displacement[v] = positions[v] - smooth[v];
+  Coating coating =
+      coating_of(std::move(patch), positions, topology, smooth, displacement, weights, kernels);
+  coating.detail_size = detail_size;
+  return coating;
+}
+
+Coating whole_shape(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
+                    double frame_size, LaplacianWeights weights, Kernels& kernels) {
+  const Positions smooth =
+      smooth_around(patch.vertices, frame_size, positions, topology, weights, "frame_size");
+  Vector3d mean = Vector3d::Zero();
+  for (const Index v : patch.vertices) mean += positions[v];
+  mean /= static_cast<double>(patch.vertices.size());
+  std::vector<Vector3d> from_mean(positions.begin(), positions.end());
+  for (Vector3d& p : from_mean) p -= mean;
+  return coating_of(std::move(patch), positions, topology, smooth, from_mean, weights, kernels);
 }
 
 }  // namespace lapwing

@@ -29,4 +29,12 @@ struct Coating {
 Coating peel(Patch patch, std::span<const Eigen::Vector3d> positions, const Topology& topology,
              double detail_size, LaplacianWeights weights, Kernels& kernels);
 
+/// The whole shape of `patch` as a coating: `displacement` is where its vertices are (from their
+/// mean), so that xi is delta itself, and the frames are those of the surface below features of
+/// `frame_size`. For mixing (section 5.3), where a target's shape is replaced; see
+/// CoatTarget::whole.
+Coating whole_shape(Patch patch, std::span<const Eigen::Vector3d> positions,
+                    const Topology& topology, double frame_size, LaplacianWeights weights,
+                    Kernels& kernels);
+
 }  // namespace lapwing

@@ -17,8 +17,7 @@ class CpuKernels final : public Kernels {
                                 std::span<const Eigen::Vector3d> source,
                                 std::span<Eigen::Vector3d> laplacians) override;
   void rotate_frames(const MappedRings& rings, const FramedSurface& source,
-                     const FramedSurface& target, double scale,
-                     std::span<Eigen::Matrix3d> transforms) override;
+                     const FramedSurface& target, std::span<Eigen::Matrix3d> transforms) override;
   std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings,
                                                      RingMotion motion) override;
   std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) override;

@@ -146,14 +146,14 @@ class Kernels {
   /// T_i = s_i R_i for each row, the turn from the source's frame at p_i to the target's frame
   /// (paper section 5.1): R_i carries the source's normal at p_i, interpolated, to the target's,
   /// and the edges of the mapped ring, projected onto the tangent plane, to those of the ring, in
-  /// the least-squares sense over all of them. s_i is `scale`, or where that is 0 the local
-  /// edge-length ratio sqrt(sum_j |target edge|^2 / sum_j |mapped edge|^2), 1 where the mapped ring
-  /// has no extent. `source` is per source vertex, `target` per RegionRings::vertices; both should
-  /// be the low-frequency surfaces. Where the edges tell nothing, R_i is the smallest rotation that
+  /// the least-squares sense over all of them. s_i is the local edge-length ratio
+  /// sqrt(sum_j |target edge|^2 / sum_j |mapped edge|^2), 1 where the mapped ring has no extent.
+  /// `source` is per source vertex, `target` per RegionRings::vertices; both should be the
+  /// low-frequency surfaces. Where the edges tell nothing, R_i is the smallest rotation that
   /// carries the normal; where a normal is 0, the best rotation of the unprojected edges, the
-  /// identity if there are none. A row that lies nowhere gets the identity times `scale`, or 1.
+  /// identity if there are none. A row that lies nowhere gets the identity.
   virtual void rotate_frames(const MappedRings& rings, const FramedSurface& source,
-                             const FramedSurface& target, double scale,
+                             const FramedSurface& target,
                              std::span<Eigen::Matrix3d> transforms) = 0;
 
   /// The rings of a region, not turned yet. `rings` need not outlive it.

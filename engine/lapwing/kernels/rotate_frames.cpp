@@ -93,16 +93,14 @@ Matrix3d turn_of_frames(const Vector3d& source_normal, const Vector3d& target_no
 }
 
 Matrix3d turn_of_row(const MappedRings& rings, std::size_t row, const FramedSurface& source,
-                     const FramedSurface& target, double scale) {
-  const bool automatic = scale == 0.0;
-  if (rings.points[row].is_nowhere()) return (automatic ? 1.0 : scale) * Matrix3d::Identity();
+                     const FramedSurface& target) {
+  if (rings.points[row].is_nowhere()) return Matrix3d::Identity();
   const RingEdges edges = edges_of(rings, row, source.positions, target.positions);
   const Vector3d source_normal = unit_or_zero(rings.points[row].of(source.normals));
   const Vector3d target_normal = unit_or_zero(target.normals[row]);
   const bool framed = !source_normal.isZero(0.0) && !target_normal.isZero(0.0);
   const Matrix3d R =
       framed ? turn_of_frames(source_normal, target_normal, edges) : nearest_rotation(edges.moment);
-  if (!automatic) return scale * R;
   const bool extent = edges.target_spread < kMostScale * kMostScale * edges.source_spread;
   return extent ? Matrix3d(std::sqrt(edges.target_spread / edges.source_spread) * R) : R;
 }
@@ -110,11 +108,10 @@ Matrix3d turn_of_row(const MappedRings& rings, std::size_t row, const FramedSurf
 }  // namespace
 
 void CpuKernels::rotate_frames(const MappedRings& rings, const FramedSurface& source,
-                               const FramedSurface& target, double scale,
-                               std::span<Matrix3d> transforms) {
+                               const FramedSurface& target, std::span<Matrix3d> transforms) {
   parallel_for(rings.target.row_count(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
-      transforms[r] = turn_of_row(rings, r, source, target, scale);
+      transforms[r] = turn_of_row(rings, r, source, target);
     }
   });
 }

@@ -29,7 +29,8 @@ class Linker {
     for (Index t = 0; t < part_.triangles.size(); ++t) {
       const Index least = *std::min_element(part_.triangles[t].begin(), part_.triangles[t].end());
       DiskReport::Piece& piece =
-          found.try_emplace(pieces_.find(t), 0, mesh_number(least)).first->second;
+          found.try_emplace(pieces_.find(t), DiskReport::Piece{0, mesh_number(least)})
+              .first->second;
       ++piece.triangles;
       piece.vertex = std::min(piece.vertex, mesh_number(least));
     }
@@ -48,7 +49,7 @@ class Linker {
       if (sides_.size(e) != 1) continue;
       const Index vertex = mesh_number(side_start(part_.triangles, sides_[e][0]));
       const Index name = joined.find(fans_.find(sides_[e][0]));
-      DiskReport::Loop& loop = found.try_emplace(name, 0, vertex).first->second;
+      DiskReport::Loop& loop = found.try_emplace(name, DiskReport::Loop{0, vertex}).first->second;
       ++loop.vertices;
       loop.vertex = std::min(loop.vertex, vertex);
     }
@@ -86,6 +87,7 @@ class Linker {
   template <class Part>
   static std::vector<Part> by_vertex(const std::map<Index, Part>& found) {
     std::vector<Part> list;
+    list.reserve(found.size());
     for (const auto& [name, entry] : found) list.push_back(entry);
     std::stable_sort(list.begin(), list.end(),
                      [](const Part& a, const Part& b) { return a.vertex < b.vertex; });

@@ -166,6 +166,31 @@ class Carrier {
       }
       of_corner[first_corner_ + i] = of_sector[sector];
     }
+    drop_unused(old_of_corner, values, of_corner);
+  }
+
+  // Drops the values that only corners of the old patch had.
+  template <class Value>
+  static void drop_unused(const std::vector<Index>& old_of_corner, std::vector<Value>& values,
+                          std::vector<Index>& of_corner) {
+    std::vector<char> is_dropped(values.size(), 0);
+    for (const Index i : old_of_corner) {
+      if (i != kNoIndex) is_dropped[i] = 1;
+    }
+    for (const Index i : of_corner) {
+      if (i != kNoIndex) is_dropped[i] = 0;
+    }
+    std::vector<Index> numbers(values.size(), kNoIndex);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (is_dropped[i]) continue;
+      values[left] = values[i];
+      numbers[i] = static_cast<Index>(left++);
+    }
+    values.resize(left);
+    for (Index& i : of_corner) {
+      if (i != kNoIndex) i = numbers[i];
+    }
   }
 
   const Mesh& mesh_;

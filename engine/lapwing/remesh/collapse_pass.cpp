@@ -12,8 +12,6 @@ using Eigen::Vector3d;
 
 constexpr double kTooShort = 4.0 / 5.0;
 constexpr double kTooLong = 4.0 / 3.0;
-// How far a line may leave where it was, in target lengths.
-constexpr double kLineTolerance = 0.1;
 
 struct ShortEdge {
   double length;
@@ -132,24 +130,13 @@ class Collapser {
     return check.passes() && !folds_when_moved(patch_, place, v, u);
   }
 
-  // Where the line's edges at `v`, and at `u` when that moves, will run.
   bool line_allows(Index h, const Vector3d& place, double length, bool moves) const {
     if (!net_.on_line(h)) return true;
+    const Index v = net_.origin(h);
+    const Index u = net_.target(h);
     const Index line = net_.side(h) / 2;
-    const auto stays_near = [&](Index vertex, Index other) {
-      bool fine = true;
-      net_.for_outgoing(vertex, [&](Index out) {
-        if (!net_.on_line(out) || net_.side(out) / 2 != line || net_.target(out) == other) return;
-        for (const double along : {0.25, 0.5, 0.75}) {
-          const Vector3d point = place + along * (patch_.at(net_.target(out)) - place);
-          const double away = (patch_.reference.on_line(line, point).position - point).norm();
-          fine = fine && away <= kLineTolerance * length;
-        }
-      });
-      return fine;
-    };
-    return stays_near(net_.origin(h), net_.target(h)) &&
-           (!moves || stays_near(net_.target(h), net_.origin(h)));
+    return patch_.line_stays_near(line, v, u, place, length) &&
+           (!moves || patch_.line_stays_near(line, u, v, place, length));
   }
 
   WorkingPatch& patch_;

@@ -1,5 +1,6 @@
 #include "lapwing/remesh/feature_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,7 +16,10 @@ const double kCornerCosine = std::cos(std::numbers::pi / 4);
 // Below this share of the square of its longest side, a triangle's area is rounding.
 constexpr double kNoArea = 1e-12;
 
-struct Turn {
+// Stored normals that are meant to be equal differ by the digits that files print.
+constexpr double kSameNormal = 1e-3;
+
+struct Facing {
   Vector3d normal = Vector3d::Zero();  // zero for a triangle without area
   Index longest = kNoIndex;            // its half-edge
 };
@@ -27,6 +31,7 @@ class LineFinder {
 
   void run(double angle_degrees) {
     mark_edges(angle_degrees);
+    mark_normal_seams();
     collect_degrees();
     fix_corners();
     number_lines();
@@ -35,40 +40,73 @@ class LineFinder {
   }
 
  private:
-  std::vector<Turn> triangle_normals() const {
-    std::vector<Turn> turns(patch_.triangles.size());
-    for (Index t = 0; t < turns.size(); ++t) {
+  std::vector<Facing> triangle_normals() const {
+    std::vector<Facing> facings(patch_.triangles.size());
+    for (Index t = 0; t < facings.size(); ++t) {
       const auto [a, b, c] = patch_.corner_positions(t);
       const std::array sides{(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
       const auto longest = std::max_element(sides.begin(), sides.end()) - sides.begin();
-      turns[t].longest = 3 * t + static_cast<Index>(longest);
+      facings[t].longest = 3 * t + static_cast<Index>(longest);
       const Vector3d normal = (b - a).cross(c - a);
       const double area = normal.norm();
       if (area > kNoArea * sides[static_cast<std::size_t>(longest)]) {
-        turns[t].normal = normal / area;
+        facings[t].normal = normal / area;
       }
     }
     // A triangle without area lies along its longest edge and looks where its neighbour there does;
     // a few rounds reach through stacks of them.
     for (int round = 0; round < 4; ++round) {
-      for (Turn& turn : turns) {
-        const Index across = net_.twin(turn.longest);
-        if (turn.normal.isZero(0.0) && across != kNoIndex) turn.normal = turns[across / 3].normal;
+      for (Facing& facing : facings) {
+        const Index across = net_.twin(facing.longest);
+        if (facing.normal.isZero(0.0) && across != kNoIndex) {
+          facing.normal = facings[across / 3].normal;
+        }
       }
     }
-    return turns;
+    return facings;
+  }
+
+  // Whether the corners on the two sides of an edge differ at one of its ends.
+  template <class Differs>
+  bool differs_across(Index h, Index k, const Differs& differs) const {
+    const auto corner = [&](Index x) { return patch_.corners[x / 3][x % 3]; };
+    return differs(corner(h), corner(Halfedges::next(k))) ||
+           differs(corner(Halfedges::next(h)), corner(k));
   }
 
   bool differs_in_texture(Index h, Index k) const {
     const MeshAttributes& a = mesh_.attributes;
     if (a.corner_uvs.empty()) return false;
-    const auto differs = [&](Index x, Index y) {
-      const Index i = a.corner_uvs[patch_.corners[x / 3][x % 3]];
-      const Index j = a.corner_uvs[patch_.corners[y / 3][y % 3]];
-      if (i == j) return false;
-      return i == kNoIndex || j == kNoIndex || a.uvs[i] != a.uvs[j];
-    };
-    return differs(h, Halfedges::next(k)) || differs(Halfedges::next(h), k);
+    return differs_across(h, k, [&](Index x, Index y) {
+      const Index i = a.corner_uvs[x];
+      const Index j = a.corner_uvs[y];
+      return i != j && (i == kNoIndex || j == kNoIndex || a.uvs[i] != a.uvs[j]);
+    });
+  }
+
+  bool differs_in_normals(Index h, Index k) const {
+    const MeshAttributes& a = mesh_.attributes;
+    return differs_across(h, k, [&](Index x, Index y) {
+      const Index i = a.corner_normals[x];
+      const Index j = a.corner_normals[y];
+      if (i == j || i == kNoIndex || j == kNoIndex) return false;
+      return (a.normals[i] - a.normals[j]).norm() > kSameNormal;
+    });
+  }
+
+  // Lines where stored normals differ, unless they differ at most edges.
+  void mark_normal_seams() {
+    if (mesh_.attributes.corner_normals.empty()) return;
+    std::vector<Index> seams;
+    std::size_t inner_edges = 0;
+    for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      const Index k = net_.twin(h);
+      if (k == kNoIndex || k < h) continue;
+      ++inner_edges;
+      if (differs_in_normals(h, k)) seams.push_back(h);
+    }
+    if (2 * seams.size() > inner_edges) return;
+    for (const Index h : seams) is_line_[h] = is_line_[net_.twin(h)] = 1;
   }
 
   bool differs_in_label(Index f, Index g) const {
@@ -79,7 +117,7 @@ class LineFinder {
 
   void mark_edges(double angle_degrees) {
     const double cosine = std::cos(angle_degrees * std::numbers::pi / 180.0);
-    const std::vector<Turn> turns = triangle_normals();
+    const std::vector<Facing> facings = triangle_normals();
     is_line_.assign(net_.halfedge_count(), 0);
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
       const Index k = net_.twin(h);
@@ -87,8 +125,8 @@ class LineFinder {
       const Index f = patch_.faces[h / 3];
       const Index g = patch_.faces[k / 3];
       if (f == g) continue;
-      const Vector3d& n = turns[h / 3].normal;
-      const Vector3d& m = turns[k / 3].normal;
+      const Vector3d& n = facings[h / 3].normal;
+      const Vector3d& m = facings[k / 3].normal;
       const bool sharp = !n.isZero(0.0) && !m.isZero(0.0) && n.dot(m) < cosine;
       is_line_[h] = is_line_[k] = sharp || differs_in_label(f, g) || differs_in_texture(h, k);
     }

@@ -30,6 +30,12 @@ void require_options(const RemeshOptions& options) {
   }
 }
 
+void require_vertices(const Mesh& mesh, const VertexSet& region) {
+  if (region.empty() || region.back() < mesh.vertex_count()) return;
+  throw InputError("the region to remesh names vertex " + std::to_string(region.back()) +
+                   "; the mesh has " + std::to_string(mesh.vertex_count()));
+}
+
 // Equilateral triangles that would fill the patch; those of thin triangles by their length.
 double expected_faces(const OriginalPatch& patch, const std::vector<double>& lengths) {
   double faces = 0.0;
@@ -75,6 +81,7 @@ RemeshResult remesh_isotropic(const Mesh& mesh, const VertexSet& region,
   validate_indices(mesh);
   validate_attributes(mesh);
   require_options(options);
+  require_vertices(mesh, region);
   report_progress(progress, "remesh", 0.0);
   OriginalPatch original = cut_patch(mesh, region);
   if (original.triangles.empty()) return unchanged(mesh);

@@ -62,8 +62,13 @@ bool may_move(const WorkingPatch& patch, Index v, const Vector3d& place, const V
 
 bool move_to(WorkingPatch& patch, Index v, const Vector3d& place, const Vector3d& normal) {
   if (!may_move(patch, v, place, normal)) return false;
+  const double length = patch.target_length.at(place);
+  if (patch.kinds[v] == VertexKind::line &&
+      !patch.line_stays_near(patch.line_of(v), v, kNoIndex, place, length)) {
+    return false;
+  }
   patch.positions[v] = place;
-  patch.lengths[v] = patch.target_length.at(place);
+  patch.lengths[v] = length;
   return true;
 }
 

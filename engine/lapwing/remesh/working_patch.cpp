@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <utility>
 
 #include <Eigen/Geometry>
-
-#include "lapwing/base/errors.h"
 
 namespace lapwing::remeshing {
 namespace {
@@ -17,6 +15,9 @@ using Eigen::Vector3d;
 constexpr double kGoodEnough = 0.4;
 // Below this quality a triangle's normal is rounding.
 constexpr double kNoArea = 1e-9;
+// How far a line may leave where it was, in target lengths.
+constexpr double kLineTolerance = 0.1;
+constexpr int kLineSamples = 8;
 constexpr double kLargestTurnCosine = 0.5;
 
 using Corners = std::array<Vector3d, 3>;
@@ -42,15 +43,6 @@ Adjacency numbered(const Adjacency& lists) {
 }
 
 }  // namespace
-
-double TargetLength::at(const Vector3d& point) const {
-  const double length = length_(point);
-  if (length > 0.0 && std::isfinite(length)) return length;
-  std::ostringstream message;
-  message << "the edge length wanted at (" << point.transpose() << ") is " << length
-          << "; it must be positive";
-  throw InputError(message.str());
-}
 
 Reference::Reference(const OriginalPatch& original)
     : original_(original),
@@ -100,6 +92,21 @@ Vector3d WorkingPatch::project(Index v, const Vector3d& point, const Vector3d& n
   const TrianglePoint found = reference.on_sheet(sheet, point, normal, hints[v]);
   hints[v] = found.hint;
   return found.position;
+}
+
+bool WorkingPatch::line_stays_near(Index line, Index v, Index except, const Vector3d& place,
+                                   double length) const {
+  bool near = true;
+  net.for_outgoing(v, [&](Index h) {
+    const Index end = net.target(h);
+    if (!net.on_line(h) || net.side(h) / 2 != line || end == except) return;
+    for (int i = 1; i < kLineSamples; ++i) {
+      const Vector3d point = place + (static_cast<double>(i) / kLineSamples) * (at(end) - place);
+      const double away = (reference.on_line(line, point).position - point).norm();
+      near = near && away <= kLineTolerance * length;
+    }
+  });
+  return near;
 }
 
 bool WorkingPatch::is_same(Index a, Index b) const {

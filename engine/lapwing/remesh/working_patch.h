@@ -66,6 +66,11 @@ struct WorkingPatch {
   /// what belongs to `v` alone.
   Eigen::Vector3d project(Index v, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
+  /// Whether the edges of `line` at `v`, but the one to `except`, run within a tenth of `length` of
+  /// where the line was, when `v` moves to `place`.
+  bool line_stays_near(Index line, Index v, Index except, const Eigen::Vector3d& place,
+                       double length) const;
+
   /// Whether two vertices are the same vertex of the mesh.
   bool is_same(Index a, Index b) const;
   /// Whether the mesh has an edge between the two, in the patch or outside.

@@ -94,7 +94,7 @@ struct Target {
 };
 
 // The pairs of `options` on the remeshed target: border vertices are still there, inner ones become
-// the nearest.
+// the nearest that is none of the border.
 void renumber_target(CorrespondenceOptions& options, const Positions& before,
                      const RemeshResult& remeshed) {
   std::vector<Index> now(before.size(), kNoIndex);
@@ -102,13 +102,14 @@ void renumber_target(CorrespondenceOptions& options, const Positions& before,
     if (remeshed.kept[v] != kNoIndex) now[remeshed.kept[v]] = v;
   }
   for (auto& [source, target] : options.boundary_pairs) target = now[target];
+  VertexSet inner = remeshed.region;
+  std::erase_if(inner, [&](Index v) { return remeshed.kept[v] != kNoIndex; });
   for (auto& [source, target] : options.inner_pairs) {
     const Vector3d place = before[target];
-    target =
-        *std::min_element(remeshed.region.begin(), remeshed.region.end(), [&](Index a, Index b) {
-          return (remeshed.mesh.positions[a] - place).squaredNorm() <
-                 (remeshed.mesh.positions[b] - place).squaredNorm();
-        });
+    target = *std::min_element(inner.begin(), inner.end(), [&](Index a, Index b) {
+      return (remeshed.mesh.positions[a] - place).squaredNorm() <
+             (remeshed.mesh.positions[b] - place).squaredNorm();
+    });
   }
 }
 
@@ -199,6 +200,8 @@ void CoatRun::remesh_where_coarse() {
     RemeshResult remeshed =
         remesh_isotropic(result_.mesh, target_->patch.vertices, std::cref(length), {}, progress_);
     if (!remeshed.note.empty()) result_.report.warnings.push_back(remeshed.note);
+    // Chosen again on other triangles they could come out elsewhere.
+    pairs_.boundary_pairs = map_.pins;
     renumber_target(pairs_, before, remeshed);
     const VertexSet region = remeshed.region;
     report_.coat->vertices_before_remeshing = target_->patch.vertices.size();

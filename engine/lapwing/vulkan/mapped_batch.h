@@ -27,7 +27,7 @@ class MappedBatches {
   /// Uploads the rings of `batch`, runs `kernel` on them with `others` as the buffers that follow
   /// and `flag` as its last push constant, and waits.
   void run(const RingBatch& batch, const gpu::Kernel& kernel,
-           std::initializer_list<gpu::BufferRange> others, bool flag);
+           std::initializer_list<gpu::BufferRange> others, bool flag = false);
 
  private:
   void upload_points();

@@ -24,10 +24,9 @@ std::vector<Eigen::Vector3d> target_edges(const RegionRings& rings, const RingBa
 }  // namespace
 
 void VulkanKernels::rotate_frames(const MappedRings& rings, const FramedSurface& source,
-                                  const FramedSurface& target, double scale,
+                                  const FramedSurface& target,
                                   std::span<Eigen::Matrix3d> transforms) {
   VulkanState& state = *state_;
-  const bool automatic = scale == 0.0;
   MappedBatches mapped(state, rings, source.positions);
   const RingBatch& largest = mapped.largest();
   const auto reals = [&](const char* name, std::size_t count) {
@@ -42,12 +41,9 @@ void VulkanKernels::rotate_frames(const MappedRings& rings, const FramedSurface&
     upload_reals(state, edges, numbers_of(target_edges(rings.target, batch, target.positions)));
     upload_reals(state, target_normals,
                  numbers_of(target.normals.subspan(batch.first_row, batch.row_count)));
-    mapped.run(batch, state.rotate_frames, {edges, source_normals, target_normals, output},
-               automatic);
+    mapped.run(batch, state.rotate_frames, {edges, source_normals, target_normals, output});
     const auto rows = transforms.subspan(batch.first_row, batch.row_count);
     download_reals(state, output, std::span(rows.data()->data(), 9 * rows.size()));
-    if (automatic) continue;
-    for (Eigen::Matrix3d& T : rows) T *= scale;
   }
 }
 

@@ -1,0 +1,19 @@
+#include "lapwing/remesh/target_length.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "lapwing/base/errors.h"
+
+namespace lapwing::remeshing {
+
+double TargetLength::at(const Eigen::Vector3d& point) const {
+  const double length = length_(point);
+  if (length > 0.0 && std::isfinite(length)) return length;
+  std::ostringstream message;
+  message << "the edge length wanted at (" << point.transpose() << ") is " << length
+          << "; it must be positive";
+  throw InputError(message.str());
+}
+
+}  // namespace lapwing::remeshing
