@@ -12,6 +12,7 @@
 #include "lapwing/coating/correspondence.h"
 #include "lapwing/coating/fairing.h"
 #include "lapwing/coating/peel.h"
+#include "lapwing/coating/ring_areas.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/remesh/isotropic.h"
@@ -49,14 +50,6 @@ VertexSet border_of(const Patch& patch) {
   std::vector<Index> border;
   for (const Index own : patch.loop) border.push_back(patch.vertices[own]);
   return make_vertex_set(std::move(border));
-}
-
-double area(std::span<const Triangle> triangles, std::span<const Vector3d> positions) {
-  double twice = 0.0;
-  for (const auto& [a, b, c] : triangles) {
-    twice += (positions[b] - positions[a]).cross(positions[c] - positions[a]).norm();
-  }
-  return 0.5 * twice;
 }
 
 struct Largest {
@@ -150,6 +143,7 @@ class CoatRun {
   void lay_on_each_other();
   void remesh_where_coarse();
   Coater coater_for(const CoaterOptions& options);
+  void note_held_scales(const Coater& coater);
   void coat();
 
   const CoatStep& step_;
@@ -243,12 +237,26 @@ void require_valid(const Patch& patch, const Positions& positions, double relati
   }
 }
 
+// A hundredth of the patch is the tip of something; nobody would see the difference.
+void CoatRun::note_held_scales(const Coater& coater) {
+  const std::size_t held = coater.held_scales();
+  const std::size_t count = target_->patch.vertices.size();
+  if (100 * held <= count) return;
+  std::ostringstream text;
+  text << step_.where << ": " << held << " of the target patch's " << count
+       << " vertices are laid so close together on the source that the coating would be more than "
+       << kLargestLocalScale
+       << " times as large there as the patches' sizes say; it is held to that. Choose a rounder "
+          "patch, without horns or legs, or give \"scale\"";
+  result_.report.warnings.push_back(text.str());
+}
+
 void CoatRun::coat() {
   const CoatParameters& parameters = step_.parameters;
   CoatReport& report = *report_.coat;
   // How much larger the target patch is: lengths on the source become lengths there.
-  const double ratio = std::sqrt(area(target_->patch.triangles, target_->laid) /
-                                 area(coating_.patch.triangles, coating_.smooth));
+  const double ratio = std::sqrt(surface_area(target_->patch.triangles, target_->laid) /
+                                 surface_area(coating_.patch.triangles, coating_.smooth));
   CoaterOptions options;
   options.weights = parameters.weights;
   options.hold_length = ratio * parameters.detail_size;
@@ -258,6 +266,7 @@ void CoatRun::coat() {
   Coater coater = coater_for(options);
   coater.take(coating_, map_.points, parameters.sampling, progress_);
   result_.mesh.positions = coater.coat(parameters.amplitude);
+  note_held_scales(coater);
   require_valid(target_->patch, result_.mesh.positions, coater.relative_residual(), step_.where);
   for (const auto& [name, ms] : coater.timings().stages()) report_.timings.add(name, ms);
 
