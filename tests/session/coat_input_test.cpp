@@ -13,6 +13,7 @@ namespace {
 using Eigen::Vector3d;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr Index kCells = 16;
@@ -208,6 +209,23 @@ TEST_F(CoatInput, SmallerDetailThanAnyEdgeLeavesNextToNothing) {
   const auto result = run(coat(kAll, kMiddle, kFrom + kKeep, 1e-5));
   EXPECT_TRUE(all_finite(result->mesh.positions));
   EXPECT_LT(result->report.steps[0].coat->largest_displacement, kHeight);
+}
+
+TEST_F(CoatInput, CoatingOnAHornIsHeldToASensibleSizeWithANote) {
+  // A disk whose middle is drawn out to a needle: its tip is laid on next to nothing.
+  Mesh horn = grid(kCells, kCells);
+  for (Vector3d& p : horn.positions) {
+    const double x = std::max(std::abs(p.x() - 0.5), std::abs(p.y() - 0.5)) / 0.5;
+    const double share = std::clamp(2.5 * x, 0.05, 1.0);
+    p = Vector3d(0.5 + share * (p.x() - 0.5), 0.5 + share * (p.y() - 0.5), 8.0 * (1.0 - x));
+  }
+  write(horn, Side::target);
+  const auto result = run(coat(kAll, kAll, kFrom + kKeep));
+  const StepReport& step = result->report.steps[0];
+  EXPECT_LT(step.coat->largest_displacement, 30.0 * kHeight);
+  EXPECT_THAT(result->report.warnings, ::testing::Contains(HasSubstr("horns")));
+  const auto scaled = run(coat(kAll, kAll, kFrom + kKeep + R"(, "scale": 1)"));
+  EXPECT_THAT(scaled->report.warnings, Not(::testing::Contains(HasSubstr("horns"))));
 }
 
 TEST_F(CoatInput, AmplitudeBeyondAllNumbersIsRefused) {

@@ -38,11 +38,18 @@ VertexSet region_of(const PeelArguments& a, const Mesh& mesh, const Topology& to
   return resolve(read_region(JsonNode::parse(json.dump(), "--region")), mesh, topology);
 }
 
+// In place of one of the same name, as a mesh has that was peeled before.
+void set_extra(Mesh& mesh, ExtraAttribute attribute) {
+  auto& extras = mesh.attributes.vertex_extras;
+  std::erase_if(extras, [&](const ExtraAttribute& e) { return e.name == attribute.name; });
+  extras.push_back(std::move(attribute));
+}
+
 void add_vector(Mesh& mesh, const std::string& name, std::span<const Vector3d> vectors) {
   for (int axis = 0; axis < 3; ++axis) {
     ExtraAttribute attribute{name + "_" + "xyz"[axis], "double", 1, {}};
     for (const Vector3d& vector : vectors) attribute.values.push_back(vector[axis]);
-    mesh.attributes.vertex_extras.push_back(std::move(attribute));
+    set_extra(mesh, std::move(attribute));
   }
 }
 
@@ -55,7 +62,7 @@ void add_height(Mesh& mesh, const Topology& topology, std::span<const Vector3d> 
   for (std::size_t v = 0; v < normals.size(); ++v) {
     attribute.values.push_back(displacement[v].dot(normals[v]));
   }
-  mesh.attributes.vertex_extras.push_back(std::move(attribute));
+  set_extra(mesh, std::move(attribute));
 }
 
 void peel_mesh(const PeelArguments& a) {
@@ -79,6 +86,8 @@ void peel_mesh(const PeelArguments& a) {
   CpuKernels().sample_laplacians({displacement, topology.rings, weights, all}, xi);
 
   mesh.positions = smooth;
+  // The file as it was read has no place for the coating.
+  if (a.coating != "none") mesh.source.reset();
   if (a.coating == "height") add_height(mesh, topology, displacement);
   if (a.coating == "displacement") add_vector(mesh, "coating", displacement);
   if (a.coating == "laplacians") add_vector(mesh, "coating", xi);

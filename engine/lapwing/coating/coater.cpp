@@ -69,6 +69,7 @@ struct Coater::State {
   Columns solve_for(std::span<const Vector3d> y, std::span<const Vector3d> wanted);
   const HeldVertex* held_at(Index vertex) const;
   void solve_for_base();
+  double whole_ratio(const Coating& coating) const;
   void add_layer(const CoatLayer& layer, const Progress& progress, Samples& sum);
 
   const RegionRings& rings() const { return system->rings(); }
@@ -99,6 +100,7 @@ struct Coater::State {
   Columns base;     // takes the target's own detail away; empty where it stays
   Columns coating;  // adds the coating; empty before the first
   double mean_scale = 0.0;
+  std::size_t held_scales = 0;
   double residual = 0.0;
 };
 
@@ -233,6 +235,12 @@ Coater::~Coater() = default;
 Coater::Coater(Coater&&) noexcept = default;
 Coater& Coater::operator=(Coater&&) noexcept = default;
 
+// Lengths on the target patch over those on the coating's, by their areas.
+double Coater::State::whole_ratio(const Coating& on) const {
+  const double here = surface_area(patch.triangles, on_patch<Vector3d>(patch, smooth));
+  return std::sqrt(here / surface_area(on.patch.triangles, on.smooth));
+}
+
 // Samples `layer`, turns it and adds it to `sum`, on the target.
 void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, Samples& sum) {
   std::vector<SurfacePoint> points;
@@ -250,9 +258,16 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
   kernels.rotate_frames(mapped, {layer.coating.smooth, layer.coating.normals}, {positions, normals},
                         T);
   std::vector<double> ratios(rows);
+  const double largest = kLargestLocalScale * whole_ratio(layer.coating);
+  held_scales = 0;
   for (std::size_t r = 0; r < rows; ++r) {
     ratios[r] = T[r].col(0).norm();
-    if (layer.options.scale) T[r] *= *layer.options.scale / ratios[r];
+    if (layer.options.scale) {
+      T[r] *= *layer.options.scale / ratios[r];
+    } else if (ratios[r] > largest) {
+      T[r] *= largest / ratios[r];
+      ++held_scales;
+    }
   }
   timings.add("frames", watch.elapsed_ms());
 
@@ -304,6 +319,9 @@ Positions Coater::coat(double amplitude) const {
 
 double Coater::mean_scale() const {
   return state_->mean_scale;
+}
+std::size_t Coater::held_scales() const {
+  return state_->held_scales;
 }
 double Coater::relative_residual() const {
   return state_->residual;

@@ -41,10 +41,16 @@ struct CoatTarget {
   std::span<const HeldVertex> held = {};
 };
 
+/// A horn or a leg is laid on next to nothing of the domain, so that the edges at its tip can be
+/// any number of times as long as what they come to lie on, and a coating that much larger is none
+/// any more. See CoatOptions::scale.
+inline constexpr double kLargestLocalScale = 4.0;
+
 /// How a coating is taken over.
 struct CoatOptions {
   MappedSampling sampling = MappedSampling::one_ring;
-  /// Its size on the target over that on the source; none: the local ratio of edge lengths.
+  /// Its size on the target over that on the source; none: the local ratio of edge lengths, held to
+  /// kLargestLocalScale times that of the patches as wholes.
   std::optional<double> scale;
   bool operator==(const CoatOptions&) const = default;
 };
@@ -100,6 +106,8 @@ class Coater {
 
   /// The mean of s over the patch, of the layer taken last.
   double mean_scale() const;
+  /// At how many vertices it was held to kLargestLocalScale.
+  std::size_t held_scales() const;
   /// |A u - b| / |b| of the coating's system.
   double relative_residual() const;
   const VertexSet& free() const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <Eigen/Geometry>
+
 #include "lapwing/base/parallel.h"
 
 namespace lapwing {
@@ -25,6 +27,15 @@ std::vector<double> squared_rings(const Adjacency& rings, std::span<const double
   const double least = kSmallestRingShare * sum / static_cast<double>(rows.size());
   for (double& square : squares) square = std::max(square, least);
   return squares;
+}
+
+double surface_area(std::span<const Triangle> triangles,
+                    std::span<const Eigen::Vector3d> positions) {
+  double twice = 0.0;
+  for (const auto& [a, b, c] : triangles) {
+    twice += (positions[b] - positions[a]).cross(positions[c] - positions[a]).norm();
+  }
+  return 0.5 * twice;
 }
 
 }  // namespace lapwing

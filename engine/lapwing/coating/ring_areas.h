@@ -17,4 +17,8 @@ std::vector<double> squared_rings(const Adjacency& rings, std::span<const double
 
 inline constexpr double kSmallestRingShare = 1e-6;
 
+/// The area of all `triangles`.
+double surface_area(std::span<const Triangle> triangles,
+                    std::span<const Eigen::Vector3d> positions);
+
 }  // namespace lapwing

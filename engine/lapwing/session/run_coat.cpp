@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <sstream>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
@@ -12,6 +13,8 @@
 #include "lapwing/coating/correspondence.h"
 #include "lapwing/coating/fairing.h"
 #include "lapwing/coating/peel.h"
+#include "lapwing/coating/ring_areas.h"
+#include "lapwing/deform/certificate.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/remesh/isotropic.h"
 #include "lapwing/session/stage.h"
@@ -48,14 +51,6 @@ VertexSet border_of(const Patch& patch) {
   std::vector<Index> border;
   for (const Index own : patch.loop) border.push_back(patch.vertices[own]);
   return make_vertex_set(std::move(border));
-}
-
-double area(std::span<const Triangle> triangles, std::span<const Vector3d> positions) {
-  double twice = 0.0;
-  for (const auto& [a, b, c] : triangles) {
-    twice += (positions[b] - positions[a]).cross(positions[c] - positions[a]).norm();
-  }
-  return 0.5 * twice;
 }
 
 struct Largest {
@@ -149,6 +144,7 @@ class CoatRun {
   void lay_on_each_other();
   void remesh_where_coarse();
   Coater coater_for(const CoaterOptions& options);
+  void note_held_scales(const Coater& coater);
   void coat();
 
   const CoatStep& step_;
@@ -230,8 +226,9 @@ Coater CoatRun::coater_for(const CoaterOptions& options) {
   }
 }
 
-// As a deform step's certificate does: a file with such positions is worse than none.
-void require_finite(const Patch& patch, const Positions& positions, const std::string& where) {
+// As a deform step's certificate does: a wrong mesh on the disk is worse than none.
+void require_valid(const Patch& patch, const Positions& positions, double relative_residual,
+                   const std::string& where) {
   for (const Index v : patch.vertices) {
     if (positions[v].allFinite()) continue;
     throw SolverError(where + ": the result has positions that are not finite, vertex " +
@@ -239,14 +236,36 @@ void require_finite(const Patch& patch, const Positions& positions, const std::s
                       " for one, so the mesh was left as it was; run `lapwing check` on source and "
                       "target, and see that \"amplitude\" and \"scale\" are no larger than needed");
   }
+  if (!(relative_residual <= kLargestResidual)) {
+    std::ostringstream text;
+    text << where << ": the solution misses the equations by " << relative_residual << " (at most "
+         << kLargestResidual
+         << " is allowed), so the mesh was left as it was; remesh the target patch with `lapwing "
+            "remesh`, or choose a smaller one";
+    throw SolverError(text.str());
+  }
+}
+
+// A hundredth of the patch is the tip of something; nobody would see the difference.
+void CoatRun::note_held_scales(const Coater& coater) {
+  const std::size_t held = coater.held_scales();
+  const std::size_t count = target_->patch.vertices.size();
+  if (100 * held <= count) return;
+  std::ostringstream text;
+  text << step_.where << ": " << held << " of the target patch's " << count
+       << " vertices are laid so close together on the source that the coating would be more than "
+       << kLargestLocalScale
+       << " times as large there as the patches' sizes say; it is held to that. Choose a rounder "
+          "patch, without horns or legs, or give \"scale\"";
+  result_.report.warnings.push_back(text.str());
 }
 
 void CoatRun::coat() {
   const CoatParameters& parameters = step_.parameters;
   CoatReport& report = *report_.coat;
   // How much larger the target patch is: lengths on the source become lengths there.
-  const double ratio = std::sqrt(area(target_->patch.triangles, target_->laid) /
-                                 area(coating_.patch.triangles, coating_.smooth));
+  const double ratio = std::sqrt(surface_area(target_->patch.triangles, target_->laid) /
+                                 surface_area(coating_.patch.triangles, coating_.smooth));
   CoaterOptions options;
   options.weights = parameters.weights;
   options.hold_length = ratio * parameters.detail_size;
@@ -256,7 +275,8 @@ void CoatRun::coat() {
   Coater coater = coater_for(options);
   coater.take(coating_, map_.points, parameters.sampling, progress_);
   result_.mesh.positions = coater.coat(parameters.amplitude);
-  require_finite(target_->patch, result_.mesh.positions, step_.where);
+  note_held_scales(coater);
+  require_valid(target_->patch, result_.mesh.positions, coater.relative_residual(), step_.where);
   for (const auto& [name, ms] : coater.timings().stages()) report_.timings.add(name, ms);
 
   const Largest largest = largest_displacement(before, result_.mesh.positions);
