@@ -54,11 +54,8 @@ struct Pins {
 Pins pins_of(const PlacedPatch& source, const PlacedPatch& target,
              const CorrespondenceOptions& options, const std::string& where) {
   if (options.boundary_pairs.empty()) {
-    Pins pins;
-    parallel_invoke(
-        [&] { pins.source = default_pins(source.patch, source.positions, options.domain); },
-        [&] { pins.target = default_pins(target.patch, target.positions, options.domain); });
-    return pins;
+    return {default_pins(source.patch, source.positions, options.domain),
+            default_pins(target.patch, target.positions, options.domain)};
   }
   const std::size_t wanted = options.domain == Domain::disk ? 1 : 4;
   if (options.boundary_pairs.size() != wanted) {

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/base/parallel.h"
 #include "lapwing/coating/ring_areas.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/geodesic.h"
@@ -58,21 +57,15 @@ Fairing::Fairing(std::span<const Vector3d> positions, const Topology& topology,
     : positions_(positions),
       unknowns_(free_vertices(region, topology), topology.vertex_count()),
       solver_(make_solver()) {
-  const auto make_rows = [&] {
-    // The same from both ends of an edge, so that D is self-adjoint for the masses.
-    const std::vector<double> s = weights == LaplacianWeights::cotangent
-                                      ? edge_weights(topology, positions)
-                                      : std::vector<double>(topology.rings.values.size(), 1.0);
-    masses_ = squared_rings(topology.rings, s, positions, free());
-    for (double& mass : masses_) mass *= 0.25;
-    rows_ = scaled_rows(topology.rings, s, free(), masses_);
-  };
-  parallel_invoke(
-      [&] {
-        pattern_ = std::make_unique<SystemPattern>(topology, free(), unknowns_);
-        if (!free().empty()) solver_->analyze(pattern_->blocks(), 1, pattern_->order());
-      },
-      make_rows);
+  // The same from both ends of an edge, so that D is self-adjoint for the masses.
+  const std::vector<double> s = weights == LaplacianWeights::cotangent
+                                    ? edge_weights(topology, positions)
+                                    : std::vector<double>(topology.rings.values.size(), 1.0);
+  masses_ = squared_rings(topology.rings, s, positions, free());
+  for (double& mass : masses_) mass *= 0.25;
+  rows_ = scaled_rows(topology.rings, s, free(), masses_);
+  pattern_ = std::make_unique<SystemPattern>(topology, free(), unknowns_);
+  if (!free().empty()) solver_->analyze(pattern_->blocks(), 1, pattern_->order());
 }
 
 Positions Fairing::smooth(double length, const char* where) const {

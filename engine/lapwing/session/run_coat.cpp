@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/base/parallel.h"
 #include "lapwing/coating/carried_length.h"
 #include "lapwing/coating/coater.h"
 #include "lapwing/coating/correspondence.h"
@@ -140,7 +139,7 @@ class CoatRun {
   void timed(const char* name, Body body) {
     stage(name, report_.timings, progress_, body);
   }
-  void take_patches();
+  void peel_source();
   void lay_on_each_other();
   void remesh_where_coarse();
   Coater coater_for(const CoaterOptions& options);
@@ -159,23 +158,15 @@ class CoatRun {
   StepReport report_;
 };
 
-// Peels the source and smooths the target meanwhile.
-void CoatRun::take_patches() {
+void CoatRun::peel_source() {
   Source source;
   timed("source", [&] { load_source(step_, base_directory_, result_, source); });
-  const auto peel_source = [&] {
+  timed("peel", [&] {
     const CoatParameters& parameters = step_.parameters;
     coating_ =
         peel(patch_of(step_.source_patch, *source.mesh, *source.topology), source.mesh->positions,
              *source.topology, parameters.detail_size, parameters.weights, kernels_);
-  };
-  StageTimings of_target;
-  const auto smooth_target = [&] {
-    target_.emplace(patch_of(step_.target_patch, result_.mesh, result_.topology), step_, result_);
-  };
-  parallel_invoke([&] { timed("peel", peel_source); },
-                  [&] { stage("smooth_target", of_target, {}, smooth_target); });
-  for (const auto& [name, ms] : of_target.stages()) report_.timings.add(name, ms);
+  });
 }
 
 // The surfaces below the detail are laid on each other: it has no say in where it comes to.
@@ -289,7 +280,10 @@ void CoatRun::coat() {
 }
 
 StepReport CoatRun::run() {
-  take_patches();
+  peel_source();
+  timed("smooth_target", [&] {
+    target_.emplace(patch_of(step_.target_patch, result_.mesh, result_.topology), step_, result_);
+  });
   lay_on_each_other();
   remesh_where_coarse();
   coat();
