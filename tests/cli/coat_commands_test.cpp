@@ -1,5 +1,7 @@
 // `lapwing coat` and `lapwing peel` as a user meets them.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -216,6 +218,23 @@ TEST_F(CoatCommands, PeeledAgainHasTheLastCoatingOnly) {
   const auto z = values(twice, "coating_z");
   for (std::size_t v = 0; v < z.size(); ++v) {
     EXPECT_NEAR(twice.positions[v].z() + z[v], once.positions[v].z(), 1e-6);
+  }
+}
+
+TEST_F(CoatCommands, PeelNamesAVertexThatIsNotFiniteAndWorksAroundIt) {
+  Mesh mesh = test::relief(kCells, 3.0, kHeight);
+  mesh.positions[144].x() = std::numeric_limits<double>::quiet_NaN();
+  write_mesh(mesh, file("broken.ply"));
+  const Outcome whole = lapwing("peel broken.ply --detail-size 0.5 -o a.ply");
+  EXPECT_EQ(whole.exit_code, 3);
+  EXPECT_THAT(whole.output, AllOf(HasSubstr("vertex 144"), HasSubstr("lapwing check --fix")));
+  const Outcome rest = lapwing(
+      "peel broken.ply --detail-size 0.5 -o a.ply --region "
+      "'{\"minus\": [{\"all\": true}, {\"vertices\": [144]}]}'");
+  ASSERT_EQ(rest.exit_code, 0) << rest.output;
+  EXPECT_THAT(rest.output, ::testing::Not(HasSubstr("nan")));
+  for (const double z : values(read_mesh(file("a.ply")), "coating_z")) {
+    EXPECT_TRUE(std::isfinite(z));
   }
 }
 

@@ -7,11 +7,13 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "lapwing/base/errors.h"
 #include "lapwing/coating/fairing.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/recipe/json_node.h"
 #include "lapwing/recipe/read_region.h"
+#include "lapwing/region/vertex_set.h"
 #include "mesh_output.h"
 #include "region_text.h"
 
@@ -36,6 +38,17 @@ LaplacianWeights weights_of(const PeelArguments& a) {
 VertexSet region_of(const PeelArguments& a, const Mesh& mesh, const Topology& topology) {
   const auto json = region_json("--region", a.region);
   return resolve(read_region(JsonNode::parse(json.dump(), "--region")), mesh, topology);
+}
+
+void require_finite(const VertexSet& region, const Positions& positions) {
+  VertexSet broken;
+  for (const Index v : region) {
+    if (!positions[v].allFinite()) broken.push_back(v);
+  }
+  if (broken.empty()) return;
+  throw InputError("--region: " + name_vertices(broken) +
+                   " of the region has no finite position; leave it out, or mend the mesh with "
+                   "`lapwing check --fix`");
 }
 
 // In place of one of the same name, as a mesh has that was peeled before.
@@ -69,6 +82,7 @@ void peel_mesh(const PeelArguments& a) {
   Mesh mesh = read_mesh(a.mesh);
   const Topology topology = build_topology(mesh);
   const VertexSet region = region_of(a, mesh, topology);
+  require_finite(region, mesh.positions);
   const Fairing fairing(mesh.positions, topology, region, weights_of(a));
   const Positions smooth = fairing.smooth(a.detail_size, "--detail-size");
 
@@ -76,6 +90,8 @@ void peel_mesh(const PeelArguments& a) {
   double squares = 0.0;
   double largest = 0.0;
   for (std::size_t v = 0; v < smooth.size(); ++v) {
+    displacement[v] = Vector3d::Zero();
+    if (!smooth[v].allFinite()) continue;
     displacement[v] = mesh.positions[v] - smooth[v];
     squares += displacement[v].squaredNorm();
     largest = std::max(largest, displacement[v].norm());
