@@ -25,6 +25,12 @@ void for_each_edge(std::span<const Triangle> triangles, const Add& add) {
   }
 }
 
+// A surface that is coated with its own detail keeps its triangles.
+bool on_vertex(const SurfacePoint& point) {
+  constexpr double kNearlyAll = 0.99;
+  return *std::max_element(point.weights.begin(), point.weights.end()) > kNearlyAll;
+}
+
 struct Mean {
   double sum = 0.0;
   double count = 0.0;
@@ -91,10 +97,11 @@ CarriedLength::CarriedLength(const Coating& coating, const Patch& target,
   const auto ratios = local_ratios(target, positions, points, coating.smooth);
   std::size_t coarse = 0;
   for (std::size_t v = 0; v < lengths_.size(); ++v) {
-    const double carried = ratios[v] * points[v].of<double>(source_edges);
-    if (!(carried > 0.0) || carried >= lengths_[v]) continue;
-    if (lengths_[v] > kCoarseRatio * carried) ++coarse;
-    lengths_[v] = carried;
+    const double fineness = on_vertex(points[v]) ? 1.0 : kFineness;
+    const double wanted = fineness * ratios[v] * points[v].of<double>(source_edges);
+    if (!(wanted > 0.0) || wanted >= lengths_[v]) continue;
+    if (lengths_[v] > kCoarseRatio * wanted) ++coarse;
+    lengths_[v] = wanted;
   }
   too_coarse_ =
       static_cast<double>(coarse) > kCoarseShare * static_cast<double>(target.vertices.size());

@@ -11,8 +11,9 @@
 namespace lapwing {
 
 /// How fine a target patch must be to carry what comes to it from a source (paper section 5.2,
-/// "compatible" tessellations): per vertex the source's edges as they are laid onto the target, but
-/// never longer than the target's own.
+/// "compatible" tessellations): per vertex kFineness times the source's edges as they are laid onto
+/// the target, all of their length where the vertex lies on one of the source's, but never longer
+/// than the target's own.
 class CarriedLength {
  public:
   /// `positions` and `points` per own number of `target`; copies what it needs.
@@ -32,6 +33,8 @@ class CarriedLength {
   /// Makes all lengths longer so that the estimate is at most `count`.
   void limit_vertices(double count);
 
+  /// Edges as long as the source's, but elsewhere than they are, cut its creases into teeth.
+  static constexpr double kFineness = 0.6;
   static constexpr double kCoarseRatio = 1.5;
   static constexpr double kCoarseShare = 0.05;
 
