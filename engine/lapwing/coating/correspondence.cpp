@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
@@ -46,29 +47,25 @@ Index own_number(const PlacedPatch& side, std::size_t which, const VertexPair& p
   return own;
 }
 
-struct Pins {
-  BoundaryPins source;
-  BoundaryPins target;
-};
-
-Pins pins_of(const PlacedPatch& source, const PlacedPatch& target,
-             const CorrespondenceOptions& options, const std::string& where) {
-  if (options.boundary_pairs.empty()) {
-    return {default_pins(source.patch, source.positions, options.domain),
-            default_pins(target.patch, target.positions, options.domain)};
-  }
+void require_pair_count(const CorrespondenceOptions& options, const std::string& where) {
+  const std::size_t count = options.boundary_pairs.size();
   const std::size_t wanted = options.domain == Domain::disk ? 1 : 4;
-  if (options.boundary_pairs.size() != wanted) {
-    throw InputError(where + "/boundary_pairs: the " +
-                     (wanted == 1 ? "disk takes one pair" : "square takes four pairs") +
-                     ", in order around the border, got " +
-                     std::to_string(options.boundary_pairs.size()));
+  if (count == 0 || count == wanted) return;
+  throw InputError(where + "/boundary_pairs: the " +
+                   (wanted == 1 ? "disk takes one pair" : "square takes four pairs") +
+                   ", in order around the border, got " + std::to_string(count));
+}
+
+BoundaryPins pins_of(const PlacedPatch& side, std::size_t which,
+                     const CorrespondenceOptions& options, const std::string& where) {
+  require_pair_count(options, where);
+  if (options.boundary_pairs.empty()) {
+    return default_pins(side.patch, side.positions, options.domain);
   }
-  Pins pins;
+  BoundaryPins pins;
   for (std::size_t p = 0; p < options.boundary_pairs.size(); ++p) {
-    const std::string place = place_of(where, "boundary_pairs", p);
-    pins.source.push_back(own_number(source, 0, options.boundary_pairs[p], true, place));
-    pins.target.push_back(own_number(target, 1, options.boundary_pairs[p], true, place));
+    pins.push_back(own_number(side, which, options.boundary_pairs[p], true,
+                              place_of(where, "boundary_pairs", p)));
   }
   return pins;
 }
@@ -122,22 +119,40 @@ void meet_inner_pairs(const PlacedPatch& source, const PlacedPatch& target,
 
 }  // namespace
 
-Correspondence correspond(const PlacedPatch& source, const PlacedPatch& target,
+LaidPatch lay(const PlacedPatch& side, MapSide which, const CorrespondenceOptions& options,
+              const std::string& where) {
+  const auto index = static_cast<std::size_t>(which);
+  LaidPatch laid;
+  laid.pins = pins_of(side, index, options, where);
+  laid.map = map_of(side, index, options.domain, laid.pins, where);
+  return laid;
+}
+
+Correspondence correspond(const PlacedPatch& source, LaidPatch laid_source,
+                          const PlacedPatch& target, LaidPatch laid_target,
                           const CorrespondenceOptions& options, const std::string& where) {
   Correspondence result;
-  const Pins pins = pins_of(source, target, options, where);
-  for (std::size_t p = 0; p < pins.source.size(); ++p) {
+  for (std::size_t p = 0; p < laid_source.pins.size(); ++p) {
     result.pins.push_back(
-        {source.patch.vertices[pins.source[p]], target.patch.vertices[pins.target[p]]});
+        {source.patch.vertices[laid_source.pins[p]], target.patch.vertices[laid_target.pins[p]]});
   }
-  parallel_invoke([&] { result.source = map_of(source, 0, options.domain, pins.source, where); },
-                  [&] { result.target = map_of(target, 1, options.domain, pins.target, where); });
+  result.source = std::move(laid_source.map);
+  result.target = std::move(laid_target.map);
   meet_inner_pairs(source, target, options, where, result);
   result.flipped_source = flipped_triangles(source.patch.triangles, result.source.points).size();
   result.flipped_target = flipped_triangles(target.patch.triangles, result.target.points).size();
   const DomainLocator locator(source.patch.triangles, result.source.points);
   result.points = locator.locate(result.target.points);
   return result;
+}
+
+Correspondence correspond(const PlacedPatch& source, const PlacedPatch& target,
+                          const CorrespondenceOptions& options, const std::string& where) {
+  LaidPatch laid_source;
+  LaidPatch laid_target;
+  parallel_invoke([&] { laid_source = lay(source, MapSide::source, options, where); },
+                  [&] { laid_target = lay(target, MapSide::target, options, where); });
+  return correspond(source, std::move(laid_source), target, std::move(laid_target), options, where);
 }
 
 }  // namespace lapwing

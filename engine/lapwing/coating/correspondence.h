@@ -40,6 +40,22 @@ struct Correspondence {
   std::vector<SurfacePoint> points;  ///< per own number of the target: own numbers of the source
 };
 
+enum class MapSide { source, target };
+
+/// A patch in the domain, before it is bent to meet another.
+struct LaidPatch {
+  BoundaryPins pins;
+  DomainMap map;
+};
+
+/// The first half of `correspond`, one side by itself. Throws what that does.
+LaidPatch lay(const PlacedPatch& side, MapSide which, const CorrespondenceOptions& options,
+              const std::string& where);
+/// The second half.
+Correspondence correspond(const PlacedPatch& source, LaidPatch laid_source,
+                          const PlacedPatch& target, LaidPatch laid_target,
+                          const CorrespondenceOptions& options, const std::string& where);
+
 /// Parameterizes both patches, bends the source's map until the inner pairs meet, and locates every
 /// vertex of the target. Throws InputError, naming `where` and the pair, when a pair names a vertex
 /// outside its patch or off its boundary (inside it, for inner pairs), when the number of boundary

@@ -5,8 +5,10 @@
 #include <functional>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
 #include "lapwing/coating/carried_length.h"
 #include "lapwing/coating/coater.h"
 #include "lapwing/coating/correspondence.h"
@@ -139,10 +141,12 @@ class CoatRun {
   void timed(const char* name, Body body) {
     stage(name, report_.timings, progress_, body);
   }
-  void peel_source();
-  void lay_on_each_other();
+  void make_sides();
+  void lay_target(Target target);
+  void meet();
   void remesh_where_coarse();
-  Coater coater_for(const CoaterOptions& options);
+  CoaterOptions coater_options() const;
+  void make_coater();
   void note_held_scales(const Coater& coater);
   void coat();
 
@@ -154,27 +158,50 @@ class CoatRun {
   CorrespondenceOptions pairs_;
   Coating coating_;
   std::optional<Target> target_;
+  LaidPatch laid_source_;
+  LaidPatch laid_target_;
   Correspondence map_;
+  std::optional<Coater> coater_;
   StepReport report_;
 };
 
-void CoatRun::peel_source() {
+// Source and target side by side; only the source uses the device.
+void CoatRun::make_sides() {
   Source source;
   timed("source", [&] { load_source(step_, base_directory_, result_, source); });
   timed("peel", [&] {
     const CoatParameters& parameters = step_.parameters;
-    coating_ =
-        peel(patch_of(step_.source_patch, *source.mesh, *source.topology), source.mesh->positions,
-             *source.topology, parameters.detail_size, parameters.weights, kernels_);
+    parallel_invoke(
+        [&] {
+          coating_ = peel(patch_of(step_.source_patch, *source.mesh, *source.topology),
+                          source.mesh->positions, *source.topology, parameters.detail_size,
+                          parameters.weights, kernels_);
+        },
+        [&] {
+          lay_target(
+              Target(patch_of(step_.target_patch, result_.mesh, result_.topology), step_, result_));
+        });
+  });
+  timed("map", [&] {
+    parallel_invoke(
+        [&] {
+          laid_source_ =
+              lay({coating_.patch, coating_.smooth}, MapSide::source, pairs_, step_.where);
+        },
+        [&] { make_coater(); });
+    meet();
   });
 }
 
 // The surfaces below the detail are laid on each other: it has no say in where it comes to.
-void CoatRun::lay_on_each_other() {
-  timed("map", [&] {
-    map_ = correspond({coating_.patch, coating_.smooth}, {target_->patch, target_->laid}, pairs_,
-                      step_.where);
-  });
+void CoatRun::lay_target(Target target) {
+  target_ = std::move(target);
+  laid_target_ = lay({target_->patch, target_->laid}, MapSide::target, pairs_, step_.where);
+}
+
+void CoatRun::meet() {
+  map_ = correspond({coating_.patch, coating_.smooth}, laid_source_,
+                    {target_->patch, target_->laid}, laid_target_, pairs_, step_.where);
 }
 
 void CoatRun::remesh_where_coarse() {
@@ -200,18 +227,34 @@ void CoatRun::remesh_where_coarse() {
     const VertexSet region = remeshed.region;
     report_.coat->vertices_before_remeshing = target_->patch.vertices.size();
     replace_mesh(remeshed, result_);
-    target_.emplace(
+    lay_target(Target(
         disk_patch(region, result_.topology, result_.mesh.positions, step_.target_patch.where),
-        step_, result_);
+        step_, result_));
   });
-  lay_on_each_other();
+  timed("map", [&] { meet(); });
+  make_coater();
 }
 
-Coater CoatRun::coater_for(const CoaterOptions& options) {
+CoaterOptions CoatRun::coater_options() const {
+  const CoatParameters& parameters = step_.parameters;
+  // How much larger the target patch is: lengths on the source become lengths there.
+  const double ratio = std::sqrt(surface_area(target_->patch.triangles, target_->laid) /
+                                 surface_area(coating_.patch.triangles, coating_.smooth));
+  CoaterOptions options;
+  options.weights = parameters.weights;
+  options.hold_length = ratio * parameters.detail_size;
+  options.transition = parameters.transition.value_or(
+      Transition{ratio * parameters.detail_size, Transition::Profile::smooth});
+  return options;
+}
+
+// Beside another thread, which has the progress.
+void CoatRun::make_coater() {
+  coater_.reset();
   CoatTarget target{result_.mesh.positions};
   if (step_.parameters.smooth_target > 0.0) target.smooth = target_->smooth;
   try {
-    return Coater(target, result_.topology, target_->patch, options, kernels_, progress_);
+    coater_.emplace(target, result_.topology, target_->patch, coater_options(), kernels_);
   } catch (const InputError& error) {
     throw InputError(step_.target_patch.where + ": " + error.what());
   }
@@ -254,18 +297,9 @@ void CoatRun::note_held_scales(const Coater& coater) {
 void CoatRun::coat() {
   const CoatParameters& parameters = step_.parameters;
   CoatReport& report = *report_.coat;
-  // How much larger the target patch is: lengths on the source become lengths there.
-  const double ratio = std::sqrt(surface_area(target_->patch.triangles, target_->laid) /
-                                 surface_area(coating_.patch.triangles, coating_.smooth));
-  CoaterOptions options;
-  options.weights = parameters.weights;
-  options.hold_length = ratio * parameters.detail_size;
-  options.transition = parameters.transition.value_or(
-      Transition{ratio * parameters.detail_size, Transition::Profile::smooth});
-  const Positions before = result_.mesh.positions;
-  Coater coater = coater_for(options);
+  Coater& coater = *coater_;
   coater.take(coating_, map_.points, parameters.sampling, progress_);
-  result_.mesh.positions = coater.coat(parameters.amplitude);
+  const Positions before = std::exchange(result_.mesh.positions, coater.coat(parameters.amplitude));
   note_held_scales(coater);
   require_valid(target_->patch, result_.mesh.positions, coater.relative_residual(), step_.where);
   for (const auto& [name, ms] : coater.timings().stages()) report_.timings.add(name, ms);
@@ -273,18 +307,14 @@ void CoatRun::coat() {
   const Largest largest = largest_displacement(before, result_.mesh.positions);
   report_.free = coater.free().size();
   report.mean_scale = coater.mean_scale();
-  report.transition_width = options.transition.width;
+  report.transition_width = coater_options().transition.width;
   report.relative_residual = coater.relative_residual();
   report.largest_displacement = largest.distance;
   report.largest_displacement_vertex = largest.vertex;
 }
 
 StepReport CoatRun::run() {
-  peel_source();
-  timed("smooth_target", [&] {
-    target_.emplace(patch_of(step_.target_patch, result_.mesh, result_.topology), step_, result_);
-  });
-  lay_on_each_other();
+  make_sides();
   remesh_where_coarse();
   coat();
 
