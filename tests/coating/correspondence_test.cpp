@@ -72,6 +72,29 @@ TEST(Correspondence, MeetsInnerPairsAndStaysBijective) {
   EXPECT_GT(map.warp.steps, 0);
 }
 
+TEST(Correspondence, WithoutBoundaryPairsIsTurnedSoThatInnerPairsComeNear) {
+  const PatchedMesh source(bumpy_plane(20, 2, 0.1));
+  // Three inner vertices and where they are after half a turn of the grid.
+  const auto turned = [](Index v) { return 21 * 21 - 1 - v; };
+  CorrespondenceOptions options;
+  for (const Index v : {5 * 21 + 4, 6 * 21 + 15, 15 * 21 + 8}) {
+    options.inner_pairs.push_back({v, turned(v)});
+  }
+  for (const Domain domain : {Domain::disk, Domain::square}) {
+    options.domain = domain;
+    const auto map = correspond(source.placed(), source.placed(), options, "coat");
+    for (const auto& [s, t] : options.inner_pairs) {
+      EXPECT_LT((map.points[t].of<Vector3d>(source.own) - source.own[s]).norm(), 1e-6);
+    }
+    EXPECT_EQ(map.warp.constrained_steps, 0);
+    EXPECT_EQ(map.flipped_source, 0U);
+    // The pins that are told are where the borders meet.
+    for (const auto& [s, t] : map.pins) {
+      EXPECT_LT((map.source.points[s] - map.target.points[t]).norm(), 0.1);
+    }
+  }
+}
+
 TEST(Correspondence, NamesAPairThatIsOffItsPatch) {
   const PatchedMesh whole(grid(8, 8));
   const PatchedMesh part(grid(8, 8), within(grid(8, 8), Vector3d(0.5, 0.5, 0), 0.3));

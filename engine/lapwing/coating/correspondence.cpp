@@ -1,8 +1,13 @@
 #include "lapwing/coating/correspondence.h"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
 #include <string_view>
 #include <utility>
+
+#include <Eigen/Geometry>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
@@ -91,10 +96,10 @@ DomainMap map_of(const PlacedPatch& side, std::size_t which, Domain domain,
   throw InputError(text + ". Leave out one of them, or correct it");
 }
 
-// Bends the source's map so that the vertices of the inner pairs come to lie on each other.
-void meet_inner_pairs(const PlacedPatch& source, const PlacedPatch& target,
-                      const CorrespondenceOptions& options, const std::string& where,
-                      Correspondence& result) {
+// Where the source's vertices of the inner pairs should come to.
+std::vector<PointPull> pulls_of(const PlacedPatch& source, const PlacedPatch& target,
+                                const CorrespondenceOptions& options, const std::string& where,
+                                const DomainMap& target_map) {
   std::vector<PointPull> pulls;
   for (std::size_t p = 0; p < options.inner_pairs.size(); ++p) {
     const std::string place = place_of(where, "inner_pairs", p);
@@ -107,11 +112,52 @@ void meet_inner_pairs(const PlacedPatch& source, const PlacedPatch& target,
                        " of the source is in pair " + std::to_string(same - pulls.begin()) +
                        " too; a vertex can lie in one place only");
     }
-    pulls.push_back({from, result.target.points[to]});
+    pulls.push_back({from, target_map.points[to]});
   }
+  return pulls;
+}
+
+Eigen::Vector2d center_of(Domain domain) {
+  return domain == Domain::disk ? Eigen::Vector2d::Zero() : Eigen::Vector2d(0.5, 0.5);
+}
+
+// The angle by which the domain is to be turned, onto itself, to bring the pulls nearest to their
+// targets.
+double best_turn(const DomainMap& map, std::span<const PointPull> pulls) {
+  const Eigen::Vector2d center = center_of(map.domain);
+  std::complex<double> sum = 0.0;
+  for (const PointPull& pull : pulls) {
+    const Eigen::Vector2d from = map.points[pull.vertex] - center;
+    const Eigen::Vector2d to = pull.target - center;
+    sum += std::complex(to.x(), to.y()) * std::conj(std::complex(from.x(), from.y()));
+  }
+  constexpr double kQuarter = 0.5 * std::numbers::pi;
+  const double angle = std::arg(sum);
+  return map.domain == Domain::disk ? angle : kQuarter * std::round(angle / kQuarter);
+}
+
+// Turns the source's map about the middle of the domain; its pins become the boundary vertices that
+// come nearest to the target's.
+void turn(double angle, const Patch& source, std::span<const Index> target_pins,
+          const DomainMap& target, LaidPatch& laid) {
+  const Eigen::Vector2d center = center_of(target.domain);
+  const Eigen::Rotation2Dd rotation(angle);
+  for (Eigen::Vector2d& point : laid.map.points) point = center + rotation * (point - center);
+  for (std::size_t p = 0; p < target_pins.size(); ++p) {
+    const Eigen::Vector2d place = target.points[target_pins[p]];
+    laid.pins[p] = *std::min_element(source.loop.begin(), source.loop.end(), [&](Index a, Index b) {
+      return (laid.map.points[a] - place).squaredNorm() <
+             (laid.map.points[b] - place).squaredNorm();
+    });
+  }
+}
+
+// Bends the source's map so that the vertices of the inner pairs come to lie on each other.
+void meet_inner_pairs(const Patch& source, std::span<const PointPull> pulls,
+                      const CorrespondenceOptions& options, const std::string& where,
+                      Correspondence& result) {
   if (pulls.empty()) return;
-  WarpResult warped =
-      warp_domain(source.patch.triangles, source.patch.loop, result.source.points, pulls);
+  WarpResult warped = warp_domain(source.triangles, source.loop, result.source.points, pulls);
   result.warp = std::move(warped.report);
   if (!result.warp.unmet.empty()) fail_contradicting(options, result.warp, where);
   result.source.points = std::move(warped.points);
@@ -123,6 +169,7 @@ LaidPatch lay(const PlacedPatch& side, MapSide which, const CorrespondenceOption
               const std::string& where) {
   const auto index = static_cast<std::size_t>(which);
   LaidPatch laid;
+  laid.pins_are_chosen = options.boundary_pairs.empty();
   laid.pins = pins_of(side, index, options, where);
   laid.map = map_of(side, index, options.domain, laid.pins, where);
   return laid;
@@ -132,13 +179,18 @@ Correspondence correspond(const PlacedPatch& source, LaidPatch laid_source,
                           const PlacedPatch& target, LaidPatch laid_target,
                           const CorrespondenceOptions& options, const std::string& where) {
   Correspondence result;
+  const auto pulls = pulls_of(source, target, options, where, laid_target.map);
+  if (laid_source.pins_are_chosen && !pulls.empty()) {
+    turn(best_turn(laid_source.map, pulls), source.patch, laid_target.pins, laid_target.map,
+         laid_source);
+  }
   for (std::size_t p = 0; p < laid_source.pins.size(); ++p) {
     result.pins.push_back(
         {source.patch.vertices[laid_source.pins[p]], target.patch.vertices[laid_target.pins[p]]});
   }
   result.source = std::move(laid_source.map);
   result.target = std::move(laid_target.map);
-  meet_inner_pairs(source, target, options, where, result);
+  meet_inner_pairs(source.patch, pulls, options, where, result);
   result.flipped_source = flipped_triangles(source.patch.triangles, result.source.points).size();
   result.flipped_target = flipped_triangles(target.patch.triangles, result.target.points).size();
   const DomainLocator locator(source.patch.triangles, result.source.points);

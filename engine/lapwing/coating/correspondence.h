@@ -17,7 +17,8 @@ using VertexPair = std::array<Index, 2>;
 struct CorrespondenceOptions {
   Domain domain = Domain::disk;
   /// On the boundaries: one for the disk, four in order around for the square. None: pins are
-  /// chosen (`default_pins`).
+  /// chosen (`default_pins`), and the source's map is turned so that inner pairs come near each
+  /// other.
   std::vector<VertexPair> boundary_pairs;
   std::vector<VertexPair> inner_pairs;  ///< inside, as many as wanted
   bool operator==(const CorrespondenceOptions&) const = default;
@@ -45,6 +46,7 @@ enum class MapSide { source, target };
 /// A patch in the domain, before it is bent to meet another.
 struct LaidPatch {
   BoundaryPins pins;
+  bool pins_are_chosen = false;  ///< rather than given
   DomainMap map;
 };
 
