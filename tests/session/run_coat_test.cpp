@@ -154,6 +154,16 @@ TEST_F(RunCoat, CancelledInAnyStageLeavesNoResult) {
   }
 }
 
+TEST_F(RunCoat, SaysWhereTheTransitionLetsLittleThrough) {
+  const auto warnings = [&](const std::string& width) {
+    return run(coat(kAll, kMiddle, kFrom + kKeep + R"(, "transition": {"width": )" + width + "}"))
+        ->report.warnings;
+  };
+  EXPECT_THAT(warnings("0.1"), ::testing::IsEmpty());
+  EXPECT_THAT(warnings("0.9"),
+              Contains(::testing::HasSubstr("wider than the target patch is deep")));
+}
+
 TEST_F(RunCoat, PairsSayWhatComesWhere) {
   // The bump in the source's middle goes to vertex `to`, off the target's middle.
   Mesh bump = grid(kCells, kCells);

@@ -323,6 +323,9 @@ double Coater::mean_scale() const {
 std::size_t Coater::held_scales() const {
   return state_->held_scales;
 }
+double Coater::largest_share() const {
+  return *std::max_element(state_->shares.begin(), state_->shares.end());
+}
 double Coater::relative_residual() const {
   return state_->residual;
 }

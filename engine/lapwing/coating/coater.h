@@ -108,6 +108,8 @@ class Coater {
   double mean_scale() const;
   /// At how many vertices it was held to kLargestLocalScale.
   std::size_t held_scales() const;
+  /// The most of a coating that the transition lets through anywhere, 0 to 1.
+  double largest_share() const;
   /// |A u - b| / |b| of the coating's system.
   double relative_residual() const;
   const VertexSet& free() const;

@@ -99,6 +99,7 @@ void renumber_target(CorrespondenceOptions& options, const Positions& before,
   for (auto& [source, target] : options.boundary_pairs) target = now[target];
   VertexSet inner = remeshed.region;
   std::erase_if(inner, [&](Index v) { return remeshed.kept[v] != kNoIndex; });
+  if (inner.empty()) inner = remeshed.region;
   for (auto& [source, target] : options.inner_pairs) {
     const Vector3d place = before[target];
     target = *std::min_element(inner.begin(), inner.end(), [&](Index a, Index b) {
@@ -148,6 +149,7 @@ class CoatRun {
   CoaterOptions coater_options() const;
   void make_coater();
   void note_held_scales(const Coater& coater);
+  void note_wide_transition(const Coater& coater);
   void coat();
 
   const CoatStep& step_;
@@ -294,6 +296,18 @@ void CoatRun::note_held_scales(const Coater& coater) {
   result_.report.warnings.push_back(text.str());
 }
 
+// Somebody who sees nothing should know why.
+void CoatRun::note_wide_transition(const Coater& coater) {
+  constexpr double kMostOfIt = 0.9;
+  const double share = coater.largest_share();
+  if (share >= kMostOfIt) return;
+  std::ostringstream text;
+  text << step_.where << ": the transition of " << coater_options().transition.width
+       << " is wider than the target patch is deep, so that at most " << std::lround(100.0 * share)
+       << "% of the coating arrives; choose a larger patch or a narrower \"transition\"";
+  result_.report.warnings.push_back(text.str());
+}
+
 void CoatRun::coat() {
   const CoatParameters& parameters = step_.parameters;
   CoatReport& report = *report_.coat;
@@ -301,6 +315,7 @@ void CoatRun::coat() {
   coater.take(coating_, map_.points, parameters.sampling, progress_);
   const Positions before = std::exchange(result_.mesh.positions, coater.coat(parameters.amplitude));
   note_held_scales(coater);
+  note_wide_transition(coater);
   require_valid(target_->patch, result_.mesh.positions, coater.relative_residual(), step_.where);
   for (const auto& [name, ms] : coater.timings().stages()) report_.timings.add(name, ms);
 
