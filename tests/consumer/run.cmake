@@ -18,6 +18,7 @@ file(WRITE ${WORK_DIR}/readme_program.cpp "${CMAKE_MATCH_1}")
 
 step(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
      -DCMAKE_PREFIX_PATH=${WORK_DIR}/installed -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
+     -DCMAKE_EXE_LINKER_FLAGS=${LINK_FLAGS}
      -DREADME_PROGRAM=${WORK_DIR}/readme_program.cpp)
 step(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 step(${CMAKE_COMMAND} -E chdir ${WORK_DIR} ${WORK_DIR}/build/consumer)
