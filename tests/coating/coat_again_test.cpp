@@ -223,6 +223,23 @@ TEST(Coat, FollowsSourceAndTargetMovedAsAWhole) {
   EXPECT_LT(largest_distance(moved, plain), 1e-6);
 }
 
+TEST(Coat, SurvivesATargetRingThatIsAPoint) {
+  Scene scene;
+  Mesh collapsed = scene.target.mesh;
+  const Index middle = within(collapsed, Vector3d(0.2, 0.3, 0.95), 0.2).front();
+  for (const Index v : scene.target.topology.rings[middle]) {
+    collapsed.positions[v] = collapsed.positions[middle];
+  }
+  for (const auto sampling : {MappedSampling::one_ring, MappedSampling::linear}) {
+    for (const std::optional<double> scale : {std::optional<double>(), std::optional(2.0)}) {
+      Coater coater({collapsed.positions}, scene.target.topology, scene.target.patch, {},
+                    scene.kernels);
+      coater.take(scene.coating, each_to_itself(scene.source.patch), {sampling, scale});
+      for (const Vector3d& p : coater.coat(1.0)) ASSERT_TRUE(p.allFinite());
+    }
+  }
+}
+
 TEST(Coat, NeedsInnerVertices) {
   Scene scene;
   const PatchedMesh triangle(grid(1, 1));

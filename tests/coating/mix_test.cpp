@@ -119,6 +119,17 @@ TEST(Mix, HoldsAnchorsAndMovesHandles) {
   EXPECT_GT(moved[middle + 3].z() - target.mesh.positions[middle + 3].z(), 0.05);
 }
 
+TEST(Mix, NamesAHandleOffThePatch) {
+  const PatchedMesh target(dune(), within(dune(), Vector3d(0.5, 0.5, 0.0), 0.3));
+  const std::vector<HeldVertex> held{{0, Vector3d::UnitZ()}};
+  CpuKernels kernels;
+  EXPECT_THAT(error_message<InputError>([&] {
+                Coater({.rest = target.mesh.positions, .held = held}, target.topology, target.patch,
+                       {}, kernels);
+              }),
+              testing::StartsWith("vertex 0 is to be held, but is not in the target patch"));
+}
+
 TEST(MixWeight, GoesFromNoneToAllAlongTheDomainsV) {
   const PatchedMesh target(grid(20, 20));
   const auto w = weights_of({DomainRamp{0.25, 0.75}, Transition::Profile::linear}, target);

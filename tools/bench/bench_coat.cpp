@@ -235,8 +235,7 @@ void CoatBenchRun::factor_system() const {
   const Topology& topology = pair_.target.topology;
   EditRegion region;
   region.roi = target_.vertices;
-  for (const Index own : target_.loop) region.belt.push_back(target_.vertices[own]);
-  region.belt = make_vertex_set(std::move(region.belt));
+  region.belt = border_of(target_);
   const Constraints constraints = constraints_of(region, topology, 1.0, true);
   const SystemPattern pattern(topology, region.roi, constraints.unknowns);
   pattern.order();

@@ -10,7 +10,6 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/parameterize/stretch.h"
 #include "lapwing/parameterize/uv_mesh.h"
-#include "lapwing/recipe/read_region.h"
 #include "mesh_output.h"
 #include "region_text.h"
 
@@ -51,8 +50,7 @@ BoundaryPins own_pins(const std::vector<Index>& vertices, const Patch& patch) {
 
 LaidOut lay_out(const ParameterizeArguments& arguments, const Mesh& mesh,
                 const Topology& topology) {
-  const std::string json = region_json("--region", arguments.region).dump();
-  const RegionSpec region = read_region(JsonNode::parse(json, "--region"));
+  const RegionSpec region = region_spec("--region", arguments.region);
   const Domain domain = arguments.domain == "disk" ? Domain::disk : Domain::square;
   LaidOut result;
   result.patch =

@@ -11,8 +11,6 @@
 #include "lapwing/coating/fairing.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/recipe/json_node.h"
-#include "lapwing/recipe/read_region.h"
 #include "lapwing/region/vertex_set.h"
 #include "mesh_output.h"
 #include "region_text.h"
@@ -36,8 +34,7 @@ LaplacianWeights weights_of(const PeelArguments& a) {
 }
 
 VertexSet region_of(const PeelArguments& a, const Mesh& mesh, const Topology& topology) {
-  const auto json = region_json("--region", a.region);
-  return resolve(read_region(JsonNode::parse(json.dump(), "--region")), mesh, topology);
+  return resolve(region_spec("--region", a.region), mesh, topology);
 }
 
 void require_finite(const VertexSet& region, const Positions& positions) {

@@ -5,6 +5,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "lapwing/recipe/json_node.h"
+#include "lapwing/recipe/read_region.h"
+
 namespace lapwing::cli {
 namespace {
 
@@ -63,6 +66,10 @@ Json region_json(const std::string& flag, const std::string& text) {
   }
   if (form == "fraction") return {{"fraction", numbers(flag, text, list, 1)[0]}};
   fail(flag, text);
+}
+
+RegionSpec region_spec(const std::string& flag, const std::string& text) {
+  return read_region(JsonNode::parse(region_json(flag, text).dump(), flag));
 }
 
 }  // namespace lapwing::cli

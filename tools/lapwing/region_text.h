@@ -4,12 +4,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lapwing/region/region_spec.h"
+
 namespace lapwing::cli {
 
 /// A region as it is written after a flag, as the JSON that a recipe has in its place:
 ///     all | 3,17,256 | disk:VERTEX,RADIUS | near:X,Y,Z,RADIUS | box:X,Y,Z,X,Y,Z | fraction:F
 /// or JSON itself. Throws CLI::ValidationError naming `flag`.
 nlohmann::ordered_json region_json(const std::string& flag, const std::string& text);
+
+/// The same as the recipe reads it.
+RegionSpec region_spec(const std::string& flag, const std::string& text);
 
 /// What the help of such a flag says.
 inline constexpr const char* kRegionHelp =

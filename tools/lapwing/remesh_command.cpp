@@ -8,7 +8,6 @@
 #include "commands.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/topology.h"
-#include "lapwing/recipe/read_region.h"
 #include "lapwing/remesh/isotropic.h"
 #include "lapwing/remesh/quality.h"
 #include "mesh_output.h"
@@ -29,8 +28,7 @@ struct RemeshArguments {
 };
 
 VertexSet chosen_region(const RemeshArguments& arguments, const Mesh& mesh) {
-  const std::string json = region_json("--region", arguments.region).dump();
-  return resolve(read_region(JsonNode::parse(json, "--region")), mesh, build_topology(mesh));
+  return resolve(region_spec("--region", arguments.region), mesh, build_topology(mesh));
 }
 
 double wanted_length(const RemeshArguments& arguments, const RegionQuality& before) {

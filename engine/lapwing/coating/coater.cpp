@@ -59,6 +59,11 @@ struct Coater::State {
         kernels(device) {
     patch.vertices = part.region;
     for (const HeldVertex& anchor : target.held) {
+      if (target_patch.own_number(anchor.vertex) == kNoIndex) {
+        throw InputError("vertex " + std::to_string(anchor.vertex) +
+                         " is to be held, but is not in the target patch; enlarge the patch, or "
+                         "leave the vertex out");
+      }
       const VertexSet own = own_numbers(part, {anchor.vertex});
       held.push_back({own.front(), anchor.displacement});
     }
@@ -107,8 +112,7 @@ struct Coater::State {
 void Coater::State::make_system(const Progress& progress) {
   EditRegion region;
   region.roi = patch.vertices;
-  for (const Index own : patch.loop) region.belt.push_back(patch.vertices[own]);
-  region.belt = make_vertex_set(std::move(region.belt));
+  region.belt = border_of(patch);
   constraints = constraints_of(region, part.topology, 1.0, true);
   const VertexSet& unknowns = constraints.unknowns.vertices;
   if (unknowns.empty()) {
@@ -262,7 +266,10 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
   held_scales = 0;
   for (std::size_t r = 0; r < rows; ++r) {
     ratios[r] = T[r].col(0).norm();
-    if (layer.options.scale) {
+    if (ratios[r] == 0.0) {
+      // The target's ring is a point, on which nothing has room.
+      ratios[r] = 1.0;
+    } else if (layer.options.scale) {
       T[r] *= *layer.options.scale / ratios[r];
     } else if (ratios[r] > largest) {
       T[r] *= largest / ratios[r];

@@ -83,7 +83,8 @@ class Coater {
  public:
   /// Stages reported and timed: "order", "laplacian", "target_frames". What
   /// `target.rest` points to and `kernels` must outlive the object. Throws InputError when the
-  /// patch has no inner vertex, SolverError when the system is singular.
+  /// patch has no inner vertex or lacks one that is to be held, SolverError when the system is
+  /// singular.
   Coater(const CoatTarget& target, const Topology& topology, const Patch& patch,
          const CoaterOptions& options, Kernels& kernels, const Progress& progress = {});
   ~Coater();

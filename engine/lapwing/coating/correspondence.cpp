@@ -54,7 +54,7 @@ Index own_number(const PlacedPatch& side, std::size_t which, const VertexPair& p
 
 void require_pair_count(const CorrespondenceOptions& options, const std::string& where) {
   const std::size_t count = options.boundary_pairs.size();
-  const std::size_t wanted = options.domain == Domain::disk ? 1 : 4;
+  const std::size_t wanted = pin_count(options.domain);
   if (count == 0 || count == wanted) return;
   throw InputError(where + "/boundary_pairs: the " +
                    (wanted == 1 ? "disk takes one pair" : "square takes four pairs") +

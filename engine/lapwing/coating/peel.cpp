@@ -58,15 +58,13 @@ Coating peel(Patch patch, std::span<const Vector3d> positions, const Topology& t
              double detail_size, LaplacianWeights weights, Kernels& kernels) {
   const SmoothedPart smoothed =
       smooth_part(patch.vertices, detail_size, positions, topology, weights, "detail_size");
-  Coating coating = coating_of(std::move(patch), smoothed, weights, kernels, [&](const VertexSet&) {
+  return coating_of(std::move(patch), smoothed, weights, kernels, [&](const VertexSet&) {
     std::vector<Vector3d> displacement = smoothed.rest;
     for (std::size_t v = 0; v < displacement.size(); ++v) {
       displacement[v] -= smoothed.smooth[v];
     }
     return displacement;
   });
-  coating.detail_size = detail_size;
-  return coating;
 }
 
 Coating whole_shape(Patch patch, std::span<const Vector3d> positions, const Topology& topology,

@@ -14,7 +14,6 @@ namespace lapwing {
 /// the patch's own numbers.
 struct Coating {
   Patch patch;
-  double detail_size = 0.0;                   ///< features smaller than this length are coating
   std::vector<Eigen::Vector3d> positions;     ///< of S
   std::vector<Eigen::Vector3d> smooth;        ///< of S smooth
   std::vector<Eigen::Vector3d> normals;       ///< of S smooth, unit length

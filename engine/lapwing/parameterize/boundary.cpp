@@ -32,7 +32,7 @@ std::size_t edges_between(std::size_t from, std::size_t to, std::size_t n) {
 
 // Where each pin is in the loop.
 std::vector<std::size_t> pin_places(const Patch& patch, Domain domain, const BoundaryPins& pins) {
-  const std::size_t needed = domain == Domain::disk ? 1 : 4;
+  const std::size_t needed = pin_count(domain);
   if (pins.size() != needed) {
     throw InputError(std::string(domain == Domain::disk ? "the disk" : "the square") + " needs " +
                      std::to_string(needed) +

@@ -27,6 +27,11 @@ struct DomainMap {
 /// the order of the loop, which go to (0, 0), (1, 0), (1, 1), (0, 1). Own numbers.
 using BoundaryPins = std::vector<Index>;
 
+/// How many pins that is.
+constexpr std::size_t pin_count(Domain domain) {
+  return domain == Domain::disk ? 1 : 4;
+}
+
 /// Pins for a patch when nobody gave any, from its principal directions as seen along its mean
 /// normal: the boundary vertex farthest along the first one (disk); the four next to the corners of
 /// the rectangle along both around the boundary (square). Where those four are not in order, as on

@@ -82,4 +82,11 @@ Patch disk_patch(const VertexSet& region, const Topology& topology,
   return patch;
 }
 
+VertexSet border_of(const Patch& patch) {
+  std::vector<Index> border;
+  border.reserve(patch.loop.size());
+  for (const Index own : patch.loop) border.push_back(patch.vertices[own]);
+  return make_vertex_set(std::move(border));
+}
+
 }  // namespace lapwing

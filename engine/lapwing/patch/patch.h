@@ -36,6 +36,9 @@ std::vector<Value> on_patch(const Patch& patch, std::span<const Value> values) {
   return own;
 }
 
+/// The boundary loop as a set, in the numbers of `vertices`.
+VertexSet border_of(const Patch& patch);
+
 /// The patch of the mesh's triangles whose three corners are in `region`. Vertices of the region in
 /// none of them are left out silently: geodesic disks and boxes often have a few at their edge.
 /// Throws InputError, naming `where`, when the rest is no disk; the message says what it is

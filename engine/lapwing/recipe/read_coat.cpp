@@ -28,7 +28,7 @@ CorrespondenceOptions read_correspondence(const JsonNode& node) {
   if (const auto pairs = node.find("boundary_pairs")) {
     options.boundary_pairs = read_pairs(*pairs);
     const std::size_t count = options.boundary_pairs.size();
-    const std::size_t wanted = options.domain == Domain::disk ? 1 : 4;
+    const std::size_t wanted = pin_count(options.domain);
     if (count != 0 && count != wanted) {
       pairs->fail(wanted == 1
                       ? "the disk takes one pair of boundary vertices, got " + std::to_string(count)

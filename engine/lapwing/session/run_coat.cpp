@@ -48,12 +48,6 @@ Patch patch_of(const RegionSpec& spec, const Mesh& mesh, const Topology& topolog
   return disk_patch(resolve(spec, mesh, topology), topology, mesh.positions, spec.where);
 }
 
-VertexSet border_of(const Patch& patch) {
-  std::vector<Index> border;
-  for (const Index own : patch.loop) border.push_back(patch.vertices[own]);
-  return make_vertex_set(std::move(border));
-}
-
 struct Largest {
   double distance = 0.0;
   Index vertex = kNoIndex;
