@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing {
+
+/// A closed curve of boundary edges: vertices in order, the surface on its left, each named once.
+using BoundaryLoop = std::vector<Index>;
+
+/// The boundary loops of a mesh, each from its smallest vertex on, by smallest vertex; none of a
+/// closed one. Throws InputError, naming `where` and the vertices, where the boundary is no set of
+/// loops: a vertex at which it touches itself, an edge with more than two triangles or with two
+/// that face opposite ways. Near-linear.
+std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
+                                         const std::string& where);
+
+}  // namespace lapwing
