@@ -40,13 +40,9 @@ CorrespondenceOptions read_correspondence(const JsonNode& node) {
   return options;
 }
 
-CoatOptions read_sampling(const JsonNode& node) {
+CoatOptions read_coat_options(const JsonNode& node) {
   CoatOptions options;
-  if (const auto sampling = node.find("sampling")) {
-    options.sampling = sampling->one_of("sampling", {"one_ring", "linear"}) == 0
-                           ? MappedSampling::one_ring
-                           : MappedSampling::linear;
-  }
+  if (const auto sampling = node.find("sampling")) options.sampling = read_sampling(*sampling);
   if (const auto scale = node.find("scale")) {
     if (scale->is_string()) {
       scale->one_of("scale", {"auto"});
@@ -55,6 +51,34 @@ CoatOptions read_sampling(const JsonNode& node) {
     }
   }
   return options;
+}
+
+CoatParameters read_parameters(const JsonNode& node) {
+  CoatParameters parameters;
+  parameters.detail_size = node.at("detail_size").positive_number();
+  if (const auto size = node.find("smooth_target")) {
+    parameters.smooth_target = size->number_from_zero();
+  }
+  if (const auto weights = node.find("weights")) parameters.weights = read_weights(*weights);
+  parameters.correspondence = read_correspondence(node);
+  parameters.sampling = read_coat_options(node);
+  if (const auto amplitude = node.find("amplitude")) parameters.amplitude = amplitude->number();
+  if (const auto transition = node.find("transition")) {
+    parameters.transition = read_transition(*transition);
+  }
+  if (const auto remesh = node.find("remesh")) parameters.remesh = read_remeshing(*remesh);
+  return parameters;
+}
+
+}  // namespace
+
+MappedSampling read_sampling(const JsonNode& node) {
+  return node.one_of("sampling", {"one_ring", "linear"}) == 0 ? MappedSampling::one_ring
+                                                              : MappedSampling::linear;
+}
+
+Remeshing read_remeshing(const JsonNode& node) {
+  return node.one_of("remesh", {"auto", "none"}) == 0 ? Remeshing::automatic : Remeshing::none;
 }
 
 Transition read_transition(const JsonNode& node) {
@@ -68,28 +92,6 @@ Transition read_transition(const JsonNode& node) {
   }
   return transition;
 }
-
-CoatParameters read_parameters(const JsonNode& node) {
-  CoatParameters parameters;
-  parameters.detail_size = node.at("detail_size").positive_number();
-  if (const auto size = node.find("smooth_target")) {
-    parameters.smooth_target = size->number_from_zero();
-  }
-  if (const auto weights = node.find("weights")) parameters.weights = read_weights(*weights);
-  parameters.correspondence = read_correspondence(node);
-  parameters.sampling = read_sampling(node);
-  if (const auto amplitude = node.find("amplitude")) parameters.amplitude = amplitude->number();
-  if (const auto transition = node.find("transition")) {
-    parameters.transition = read_transition(*transition);
-  }
-  if (const auto remesh = node.find("remesh")) {
-    parameters.remesh =
-        remesh->one_of("remesh", {"auto", "none"}) == 0 ? Remeshing::automatic : Remeshing::none;
-  }
-  return parameters;
-}
-
-}  // namespace
 
 CoatStep read_coat(const JsonNode& node) {
   node.require_keys({"op", "source", "source_patch", "target_patch", "detail_size", "smooth_target",

@@ -6,6 +6,7 @@
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/recipe/read_coat.h"
 #include "lapwing/recipe/read_region.h"
+#include "lapwing/recipe/read_transplant.h"
 #include "lapwing/recipe/suggest.h"
 
 namespace lapwing {
@@ -142,11 +143,13 @@ Move read_move(const JsonNode& node) {
 }
 
 Step read_step(const JsonNode& node) {
-  switch (node.at("op").one_of("op", {"deform", "coat"})) {
+  switch (node.at("op").one_of("op", {"deform", "coat", "transplant"})) {
     case 0:
       return read_deform(node);
-    default:
+    case 1:
       return read_coat(node);
+    default:
+      return read_transplant(node);
   }
 }
 

@@ -18,8 +18,11 @@ Json json_of(const Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 Json json_of(const RegionSpec& spec);
+Json json_of(const LoopFit& fit);
+Json json_of(const Move& move);
 Json json_of(const DeformStep& step);
 Json json_of(const CoatStep& step);
+Json json_of(const TransplantStep& step);
 
 Json json_of(const std::vector<RegionSpec>& parts) {
   Json list = Json::array();
@@ -91,6 +94,13 @@ const char* name_of(LaplacianWeights weights) {
   return weights == LaplacianWeights::uniform ? "uniform" : "cotangent";
 }
 
+const char* name_of(MappedSampling sampling) {
+  return sampling == MappedSampling::linear ? "linear" : "one_ring";
+}
+const char* name_of(Remeshing remeshing) {
+  return remeshing == Remeshing::automatic ? "auto" : "none";
+}
+
 Json json_of_settle(const DeformStep& step) {
   SettleOptions defaults;
   defaults.weights = step.parameters.weights;
@@ -138,12 +148,44 @@ Json json_of(const CoatStep& step) {
   keys["domain"] = map.domain == Domain::disk ? "disk" : "square";
   if (!map.boundary_pairs.empty()) keys["boundary_pairs"] = map.boundary_pairs;
   if (!map.inner_pairs.empty()) keys["inner_pairs"] = map.inner_pairs;
-  const bool linear = parameters.sampling.sampling == MappedSampling::linear;
-  keys["sampling"] = linear ? "linear" : "one_ring";
+  keys["sampling"] = name_of(parameters.sampling.sampling);
   keys["scale"] = parameters.sampling.scale ? Json(*parameters.sampling.scale) : Json("auto");
   keys["amplitude"] = parameters.amplitude;
   if (parameters.transition) keys["transition"] = json_of(*parameters.transition);
-  keys["remesh"] = parameters.remesh == Remeshing::automatic ? "auto" : "none";
+  keys["remesh"] = name_of(parameters.remesh);
+  return keys;
+}
+
+Json json_of(const LoopFit& fit) {
+  Json keys{{"rotate_degrees", fit.rotate_degrees}};
+  if (fit.scale != 1.0) keys["scale"] = fit.scale;
+  if (fit.keep_size) keys["keep_size"] = true;
+  return {{"auto", std::move(keys)}};
+}
+Json json_of(const Move& move) {
+  return json_of_any(move);
+}
+
+Json json_of_part(const TransplantStep& step) {
+  if (!step.part_region) return step.part.string();
+  Json keys;
+  if (!step.part.empty()) keys["mesh"] = step.part.string();
+  keys["region"] = json_of(*step.part_region);
+  return keys;
+}
+
+Json json_of(const TransplantStep& step) {
+  const TransplantParameters& parameters = step.parameters;
+  Json keys{{"op", "transplant"}, {"part", json_of_part(step)}};
+  if (step.loop) keys["loop"] = *step.loop;
+  keys["place"] = json_of_any(step.place);
+  keys["target_region"] = json_of(step.target_region);
+  if (parameters.transition) keys["transition"] = json_of(*parameters.transition);
+  if (parameters.padding) keys["belt"]["padding"] = *parameters.padding;
+  if (parameters.belt) keys["belt"]["width"] = *parameters.belt;
+  keys["weights"] = name_of(parameters.weights);
+  keys["sampling"] = name_of(parameters.sampling);
+  keys["remesh"] = name_of(parameters.remesh);
   return keys;
 }
 
