@@ -23,10 +23,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::vector<Vector3d> points_of(std::span<const Index> loop, const Positions& positions) {
-  std::vector<Vector3d> points;
-  for (const Index v : loop) points.push_back(positions[v]);
-  return points;
+ZipLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
+  return zip_loop(build_topology(mesh).triangles, mesh.positions, loop);
 }
 
 double length_of(std::span<const Vector3d> loop) {
@@ -97,9 +95,9 @@ void TransplantRun::assemble() {
   });
   for (std::string& note : part.notes) result_.report.warnings.push_back(std::move(note));
   timed("zip", [&] {
-    const auto host_loop = points_of(hole_.rest_loop, hole_.rest.mesh.positions);
-    const auto part_loop = points_of(part.loop, part.mesh.positions);
-    const Zip zip = zip_loops({host_loop}, {part_loop}, step_.where);
+    const ZipLoop host_loop = zip_loop_of(hole_.rest.mesh, hole_.rest_loop);
+    const ZipLoop part_loop = zip_loop_of(part.mesh, part.loop);
+    const Zip zip = zip_loops(host_loop, part_loop, step_.where);
     Joined joined = join(hole_.rest.mesh, hole_.rest_loop, part.mesh, part.loop, zip, part.name);
     for (const std::string& note : joined.notes) {
       result_.report.warnings.push_back(step_.where + ": " + note);
@@ -110,9 +108,9 @@ void TransplantRun::assemble() {
     for (Index v = 0; v < hole_.rest.vertices.size(); ++v) {
       joined_.host_vertices[v] = hole_.rest.vertices[v];
     }
-    hole_radius_ = length_of(host_loop) / (2.0 * std::numbers::pi);
-    joined_.gap = strip_width(zip, host_loop, part_loop);
-    even_strip_ = is_even(zip, host_loop, part_loop);
+    hole_radius_ = length_of(host_loop.points) / (2.0 * std::numbers::pi);
+    joined_.gap = strip_width(zip, host_loop.points, part_loop.points);
+    even_strip_ = is_even(zip, host_loop.points, part_loop.points);
     report.strip_triangles = zip.triangles.size();
     report.welded = zip.welded.size();
     measure_depths(joined.part_vertices, part);
@@ -220,8 +218,10 @@ void TransplantRun::reconstruct() {
   report.belt = chosen.belt;
   remesh();
   const TransplantHost host{result_.mesh.positions, result_.topology, hole_.triangles, hole_.loop};
-  const TransplantJoined joined{joined_.mesh.positions, joined_.topology, joined_.host_vertices,
-                                joined_.depths, joined_.gap};
+  // Joined and remeshed, the host's faces come first.
+  const TransplantJoined joined{joined_.mesh.positions, joined_.topology,
+                                joined_.host_vertices,  hole_.rest.mesh.face_count(),
+                                joined_.depths,         joined_.gap};
   TransplantResult seam =
       reconstruct_seam(host, joined, chosen, kernels_, step_.where, report_.timings, progress_);
   require_valid(seam);

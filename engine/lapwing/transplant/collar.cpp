@@ -1,20 +1,14 @@
 #include "lapwing/transplant/collar.h"
 
 #include <algorithm>
-#include <sstream>
-#include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/union_find.h"
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/region/vertex_set.h"
 
 namespace lapwing {
 namespace {
-
-Index root_of(std::vector<Index>& parents, Index i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
-  return i;
-}
 
 // A piece that is being parted into the collar and what lies beyond, its core.
 class Parting {
@@ -46,26 +40,23 @@ class Parting {
 
  private:
   void keep_largest_core() {
-    std::vector<Index> parents(piece_.size());
-    for (Index t = 0; t < parents.size(); ++t) parents[t] = t;
+    UnionFind pieces(piece_.size());
     for (std::size_t e = 0; e < sides_.row_count(); ++e) {
       const auto sides = sides_[e];
       for (std::size_t k = 1; k < sides.size(); ++k) {
         const Index a = sides[0] / 3;
         const Index b = sides[k] / 3;
-        if (is_core_[a] == 0 || is_core_[b] == 0) continue;
-        const auto [low, high] = std::minmax(root_of(parents, a), root_of(parents, b));
-        parents[high] = low;
+        if (is_core_[a] != 0 && is_core_[b] != 0) pieces.unite(a, b);
       }
     }
     std::vector<std::size_t> counts(piece_.size(), 0);
-    for (Index t = 0; t < parents.size(); ++t) {
-      if (is_core_[t] != 0) ++counts[root_of(parents, t)];
+    for (Index t = 0; t < piece_.size(); ++t) {
+      if (is_core_[t] != 0) ++counts[pieces.find(t)];
     }
     const auto largest =
         static_cast<Index>(std::max_element(counts.begin(), counts.end()) - counts.begin());
-    for (Index t = 0; t < parents.size(); ++t) {
-      if (is_core_[t] != 0 && root_of(parents, t) != largest) is_core_[t] = 0;
+    for (Index t = 0; t < piece_.size(); ++t) {
+      if (is_core_[t] != 0 && pieces.find(t) != largest) is_core_[t] = 0;
     }
   }
 

@@ -159,9 +159,9 @@ void SeamReconstruction::lay_collars() {
   for (Index v = 0; v < depths.size(); ++v) {
     if (!is_host(v)) depths[v] = joined_.depths[v];
   }
-  for (const Triangle& corners : joined_.topology.triangles) {
-    if (!std::all_of(corners.begin(), corners.end(), [&](Index v) { return is_host(v); })) {
-      piece.push_back(corners);
+  for (std::size_t t = 0; t < joined_.topology.triangles.size(); ++t) {
+    if (joined_.topology.triangle_faces[t] >= joined_.host_faces) {
+      piece.push_back(joined_.topology.triangles[t]);
     }
   }
   // Triangles between the loops belong to it, however narrow it is.

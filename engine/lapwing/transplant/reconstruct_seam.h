@@ -27,6 +27,7 @@ struct TransplantJoined {
   std::span<const Eigen::Vector3d> positions;
   const Topology& topology;
   std::span<const Index> host_vertices;  ///< per vertex: its number in the host, or kNoIndex
+  std::size_t host_faces = 0;            ///< faces below this number are the host's
   /// Per vertex that is none of the host's: geodesic distance from the part's loop on the part; 0
   /// between the loops.
   std::span<const double> depths;
