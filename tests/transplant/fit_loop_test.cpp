@@ -17,6 +17,8 @@ namespace {
 
 using Eigen::Affine3d;
 using Eigen::Vector3d;
+using test::circle;
+using test::difference;
 using test::moved;
 using test::similarity;
 using ::testing::AllOf;
@@ -45,28 +47,16 @@ struct CutHills : testing::Test {
 Points wavy_loop(std::size_t count, double phase = 0.0) {
   Points points;
   for (std::size_t k = 0; k < count; ++k) {
-    const double a = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count) + phase;
+    const double a =
+        2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count) + phase;
     const double r = 1.0 + 0.3 * std::cos(2.0 * a) + 0.15 * std::sin(3.0 * a);
     points.emplace_back(r * std::cos(a), r * std::sin(a), 0.1 * std::cos(3.0 * a));
   }
   return points;
 }
 
-Points circle(std::size_t count, double phase = 0.0) {
-  Points points;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double a = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count) + phase;
-    points.emplace_back(std::cos(a), std::sin(a), 0.0);
-  }
-  return points;
-}
-
 Points reversed(const Points& points) {
   return {points.rbegin(), points.rend()};
-}
-
-double difference(const Affine3d& a, const Affine3d& b) {
-  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
 const std::array kMotions{Affine3d(Affine3d::Identity()),

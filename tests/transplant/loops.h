@@ -1,27 +1,21 @@
 #pragma once
 
-#include <map>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "lapwing/mesh/topology.h"
+#include "lapwing/transplant/boundary_loops.h"
 
 namespace lapwing::test {
 
-/// The positions along the one boundary loop of `mesh`, the surface on the left.
+/// The positions along the first boundary loop of `mesh`, the surface on the left.
 inline std::vector<Eigen::Vector3d> loop_points(const Mesh& mesh) {
-  std::map<std::pair<Index, Index>, int> sides;
-  for (const Triangle& t : build_topology(mesh).triangles) {
-    for (std::size_t k = 0; k < 3; ++k) ++sides[{t[k], t[(k + 1) % 3]}];
-  }
-  std::map<Index, Index> next;
-  for (const auto& [side, count] : sides) {
-    if (!sides.contains({side.second, side.first})) next[side.first] = side.second;
-  }
   std::vector<Eigen::Vector3d> points;
-  for (Index v = next.begin()->first; points.size() < next.size(); v = next.at(v)) {
+  const auto triangles = build_topology(mesh).triangles;
+  for (const Index v : boundary_loops(triangles, "mesh").at(0)) {
     points.push_back(mesh.positions[v]);
   }
   return points;
@@ -37,7 +31,24 @@ inline std::vector<Eigen::Vector3d> moved(const Eigen::Affine3d& motion,
 inline Eigen::Affine3d similarity(double degrees, const Eigen::Vector3d& axis, double scale,
                                   const Eigen::Vector3d& translation) {
   return Eigen::Translation3d(translation) *
-         Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis.normalized()) * Eigen::Scaling(scale);
+         Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis.normalized()) *
+         Eigen::Scaling(scale);
+}
+
+/// Of radius 1 around the z axis, counter-clockwise.
+inline std::vector<Eigen::Vector3d> circle(std::size_t count, double phase = 0.0) {
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double a =
+        2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count) + phase;
+    points.emplace_back(std::cos(a), std::sin(a), 0.0);
+  }
+  return points;
+}
+
+/// The largest of an entry.
+inline double difference(const Eigen::Affine3d& a, const Eigen::Affine3d& b) {
+  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
 }  // namespace lapwing::test

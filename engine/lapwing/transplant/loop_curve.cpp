@@ -122,4 +122,10 @@ Matrix3d least_rotation(const Vector3d& from, const Vector3d& to) {
   return turn.normalized().toRotationMatrix();
 }
 
+std::vector<Vector3d> transformed(std::span<const Vector3d> points, const Eigen::Affine3d& map) {
+  std::vector<Vector3d> images(points.begin(), points.end());
+  for (Vector3d& p : images) p = map * p;
+  return images;
+}
+
 }  // namespace lapwing

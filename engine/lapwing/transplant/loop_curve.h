@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace lapwing {
 
@@ -44,5 +44,9 @@ LoopFrame loop_frame(const LoopCurve& curve);
 /// The rotation by the least angle that takes `from`, of length 1, to `to`, of length 1. For
 /// opposite ones about an axis that depends on `from` alone.
 Eigen::Matrix3d least_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// The images of `points`.
+std::vector<Eigen::Vector3d> transformed(std::span<const Eigen::Vector3d> points,
+                                         const Eigen::Affine3d& map);
 
 }  // namespace lapwing

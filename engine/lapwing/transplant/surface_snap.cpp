@@ -1,0 +1,137 @@
+// Rigid motions linearized at each step as a translation and a small turn, as in point-to-plane
+// registration: Chen and Medioni, "Object modelling by registration of multiple range images",
+// Image and Vision Computing 10, 1992.
+#include "lapwing/transplant/surface_snap.h"
+
+#include <limits>
+#include <numeric>
+
+#include <Eigen/Eigenvalues>
+
+#include "lapwing/base/errors.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+constexpr std::size_t kPoints = 96;
+constexpr int kSteps = 60;
+// A smaller step, in radii of the loop, is none.
+constexpr double kLeastStep = 1e-11;
+// Nearer than this, in radii, the surface's normal says more than the way to it.
+constexpr double kTouching = 1e-7;
+// A step that leads farther away is halved as far as this.
+constexpr double kLeastShare = 1.0 / 64.0;
+// Motions that change the distances by less than the root of this share of what the best one does
+// would have to be large to be of use: sliding along the surface.
+constexpr double kIdle = 1e-3;
+
+std::span<const Triangle> some(std::span<const Triangle> triangles, const std::string& where) {
+  if (!triangles.empty()) return triangles;
+  throw InputError(where + ": the mesh has no triangles to put a part on");
+}
+
+Adjacency one_group(std::size_t count) {
+  Adjacency groups;
+  groups.values.resize(count);
+  std::iota(groups.values.begin(), groups.values.end(), Index{0});
+  groups.starts.push_back(static_cast<Index>(count));
+  return groups;
+}
+
+// `share` of the motion `step` of a loop of that frame.
+Eigen::Affine3d motion_of(const Vector6d& step, double share, const LoopFrame& frame) {
+  Eigen::Affine3d motion = Eigen::Affine3d::Identity();
+  const double angle = step.tail<3>().norm();
+  if (angle > 0.0) {
+    motion.linear() = Eigen::AngleAxisd(share * angle, step.tail<3>() / angle).toRotationMatrix();
+  }
+  motion.translation() =
+      frame.center + share * frame.radius * step.head<3>() - motion.linear() * frame.center;
+  return motion;
+}
+
+}  // namespace
+
+// The linear least squares problem of one step, in radii of the loop: unknown are a translation and
+// a turn about its centre.
+struct SurfaceSnap::Contacts {
+  Matrix6d normal_matrix = Matrix6d::Zero();
+  Vector6d right_side = Vector6d::Zero();
+  double squares = 0.0;
+
+  Vector6d step() const {
+    const Eigen::SelfAdjointEigenSolver<Matrix6d> modes(normal_matrix);
+    Vector6d result = Vector6d::Zero();
+    for (int m = 0; m < 6; ++m) {
+      const double gain = modes.eigenvalues()[m];
+      if (!(gain > kIdle * modes.eigenvalues()[5])) continue;
+      const Vector6d mode = modes.eigenvectors().col(m);
+      result += mode.dot(right_side) / gain * mode;
+    }
+    return result;
+  }
+};
+
+SurfaceSnap::SurfaceSnap(std::span<const Triangle> triangles, std::span<const Vector3d> positions,
+                         const std::string& where)
+    : normals_(triangles.size(), Vector3d::Zero()),
+      surface_(some(triangles, where), positions, one_group(triangles.size())) {
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    const Vector3d normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+    if (normal.norm() > 0.0) normals_[t] = normal.normalized();
+  }
+}
+
+SurfaceSnap::Contacts SurfaceSnap::contacts(std::span<const Vector3d> points,
+                                            const LoopFrame& frame) const {
+  Contacts contacts;
+  Index hint = kNoIndex;
+  for (const Vector3d& p : points) {
+    const remeshing::TrianglePoint nearest = surface_.find(0, p, frame.normal, hint);
+    hint = nearest.hint;
+    const Vector3d way = (p - nearest.position) / frame.radius;
+    const double distance = way.norm();
+    contacts.squares += distance * distance;
+    const Vector3d direction =
+        distance > kTouching ? Vector3d(way / distance) : normals_[nearest.triangle];
+    Vector6d row;
+    row << direction, ((p - frame.center) / frame.radius).cross(direction);
+    contacts.normal_matrix += row * row.transpose();
+    contacts.right_side -= row * way.dot(direction);
+  }
+  return contacts;
+}
+
+Eigen::Affine3d SurfaceSnap::snap(const Eigen::Affine3d& placement, std::span<const Vector3d> part,
+                                  const std::string& where) const {
+  const LoopCurve curve(transformed(part, placement), where + ": the part's boundary loop");
+  const LoopFrame placed = loop_frame(curve);
+  std::vector<Vector3d> points(kPoints);
+  curve.spread(0.0, points);
+
+  Eigen::Affine3d best = Eigen::Affine3d::Identity();
+  LoopFrame frame = placed;
+  Contacts reached = contacts(points, frame);
+  double share = 1.0;
+  for (int k = 0; k < kSteps; ++k) {
+    const Vector6d step = reached.step();
+    if (!(share * step.norm() > kLeastStep) || share < kLeastShare) break;
+    const Eigen::Affine3d next = motion_of(step, share, frame) * best;
+    const LoopFrame next_frame{next * placed.center, next.linear() * placed.normal, placed.radius};
+    const Contacts tried = contacts(transformed(points, next), next_frame);
+    share *= 0.5;
+    if (!(tried.squares < reached.squares)) continue;
+    best = next;
+    frame = next_frame;
+    reached = tried;
+    share = 1.0;
+  }
+  return best * placement;
+}
+
+}  // namespace lapwing

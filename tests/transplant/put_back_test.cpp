@@ -1,0 +1,94 @@
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/transplant/cut.h"
+#include "support/models.h"
+#include "transplant/loop_scenes.h"
+
+// A part cut from a mesh and put back where it was.
+namespace lapwing {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+// All within `rings` edges of `center`.
+VertexSet around(const Mesh& mesh, Index center, int rings) {
+  const Topology topology = build_topology(mesh);
+  VertexSet region{center};
+  for (int k = 0; k < rings; ++k) region = with_ring_neighbours(region, topology.rings);
+  return region;
+}
+
+// The triangles from the smallest corner on, in numbers of the original.
+std::set<Triangle> triangles_of(const Mesh& mesh, std::span<const Index> numbers) {
+  std::set<Triangle> triangles;
+  for (Triangle triangle : build_topology(mesh).triangles) {
+    for (Index& v : triangle) v = numbers[v];
+    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    triangles.insert(triangle);
+  }
+  return triangles;
+}
+
+std::vector<BoundaryLoop> loops_of(const Mesh& mesh) {
+  return boundary_loops(build_topology(mesh).triangles, "piece");
+}
+
+void expect_exact_return(const Mesh& mesh, const VertexSet& region) {
+  const CutPiece part = cut_out(mesh, region, "part");
+  const CutPiece host = cut_away(mesh, region, "host");
+  const Topology part_topology = build_topology(part.mesh);
+  const Topology host_topology = build_topology(host.mesh);
+  const auto part_loops = loops_of(part.mesh);
+  const auto host_loops = loops_of(host.mesh);
+  ASSERT_THAT(part_loops, SizeIs(1));
+  ASSERT_THAT(host_loops, SizeIs(1));
+  const Zip zip =
+      zip_loops(zip_loop(host_topology.triangles, host.mesh.positions, host_loops[0]),
+                zip_loop(part_topology.triangles, part.mesh.positions, part_loops[0]), "zip");
+  EXPECT_THAT(zip.welded, SizeIs(host_loops[0].size()));
+  EXPECT_THAT(zip.triangles, IsEmpty());
+
+  const Joined joined = join(host.mesh, host_loops[0], part.mesh, part_loops[0], zip, "");
+  std::vector<Index> numbers(joined.mesh.vertex_count());
+  std::ranges::copy(host.vertices, numbers.begin());
+  for (std::size_t v = 0; v < part.vertices.size(); ++v) {
+    numbers[joined.part_vertices[v]] = part.vertices[v];
+  }
+  for (std::size_t v = 0; v < numbers.size(); ++v) {
+    ASSERT_EQ(joined.mesh.positions[v], mesh.positions[numbers[v]]);
+  }
+  std::vector<Index> own(mesh.vertex_count());
+  std::iota(own.begin(), own.end(), Index{0});
+  EXPECT_EQ(triangles_of(joined.mesh, numbers), triangles_of(mesh, own));
+  EXPECT_EQ(joined.mesh.vertex_count(), mesh.vertex_count());
+}
+
+TEST(PutBack, ACapOfASphereIsTheSphereAgain) {
+  const Mesh mesh = icosphere(4);
+  for (const int rings : {1, 2, 5, 12, 20}) expect_exact_return(mesh, around(mesh, 99, rings));
+}
+
+TEST(PutBack, ABumpOfAModelIsTheModelAgain) {
+  LAPWING_NEEDS_MODELS(files, "cgal");
+  for (const auto& file : files) {
+    if (file.stem() != "elephant" && file.stem() != "ellipsoid" && file.stem() != "bull") continue;
+    SCOPED_TRACE(file);
+    const Mesh mesh = read_mesh(file);
+    int tried = 0;
+    for (Index center = 0; center < mesh.vertex_count() && tried < 3; center += 50) {
+      const VertexSet region = around(mesh, center, 4);
+      if (loops_of(cut_out(mesh, region, "part").mesh).size() != 1) continue;
+      expect_exact_return(mesh, region);
+      ++tried;
+    }
+    EXPECT_EQ(tried, 3);
+  }
+}
+
+}  // namespace
+}  // namespace lapwing

@@ -1,0 +1,97 @@
+#include "lapwing/transplant/surface_snap.h"
+
+#include <gmock/gmock.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/transplant/cut.h"
+#include "support/error_message.h"
+#include "transplant/loops.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+using test::circle;
+using test::difference;
+using test::loop_points;
+using test::moved;
+using test::similarity;
+
+using Points = std::vector<Vector3d>;
+
+Points small_circle() {
+  return moved(similarity(0, {0, 0, 1}, 0.2, {0.4, 0.6, 0}), circle(30));
+}
+
+SurfaceSnap snap_to(const Mesh& mesh) {
+  return {build_topology(mesh).triangles, mesh.positions, "mesh"};
+}
+
+TEST(SurfaceSnap, LoopOnTheSurfaceStays) {
+  const Affine3d snapped = snap_to(grid(8, 8)).snap(Affine3d::Identity(), small_circle(), "part");
+  EXPECT_LT(difference(snapped, Affine3d::Identity()), 1e-9);
+}
+
+TEST(SurfaceSnap, OnAPlaneThePartMovesAlongTheNormalAndTiltsWithoutSpinning) {
+  const Affine3d placement = similarity(12.0, {1, 1, 0}, 1.0, {0.02, -0.05, 0.3});
+  const Points part = small_circle();
+  const Affine3d snapped = snap_to(grid(8, 8)).snap(placement, part, "part");
+  for (const Vector3d& p : part) EXPECT_NEAR((snapped * p).z(), 0.0, 1e-9);
+  const Affine3d change = snapped * placement.inverse();
+  EXPECT_NEAR(Eigen::AngleAxisd(change.linear()).angle(), 12.0 * std::numbers::pi / 180.0, 1e-6);
+  EXPECT_NEAR(Eigen::AngleAxisd(change.linear()).axis().z(), 0.0, 1e-6);
+  const Vector3d center = placement * Vector3d(0.4, 0.6, 0.0);
+  EXPECT_LT((change * center - center).head<2>().norm(), 1e-6);
+}
+
+struct SnapToASphere : testing::Test {
+  Mesh sphere = icosphere(4);
+  Points part = [this] {
+    VertexSet cap;
+    for (Index v = 0; v < sphere.vertex_count(); ++v) {
+      if (sphere.positions[v].z() > 0.8) cap.push_back(v);
+    }
+    return loop_points(cut_out(sphere, cap, "cap").mesh);
+  }();
+  Affine3d placement = similarity(15.0, {1, 0, 0}, 1.0, {0.1, 0.0, 0.3});
+};
+
+TEST_F(SnapToASphere, LoopOfACapComesBackOntoIt) {
+  const Affine3d snapped = snap_to(sphere).snap(placement, part, "part");
+  for (const Vector3d& p : part) EXPECT_NEAR((snapped * p).norm(), 1.0, 5e-3);
+  EXPECT_LT((snapped.matrix() - placement.matrix()).norm(), 0.6) << "stays where it was put";
+}
+
+TEST_F(SnapToASphere, FollowsWhenEverythingMoves) {
+  const Affine3d motion = similarity(100.0, {1, -2, 1}, 3.0, {5, 6, 7});
+  const Affine3d snapped = snap_to(sphere).snap(placement, part, "part");
+  sphere.positions = moved(motion, sphere.positions);
+  const Affine3d follows = snap_to(sphere).snap(motion * placement, part, "part");
+  for (const Vector3d& p : part) EXPECT_LT((follows * p - motion * (snapped * p)).norm(), 1e-4);
+}
+
+TEST(SurfaceSnap, ThinSheetIsNotTakenFromBehind) {
+  Mesh sheet = grid(4, 4);
+  const auto count = static_cast<Index>(sheet.vertex_count());
+  const std::size_t faces = sheet.face_count();
+  for (Index v = 0; v < count; ++v) {
+    sheet.positions.push_back(sheet.positions[v] - 0.01 * Vector3d::UnitZ());
+  }
+  for (std::size_t f = 0; f < faces; ++f) {
+    const auto face = sheet.face(f);
+    sheet.add_face(std::array{face[2] + count, face[1] + count, face[0] + count});
+  }
+  const Affine3d low(Eigen::Translation3d(0.0, 0.0, -0.009));
+  const Affine3d snapped = snap_to(sheet).snap(low, small_circle(), "part");
+  EXPECT_LT(difference(snapped, Affine3d::Identity()), 1e-9);
+}
+
+TEST(SurfaceSnap, MeshWithoutTrianglesIsNamed) {
+  EXPECT_THAT(error_message<InputError>([] { snap_to(Mesh{}); }),
+              testing::HasSubstr("mesh: the mesh has no triangles"));
+}
+
+}  // namespace
+}  // namespace lapwing
