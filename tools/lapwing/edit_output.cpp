@@ -52,12 +52,32 @@ void print_coat(const CoatReport& coat, std::size_t patch, double diagonal) {
               coat.relative_residual, diagonal > 0.0 ? coat.largest_displacement / diagonal : 0.0);
 }
 
+void print_transplant(const TransplantReport& transplant, double diagonal) {
+  std::printf("  part of %zu vertices%s, loops of %zu and %zu vertices", transplant.part_vertices,
+              transplant.turned ? " turned inside out" : "", transplant.host_loop,
+              transplant.part_loop);
+  if (transplant.welded > 0) std::printf(", %zu of them welded", transplant.welded);
+  if (transplant.strip_triangles > 0) {
+    std::printf(",\n  zipped by %zu triangles", transplant.strip_triangles);
+  }
+  if (transplant.remeshed_vertices > 0) {
+    std::printf(", transition remeshed to %zu vertices", transplant.remeshed_vertices);
+  }
+  std::printf("\n  transition over %.3g, free for %.3g beyond, held for %.3g\n",
+              transplant.transition_width, transplant.padding, transplant.belt);
+  std::printf("  residual %.1e, largest displacement %.2g of the diagonal\n",
+              transplant.relative_residual,
+              diagonal > 0.0 ? transplant.largest_displacement / diagonal : 0.0);
+}
+
 void print_summary(const RunReport& report) {
   std::printf("%s: %zu vertices, %zu faces\n%s", report.mesh.c_str(), report.vertices, report.faces,
               format_stages(report).c_str());
   for (const StepReport& step : report.steps) {
     if (step.coat) {
       print_coat(*step.coat, step.roi, report.bounds.diagonal());
+    } else if (step.transplant) {
+      print_transplant(*step.transplant, report.bounds.diagonal());
     } else {
       print_certificate(step.certificate, report.bounds.diagonal());
     }

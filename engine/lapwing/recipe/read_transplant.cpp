@@ -57,13 +57,21 @@ TransplantParameters read_parameters(const JsonNode& node) {
 }  // namespace
 
 TransplantStep read_transplant(const JsonNode& node) {
-  node.require_keys({"op", "part", "loop", "place", "target_region", "transition", "belt",
+  node.require_keys({"op", "part", "loop", "place", "snap", "target_region", "transition", "belt",
                      "weights", "sampling", "remesh"});
   TransplantStep step;
   step.where = node.where();
   read_part(node.at("part"), step);
   if (const auto loop = node.find("loop")) step.loop = loop->vertex();
   if (const auto place = node.find("place")) step.place = read_place(*place);
+  if (const auto snap = node.find("snap")) {
+    step.snap = snap->boolean();
+    if (step.snap && std::holds_alternative<LoopFit>(step.place)) {
+      snap->fail(
+          "a part that is fitted by itself is on the surface already; give its \"place\" as "
+          "a move, or leave \"snap\" out");
+    }
+  }
   step.target_region = read_region(node.at("target_region"));
   step.parameters = read_parameters(node);
   return step;

@@ -53,12 +53,13 @@ struct TransplantStep {
   std::optional<RegionSpec> part_region;  ///< what is cut from it; all of it if not given
   std::optional<std::size_t> loop;        ///< which boundary loop is sewn on; the longest
   PartPlace place;
+  bool snap = false;  ///< after a move: its loop is brought onto the mesh, by the least motion
   RegionSpec target_region;
   TransplantParameters parameters;
   std::string where = "transplant";  ///< as in RegionSpec; no part of the value
   bool operator==(const TransplantStep& other) const {
     return part == other.part && part_region == other.part_region && loop == other.loop &&
-           place == other.place && target_region == other.target_region &&
+           place == other.place && snap == other.snap && target_region == other.target_region &&
            parameters == other.parameters;
   }
 };

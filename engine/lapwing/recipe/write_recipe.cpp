@@ -179,6 +179,7 @@ Json json_of(const TransplantStep& step) {
   Json keys{{"op", "transplant"}, {"part", json_of_part(step)}};
   if (step.loop) keys["loop"] = *step.loop;
   keys["place"] = json_of_any(step.place);
+  if (step.snap) keys["snap"] = true;
   keys["target_region"] = json_of(step.target_region);
   if (parameters.transition) keys["transition"] = json_of(*parameters.transition);
   if (parameters.padding) keys["belt"]["padding"] = *parameters.padding;

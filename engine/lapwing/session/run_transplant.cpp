@@ -91,7 +91,7 @@ void TransplantRun::assemble() {
   PlacedPart part;
   timed("part", [&] {
     hole_ = cut_hole(step_.target_region, result_.mesh, result_.topology);
-    part = place_part(step_, base_directory_, result_.mesh, hole_);
+    part = place_part(step_, base_directory_, result_.mesh, result_.topology, hole_);
   });
   for (std::string& note : part.notes) result_.report.warnings.push_back(std::move(note));
   timed("zip", [&] {

@@ -9,6 +9,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/transform.h"
+#include "lapwing/transplant/surface_snap.h"
 
 namespace lapwing {
 namespace {
@@ -186,7 +187,7 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh, const Topology& topolo
 }
 
 PlacedPart place_part(const TransplantStep& step, const std::filesystem::path& base_directory,
-                      const Mesh& mesh, const Hole& hole) {
+                      const Mesh& mesh, const Topology& topology, const Hole& hole) {
   PlacedPart part = read_part(step, base_directory, mesh);
   if (is_inside_out(part)) turn(part);
   const auto hole_points = points_of(hole.rest_loop, hole.rest.mesh.positions);
@@ -195,6 +196,10 @@ PlacedPart place_part(const TransplantStep& step, const std::filesystem::path& b
     part.motion = fit_loop(loop_points, hole_points, *fit, step.where + "/place");
   } else {
     part.motion = to_affine(std::get<Move>(step.place), mean(loop_points));
+    if (step.snap) {
+      const SurfaceSnap surface(topology.triangles, mesh.positions, step.where);
+      part.motion = surface.snap(part.motion, loop_points, step.where + "/place");
+    }
   }
   const double determinant = part.motion.linear().determinant();
   if (!(std::abs(determinant) > 0.0) || !std::isfinite(determinant)) {

@@ -37,6 +37,6 @@ struct PlacedPart {
 /// Reads, cuts, turns and places the part of `step`. Throws InputError and IoError, naming the
 /// part: one without boundary loop or without the one that is wanted, a place that flattens it.
 PlacedPart place_part(const TransplantStep& step, const std::filesystem::path& base_directory,
-                      const Mesh& mesh, const Hole& hole);
+                      const Mesh& mesh, const Topology& topology, const Hole& hole);
 
 }  // namespace lapwing

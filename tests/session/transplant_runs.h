@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/doctor/check.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/transform.h"
+#include "lapwing/session/run_recipe.h"
+#include "support/error_message.h"
+
+namespace lapwing::test {
+
+/// Around the north pole of the unit sphere.
+inline const std::string kPole = R"({"disk": {"near": [0, 0, 1], "radius": 0.5}})";
+
+/// A finger that stands on z = 0: a tube with a round end, open below, of `around` times `rings`
+/// vertices and as many again on its end.
+inline Mesh finger(Index around, Index rings, double radius, double height) {
+  Mesh mesh = cylinder(around, rings, radius, height);
+  const Index top_rings = std::max<Index>(2, around / 4);
+  Index below = (rings - 1) * around;
+  for (Index r = 1; r < top_rings; ++r) {
+    const double angle = 0.5 * std::numbers::pi * r / top_rings;
+    const auto first = static_cast<Index>(mesh.vertex_count());
+    for (Index a = 0; a < around; ++a) {
+      const Eigen::Vector3d foot = mesh.positions[(rings - 1) * around + a];
+      mesh.positions.emplace_back(foot.x() * std::cos(angle), foot.y() * std::cos(angle),
+                                  height + radius * std::sin(angle));
+    }
+    for (Index a = 0; a < around; ++a) {
+      const Index next = (a + 1) % around;
+      mesh.add_face(std::array{below + a, below + next, first + next});
+      mesh.add_face(std::array{below + a, first + next, first + a});
+    }
+    below = first;
+  }
+  mesh.positions.emplace_back(0.0, 0.0, height + radius);
+  const auto tip = static_cast<Index>(mesh.vertex_count() - 1);
+  for (Index a = 0; a < around; ++a) {
+    mesh.add_face(std::array{below + a, below + (a + 1) % around, tip});
+  }
+  return mesh;
+}
+
+/// Runs recipes of one transplant step on meshes in a folder of its own.
+class TransplantRuns : public ::testing::Test {
+ protected:
+  void write(const Mesh& mesh, const std::string& name) const {
+    write_mesh(mesh, folder_.path() / name);
+  }
+  Mesh read(const std::string& name) const { return read_mesh(folder_.path() / name); }
+
+  /// `keys` begins with a comma.
+  static std::string transplant(const std::string& part, const std::string& target_region,
+                                const std::string& keys = "") {
+    return R"({"op": "transplant", "part": )" + part + R"(, "target_region": )" + target_region +
+           keys + "}";
+  }
+  static std::string from_file(const std::string& name) { return '"' + name + '"'; }
+  static std::string from_region(const std::string& mesh, const std::string& region) {
+    return R"({"mesh": ")" + mesh + R"(", "region": )" + region + "}";
+  }
+
+  std::unique_ptr<RunResult> run(const std::string& steps, Kernels& kernels) const {
+    return run_recipe(
+        parse_recipe(R"({"lapwing": 1, "mesh": "host.ply", "steps": [)" + steps + "]}",
+                     folder_.path(), "test"),
+        kernels);
+  }
+  std::unique_ptr<RunResult> run(const std::string& steps) { return run(steps, cpu_); }
+
+  /// What the run says that must fail.
+  template <class Error = InputError>
+  std::string refusal(const std::string& steps) {
+    return error_message<Error>([&] { run(steps); });
+  }
+
+  TemporaryFolder folder_;
+  CpuKernels cpu_;
+};
+
+/// One closed, oriented piece of that Euler characteristic and nothing wrong with it.
+inline void expect_closed(const RunResult& result, long euler_characteristic) {
+  const CheckReport report = check(result.mesh, result.topology);
+  EXPECT_EQ(report.statistics.boundary_loops, 0U);
+  EXPECT_EQ(report.statistics.component_sizes.size(), 1U);
+  EXPECT_EQ(report.statistics.euler_characteristic, euler_characteristic);
+  for (const Defect& defect : report.defects) {
+    EXPECT_EQ(describe(defect.kind).severity, Severity::info) << describe(defect.kind).name;
+  }
+}
+
+inline double diagonal_of(const Mesh& mesh) {
+  return bounds_of(mesh.positions).diagonal();
+}
+
+}  // namespace lapwing::test

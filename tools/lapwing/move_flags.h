@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
+
+namespace lapwing::cli {
+
+/// The flags that say how something moves, as a recipe's move.
+struct MoveFlags {
+  std::vector<double> translate;
+  std::vector<double> rotate;
+  std::vector<double> pivot;
+  std::vector<double> matrix;
+  double scale = 1.0;
+
+  /// `what` moves, about `pivot` where none is given: "the handle", "its centroid".
+  void add_to(CLI::App& command, const std::string& what, const std::string& default_pivot);
+  bool are_given() const;
+  nlohmann::ordered_json json() const;
+};
+
+}  // namespace lapwing::cli
