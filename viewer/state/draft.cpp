@@ -101,8 +101,9 @@ std::vector<DeformStep> deform_steps(const Recipe& recipe) {
   for (const Step& step : recipe.steps) {
     const auto* deform = std::get_if<DeformStep>(&step);
     if (deform == nullptr) {
-      throw InputError("step " + std::to_string(steps.size() + 1) +
-                       " is a coat, which the viewer cannot replay; `lapwing run` carries it out, "
+      throw InputError("step " + std::to_string(steps.size() + 1) + " is a " +
+                       (std::holds_alternative<MixStep>(step) ? "mix" : "coat") +
+                       ", which the viewer cannot replay; `lapwing run` carries it out, "
                        "and the viewer opens the mesh it saves");
     }
     steps.push_back(*deform);

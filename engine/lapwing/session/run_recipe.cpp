@@ -7,6 +7,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/session/run_coat.h"
 #include "lapwing/session/run_deform.h"
+#include "lapwing/session/run_mix.h"
 #include "lapwing/session/run_transplant.h"
 #include "lapwing/session/stage.h"
 
@@ -72,6 +73,7 @@ struct Runner {
     return run_step(step, number, kernels, progress, result);
   }
   StepReport operator()(const CoatStep& step) const { return run_whole(step); }
+  StepReport operator()(const MixStep& step) const { return run_whole(step); }
   StepReport operator()(const TransplantStep& step) const { return run_whole(step); }
 
  private:
