@@ -84,7 +84,7 @@ TEST_F(AnEdit, RecipeFollowsUndo) {
 
 TEST_F(AnEdit, RestoredFromItsDraftIsTheSameState) {
   const AppState state = edited().state();
-  const History restored = restore(mesh_, draft_of(state), solve_with(kernels_));
+  const History restored = restore(open_state(mesh_), draft_of(state), carry_out_with(kernels_));
   EXPECT_EQ(draft_of(restored.state()), draft_of(state));
   EXPECT_LT(largest_distance(positions_of(restored.state()), positions_of(state)), 1e-9);
   EXPECT_TRUE(restored.can_undo());
@@ -95,7 +95,7 @@ TEST_F(AnEdit, HalfChosenIsRestoredAsItStands) {
   history.perform(Paint{kRoi, {5, 6, 7}, {}});
   history.perform(SetBeltWidth{0.25});
   const Draft draft = draft_of(history.state());
-  EXPECT_EQ(draft_of(restore(mesh_, draft, solve_with(kernels_)).state()), draft);
+  EXPECT_EQ(draft_of(restore(open_state(mesh_), draft, carry_out_with(kernels_)).state()), draft);
 }
 
 TEST_F(AnEdit, UnsettledDragIsRestoredUnsettled) {
@@ -103,14 +103,15 @@ TEST_F(AnEdit, UnsettledDragIsRestoredUnsettled) {
   history.perform(Choose{kRoi, box(0.3, 4.0)});
   history.perform(Choose{kHandle, box(2.8, 4.0)});
   history.perform(MoveHandle{0, bent()});
-  const History restored = restore(mesh_, draft_of(history.state()), solve_with(kernels_));
+  const History restored =
+      restore(open_state(mesh_), draft_of(history.state()), carry_out_with(kernels_));
   EXPECT_TRUE(needs_settling(restored.state()));
   EXPECT_TRUE(same(restored.state(), history.state()));
 }
 
 TEST_F(AnEdit, OpenedRecipeCanBeUndoneStepByStep) {
   const History history = edited();
-  History opened = from_recipe(mesh_, recipe_of(history), solve_with(kernels_));
+  History opened = from_recipe(open_state(mesh_), recipe_of(history), carry_out_with(kernels_));
   EXPECT_LT(largest_distance(positions_of(opened.state()), positions_of(history.state())), 1e-9);
   opened.go_to(0);
   EXPECT_EQ(positions_of(opened.state()), mesh_.positions);
@@ -122,27 +123,16 @@ TEST_F(AnEdit, RecipeIsReplayedOnAnotherMesh) {
   history.perform(Choose{kHandle, box(2.8, 4.0)});
   history.perform(MoveHandle{0, bent()});
   settle(history);
-  const History other =
-      from_recipe(cylinder(20, 30, 0.5, 3.0), recipe_of(history), solve_with(kernels_));
+  const History other = from_recipe(open_state(cylinder(20, 30, 0.5, 3.0)), recipe_of(history),
+                                    carry_out_with(kernels_));
   EXPECT_GT(largest_distance(positions_of(other.state()), other.state().rest->positions), 0.3);
 }
 
-TEST_F(AnEdit, DeformStepsOfARecipeAreTheOnesItWasMadeOf) {
+TEST_F(AnEdit, StepsOfItsRecipeAreThoseOfItsDraftAndTheSettledOne) {
   const AppState state = edited().state();
-  std::vector<DeformStep> made = draft_of(state).steps;
-  made.push_back(open_step(state));
-  EXPECT_EQ(deform_steps(to_recipe(state, "tube.obj", folder_.path())), made);
-}
-
-TEST_F(AnEdit, RecipeWithACoatIsRefusedWithTheStepAndTheWayAround) {
-  Recipe recipe = recipe_of(edited());
-  recipe.steps.emplace_back(CoatStep{});
-  const std::string said =
-      "step 3 is a coat, which the viewer cannot replay; `lapwing run` carries "
-      "it out, and the viewer opens the mesh it saves";
-  EXPECT_EQ(error_message<InputError>([&] { deform_steps(recipe); }), said);
-  EXPECT_EQ(error_message<InputError>([&] { from_recipe(mesh_, recipe, solve_with(kernels_)); }),
-            said);
+  std::vector<Step> made = draft_of(state).steps;
+  made.emplace_back(open_step(state));
+  EXPECT_EQ(to_recipe(state, "tube.obj", folder_.path()).steps, made);
 }
 
 }  // namespace

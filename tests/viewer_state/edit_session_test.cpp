@@ -49,9 +49,10 @@ class ASession : public ::testing::Test {
     const auto edits = find_interrupted(cache_);
     EXPECT_EQ(edits.size(), 1U);
     CpuKernels kernels;
-    session_.emplace(edits[0],
-                     restore(read_mesh(edits[0].mesh.path), edits[0].draft, solve_with(kernels)),
-                     cache_, [] { return std::make_unique<CpuKernels>(); });
+    session_.emplace(
+        edits[0],
+        restore(open_state(read_mesh(edits[0].mesh.path)), edits[0].draft, carry_out_with(kernels)),
+        cache_, [] { return std::make_unique<CpuKernels>(); });
     discard(edits[0]);
     return edits[0];
   }
@@ -62,7 +63,7 @@ class ASession : public ::testing::Test {
     EXPECT_TRUE(edits.at(0).mesh_is_unchanged);
     CpuKernels kernels;
     const History history =
-        restore(read_mesh(edits[0].mesh.path), edits[0].draft, solve_with(kernels));
+        restore(open_state(read_mesh(edits[0].mesh.path)), edits[0].draft, carry_out_with(kernels));
     return positions_of(history.state());
   }
 

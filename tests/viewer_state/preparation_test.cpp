@@ -104,7 +104,7 @@ TEST(Preparation, SettlesAsADeformerMadeAtOnceDoes) {
   const SettledResult result = wait_for_result(preparation);
   EXPECT_EQ(result.moves, state.moves);
   CpuKernels kernels;
-  const auto expected = solve_with(kernels)(state);
+  const auto expected = carry_out_with(kernels).solve(state);
   const AppState settled = apply(state, Settle{result.moved});
   EXPECT_LT(largest_distance(positions_of(settled), positions_of(apply(state, Settle{expected}))),
             1e-9);
@@ -213,7 +213,7 @@ TEST(Preparation, LiveResultComesByItself) {
   EXPECT_FALSE(preparation.take_result().has_value());
   CpuKernels kernels;
   EXPECT_EQ(preparation.take_live_result()->moved->vertices,
-            solve_with(kernels)(dragged)->vertices);
+            carry_out_with(kernels).solve(dragged)->vertices);
   EXPECT_FALSE(preparation.take_live_result().has_value());
 }
 

@@ -120,7 +120,7 @@ TEST(ScriptedPerson, BendsTheArmOfTheArmadillo) {
   EXPECT_EQ(edits[0].draft, draft);
   CpuKernels kernels;
   const History restored =
-      restore(read_mesh(edits[0].mesh.path), edits[0].draft, solve_with(kernels));
+      restore(open_state(read_mesh(edits[0].mesh.path)), edits[0].draft, carry_out_with(kernels));
   EXPECT_LT(largest_distance(positions_of(restored.state()), edited), 1e-9);
 }
 

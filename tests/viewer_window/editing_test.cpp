@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/temporary_folder.h"
+#include "lapwing/io/atomic_file.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
@@ -13,6 +14,7 @@
 #include "state/journal.h"
 #include "support/gpu.h"
 #include "support/models.h"
+#include "viewer_state/sheet_edit.h"
 #include "viewer_window/person.h"
 
 namespace lapwing {
@@ -297,6 +299,33 @@ TEST_F(Editing, EveryStepSurvivesBeingKilledAtAnyMoment) {
   ASSERT_TRUE(settles()) << "what was moved and not settled is settled now";
   const SimilarityMove moved = move();
   EXPECT_GT(moved.translate.norm() + moved.rotate.degrees, 0.0) << "steps were made in between";
+}
+
+// Its triangles come out as others, so that the surface on the device is made anew each time.
+TEST_F(Editing, ACoatOfAnOpenedRecipeIsUndoneRedoneAndSaved) {
+  const viewer::test::SheetAndRelief files;
+  const fs::path opened = files.folder() / "coat.json";
+  replace_file(opened, to_json({files.sheet(), {files.coat(1.0, Remeshing::automatic)}, "", {}}));
+  person_->open(opened);
+  ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.steps.size() == 1; }));
+  const Image coated = desktop_->settled_picture();
+  person_->keys("ctrl+z");
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.steps.empty(); }));
+  EXPECT_GT(test::mean_difference(desktop_->settled_picture(), coated), 0.1);
+  person_->keys("ctrl+shift+z");
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.steps.size() == 1; }));
+  EXPECT_LT(test::mean_difference(desktop_->settled_picture(), coated), 0.3);
+
+  const fs::path saved = folder_ / "again.json";
+  person_->open_dialog("ctrl+e");
+  person_->type(saved.string());
+  person_->keys("Return");
+  ASSERT_TRUE(test::eventually(60.0, [&] { return fs::exists(saved); }));
+  expect_quits_silently();
+  CpuKernels kernels;
+  EXPECT_EQ(run_recipe(read_recipe(saved), kernels)->mesh.positions,
+            run_recipe(read_recipe(opened), kernels)->mesh.positions);
 }
 
 TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {

@@ -41,9 +41,7 @@ Preparation::MakeKernels kernels_like(const VulkanKernels& kernels) {
 }  // namespace
 
 Editor::Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<void()> wake)
-    : say_(std::move(say)),
-      opened_(std::move(start.opened)),
-      opened_bounds_(bounds_of(opened_->positions)) {
+    : say_(std::move(say)), shown_(std::move(start.opened)) {
   session_ =
       start.restored
           ? std::make_unique<EditSession>(*start.restored, std::move(start.history), start.journals,
@@ -59,28 +57,26 @@ Editor::Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<v
     part_ = {Role::handle, 0};
     tool_ = EditTool::move;
   }
-  show_on(kernels);
-}
-
-void Editor::show_on(VulkanKernels& kernels) {
-  device_.emplace(*opened_, *state().topology, kernels);
-  measured_.reset();
+  shown_.take(state());
+  shown_.use_device(kernels);
   state_changed();
 }
 
 void Editor::release_device() {
   gizmo_ = {};
   session_->cancel_preparation();
-  device_.reset();
+  shown_.release_device();
 }
 
 void Editor::use_device(VulkanKernels& kernels) {
   session_->use_kernels(kernels_like(kernels));
-  show_on(kernels);
+  shown_.use_device(kernels);
+  state_changed();
 }
 
 bool Editor::is_dragging() const {
-  return gizmo_.is_dragging() || disk_.is_dragging() || paint_.is_dragging();
+  return gizmo_.is_dragging() || disk_.is_dragging() || paint_.is_dragging() ||
+         (lent_ != nullptr && lent_->is_dragging());
 }
 
 GizmoScene Editor::gizmo_scene(const Projection& projection) const {
@@ -88,14 +84,14 @@ GizmoScene Editor::gizmo_scene(const Projection& projection) const {
 }
 
 SelectScene Editor::select_scene(const ViewFrame& view, const Projection& projection) {
-  const auto pick = [this, &view](const Eigen::Vector2d& pixel) {
-    return device_->picker.pick(device_->surface, view, pixel);
+  const auto pick = [this, &view](const Eigen::Vector2d& pixel) -> std::optional<SurfacePoint> {
+    if (!shown_.has_triangles_of_state()) return {};
+    return shown_.pick(view, pixel);
   };
   const auto is_visible = [this, &view, &projection](Index vertex) {
-    return SeenVertices(device_->picker.picture(device_->surface, view), *state().topology,
-                        positions_, projection)(vertex);
+    return SeenVertices(shown_.picture(view), *state().topology, positions(), projection)(vertex);
   };
-  return {state(), positions_, projection, pick, is_visible, part_};
+  return {state(), positions(), projection, pick, is_visible, part_};
 }
 
 Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
@@ -105,12 +101,13 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   if (handle_ < handle_count() && (has_gizmo() || gizmo_.is_dragging() || !is_of_pointer(event))) {
     const GizmoPart before = gizmo_.part();
     const ToolAnswer answer = send_to_gizmo(event, projection);
-    if (answer.taken) return carry_out(answer);
+    if (answer.taken) return act_on(answer);
     if (has_gizmo()) return {false, gizmo_.part() != before};
   }
   if (tool_ == EditTool::move) return {};
+  if (event.kind == InputKind::press) return_to_triangles_of_state();
   const ToolAnswer answer = send_to_tool(event, select_scene(view, projection));
-  Handled handled = carry_out(answer);
+  Handled handled = act_on(answer);
   classes_are_old_ = classes_are_old_ || answer.taken;
   // The line to the cursor and the brush go with it.
   if (event.kind == InputKind::move) {
@@ -119,11 +116,19 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   return handled;
 }
 
+// Whoever chooses must see what there is to choose of.
+void Editor::return_to_triangles_of_state() {
+  if (shown_.has_triangles_of_state()) return;
+  shown_.end_preview();
+  show_before(false);
+}
+
 ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& projection) {
   const bool was_dragging = gizmo_.is_dragging();
   ToolAnswer answer = gizmo_.handle(event, gizmo_scene(projection));
   if (gizmo_.is_dragging() && !was_dragging) {
-    before_ = false;
+    shown_.end_preview();
+    shown_.show_before(false);
     pointed_at_.clear();
     // What settles now is of no use any more, and keeps the exact response from following.
     session_->cancel_settling();
@@ -141,13 +146,15 @@ ToolAnswer Editor::send_to_tool(const InputEvent& event, const SelectScene& scen
     case EditTool::lasso:
     case EditTool::box:
       return paint_.handle(event, scene);
+    case EditTool::lent:
+      return lent_->handle(event, scene);
     case EditTool::move:
       break;
   }
   return ToolAnswer::passed_on();
 }
 
-Editor::Handled Editor::carry_out(const ToolAnswer& answer) {
+Editor::Handled Editor::act_on(const ToolAnswer& answer) {
   if (!answer.message.empty()) say_(answer.message);
   if (answer.command) {
     const Part part = part_;
@@ -164,24 +171,28 @@ void Editor::after_choice(const Part& part) {
 }
 
 void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
-  const auto pick = device_->picker.pick(device_->surface, view, pixel);
+  const auto pick = shown_.pick(view, pixel);
   if (!pick) return say_("");
   const auto& handles = state().selection.handles;
-  for (std::size_t h = 0; h < handles.size(); ++h) {
+  for (std::size_t h = 0; h < handles.size() && shown_.has_triangles_of_state(); ++h) {
     if (contains(handles[h].vertices, pick->vertex)) choose({Role::handle, h});
   }
   char text[128];
   std::snprintf(text, sizeof text, "vertex %u, face %u at (%.5g, %.5g, %.5g)", pick->vertex,
-                state().topology->triangle_faces[pick->triangle], pick->position.x(),
+                shown_.topology().triangle_faces[pick->triangle], pick->position.x(),
                 pick->position.y(), pick->position.z());
   say_(text);
 }
 
-void Editor::step(const std::function<void()>& change) {
+void Editor::attempt(const std::function<void()>& change) {
+  const bool carried_out = session_->is_carrying_out();
   try {
     change();
     pointed_at_.clear();
     if (!session_->warning().empty()) say_(session_->warning());
+    if (carried_out && !session_->is_carrying_out()) {
+      say_("the step under way was given up, since its surface has changed; apply it again");
+    }
   } catch (const Error& error) {
     say_(error.what());
   }
@@ -189,27 +200,44 @@ void Editor::step(const std::function<void()>& change) {
 }
 
 void Editor::perform(const Command& command) {
-  step([&] { session_->perform(command); });
+  attempt([&] { session_->perform(command); });
 }
 
 void Editor::undo() {
-  if (!is_dragging()) step([&] { session_->undo(); });
+  if (!is_dragging()) attempt([&] { session_->undo(); });
 }
 
 void Editor::redo() {
-  if (!is_dragging()) step([&] { session_->redo(); });
+  if (!is_dragging()) attempt([&] { session_->redo(); });
 }
 
 void Editor::go_to(std::size_t steps) {
-  if (!is_dragging()) step([&] { session_->go_to(steps); });
+  if (!is_dragging()) attempt([&] { session_->go_to(steps); });
 }
 
 void Editor::continue_with(History history) {
-  if (!is_dragging()) step([&] { session_->continue_with(std::move(history)); });
+  if (!is_dragging()) attempt([&] { session_->continue_with(std::move(history)); });
 }
 
 void Editor::settle() {
   session_->prepare();
+}
+
+// What is shown, a preview of the step perhaps, stays until the result is there.
+void Editor::carry_out(const Step& step) {
+  try {
+    session_->carry_out(step);
+  } catch (const Error& error) {
+    say_(error.what());
+  }
+}
+
+void Editor::replace_step(std::size_t index, const Step& step) {
+  try {
+    session_->replace_step(index, step);
+  } catch (const Error& error) {
+    say_(error.what());
+  }
 }
 
 void Editor::grow() {
@@ -250,8 +278,21 @@ void Editor::enlarge_roi() {
 void Editor::take(EditTool tool) {
   if (is_dragging()) return;
   tool_ = tool;
+  lent_ = nullptr;
   loop_.reset();
   if (is_paint(tool)) paint_.options().shape = shape_of(tool);
+}
+
+void Editor::lend(SceneTool& tool) {
+  if (is_dragging()) return;
+  take(EditTool::lent);
+  lent_ = &tool;
+}
+
+void Editor::give_back(const SceneTool& tool) {
+  if (lent_ != &tool) return;
+  lent_ = nullptr;
+  tool_ = EditTool::disk;
 }
 
 void Editor::choose(const Part& part) {
@@ -278,6 +319,7 @@ std::vector<Index> Editor::selected() const {
 }
 
 const char* Editor::hint() const {
+  if (lent_ != nullptr) return lent_->hint();
   if (loop_.is_closed()) return "click the side to keep";
   if (!loop_.corners().empty()) {
     return "click on around; Enter or a click on the first point closes the loop";

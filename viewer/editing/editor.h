@@ -6,34 +6,32 @@
 #include <string>
 #include <vector>
 
-#include "editing/edit_surface.h"
-#include "editing/surface_picker.h"
-#include "editing/view_frame.h"
-#include "lapwing/render/pose_measure.h"
+#include "editing/shown_surface.h"
 #include "tools/certificate_words.h"
 #include "tools/disk_tool.h"
 #include "tools/edit_session.h"
 #include "tools/gizmo_tool.h"
 #include "tools/loop_tool.h"
 #include "tools/paint_tool.h"
+#include "tools/scene_tool.h"
 
 namespace lapwing::viewer {
 
-/// What the left button does on the surface.
-enum class EditTool { move, disk, loop, brush, lasso, box };
+/// What the left button does on the surface; `lent` is a panel's tool.
+enum class EditTool { move, disk, loop, brush, lasso, box, lent };
 
 /// An edit to begin with.
 struct EditStart {
   History history;
-  std::shared_ptr<const Mesh> opened;       ///< before any step, to compare with
+  TriangulatedMesh opened;                  ///< before any step, to compare with
   std::optional<MeshStamp> file;            ///< EditSession's
   std::optional<InterruptedEdit> restored;  ///< what the history continues
   std::filesystem::path journals;           ///< EditSession's
 };
 
-/// One mesh being edited in a window: its session, the tool in hand, and its surface on the device.
-/// Events go in; what to draw comes out. Panels perform commands. What does not work is said to
-/// `say`, and nothing has changed then.
+/// One mesh being edited in a window: its session, the tool in hand, and what is shown of it.
+/// Events go in; `shown` is what to draw. Panels perform commands and ask for steps. What does not
+/// work is said to `say`, and nothing has changed then.
 class Editor {
  public:
   using Say = std::function<void(std::string)>;
@@ -66,6 +64,11 @@ class Editor {
   void go_to(std::size_t steps);
   void continue_with(History history);
   void settle();  ///< the moves that have no result yet
+  /// A whole step, beside the window (EditSession's): its result comes by itself.
+  void carry_out(const Step& step);
+  void replace_step(std::size_t index, const Step& step);
+  /// What a panel does to the session that may throw: said, and shown anew.
+  void attempt(const std::function<void()>& change);
   void grow();
   void shrink();
   void invert();
@@ -81,6 +84,9 @@ class Editor {
 
   EditTool tool() const { return tool_; }
   void take(EditTool tool);
+  /// Takes a panel's tool in hand, or gives it back if it is. It must live until then.
+  void lend(SceneTool& tool);
+  void give_back(const SceneTool& tool);
   /// What the tools choose.
   const Part& part() const { return part_; }
   void choose(const Part& part);
@@ -106,20 +112,16 @@ class Editor {
   bool settles_while_dragging() const { return continuous_; }
   void set_settles_while_dragging(bool on) { continuous_ = on; }
 
-  /// Colours by how the surface differs from the one opened; nothing: by regions.
-  void color_by(std::optional<PoseMeasure> measure) { measure_ = measure; }
-  /// Whether the paint's numbers are those of the surface; not while it follows a drag.
-  bool is_measured() const;
-  const ScalarRange& measure_range() const { return measure_range_; }
-  bool shows_before() const { return before_; }
+  const ShownSurface& shown() const { return shown_; }
+  ShownSurface& shown() { return shown_; }
   void show_before(bool before);
   /// Vertices that the picture points at, until something is edited.
   void point_at(std::vector<Index> vertices) { pointed_at_ = std::move(vertices); }
   const std::vector<Index>& pointed_at() const { return pointed_at_; }
 
-  const EditSurface& surface() const { return device_->surface; }
-  /// Where the vertices are, but for a drag under way.
-  const Positions& positions() const { return positions_; }
+  const EditSurface& surface() const { return shown_.device(); }
+  /// ShownSurface's.
+  const Positions& positions() const { return shown_.positions(); }
   /// Of all that is drawn.
   Bounds bounds() const;
   /// Of what is chosen: the part, or else the ROI; of everything without.
@@ -127,35 +129,23 @@ class Editor {
   const char* hint() const;  ///< what to do next
 
  private:
-  void show_on(VulkanKernels& kernels);
   SelectScene select_scene(const ViewFrame& view, const Projection& projection);
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
   ToolAnswer send_to_tool(const InputEvent& event, const SelectScene& scene);
-  Handled carry_out(const ToolAnswer& answer);
-  void step(const std::function<void()>& change);
+  void return_to_triangles_of_state();
+  Handled act_on(const ToolAnswer& answer);
   void after_choice(const Part& part);
   void state_changed();
   std::size_t handle_count() const { return state().selection.handles.size(); }
 
-  void show_still();
+  void take_step();
   void follow_hand();
   bool follow_settled();
   void show_classes();  ///< where they have changed
   VertexSet live() const;
-  void show_measure();
 
   Say say_;
-  std::shared_ptr<const Mesh> opened_;
-  Bounds opened_bounds_;
-  // All that is in device memory but for the worker's.
-  struct OnDevice {
-    OnDevice(const Mesh& mesh, const Topology& topology, VulkanKernels& kernels)
-        : picker(*kernels.context()), surface(mesh, topology, kernels) {}
-
-    SurfacePicker picker;
-    EditSurface surface;
-  };
-  std::optional<OnDevice> device_;
+  ShownSurface shown_;
   std::unique_ptr<EditSession> session_;
 
   EditTool tool_ = EditTool::disk;
@@ -166,24 +156,13 @@ class Editor {
   PaintTool paint_;
   GizmoTool gizmo_;
   GizmoKeys gizmo_keys_ = GizmoKeys::blender;
+  SceneTool* lent_ = nullptr;
 
   std::vector<CertificateWarning> warnings_;
-  Positions positions_;
-  Bounds bounds_;
-  // What `positions_` was made of.
-  std::shared_ptr<const Mesh> rest_;
-  std::shared_ptr<const MovedVertices> settled_;
-  bool following_ = false;  // the surface shows moves without a result
   std::vector<Eigen::Affine3d> motions_;
-  std::vector<Eigen::Affine3d> followed_;
   std::vector<Move> live_moves_;
   bool classes_are_old_ = true;
   bool continuous_ = false;
-  bool before_ = false;
-  std::optional<PoseMeasure> measure_;
-  std::optional<PoseMeasure> measured_;  // what the paint's numbers are, of that surface:
-  std::uint64_t measured_version_ = 0;
-  ScalarRange measure_range_;
   std::vector<Index> pointed_at_;
 };
 

@@ -57,7 +57,7 @@ bool perform_on(Editor& editor, Action action) {
       editor.remove_handle();
       return true;
     case Action::toggle_before:
-      editor.show_before(!editor.shows_before());
+      editor.show_before(!editor.shown().shows_before());
       return true;
     case Action::undo:
       editor.undo();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editing/editor.h"
+#include "lapwing/base/errors.h"
 #include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
@@ -19,60 +20,60 @@ void Editor::state_changed() {
   const AppState& now = state();
   if (part_.role == Part::Role::handle) part_.handle = std::min(part_.handle, handle_count());
   handle_ = handle_count() == 0 ? 0 : std::min(handle_, handle_count() - 1);
-  if (rest_ != now.rest || settled_ != now.settled) {
-    rest_ = now.rest;
-    settled_ = now.settled;
-    positions_ = positions_of(now);
-    bounds_ = bounds_of(positions_);
+  if (shown_.take(now)) {
     disk_.reset();
     loop_.reset();
   }
   warnings_.clear();
   if (const Certificate* certificate = session_->certificate()) {
-    warnings_ = warnings_of(*certificate, *now.topology, opened_bounds_.diagonal());
+    warnings_ = warnings_of(*certificate, *now.topology, shown_.opened_bounds().diagonal());
   }
-  following_ = false;
-  followed_.clear();
   classes_are_old_ = true;
-  if (!needs_settling(now)) show_still();
-}
-
-void Editor::show_still() {
-  device_->surface.place(before_ ? opened_->positions : positions_);
+  if (!needs_settling(now) || !shown_.has_triangles_of_state()) shown_.show_still();
 }
 
 void Editor::show_before(bool before) {
-  if (is_dragging() || before == before_) return;
-  before_ = before;
+  if (is_dragging() || before == shown_.shows_before()) return;
+  shown_.show_before(before);
   state_changed();
 }
 
 void Editor::update() {
   if (session_->take_result()) state_changed();
+  // The ground would be pulled from under a stroke.
+  if (!is_dragging()) take_step();
   follow_hand();
   show_classes();
-  show_measure();
+  if (!gizmo_.is_dragging()) shown_.renew_measure();
+}
+
+void Editor::take_step() {
+  std::optional<StepTaken> taken;
+  const bool had_chosen = !state().selection.roi.vertices.empty() || handle_count() > 0;
+  try {
+    taken = session_->take_step();
+  } catch (const Error& error) {
+    say_(error.what());
+  }
+  if (!taken) return;
+  pointed_at_.clear();
+  for (const std::string& warning : taken->warnings) say_(warning);
+  if (taken->changed_triangles && had_chosen) {
+    say_("the triangles are others now: what was chosen is no more");
+  }
+  state_changed();
 }
 
 void Editor::follow_hand() {
   const bool dragging = gizmo_.is_dragging();
-  if (before_) return;
+  if (shown_.shows_before() || shown_.previews()) return;
   if (!dragging && !needs_settling(state())) {
-    if (following_) state_changed();  // the drag was given up
+    if (shown_.follows()) state_changed();  // the drag was given up
     return;
   }
   if (dragging && continuous_ && follow_settled()) return;
   motions_of(state(), handle_, dragging ? *gizmo_.live() : state().moves[handle_], motions_);
-  const bool could_be_exact =
-      device_->surface.source() != SurfaceSource::exact &&
-      session_->preparation().status().phase == PreparationStatus::Phase::ready;
-  const bool same =
-      std::equal(motions_.begin(), motions_.end(), followed_.begin(), followed_.end(),
-                 [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });
-  if (same && !could_be_exact) return;
-  if (!device_->surface.drag(session_->preparation(), motions_)) return;
-  following_ = true;
-  followed_.assign(motions_.begin(), motions_.end());
+  shown_.follow(session_->preparation(), motions_);
 }
 
 // What has settled last of this drag stays until the next one has. False before the first.
@@ -85,16 +86,14 @@ bool Editor::follow_settled() {
     for (std::size_t k = 0; k < result->vertices.size(); ++k) {
       positions[result->vertices[k]] = result->positions[k];
     }
-    device_->surface.place(positions);
-    following_ = true;
-    followed_.clear();
+    shown_.follow(positions);
   }
-  return following_ && device_->surface.source() == SurfaceSource::still;
+  return shown_.follows() && shown_.device().source() == SurfaceSource::still;
 }
 
 void Editor::show_classes() {
-  if (!std::exchange(classes_are_old_, false)) return;
-  device_->surface.paint().set_classes(
+  if (!std::exchange(classes_are_old_, false) && !shown_.needs_classes()) return;
+  shown_.set_classes(
       shown_classes(state(), part_, live(), paint_.is_dragging() && paint_.erases()));
 }
 
@@ -112,27 +111,12 @@ std::size_t Editor::count(const Part& part) const {
   return (paint_.erases() ? subtract(chosen, live()) : unite(chosen, live())).size();
 }
 
-bool Editor::is_measured() const {
-  return measure_ && measured_ == measure_ && measured_version_ == device_->surface.version();
-}
-
-// Numbers are of the still surface: what a drag shows has none yet.
-void Editor::show_measure() {
-  const bool still = !gizmo_.is_dragging() && device_->surface.source() == SurfaceSource::still;
-  if (!measure_ || !still || is_measured()) return;
-  const auto numbers = measure_pose(*measure_, *state().topology, opened_->positions,
-                                    before_ ? opened_->positions : positions_);
-  device_->surface.paint().set_scalars(numbers);
-  measure_range_ = range_without_outliers(numbers);
-  measured_ = measure_;
-  measured_version_ = device_->surface.version();
-}
-
 Bounds Editor::bounds() const {
-  Bounds all = united(opened_bounds_, bounds_);
-  for (std::size_t h = 0; h < followed_.size(); ++h) {
+  Bounds all = shown_.bounds();
+  const auto& followed = shown_.followed();
+  for (std::size_t h = 0; h < followed.size(); ++h) {
     for (const Index v : state().selection.handles[h].vertices) {
-      const Eigen::Vector3d place = followed_[h] * state().rest->positions[v];
+      const Eigen::Vector3d place = followed[h] * state().rest->positions[v];
       all = united(all, {place, place});
     }
   }

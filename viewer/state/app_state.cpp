@@ -55,9 +55,14 @@ AppState open_state(Mesh mesh) {
 }
 
 AppState open_state(Mesh mesh, Topology topology) {
+  return open_state(std::make_shared<const Mesh>(std::move(mesh)),
+                    std::make_shared<const Topology>(std::move(topology)));
+}
+
+AppState open_state(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Topology> topology) {
   AppState state;
-  state.topology = std::make_shared<const Topology>(std::move(topology));
-  state.rest = std::make_shared<const Mesh>(std::move(mesh));
+  state.topology = std::move(topology);
+  state.rest = std::move(mesh);
   return state;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -26,12 +27,22 @@ struct MovedVertices {
 /// them.
 MovedVertices moved_vertices(const Positions& before, const Positions& after);
 
+/// A mesh with other triangles, in the place of the one before.
+struct NewMesh {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const Topology> topology;  ///< of `mesh`
+};
+
+/// What a step that is carried out as a whole comes to.
+using AppliedStep = std::variant<MovedVertices, NewMesh>;
+
 /// All that a person edits, as a value. What is large is shared and never changed in place, so a
 /// copy costs the selection.
 ///
 /// One edit after the other: parts are chosen on the mesh `rest`, the handles are moved (`moves`),
 /// the result is computed elsewhere and comes in as `settled`. It becomes the rest shape of the
-/// next edit, and a step of `steps`, when something else is chosen.
+/// next edit, and a step of `steps`, when something else is chosen. Other operations are steps as
+/// a whole (`Apply`); those may change the triangles.
 struct AppState {
   std::shared_ptr<const Topology> topology;
   std::shared_ptr<const Mesh> rest;
@@ -40,12 +51,14 @@ struct AppState {
   std::vector<Move> moves;  ///< one per handle, from the rest shape
   /// The result of `moves`; null while nothing moved, and until it is computed.
   std::shared_ptr<const MovedVertices> settled;
-  std::vector<std::shared_ptr<const DeformStep>> steps;  ///< what made `rest` of the mesh opened
+  /// What made `rest` of the mesh opened; files are named by absolute paths.
+  std::vector<std::shared_ptr<const Step>> steps;
 };
 
 /// A mesh as it was read, nothing chosen. Throws what `build_topology` does.
 AppState open_state(Mesh mesh);
 AppState open_state(Mesh mesh, Topology topology);
+AppState open_state(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Topology> topology);
 
 /// Whether a handle is somewhere else than at rest.
 bool is_moved(const AppState& state);

@@ -29,6 +29,14 @@ std::size_t bytes_of(const std::array<VertexSet, 2>& change) {
   return (change[0].size() + change[1].size()) * sizeof(Index);
 }
 
+// Without attributes, which are few beside the rest.
+std::size_t bytes_of(const Mesh& mesh, const Topology& topology) {
+  const std::size_t numbers = mesh.face_starts.size() + mesh.face_vertices.size() +
+                              4 * topology.triangles.size() + topology.rings.values.size() +
+                              topology.vertex_triangles.values.size() + 2 * mesh.vertex_count();
+  return mesh.vertex_count() * sizeof(Eigen::Vector3d) + numbers * sizeof(Index);
+}
+
 }  // namespace
 
 Change::RegionChange Change::difference(const ChosenRegion& before, const ChosenRegion& after) {
@@ -52,17 +60,25 @@ Change::Change(const AppState& before, const AppState& after)
   for (std::size_t h = 0; h < std::max(handle_counts_[0], handle_counts_[1]); ++h) {
     handles_.push_back(difference(handle_or_empty(before, h), handle_or_empty(after, h)));
   }
-  if (before.rest != after.rest) {
-    MovedVertices there = moved_vertices(before.rest->positions, after.rest->positions);
-    RestChange rest{std::move(there.vertices), {}};
-    for (const Index v : rest.vertices) rest.positions[0].push_back(before.rest->positions[v]);
-    rest.positions[1] = std::move(there.positions);
-    rest_ = std::move(rest);
-  }
+  if (before.rest != after.rest) compare_rest(before, after);
   const auto differ = std::mismatch(before.steps.begin(), before.steps.end(), after.steps.begin(),
                                     after.steps.end());
   kept_steps_ = static_cast<std::size_t>(differ.first - before.steps.begin());
   steps_ = {Steps(differ.first, before.steps.end()), Steps(differ.second, after.steps.end())};
+}
+
+void Change::compare_rest(const AppState& before, const AppState& after) {
+  if (before.topology != after.topology) {
+    triangles_ = {{{before.rest, before.topology}, {after.rest, after.topology}}};
+    surface_moved_ = true;
+    return;
+  }
+  MovedVertices there = moved_vertices(before.rest->positions, after.rest->positions);
+  RestChange rest{std::move(there.vertices), {}};
+  for (const Index v : rest.vertices) rest.positions[0].push_back(before.rest->positions[v]);
+  rest.positions[1] = std::move(there.positions);
+  rest_ = std::move(rest);
+  surface_moved_ = positions_of(before) != positions_of(after);
 }
 
 bool Change::is_nothing() const {
@@ -72,12 +88,12 @@ bool Change::is_nothing() const {
   };
   return same(roi_) && same(belt_) && handle_counts_[0] == handle_counts_[1] &&
          std::all_of(handles_.begin(), handles_.end(), same) && !belt_fraction_ && !parameters_ &&
-         !moves_ && !settled_ && !rest_ && steps_[0].empty() && steps_[1].empty();
+         !moves_ && !settled_ && !rest_ && !triangles_ && steps_[0].empty() && steps_[1].empty();
 }
 
 bool Change::concerns_surface() const {
   // A commit moves the rest shape to where the surface was already.
-  if (!steps_[0].empty() || !steps_[1].empty()) return false;
+  if (rest_ || triangles_) return surface_moved_;
   // A handle that comes or goes without having moved changes the list of moves only.
   const auto moves_any = [](const std::vector<Move>& moves) {
     return std::any_of(moves.begin(), moves.end(),
@@ -114,6 +130,10 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
     }
     state.rest = std::move(mesh);
   }
+  if (triangles_) {
+    state.rest = (*triangles_)[to].rest;
+    state.topology = (*triangles_)[to].topology;
+  }
   state.steps.resize(kept_steps_);
   state.steps.insert(state.steps.end(), steps_[to].begin(), steps_[to].end());
 }
@@ -133,6 +153,10 @@ std::size_t Change::bytes() const {
     }
   }
   if (rest_) total += rest_->vertices.size() * (sizeof(Index) + 2 * kPosition);
+  if (triangles_) {
+    // Each mesh is in two changes, like a result.
+    for (const Triangles& side : *triangles_) total += bytes_of(*side.rest, *side.topology) / 2;
+  }
   return total;
 }
 

@@ -8,11 +8,12 @@
 namespace lapwing::viewer {
 
 /// What one step changed of the state, enough to go from either side to the other: differences of
-/// sets and positions of the vertices that moved, never whole meshes.
+/// sets and positions of the vertices that moved. Only where the triangles are others are both
+/// meshes held, with their topologies, for as long as the step is: a few hundred bytes per vertex
+/// of each. Steps that follow each other share the mesh between them.
 class Change {
  public:
   Change() = default;
-  /// Both are states of one mesh.
   Change(const AppState& before, const AppState& after);
 
   bool is_nothing() const;
@@ -44,9 +45,15 @@ class Change {
     std::vector<Index> vertices;
     std::array<Positions, 2> positions;
   };
+  struct Triangles {
+    std::shared_ptr<const Mesh> rest;
+    std::shared_ptr<const Topology> topology;
+    bool operator==(const Triangles&) const = default;
+  };
   using Settled = std::shared_ptr<const MovedVertices>;
-  using Steps = std::vector<std::shared_ptr<const DeformStep>>;
+  using Steps = std::vector<std::shared_ptr<const Step>>;
 
+  void compare_rest(const AppState& before, const AppState& after);
   static RegionChange difference(const ChosenRegion& before, const ChosenRegion& after);
   static void replace(ChosenRegion& region, const RegionChange& change, std::size_t from,
                       std::size_t to);
@@ -61,6 +68,8 @@ class Change {
   Both<std::vector<Move>> moves_;
   Both<Settled> settled_;
   std::optional<RestChange> rest_;
+  Both<Triangles> triangles_;   // instead of `rest_`
+  bool surface_moved_ = false;  // by what changed the rest shape
   std::size_t kept_steps_ = 0;
   std::array<Steps, 2> steps_;  // those that follow the kept ones
 };

@@ -5,6 +5,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/turn_tracker.h"
+#include "state/step_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -38,16 +39,8 @@ void require_valid(const EditParameters& parameters) {
   }
 }
 
-// What is settled becomes the rest shape, and a step.
-void commit(AppState& state) {
-  if (!is_moved(state)) return;
-  if (!state.settled) {
-    throw InputError("the drag is not settled yet; wait for its result, or undo it");
-  }
-  state.steps.push_back(std::make_shared<const DeformStep>(open_step(state)));
-  state.rest = std::make_shared<const Mesh>(mesh_of(state));
-  state.settled = nullptr;
-  for (Move& move : state.moves) move = SimilarityMove{};
+// The same vertices, on the rest shape as it has come to be.
+void carry_selection_over(AppState& state) {
   EditSelection& selection = state.selection;
   selection.roi = carried_over(selection.roi, *state.rest, *state.topology);
   for (ChosenRegion& handle : selection.handles) {
@@ -57,6 +50,40 @@ void commit(AppState& state) {
     selection.belt = carried_over(selection.belt, *state.rest, *state.topology);
   }
   renew_belt(selection, *state.rest, *state.topology);
+}
+
+// What is settled becomes the rest shape, and a step.
+void commit(AppState& state) {
+  if (!is_moved(state)) return;
+  if (!state.settled) {
+    throw InputError("the drag is not settled yet; wait for its result, or undo it");
+  }
+  state.steps.push_back(std::make_shared<const Step>(open_step(state)));
+  state.rest = std::make_shared<const Mesh>(mesh_of(state));
+  state.settled = nullptr;
+  for (Move& move : state.moves) move = SimilarityMove{};
+  carry_selection_over(state);
+}
+
+// A result of another mesh would leave a state that no recipe leads to.
+void take_over(AppState& state, const MovedVertices& moved) {
+  require_vertices(state, moved.vertices);
+  auto mesh = std::make_shared<Mesh>(*state.rest);
+  for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
+    mesh->positions[moved.vertices[k]] = moved.positions[k];
+  }
+  state.rest = std::move(mesh);
+  carry_selection_over(state);
+}
+
+// Numbers of vertices mean others now, and what a disk or box would hold nobody has seen.
+void take_over(AppState& state, const NewMesh& other) {
+  state.rest = other.mesh;
+  state.topology = other.topology;
+  state.moves.clear();
+  const auto fraction = state.selection.belt_fraction;
+  state.selection = {};
+  if (fraction) state.selection.belt_fraction = fraction;
 }
 
 // The region of `part`, made when it is a new handle.
@@ -128,6 +155,16 @@ struct Applier {
     state.parameters = command.parameters;
     state.settled = nullptr;
   }
+  void operator()(const Apply& command) const {
+    if (!command.result) throw InputError("the step's result is missing; carry it out first");
+    commit(state);
+    state.steps.push_back(std::make_shared<const Step>(command.step));
+    std::visit([this](const auto& result) { take_over(state, result); }, *command.result);
+  }
+  void operator()(const Revise& command) const {
+    if (!command.result) throw InputError("the result is missing; carry the steps out first");
+    state = *command.result;
+  }
 };
 
 std::string name_of(const Part& part) {
@@ -181,6 +218,8 @@ struct Describer {
   std::string operator()(const Settle&) const { return "settle"; }
   std::string operator()(const Commit&) const { return "commit"; }
   std::string operator()(const SetParameters&) const { return "parameters"; }
+  std::string operator()(const Apply& command) const { return describe(command.step); }
+  std::string operator()(const Revise& command) const { return "change " + describe(command.step); }
 };
 
 }  // namespace

@@ -57,16 +57,29 @@ struct SetParameters {
   EditParameters parameters;
 };
 
+/// A step that was carried out elsewhere, on the surface that is seen (`apply_step`). Where its
+/// result has other triangles nothing is chosen any more.
+struct Apply {
+  Step step;  ///< naming files by absolute paths
+  std::shared_ptr<const AppliedStep> result;
+};
+
+/// An earlier step was taken up again and changed, and what follows it was carried out anew
+/// elsewhere (`revised`).
+struct Revise {
+  Step step;  ///< as it is now
+  std::shared_ptr<const AppState> result;
+};
+
 /// One thing that a person, a test or a recipe does.
 using Command = std::variant<Choose, Paint, RemoveHandle, SetBeltWidth, MoveHandle, Settle, Commit,
-                             SetParameters>;
+                             SetParameters, Apply, Revise>;
 
-/// The state after `command`. Choosing and painting commit what is settled first: what is chosen
-/// then is chosen on the surface that is seen. Moves, parameters and the belt's width ask for a new
-/// result from the same rest shape.
-/// Throws InputError when the state does not fit: a handle that does not exist, a result that
-/// nothing asked for, a choice or commit while a drag waits for its result; and what `resolve`
-/// throws. Pure.
+/// The state after `command`. Choosing, painting and applying commit what is settled first: what is
+/// chosen then is chosen on the surface that is seen. Moves, parameters and the belt's width ask
+/// for a new result from the same rest shape. Throws InputError when the state does not fit: a
+/// handle that does not exist, a result that nothing asked for or that is of another mesh, a
+/// choice, step or commit while a drag waits for its result; and what `resolve` throws. Pure.
 AppState apply(AppState state, const Command& command);
 
 /// What the history panel calls it: "ROI: disk", "move handle 1", "settle".

@@ -1,7 +1,7 @@
 #include "state/draft.h"
 
-#include "lapwing/base/errors.h"
 #include "lapwing/session/run_deform.h"
+#include "state/step_words.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -50,7 +50,9 @@ Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
   Recipe recipe;
   recipe.mesh = mesh;
   recipe.base_directory = base_directory;
-  for (const auto& step : state.steps) recipe.steps.emplace_back(*step);
+  for (const auto& step : state.steps) {
+    recipe.steps.push_back(with_paths_from(*step, base_directory));
+  }
   if (state.settled) recipe.steps.emplace_back(open_step(state));
   return recipe;
 }
@@ -65,10 +67,13 @@ Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& 
           std::move(report.certificate)};
 }
 
-Solve solve_with(Kernels& kernels, Progress progress) {
-  return [&kernels, progress = std::move(progress)](const AppState& state) {
-    return solve_open_step(state, kernels, progress).moved;
-  };
+CarryOut carry_out_with(Kernels& kernels, Progress progress) {
+  return {[&kernels, progress](const AppState& state) {
+            return solve_open_step(state, kernels, progress).moved;
+          },
+          [&kernels, progress](const AppState& state, const Step& step) {
+            return apply_step(state, step, {}, kernels, progress).result;
+          }};
 }
 
 void perform(History& history, const DeformStep& step, const Solve& solve) {
@@ -89,32 +94,30 @@ void perform(History& history, const DeformStep& step, const Solve& solve) {
   if (solve && is_moved(history.state())) history.perform(Settle{solve(history.state())});
 }
 
-History restore(Mesh mesh, const Draft& draft, const Solve& solve) {
-  History history(open_state(std::move(mesh)));
-  for (const DeformStep& step : draft.steps) perform(history, step, solve);
-  perform(history, draft.open, draft.settled ? solve : Solve{});
+void perform(History& history, const Step& step, const CarryOut& carry_out) {
+  if (const auto* deform = std::get_if<DeformStep>(&step)) {
+    perform(history, *deform, carry_out.solve);
+  } else {
+    history.perform(Apply{step, carry_out.apply(history.state(), step)});
+  }
+}
+
+void perform(History& history, const Recipe& recipe, const CarryOut& carry_out) {
+  for (const Step& step : recipe.steps) {
+    perform(history, with_absolute_paths(step, recipe.base_directory), carry_out);
+  }
+}
+
+History restore(AppState start, const Draft& draft, const CarryOut& carry_out) {
+  History history(std::move(start));
+  for (const Step& step : draft.steps) perform(history, step, carry_out);
+  perform(history, draft.open, draft.settled ? carry_out.solve : Solve{});
   return history;
 }
 
-std::vector<DeformStep> deform_steps(const Recipe& recipe) {
-  std::vector<DeformStep> steps;
-  for (const Step& step : recipe.steps) {
-    const auto* deform = std::get_if<DeformStep>(&step);
-    if (deform == nullptr) {
-      throw InputError("step " + std::to_string(steps.size() + 1) + " is a " +
-                       (std::holds_alternative<MixStep>(step) ? "mix" : "coat") +
-                       ", which the viewer cannot replay; `lapwing run` carries it out, "
-                       "and the viewer opens the mesh it saves");
-    }
-    steps.push_back(*deform);
-  }
-  return steps;
-}
-
-History from_recipe(Mesh mesh, const Recipe& recipe, const Solve& solve) {
-  const std::vector<DeformStep> steps = deform_steps(recipe);
-  History history(open_state(std::move(mesh)));
-  for (const DeformStep& step : steps) perform(history, step, solve);
+History from_recipe(AppState start, const Recipe& recipe, const CarryOut& carry_out) {
+  History history(std::move(start));
+  perform(history, recipe, carry_out);
   return history;
 }
 

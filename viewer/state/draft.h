@@ -7,6 +7,7 @@
 #include "lapwing/base/progress.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/kernels/kernels.h"
+#include "state/applied_step.h"
 #include "state/history.h"
 
 namespace lapwing::viewer {
@@ -14,17 +15,18 @@ namespace lapwing::viewer {
 /// An edit as its recipe and what stands open before it: everything of a state that cannot be
 /// computed again.
 struct Draft {
-  std::vector<DeformStep> steps;  ///< committed
-  DeformStep open;                ///< chosen and moved; what is not chosen is an empty list
-  bool settled = false;           ///< whether the open step has its result
+  std::vector<Step> steps;  ///< committed or applied
+  DeformStep open;          ///< chosen and moved; what is not chosen is an empty list
+  bool settled = false;     ///< whether the open step has its result
 
   bool operator==(const Draft&) const = default;
 };
 
 Draft draft_of(const AppState& state);
 
-/// The recipe of what the surface is now: the committed steps, and the open one if it is settled.
-/// `run_recipe` makes the positions of the state of it.
+/// The recipe of what the surface is now: the steps so far, and the open one if it is settled.
+/// `run_recipe` makes the positions of the state of it. Files that the steps name are named from
+/// `base_directory`, as `mesh` is already.
 Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
                  const std::filesystem::path& base_directory);
 
@@ -38,22 +40,29 @@ struct Solved {
 /// Runs the open step as `run_recipe` does, in parts where it says so. Throws what that does.
 Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& progress = {});
 
-/// A Solve that does that. `kernels` must outlive it.
-Solve solve_with(Kernels& kernels, Progress progress = {});
+/// How the steps of a recipe are carried out. What throws ends the replay.
+struct CarryOut {
+  Solve solve;  ///< the moves of a deform step
+  /// Any other step, on the surface of a state.
+  std::function<std::shared_ptr<const AppliedStep>(const AppState&, const Step&)> apply;
+};
+/// As `run_recipe` does it. `kernels` must outlive it.
+CarryOut carry_out_with(Kernels& kernels, Progress progress = {});
 
-/// Carries a step of a recipe out by the commands that a person would have used, which can then be
+/// Carries a deform step out by the commands that a person would have used, which can then be
 /// undone one by one. Without `solve` its handles are left moved and not settled.
 void perform(History& history, const DeformStep& step, const Solve& solve);
+/// Carries any step out: a deform as above, another as one command.
+void perform(History& history, const Step& step, const CarryOut& carry_out);
 
-/// The history that leads to `draft` on `mesh`. Throws what `apply` and `solve` do.
-History restore(Mesh mesh, const Draft& draft, const Solve& solve);
+/// The history that leads from `start` to `draft`. Throws what `apply` and `carry_out` do.
+History restore(AppState start, const Draft& draft, const CarryOut& carry_out);
 
-/// The steps of `recipe`, all of which the viewer can replay. Throws InputError, naming the step
-/// and what to do, where one is no deform.
-std::vector<DeformStep> deform_steps(const Recipe& recipe);
-
-/// A recipe's steps on `mesh`, which need not be its own; the last one stays open. Throws what
-/// `deform_steps`, `apply` and `solve` do.
-History from_recipe(Mesh mesh, const Recipe& recipe, const Solve& solve);
+/// A recipe's steps from `start`, whose mesh need not be the recipe's own; a last deform stays
+/// open. Files that steps name are looked for in the recipe's base directory. Throws what `apply`
+/// and `carry_out` do.
+History from_recipe(AppState start, const Recipe& recipe, const CarryOut& carry_out);
+/// The same, going on with `history`.
+void perform(History& history, const Recipe& recipe, const CarryOut& carry_out);
 
 }  // namespace lapwing::viewer

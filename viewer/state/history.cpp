@@ -36,6 +36,12 @@ void History::go_to(std::size_t steps) {
   while (done_ < steps) redo();
 }
 
+AppState History::last_state(const std::function<bool(const AppState&)>& is_it) const {
+  AppState state = state_;
+  for (std::size_t k = done_; k > 0 && !is_it(state); --k) steps_[k - 1].change.undo(state);
+  return state;
+}
+
 std::vector<std::string> History::names() const {
   std::vector<std::string> names;
   for (const Recorded& step : steps_) names.push_back(step.name);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ class History {
   void redo();  ///< nothing where it cannot
   /// Undoes or redoes until `steps` are done. Throws std::out_of_range beyond the last step.
   void go_to(std::size_t steps);
+
+  /// The last state on the way to the present one, this included, of which `is_it` holds; the first
+  /// where none is.
+  AppState last_state(const std::function<bool(const AppState&)>& is_it) const;
 
   /// Names of all steps, the first `done()` of which are done.
   std::vector<std::string> names() const;

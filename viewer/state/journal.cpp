@@ -30,16 +30,16 @@ const char* const kExtension = ".journal";
 }
 
 // The recipe's own writer and reader serve for steps.
-Json json_of(const std::vector<DeformStep>& steps) {
+Json json_of(std::vector<Step> steps) {
   Recipe recipe;
   recipe.mesh = "mesh";
-  recipe.steps.assign(steps.begin(), steps.end());
+  recipe.steps = std::move(steps);
   return Json::parse(to_json(recipe)).at("steps");
 }
 
-std::vector<DeformStep> steps_of(const Json& json) {
+std::vector<Step> steps_of(const Json& json) {
   const Json recipe{{"lapwing", kRecipeVersion}, {"mesh", "mesh"}, {"steps", json}};
-  return deform_steps(parse_recipe(recipe.dump(), {}, "journal"));
+  return parse_recipe(recipe.dump(), {}, "journal").steps;
 }
 
 // A recipe has no step without a handle; in a journal a handle without vertices stands for none.
@@ -70,8 +70,9 @@ Json difference(const Draft& last, const Draft& next) {
 
 void carry_out(const Json& line, Draft& draft) {
   draft.steps.resize(std::min(line.at("keep").get<std::size_t>(), draft.steps.size()));
-  for (DeformStep& step : steps_of(line.at("add"))) draft.steps.push_back(std::move(step));
-  draft.open = without_empty_handle(steps_of(Json::array({line.at("open")})).at(0));
+  for (Step& step : steps_of(line.at("add"))) draft.steps.push_back(std::move(step));
+  draft.open =
+      without_empty_handle(std::get<DeformStep>(steps_of(Json::array({line.at("open")})).at(0)));
   draft.settled = line.at("settled").get<bool>();
 }
 

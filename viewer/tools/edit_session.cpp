@@ -3,6 +3,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
 #include "state/draft.h"
+#include "state/step_words.h"
 
 namespace lapwing::viewer {
 
@@ -17,13 +18,27 @@ MeshStamp file_of(const InterruptedEdit& edit) {
   return {edit.opened, edit.mesh.bytes, edit.mesh.modified};
 }
 
+void require_settled(const AppState& state) {
+  if (!needs_settling(state)) return;
+  throw InputError("the drag is not settled yet; wait for its result, or undo it");
+}
+
+bool same_surface(const AppState& a, const AppState& b) {
+  return a.rest == b.rest && a.settled == b.settled && a.moves == b.moves && a.steps == b.steps;
+}
+
+bool same_choice(const AppState& a, const AppState& b) {
+  return a.selection == b.selection && a.parameters == b.parameters;
+}
+
 }  // namespace
 
 EditSession::EditSession(History history, std::optional<MeshStamp> file, const fs::path& journals,
                          Preparation::MakeKernels make_kernels, std::function<void()> wake)
     : history_(std::move(history)),
       file_(std::move(file)),
-      preparation_(std::move(make_kernels), std::move(wake)) {
+      preparation_(make_kernels, wake),
+      carrying_out_(std::move(make_kernels), std::move(wake)) {
   start_journal(journals, {});
   follow();
 }
@@ -32,7 +47,8 @@ EditSession::EditSession(const InterruptedEdit& edit, History history, const fs:
                          Preparation::MakeKernels make_kernels, std::function<void()> wake)
     : history_(std::move(history)),
       file_(file_of(edit)),
-      preparation_(std::move(make_kernels), std::move(wake)) {
+      preparation_(make_kernels, wake),
+      carrying_out_(std::move(make_kernels), std::move(wake)) {
   start_journal(journals, edit.has_copy() ? std::optional(edit.mesh.path) : std::nullopt);
   // What was saved over the file cannot be told from the history.
   if (edit.has_copy()) history_.mark_unsaved();
@@ -84,6 +100,7 @@ void EditSession::continue_with(History history) {
 void EditSession::follow() {
   preparation_.cancel_settling();
   preparation_.follow(state());
+  keep_step_if_wanted();
   if (!journal_) return;
   try {
     journal_->record(state());
@@ -94,7 +111,8 @@ void EditSession::follow() {
 }
 
 void EditSession::use_kernels(Preparation::MakeKernels make_kernels) {
-  preparation_.use_kernels(std::move(make_kernels));
+  preparation_.use_kernels(make_kernels);
+  carrying_out_.use_kernels(std::move(make_kernels));
   prepare();
 }
 
@@ -111,6 +129,62 @@ bool EditSession::take_result() {
   certificates_.insert_or_assign(result->moved, std::move(result->certificate));
   follow();
   return true;
+}
+
+fs::path EditSession::folder() const {
+  return file_ ? file_->path.parent_path() : fs::current_path();
+}
+
+void EditSession::carry_out(const Step& step) {
+  require_settled(state());
+  carried_out_on_ = state();
+  replaces_ = false;
+  carrying_out_.start(
+      [state = state(), step = with_absolute_paths(step, folder())](
+          const std::shared_ptr<Kernels>& kernels, const Progress& progress) -> StepResult {
+        CarriedOut out = apply_step(state, step, {}, *kernels, progress);
+        return {Apply{step, std::move(out.result)}, std::move(out.warnings)};
+      });
+}
+
+void EditSession::replace_step(std::size_t index, const Step& step) {
+  require_settled(state());
+  Revision revision = revision_of(history_, index, with_absolute_paths(step, folder()));
+  carried_out_on_ = state();
+  replaces_ = true;
+  carrying_out_.start([revision = std::move(revision)](const std::shared_ptr<Kernels>& kernels,
+                                                       const Progress& progress) -> StepResult {
+    auto result =
+        std::make_shared<const AppState>(revised(revision, carry_out_with(*kernels, progress)));
+    return {Revise{revision.step, std::move(result)}, {}};
+  });
+}
+
+void EditSession::cancel_step() {
+  carrying_out_.cancel();
+  carried_out_on_.reset();
+}
+
+void EditSession::keep_step_if_wanted() {
+  if (!carried_out_on_) return;
+  const AppState& asked = *carried_out_on_;
+  if (same_surface(asked, state()) && (!replaces_ || same_choice(asked, state()))) return;
+  cancel_step();
+}
+
+std::optional<StepTaken> EditSession::take_step() {
+  std::optional<StepResult> result;
+  try {
+    result = carrying_out_.take();
+  } catch (...) {
+    carried_out_on_.reset();
+    throw;
+  }
+  if (!result) return std::nullopt;
+  carried_out_on_.reset();
+  const auto before = state().topology;
+  perform(result->command);
+  return StepTaken{before != state().topology, std::move(result->warnings)};
 }
 
 void EditSession::settle_live(std::span<const Move> moves) {
@@ -151,6 +225,7 @@ void EditSession::close() {
   if (journal_) journal_->close();
   journal_.reset();
   preparation_.cancel();
+  cancel_step();
 }
 
 }  // namespace lapwing::viewer

@@ -11,12 +11,21 @@
 #include "lapwing/io/mesh_file.h"
 #include "state/history.h"
 #include "state/journal.h"
+#include "state/revision.h"
+#include "tools/job.h"
 #include "tools/preparation.h"
 
 namespace lapwing::viewer {
 
-/// One mesh being edited: its history, the journal that follows every step, and the worker that
-/// prepares and settles what the state asks for. All but the drawing.
+/// What carrying a step out beside the window has led to.
+struct StepTaken {
+  bool changed_triangles = false;  ///< then nothing is chosen any more
+  std::vector<std::string> warnings;
+};
+
+/// One mesh being edited: its history, the journal that follows every step, the worker that
+/// prepares and settles what the state asks for, and the one that carries whole steps out. All but
+/// the drawing.
 class EditSession {
  public:
   /// `file` is what was opened; without it, for a generated mesh, nothing is journalled. `journals`
@@ -66,6 +75,27 @@ class EditSession {
   /// Where that result puts the vertices, once; null if none has come. Never a step of the history.
   std::shared_ptr<const MovedVertices> take_live_result();
 
+  /// Carries `step` out beside the window, on the surface as it is; its result becomes one step of
+  /// the history by `take_step`. Takes the place of what is being carried out. Files that it names
+  /// are looked for in `folder()`. Throws InputError while a drag waits for its result.
+  void carry_out(const Step& step);
+  /// Takes the `index`th step of the recipe up again, as `step` is now, and carries out anew what
+  /// follows it; one step of the history, likewise. Throws what `revision_of` does, and InputError
+  /// while a drag waits for its result.
+  void replace_step(std::size_t index, const Step& step);
+  /// Gives it up; nothing has changed then.
+  void cancel_step();
+  /// Whether a step is, until it is taken or given up.
+  bool is_carrying_out() const { return carried_out_on_.has_value(); }
+  WorkStatus step_status() const { return carrying_out_.status(); }
+  /// Performs what has been carried out, if something has. Throws what carrying it out threw, once,
+  /// and nothing has changed then. Where meanwhile the surface has become another one, or for
+  /// `replace_step` what is chosen, it was given up. Call it when woken.
+  std::optional<StepTaken> take_step();
+
+  /// Where files that steps name are looked for: the mesh file's folder, or the current one.
+  std::filesystem::path folder() const;
+
   /// Of the result that the state shows, also after undo and redo back to it; null without one, and
   /// where it is not known, as for a restored one.
   const Certificate* certificate() const;
@@ -85,6 +115,13 @@ class EditSession {
   void start_journal(const std::filesystem::path& journals,
                      const std::optional<std::filesystem::path>& copy);
   void follow();
+  void keep_step_if_wanted();
+
+  // What comes of carrying a step out, to be performed.
+  struct StepResult {
+    Command command;
+    std::vector<std::string> warnings;
+  };
 
   // By the result that is certified, as long as the history knows it.
   using Certificates = std::map<std::weak_ptr<const MovedVertices>, Certificate, std::owner_less<>>;
@@ -94,7 +131,10 @@ class EditSession {
   std::optional<MeshStamp> file_;
   std::optional<Journal> journal_;
   std::string warning_;
+  std::optional<AppState> carried_out_on_;
+  bool replaces_ = false;  // the selection, too
   Preparation preparation_;
+  Job<StepResult> carrying_out_;
 };
 
 }  // namespace lapwing::viewer

@@ -75,9 +75,9 @@ std::optional<PoseMeasure> measure_of(Coloring coloring) {
 SurfaceStyle style_of(const DisplayChoices& choices, const Editor& editor) {
   SurfaceStyle style = choices.style;
   style.color = choices.coloring == Coloring::plain ? SurfaceColor::plain : SurfaceColor::regions;
-  if (measure_of(choices.coloring) && editor.is_measured()) {
+  if (measure_of(choices.coloring) && editor.shown().is_measured()) {
     style.color = SurfaceColor::scalar;
-    style.range = editor.measure_range();
+    style.range = editor.shown().measure_range();
   }
   return style;
 }
@@ -88,7 +88,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   ImGui::SameLine();
   ImGui::Checkbox("Flat", &style.flat);
   ImGui::SameLine();
-  bool before = editor.shows_before();
+  bool before = editor.shown().shows_before();
   if (ImGui::Checkbox("Before", &before)) editor.show_before(before);
   choose("Colour", choices.coloring,
          std::array{std::pair{"plain", Coloring::plain}, std::pair{"regions", Coloring::regions},
@@ -97,8 +97,11 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
                     std::pair{"detail error", Coloring::detail},
                     std::pair{"stretch", Coloring::stretch}});
   const auto measure = measure_of(choices.coloring);
-  editor.color_by(measure);
-  if (measure && editor.is_measured()) {
+  editor.shown().color_by(measure);
+  if (measure && !editor.shown().is_comparable()) {
+    ImGui::TextDisabled("other triangles than opened:\nnothing to compare with");
+  }
+  if (measure && editor.shown().is_measured()) {
     std::string title(legend_title(*measure));
     std::replace(title.begin(), title.end(), '\n', ' ');
     ImGui::TextDisabled("%s", title.c_str());

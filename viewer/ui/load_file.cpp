@@ -11,28 +11,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
+TriangulatedMesh triangulated(Mesh mesh, const Progress& progress) {
+  report_progress(progress, "topology", 0.0);
+  AppState state = open_state(std::move(mesh));
+  return {std::move(state.rest), std::move(state.topology)};
+}
+
 OpenedMesh read(const fs::path& path, const Progress& progress) {
   report_progress(progress, "read", 0.0);
-  return {path.filename().string(), std::make_shared<const Mesh>(read_mesh(path)), stamp_of(path)};
+  return {path.filename().string(), triangulated(read_mesh(path), progress), stamp_of(path)};
 }
 
 LoadedFile examined(OpenedMesh opened, History history, const Progress& progress) {
   report_progress(progress, "check", 0.0);
-  CheckReport report = check(*opened.mesh, *history.state().topology);
-  const bool closed =
-      is_closed_outward(opened.mesh->positions, history.state().topology->triangles);
+  const auto& [mesh, topology] = opened.mesh;
+  CheckReport report = check(*mesh, *topology);
+  const bool closed = is_closed_outward(mesh->positions, topology->triangles);
   return {std::move(opened), std::move(report), std::move(history), closed};
 }
 
 LoadedFile unedited(OpenedMesh opened, const Progress& progress) {
-  report_progress(progress, "topology", 0.0);
-  History history(open_state(Mesh(*opened.mesh)));
+  History history(open_state(opened.mesh.mesh, opened.mesh.topology));
   return examined(std::move(opened), std::move(history), progress);
 }
 
 LoadedFile carried_out(const Recipe& recipe, OpenedMesh opened, Kernels& kernels,
                        const Progress& progress) {
-  History history = from_recipe(Mesh(*opened.mesh), recipe, solve_with(kernels, progress));
+  History history = from_recipe(open_state(opened.mesh.mesh, opened.mesh.topology), recipe,
+                                carry_out_with(kernels, progress));
   // The recipe has it.
   history.mark_saved();
   LoadedFile file = examined(std::move(opened), std::move(history), progress);
@@ -49,16 +55,13 @@ LoadedFile load_file(const fs::path& path, Kernels& kernels, const Progress& pro
 }
 
 LoadedFile load_shape(const NamedShape& shape) {
-  return unedited(
-      {std::string(shape.name), std::make_shared<const Mesh>(shape.make()), {}, UpAxis::z}, {});
+  return unedited({std::string(shape.name), triangulated(shape.make(), {}), {}, UpAxis::z}, {});
 }
 
 LoadedFile load_replay(const fs::path& recipe, History history, Kernels& kernels,
                        const Progress& progress) {
   const std::size_t before = history.done();
-  for (const DeformStep& step : deform_steps(read_recipe(recipe))) {
-    perform(history, step, solve_with(kernels, progress));
-  }
+  perform(history, read_recipe(recipe), carry_out_with(kernels, progress));
   LoadedFile file{{}, {}, std::move(history)};
   file.replayed_from = before;
   return file;
@@ -73,7 +76,8 @@ LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,
   }
   OpenedMesh opened = read(edit.mesh.path, progress);
   opened.name = edit.opened.filename().string();
-  History history = restore(Mesh(*opened.mesh), edit.draft, solve_with(kernels, progress));
+  History history = restore(open_state(opened.mesh.mesh, opened.mesh.topology), edit.draft,
+                            carry_out_with(kernels, progress));
   LoadedFile file = examined(std::move(opened), std::move(history), progress);
   file.restored = edit;
   return file;

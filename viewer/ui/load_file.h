@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "editing/shown_surface.h"
 #include "lapwing/base/progress.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/kernels/kernels.h"
@@ -17,9 +18,9 @@ namespace lapwing::viewer {
 
 /// The mesh that an edit began with.
 struct OpenedMesh {
-  std::string name;                  ///< of the file or the shape
-  std::shared_ptr<const Mesh> mesh;  ///< before any step
-  std::optional<MeshStamp> file;     ///< none for a generated mesh
+  std::string name;               ///< of the file or the shape
+  TriangulatedMesh mesh;          ///< before any step
+  std::optional<MeshStamp> file;  ///< none for a generated mesh
   UpAxis up_axis = UpAxis::y;
 };
 

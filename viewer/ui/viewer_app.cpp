@@ -197,7 +197,8 @@ Scene ViewerApp::scene() {
   scene.camera = view_frame().camera;
   scene.style = style_of(display_, editor);
   scene.moving = motion_.has_value() || editor.is_dragging();
-  if (scene.moving && document_->closed_outward && !is_inside(editor.bounds())) {
+  const bool closed = document_->closed_outward && editor.shown().is_comparable();
+  if (scene.moving && closed && !is_inside(editor.bounds())) {
     scene.style.sides = Sides::front;
   }
   return scene;

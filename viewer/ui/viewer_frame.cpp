@@ -53,9 +53,13 @@ void append_state(std::string& text, const Editor& editor) {
     case Phase::ready:
       break;
   }
+  const WorkStatus step = editor.session().step_status();
+  if (step.busy) {
+    append(text, "  |  carrying out: %s %.0f%%", step.stage.c_str(), 100.0 * step.fraction);
+  }
   if (editor.surface().source() == SurfaceSource::preview) text += "  |  preview";
   if (editor.surface().source() == SurfaceSource::exact) text += "  |  exact";
-  if (editor.shows_before()) text += "  |  before";
+  if (editor.shown().shows_before()) text += "  |  before";
 }
 
 }  // namespace

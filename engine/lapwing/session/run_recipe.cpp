@@ -87,6 +87,12 @@ struct Runner {
 
 }  // namespace
 
+StepReport run_step(const Step& step, std::size_t number,
+                    const std::filesystem::path& base_directory, Kernels& kernels,
+                    const Progress& progress, RunResult& result) {
+  return std::visit(Runner{number, base_directory, kernels, progress, result}, step);
+}
+
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress, const RunOptions& options) {
   auto result = std::make_unique<RunResult>();
@@ -96,7 +102,7 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
     const std::size_t number = result->report.steps.size() + 1;
     const Positions before = options.measure_vertices ? result->mesh.positions : Positions{};
     result->report.steps.push_back(
-        std::visit(Runner{number, recipe.base_directory, kernels, progress, *result}, step));
+        run_step(step, number, recipe.base_directory, kernels, progress, *result));
     StepReport& report = result->report.steps.back();
     if (!options.measure_vertices || changed_triangles(report)) continue;
     stage("measure_vertices", report.timings, progress, [&] {

@@ -39,6 +39,14 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress = {},
                                       const RunOptions& options = {});
 
+/// Carries out one step, the `number`th of its recipe (from 1), on the mesh and topology of
+/// `result`, as `run_recipe` does: the same bits from the same mesh. Sources are looked for in
+/// `base_directory`. Adds to the report's warnings. Throws what `run_recipe` does, and then
+/// `result` must not be used any more.
+StepReport run_step(const Step& step, std::size_t number,
+                    const std::filesystem::path& base_directory, Kernels& kernels,
+                    const Progress& progress, RunResult& result);
+
 /// Writes the result's mesh and adds to its report what the format could not carry, and the time.
 void save_result(RunResult& result, const std::filesystem::path& path);
 

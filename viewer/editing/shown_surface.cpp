@@ -1,0 +1,145 @@
+#include "editing/shown_surface.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lapwing::viewer {
+namespace {
+
+Bounds united(const Bounds& a, const Bounds& b) {
+  return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
+}
+
+}  // namespace
+
+ShownSurface::ShownSurface(TriangulatedMesh opened)
+    : opened_(std::move(opened)), opened_bounds_(bounds_of(opened_.mesh->positions)) {}
+
+void ShownSurface::release_device() {
+  device_.reset();
+  kernels_ = nullptr;
+}
+
+void ShownSurface::use_device(VulkanKernels& kernels) {
+  kernels_ = &kernels;
+  device_.emplace(now_.mesh ? now_ : opened_, kernels);
+  measured_.reset();
+  needs_classes_ = true;
+}
+
+bool ShownSurface::take(const AppState& state) {
+  follows_ = false;
+  followed_.clear();
+  preview_ = {};
+  preview_classes_.clear();
+  if (now_.mesh == state.rest && settled_ == state.settled) return false;
+  now_ = {state.rest, state.topology};
+  settled_ = state.settled;
+  positions_ = positions_of(state);
+  bounds_ = bounds_of(positions_);
+  return true;
+}
+
+const Positions& ShownSurface::still_positions() const {
+  return previews() ? preview_positions_ : before_ ? opened_.mesh->positions : positions_;
+}
+
+void ShownSurface::show_still() {
+  put(previews() ? preview_ : before_ ? opened_ : now_, still_positions());
+}
+
+void ShownSurface::put(const TriangulatedMesh& what, const Positions& positions) {
+  if (device_->topology != what.topology) {
+    // Two at a time may not fit on the device.
+    device_.reset();
+    device_.emplace(what, *kernels_);
+    measured_.reset();
+    needs_classes_ = true;
+  }
+  device_->surface.place(positions);
+}
+
+void ShownSurface::follow(const Preparation& preparation,
+                          std::span<const Eigen::Affine3d> motions) {
+  const bool could_be_exact = device_->surface.source() != SurfaceSource::exact &&
+                              preparation.status().phase == PreparationStatus::Phase::ready;
+  const bool same =
+      std::equal(motions.begin(), motions.end(), followed_.begin(), followed_.end(),
+                 [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });
+  if (same && !could_be_exact) return;
+  if (!device_->surface.drag(preparation, motions)) return;
+  follows_ = true;
+  followed_.assign(motions.begin(), motions.end());
+}
+
+void ShownSurface::follow(const Positions& positions) {
+  device_->surface.place(positions);
+  follows_ = true;
+  followed_.clear();
+}
+
+void ShownSurface::show_preview(TriangulatedMesh preview, std::vector<VertexClass> classes) {
+  preview_ = std::move(preview);
+  preview_classes_ = std::move(classes);
+  preview_positions_ = preview_.mesh->positions;
+  preview_bounds_ = bounds_of(preview_positions_);
+  needs_classes_ = true;
+  show_still();
+}
+
+void ShownSurface::show_preview(const Positions& positions) {
+  preview_positions_ = positions;
+  preview_bounds_ = bounds_of(preview_positions_);
+  show_still();
+}
+
+void ShownSurface::end_preview() {
+  if (!previews()) return;
+  preview_ = {};
+  preview_classes_.clear();
+  needs_classes_ = true;
+  show_still();
+}
+
+void ShownSurface::set_classes(std::vector<VertexClass> classes) {
+  needs_classes_ = false;
+  if (!preview_classes_.empty()) {
+    return device_->surface.paint().set_classes(preview_classes_);
+  }
+  if (!has_triangles_of_state()) {
+    classes.assign(device_->topology->vertex_count(), VertexClass::outside);
+  }
+  device_->surface.paint().set_classes(classes);
+}
+
+bool ShownSurface::is_measured() const {
+  return measure_ && measured_ == measure_ && measured_version_ == device_->surface.version();
+}
+
+void ShownSurface::renew_measure() {
+  // Numbers are of the still surface: what a drag shows has none yet.
+  const bool still = !follows_ && device_->surface.source() == SurfaceSource::still;
+  if (!measure_ || !still || !is_comparable() || is_measured()) return;
+  const auto numbers =
+      measure_pose(*measure_, *opened_.topology, opened_.mesh->positions, still_positions());
+  device_->surface.paint().set_scalars(numbers);
+  measure_range_ = range_without_outliers(numbers);
+  measured_ = measure_;
+  measured_version_ = device_->surface.version();
+}
+
+std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
+                                               const Eigen::Vector2d& pixel) {
+  return device_->picker.pick(device_->surface, view, pixel);
+}
+
+TrianglePicture ShownSurface::picture(const ViewFrame& view) {
+  return device_->picker.picture(device_->surface, view);
+}
+
+Bounds ShownSurface::bounds() const {
+  const Bounds all = united(opened_bounds_, bounds_);
+  return previews() ? united(all, preview_bounds_) : all;
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,43 @@
+#include "state/applied_step.h"
+
+#include "lapwing/session/run_recipe.h"
+#include "state/command.h"
+
+namespace lapwing::viewer {
+namespace {
+
+bool same_faces(const Mesh& a, const Mesh& b) {
+  return a.vertex_count() == b.vertex_count() && a.face_starts == b.face_starts &&
+         a.face_vertices == b.face_vertices;
+}
+
+std::shared_ptr<const AppliedStep> difference(const Mesh& before, RunResult result) {
+  if (same_faces(before, result.mesh)) {
+    return std::make_shared<const AppliedStep>(
+        moved_vertices(before.positions, result.mesh.positions));
+  }
+  return std::make_shared<const AppliedStep>(
+      NewMesh{std::make_shared<const Mesh>(std::move(result.mesh)),
+              std::make_shared<const Topology>(std::move(result.topology))});
+}
+
+}  // namespace
+
+CarriedOut apply_step(const AppState& state, const Step& step,
+                      const std::filesystem::path& base_directory, Kernels& kernels,
+                      const Progress& progress) {
+  const AppState committed = apply(state, Commit{});
+  RunResult result;
+  result.mesh = *committed.rest;
+  result.original = committed.rest->positions;
+  result.topology = *committed.topology;
+  CarriedOut out;
+  out.report =
+      run_step(step, committed.steps.size() + 1, base_directory, kernels, progress, result);
+  out.warnings = std::move(result.report.warnings);
+  result.last.reset();
+  out.result = difference(*committed.rest, std::move(result));
+  return out;
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,66 @@
+#include "state/revision.h"
+
+#include <algorithm>
+
+#include "lapwing/base/errors.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// The steps of what the surface of `state` is, an open one included.
+std::vector<Step> steps_to(const AppState& state) {
+  std::vector<Step> steps;
+  for (const auto& step : state.steps) steps.push_back(*step);
+  if (is_moved(state)) steps.emplace_back(open_step(state));
+  return steps;
+}
+
+// Whether these are the first of `steps`, `most` at most.
+bool leads_to(const AppState& state, const std::vector<Step>& steps, std::size_t most) {
+  if (needs_settling(state) || state.steps.size() > most) return false;
+  const std::vector<Step> done = steps_to(state);
+  return done.size() <= most && std::equal(done.begin(), done.end(), steps.begin());
+}
+
+DeformStep as_open(const Step& step) {
+  if (const auto* deform = std::get_if<DeformStep>(&step)) return *deform;
+  throw InputError("a deform step can only become another deform; undo it, and apply the other");
+}
+
+}  // namespace
+
+Revision revision_of(const History& history, std::size_t index, const Step& step) {
+  Draft draft = draft_of(history.state());
+  const std::size_t count = draft.steps.size() + (draft.settled ? 1 : 0);
+  if (index >= count) {
+    throw InputError("there is no step " + std::to_string(index + 1) + " to change, only " +
+                     std::to_string(count));
+  }
+  AppState start = apply(history.last_state([&](const AppState& state) {
+    return leads_to(state, draft.steps, index);
+  }),
+                         Commit{});
+  const std::size_t done = start.steps.size();
+  if (index < draft.steps.size()) {
+    draft.steps[index] = step;
+  } else {
+    draft.open = as_open(step);
+  }
+  draft.steps.erase(draft.steps.begin(), draft.steps.begin() + static_cast<std::ptrdiff_t>(done));
+  return {std::move(start), std::move(draft), index - done, step, history.state().topology};
+}
+
+AppState revised(const Revision& revision, const CarryOut& carry_out) {
+  const Draft& rest = revision.rest;
+  History history(revision.start);
+  for (const Step& step : rest.steps) perform(history, step, carry_out);
+  const bool same_triangles = history.state().topology->triangles == revision.topology->triangles;
+  if (rest.settled || same_triangles) {
+    perform(history, rest.open, rest.settled ? carry_out.solve : Solve{});
+  } else {
+    history.perform(Commit{});
+  }
+  return history.state();
+}
+
+}  // namespace lapwing::viewer
