@@ -14,6 +14,7 @@
 #include "lapwing/session/stage.h"
 #include "lapwing/session/transplant_parts.h"
 #include "lapwing/transplant/join.h"
+#include "lapwing/transplant/loop_curve.h"
 #include "lapwing/transplant/reconstruct_seam.h"
 #include "lapwing/transplant/seam_lengths.h"
 #include "lapwing/transplant/zip.h"
@@ -25,14 +26,6 @@ using Eigen::Vector3d;
 
 ZipLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
   return zip_loop(build_topology(mesh).triangles, mesh.positions, loop);
-}
-
-double length_of(std::span<const Vector3d> loop) {
-  double length = 0.0;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    length += (loop[(k + 1) % loop.size()] - loop[k]).norm();
-  }
-  return length;
 }
 
 // The joined mesh on its way to the seam's reconstruction.
@@ -108,7 +101,7 @@ void TransplantRun::assemble() {
     for (Index v = 0; v < hole_.rest.vertices.size(); ++v) {
       joined_.host_vertices[v] = hole_.rest.vertices[v];
     }
-    hole_radius_ = length_of(host_loop.points) / (2.0 * std::numbers::pi);
+    hole_radius_ = LoopCurve(host_loop.points, step_.where).length() / (2.0 * std::numbers::pi);
     joined_.gap = strip_width(zip, host_loop.points, part_loop.points);
     even_strip_ = is_even(zip, host_loop.points, part_loop.points);
     report.strip_triangles = zip.triangles.size();
