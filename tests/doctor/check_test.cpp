@@ -169,8 +169,8 @@ TEST(Check, EmptyMeshHasNoUsableFaceAndZeroStatistics) {
 
 TEST(Check, NamesFacesThatCutThroughOthersWhereAsked) {
   Mesh mesh = grid(1, 1);
-  for (const double z : {-1.0, 1.0}) mesh.positions.emplace_back(0.2, 0.2, z);
-  mesh.positions.emplace_back(-5, -5, 0);
+  for (const double z : {-1.0, 1.0}) mesh.positions.emplace_back(0.6, 0.2, z);
+  mesh.positions.emplace_back(0.3, -5, 0);
   add_polygon(mesh, {4, 5, 6});
   CheckReport report = check(mesh);
   EXPECT_EQ(report.find(DefectKind::self_intersection), nullptr);
