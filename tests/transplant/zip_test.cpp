@@ -307,6 +307,7 @@ TEST(Zip, UnusableLoopsAreRefusedByName) {
   };
   EXPECT_THAT(message({{{0, 0, 0}, {1, 0, 0}}}), HasSubstr("seam: the part's loop has 2 vertices"));
   EXPECT_THAT(message({{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}), HasSubstr("no length"));
+  EXPECT_THAT(message({{{0, 0, 0}, {1e80, 0, 0}, {0, 1e80, 0}}}), HasSubstr("too large"));
   EXPECT_THAT(message({{{0, 0, 0}, {NAN, 0, 0}, {0, 1, 0}}}),
               AllOf(HasSubstr("place 1"), HasSubstr("not finite")));
   EXPECT_THAT(message({good.points, {{0, 0, 0}}}), HasSubstr("1 corners across for 3 edges"));
