@@ -72,6 +72,16 @@ TEST_F(SnapToASphere, FollowsWhenEverythingMoves) {
   for (const Vector3d& p : part) EXPECT_LT((follows * p - motion * (snapped * p)).norm(), 1e-4);
 }
 
+TEST(SurfaceSnap, LoopAcrossATubeStays) {
+  const Mesh tube = cylinder(30, 21, 0.5, 3.0);
+  VertexSet upper;
+  for (Index v = 10 * 30; v < tube.vertex_count(); ++v) upper.push_back(v);
+  const Points loop = first_loop(cut_out(tube, upper, "upper").mesh);
+  ASSERT_LT(std::abs(loop[0].z() - 1.5), 1e-12);
+  const Affine3d snapped = snap_to(tube).snap(Affine3d::Identity(), loop, "part");
+  EXPECT_LT(difference(snapped, Affine3d::Identity()), 1e-9);
+}
+
 TEST(SurfaceSnap, ThinSheetIsNotTakenFromBehind) {
   Mesh sheet = grid(4, 4);
   const auto count = static_cast<Index>(sheet.vertex_count());

@@ -21,6 +21,9 @@ constexpr std::size_t kPoints = 96;
 constexpr int kSteps = 60;
 // A smaller step, in radii of the loop, is none.
 constexpr double kLeastStep = 1e-11;
+// Where the cosine between the surface's normal and the loop's is below this, it is the back of a
+// sheet; above it, a neck, on which a loop lies across.
+constexpr double kBehind = -0.7;
 // Nearer than this, in radii, the surface's normal says more than the way to it.
 constexpr double kTouching = 1e-7;
 // A step that leads farther away is halved as far as this.
@@ -92,7 +95,10 @@ SurfaceSnap::Contacts SurfaceSnap::contacts(std::span<const Vector3d> points,
   Contacts contacts;
   Index hint = kNoIndex;
   for (const Vector3d& p : points) {
-    const remeshing::TrianglePoint nearest = surface_.find(0, p, frame.normal, hint);
+    remeshing::TrianglePoint nearest = surface_.find(0, p, Vector3d::Zero(), hint);
+    if (normals_[nearest.triangle].dot(frame.normal) < kBehind) {
+      nearest = surface_.find(0, p, frame.normal);
+    }
     hint = nearest.hint;
     const Vector3d way = (p - nearest.position) / frame.radius;
     const double distance = way.norm();
