@@ -68,15 +68,21 @@ inline Rim ring(Index count, const Curve& edge, const Curve& behind, bool hole,
   return rim;
 }
 
-/// A flat sheet with a hole, seen from +z.
-inline Rim hole_in_sheet(Index count, const Curve& edge, double start = 0.0) {
-  return ring(count, edge, circle(10.0), true, start);
+/// The curve beside `curve` at `distance` to the left in the plane z = 0, seen from +z.
+inline Curve beside(const Curve& curve, double distance) {
+  return [=](double angle) {
+    const Eigen::Vector3d along = (curve(angle + 1e-4) - curve(angle - 1e-4)).normalized();
+    return Eigen::Vector3d(curve(angle) + distance * Eigen::Vector3d(-along.y(), along.x(), 0.0));
+  };
 }
-/// A flat disk with a smaller hole in its middle, seen from +z.
+
+/// A flat sheet around a hole, seen from +z.
+inline Rim hole_in_sheet(Index count, const Curve& edge, double start = 0.0) {
+  return ring(count, edge, beside(edge, -0.02), true, start);
+}
+/// The rim of a flat part, seen from +z.
 inline Rim flat_part(Index count, const Curve& edge, double start = 0.0) {
-  return ring(
-      count, edge, [edge](double angle) { return Eigen::Vector3d(0.3 * edge(angle)); }, false,
-      start);
+  return ring(count, edge, beside(edge, 0.02), false, start);
 }
 /// A tube that goes up from `edge`.
 inline Rim upright_part(Index count, const Curve& edge, double start = 0.0) {

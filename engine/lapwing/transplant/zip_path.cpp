@@ -23,19 +23,22 @@ constexpr std::size_t kPad = 5;
 // Chains of fewer vertices are not thinned out.
 constexpr std::size_t kShortChain = 64;
 
-// What a fold costs, as a multiple of the triangle's own cost: longer ways around it are taken.
+// What a fold between two triangles of the strip costs, as a multiple of their own cost: longer
+// ways around it are taken. Not between the strip and the surface behind, which have to fold back
+// where a part is larger than its hole.
 constexpr double kFold = 50.0;
 // A triangle is taken to be at least this share of its rungs high, so that the cost is finite.
 constexpr double kLeastHeight = 1e-3;
 
 // What bending by the angle between two unit normals costs, as a share of what the triangle does:
-// 0.1 at 45 degrees, 1 at 90, much more towards a fold. Nothing is known where one is zero.
-double bending(const Vector3d& a, const Vector3d& b) {
+// 0.1 at 45 degrees, 1 at 90, `fold` more where they face opposite ways. Nothing is known where one
+// is zero.
+double bending(const Vector3d& a, const Vector3d& b, double fold) {
   const double cosine = a.dot(b);
   if (cosine == 0.0 && (a.isZero() || b.isZero())) return 0.0;
   const double flat = 1.0 - cosine;
   const double folded = std::max(0.0, -cosine);
-  return flat * flat + kFold * folded * folded * folded;
+  return flat * flat + fold * folded * folded * folded;
 }
 
 // The last step on the way to a rung and its triangle.
@@ -60,7 +63,7 @@ Arrival triangle(const Vector3d& from, const Vector3d& to, const Vector3d& apex,
     arrival.size = 0.5 * length * length * rungs / std::max(twice_area, least);
   }
   if (twice_area > 0.0) arrival.normal = normal / twice_area;
-  arrival.cost = arrival.size * (1.0 + bending(arrival.normal, behind));
+  arrival.cost = arrival.size * (1.0 + bending(arrival.normal, behind, 0.0));
   return arrival;
 }
 
@@ -177,7 +180,8 @@ class Search {
     for (std::size_t k = 0; k < 2; ++k) {
       costs[k] = before[k].cost;
       if (costs[k] == kInfinity) continue;
-      costs[k] += 0.5 * (before[k].size + arrival.size) * bending(before[k].normal, arrival.normal);
+      costs[k] +=
+          0.5 * (before[k].size + arrival.size) * bending(before[k].normal, arrival.normal, kFold);
     }
     arrival.cost += std::min(costs[0], costs[1]);
     return costs[1] < costs[0];
