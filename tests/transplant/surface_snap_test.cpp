@@ -1,5 +1,7 @@
 #include "lapwing/transplant/surface_snap.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 
 #include "lapwing/base/errors.h"
@@ -96,6 +98,16 @@ TEST(SurfaceSnap, ThinSheetIsNotTakenFromBehind) {
   const Affine3d low(Eigen::Translation3d(0.0, 0.0, -0.009));
   const Affine3d snapped = snap_to(sheet).snap(low, small_circle(), "part");
   EXPECT_LT(difference(snapped, Affine3d::Identity()), 1e-9);
+}
+
+TEST(SurfaceSnap, TrianglesThatAreNotFiniteDoNotCount) {
+  Mesh sheet = grid(8, 8);
+  sheet.positions[80].setConstant(std::numeric_limits<double>::quiet_NaN());
+  const Affine3d lifted(Eigen::Translation3d(0.0, 0.0, 0.1));
+  const Affine3d snapped = snap_to(sheet).snap(lifted, small_circle(), "part");
+  EXPECT_LT(difference(snapped, Affine3d::Identity()), 1e-9);
+  for (auto& p : sheet.positions) p.x() = std::numeric_limits<double>::infinity();
+  EXPECT_NE(error_message<InputError>([&] { snap_to(sheet); }), "");
 }
 
 TEST(SurfaceSnap, MeshWithoutTrianglesIsNamed) {

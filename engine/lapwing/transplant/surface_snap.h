@@ -15,7 +15,8 @@ namespace lapwing {
 /// Brings parts that were placed by hand onto a surface. Threads may share one.
 class SurfaceSnap {
  public:
-  /// O(n log n) in the triangles. Throws InputError, naming `where`, when there is none.
+  /// O(n log n) in the triangles. Those with a corner that is not finite do not count. Throws
+  /// InputError, naming `where`, when there is no other.
   SurfaceSnap(std::span<const Triangle> triangles, std::span<const Eigen::Vector3d> positions,
               const std::string& where);
 
