@@ -208,7 +208,8 @@ void SeamReconstruction::make_system() {
 SmoothSurface SeamReconstruction::smoothed(const Positions& positions, const Topology& topology,
                                            const VertexSet& region) const {
   SmoothSurface result;
-  const double length = 2.0 * (free_on_part() + options_.padding);
+  constexpr double kOfTheFree = 0.5;
+  const double length = kOfTheFree * (free_on_part() + options_.padding);
   result.positions = Fairing(positions, topology, region, options_.weights).smooth(length);
   result.normals.assign(positions.size(), Vector3d::Zero());
   vertex_normals(result.positions, topology.triangles, topology.vertex_triangles,
@@ -243,10 +244,14 @@ std::vector<Vector3d> SeamReconstruction::laplacians_of(std::span<const Vector3d
 
 void SeamReconstruction::sample() {
   smooth_host();
+  std::vector<Vector3d> detail(host_.positions.size());
+  for (std::size_t v = 0; v < detail.size(); ++v) {
+    detail[v] = host_.positions[v] - smooth_host_.positions[v];
+  }
   const MappedRings mapped{rings(), on_host_};
   sampled_.resize(rings().row_count());
   if (options_.sampling == MappedSampling::one_ring) {
-    kernels_.sample_mapped_laplacians(mapped, options_.sampling, host_.positions, sampled_);
+    kernels_.sample_mapped_laplacians(mapped, options_.sampling, detail, sampled_);
     return;
   }
   // As densities, which do not hang on how finely the host is triangulated.
@@ -254,7 +259,7 @@ void SeamReconstruction::sample() {
   std::vector<Index> all;
   for (Index v = 0; v < host_.positions.size(); ++v) all.push_back(v);
   std::vector<Vector3d> density(all.size());
-  kernels_.sample_laplacians({host_.positions, host_.topology.rings, weights, all}, density);
+  kernels_.sample_laplacians({detail, host_.topology.rings, weights, all}, density);
   const auto squares = squared_rings(host_.topology.rings, weights, host_.positions, all);
   for (std::size_t v = 0; v < all.size(); ++v) density[v] *= 4.0 / squares[v];
   kernels_.sample_mapped_laplacians(mapped, options_.sampling, density, sampled_);
@@ -298,14 +303,12 @@ double SeamReconstruction::ring_size(std::size_t r, const Matrix3d& T) const {
 // The Laplacians that the surface is to have when its low frequencies are those of `now`.
 std::vector<Vector3d> SeamReconstruction::wanted(const SmoothSurface& now) const {
   const std::vector<Matrix3d> from_part = frames(on_itself_, smooth_start_, now);
-  std::vector<Vector3d> on_host_side;
+  std::vector<Vector3d> on_host_side = laplacians_of(now.positions);
   if (result_.sampled_host) {
     const std::vector<Matrix3d> from_host = frames(on_host_, smooth_host_, now);
     for (std::size_t r = 0; r < sampled_.size(); ++r) {
-      on_host_side.push_back(from_host[r] * (ring_size(r, from_host[r]) * sampled_[r]));
+      on_host_side[r] += from_host[r] * (ring_size(r, from_host[r]) * sampled_[r]);
     }
-  } else {
-    on_host_side = laplacians_of(now.positions);
   }
   std::vector<Vector3d> result(rings().row_count());
   for (std::size_t r = 0; r < result.size(); ++r) {
