@@ -115,5 +115,33 @@ TEST(KeepFaces, RefusesAnAttributeOfTheWrongLengthByName) {
   EXPECT_EQ(mesh.face_count(), 2U);
 }
 
+TEST(DropUnusedAttributes, LeavesWhatCornersAndFacesNameUnderNewNumbers) {
+  Mesh mesh = quad_and_triangle();
+  mesh.attributes.normals.assign(7, Eigen::Vector3d::UnitZ());
+  for (int n = 0; n < 7; ++n) mesh.attributes.uvs[static_cast<std::size_t>(n)].x() = n;
+  keep_faces(mesh, {1, 0});
+  drop_unused_attributes(mesh);
+  const MeshAttributes& a = mesh.attributes;
+  EXPECT_THAT(a.corner_uvs, ElementsAre(0, 1, 2, 3));
+  ASSERT_EQ(a.uvs.size(), 4U);
+  EXPECT_EQ(a.uvs[3].x(), 3.0);
+  EXPECT_THAT(a.corner_normals, ElementsAre(3, 2, 1, 0));
+  EXPECT_EQ(a.normals.size(), 4U);
+  EXPECT_THAT(a.materials, ElementsAre("steel"));
+  EXPECT_THAT(a.face_materials, ElementsAre(0));
+  EXPECT_THAT(a.groups, ElementsAre());
+  EXPECT_THAT(a.face_groups, ElementsAre(kNoIndex));
+}
+
+TEST(DropUnusedAttributes, LeavesNormalsThatAreOnePerVertex) {
+  Mesh mesh = quad_and_triangle();
+  mesh.attributes.has_vertex_normals = true;
+  mesh.attributes.corner_normals.clear();
+  mesh.attributes.normals.assign(5, Eigen::Vector3d::UnitZ());
+  keep_faces(mesh, {1, 0});
+  drop_unused_attributes(mesh);
+  EXPECT_EQ(mesh.attributes.normals.size(), mesh.vertex_count());
+}
+
 }  // namespace
 }  // namespace lapwing

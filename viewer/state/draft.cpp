@@ -96,13 +96,25 @@ History restore(Mesh mesh, const Draft& draft, const Solve& solve) {
   return history;
 }
 
+namespace {
+
+// One overload per operation.
+struct Operation {
+  const char* operator()(const DeformStep&) const { return "deform"; }
+  const char* operator()(const CoatStep&) const { return "coat"; }
+  const char* operator()(const MixStep&) const { return "mix"; }
+  const char* operator()(const TransplantStep&) const { return "transplant"; }
+};
+
+}  // namespace
+
 std::vector<DeformStep> deform_steps(const Recipe& recipe) {
   std::vector<DeformStep> steps;
   for (const Step& step : recipe.steps) {
     const auto* deform = std::get_if<DeformStep>(&step);
     if (deform == nullptr) {
       throw InputError("step " + std::to_string(steps.size() + 1) + " is a " +
-                       (std::holds_alternative<MixStep>(step) ? "mix" : "coat") +
+                       std::visit(Operation{}, step) +
                        ", which the viewer cannot replay; `lapwing run` carries it out, "
                        "and the viewer opens the mesh it saves");
     }

@@ -16,6 +16,7 @@
 #include "lapwing/mesh/coincident.h"
 #include "lapwing/mesh/compact.h"
 #include "lapwing/mesh/edges.h"
+#include "lapwing/mesh/transform.h"
 
 namespace lapwing {
 namespace {
@@ -178,18 +179,7 @@ void Repairs::split_bow_ties() {
 void Repairs::orient() {
   const Orientation orientation = analyze_orientation(mesh_, build_edges(mesh_));
   if (orientation.faces_to_flip.empty()) return;
-  FaceSources sources;
-  sources.starts = mesh_.face_starts;
-  sources.faces.resize(mesh_.face_count());
-  std::iota(sources.faces.begin(), sources.faces.end(), Index{0});
-  sources.corners.resize(mesh_.face_vertices.size());
-  std::iota(sources.corners.begin(), sources.corners.end(), Index{0});
-  for (const Index f : orientation.faces_to_flip) {
-    // The first corner stays first: a convex polygon is cut as the fan of that corner.
-    std::reverse(sources.corners.begin() + mesh_.face_starts[f] + 1,
-                 sources.corners.begin() + mesh_.face_starts[f + 1]);
-  }
-  replace_faces(mesh_, sources);
+  flip_faces(mesh_, orientation.faces_to_flip);
   count(RepairKind::flipped_faces, orientation.faces_to_flip.size());
 }
 

@@ -42,6 +42,23 @@ void gather(std::vector<ExtraAttribute>& extras, std::span<const Index> sources)
   }
 }
 
+// Keeps the values that `numbers` name, and renumbers those.
+template <typename Value>
+void drop_unnamed(std::vector<Value>& values, std::vector<Index>& numbers) {
+  std::vector<Index> renumbered(values.size(), kNoIndex);
+  for (const Index n : numbers) {
+    if (n < renumbered.size()) renumbered[n] = 0;
+  }
+  std::vector<Index> sources;
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    if (renumbered[n] == kNoIndex) continue;
+    renumbered[n] = static_cast<Index>(sources.size());
+    sources.push_back(static_cast<Index>(n));
+  }
+  gather(values, sources);
+  for (Index& n : numbers) n = n < renumbered.size() ? renumbered[n] : kNoIndex;
+}
+
 }  // namespace
 
 void validate_attributes(const Mesh& mesh) {
@@ -111,6 +128,16 @@ std::vector<Index> keep_vertices(Mesh& mesh, const KeepMask& keep) {
   for (Index& v : mesh.face_vertices) v = renumbered[v];
   replace_vertices(mesh, sources);
   return sources;
+}
+
+void drop_unused_attributes(Mesh& mesh) {
+  validate_attributes(mesh);
+  MeshAttributes& a = mesh.attributes;
+  drop_unnamed(a.uvs, a.corner_uvs);
+  if (!a.has_vertex_normals) drop_unnamed(a.normals, a.corner_normals);
+  drop_unnamed(a.materials, a.face_materials);
+  drop_unnamed(a.groups, a.face_groups);
+  mesh.source.reset();
 }
 
 }  // namespace lapwing

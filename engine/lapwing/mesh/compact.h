@@ -41,4 +41,8 @@ void replace_vertices(Mesh& mesh, std::span<const Index> sources);
 /// Returns the old number of each new vertex.
 std::vector<Index> keep_vertices(Mesh& mesh, const KeepMask& keep);
 
+/// Drops the stored UVs and normals that no corner names, and the materials and groups that no face
+/// names, and renumbers what is left in its old order. Normals that are one per vertex stay.
+void drop_unused_attributes(Mesh& mesh);
+
 }  // namespace lapwing

@@ -32,13 +32,9 @@ std::vector<VertexPair> read_boundary_pairs(const JsonNode& node, Domain domain)
   return pairs;
 }
 
-CoatOptions read_sampling(const JsonNode& node) {
+CoatOptions read_coat_options(const JsonNode& node) {
   CoatOptions options;
-  if (const auto sampling = node.find("sampling")) {
-    options.sampling = sampling->one_of("sampling", {"one_ring", "linear"}) == 0
-                           ? MappedSampling::one_ring
-                           : MappedSampling::linear;
-  }
+  if (const auto sampling = node.find("sampling")) options.sampling = read_sampling(*sampling);
   if (const auto scale = node.find("scale")) {
     if (scale->is_string()) {
       scale->one_of("scale", {"auto"});
@@ -47,6 +43,17 @@ CoatOptions read_sampling(const JsonNode& node) {
     }
   }
   return options;
+}
+
+}  // namespace
+
+MappedSampling read_sampling(const JsonNode& node) {
+  return node.one_of("sampling", {"one_ring", "linear"}) == 0 ? MappedSampling::one_ring
+                                                              : MappedSampling::linear;
+}
+
+Remeshing read_remeshing(const JsonNode& node) {
+  return node.one_of("remesh", {"auto", "none"}) == 0 ? Remeshing::automatic : Remeshing::none;
 }
 
 Transition read_transition(const JsonNode& node) {
@@ -58,8 +65,6 @@ Transition read_transition(const JsonNode& node) {
   }
   return transition;
 }
-
-}  // namespace
 
 Transition::Profile read_profile(const JsonNode& node) {
   return node.one_of("profile", {"smooth", "linear"}) == 0 ? Transition::Profile::smooth
@@ -74,7 +79,7 @@ CoatSource read_source_keys(const JsonNode& node, Domain domain) {
     source.boundary_pairs = read_boundary_pairs(*pairs, domain);
   }
   if (const auto pairs = node.find("inner_pairs")) source.inner_pairs = read_pairs(*pairs);
-  source.sampling = read_sampling(node);
+  source.sampling = read_coat_options(node);
   if (const auto amplitude = node.find("amplitude")) source.amplitude = amplitude->number();
   return source;
 }
@@ -92,10 +97,7 @@ CoatParameters read_coat_parameters(const JsonNode& node) {
   if (const auto transition = node.find("transition")) {
     parameters.transition = read_transition(*transition);
   }
-  if (const auto remesh = node.find("remesh")) {
-    parameters.remesh =
-        remesh->one_of("remesh", {"auto", "none"}) == 0 ? Remeshing::automatic : Remeshing::none;
-  }
+  if (const auto remesh = node.find("remesh")) parameters.remesh = read_remeshing(*remesh);
   return parameters;
 }
 

@@ -7,6 +7,9 @@ namespace lapwing {
 
 /// The coat step that `node` describes. Throws InputError with the place.
 CoatStep read_coat(const JsonNode& node);
+MappedSampling read_sampling(const JsonNode& node);
+Remeshing read_remeshing(const JsonNode& node);
+Transition read_transition(const JsonNode& node);
 
 /// What coat and mix steps share. Of `node` a source's detail size, pairs, sampling, scale and
 /// amplitude; `domain` is that of the step.

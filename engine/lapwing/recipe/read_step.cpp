@@ -7,6 +7,7 @@
 #include "lapwing/recipe/read_coat.h"
 #include "lapwing/recipe/read_mix.h"
 #include "lapwing/recipe/read_region.h"
+#include "lapwing/recipe/read_transplant.h"
 #include "lapwing/recipe/suggest.h"
 
 namespace lapwing {
@@ -143,13 +144,15 @@ MovedHandle read_handle(const JsonNode& node) {
 }
 
 Step read_step(const JsonNode& node) {
-  switch (node.at("op").one_of("op", {"deform", "coat", "mix"})) {
+  switch (node.at("op").one_of("op", {"deform", "coat", "mix", "transplant"})) {
     case 0:
       return read_deform(node);
     case 1:
       return read_coat(node);
-    default:
+    case 2:
       return read_mix(node);
+    default:
+      return read_transplant(node);
   }
 }
 

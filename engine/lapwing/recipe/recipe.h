@@ -13,6 +13,7 @@
 #include "lapwing/recipe/coat_source.h"
 #include "lapwing/recipe/deform_parameters.h"
 #include "lapwing/recipe/move.h"
+#include "lapwing/recipe/transplant_parameters.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/region_spec.h"
 
@@ -73,9 +74,25 @@ struct MixStep {
   }
 };
 
+/// {"op": "transplant"}: put a part of another mesh in the place of a region of the mesh.
+struct TransplantStep {
+  std::filesystem::path part;             ///< as written; empty: the mesh itself, before the step
+  std::optional<RegionSpec> part_region;  ///< what is cut from it; all of it if not given
+  std::optional<std::size_t> loop;        ///< which boundary loop is sewn on; the longest
+  PartPlace place;
+  RegionSpec target_region;
+  TransplantParameters parameters;
+  std::string where = "transplant";  ///< as in RegionSpec; no part of the value
+  bool operator==(const TransplantStep& other) const {
+    return part == other.part && part_region == other.part_region && loop == other.loop &&
+           place == other.place && target_region == other.target_region &&
+           parameters == other.parameters;
+  }
+};
+
 /// One operation of a recipe. A new one is a type here, its reader in read_step.cpp and its writer
 /// in write_recipe.cpp.
-using Step = std::variant<DeformStep, CoatStep, MixStep>;
+using Step = std::variant<DeformStep, CoatStep, MixStep, TransplantStep>;
 
 /// A whole edit: a mesh, what is done to it, and where the result goes.
 struct Recipe {

@@ -18,9 +18,12 @@ Json json_of(const Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 Json json_of(const RegionSpec& spec);
+Json json_of(const LoopFit& fit);
+Json json_of(const Move& move);
 Json json_of(const DeformStep& step);
 Json json_of(const CoatStep& step);
 Json json_of(const MixStep& step);
+Json json_of(const TransplantStep& step);
 
 Json json_of(const std::vector<RegionSpec>& parts) {
   Json list = Json::array();
@@ -102,6 +105,13 @@ const char* name_of(LaplacianWeights weights) {
   return weights == LaplacianWeights::uniform ? "uniform" : "cotangent";
 }
 
+const char* name_of(MappedSampling sampling) {
+  return sampling == MappedSampling::linear ? "linear" : "one_ring";
+}
+const char* name_of(Remeshing remeshing) {
+  return remeshing == Remeshing::automatic ? "auto" : "none";
+}
+
 Json json_of_settle(const DeformStep& step) {
   SettleOptions defaults;
   defaults.weights = step.parameters.weights;
@@ -139,6 +149,10 @@ const char* name_of(Transition::Profile profile) {
   return profile == Transition::Profile::linear ? "linear" : "smooth";
 }
 
+Json json_of(const Transition& transition) {
+  return {{"width", transition.width}, {"profile", name_of(transition.profile)}};
+}
+
 const char* name_of(Domain domain) {
   return domain == Domain::disk ? "disk" : "square";
 }
@@ -149,18 +163,14 @@ void write_pairs(const CoatSource& source, Json& keys) {
 }
 
 void write_sampling(const CoatSource& source, Json& keys) {
-  const bool linear = source.sampling.sampling == MappedSampling::linear;
-  keys["sampling"] = linear ? "linear" : "one_ring";
+  keys["sampling"] = name_of(source.sampling.sampling);
   keys["scale"] = source.sampling.scale ? Json(*source.sampling.scale) : Json("auto");
   keys["amplitude"] = source.amplitude;
 }
 
 void write_fading(const CoatParameters& parameters, Json& keys) {
-  if (parameters.transition) {
-    keys["transition"] = {{"width", parameters.transition->width},
-                          {"profile", name_of(parameters.transition->profile)}};
-  }
-  keys["remesh"] = parameters.remesh == Remeshing::automatic ? "auto" : "none";
+  if (parameters.transition) keys["transition"] = json_of(*parameters.transition);
+  keys["remesh"] = name_of(parameters.remesh);
 }
 
 Json json_of(const CoatStep& step) {
@@ -202,6 +212,39 @@ Json json_of(const MixStep& step) {
   keys["weights"] = name_of(step.parameters.weights);
   keys["domain"] = name_of(step.parameters.domain);
   write_fading(step.parameters, keys);
+  return keys;
+}
+
+Json json_of(const LoopFit& fit) {
+  Json keys{{"rotate_degrees", fit.rotate_degrees}};
+  if (fit.scale != 1.0) keys["scale"] = fit.scale;
+  if (fit.keep_size) keys["keep_size"] = true;
+  return {{"auto", std::move(keys)}};
+}
+Json json_of(const Move& move) {
+  return json_of_any(move);
+}
+
+Json json_of_part(const TransplantStep& step) {
+  if (!step.part_region) return step.part.string();
+  Json keys;
+  if (!step.part.empty()) keys["mesh"] = step.part.string();
+  keys["region"] = json_of(*step.part_region);
+  return keys;
+}
+
+Json json_of(const TransplantStep& step) {
+  const TransplantParameters& parameters = step.parameters;
+  Json keys{{"op", "transplant"}, {"part", json_of_part(step)}};
+  if (step.loop) keys["loop"] = *step.loop;
+  keys["place"] = json_of_any(step.place);
+  keys["target_region"] = json_of(step.target_region);
+  if (parameters.transition) keys["transition"] = json_of(*parameters.transition);
+  if (parameters.padding) keys["belt"]["padding"] = *parameters.padding;
+  if (parameters.belt) keys["belt"]["width"] = *parameters.belt;
+  keys["weights"] = name_of(parameters.weights);
+  keys["sampling"] = name_of(parameters.sampling);
+  keys["remesh"] = name_of(parameters.remesh);
   return keys;
 }
 

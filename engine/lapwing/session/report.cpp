@@ -99,7 +99,40 @@ Json coat_step_as_json(const StepReport& step) {
   return json;
 }
 
+Json as_json(const TransplantReport& transplant) {
+  Json place = Json::array();
+  for (const auto row : transplant.place.rowwise()) {
+    for (const double value : row) place.push_back(number(value));
+  }
+  return {{"part_vertices", transplant.part_vertices},
+          {"host_loop", transplant.host_loop},
+          {"part_loop", transplant.part_loop},
+          {"welded", transplant.welded},
+          {"strip_triangles", transplant.strip_triangles},
+          {"remeshed_vertices", transplant.remeshed_vertices},
+          {"turned", transplant.turned},
+          {"place", place},
+          {"transition_width", number(transplant.transition_width)},
+          {"padding", number(transplant.padding)},
+          {"belt", number(transplant.belt)},
+          {"flipped", transplant.flipped},
+          {"relative_residual", number(transplant.relative_residual)},
+          {"last_change", number(transplant.last_change)},
+          {"largest_displacement", number(transplant.largest_displacement)},
+          {"largest_displacement_vertex", vertex(transplant.largest_displacement_vertex)}};
+}
+
 Json as_json(const StepReport& step) {
+  if (step.transplant) {
+    Json json = {{"op", step.op},
+                 {"roi", step.roi},
+                 {"free", step.free},
+                 {"belt", step.belt},
+                 {"timings_ms", as_json(step.timings)},
+                 {"transplant", as_json(*step.transplant)}};
+    if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
+    return json;
+  }
   if (step.coat) return coat_step_as_json(step);
   std::size_t handle = 0;
   for (const std::size_t count : step.handles) handle += count;

@@ -35,6 +35,26 @@ struct CoatReport {
   Index largest_displacement_vertex = kNoIndex;
 };
 
+/// What a transplant step did. Lengths are on the mesh that the part was put on.
+struct TransplantReport {
+  std::size_t part_vertices = 0;
+  std::size_t host_loop = 0;  ///< vertices
+  std::size_t part_loop = 0;
+  std::size_t welded = 0;  ///< pairs of them that became one
+  std::size_t strip_triangles = 0;
+  std::size_t remeshed_vertices = 0;  ///< of the transition afterwards; 0 where it was even enough
+  bool turned = false;                ///< the part was inside out
+  Eigen::Matrix<double, 3, 4> place = Eigen::Matrix<double, 3, 4>::Zero();  ///< from its file
+  double transition_width = 0.0;
+  double padding = 0.0;
+  double belt = 0.0;
+  std::size_t flipped = 0;  ///< triangles that the maps over the square turned over
+  double relative_residual = 0.0;
+  double last_change = 0.0;           ///< of the last pass, in mean edge lengths
+  double largest_displacement = 0.0;  ///< from where the part was placed
+  Index largest_displacement_vertex = kNoIndex;
+};
+
 /// What one step of a recipe did.
 struct StepReport {
   std::string op;
@@ -53,6 +73,7 @@ struct StepReport {
   Certificate certificate;
   /// Of a coat or mix step, whose certificate says nothing.
   std::optional<CoatReport> coat = {};
+  std::optional<TransplantReport> transplant = {};  ///< likewise
   VertexMeasures vertices;  ///< of the ROI, where the run was asked for them; empty otherwise
 };
 

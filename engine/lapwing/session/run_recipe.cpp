@@ -8,6 +8,7 @@
 #include "lapwing/session/run_coat.h"
 #include "lapwing/session/run_deform.h"
 #include "lapwing/session/run_mix.h"
+#include "lapwing/session/run_transplant.h"
 #include "lapwing/session/stage.h"
 
 namespace lapwing {
@@ -57,7 +58,7 @@ VertexMeasures measure_step(const SomeStep& step, const Positions& before,
 }
 
 bool changed_triangles(const StepReport& report) {
-  return report.coat && report.coat->vertices_before_remeshing > 0;
+  return report.transplant || (report.coat && report.coat->vertices_before_remeshing > 0);
 }
 
 // One overload per operation.
@@ -71,11 +72,14 @@ struct Runner {
   StepReport operator()(const DeformStep& step) const {
     return run_step(step, number, kernels, progress, result);
   }
-  StepReport operator()(const CoatStep& step) const {
-    result.last.reset();
-    return run_step(step, base_directory, kernels, progress, result);
-  }
-  StepReport operator()(const MixStep& step) const {
+  StepReport operator()(const CoatStep& step) const { return run_whole(step); }
+  StepReport operator()(const MixStep& step) const { return run_whole(step); }
+  StepReport operator()(const TransplantStep& step) const { return run_whole(step); }
+
+ private:
+  // A step that leaves no deformer behind.
+  template <class SomeStep>
+  StepReport run_whole(const SomeStep& step) const {
     result.last.reset();
     return run_step(step, base_directory, kernels, progress, result);
   }

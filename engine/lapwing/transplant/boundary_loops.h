@@ -13,8 +13,8 @@ using BoundaryLoop = std::vector<Index>;
 
 /// The boundary loops of a mesh, each from its smallest vertex on, by smallest vertex; none of a
 /// closed one. Throws InputError, naming `where` and the vertices, where the boundary is no set of
-/// loops: a vertex at which it touches itself, an edge with more than two triangles or with two
-/// that face opposite ways. Near-linear.
+/// loops: it touches itself at a vertex, or ends at an edge with more than two triangles or with
+/// two that face opposite ways. Such edges elsewhere do not matter. Near-linear.
 std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
                                          const std::string& where);
 

@@ -1,0 +1,275 @@
+#include "lapwing/session/run_transplant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/deform/certificate.h"
+#include "lapwing/region/geodesic.h"
+#include "lapwing/remesh/isotropic.h"
+#include "lapwing/session/stage.h"
+#include "lapwing/session/transplant_parts.h"
+#include "lapwing/transplant/join.h"
+#include "lapwing/transplant/reconstruct_seam.h"
+#include "lapwing/transplant/seam_lengths.h"
+#include "lapwing/transplant/zip.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+ZipLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
+  return zip_loop(build_topology(mesh).triangles, mesh.positions, loop);
+}
+
+double length_of(std::span<const Vector3d> loop) {
+  double length = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    length += (loop[(k + 1) % loop.size()] - loop[k]).norm();
+  }
+  return length;
+}
+
+// The joined mesh on its way to the seam's reconstruction.
+struct Assembly {
+  Mesh mesh;
+  Topology topology;
+  std::vector<Index> host_vertices;  // per vertex: its number in the host, or kNoIndex
+  std::vector<double> depths;        // per vertex: from the part's loop, 0 off the part
+  double gap = 0.0;
+  double depth = 0.0;  // the farthest that the part goes from its loop
+};
+
+// One transplant step on its way.
+class TransplantRun {
+ public:
+  TransplantRun(const TransplantStep& step, const std::filesystem::path& base_directory,
+                Kernels& kernels, const Progress& progress, RunResult& result)
+      : step_(step),
+        base_directory_(base_directory),
+        kernels_(kernels),
+        progress_(progress),
+        result_(result) {
+    report_.op = "transplant";
+    report_.transplant.emplace();
+  }
+
+  StepReport run();
+
+ private:
+  template <class Body>
+  void timed(const char* name, Body body) {
+    stage(name, report_.timings, progress_, body);
+  }
+  void assemble();
+  void measure_depths(const std::vector<Index>& part_vertices, const PlacedPart& part);
+  void remesh();
+  TransplantOptions options();
+  void reconstruct();
+  void require_valid(const TransplantResult& seam) const;
+  void hand_over(TransplantResult seam);
+
+  const TransplantStep& step_;
+  const std::filesystem::path& base_directory_;
+  Kernels& kernels_;
+  const Progress& progress_;
+  RunResult& result_;
+  Hole hole_;
+  double hole_radius_ = 0.0;
+  bool even_strip_ = true;
+  Assembly joined_;
+  StepReport report_;
+};
+
+void TransplantRun::assemble() {
+  TransplantReport& report = *report_.transplant;
+  PlacedPart part;
+  timed("part", [&] {
+    hole_ = cut_hole(step_.target_region, result_.mesh, result_.topology);
+    part = place_part(step_, base_directory_, result_.mesh, hole_);
+  });
+  for (std::string& note : part.notes) result_.report.warnings.push_back(std::move(note));
+  timed("zip", [&] {
+    const ZipLoop host_loop = zip_loop_of(hole_.rest.mesh, hole_.rest_loop);
+    const ZipLoop part_loop = zip_loop_of(part.mesh, part.loop);
+    const Zip zip = zip_loops(host_loop, part_loop, step_.where);
+    Joined joined = join(hole_.rest.mesh, hole_.rest_loop, part.mesh, part.loop, zip, part.name);
+    for (const std::string& note : joined.notes) {
+      result_.report.warnings.push_back(step_.where + ": " + note);
+    }
+    joined_.mesh = std::move(joined.mesh);
+    joined_.topology = build_topology(joined_.mesh);
+    joined_.host_vertices.assign(joined_.mesh.vertex_count(), kNoIndex);
+    for (Index v = 0; v < hole_.rest.vertices.size(); ++v) {
+      joined_.host_vertices[v] = hole_.rest.vertices[v];
+    }
+    hole_radius_ = length_of(host_loop.points) / (2.0 * std::numbers::pi);
+    joined_.gap = strip_width(zip, host_loop.points, part_loop.points);
+    even_strip_ = is_even(zip, host_loop.points, part_loop.points);
+    report.strip_triangles = zip.triangles.size();
+    report.welded = zip.welded.size();
+    measure_depths(joined.part_vertices, part);
+  });
+  report.part_vertices = part.mesh.vertex_count();
+  report.host_loop = hole_.rest_loop.size();
+  report.part_loop = part.loop.size();
+  report.turned = part.turned;
+  report.place = part.motion.matrix().topRows<3>();
+}
+
+// On the part as it was placed, so that the strip does not count.
+void TransplantRun::measure_depths(const std::vector<Index>& part_vertices,
+                                   const PlacedPart& part) {
+  const auto distances =
+      geodesic_distances(build_topology(part.mesh), part.mesh.positions, part.loop);
+  joined_.depths.assign(joined_.mesh.vertex_count(), 0.0);
+  for (std::size_t v = 0; v < distances.size(); ++v) {
+    joined_.depths[part_vertices[v]] = distances[v];
+    if (std::isfinite(distances[v])) joined_.depth = std::max(joined_.depth, distances[v]);
+  }
+}
+
+// Lengths as they were asked for or, where they were not, from the size of the hole; all of them
+// shorter where the part is too short to hold itself beyond.
+TransplantOptions TransplantRun::options() {
+  const TransplantParameters& parameters = step_.parameters;
+  TransplantOptions options;
+  options.weights = parameters.weights;
+  options.sampling = parameters.sampling;
+  options.transition =
+      parameters.transition.value_or(Transition{0.5 * hole_radius_, Transition::Profile::smooth});
+  const double edge = mean_edge_length(joined_.topology.rings, joined_.mesh.positions);
+  const double width = std::max(options.transition.width, edge);
+  options.padding = parameters.padding.value_or(0.5 * width);
+  options.belt = parameters.belt.value_or(std::max(0.25 * width, 1.5 * edge));
+
+  constexpr double kMostOfThePart = 0.8;
+  const double needed = options.transition.width + options.padding + options.belt;
+  const double share = kMostOfThePart * joined_.depth / needed;
+  if (share < 1.0) {
+    options.transition.width *= share;
+    options.padding *= share;
+    options.belt *= share;
+    if (parameters.transition) {
+      std::ostringstream text;
+      text << step_.where << ": the part reaches only " << joined_.depth
+           << " from its loop; the transition's width, padding and belt, together " << needed
+           << ", were scaled by " << share << ". Choose a narrower \"transition\"";
+      result_.report.warnings.push_back(text.str());
+    }
+  }
+  return options;
+}
+
+void TransplantRun::remesh() {
+  if (step_.parameters.remesh == Remeshing::none) return;
+  const double width = report_.transplant->transition_width;
+  const SeamLengths lengths(joined_.mesh.positions, joined_.topology, joined_.host_vertices,
+                            joined_.depths, width);
+  if (even_strip_ && !lengths.asks_for_remeshing()) return;
+  timed("remesh", [&] {
+    MeshAttributes& attributes = joined_.mesh.attributes;
+    attributes.vertex_extras.push_back({"depth from the seam", "double", 1, joined_.depths});
+    RemeshResult remeshed =
+        remesh_isotropic(joined_.mesh, lengths.region(), std::cref(lengths), {}, progress_);
+    if (!remeshed.note.empty()) {
+      result_.report.warnings.push_back(step_.where + ": " + remeshed.note);
+    }
+    std::vector<Index> host_vertices;
+    for (const Index v : remeshed.kept) {
+      host_vertices.push_back(v == kNoIndex ? kNoIndex : joined_.host_vertices[v]);
+    }
+    joined_.host_vertices = std::move(host_vertices);
+    joined_.mesh = std::move(remeshed.mesh);
+    joined_.depths = std::move(joined_.mesh.attributes.vertex_extras.back().values);
+    joined_.mesh.attributes.vertex_extras.pop_back();
+    joined_.topology = build_topology(joined_.mesh);
+    report_.transplant->remeshed_vertices = remeshed.region.size();
+  });
+}
+
+void TransplantRun::require_valid(const TransplantResult& seam) const {
+  for (const Index v : seam.region) {
+    if (seam.positions[v].allFinite()) continue;
+    throw SolverError(step_.where + ": the result has positions that are not finite, vertex " +
+                      std::to_string(v) +
+                      " for one, so the mesh was left as it was; run `lapwing check` on the part "
+                      "and on the mesh");
+  }
+  if (seam.relative_residual <= kLargestResidual) return;
+  std::ostringstream text;
+  text << step_.where << ": the solution misses the equations by " << seam.relative_residual
+       << " (at most " << kLargestResidual
+       << " is allowed), so the mesh was left as it was; remesh both meshes around the seam with "
+          "`lapwing remesh`";
+  throw SolverError(text.str());
+}
+
+void TransplantRun::reconstruct() {
+  TransplantReport& report = *report_.transplant;
+  const TransplantOptions chosen = options();
+  report.transition_width = chosen.transition.width;
+  report.padding = chosen.padding;
+  report.belt = chosen.belt;
+  remesh();
+  const TransplantHost host{result_.mesh.positions, result_.topology, hole_.triangles, hole_.loop};
+  // Joined and remeshed, the host's faces come first.
+  const TransplantJoined joined{joined_.mesh.positions, joined_.topology,
+                                joined_.host_vertices,  hole_.rest.mesh.face_count(),
+                                joined_.depths,         joined_.gap};
+  TransplantResult seam =
+      reconstruct_seam(host, joined, chosen, kernels_, step_.where, report_.timings, progress_);
+  require_valid(seam);
+  if (!seam.sampled_host) {
+    result_.report.warnings.push_back(
+        step_.where +
+        ": the target region or the part has no inside whose detail could be blended, so the seam "
+        "was only made smooth; choose a larger \"target_region\" for more");
+  }
+  hand_over(std::move(seam));
+}
+
+// The joined mesh takes the place of the host.
+void TransplantRun::hand_over(TransplantResult seam) {
+  TransplantReport& report = *report_.transplant;
+  Positions original = joined_.mesh.positions;
+  for (std::size_t v = 0; v < original.size(); ++v) {
+    const Index host = joined_.host_vertices[v];
+    if (host != kNoIndex) original[v] = result_.original[host];
+    const double distance = (seam.positions[v] - joined_.mesh.positions[v]).norm();
+    if (distance <= report.largest_displacement) continue;
+    report.largest_displacement = distance;
+    report.largest_displacement_vertex = static_cast<Index>(v);
+  }
+  report.relative_residual = seam.relative_residual;
+  report.last_change = seam.last_change;
+  report.flipped = seam.flipped;
+  report_.roi = seam.region.size();
+  report_.belt = seam.belt.size();
+  report_.free = report_.roi - report_.belt;
+  result_.original = std::move(original);
+  result_.mesh = std::move(joined_.mesh);
+  result_.mesh.positions = std::move(seam.positions);
+  result_.topology = std::move(joined_.topology);
+  result_.region = {std::move(seam.region), std::move(seam.belt), {}};
+}
+
+StepReport TransplantRun::run() {
+  assemble();
+  reconstruct();
+  return std::move(report_);
+}
+
+}  // namespace
+
+StepReport run_step(const TransplantStep& step, const std::filesystem::path& base_directory,
+                    Kernels& kernels, const Progress& progress, RunResult& result) {
+  return TransplantRun{step, base_directory, kernels, progress, result}.run();
+}
+
+}  // namespace lapwing

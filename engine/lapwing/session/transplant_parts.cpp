@@ -1,0 +1,219 @@
+#include "lapwing/session/transplant_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/LU>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/transform.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+std::vector<Vector3d> points_of(std::span<const Index> loop, std::span<const Vector3d> positions) {
+  std::vector<Vector3d> points;
+  for (const Index v : loop) points.push_back(positions[v]);
+  return points;
+}
+
+Vector3d mean(std::span<const Vector3d> points) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Vector3d& point : points) sum += point;
+  return sum / static_cast<double>(points.size());
+}
+
+// Twice the area that a loop goes around, as seen from where it runs counterclockwise.
+Vector3d area_vector(std::span<const Vector3d> loop) {
+  const Vector3d center = mean(loop);
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    sum += (loop[k] - center).cross(loop[(k + 1) % loop.size()] - center);
+  }
+  return sum;
+}
+
+std::string loops_in_words(const std::vector<BoundaryLoop>& loops) {
+  std::string text;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (i > 0) text += ", ";
+    text += std::to_string(i) + " (" + std::to_string(loops[i].size()) + " vertices from vertex " +
+            std::to_string(loops[i].front()) + ")";
+  }
+  return text;
+}
+
+// Which loop of the part is sewn on.
+BoundaryLoop choose_loop(const TransplantStep& step, const Mesh& part, const std::string& name) {
+  const Topology topology = build_topology(part);
+  const auto loops = boundary_loops(topology.triangles, name);
+  if (loops.empty()) {
+    throw InputError(name +
+                     ": the part is closed, it has no boundary loop to be sewn on by; cut one "
+                     "with `lapwing cut`, or give a \"region\" of it");
+  }
+  if (step.loop) {
+    if (*step.loop < loops.size()) return loops[*step.loop];
+    throw InputError(step.where + "/loop: the part has no boundary loop " +
+                     std::to_string(*step.loop) + "; there are " + loops_in_words(loops));
+  }
+  const auto length = [&](const BoundaryLoop& loop) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      sum += (part.positions[loop[(k + 1) % loop.size()]] - part.positions[loop[k]]).norm();
+    }
+    return sum;
+  };
+  return *std::max_element(loops.begin(), loops.end(),
+                           [&](const auto& a, const auto& b) { return length(a) < length(b); });
+}
+
+// Six times the volume behind the surface, its loop closed by a fan: below 0 for one that is inside
+// out.
+double volume(const Mesh& part, const BoundaryLoop& loop) {
+  const Vector3d center = mean(points_of(loop, part.positions));
+  double sum = 0.0;
+  for (const Triangle& t : build_topology(part).triangles) {
+    sum += (part.positions[t[0]] - center)
+               .dot((part.positions[t[1]] - center).cross(part.positions[t[2]] - center));
+  }
+  return sum;
+}
+
+// The same loop of the surface turned inside out.
+void turn(PlacedPart& part) {
+  turn_inside_out(part.mesh);
+  std::reverse(part.loop.begin() + 1, part.loop.end());
+  part.turned = true;
+}
+
+// A part that rises from its loop encloses something with it; a sheet does not, and says nothing.
+bool is_inside_out(const PlacedPart& part) {
+  const double area = area_vector(points_of(part.loop, part.mesh.positions)).norm();
+  constexpr double kLeastRise = 0.05;
+  return volume(part.mesh, part.loop) < -kLeastRise * std::pow(area, 1.5);
+}
+
+PlacedPart read_part(const TransplantStep& step, const std::filesystem::path& base_directory,
+                     const Mesh& mesh) {
+  PlacedPart part;
+  const std::string where = step.where + "/part";
+  part.name = step.part.empty() ? "part" : step.part.stem().string();
+  const bool whole = !step.part_region;
+  if (!step.part.empty()) part.mesh = read_mesh(base_directory / step.part);
+  if (!whole) {
+    const Mesh& from = step.part.empty() ? mesh : part.mesh;
+    const VertexSet region = resolve(*step.part_region, from, build_topology(from));
+    part.mesh = cut_out(from, region, step.part_region->where).mesh;
+  }
+  for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v) {
+    if (part.mesh.positions[v].allFinite()) continue;
+    throw InputError(where + ": vertex " + std::to_string(v) +
+                     " of the part has no finite position; mend it with `lapwing check --fix`");
+  }
+  part.loop = choose_loop(step, part.mesh, where);
+  return part;
+}
+
+// Vertices at which an edge of the hole's loop has no face of the rest on its other side.
+VertexSet without_other_side(const BoundaryLoop& loop, const CutPiece& rest,
+                             std::span<const Index> numbers) {
+  std::vector<Index> next(rest.vertices.size(), kNoIndex);  // of the rest's own vertices
+  std::vector<Index> open;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Index from = numbers[loop[k]];
+    const Index to = numbers[loop[(k + 1) % loop.size()]];
+    if (from == kNoIndex || to == kNoIndex) {
+      open.push_back(loop[k]);
+    } else {
+      next[from] = to;
+    }
+  }
+  std::vector<char> has_other_side(rest.vertices.size(), 0);
+  for (std::size_t f = 0; f < rest.mesh.face_count(); ++f) {
+    const auto face = rest.mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Index a = face[k];
+      const Index b = face[(k + 1) % face.size()];
+      if (next[b] == a) has_other_side[b] = 1;
+    }
+  }
+  for (const Index v : loop) {
+    const Index own = numbers[v];
+    if (own != kNoIndex && next[own] != kNoIndex && has_other_side[own] == 0) open.push_back(v);
+  }
+  return make_vertex_set(std::move(open));
+}
+
+}  // namespace
+
+Hole cut_hole(const RegionSpec& region, const Mesh& mesh, const Topology& topology) {
+  Hole hole;
+  const std::string& where = region.where;
+  const VertexSet vertices = resolve(region, mesh, topology);
+  hole.rest = cut_away(mesh, vertices, where);
+  const std::vector<char> inside = vertex_mask(mesh.vertex_count(), vertices);
+  for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+    const auto face = mesh.face(topology.triangle_faces[t]);
+    if (std::all_of(face.begin(), face.end(), [&](Index v) { return inside[v] != 0; })) {
+      hole.triangles.push_back(topology.triangles[t]);
+    }
+  }
+  const auto loops = boundary_loops(hole.triangles, where);
+  if (loops.size() != 1) {
+    throw InputError(
+        where + ": the region must have one boundary loop, on which the part is sewn; it has " +
+        (loops.empty() ? std::string("none")
+                       : std::to_string(loops.size()) + ": " + loops_in_words(loops)) +
+        ". Choose another one, or write {\"disk_in\": REGION} in its place");
+  }
+  hole.loop = loops.front();
+  std::vector<Index> numbers(mesh.vertex_count(), kNoIndex);
+  for (Index v = 0; v < hole.rest.vertices.size(); ++v) numbers[hole.rest.vertices[v]] = v;
+  const VertexSet open = without_other_side(hole.loop, hole.rest, numbers);
+  if (!open.empty()) {
+    throw InputError(where + ": the region reaches the boundary of the mesh at " +
+                     name_vertices(open) +
+                     "; leave the faces there out of it, so that the hole has a rim");
+  }
+  for (const Index v : hole.loop) hole.rest_loop.push_back(numbers[v]);
+  std::reverse(hole.rest_loop.begin() + 1, hole.rest_loop.end());
+  return hole;
+}
+
+PlacedPart place_part(const TransplantStep& step, const std::filesystem::path& base_directory,
+                      const Mesh& mesh, const Hole& hole) {
+  PlacedPart part = read_part(step, base_directory, mesh);
+  if (is_inside_out(part)) turn(part);
+  const auto hole_points = points_of(hole.rest_loop, hole.rest.mesh.positions);
+  const auto loop_points = points_of(part.loop, part.mesh.positions);
+  if (const auto* fit = std::get_if<LoopFit>(&step.place)) {
+    part.motion = fit_loop(loop_points, hole_points, *fit, step.where + "/place");
+  } else {
+    part.motion = to_affine(std::get<Move>(step.place), mean(loop_points));
+  }
+  const double determinant = part.motion.linear().determinant();
+  if (!(std::abs(determinant) > 0.0) || !std::isfinite(determinant)) {
+    throw InputError(step.where +
+                     "/place: the matrix flattens the part; give one that can be undone");
+  }
+  transform(part.mesh, part.motion);
+  if (determinant < 0.0) std::reverse(part.loop.begin() + 1, part.loop.end());
+  // Sewn together, the loops run against each other.
+  if (area_vector(points_of(part.loop, part.mesh.positions)).dot(area_vector(hole_points)) > 0.0) {
+    turn(part);
+  }
+  if (part.turned) {
+    part.notes.push_back(step.where +
+                         ": the part's faces looked inwards where it is placed; they were turned "
+                         "over. Where that is not meant, check \"place\", or the part with "
+                         "`lapwing check`");
+  }
+  return part;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,85 @@
+#include "lapwing/transplant/boundary_loops.h"
+
+#include <algorithm>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/region/vertex_set.h"
+
+namespace lapwing {
+namespace {
+
+// The boundary as steps from vertex to vertex.
+struct Boundary {
+  std::vector<Index> next;      // per vertex: where its boundary edge leads, or kNoIndex
+  std::vector<Index> arrivals;  // per vertex: boundary edges that end there
+  std::vector<Index> touched;   // vertices from which two boundary edges lead
+  VertexSet odd_ends;           // ends of edges that are neither inner nor boundary
+};
+
+Boundary collect(std::span<const Triangle> triangles) {
+  std::size_t vertex_count = 0;
+  for (const Triangle& triangle : triangles) {
+    vertex_count = std::max<std::size_t>(vertex_count, std::ranges::max(triangle) + std::size_t{1});
+  }
+  Boundary boundary;
+  boundary.next.assign(vertex_count, kNoIndex);
+  boundary.arrivals.assign(vertex_count, 0);
+  const Adjacency sides = sides_by_edge(triangles, vertex_count);
+  for (std::size_t e = 0; e < sides.row_count(); ++e) {
+    const auto on_edge = sides[e];
+    const Index from = side_start(triangles, on_edge[0]);
+    const Index to = side_end(triangles, on_edge[0]);
+    if (on_edge.size() == 1) {
+      if (boundary.next[from] != kNoIndex) boundary.touched.push_back(from);
+      boundary.next[from] = to;
+      ++boundary.arrivals[to];
+    } else if (on_edge.size() > 2 || side_start(triangles, on_edge[1]) == from) {
+      boundary.odd_ends.push_back(from);
+      boundary.odd_ends.push_back(to);
+    }
+  }
+  boundary.odd_ends = make_vertex_set(std::move(boundary.odd_ends));
+  return boundary;
+}
+
+void require_loops(const Boundary& boundary, const std::string& where) {
+  VertexSet wrong = boundary.touched;
+  for (Index v = 0; v < boundary.next.size(); ++v) {
+    const bool leads_on = boundary.next[v] != kNoIndex;
+    if (boundary.arrivals[v] != (leads_on ? 1U : 0U)) wrong.push_back(v);
+  }
+  wrong = make_vertex_set(std::move(wrong));
+  if (wrong.empty()) return;
+  const VertexSet at_odd_edges = intersect(wrong, boundary.odd_ends);
+  if (!at_odd_edges.empty()) {
+    throw InputError(where + ": the boundary ends at " + name_vertices(at_odd_edges) +
+                     ", at edges with more than two triangles or with two that face opposite "
+                     "ways, and so is no closed loop; see `lapwing check MESH`, repair it with "
+                     "--fix, or leave these vertices out of the region");
+  }
+  throw InputError(where + ": the boundary touches itself at " + name_vertices(wrong) +
+                   "; give each surface there its own vertex with `lapwing check MESH --fix OUT`, "
+                   "or add or leave out the triangles around it");
+}
+
+}  // namespace
+
+std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
+                                         const std::string& where) {
+  const Boundary boundary = collect(triangles);
+  require_loops(boundary, where);
+  std::vector<BoundaryLoop> loops;
+  std::vector<char> seen(boundary.next.size(), 0);
+  for (Index first = 0; first < boundary.next.size(); ++first) {
+    if (boundary.next[first] == kNoIndex || seen[first]) continue;
+    BoundaryLoop& loop = loops.emplace_back();
+    for (Index v = first; !seen[v]; v = boundary.next[v]) {
+      seen[v] = 1;
+      loop.push_back(v);
+    }
+  }
+  return loops;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,146 @@
+#include "lapwing/transplant/collar.h"
+
+#include <algorithm>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/base/union_find.h"
+#include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/region/vertex_set.h"
+
+namespace lapwing {
+namespace {
+
+// A piece that is being parted into the collar and what lies beyond, its core.
+class Parting {
+ public:
+  Parting(std::span<const Triangle> piece, std::span<const double> distances, double width)
+      : piece_(piece), sides_(sides_by_edge(piece, distances.size())), is_core_(piece.size()) {
+    for (std::size_t t = 0; t < piece.size(); ++t) {
+      is_core_[t] = std::none_of(piece[t].begin(), piece[t].end(),
+                                 [&](Index v) { return distances[v] < width; });
+    }
+    around_ = triangles_around_vertices(distances.size(), piece);
+  }
+
+  // Until the core is one piece, and no vertex touches it twice.
+  void clean() {
+    do {
+      keep_largest_core();
+    } while (release_pinched());
+  }
+
+  std::vector<Triangle> collar() const {
+    std::vector<Triangle> triangles;
+    for (std::size_t t = 0; t < piece_.size(); ++t) {
+      if (is_core_[t] == 0) triangles.push_back(piece_[t]);
+    }
+    return triangles;
+  }
+  bool has_core() const { return std::find(is_core_.begin(), is_core_.end(), 1) != is_core_.end(); }
+
+ private:
+  void keep_largest_core() {
+    UnionFind pieces(piece_.size());
+    for (std::size_t e = 0; e < sides_.row_count(); ++e) {
+      const auto sides = sides_[e];
+      for (std::size_t k = 1; k < sides.size(); ++k) {
+        const Index a = sides[0] / 3;
+        const Index b = sides[k] / 3;
+        if (is_core_[a] != 0 && is_core_[b] != 0) pieces.unite(a, b);
+      }
+    }
+    std::vector<std::size_t> counts(piece_.size(), 0);
+    for (Index t = 0; t < piece_.size(); ++t) {
+      if (is_core_[t] != 0) ++counts[pieces.find(t)];
+    }
+    const auto largest =
+        static_cast<Index>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+    for (Index t = 0; t < piece_.size(); ++t) {
+      if (is_core_[t] != 0 && pieces.find(t) != largest) is_core_[t] = 0;
+    }
+  }
+
+  // Around one vertex, the core's triangles must hang together over edges.
+  bool release_pinched() {
+    bool any = false;
+    for (Index v = 0; v < around_.row_count(); ++v) {
+      if (fans_at(v) < 2) continue;
+      for (const Index t : around_[v]) is_core_[t] = 0;
+      any = true;
+    }
+    return any;
+  }
+
+  std::size_t fans_at(Index v) const {
+    std::vector<std::array<Index, 2>> ends;  // of each core triangle: the corners beside v
+    for (const Index t : around_[v]) {
+      if (is_core_[t] == 0) continue;
+      const Triangle& corners = piece_[t];
+      const auto k =
+          static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+      ends.push_back({corners[(k + 1) % 3], corners[(k + 2) % 3]});
+    }
+    std::size_t fans = ends.size();
+    for (const auto& [first, second] : ends) {
+      fans -= static_cast<std::size_t>(
+          std::any_of(ends.begin(), ends.end(),
+                      [&, end = second](const auto& other) { return other[0] == end; }));
+    }
+    // A closed fan has as many joints as triangles.
+    return ends.empty() ? 0 : std::max<std::size_t>(fans, 1);
+  }
+
+  std::span<const Triangle> piece_;
+  Adjacency sides_;
+  Adjacency around_;
+  std::vector<char> is_core_;
+};
+
+long euler_characteristic(std::span<const Triangle> triangles, std::size_t vertex_count) {
+  std::vector<char> used(vertex_count, 0);
+  for (const Triangle& corners : triangles) {
+    for (const Index v : corners) used[v] = 1;
+  }
+  const auto vertices = std::count(used.begin(), used.end(), 1);
+  const auto edges = sides_by_edge(triangles, vertex_count).row_count();
+  return static_cast<long>(vertices) - static_cast<long>(edges) +
+         static_cast<long>(triangles.size());
+}
+
+BoundaryLoop from_smallest(BoundaryLoop loop) {
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  return loop;
+}
+
+}  // namespace
+
+Collar make_collar(std::span<const Triangle> piece, const BoundaryLoop& seam,
+                   std::span<const double> distances, double width, const std::string& where) {
+  Parting parting(piece, distances, width);
+  parting.clean();
+  Collar collar;
+  if (!parting.has_core()) return collar;
+  collar.triangles = parting.collar();
+  const auto loops = boundary_loops(collar.triangles, where);
+  const BoundaryLoop wanted = from_smallest(seam);
+  VertexSet others;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop == wanted) continue;
+    collar.inner = loop;
+    others.push_back(loop.front());
+  }
+  if (loops.size() != 2 || others.size() != 1) {
+    throw InputError(where + ": the transition reaches another boundary of the mesh, at " +
+                     name_vertices(others) + "; make its \"width\" less than " +
+                     std::to_string(width) + ", or close that hole before");
+  }
+  if (euler_characteristic(collar.triangles, distances.size()) != 0) {
+    throw InputError(where + ": there is a handle of the surface within the transition, around " +
+                     name_vertices(collar.inner) + "; make its \"width\" less than " +
+                     std::to_string(width));
+  }
+  collar.seam = seam;
+  return collar;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,222 @@
+#include "lapwing/transplant/laid_collar.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/parameterize/domain_locator.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// A collar in numbers of its own.
+struct OwnCollar {
+  std::vector<Index> vertices;  // own number -> vertex of the mesh
+  std::vector<Triangle> triangles;
+  BoundaryLoop seam;
+  BoundaryLoop inner;
+  std::vector<Vector3d> positions;
+};
+
+OwnCollar own_collar(const Collar& collar, std::span<const Vector3d> positions) {
+  OwnCollar own;
+  for (const Triangle& corners : collar.triangles) {
+    own.vertices.insert(own.vertices.end(), corners.begin(), corners.end());
+  }
+  own.vertices = make_vertex_set(std::move(own.vertices));
+  const auto number = [&](Index v) {
+    return static_cast<Index>(std::lower_bound(own.vertices.begin(), own.vertices.end(), v) -
+                              own.vertices.begin());
+  };
+  for (const Triangle& t : collar.triangles) {
+    own.triangles.push_back({number(t[0]), number(t[1]), number(t[2])});
+  }
+  for (const Index v : collar.seam) own.seam.push_back(number(v));
+  for (const Index v : collar.inner) own.inner.push_back(number(v));
+  for (const Index v : own.vertices) own.positions.push_back(positions[v]);
+  return own;
+}
+
+// The shortest path along edges from one of `starts` to the inner loop, which meets seam and inner
+// loop with its ends only; empty when there is none.
+std::vector<Index> path_across(const OwnCollar& collar, std::span<const Index> starts) {
+  enum Place : char { between, on_seam, on_inner };
+  const std::size_t n = collar.vertices.size();
+  std::vector<char> place(n, between);
+  for (const Index v : collar.seam) place[v] = on_seam;
+  for (const Index v : collar.inner) place[v] = on_inner;
+  const Adjacency around = triangles_around_vertices(n, collar.triangles);
+  const Adjacency rings = rings_by_triangles(around, collar.triangles);
+
+  std::vector<double> lengths(n, std::numeric_limits<double>::infinity());
+  std::vector<Index> from(n, kNoIndex);
+  using Entry = std::pair<double, Index>;
+  std::vector<Entry> heap;
+  const auto push = [&](double length, Index v, Index before) {
+    if (length >= lengths[v]) return;
+    lengths[v] = length;
+    from[v] = before;
+    heap.emplace_back(length, v);
+    std::push_heap(heap.begin(), heap.end(), std::greater<>());
+  };
+  for (const Index v : starts) push(0.0, v, kNoIndex);
+  while (!heap.empty()) {
+    std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+    const auto [length, v] = heap.back();
+    heap.pop_back();
+    if (length > lengths[v]) continue;
+    if (place[v] == on_inner) {
+      std::vector<Index> path;
+      for (Index at = v; at != kNoIndex; at = from[at]) path.push_back(at);
+      std::reverse(path.begin(), path.end());
+      return path;
+    }
+    for (const Index w : rings[v]) {
+      if (place[w] == on_seam) continue;
+      push(length + (collar.positions[w] - collar.positions[v]).norm(), w, v);
+    }
+  }
+  return {};
+}
+
+// The triangles around `v` that can be reached from triangle `first` without crossing the path.
+std::vector<Index> star_from(Index v, Index first, const OwnCollar& collar, const Adjacency& around,
+                             std::span<const Index> path_neighbours) {
+  const auto shared_edge_is_open = [&](Index a, Index b) {
+    for (const Index w : collar.triangles[a]) {
+      if (w == v) continue;
+      const auto& other = collar.triangles[b];
+      if (std::find(other.begin(), other.end(), w) == other.end()) continue;
+      return std::find(path_neighbours.begin(), path_neighbours.end(), w) == path_neighbours.end();
+    }
+    return false;
+  };
+  std::vector<Index> star{first};
+  for (std::size_t done = 0; done < star.size(); ++done) {
+    for (const Index t : around[v]) {
+      if (std::find(star.begin(), star.end(), t) == star.end() &&
+          shared_edge_is_open(star[done], t)) {
+        star.push_back(t);
+      }
+    }
+  }
+  return star;
+}
+
+// The triangle with the side from `a` to `b`.
+Index triangle_on(Index a, Index b, const OwnCollar& collar, const Adjacency& around) {
+  for (const Index t : around[a]) {
+    const Triangle& corners = collar.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (corners[k] == a && corners[(k + 1) % 3] == b) return t;
+    }
+  }
+  return kNoIndex;
+}
+
+// Gives the triangles on the left of the path vertices of their own, path[i] becoming first + i.
+std::vector<Triangle> cut_open(const OwnCollar& collar, std::span<const Index> path, Index first) {
+  const Adjacency around = triangles_around_vertices(collar.vertices.size(), collar.triangles);
+  std::vector<Triangle> triangles = collar.triangles;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    std::vector<Index> neighbours;
+    if (i > 0) neighbours.push_back(path[i - 1]);
+    if (i + 1 < path.size()) neighbours.push_back(path[i + 1]);
+    const Index left = i + 1 < path.size() ? triangle_on(path[i], path[i + 1], collar, around)
+                                           : triangle_on(path[i - 1], path[i], collar, around);
+    for (const Index t : star_from(path[i], left, collar, around, neighbours)) {
+      for (Index& v : triangles[t]) {
+        if (v == path[i]) v = first + static_cast<Index>(i);
+      }
+    }
+  }
+  return triangles;
+}
+
+}  // namespace
+
+Index best_cut(const Collar& collar, std::span<const Vector3d> positions) {
+  const OwnCollar own = own_collar(collar, positions);
+  const std::vector<Index> path = path_across(own, own.seam);
+  return path.empty() ? kNoIndex : own.vertices[path.front()];
+}
+
+LaidCollar lay_collar(const Collar& collar, std::span<const Vector3d> positions, Index start,
+                      const std::string& where) {
+  OwnCollar own = own_collar(collar, positions);
+  const auto at = std::lower_bound(own.vertices.begin(), own.vertices.end(), start);
+  std::vector<Index> path;
+  if (at != own.vertices.end() && *at == start) {
+    const auto number = static_cast<Index>(at - own.vertices.begin());
+    path = path_across(own, std::span(&number, 1));
+  }
+  if (path.empty()) {
+    throw InputError(where + ": no path leads across the transition from vertex " +
+                     std::to_string(start) + " of the seam; make its \"width\" larger");
+  }
+  LaidCollar laid;
+  const auto first = static_cast<Index>(own.vertices.size());
+  laid.vertices = own.vertices;
+  for (const Index v : path) {
+    laid.vertices.push_back(own.vertices[v]);
+    laid.cut.push_back(own.vertices[v]);
+  }
+  Mesh sheet;
+  for (const Index v : laid.vertices) sheet.positions.push_back(positions[v]);
+  for (const Triangle& corners : cut_open(own, path, first)) sheet.add_face(corners);
+  VertexSet all(sheet.vertex_count());
+  std::iota(all.begin(), all.end(), Index{0});
+  laid.patch = disk_patch(all, build_topology(sheet), sheet.positions, where);
+  const auto last = first + static_cast<Index>(path.size()) - 1;
+  const BoundaryPins pins{path.front(), first, last, path.back()};
+  laid.map = mean_value_map(laid.patch, on_patch<Vector3d>(laid.patch, sheet.positions),
+                            Domain::square, pins);
+  return laid;
+}
+
+namespace {
+
+// A point on the patch as one on the mesh; midpoints are halves of two vertices of one triangle.
+SurfacePoint on_mesh(const SurfacePoint& point, const LaidCollar& laid) {
+  SurfacePoint result;
+  std::size_t count = 0;
+  const auto add = [&](Index own, double weight) {
+    const Index v = laid.vertices[own];
+    const auto known = std::find(result.corners.begin(), result.corners.begin() + count, v);
+    const auto place = static_cast<std::size_t>(known - result.corners.begin());
+    if (place == count) result.corners[count++] = v;
+    result.weights[place] += weight;
+  };
+  const std::size_t vertex_count = laid.patch.vertices.size();
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Index own = point.corners[c];
+    const double weight = point.weights[c];
+    if (weight == 0.0) continue;
+    if (own < vertex_count) {
+      add(own, weight);
+    } else {
+      for (const Index end : laid.patch.midpoint_of[own - vertex_count]) add(end, 0.5 * weight);
+    }
+  }
+  for (std::size_t c = count; c < 3; ++c) result.corners[c] = result.corners[0];
+  return result;
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> lay_on(const LaidCollar& upper, const LaidCollar& lower,
+                                 std::size_t vertex_count) {
+  const DomainLocator locator(lower.patch.triangles, lower.map.points);
+  const std::vector<SurfacePoint> found = locator.locate(upper.map.points);
+  std::vector<SurfacePoint> points(vertex_count, SurfacePoint::nowhere());
+  // Of the two copies of a vertex on the cut either will do.
+  for (std::size_t own = 0; own < upper.vertices.size(); ++own) {
+    points[upper.vertices[own]] = on_mesh(found[own], lower);
+  }
+  return points;
+}
+
+}  // namespace lapwing

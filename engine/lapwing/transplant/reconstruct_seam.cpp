@@ -1,0 +1,376 @@
+#include "lapwing/transplant/reconstruct_seam.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/coating/fairing.h"
+#include "lapwing/coating/ring_areas.h"
+#include "lapwing/coating/ring_columns.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/region/geodesic.h"
+#include "lapwing/transplant/laid_collar.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr int kPasses = 3;
+
+// A draped ring may be this much larger or smaller than the one it came from before its Laplacian
+// is taken for one of another size.
+constexpr double kLargestRatio = 4.0;
+
+// Where things are along the way from the host over the seam to the part: geodesic distance from
+// the hole's rim on the host, and from the part's loop on the part.
+struct Zone {
+  std::vector<double> distances;  // per vertex of the joined mesh
+  EditRegion region;              // unknowns, and those of them that are held
+};
+
+// The low-frequency surface of a mesh.
+struct SmoothSurface {
+  Positions positions;
+  std::vector<Vector3d> normals;
+};
+
+class SeamReconstruction {
+ public:
+  SeamReconstruction(const TransplantHost& host, const TransplantJoined& joined,
+                     const TransplantOptions& options, Kernels& kernels, const std::string& where,
+                     StageTimings& timings, const Progress& progress)
+      : host_(host),
+        joined_(joined),
+        options_(options),
+        kernels_(kernels),
+        where_(where),
+        timings_(timings),
+        progress_(progress) {}
+
+  TransplantResult run();
+
+ private:
+  bool is_host(Index v) const { return joined_.host_vertices[v] != kNoIndex; }
+  double free_on_part() const { return options_.transition.width + options_.padding; }
+
+  template <class Body>
+  void timed(const char* name, Body body) {
+    report_progress(progress_, name, 0.0);
+    const Stopwatch watch;
+    body();
+    timings_.add(name, watch.elapsed_ms());
+  }
+  std::vector<double> distances_in_cut() const;
+  void make_zone();
+  void lay_collars();
+  void make_system();
+  void smooth_host();
+  void sample();
+  SmoothSurface smoothed(const Positions& positions, const Topology& topology,
+                         const VertexSet& region) const;
+
+  std::vector<Vector3d> laplacians_of(std::span<const Vector3d> positions) const;
+  std::vector<Matrix3d> frames(std::span<const SurfacePoint> points, const SmoothSurface& source,
+                               const SmoothSurface& target) const;
+  double ring_size(std::size_t r, const Matrix3d& T) const;
+  std::vector<Vector3d> wanted(const SmoothSurface& now) const;
+  void solve(std::span<const Vector3d> wanted);
+
+  const RegionRings& rings() const { return system_->rings(); }
+
+  const TransplantHost& host_;
+  const TransplantJoined& joined_;
+  const TransplantOptions& options_;
+  Kernels& kernels_;
+  const std::string& where_;
+  StageTimings& timings_;
+  const Progress& progress_;
+
+  Zone zone_;
+  BoundaryLoop seam_;                  // the hole's loop, numbers of the joined mesh
+  std::vector<double> cut_distances_;  // per vertex of the host, from the hole's rim inwards
+  std::vector<SurfacePoint> points_;   // per vertex of the joined mesh: where it lies on the host
+  Constraints constraints_;
+  std::unique_ptr<SystemPattern> pattern_;
+  std::unique_ptr<LaplacianSystem> system_;
+  std::vector<SurfacePoint> on_host_;    // per vertex of the rings
+  std::vector<SurfacePoint> on_itself_;  // likewise, on the joined mesh
+  std::vector<double> shares_;           // w, per row
+  std::vector<Vector3d> rest_;           // delta_D, per row; the part's own are delta_S
+  std::vector<Vector3d> sampled_;        // delta_U, per row
+  SmoothSurface smooth_host_;
+  SmoothSurface smooth_start_;
+  TransplantResult result_;
+};
+
+std::vector<double> SeamReconstruction::distances_in_cut() const {
+  std::vector<char> allowed(host_.positions.size(), 0);
+  for (const Triangle& corners : host_.cut) {
+    for (const Index v : corners) allowed[v] = 1;
+  }
+  return geodesic_distances(host_.topology, host_.positions, host_.hole, kNoLimit, allowed);
+}
+
+void SeamReconstruction::make_zone() {
+  const std::size_t count = joined_.positions.size();
+  std::vector<Index> of_host(host_.positions.size(), kNoIndex);
+  std::vector<char> allowed(count, 0);
+  for (Index v = 0; v < count; ++v) {
+    if (!is_host(v)) continue;
+    of_host[joined_.host_vertices[v]] = v;
+    allowed[v] = 1;
+  }
+  for (const Index v : host_.hole) seam_.push_back(of_host[v]);
+  const double on_host = options_.padding + options_.belt;
+  zone_.distances =
+      geodesic_distances(joined_.topology, joined_.positions, seam_, on_host, allowed);
+  for (Index v = 0; v < count; ++v) {
+    if (!is_host(v)) zone_.distances[v] = joined_.depths[v];
+    const double distance = zone_.distances[v];
+    const double free = is_host(v) ? options_.padding : free_on_part();
+    if (joined_.topology.rings[v].empty() || !(distance <= free + options_.belt)) continue;
+    zone_.region.roi.push_back(v);
+    if (distance > free) zone_.region.belt.push_back(v);
+  }
+}
+
+// What D lies on: the host's vertices on themselves, the transition on what was cut.
+void SeamReconstruction::lay_collars() {
+  cut_distances_ = distances_in_cut();
+  double depth = 0.0;
+  for (const Triangle& corners : host_.cut) {
+    for (const Index v : corners) {
+      if (std::isfinite(cut_distances_[v])) depth = std::max(depth, cut_distances_[v]);
+    }
+  }
+  // Of a hole that is small all but its middle, which would be laid onto a whole side of the
+  // square.
+  constexpr double kDeepest = 0.8;
+  const double width = options_.transition.width;
+  const Collar below = make_collar(host_.cut, host_.hole, cut_distances_,
+                                   std::min(width + joined_.gap, kDeepest * depth), where_);
+  std::vector<Triangle> piece;
+  std::vector<double> depths(joined_.positions.size(), 0.0);
+  for (Index v = 0; v < depths.size(); ++v) {
+    if (!is_host(v)) depths[v] = joined_.depths[v];
+  }
+  for (std::size_t t = 0; t < joined_.topology.triangles.size(); ++t) {
+    if (joined_.topology.triangle_faces[t] >= joined_.host_faces) {
+      piece.push_back(joined_.topology.triangles[t]);
+    }
+  }
+  // Triangles between the loops belong to it, however narrow it is.
+  const double reach = std::max(width, 1e-9 * bounds_of(joined_.positions).diagonal());
+  const Collar above = make_collar(piece, seam_, depths, reach, where_);
+  points_.assign(joined_.positions.size(), SurfacePoint::nowhere());
+  result_.sampled_host = !below.triangles.empty() && !above.triangles.empty();
+  if (result_.sampled_host) {
+    const Index start = best_cut(below, host_.positions);
+    const auto at = std::find(host_.hole.begin(), host_.hole.end(), start) - host_.hole.begin();
+    const LaidCollar lower = lay_collar(below, host_.positions, start, where_);
+    const LaidCollar upper =
+        lay_collar(above, joined_.positions, seam_[static_cast<std::size_t>(at)], where_);
+    points_ = lay_on(upper, lower, joined_.positions.size());
+    result_.flipped = flipped_triangles(lower.patch.triangles, lower.map.points).size() +
+                      flipped_triangles(upper.patch.triangles, upper.map.points).size();
+  }
+  for (Index v = 0; v < points_.size(); ++v) {
+    if (is_host(v)) points_[v] = SurfacePoint::at_vertex(joined_.host_vertices[v]);
+  }
+}
+
+void SeamReconstruction::make_system() {
+  constraints_ = constraints_of(zone_.region, joined_.topology, 1.0, false);
+  pattern_ =
+      std::make_unique<SystemPattern>(joined_.topology, zone_.region.roi, constraints_.unknowns);
+  pattern_->order();
+  system_ =
+      std::make_unique<LaplacianSystem>(joined_.positions, joined_.topology, zone_.region.roi,
+                                        constraints_, *pattern_, options_.weights, 0.0, timings_);
+  for (const Index v : rings().vertices) {
+    on_host_.push_back(points_[v]);
+    on_itself_.push_back(SurfacePoint::at_vertex(v));
+  }
+  for (std::size_t r = 0; r < rings().row_count(); ++r) {
+    const Index v = rings().vertices[r];
+    const bool before = is_host(v) || zone_.distances[v] <= 0.0;
+    shares_.push_back(before ? 0.0 : fade(options_.transition, zone_.distances[v]));
+  }
+  rest_ = laplacians_of(joined_.positions);
+}
+
+// Frames follow what is as large as the seam's surroundings.
+SmoothSurface SeamReconstruction::smoothed(const Positions& positions, const Topology& topology,
+                                           const VertexSet& region) const {
+  SmoothSurface result;
+  const double length = 2.0 * (free_on_part() + options_.padding);
+  result.positions = Fairing(positions, topology, region, options_.weights).smooth(length);
+  result.normals.assign(positions.size(), Vector3d::Zero());
+  vertex_normals(result.positions, topology.triangles, topology.vertex_triangles,
+                 with_ring_neighbours(region, topology.rings), result.normals);
+  return result;
+}
+
+// The same part of the host as of the joined mesh.
+void SeamReconstruction::smooth_host() {
+  VertexSet region;
+  for (const Index v : zone_.region.roi) {
+    if (is_host(v)) region.push_back(joined_.host_vertices[v]);
+  }
+  for (Index v = 0; v < cut_distances_.size(); ++v) {
+    if (cut_distances_[v] <= free_on_part() + options_.belt) region.push_back(v);
+  }
+  const Positions positions(host_.positions.begin(), host_.positions.end());
+  smooth_host_ = smoothed(positions, host_.topology, make_vertex_set(std::move(region)));
+}
+
+// L x over the rows.
+std::vector<Vector3d> SeamReconstruction::laplacians_of(std::span<const Vector3d> positions) const {
+  std::vector<Vector3d> result(rings().row_count(), Vector3d::Zero());
+  for (std::size_t r = 0; r < result.size(); ++r) {
+    const Vector3d& here = positions[rings().vertices[r]];
+    for (std::size_t e = rings().starts[r]; e < rings().starts[r + 1]; ++e) {
+      result[r] += rings().weights[e] * (here - positions[rings().vertices[rings().neighbours[e]]]);
+    }
+  }
+  return result;
+}
+
+void SeamReconstruction::sample() {
+  smooth_host();
+  const MappedRings mapped{rings(), on_host_};
+  sampled_.resize(rings().row_count());
+  if (options_.sampling == MappedSampling::one_ring) {
+    kernels_.sample_mapped_laplacians(mapped, options_.sampling, host_.positions, sampled_);
+    return;
+  }
+  // As densities, which do not hang on how finely the host is triangulated.
+  const auto weights = laplacian_weights(host_.topology, host_.positions, options_.weights);
+  std::vector<Index> all;
+  for (Index v = 0; v < host_.positions.size(); ++v) all.push_back(v);
+  std::vector<Vector3d> density(all.size());
+  kernels_.sample_laplacians({host_.positions, host_.topology.rings, weights, all}, density);
+  const auto squares = squared_rings(host_.topology.rings, weights, host_.positions, all);
+  for (std::size_t v = 0; v < all.size(); ++v) density[v] *= 4.0 / squares[v];
+  kernels_.sample_mapped_laplacians(mapped, options_.sampling, density, sampled_);
+}
+
+std::vector<Matrix3d> SeamReconstruction::frames(std::span<const SurfacePoint> points,
+                                                 const SmoothSurface& source,
+                                                 const SmoothSurface& target) const {
+  std::vector<Vector3d> positions;
+  std::vector<Vector3d> normals;
+  for (const Index v : rings().vertices) {
+    positions.push_back(target.positions[v]);
+    normals.push_back(target.normals[v]);
+  }
+  std::vector<Matrix3d> T(rings().row_count());
+  kernels_.rotate_frames({rings(), points}, {source.positions, source.normals},
+                         {positions, normals}, T);
+  for (Matrix3d& t : T) {
+    const double ratio = t.col(0).norm();
+    // Of a ring that is a point, nothing is known.
+    if (ratio > 0.0) {
+      t *= std::clamp(ratio, 1.0 / kLargestRatio, kLargestRatio) / ratio;
+    } else {
+      t = Matrix3d::Identity();
+    }
+  }
+  return T;
+}
+
+// From what was sampled to the Laplacian of ring r as it lies on the host: 1 where that was sampled
+// whole; a density is that of the ring's size there.
+double SeamReconstruction::ring_size(std::size_t r, const Matrix3d& T) const {
+  if (options_.sampling == MappedSampling::one_ring) return 1.0;
+  double square = 0.0;
+  for (std::size_t e = rings().starts[r]; e < rings().starts[r + 1]; ++e) {
+    square += rings().weights[e] * rings().edges[e].squaredNorm();
+  }
+  return 0.25 * square / T.col(0).squaredNorm();
+}
+
+// The Laplacians that the surface is to have when its low frequencies are those of `now`.
+std::vector<Vector3d> SeamReconstruction::wanted(const SmoothSurface& now) const {
+  const std::vector<Matrix3d> from_part = frames(on_itself_, smooth_start_, now);
+  std::vector<Vector3d> on_host_side;
+  if (result_.sampled_host) {
+    const std::vector<Matrix3d> from_host = frames(on_host_, smooth_host_, now);
+    for (std::size_t r = 0; r < sampled_.size(); ++r) {
+      on_host_side.push_back(from_host[r] * (ring_size(r, from_host[r]) * sampled_[r]));
+    }
+  } else {
+    on_host_side = laplacians_of(now.positions);
+  }
+  std::vector<Vector3d> result(rings().row_count());
+  for (std::size_t r = 0; r < result.size(); ++r) {
+    result[r] = (1.0 - shares_[r]) * on_host_side[r] + shares_[r] * (from_part[r] * rest_[r]);
+  }
+  return result;
+}
+
+void SeamReconstruction::solve(std::span<const Vector3d> wanted) {
+  const std::size_t n = system_->size();
+  std::vector<Vector3d> y(wanted.begin(), wanted.end());
+  for (std::size_t r = 0; r < y.size(); ++r) y[r] -= rest_[r];
+  const Columns b = transposed(rings(), y, n);
+  Columns u = b;
+  system_->solve_in_elimination_order(u, 3);
+
+  const Columns Au = transposed(rings(), laplacians(rings(), u, n), n);
+  Columns r = b;
+  const auto& order = system_->elimination_order();
+  for (std::size_t k = 0; k < 3 * n; ++k) {
+    r[k] -= Au[k] + constraints_.W[static_cast<std::size_t>(order[k % n])] * u[k];
+  }
+  result_.relative_residual = norm(b) > 0.0 ? norm(r) / norm(b) : 0.0;
+  result_.last_change = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Index v = rings().vertices[k];
+    const Vector3d position = joined_.positions[v] + Vector3d(u[k], u[n + k], u[2 * n + k]);
+    result_.last_change = std::max(result_.last_change, (position - result_.positions[v]).norm());
+    result_.positions[v] = position;
+  }
+}
+
+TransplantResult SeamReconstruction::run() {
+  timed("collars", [&] {
+    make_zone();
+    lay_collars();
+  });
+  make_system();
+  const VertexSet& roi = zone_.region.roi;
+  result_.positions.assign(joined_.positions.begin(), joined_.positions.end());
+  timed("sample", [&] {
+    sample();
+    smooth_start_ = smoothed(result_.positions, joined_.topology, roi);
+  });
+  SmoothSurface now = smooth_start_;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    if (pass > 0) {
+      timed("sample", [&] { now = smoothed(result_.positions, joined_.topology, roi); });
+    }
+    timed("solve", [&] { solve(wanted(now)); });
+  }
+  const double edge = mean_edge_length(joined_.topology.rings, joined_.positions);
+  if (edge > 0.0) result_.last_change /= edge;
+  result_.region = constraints_.unknowns.vertices;
+  result_.belt = zone_.region.belt;
+  return std::move(result_);
+}
+
+}  // namespace
+
+TransplantResult reconstruct_seam(const TransplantHost& host, const TransplantJoined& joined,
+                                  const TransplantOptions& options, Kernels& kernels,
+                                  const std::string& where, StageTimings& timings,
+                                  const Progress& progress) {
+  return SeamReconstruction(host, joined, options, kernels, where, timings, progress).run();
+}
+
+}  // namespace lapwing

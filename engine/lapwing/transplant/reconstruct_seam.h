@@ -1,0 +1,75 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/coating/transition.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/laplacian/weights.h"
+#include "lapwing/transplant/boundary_loops.h"
+
+namespace lapwing {
+
+/// The host before anything is cut from it, U in the paper.
+struct TransplantHost {
+  std::span<const Eigen::Vector3d> positions;
+  const Topology& topology;
+  std::span<const Triangle> cut;  ///< the triangles that go
+  BoundaryLoop hole;              ///< their boundary, with them on its left
+};
+
+/// Host and part as one mesh, D in the paper: zipped, the part where it was placed.
+struct TransplantJoined {
+  std::span<const Eigen::Vector3d> positions;
+  const Topology& topology;
+  std::span<const Index> host_vertices;  ///< per vertex: its number in the host, or kNoIndex
+  std::size_t host_faces = 0;            ///< faces below this number are the host's
+  /// Per vertex that is none of the host's: geodesic distance from the part's loop on the part; 0
+  /// between the loops.
+  std::span<const double> depths;
+  double gap = 0.0;  ///< mean distance between the loops
+};
+
+/// How far from the seam what happens. Lengths.
+struct TransplantOptions {
+  /// Over the part, from its loop: 0 is all as on the host, 1 all as on the part.
+  Transition transition;
+  double padding = 0.0;  ///< vertices beyond it, and on the host's side, that are free too
+  double belt = 0.0;     ///< beyond those: held by weight 1
+  LaplacianWeights weights = LaplacianWeights::cotangent;
+  MappedSampling sampling = MappedSampling::one_ring;
+};
+
+/// What the reconstruction came to.
+struct TransplantResult {
+  Positions positions;  ///< of the whole joined mesh; bit for bit as before outside `region`
+  VertexSet region;     ///< all unknowns
+  VertexSet belt;       ///< of these, those that are held
+  double relative_residual = 0.0;
+  double last_change = 0.0;  ///< the farthest that a vertex went in the last pass, in mean edges
+  bool sampled_host = true;  ///< false where the hole is too small to have an inside to sample
+  std::size_t flipped = 0;   ///< triangles that the two maps over the square turned over
+};
+
+/// Reconstructs what lies around the seam of a transplant (paper section 6). With u the
+/// displacement of D, delta_U the Laplacians of the host where D comes to lie on it - its vertices
+/// on the host's side on themselves, the transition on the collar of what was cut, both laid over
+/// the unit square from the same seam with their cuts aligned - delta_S those of the part as it was
+/// placed, w the transition's share,
+///     (L'L + W) u = L' ((1 - w) T_U delta_U + w T_S delta_S - delta_D)
+/// on one n x n factor. T_U and T_S = s R turn with the low-frequency surfaces, from host and part
+/// to what comes out; the surfaces below the detail of D are smoothed over the seam first, so that
+/// the first pass knows about which way it turns, and renewed in two more passes. A part that is
+/// where it was cut from stays there. Throws InputError, naming `where`, when the transition
+/// reaches another boundary or a handle, and SolverError when the system is singular. Stages
+/// "collars", "laplacian", "sample", "solve".
+TransplantResult reconstruct_seam(const TransplantHost& host, const TransplantJoined& joined,
+                                  const TransplantOptions& options, Kernels& kernels,
+                                  const std::string& where, StageTimings& timings,
+                                  const Progress& progress = {});
+
+}  // namespace lapwing

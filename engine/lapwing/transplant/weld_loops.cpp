@@ -1,0 +1,147 @@
+#include "lapwing/transplant/weld_loops.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace lapwing::zipping {
+namespace {
+
+using Eigen::Vector3d;
+using Points = std::span<const Vector3d>;
+
+// Points sorted along one axis, to look only at those near by.
+class Sweep {
+ public:
+  Sweep(Points points, Eigen::Index axis) : points_(points), axis_(axis), order_(points.size()) {
+    std::iota(order_.begin(), order_.end(), Index{0});
+    std::ranges::stable_sort(order_, {}, [&](Index i) { return points_[i][axis_]; });
+  }
+
+  // The point nearest to `p` within `reach`, the first of equally near ones; kNoIndex if none is.
+  // `reach` becomes its distance.
+  Index nearest(const Vector3d& p, double& reach) const {
+    Index best = kNoIndex;
+    const auto middle =
+        std::ranges::lower_bound(order_, p[axis_], {}, [&](Index i) { return points_[i][axis_]; });
+    const auto consider = [&](Index i) {
+      const double distance = (points_[i] - p).norm();
+      if (distance > reach || (distance == reach && i >= best)) return;
+      reach = distance;
+      best = i;
+    };
+    for (auto at = middle; at != order_.end() && points_[*at][axis_] - p[axis_] <= reach; ++at) {
+      consider(*at);
+    }
+    for (auto at = middle; at != order_.begin() && p[axis_] - points_[*(at - 1)][axis_] <= reach;
+         --at) {
+      consider(*(at - 1));
+    }
+    return best;
+  }
+
+ private:
+  Points points_;
+  Eigen::Index axis_;
+  std::vector<Index> order_;
+};
+
+// The axis along which the points spread most.
+Eigen::Index widest_axis(Points a, Points b) {
+  Bounds bounds = bounds_of(a);
+  const Bounds other = bounds_of(b);
+  bounds.min = bounds.min.cwiseMin(other.min);
+  bounds.max = bounds.max.cwiseMax(other.max);
+  Eigen::Index axis = 0;
+  (bounds.max - bounds.min).maxCoeff(&axis);
+  return axis;
+}
+
+// Per vertex `share` times the shorter of its two edges.
+std::vector<double> reaches(Points loop, double share) {
+  std::vector<double> reach(loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vector3d& before = loop[i > 0 ? i - 1 : loop.size() - 1];
+    const Vector3d& after = loop[i + 1 < loop.size() ? i + 1 : 0];
+    reach[i] = share * std::min((loop[i] - before).norm(), (after - loop[i]).norm());
+  }
+  return reach;
+}
+
+// The largest subset of `pairs`, which ascend by their first entry, whose second entries ascend
+// when counted from `origin`, and which holds `origin`.
+std::vector<Pair> longest_ascending(const std::vector<Pair>& pairs, std::size_t origin,
+                                    std::size_t part_size) {
+  const std::size_t count = pairs.size();
+  const auto place = [&](std::size_t k) {
+    const Index second = pairs[(origin + k) % count][1];
+    return (second + part_size - pairs[origin][1]) % part_size;
+  };
+  // ends[l]: the pair with the smallest place at which an ascending row of l + 1 pairs ends.
+  std::vector<std::size_t> ends{0};
+  std::vector<std::size_t> before(count, 0);
+  for (std::size_t k = 1; k < count; ++k) {
+    const auto at =
+        std::lower_bound(ends.begin() + 1, ends.end(), place(k),
+                         [&](std::size_t end, std::size_t p) { return place(end) < p; });
+    before[k] = *(at - 1);
+    if (at == ends.end()) {
+      ends.push_back(k);
+    } else {
+      *at = k;
+    }
+  }
+  std::vector<Pair> kept;
+  for (std::size_t k = ends.back(); k != 0; k = before[k]) {
+    kept.push_back(pairs[(origin + k) % count]);
+  }
+  kept.push_back(pairs[origin]);
+  std::ranges::sort(kept);
+  return kept;
+}
+
+// Origins tried for the largest subset of pairs in order. A wrong one costs at most those pairs
+// that are out of order with it, and few pairs are out of order at all.
+constexpr std::size_t kOrigins = 16;
+
+}  // namespace
+
+std::vector<Pair> weld_loops(Points host, Points part, double share) {
+  const Eigen::Index axis = widest_axis(host, part);
+  const Sweep hosts(host, axis);
+  const Sweep parts(part, axis);
+  const std::vector<double> host_reach = reaches(host, share);
+  const std::vector<double> part_reach = reaches(part, share);
+  std::vector<Pair> pairs;
+  for (Index i = 0; i < host.size(); ++i) {
+    double reach = host_reach[i];
+    const Index j = parts.nearest(host[i], reach);
+    if (j == kNoIndex || reach > part_reach[j]) continue;
+    double back = reach;
+    if (hosts.nearest(part[j], back) == i) pairs.push_back({i, j});
+  }
+  std::vector<Pair> best;
+  const std::size_t step = std::max<std::size_t>(1, pairs.size() / kOrigins);
+  for (std::size_t origin = 0; origin < pairs.size(); origin += step) {
+    std::vector<Pair> kept = longest_ascending(pairs, origin, part.size());
+    if (kept.size() > best.size()) best = std::move(kept);
+    if (best.size() == pairs.size()) break;
+  }
+  return best;
+}
+
+Pair closest_pair(Points host, Points part) {
+  const Sweep parts(part, widest_axis(host, part));
+  double reach = std::numeric_limits<double>::infinity();
+  Pair closest{0, 0};
+  for (Index i = 0; i < host.size(); ++i) {
+    double distance = reach;
+    const Index j = parts.nearest(host[i], distance);
+    if (j == kNoIndex || distance >= reach) continue;
+    reach = distance;
+    closest = {i, j};
+  }
+  return closest;
+}
+
+}  // namespace lapwing::zipping
