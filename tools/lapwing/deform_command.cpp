@@ -1,12 +1,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
 #include "edit_output.h"
+#include "move_flags.h"
 #include "region_text.h"
 #include "step_flags.h"
 
@@ -19,12 +19,7 @@ struct DeformArguments {
   std::string mesh;
   std::string roi = "all";
   std::string belt = "fraction:0.1";
-  std::string handle;
-  std::vector<double> translate;
-  std::vector<double> rotate;
-  std::vector<double> pivot;
-  std::vector<double> matrix;
-  double scale = 1.0;
+  MoveFlags handle;
   std::string weights = "uniform";
   double constraint_weight = 1.0;
   bool hard = false;
@@ -36,30 +31,16 @@ struct DeformArguments {
   EditOutput output;
 };
 
-Json move_json(const DeformArguments& a) {
-  if (!a.matrix.empty()) return {{"matrix", a.matrix}};
-  Json move = Json::object();
-  if (!a.translate.empty()) move["translate"] = a.translate;
-  if (!a.rotate.empty()) {
-    move["rotate"] = {{"axis", Json::array({a.rotate[0], a.rotate[1], a.rotate[2]})},
-                      {"degrees", a.rotate[3]}};
-  }
-  if (a.scale != 1.0) move["scale"] = a.scale;
-  if (!a.pivot.empty()) move["pivot"] = a.pivot;
-  return move;
-}
-
 Json settle_json(const DeformArguments& a) {
   if (a.no_settle) return false;
   return {{"stretch_resistance", a.stretch_resistance}, {"details", a.details}};
 }
 
 Json step_json(const DeformArguments& a) {
-  const Json handle = {{"region", region_json("--handle", a.handle)}, {"move", move_json(a)}};
   Json step = {{"op", "deform"},
                {"roi", region_json("--roi", a.roi)},
                {"belt", region_json("--belt", a.belt)},
-               {"handles", Json::array({handle})},
+               {"handles", Json::array({a.handle.json()})},
                {"weights", a.weights},
                {"constraint_weight", a.constraint_weight},
                {"hard", a.hard},
@@ -84,18 +65,7 @@ void add_deform(CLI::App& app) {
       ->add_option("--belt", a->belt,
                    std::string("stationary anchors: fraction:F | ") + kRegionHelp)
       ->capture_default_str();
-  command->add_option("--handle", a->handle, kRegionHelp)->required();
-  command->add_option("--translate", a->translate, "X,Y,Z")->delimiter(',')->expected(3);
-  command->add_option("--rotate", a->rotate, "AXIS_X,AXIS_Y,AXIS_Z,DEGREES")
-      ->delimiter(',')
-      ->expected(4);
-  command->add_option("--scale", a->scale, "of the handle about its pivot");
-  command->add_option("--pivot", a->pivot, "X,Y,Z; the handle's centroid if not given")
-      ->delimiter(',')
-      ->expected(3);
-  command->add_option("--matrix", a->matrix, "12 or 16 numbers by rows, in place of the above")
-      ->delimiter(',')
-      ->expected(12, 16);
+  a->handle.add_to(*command)->required();
   command->add_option("--weights", a->weights)
       ->check(CLI::IsMember({"uniform", "cotangent"}))
       ->capture_default_str();
