@@ -6,8 +6,10 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/session/prepared_coat.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
 #include "session/coat_runs.h"
 #include "support/bent_tube.h"
+#include "support/gpu.h"
 
 namespace lapwing::test {
 namespace {
@@ -203,6 +205,20 @@ TEST_F(RunMix, WarnsOfTheSourceByItsPlace) {
   EXPECT_THAT(result->report.warnings,
               ::testing::Contains(AllOf(StartsWith("test: /steps/0: the transition of 5"),
                                         HasSubstr("wider than the target patch is deep"))));
+}
+
+TEST_F(RunMix, OnTheDeviceGivesWhatTheProcessorGives) {
+  LAPWING_NEEDS_GPU();
+  VulkanKernels device;
+  for (const char* take : {"coating", "shape"}) {
+    const std::string step = mix(source("fine.ply", kAll), source("coarse.ply", kAll), kMiddle,
+                                 kByDistance + kKeep + R"(, "take": ")" + take + '"');
+    const auto there = run(step, device);
+    const auto here = run(step);
+    EXPECT_GT(largest_distance(here->mesh.positions, here->original), 0.1 * kHeight);
+    EXPECT_LT(largest_distance(there->mesh.positions, here->mesh.positions),
+              1e-6 * bounds_of(here->original).diagonal());
+  }
 }
 
 class APreparedCoat : public RunMix {
