@@ -149,6 +149,10 @@ const char* name_of(Transition::Profile profile) {
   return profile == Transition::Profile::linear ? "linear" : "smooth";
 }
 
+Json json_of(const Transition& transition) {
+  return {{"width", transition.width}, {"profile", name_of(transition.profile)}};
+}
+
 const char* name_of(Domain domain) {
   return domain == Domain::disk ? "disk" : "square";
 }
