@@ -168,10 +168,6 @@ void write_sampling(const CoatSource& source, Json& keys) {
   keys["amplitude"] = source.amplitude;
 }
 
-Json json_of(const Transition& transition) {
-  return {{"width", transition.width}, {"profile", name_of(transition.profile)}};
-}
-
 void write_fading(const CoatParameters& parameters, Json& keys) {
   if (parameters.transition) keys["transition"] = json_of(*parameters.transition);
   keys["remesh"] = name_of(parameters.remesh);
