@@ -71,14 +71,15 @@ TEST_F(CoatCommands, EveryFlagOfCoatIsInItsRecipe) {
   const Recipe recipe = read_recipe(file("a.json"));
   EXPECT_EQ(recipe.mesh, "sheet.ply");
   CoatStep expected;
-  expected.source = "bumps.ply";
-  expected.parameters.detail_size = 0.5;
+  expected.source.mesh = "bumps.ply";
+  expected.source.detail_size = 0.5;
   expected.parameters.smooth_target = 0.25;
   expected.parameters.weights = LaplacianWeights::uniform;
-  expected.parameters.correspondence = {
-      Domain::square, {{0, 0}, {16, 16}, {288, 288}, {272, 272}}, {{144, 145}, {100, 100}}};
-  expected.parameters.sampling = {MappedSampling::linear, 2.0};
-  expected.parameters.amplitude = -0.5;
+  expected.parameters.domain = Domain::square;
+  expected.source.boundary_pairs = {{0, 0}, {16, 16}, {288, 288}, {272, 272}};
+  expected.source.inner_pairs = {{144, 145}, {100, 100}};
+  expected.source.sampling = {MappedSampling::linear, 2.0};
+  expected.source.amplitude = -0.5;
   expected.parameters.transition = Transition{0.25, Transition::Profile::linear};
   expected.parameters.remesh = Remeshing::none;
   EXPECT_EQ(std::get<CoatStep>(recipe.steps.at(0)), expected);
@@ -87,7 +88,7 @@ TEST_F(CoatCommands, EveryFlagOfCoatIsInItsRecipe) {
 TEST_F(CoatCommands, CoatFlagsLeftOutAreTheRecipesDefaults) {
   ASSERT_EQ(lapwing("coat bumps.ply --detail-size 0.5 --device cpu --recipe a.json").exit_code, 0);
   CoatStep expected;
-  expected.parameters.detail_size = 0.5;
+  expected.source.detail_size = 0.5;
   EXPECT_EQ(std::get<CoatStep>(read_recipe(file("a.json")).steps.at(0)), expected);
 }
 

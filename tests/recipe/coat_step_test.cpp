@@ -28,18 +28,18 @@ Recipe recipe_of(CoatStep step) {
 // Every key away from its default.
 CoatStep full_step() {
   CoatStep step;
-  step.source = "../meshes/lizard.ply";
-  step.source_patch = {DiskInRegion{{{GeodesicDisk{Index{7}, 0.25}}}}};
+  step.source.mesh = "../meshes/lizard.ply";
+  step.source.patch = {DiskInRegion{{{GeodesicDisk{Index{7}, 0.25}}}}};
+  step.source.detail_size = 0.1 + 0.2;
+  step.source.boundary_pairs = {{1, 10}, {2, 20}, {3, 30}, {4, 40}};
+  step.source.inner_pairs = {{5, 50}, {6, 60}};
+  step.source.sampling = {MappedSampling::linear, 1e-300};
+  step.source.amplitude = -1.5;
   step.target_patch = {Box{{-1, -2, -3}, {4, 5, 6}}};
   CoatParameters& parameters = step.parameters;
-  parameters.detail_size = 0.1 + 0.2;
   parameters.smooth_target = 1.0 / 3.0;
   parameters.weights = LaplacianWeights::uniform;
-  parameters.correspondence.domain = Domain::square;
-  parameters.correspondence.boundary_pairs = {{1, 10}, {2, 20}, {3, 30}, {4, 40}};
-  parameters.correspondence.inner_pairs = {{5, 50}, {6, 60}};
-  parameters.sampling = {MappedSampling::linear, 1e-300};
-  parameters.amplitude = -1.5;
+  parameters.domain = Domain::square;
   parameters.transition = Transition{0.0, Transition::Profile::linear};
   parameters.remesh = Remeshing::none;
   return step;
@@ -47,11 +47,11 @@ CoatStep full_step() {
 
 TEST(CoatStep, ReadsEveryKey) {
   CoatStep expected = full_step();
-  expected.source_patch = {AllVertices{}};
+  expected.source.patch = {AllVertices{}};
   expected.target_patch = {ListedVertices{{1, 2, 3}}};
-  expected.parameters.detail_size = 2.0;
+  expected.source.detail_size = 2.0;
   expected.parameters.smooth_target = 0.5;
-  expected.parameters.sampling.scale = 3.0;
+  expected.source.sampling.scale = 3.0;
   EXPECT_EQ(coat_of(R"(, "source": "../meshes/lizard.ply", "smooth_target": 0.5,
       "weights": "uniform", "domain": "square",
       "boundary_pairs": [[1, 10], [2, 20], [3, 30], [4, 40]], "inner_pairs": [[5, 50], [6, 60]],
@@ -62,18 +62,18 @@ TEST(CoatStep, ReadsEveryKey) {
 
 TEST(CoatStep, ShortestFormHasTheDefaults) {
   CoatStep expected;
-  expected.source_patch = {AllVertices{}};
+  expected.source.patch = {AllVertices{}};
   expected.target_patch = {ListedVertices{{1, 2, 3}}};
-  expected.parameters.detail_size = 2.0;
+  expected.source.detail_size = 2.0;
   const CoatStep step = coat_of("");
   EXPECT_EQ(step, expected);
-  EXPECT_TRUE(step.source.empty());
+  EXPECT_TRUE(step.source.mesh.empty());
   EXPECT_EQ(step.parameters.smooth_target, 0.0);
   EXPECT_EQ(step.parameters.weights, LaplacianWeights::cotangent);
-  EXPECT_EQ(step.parameters.correspondence.domain, Domain::disk);
-  EXPECT_EQ(step.parameters.sampling.sampling, MappedSampling::one_ring);
-  EXPECT_EQ(step.parameters.sampling.scale, std::nullopt);
-  EXPECT_EQ(step.parameters.amplitude, 1.0);
+  EXPECT_EQ(step.parameters.domain, Domain::disk);
+  EXPECT_EQ(step.source.sampling.sampling, MappedSampling::one_ring);
+  EXPECT_EQ(step.source.sampling.scale, std::nullopt);
+  EXPECT_EQ(step.source.amplitude, 1.0);
   EXPECT_EQ(step.parameters.transition, std::nullopt);
   EXPECT_EQ(step.parameters.remesh, Remeshing::automatic);
 }
@@ -93,14 +93,15 @@ TEST(CoatStep, TransitionIsSmoothUnlessToldOtherwise) {
 }
 
 TEST(CoatStep, DiskTakesOneBoundaryPair) {
-  EXPECT_EQ(coat_of(R"(, "boundary_pairs": [[3, 4]])").parameters.correspondence.boundary_pairs,
+  EXPECT_EQ(coat_of(R"(, "boundary_pairs": [[3, 4]])").source.boundary_pairs,
             (std::vector<VertexPair>{{3, 4}}));
 }
 
 TEST(CoatStep, KnowsWhereItWasWritten) {
   const CoatStep step = coat_of("");
   EXPECT_EQ(step.where, "coat.json: /steps/0");
-  EXPECT_EQ(step.source_patch.where, "coat.json: /steps/0/source_patch");
+  EXPECT_EQ(step.source.where, "coat.json: /steps/0");
+  EXPECT_EQ(step.source.patch.where, "coat.json: /steps/0/source_patch");
   EXPECT_EQ(step.target_patch.where, "coat.json: /steps/0/target_patch");
 }
 

@@ -55,6 +55,16 @@ std::string with_patches(const std::string& keys) {
   return recipe(R"([{"op": "coat", )" + keys + "}]");
 }
 
+// A whole mix step but for what `keys` says.
+std::string with_mix(const std::string& keys) {
+  return recipe(R"([{"op": "mix", "target_patch": {"all": true}, )" + keys + "}]");
+}
+const std::string kSource = R"({"patch": {"all": true}, "detail_size": 1})";
+const std::string kSources = "\"sources\": [" + kSource + ", " + kSource + "]";
+std::string with_weight(const std::string& weight) {
+  return with_mix(kSources + R"(, "weight": )" + weight);
+}
+
 class RecipeMistake : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(RecipeMistake, IsAnsweredWithThePlaceAndTheNextStep) {
@@ -100,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoOp", recipe("[{}]"), ": /steps/0: the key \"op\" is missing; add it"},
         Mistake{"UnknownOp", recipe(R"([{"op": "defrom"}])"),
                 ": /steps/0/op: unknown op \"defrom\"; did you mean \"deform\"? Known here: "
-                "\"deform\", \"coat\""},
+                "\"deform\", \"coat\", \"mix\""},
         Mistake{"NoRoi", step(R"("handles": [])"),
                 ": /steps/0: the key \"roi\" is missing; add it"},
         Mistake{"NoHandle", step(R"("roi": {"all": true}, "handles": [])"),
@@ -321,6 +331,71 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownProfile", with_coat(R"("transition": {"width": 1, "profile": "smoth"})"),
                 ": /steps/0/transition/profile: unknown profile \"smoth\"; did you mean "
                 "\"smooth\"? Known here: \"smooth\", \"linear\""}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Mix, RecipeMistake,
+    ::testing::Values(
+        Mistake{"UnknownKey", with_mix(kSources + R"(, "weigth": {})"),
+                ": /steps/0/weigth: unknown key; did you mean \"weight\"? Known here: \"op\", "
+                "\"target_patch\", \"sources\", \"take\", \"weight\", \"profile\", "
+                "\"handles\", \"smooth_target\", \"weights\", \"domain\", \"transition\", "
+                "\"remesh\""},
+        Mistake{"UnknownKeyOfASource", with_mix(R"("sources": [{"pach": {"all": true}}, {}])"),
+                ": /steps/0/sources/0/pach: unknown key; did you mean \"patch\"? Known here: "
+                "\"mesh\", \"patch\", \"detail_size\", \"boundary_pairs\", "
+                "\"inner_pairs\", \"sampling\", \"scale\", \"amplitude\""},
+        Mistake{"NoSources", with_mix(R"("weight": {"field": []})"),
+                ": /steps/0: the key \"sources\" is missing; add it"},
+        Mistake{"OneSource", with_mix("\"sources\": [" + kSource + "]"),
+                ": /steps/0/sources: expected two sources, got 1; {\"op\": \"coat\"} takes one"},
+        Mistake{"ThreeSources",
+                with_mix("\"sources\": [" + kSource + ", " + kSource + ", " + kSource + "]"),
+                ": /steps/0/sources: expected two sources, got 3"},
+        Mistake{"SourceWithoutADetailSize",
+                with_mix("\"sources\": [" + kSource + R"(, {"patch": {"all": true}}])"),
+                ": /steps/0/sources/1: the key \"detail_size\" is missing; add it"},
+        Mistake{"PairsThatDoNotFitTheDomain",
+                with_mix(R"("domain": "square", "sources": [)" + kSource +
+                         R"(, {"patch": {"all": true}, "detail_size": 1,
+                               "boundary_pairs": [[3, 4]]}])"),
+                ": /steps/0/sources/1/boundary_pairs: the square takes four pairs of boundary "
+                "vertices, in order around, got 1"},
+        Mistake{"NoWeight", with_mix(kSources),
+                ": /steps/0: the key \"weight\" is missing; add it"},
+        Mistake{"UnknownTake", with_mix(kSources + R"(, "take": "shapes")"),
+                ": /steps/0/take: unknown take \"shapes\"; did you mean \"shape\"? Known here: "
+                "\"coating\", \"shape\""},
+        Mistake{"HandleWithoutAMove", with_mix(kSources + R"(, "weight": {"field": [1]},
+                                       "handles": [{"region": {"vertices": [1]}}])"),
+                ": /steps/0/handles/0: the key \"move\" is missing; add it"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    MixWeights, RecipeMistake,
+    ::testing::Values(
+        Mistake{"UnknownForm", with_weight(R"({"distance": 1})"),
+                ": /steps/0/weight/distance: unknown key; did you mean \"distance_to\"? Known "
+                "here: \"domain_v\", \"distance_to\", \"width\", \"field\""},
+        Mistake{"DistanceWithoutAWidth", with_weight(R"({"distance_to": {"all": true}})"),
+                ": /steps/0/weight: the key \"width\" is missing; add it"},
+        Mistake{"WidthBelowZero", with_weight(R"({"distance_to": {"all": true}, "width": -1})"),
+                ": /steps/0/weight/width: expected 0 or more, got -1"},
+        Mistake{"WidthOfAField", with_weight(R"({"field": [1], "width": 1})"),
+                ": /steps/0/weight/width: a width belongs to \"distance_to\"; remove it"},
+        Mistake{"OneEnd", with_weight(R"({"domain_v": [1]})"),
+                ": /steps/0/weight/domain_v: expected two numbers, where the mixing begins and "
+                "where it ends, got 1"},
+        Mistake{"NoExtent", with_weight(R"({"domain_v": [0.5, 0.5]})"),
+                ": /steps/0/weight/domain_v: the ramp has no extent; give two different numbers"},
+        Mistake{"DiskHasNoV", with_weight(R"({"domain_v": [0, 1]})"),
+                ": /steps/0/weight/domain_v: only the square domain has a v; add \"domain\": "
+                "\"square\", or weigh by distance"},
+        Mistake{"FieldBeyondOne", with_weight(R"({"field": [0, 1.5]})"),
+                ": /steps/0/weight/field/1: expected 0 to 1, the second source's share"},
+        Mistake{"ProfileOfAField",
+                with_mix(kSources + R"(, "weight": {"field": [1]}, "profile": "smooth")"),
+                ": /steps/0/profile: a painted field is taken as it is; remove \"profile\""}),
     kName);
 
 std::string error_of(const std::string& text) {

@@ -39,10 +39,10 @@ class CoatCorpus : public CoatRuns, public ::testing::WithParamInterface<const c
   // Whether it was done.
   bool is_coated_or_refused_in_words(const fs::path& target, const CoatStep& step) {
     try {
-      EXPECT_LT(displacement(target, step), 0.25) << target << " from " << step.source;
+      EXPECT_LT(displacement(target, step), 0.25) << target << " from " << step.source.mesh;
       return true;
     } catch (const Error& error) {
-      EXPECT_GT(std::string(error.what()).size(), 15U) << target << " from " << step.source;
+      EXPECT_GT(std::string(error.what()).size(), 15U) << target << " from " << step.source.mesh;
       return false;
     }
   }
@@ -61,16 +61,16 @@ TEST_P(CoatCorpus, EveryMeshIsCoatedOrRefusedInWords) {
     }
     if (!(bounds.diagonal() > 0.0)) continue;
     CoatStep onto;
-    onto.source = "bumps.ply";
-    onto.source_patch = {AllVertices{}};
+    onto.source.mesh = "bumps.ply";
+    onto.source.patch = {AllVertices{}};
     onto.target_patch = disk_at_corner(bounds);
-    onto.parameters.detail_size = 0.5;
+    onto.source.detail_size = 0.5;
     if (is_coated_or_refused_in_words(file, onto)) ++coated;
     CoatStep from;
-    from.source = file;
-    from.source_patch = disk_at_corner(bounds);
+    from.source.mesh = file;
+    from.source.patch = disk_at_corner(bounds);
     from.target_patch = {AllVertices{}};
-    from.parameters.detail_size = 0.1 * bounds.diagonal();
+    from.source.detail_size = 0.1 * bounds.diagonal();
     if (is_coated_or_refused_in_words(folder_.path() / "bumps.ply", from)) ++coated;
   }
   EXPECT_GT(coated, 10U);

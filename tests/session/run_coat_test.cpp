@@ -68,7 +68,7 @@ TEST_F(RunCoat, ReliefOnAFoldIsAsHighAsOnItsSource) {
   const auto result = run(coat(kAll, kMiddle, kFrom + kKeep + R"(, "scale": 1)"));
   const CoatReport& report = *result->report.steps[0].coat;
   EXPECT_NEAR(report.largest_displacement, kHeight, 0.5 * kHeight);
-  EXPECT_NEAR(report.mean_scale, 1.0, 1e-9);
+  EXPECT_NEAR(report.sources[0].mean_scale, 1.0, 1e-9);
   EXPECT_LT(report.relative_residual, 1e-9);
   EXPECT_TRUE(all_finite(result->mesh.positions));
 }
@@ -252,8 +252,8 @@ TEST_F(RunCoatOnACoarseTarget, PairsNameVerticesOfTheMeshAsItWasRead) {
   const CoatReport& report = *result->report.steps[0].coat;
   EXPECT_GT(report.vertices_before_remeshing, 0U);
   const Mesh source = read("source.ply");
-  ASSERT_EQ(report.pins.size(), 4U);
-  for (const auto& [there, here] : report.pins) {
+  ASSERT_EQ(report.sources[0].pins.size(), 4U);
+  for (const auto& [there, here] : report.sources[0].pins) {
     EXPECT_LT((result->mesh.positions[here] - source.positions[there]).norm(), kTiny);
   }
   EXPECT_TRUE(all_finite(result->mesh.positions));

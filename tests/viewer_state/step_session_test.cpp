@@ -142,7 +142,7 @@ TEST_F(AStepSession, CarriesOutAStepThatIsUndoneAndRedone) {
 
 TEST_F(AStepSession, FindsASourceBesideItsMesh) {
   CoatStep step = files_.coat();
-  step.source = "../sources/relief.ply";
+  step.source.mesh = "../sources/relief.ply";
   session_->carry_out(step);
   wait_for_step();
   EXPECT_EQ(*session_->state().steps.at(0), Step(files_.coat()));
@@ -162,7 +162,7 @@ TEST_F(AStepSession, CancelledChangesNothing) {
 
 TEST_F(AStepSession, FailedSaysWhyAndChangesNothing) {
   CoatStep step = files_.coat();
-  step.source = "nowhere.ply";
+  step.source.mesh = "nowhere.ply";
   session_->carry_out(step);
   EXPECT_THAT(wait_for_failure(), HasSubstr("nowhere.ply"));
   EXPECT_FALSE(session_->is_carrying_out());

@@ -100,7 +100,7 @@ TEST_F(AWholeStep, OfAnOpenedRecipeIsOneStepOfTheHistory) {
   apply_step(files_.coat(1.0, Remeshing::automatic));
   const auto folder = files_.folder() / "recipes";
   const Recipe recipe = to_recipe(history_.state(), "../targets/sheet.ply", folder);
-  EXPECT_EQ(std::get<CoatStep>(recipe.steps.at(0)).source, "../sources/relief.ply");
+  EXPECT_EQ(std::get<CoatStep>(recipe.steps.at(0)).source.mesh, "../sources/relief.ply");
   const History opened = from_recipe(start_, recipe, carry_out());
   EXPECT_EQ(opened.names(), std::vector<std::string>{"coat from relief.ply"});
   EXPECT_TRUE(same(opened.state(), history_.state()));
@@ -140,11 +140,11 @@ TEST_F(AWholeStep, WithoutAResultOrWithOneOfAnotherMeshIsRefused) {
 
 TEST_F(AWholeStep, NamesItsSourceByAnAbsolutePathAndFromTheRecipesFolder) {
   CoatStep step = files_.coat();
-  step.source = "../sources/relief.ply";
+  step.source.mesh = "../sources/relief.ply";
   const Step absolute = with_absolute_paths(step, files_.folder() / "targets");
-  EXPECT_EQ(std::get<CoatStep>(absolute).source, files_.relief());
+  EXPECT_EQ(std::get<CoatStep>(absolute).source.mesh, files_.relief());
   EXPECT_EQ(with_paths_from(absolute, files_.folder() / "targets"), Step(step));
-  step.source.clear();
+  step.source.mesh.clear();
   EXPECT_EQ(with_absolute_paths(step, files_.folder()), Step(step)) << "the mesh itself";
 }
 

@@ -300,12 +300,12 @@ void CoatBenchRun::measure_parts() {
 
 CoatStep CoatBenchRun::step(bool smooth_target) const {
   CoatStep step;
-  step.source = pair_.source_path;
-  step.source_patch.form = ListedVertices{pair_.source.region};
+  step.source.mesh = pair_.source_path;
+  step.source.patch.form = ListedVertices{pair_.source.region};
   step.target_patch.form = ListedVertices{pair_.target.region};
-  step.parameters.detail_size = detail_;
+  step.source.detail_size = detail_;
+  step.source.inner_pairs = inner_pairs_;
   if (smooth_target) step.parameters.smooth_target = target_detail();
-  step.parameters.correspondence = pairs();
   step.parameters.remesh = Remeshing::none;
   return step;
 }

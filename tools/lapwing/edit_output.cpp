@@ -35,21 +35,25 @@ void print_certificate(const Certificate& c, double diagonal) {
               c.settle_iterations, c.settle_last_step);
 }
 
-void print_coat(const CoatReport& coat, std::size_t patch, double diagonal) {
-  std::printf("  coating from %zu vertices, scale %.3f, fading in over %.3g", coat.source_vertices,
-              coat.mean_scale, coat.transition_width);
-  if (coat.vertices_before_remeshing > 0) {
-    std::printf(",\n  patch remeshed from %zu to %zu vertices", coat.vertices_before_remeshing,
-                patch);
-  }
-  for (std::size_t p = 0; p < coat.pins.size(); ++p) {
+void print_source(const CoatSourceReport& source) {
+  std::printf("  coating from %zu vertices, scale %.3f", source.vertices, source.mean_scale);
+  for (std::size_t p = 0; p < source.pins.size(); ++p) {
     std::printf("%s[%u, %u]", p == 0 ? ",\n  borders laid on each other at " : ", ",
-                coat.pins[p][0], coat.pins[p][1]);
+                source.pins[p][0], source.pins[p][1]);
   }
   std::printf("\n  flipped in the domain: %zu triangles of the source, %zu of the target\n",
-              coat.flipped_source, coat.flipped_target);
-  std::printf("  residual %.1e, largest displacement %.2g of the diagonal\n",
-              coat.relative_residual, diagonal > 0.0 ? coat.largest_displacement / diagonal : 0.0);
+              source.flipped_source, source.flipped_target);
+}
+
+void print_coat(const CoatReport& coat, std::size_t patch, double diagonal) {
+  for (const CoatSourceReport& source : coat.sources) print_source(source);
+  if (coat.vertices_before_remeshing > 0) {
+    std::printf("  patch remeshed from %zu to %zu vertices\n", coat.vertices_before_remeshing,
+                patch);
+  }
+  std::printf("  fading in over %.3g, residual %.1e, largest displacement %.2g of the diagonal\n",
+              coat.transition_width, coat.relative_residual,
+              diagonal > 0.0 ? coat.largest_displacement / diagonal : 0.0);
 }
 
 void print_summary(const RunReport& report) {

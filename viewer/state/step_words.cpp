@@ -11,7 +11,16 @@ namespace fs = std::filesystem;
 struct Describer {
   std::string operator()(const DeformStep&) const { return "deform"; }
   std::string operator()(const CoatStep& step) const {
-    return step.source.empty() ? "coat" : "coat from " + step.source.filename().string();
+    const fs::path& mesh = step.source.mesh;
+    return mesh.empty() ? "coat" : "coat from " + mesh.filename().string();
+  }
+  std::string operator()(const MixStep& step) const {
+    std::string words = "mix";
+    for (const CoatSource& source : step.sources) {
+      words += words == "mix" ? " " : " and ";
+      words += source.mesh.empty() ? "the mesh itself" : source.mesh.filename().string();
+    }
+    return words;
   }
 };
 
@@ -21,7 +30,10 @@ struct PathChanger {
   std::function<fs::path(const fs::path&)> change;
 
   void operator()(DeformStep&) const {}
-  void operator()(CoatStep& step) const { renew(step.source); }
+  void operator()(CoatStep& step) const { renew(step.source.mesh); }
+  void operator()(MixStep& step) const {
+    for (CoatSource& source : step.sources) renew(source.mesh);
+  }
 
   void renew(fs::path& path) const {
     if (!path.empty()) path = change(path);

@@ -69,10 +69,14 @@ struct Coater::State {
     }
   }
 
+  bool holds_long_waves() const;
+  double hold_length_at(Index own) const;
+  std::vector<double> holds_in_order(const std::vector<double>& W) const;
   void make_system(const Progress& progress);
   void make_frames();
   Columns solve_for(std::span<const Vector3d> y, std::span<const Vector3d> wanted);
   const HeldVertex* held_at(Index vertex) const;
+  std::vector<Vector3d> handle_field();
   void solve_for_base();
   double whole_ratio(const Coating& coating) const;
   void add_layer(const CoatLayer& layer, const Progress& progress, Samples& sum);
@@ -104,10 +108,23 @@ struct Coater::State {
   std::vector<Vector3d> normals;
   Columns base;     // takes the target's own detail away; empty where it stays
   Columns coating;  // adds the coating; empty before the first
-  double mean_scale = 0.0;
-  std::size_t held_scales = 0;
+  std::vector<LayerScales> scales;
   double residual = 0.0;
 };
+
+bool Coater::State::holds_long_waves() const {
+  return !whole && (options.hold_length > 0.0 || !options.hold_lengths.empty());
+}
+
+double Coater::State::hold_length_at(Index own) const {
+  return options.hold_lengths.empty() ? options.hold_length : options.hold_lengths[own];
+}
+
+std::vector<double> Coater::State::holds_in_order(const std::vector<double>& W) const {
+  std::vector<double> ordered;
+  for (const int k : system->elimination_order()) ordered.push_back(W[static_cast<std::size_t>(k)]);
+  return ordered;
+}
 
 void Coater::State::make_system(const Progress& progress) {
   EditRegion region;
@@ -120,11 +137,12 @@ void Coater::State::make_system(const Progress& progress) {
         "the target patch has no inner vertices to coat; choose a larger one, or a "
         "finer mesh");
   }
-  if (options.hold_length > 0.0 && !whole) {
+  if (holds_long_waves()) {
     const auto weights = laplacian_weights(part.topology, rest, options.weights);
     const auto radii = squared_rings(part.topology.rings, weights, rest, unknowns);
     for (std::size_t k = 0; k < unknowns.size(); ++k) {
-      const double squared = radii[k] * std::pow(std::numbers::pi / options.hold_length, 2);
+      const double length = hold_length_at(patch.own_number(unknowns[k]));
+      const double squared = radii[k] * std::pow(std::numbers::pi / length, 2);
       constraints.W[k] = squared * squared;
     }
   }
@@ -147,9 +165,7 @@ void Coater::State::make_system(const Progress& progress) {
                       std::to_string(free.front()) +
                       " is singular; look for damage with `lapwing check`");
   }
-  for (const int k : system->elimination_order()) {
-    holds.push_back(constraints.W[static_cast<std::size_t>(k)]);
-  }
+  holds = holds_in_order(constraints.W);
 }
 
 void Coater::State::make_frames() {
@@ -201,6 +217,32 @@ const HeldVertex* Coater::State::held_at(Index vertex) const {
   return found != held.end() && found->vertex == vertex ? &*found : nullptr;
 }
 
+// Per row the displacement that the handles alone give, held to nothing else: what W would keep
+// where it was is to follow them.
+std::vector<Vector3d> Coater::State::handle_field() {
+  const std::size_t n = unknown_count();
+  std::vector<Vector3d> field(rings().row_count(), Vector3d::Zero());
+  if (held.empty() || !holds_long_waves()) return field;
+  Constraints handles = constraints;
+  for (std::size_t k = 0; k < handles.W.size(); ++k) {
+    if (held_at(handles.unknowns.vertices[k]) == nullptr) handles.W[k] = 0.0;
+  }
+  const LaplacianSystem followed(rest, part.topology, patch.vertices, handles, *pattern,
+                                 options.weights, 0.0, timings);
+  const auto anchored = holds_in_order(handles.W);
+  Columns u(3 * n, 0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const HeldVertex* anchor = held_at(rings().vertices[k]);
+    if (anchor == nullptr) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      u[axis * n + k] = anchored[k] * anchor->displacement[static_cast<Eigen::Index>(axis)];
+    }
+  }
+  followed.solve_in_elimination_order(u, 3);
+  for (std::size_t k = 0; k < n; ++k) field[k] = Vector3d(u[k], u[n + k], u[2 * n + k]);
+  return field;
+}
+
 // What happens without any coating: the target's own detail goes, and the handles move.
 void Coater::State::solve_for_base() {
   if (keeps_detail && held.empty()) return;
@@ -211,7 +253,7 @@ void Coater::State::solve_for_base() {
     return whole ? rest[v] : Vector3d(rest[v] - smooth[v]);
   };
   std::vector<Vector3d> y(rings().row_count());
-  std::vector<Vector3d> wanted(rings().row_count());
+  std::vector<Vector3d> wanted = handle_field();
   for (std::size_t r = 0; r < y.size(); ++r) {
     const Vector3d here = detail(static_cast<Index>(r));
     Vector3d xi = Vector3d::Zero();
@@ -219,8 +261,11 @@ void Coater::State::solve_for_base() {
       xi += rings().weights[e] * (here - detail(rings().neighbours[e]));
     }
     y[r] = -shares[r] * xi;
-    const HeldVertex* anchor = held_at(rings().vertices[r]);
-    wanted[r] = anchor != nullptr ? anchor->displacement : Vector3d(-shares[r] * here);
+    if (const HeldVertex* anchor = held_at(rings().vertices[r])) {
+      wanted[r] = anchor->displacement;
+    } else {
+      wanted[r] -= shares[r] * here;
+    }
   }
   base = solve_for(y, wanted);
 }
@@ -263,7 +308,7 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
                         T);
   std::vector<double> ratios(rows);
   const double largest = kLargestLocalScale * whole_ratio(layer.coating);
-  held_scales = 0;
+  LayerScales reached;
   for (std::size_t r = 0; r < rows; ++r) {
     ratios[r] = T[r].col(0).norm();
     if (ratios[r] == 0.0) {
@@ -273,7 +318,7 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
       T[r] *= *layer.options.scale / ratios[r];
     } else if (ratios[r] > largest) {
       T[r] *= largest / ratios[r];
-      ++held_scales;
+      ++reached.held;
     }
   }
   timings.add("frames", watch.elapsed_ms());
@@ -282,7 +327,6 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
   watch.restart();
   const Samples samples =
       sample(mapped, layer.coating, layer.options.sampling, squares, ratios, kernels);
-  double scales = 0.0;
   for (std::size_t r = 0; r < rows; ++r) {
     const double weight =
         layer.weights.empty() ? 1.0 : layer.weights[patch.own_number(rings().vertices[r])];
@@ -290,9 +334,10 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
     if (held_at(rings().vertices[r]) == nullptr) {
       sum.displacement[r] += weight * shares[r] * (T[r] * samples.displacement[r]);
     }
-    scales += T[r].col(0).norm();
+    reached.mean += T[r].col(0).norm();
   }
-  mean_scale = scales / static_cast<double>(rows);
+  reached.mean /= static_cast<double>(rows);
+  scales.push_back(reached);
   timings.add("sample", watch.elapsed_ms());
 }
 
@@ -301,6 +346,7 @@ void Coater::take(std::span<const CoatLayer> layers, const Progress& progress) {
   const std::size_t rows = state.rings().row_count();
   Samples sum{std::vector<Vector3d>(rows, Vector3d::Zero()),
               std::vector<Vector3d>(rows, Vector3d::Zero())};
+  state.scales.clear();
   for (const CoatLayer& layer : layers) state.add_layer(layer, progress, sum);
   report_progress(progress, "solve", 0.0);
   const Stopwatch watch;
@@ -324,11 +370,8 @@ Positions Coater::coat(double amplitude) const {
   return positions;
 }
 
-double Coater::mean_scale() const {
-  return state_->mean_scale;
-}
-std::size_t Coater::held_scales() const {
-  return state_->held_scales;
+const std::vector<LayerScales>& Coater::scales() const {
+  return state_->scales;
 }
 double Coater::largest_share() const {
   return *std::max_element(state_->shares.begin(), state_->shares.end());

@@ -20,6 +20,8 @@ struct CoaterOptions {
   /// Waves longer than this come from where the coating's displacement would put the surface rather
   /// than from its Laplacians; 0: everything from the Laplacians. See Coater.
   double hold_length = 0.0;
+  /// Per vertex of the target patch, in place of the one; empty: the one.
+  std::vector<double> hold_lengths = {};
 };
 
 /// A vertex that should be somewhere else, by how much.
@@ -36,8 +38,9 @@ struct CoatTarget {
   /// All of U inside the patch goes, not only what it has over U smooth: xi_U = delta(U). Its shape
   /// is then that of what comes, between the borders that stay (paper section 5.3).
   bool whole = false;
-  /// Anchors and handles inside the patch, held by the paper's weight 1 in the same solve.
-  /// Ascending by vertex; those on the border stay there.
+  /// Anchors and handles inside the patch, held by the paper's weight 1 in the same solve. The
+  /// surface follows them as far as its border, whatever the hold length. Ascending by vertex;
+  /// those on the border stay there.
   std::span<const HeldVertex> held = {};
 };
 
@@ -62,6 +65,12 @@ struct CoatLayer {
       points;  ///< per own number of the target: where it lies on the coating
   CoatOptions options = {};
   std::span<const double> weights = {};  ///< per vertex of the target patch; empty: 1 everywhere
+};
+
+/// How the frames of one layer came out on the target: s over the patch.
+struct LayerScales {
+  double mean = 0.0;
+  std::size_t held = 0;  ///< vertices at which s was held to kLargestLocalScale
 };
 
 /// Puts coatings on a target patch (paper sections 5.1 and 5.2). With u the displacement of the
@@ -105,10 +114,8 @@ class Coater {
   /// was asked for), negative engraves. Linear in the amplitude; no solve.
   Positions coat(double amplitude) const;
 
-  /// The mean of s over the patch, of the layer taken last.
-  double mean_scale() const;
-  /// At how many vertices it was held to kLargestLocalScale.
-  std::size_t held_scales() const;
+  /// Of the layers taken last, in their order.
+  const std::vector<LayerScales>& scales() const;
   /// The most of a coating that the transition lets through anywhere, 0 to 1.
   double largest_share() const;
   /// |A u - b| / |b| of the coating's system.

@@ -1,6 +1,7 @@
 #include "lapwing/coating/mix_weight.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/region/geodesic.h"
@@ -8,20 +9,47 @@
 namespace lapwing {
 namespace {
 
+std::vector<double> distances_to(const RegionSpec& spec, const Mesh& mesh,
+                                 const Topology& topology) {
+  const VertexSet region = resolve(spec, mesh, topology);
+  if (region.empty()) {
+    throw InputError(spec.where + ": the region holds no vertex; name at least one");
+  }
+  auto distances = geodesic_distances(topology, mesh.positions, region);
+  // Where no path leads is as far away as can be; an infinity could not be interpolated.
+  double farthest = 0.0;
+  for (const double d : distances) farthest = std::isfinite(d) ? std::max(farthest, d) : farthest;
+  const double beyond = farthest + bounds_of(mesh.positions).diagonal();
+  for (double& d : distances) d = std::isfinite(d) ? d : beyond;
+  return distances;
+}
+
+void require_weights(const std::vector<double>& field, const Mesh& mesh, const std::string& where) {
+  if (field.size() != mesh.vertex_count()) {
+    throw InputError(where + "/field: expected one number for each of the target's " +
+                     std::to_string(mesh.vertex_count()) + " vertices, got " +
+                     std::to_string(field.size()));
+  }
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    if (field[v] >= 0.0 && field[v] <= 1.0) continue;
+    throw InputError(where + "/field/" + std::to_string(v) + ": expected 0 to 1, got " +
+                     std::to_string(field[v]));
+  }
+}
+
 // One overload per form.
 struct Weigher {
   const Transition::Profile profile;
+  const std::span<const double> field;
   const Patch& patch;
   const DomainMap& map;
-  const Mesh& mesh;
-  const Topology& topology;
   const std::string& where;
 
   std::vector<double> operator()(const DomainRamp& ramp) const {
     if (map.domain != Domain::square) {
       throw InputError(where +
-                       "/domain_v: only the square domain has a v; write \"domain\": "
-                       "\"square\" in the first source, or weigh by distance");
+                       "/domain_v: only the square domain has a v; choose the square, or weigh by "
+                       "distance");
     }
     if (ramp.from == ramp.to) {
       throw InputError(where + "/domain_v: the ramp has no extent; give two different numbers");
@@ -35,41 +63,39 @@ struct Weigher {
   }
 
   std::vector<double> operator()(const DistanceRamp& ramp) const {
-    const VertexSet region = resolve(ramp.region, mesh, topology);
-    const auto distances = geodesic_distances(topology, mesh.positions, region, ramp.width);
     std::vector<double> weights;
     for (const Index v : patch.vertices) {
       const bool sharp = ramp.width <= 0.0;
-      weights.push_back(sharp ? (distances[v] <= 0.0 ? 1.0 : 0.0)
-                              : 1.0 - fade({ramp.width, profile}, distances[v]));
+      weights.push_back(sharp ? (field[v] <= 0.0 ? 1.0 : 0.0)
+                              : 1.0 - fade({ramp.width, profile}, field[v]));
     }
     return weights;
   }
 
-  std::vector<double> operator()(const PaintedWeight& painted) const {
-    if (painted.field.size() != mesh.vertex_count()) {
-      throw InputError(where + "/field: expected one number for each of the target's " +
-                       std::to_string(mesh.vertex_count()) + " vertices, got " +
-                       std::to_string(painted.field.size()));
-    }
+  std::vector<double> operator()(const PaintedWeight&) const {
     std::vector<double> weights;
-    for (const Index v : patch.vertices) {
-      if (!(painted.field[v] >= 0.0 && painted.field[v] <= 1.0)) {
-        throw InputError(where + "/field/" + std::to_string(v) + ": expected 0 to 1, got " +
-                         std::to_string(painted.field[v]));
-      }
-      weights.push_back(painted.field[v]);
-    }
+    for (const Index v : patch.vertices) weights.push_back(std::clamp(field[v], 0.0, 1.0));
     return weights;
   }
 };
 
 }  // namespace
 
-std::vector<double> mix_weights(const MixWeight& weight, const Patch& patch, const DomainMap& map,
-                                const Mesh& mesh, const Topology& topology,
+std::vector<double> weight_field(const MixWeight& weight, const Mesh& mesh,
+                                 const Topology& topology, const std::string& where) {
+  if (const auto* ramp = std::get_if<DistanceRamp>(&weight.form)) {
+    return distances_to(ramp->region, mesh, topology);
+  }
+  const auto* painted = std::get_if<PaintedWeight>(&weight.form);
+  if (painted == nullptr) return {};
+  require_weights(painted->field, mesh, where);
+  return painted->field;
+}
+
+std::vector<double> mix_weights(const MixWeight& weight, std::span<const double> field,
+                                const Patch& patch, const DomainMap& map,
                                 const std::string& where) {
-  return std::visit(Weigher{weight.profile, patch, map, mesh, topology, where}, weight.form);
+  return std::visit(Weigher{weight.profile, field, patch, map, where}, weight.form);
 }
 
 }  // namespace lapwing

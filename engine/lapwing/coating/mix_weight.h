@@ -40,11 +40,17 @@ struct MixWeight {
   bool operator==(const MixWeight&) const = default;
 };
 
-/// w at each vertex of the target patch, 0 to 1. `map` is the patch's place in the domain. Throws
-/// InputError, naming `where`: a domain ramp without the square domain, a ramp without extent, a
-/// field of another length or with numbers outside 0 to 1, and what `resolve` throws.
-std::vector<double> mix_weights(const MixWeight& weight, const Patch& patch, const DomainMap& map,
-                                const Mesh& mesh, const Topology& topology,
-                                const std::string& where);
+/// Per vertex of the target mesh what w is made of there, which can be carried to other triangles
+/// of the same surface: the distance to the region (never infinite), or the painted numbers; empty
+/// for a domain ramp, which needs none. Throws InputError, naming `where`: a field of another
+/// length or with numbers outside 0 to 1, a region without vertices, and what `resolve` throws.
+std::vector<double> weight_field(const MixWeight& weight, const Mesh& mesh,
+                                 const Topology& topology, const std::string& where);
+
+/// w at each vertex of the target patch, 0 to 1. `field` is the above on the patch's mesh, `map`
+/// the patch's place in the domain. Throws InputError, naming `where`: a domain ramp without the
+/// square domain, a ramp without extent.
+std::vector<double> mix_weights(const MixWeight& weight, std::span<const double> field,
+                                const Patch& patch, const DomainMap& map, const std::string& where);
 
 }  // namespace lapwing

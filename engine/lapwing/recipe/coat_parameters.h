@@ -2,8 +2,9 @@
 
 #include <optional>
 
-#include "lapwing/coating/coater.h"
-#include "lapwing/coating/correspondence.h"
+#include "lapwing/coating/transition.h"
+#include "lapwing/laplacian/weights.h"
+#include "lapwing/parameterize/domain_map.h"
 
 namespace lapwing {
 
@@ -13,15 +14,12 @@ enum class Remeshing {
   none,
 };
 
-/// How a coat step is computed, whatever patches it concerns. Lengths are on the mesh they name.
+/// How a coat or mix step treats its target, whatever comes to it. Lengths are on the target.
 struct CoatParameters {
-  double detail_size = 0.0;    ///< above 0; on the source: what is smaller is coating
   double smooth_target = 0.0;  ///< 0: the target keeps its own detail
   LaplacianWeights weights = LaplacianWeights::cotangent;
-  CorrespondenceOptions correspondence;
-  CoatOptions sampling;
-  double amplitude = 1.0;
-  /// On the target; none: as wide as `detail_size` is there, and smooth.
+  Domain domain = Domain::disk;  ///< what sources and target are laid into
+  /// None: as wide as the source's detail size is there, and smooth.
   std::optional<Transition> transition;
   Remeshing remesh = Remeshing::automatic;
   bool operator==(const CoatParameters&) const = default;

@@ -19,25 +19,17 @@ std::vector<VertexPair> read_pairs(const JsonNode& node) {
   return pairs;
 }
 
-CorrespondenceOptions read_correspondence(const JsonNode& node) {
-  CorrespondenceOptions options;
-  if (const auto domain = node.find("domain")) {
-    options.domain =
-        domain->one_of("domain", {"disk", "square"}) == 0 ? Domain::disk : Domain::square;
+std::vector<VertexPair> read_boundary_pairs(const JsonNode& node, Domain domain) {
+  std::vector<VertexPair> pairs = read_pairs(node);
+  const std::size_t count = pairs.size();
+  const std::size_t wanted = pin_count(domain);
+  if (count != 0 && count != wanted) {
+    node.fail(wanted == 1
+                  ? "the disk takes one pair of boundary vertices, got " + std::to_string(count)
+                  : "the square takes four pairs of boundary vertices, in order around, got " +
+                        std::to_string(count));
   }
-  if (const auto pairs = node.find("boundary_pairs")) {
-    options.boundary_pairs = read_pairs(*pairs);
-    const std::size_t count = options.boundary_pairs.size();
-    const std::size_t wanted = pin_count(options.domain);
-    if (count != 0 && count != wanted) {
-      pairs->fail(wanted == 1
-                      ? "the disk takes one pair of boundary vertices, got " + std::to_string(count)
-                      : "the square takes four pairs of boundary vertices, in order around, got " +
-                            std::to_string(count));
-    }
-  }
-  if (const auto pairs = node.find("inner_pairs")) options.inner_pairs = read_pairs(*pairs);
-  return options;
+  return pairs;
 }
 
 CoatOptions read_sampling(const JsonNode& node) {
@@ -62,23 +54,41 @@ Transition read_transition(const JsonNode& node) {
   Transition transition;
   transition.width = node.at("width").number_from_zero();
   if (const auto profile = node.find("profile")) {
-    transition.profile = profile->one_of("profile", {"smooth", "linear"}) == 0
-                             ? Transition::Profile::smooth
-                             : Transition::Profile::linear;
+    transition.profile = read_profile(*profile);
   }
   return transition;
 }
 
-CoatParameters read_parameters(const JsonNode& node) {
+}  // namespace
+
+Transition::Profile read_profile(const JsonNode& node) {
+  return node.one_of("profile", {"smooth", "linear"}) == 0 ? Transition::Profile::smooth
+                                                           : Transition::Profile::linear;
+}
+
+CoatSource read_source_keys(const JsonNode& node, Domain domain) {
+  CoatSource source;
+  source.where = node.where();
+  source.detail_size = node.at("detail_size").positive_number();
+  if (const auto pairs = node.find("boundary_pairs")) {
+    source.boundary_pairs = read_boundary_pairs(*pairs, domain);
+  }
+  if (const auto pairs = node.find("inner_pairs")) source.inner_pairs = read_pairs(*pairs);
+  source.sampling = read_sampling(node);
+  if (const auto amplitude = node.find("amplitude")) source.amplitude = amplitude->number();
+  return source;
+}
+
+CoatParameters read_coat_parameters(const JsonNode& node) {
   CoatParameters parameters;
-  parameters.detail_size = node.at("detail_size").positive_number();
   if (const auto size = node.find("smooth_target")) {
     parameters.smooth_target = size->number_from_zero();
   }
   if (const auto weights = node.find("weights")) parameters.weights = read_weights(*weights);
-  parameters.correspondence = read_correspondence(node);
-  parameters.sampling = read_sampling(node);
-  if (const auto amplitude = node.find("amplitude")) parameters.amplitude = amplitude->number();
+  if (const auto domain = node.find("domain")) {
+    parameters.domain =
+        domain->one_of("domain", {"disk", "square"}) == 0 ? Domain::disk : Domain::square;
+  }
   if (const auto transition = node.find("transition")) {
     parameters.transition = read_transition(*transition);
   }
@@ -89,18 +99,17 @@ CoatParameters read_parameters(const JsonNode& node) {
   return parameters;
 }
 
-}  // namespace
-
 CoatStep read_coat(const JsonNode& node) {
   node.require_keys({"op", "source", "source_patch", "target_patch", "detail_size", "smooth_target",
                      "weights", "domain", "boundary_pairs", "inner_pairs", "sampling", "scale",
                      "amplitude", "transition", "remesh"});
   CoatStep step;
   step.where = node.where();
-  if (const auto source = node.find("source")) step.source = source->file_name();
-  step.source_patch = read_region(node.at("source_patch"));
+  step.parameters = read_coat_parameters(node);
+  step.source = read_source_keys(node, step.parameters.domain);
+  if (const auto source = node.find("source")) step.source.mesh = source->file_name();
+  step.source.patch = read_region(node.at("source_patch"));
   step.target_patch = read_region(node.at("target_patch"));
-  step.parameters = read_parameters(node);
   return step;
 }
 

@@ -5,6 +5,7 @@
 
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/recipe/read_coat.h"
+#include "lapwing/recipe/read_mix.h"
 #include "lapwing/recipe/read_region.h"
 #include "lapwing/recipe/suggest.h"
 
@@ -32,11 +33,6 @@ MatrixMove read_matrix(const JsonNode& node) {
     node.fail("expected the last row 0 0 0 1: a handle's motion is affine");
   }
   return {matrix.topRows<3>()};
-}
-
-MovedHandle read_handle(const JsonNode& node) {
-  node.require_keys({"region", "move"});
-  return {read_region(node.at("region")), read_move(node.at("move"))};
 }
 
 Details read_details(const JsonNode& node) {
@@ -141,12 +137,19 @@ Move read_move(const JsonNode& node) {
   return move;
 }
 
+MovedHandle read_handle(const JsonNode& node) {
+  node.require_keys({"region", "move"});
+  return {read_region(node.at("region")), read_move(node.at("move"))};
+}
+
 Step read_step(const JsonNode& node) {
-  switch (node.at("op").one_of("op", {"deform", "coat"})) {
+  switch (node.at("op").one_of("op", {"deform", "coat", "mix"})) {
     case 0:
       return read_deform(node);
-    default:
+    case 1:
       return read_coat(node);
+    default:
+      return read_mix(node);
   }
 }
 

@@ -5,8 +5,9 @@
 
 namespace lapwing {
 
-/// The step or move that `node` describes. Throws InputError with the place.
+/// The step, handle or move that `node` describes. Throws InputError with the place.
 Step read_step(const JsonNode& node);
+MovedHandle read_handle(const JsonNode& node);
 Move read_move(const JsonNode& node);
 LaplacianWeights read_weights(const JsonNode& node);
 

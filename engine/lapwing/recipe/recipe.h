@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -7,7 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "lapwing/coating/mix_weight.h"
 #include "lapwing/recipe/coat_parameters.h"
+#include "lapwing/recipe/coat_source.h"
 #include "lapwing/recipe/deform_parameters.h"
 #include "lapwing/recipe/move.h"
 #include "lapwing/region/border_belt.h"
@@ -35,20 +38,44 @@ struct DeformStep {
 
 /// {"op": "coat"}: put the fine detail of a patch of one mesh on a patch of the mesh.
 struct CoatStep {
-  std::filesystem::path source;  ///< as written; empty: the mesh itself, as it is before the step
-  RegionSpec source_patch;
+  CoatSource source;
   RegionSpec target_patch;
   CoatParameters parameters;
   std::string where = "coat";  ///< as in RegionSpec; no part of the value
   bool operator==(const CoatStep& other) const {
-    return source == other.source && source_patch == other.source_patch &&
-           target_patch == other.target_patch && parameters == other.parameters;
+    return source == other.source && target_patch == other.target_patch &&
+           parameters == other.parameters;
+  }
+};
+
+/// What a mix step takes of its sources, and replaces of its target.
+enum class Taken {
+  coating,  ///< the detail below each source's detail size, which lies over the target
+  shape,    ///< all of it: full Laplacians; detail sizes say what frames are free of
+};
+
+/// {"op": "mix"}: mix two surfaces on a patch of the mesh, (1 - w) of the first and w of the second
+/// (paper section 5.3).
+struct MixStep {
+  RegionSpec target_patch;
+  std::array<CoatSource, 2> sources;
+  MixWeight weight;
+  Taken taken = Taken::coating;
+  std::vector<MovedHandle> handles;  ///< in the patch, moved in the same solve
+  /// With Taken::shape `smooth_target` is what the target's frames are free of; 0: of what the
+  /// sources' are, as large as that is on the target.
+  CoatParameters parameters;
+  std::string where = "mix";  ///< as in RegionSpec; no part of the value
+  bool operator==(const MixStep& other) const {
+    return target_patch == other.target_patch && sources == other.sources &&
+           weight == other.weight && taken == other.taken && handles == other.handles &&
+           parameters == other.parameters;
   }
 };
 
 /// One operation of a recipe. A new one is a type here, its reader in read_step.cpp and its writer
 /// in write_recipe.cpp.
-using Step = std::variant<DeformStep, CoatStep>;
+using Step = std::variant<DeformStep, CoatStep, MixStep>;
 
 /// A whole edit: a mesh, what is done to it, and where the result goes.
 struct Recipe {

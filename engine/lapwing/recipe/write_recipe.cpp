@@ -20,6 +20,7 @@ Json json_of(const Vector3d& v) {
 Json json_of(const RegionSpec& spec);
 Json json_of(const DeformStep& step);
 Json json_of(const CoatStep& step);
+Json json_of(const MixStep& step);
 
 Json json_of(const std::vector<RegionSpec>& parts) {
   Json list = Json::array();
@@ -81,7 +82,17 @@ Json json_of(const MatrixMove& move) {
   return {{"matrix", std::move(list)}};
 }
 
-// A region, belt, move or step by the overload for what it holds.
+Json json_of(const DomainRamp& ramp) {
+  return {{"domain_v", {ramp.from, ramp.to}}};
+}
+Json json_of(const DistanceRamp& ramp) {
+  return {{"distance_to", json_of(ramp.region)}, {"width", ramp.width}};
+}
+Json json_of(const PaintedWeight& painted) {
+  return {{"field", painted.field}};
+}
+
+// A belt, move, weight or step by the overload for what it holds.
 template <class... Forms>
 Json json_of_any(const std::variant<Forms...>& any) {
   return std::visit([](const auto& form) { return json_of(form); }, any);
@@ -103,15 +114,19 @@ Json json_of_settle(const DeformStep& step) {
           {"weights", name_of(step.parameters.settle->weights)}};
 }
 
-Json json_of(const DeformStep& step) {
-  Json handles = Json::array();
-  for (const MovedHandle& handle : step.handles) {
-    handles.push_back({{"region", json_of(handle.region)}, {"move", json_of_any(handle.move)}});
+Json json_of(const std::vector<MovedHandle>& handles) {
+  Json list = Json::array();
+  for (const MovedHandle& handle : handles) {
+    list.push_back({{"region", json_of(handle.region)}, {"move", json_of_any(handle.move)}});
   }
+  return list;
+}
+
+Json json_of(const DeformStep& step) {
   Json keys{{"op", "deform"},
             {"roi", json_of(step.roi)},
             {"belt", json_of_any(step.belt)},
-            {"handles", std::move(handles)},
+            {"handles", json_of(step.handles)},
             {"weights", name_of(step.parameters.weights)},
             {"constraint_weight", step.parameters.constraint_weight},
             {"hard", step.parameters.hard},
@@ -120,30 +135,73 @@ Json json_of(const DeformStep& step) {
   return keys;
 }
 
-Json json_of(const Transition& transition) {
-  const bool linear = transition.profile == Transition::Profile::linear;
-  return {{"width", transition.width}, {"profile", linear ? "linear" : "smooth"}};
+const char* name_of(Transition::Profile profile) {
+  return profile == Transition::Profile::linear ? "linear" : "smooth";
+}
+
+const char* name_of(Domain domain) {
+  return domain == Domain::disk ? "disk" : "square";
+}
+
+void write_pairs(const CoatSource& source, Json& keys) {
+  if (!source.boundary_pairs.empty()) keys["boundary_pairs"] = source.boundary_pairs;
+  if (!source.inner_pairs.empty()) keys["inner_pairs"] = source.inner_pairs;
+}
+
+void write_sampling(const CoatSource& source, Json& keys) {
+  const bool linear = source.sampling.sampling == MappedSampling::linear;
+  keys["sampling"] = linear ? "linear" : "one_ring";
+  keys["scale"] = source.sampling.scale ? Json(*source.sampling.scale) : Json("auto");
+  keys["amplitude"] = source.amplitude;
+}
+
+void write_fading(const CoatParameters& parameters, Json& keys) {
+  if (parameters.transition) {
+    keys["transition"] = {{"width", parameters.transition->width},
+                          {"profile", name_of(parameters.transition->profile)}};
+  }
+  keys["remesh"] = parameters.remesh == Remeshing::automatic ? "auto" : "none";
 }
 
 Json json_of(const CoatStep& step) {
   const CoatParameters& parameters = step.parameters;
-  const CorrespondenceOptions& map = parameters.correspondence;
   Json keys{{"op", "coat"}};
-  if (!step.source.empty()) keys["source"] = step.source.string();
-  keys["source_patch"] = json_of(step.source_patch);
+  if (!step.source.mesh.empty()) keys["source"] = step.source.mesh.string();
+  keys["source_patch"] = json_of(step.source.patch);
   keys["target_patch"] = json_of(step.target_patch);
-  keys["detail_size"] = parameters.detail_size;
+  keys["detail_size"] = step.source.detail_size;
   keys["smooth_target"] = parameters.smooth_target;
   keys["weights"] = name_of(parameters.weights);
-  keys["domain"] = map.domain == Domain::disk ? "disk" : "square";
-  if (!map.boundary_pairs.empty()) keys["boundary_pairs"] = map.boundary_pairs;
-  if (!map.inner_pairs.empty()) keys["inner_pairs"] = map.inner_pairs;
-  const bool linear = parameters.sampling.sampling == MappedSampling::linear;
-  keys["sampling"] = linear ? "linear" : "one_ring";
-  keys["scale"] = parameters.sampling.scale ? Json(*parameters.sampling.scale) : Json("auto");
-  keys["amplitude"] = parameters.amplitude;
-  if (parameters.transition) keys["transition"] = json_of(*parameters.transition);
-  keys["remesh"] = parameters.remesh == Remeshing::automatic ? "auto" : "none";
+  keys["domain"] = name_of(parameters.domain);
+  write_pairs(step.source, keys);
+  write_sampling(step.source, keys);
+  write_fading(parameters, keys);
+  return keys;
+}
+
+Json json_of(const CoatSource& source) {
+  Json keys = Json::object();
+  if (!source.mesh.empty()) keys["mesh"] = source.mesh.string();
+  keys["patch"] = json_of(source.patch);
+  keys["detail_size"] = source.detail_size;
+  write_pairs(source, keys);
+  write_sampling(source, keys);
+  return keys;
+}
+
+Json json_of(const MixStep& step) {
+  Json keys{{"op", "mix"}, {"target_patch", json_of(step.target_patch)}};
+  keys["sources"] = Json::array({json_of(step.sources[0]), json_of(step.sources[1])});
+  keys["take"] = step.taken == Taken::coating ? "coating" : "shape";
+  keys["weight"] = json_of_any(step.weight.form);
+  if (!std::holds_alternative<PaintedWeight>(step.weight.form)) {
+    keys["profile"] = name_of(step.weight.profile);
+  }
+  if (!step.handles.empty()) keys["handles"] = json_of(step.handles);
+  keys["smooth_target"] = step.parameters.smooth_target;
+  keys["weights"] = name_of(step.parameters.weights);
+  keys["domain"] = name_of(step.parameters.domain);
+  write_fading(step.parameters, keys);
   return keys;
 }
 

@@ -66,32 +66,41 @@ Json as_json(const VertexMeasures& measures) {
           {"stretch", numbers(measures.stretch)}};
 }
 
+Json as_json(const CoatSourceReport& source) {
+  return {
+      {"source_vertices", source.vertices},      {"pins", source.pins},
+      {"flipped_source", source.flipped_source}, {"flipped_target", source.flipped_target},
+      {"warp_steps", source.warp_steps},         {"constrained_steps", source.constrained_steps},
+      {"mean_scale", number(source.mean_scale)}};
+}
+
+// Of a coat step flat, the one source's keys among the others.
 Json as_json(const CoatReport& coat) {
-  return {{"source_vertices", coat.source_vertices},
-          {"vertices_before_remeshing", coat.vertices_before_remeshing},
-          {"pins", coat.pins},
-          {"flipped_source", coat.flipped_source},
-          {"flipped_target", coat.flipped_target},
-          {"warp_steps", coat.warp_steps},
-          {"constrained_steps", coat.constrained_steps},
-          {"mean_scale", number(coat.mean_scale)},
-          {"transition_width", number(coat.transition_width)},
-          {"relative_residual", number(coat.relative_residual)},
-          {"largest_displacement", number(coat.largest_displacement)},
-          {"largest_displacement_vertex", vertex(coat.largest_displacement_vertex)}};
+  Json json = Json::object();
+  if (coat.sources.size() == 1) {
+    json = as_json(coat.sources.front());
+  } else {
+    for (const CoatSourceReport& source : coat.sources) json["sources"].push_back(as_json(source));
+  }
+  json["vertices_before_remeshing"] = coat.vertices_before_remeshing;
+  json["transition_width"] = number(coat.transition_width);
+  json["relative_residual"] = number(coat.relative_residual);
+  json["largest_displacement"] = number(coat.largest_displacement);
+  json["largest_displacement_vertex"] = vertex(coat.largest_displacement_vertex);
+  return json;
+}
+
+Json coat_step_as_json(const StepReport& step) {
+  Json json = {{"op", step.op}, {"roi", step.roi}, {"free", step.free}, {"belt", step.belt}};
+  if (!step.handles.empty()) json["handles"] = step.handles;
+  json["timings_ms"] = as_json(step.timings);
+  json[step.op] = as_json(*step.coat);
+  if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
+  return json;
 }
 
 Json as_json(const StepReport& step) {
-  if (step.coat) {
-    Json json = {{"op", step.op},
-                 {"roi", step.roi},
-                 {"free", step.free},
-                 {"belt", step.belt},
-                 {"timings_ms", as_json(step.timings)},
-                 {"coat", as_json(*step.coat)}};
-    if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
-    return json;
-  }
+  if (step.coat) return coat_step_as_json(step);
   std::size_t handle = 0;
   for (const std::size_t count : step.handles) handle += count;
   Json json = {{"op", step.op},

@@ -14,16 +14,21 @@
 
 namespace lapwing {
 
-/// What a coat step did.
-struct CoatReport {
-  std::size_t source_vertices = 0;            ///< of the source patch
-  std::size_t vertices_before_remeshing = 0;  ///< of the target patch; 0 where it was fine enough
-  std::vector<VertexPair> pins;               ///< the boundary pairs, given or chosen
-  std::size_t flipped_source = 0;             ///< triangles that a map turned over or flattened
+/// How one source came to the target of a coat or mix step.
+struct CoatSourceReport {
+  std::size_t vertices = 0;        ///< of the source patch
+  std::vector<VertexPair> pins;    ///< the boundary pairs, given or chosen
+  std::size_t flipped_source = 0;  ///< triangles that a map turned over or flattened
   std::size_t flipped_target = 0;
   int warp_steps = 0;  ///< to meet the inner pairs
   int constrained_steps = 0;
   double mean_scale = 1.0;  ///< of the coating on the target over that on the source
+};
+
+/// What a coat or mix step did.
+struct CoatReport {
+  std::vector<CoatSourceReport> sources;      ///< one; two of a mix
+  std::size_t vertices_before_remeshing = 0;  ///< of the target patch; 0 where it was fine enough
   double transition_width = 0.0;
   double relative_residual = 0.0;
   double largest_displacement = 0.0;
@@ -46,7 +51,8 @@ struct StepReport {
   /// Of all parts as one, from the surface that the step began with to the one that it ended with;
   /// residual and settling are the worst of the parts, the iterations those of all.
   Certificate certificate;
-  std::optional<CoatReport> coat = {};  ///< of a coat step, whose certificate says nothing
+  /// Of a coat or mix step, whose certificate says nothing.
+  std::optional<CoatReport> coat = {};
   VertexMeasures vertices;  ///< of the ROI, where the run was asked for them; empty otherwise
 };
 

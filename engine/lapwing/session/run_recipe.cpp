@@ -7,6 +7,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/session/run_coat.h"
 #include "lapwing/session/run_deform.h"
+#include "lapwing/session/run_mix.h"
 #include "lapwing/session/stage.h"
 
 namespace lapwing {
@@ -71,6 +72,10 @@ struct Runner {
     return run_step(step, number, kernels, progress, result);
   }
   StepReport operator()(const CoatStep& step) const {
+    result.last.reset();
+    return run_step(step, base_directory, kernels, progress, result);
+  }
+  StepReport operator()(const MixStep& step) const {
     result.last.reset();
     return run_step(step, base_directory, kernels, progress, result);
   }

@@ -12,8 +12,8 @@ namespace lapwing {
 /// What running a recipe leaves behind.
 struct RunResult {
   Mesh mesh;  ///< with the edited positions
-  /// The positions that were read, per vertex of `mesh`; a vertex that a coat step's remeshing made
-  /// is where it was made.
+  /// The positions that were read, per vertex of `mesh`; a vertex that a coat or mix step's
+  /// remeshing made is where it was made.
   Positions original;
   Topology topology;  ///< of `mesh`
   /// What the last step concerned; nothing without steps.

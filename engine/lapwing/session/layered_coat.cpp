@@ -1,0 +1,356 @@
+#include "lapwing/session/layered_coat.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
+#include "lapwing/coating/carried_length.h"
+#include "lapwing/coating/ring_areas.h"
+#include "lapwing/deform/certificate.h"
+#include "lapwing/session/stage.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// More vertices than this are not worth waiting for; who wants them remeshes before.
+constexpr double kMostVertices = 400'000;
+
+// Whether both ask for the same map of the target.
+bool same_on_target(const CorrespondenceOptions& a, const CorrespondenceOptions& b) {
+  return std::equal(a.boundary_pairs.begin(), a.boundary_pairs.end(), b.boundary_pairs.begin(),
+                    b.boundary_pairs.end(),
+                    [](const VertexPair& p, const VertexPair& q) { return p[1] == q[1]; });
+}
+
+// As a deform step's certificate does: a wrong mesh on the disk is worse than none.
+void require_valid(const Patch& patch, const Positions& positions, double relative_residual,
+                   const std::string& where) {
+  for (const Index v : patch.vertices) {
+    if (positions[v].allFinite()) continue;
+    throw SolverError(where + ": the result has positions that are not finite, vertex " +
+                      std::to_string(v) +
+                      " for one, so the mesh was left as it was; run `lapwing check` on source and "
+                      "target, and see that \"amplitude\" and \"scale\" are no larger than needed");
+  }
+  if (!(relative_residual <= kLargestResidual)) {
+    std::ostringstream text;
+    text << where << ": the solution misses the equations by " << relative_residual << " (at most "
+         << kLargestResidual
+         << " is allowed), so the mesh was left as it was; remesh the target patch with `lapwing "
+            "remesh`, or choose a smaller one";
+    throw SolverError(text.str());
+  }
+}
+
+}  // namespace
+
+template <class Body>
+void LayeredCoat::timed(const char* name, const Progress& progress, Body body) {
+  stage(name, timings_, progress, body);
+}
+
+LayeredCoat::LayeredCoat(const LayeredStep& step, const Mesh& mesh, const Topology& topology,
+                         const std::filesystem::path& base_directory, Kernels& kernels,
+                         const Progress& progress)
+    : step_(step), mesh_(mesh), topology_(topology), kernels_(kernels) {
+  timed("source", progress, [&] {
+    for (const CoatSource& source : step.sources) {
+      // Of one source the amplitude is `positions`' to say.
+      layers_.push_back({SourceSide(source, base_directory, mesh, topology),
+                         source.correspondence(step.parameters.domain),
+                         step.weight == nullptr ? 1.0 : source.amplitude});
+    }
+  });
+  make_sides(progress);
+  remesh_where_coarse(progress);
+  take(progress);
+  note_held_scales();
+  note_wide_transition();
+}
+
+// Sources and target side by side; only the sources use the device.
+void LayeredCoat::make_sides(const Progress& progress) {
+  const auto take_sources = [&] {
+    for (Layer& layer : layers_) {
+      layer.source.take(step_.taken, layer.source.asked().detail_size, step_.parameters.weights,
+                        kernels_);
+    }
+  };
+  const auto find_target = [&] {
+    target_.emplace(step_.target_patch, mesh_, topology_);
+    target_->choose_handles(step_.handles);
+    if (step_.weight != nullptr) {
+      target_->carry(weight_field(*step_.weight, mesh_, topology_, step_.where + "/weight"));
+    }
+  };
+  timed("peel", progress, [&] {
+    if (step_.taken == Taken::coating) {
+      parallel_invoke(take_sources, [&] {
+        find_target();
+        lay_target();
+      });
+    } else {  // how smooth the target is to be hangs on the sources
+      parallel_invoke(take_sources, find_target);
+      lay_target();
+    }
+  });
+  timed("map", progress, [&] {
+    parallel_invoke(
+        [&] {
+          for (Layer& layer : layers_) layer.source.lay(layer.pairs);
+        },
+        [&] { make_coater(); });
+    meet();
+  });
+}
+
+// The surfaces below the detail are laid on each other: it has no say in where it comes to.
+void LayeredCoat::lay_target() {
+  target_->smooth(target_size(), step_.parameters.weights);
+  for (Layer& layer : layers_) {
+    const Layer& first = layers_.front();
+    layer.laid_target =
+        &layer != &first && same_on_target(layer.pairs, first.pairs)
+            ? first.laid_target
+            : lay(target_->placed(), MapSide::target, layer.pairs, layer.source.asked().where);
+  }
+  if (step_.weight != nullptr) {
+    weights_ = mix_weights(*step_.weight, target_->field(), target_->patch(),
+                           layers_.front().laid_target.map, step_.where + "/weight");
+  }
+}
+
+void LayeredCoat::meet() {
+  for (Layer& layer : layers_) {
+    layer.map = correspond(layer.source.placed(), layer.source.laid(), target_->placed(),
+                           layer.laid_target, layer.pairs, layer.source.asked().where);
+  }
+}
+
+void LayeredCoat::remesh_where_coarse(const Progress& progress) {
+  if (step_.parameters.remesh == Remeshing::none) return;
+  std::vector<CarriedLength> lengths;
+  for (const Layer& layer : layers_) {
+    CarriedLength length(layer.source.coating(), target_->patch(), target_->own_positions(),
+                         layer.map.points);
+    if (!length.asks_for_remeshing()) continue;
+    if (length.vertex_estimate() > kMostVertices) {
+      warnings_.push_back(
+          layer.source.asked().where +
+          ": the source is so much finer than the target that the patch would get " +
+          std::to_string(static_cast<std::size_t>(length.vertex_estimate())) +
+          " vertices; it gets fewer, and the finest detail is lost. `lapwing remesh` makes more");
+      length.limit_vertices(kMostVertices);
+    }
+    lengths.push_back(std::move(length));
+  }
+  if (lengths.empty()) return;
+  const auto shortest = [&](const Vector3d& point) {
+    double least = lengths.front()(point);
+    for (std::size_t k = 1; k < lengths.size(); ++k) least = std::min(least, lengths[k](point));
+    return least;
+  };
+  timed("remesh", progress, [&] {
+    vertices_before_remeshing_ = target_->patch().vertices.size();
+    coater_.reset();
+    const std::string note = target_->remesh(shortest, progress);
+    if (!note.empty()) warnings_.push_back(note);
+    for (Layer& layer : layers_) {
+      // Chosen again on other triangles they could come out elsewhere.
+      layer.pairs.boundary_pairs = layer.map.pins;
+      for (auto& [source, target] : layer.pairs.boundary_pairs) {
+        target = target_->renumbered(target, true);
+      }
+      for (auto& [source, target] : layer.pairs.inner_pairs) {
+        target = target_->renumbered(target, false);
+      }
+    }
+    lay_target();
+  });
+  timed("map", progress, [&] { meet(); });
+  make_coater();
+}
+
+// What the target is made smooth by; 0: nothing.
+double LayeredCoat::target_size() const {
+  if (step_.taken == Taken::coating || step_.parameters.smooth_target > 0.0) {
+    return step_.parameters.smooth_target;
+  }
+  // Frames of the same frequencies on all sides.
+  const double area = surface_area(target_->patch().triangles, target_->own_positions());
+  double sum = 0.0;
+  for (const Layer& layer : layers_) {
+    const Coating& coating = layer.source.coating();
+    sum += layer.source.asked().detail_size *
+           std::sqrt(area / surface_area(coating.patch.triangles, coating.positions));
+  }
+  return sum / static_cast<double>(layers_.size());
+}
+
+// How much larger the target patch is: lengths on the source become lengths there.
+double LayeredCoat::ratio(const Layer& layer) const {
+  const Coating& coating = layer.source.coating();
+  return std::sqrt(surface_area(target_->patch().triangles, target_->placed().positions) /
+                   surface_area(coating.patch.triangles, coating.smooth));
+}
+
+// A length between those of two sources, by how much there is of each.
+double LayeredCoat::of_both(double first, double second) const {
+  const double w =
+      std::accumulate(weights_.begin(), weights_.end(), 0.0) / static_cast<double>(weights_.size());
+  return (1.0 - w) * first + w * second;
+}
+
+CoaterOptions LayeredCoat::coater_options() const {
+  std::vector<double> details;
+  for (const Layer& layer : layers_) {
+    details.push_back(ratio(layer) * layer.source.asked().detail_size);
+  }
+  CoaterOptions options;
+  options.weights = step_.parameters.weights;
+  double width = details.front();
+  if (step_.weight == nullptr) {
+    options.hold_length = details.front();
+  } else {
+    width = of_both(details.front(), details.back());
+    for (const double w : weights_) {
+      options.hold_lengths.push_back((1.0 - w) * details.front() + w * details.back());
+    }
+  }
+  options.transition =
+      step_.parameters.transition.value_or(Transition{width, Transition::Profile::smooth});
+  return options;
+}
+
+// Beside another thread, which has the progress.
+void LayeredCoat::make_coater() {
+  coater_.reset();
+  const std::vector<HeldVertex> held = target_->held();
+  CoatTarget target{.rest = target_->mesh().positions};
+  if (target_size() > 0.0) target.smooth = target_->smooth_positions();
+  target.whole = step_.taken == Taken::shape;
+  target.held = held;
+  options_ = coater_options();
+  try {
+    coater_.emplace(target, target_->topology(), target_->patch(), options_, kernels_);
+  } catch (const InputError& error) {
+    throw InputError(step_.target_patch.where + ": " + error.what());
+  }
+}
+
+void LayeredCoat::take(const Progress& progress) {
+  std::array<std::vector<double>, 2> shares;
+  std::vector<CoatLayer> layers;
+  for (std::size_t k = 0; k < layers_.size(); ++k) {
+    const Layer& layer = layers_[k];
+    for (const double w : weights_) {
+      shares[k].push_back(layer.amplitude * (k == 0 ? 1.0 - w : w));
+    }
+    layers.push_back(
+        {layer.source.coating(), layer.map.points, layer.source.asked().sampling, shares[k]});
+  }
+  coater_->take(layers, progress);
+}
+
+void LayeredCoat::set_detail_size(std::size_t k, double size, const Progress& progress) {
+  layers_.at(k).source.take(step_.taken, size, step_.parameters.weights, kernels_);
+  take(progress);
+}
+
+Positions LayeredCoat::positions(double amplitude) const {
+  Positions positions = coater_->coat(amplitude);
+  require_valid(target_->patch(), positions, coater_->relative_residual(), step_.where);
+  return positions;
+}
+
+// A hundredth of the patch is the tip of something; nobody would see the difference.
+void LayeredCoat::note_held_scales() {
+  const std::size_t count = target_->patch().vertices.size();
+  for (std::size_t k = 0; k < layers_.size(); ++k) {
+    const std::size_t held = coater_->scales()[k].held;
+    if (100 * held <= count) continue;
+    std::ostringstream text;
+    text << layers_[k].source.asked().where << ": " << held << " of the target patch's " << count
+         << " vertices are laid so close together on the source that the coating would be more "
+            "than "
+         << kLargestLocalScale
+         << " times as large there as the patches' sizes say; it is held to that. Choose a rounder "
+            "patch, without horns or legs, or give \"scale\"";
+    warnings_.push_back(text.str());
+  }
+}
+
+// Somebody who sees nothing should know why.
+void LayeredCoat::note_wide_transition() {
+  constexpr double kMostOfIt = 0.9;
+  const double share = coater_->largest_share();
+  if (share >= kMostOfIt) return;
+  std::ostringstream text;
+  text << step_.where << ": the transition of " << options_.transition.width
+       << " is wider than the target patch is deep, so that at most " << std::lround(100.0 * share)
+       << "% of the coating arrives; choose a larger patch or a narrower \"transition\"";
+  warnings_.push_back(text.str());
+}
+
+StepReport LayeredCoat::report(const std::string& op, const Positions& result) const {
+  StepReport report;
+  report.op = op;
+  report.roi = target_->patch().vertices.size();
+  report.belt = target_->patch().loop.size();
+  report.free = coater_->free().size();
+  for (const TargetHandle& handle : handles()) report.handles.push_back(handle.vertices.size());
+  report.timings = timings_;
+  for (const auto& [name, ms] : coater_->timings().stages()) report.timings.add(name, ms);
+  CoatReport& coat = report.coat.emplace();
+  for (std::size_t k = 0; k < layers_.size(); ++k) {
+    const Correspondence& map = layers_[k].map;
+    coat.sources.push_back({.vertices = source_patch(k).vertices.size(),
+                            .pins = map.pins,
+                            .flipped_source = map.flipped_source,
+                            .flipped_target = map.flipped_target,
+                            .warp_steps = map.warp.steps,
+                            .constrained_steps = map.warp.constrained_steps,
+                            .mean_scale = coater_->scales()[k].mean});
+  }
+  coat.vertices_before_remeshing = vertices_before_remeshing_;
+  coat.transition_width = options_.transition.width;
+  coat.relative_residual = coater_->relative_residual();
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    const double distance = (result[v] - mesh().positions[v]).norm();
+    if (!(distance > coat.largest_displacement)) continue;
+    coat.largest_displacement = distance;
+    coat.largest_displacement_vertex = static_cast<Index>(v);
+  }
+  return report;
+}
+
+StepReport take_over(const LayeredCoat& coat, const std::string& op, Positions positions,
+                     RunResult& result) {
+  StepReport report = coat.report(op, positions);
+  result.region = {coat.target_patch().vertices, border_of(coat.target_patch()), {}};
+  for (const TargetHandle& handle : coat.handles())
+    result.region.handles.push_back(handle.vertices);
+  const auto& warnings = coat.warnings();
+  result.report.warnings.insert(result.report.warnings.end(), warnings.begin(), warnings.end());
+  if (const RemeshResult* remeshed = coat.remeshed()) {
+    // What was read of vertices that are new is where they are.
+    Positions original = remeshed->mesh.positions;
+    for (std::size_t v = 0; v < original.size(); ++v) {
+      if (remeshed->kept[v] != kNoIndex) original[v] = result.original[remeshed->kept[v]];
+    }
+    result.original = std::move(original);
+    result.mesh = remeshed->mesh;
+    result.topology = coat.topology();
+  }
+  result.mesh.positions = std::move(positions);
+  return report;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,116 @@
+#include "lapwing/session/target_side.h"
+
+#include <algorithm>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/coating/fairing.h"
+#include "lapwing/deform/handle_motion.h"
+
+namespace lapwing {
+
+using Eigen::Vector3d;
+
+TargetSide::TargetSide(const RegionSpec& patch, const Mesh& mesh, const Topology& topology)
+    : spec_(patch),
+      given_mesh_(mesh),
+      given_topology_(topology),
+      patch_(disk_patch(resolve(patch, mesh, topology), topology, mesh.positions, patch.where)) {}
+
+void TargetSide::choose_handles(std::span<const MovedHandle> handles) {
+  VertexSet chosen;
+  for (const MovedHandle& handle : handles) {
+    const std::string& where = handle.region.where;
+    const VertexSet vertices = resolve(handle.region, mesh(), topology());
+    if (vertices.empty()) {
+      throw InputError(where + ": the handle holds no vertex; name at least one");
+    }
+    if (const VertexSet outside = subtract(vertices, patch_.vertices); !outside.empty()) {
+      throw InputError(where + ": the handle leaves the target patch at " + name_vertices(outside) +
+                       "; enlarge the patch, or leave them out of the handle");
+    }
+    if (const VertexSet shared = intersect(vertices, chosen); !shared.empty()) {
+      throw InputError(where + ": the handle shares " + name_vertices(shared) +
+                       " with another; leave them out of one of the two (\"minus\" does that)");
+    }
+    chosen = unite(chosen, vertices);
+    const Vector3d centroid = handle_frame(vertices, mesh().positions).centroid;
+    handles_.push_back({vertices, to_affine(handle.move, centroid)});
+  }
+}
+
+void TargetSide::smooth(double size, LaplacianWeights weights) {
+  smooth_ = size > 0.0 ? smooth_around(patch_.vertices, size, mesh().positions, topology(), weights,
+                                       "smooth_target")
+                       : mesh().positions;
+  laid_ = on_patch<Vector3d>(patch_, smooth_);
+}
+
+std::string TargetSide::remesh(const std::function<double(const Vector3d&)>& length,
+                               const Progress& progress) {
+  auto finer = std::make_unique<Finer>();
+  if (field_.empty()) {
+    finer->remeshed = remesh_isotropic(mesh(), patch_.vertices, length, {}, progress);
+  } else {
+    Mesh with_field = mesh();
+    with_field.attributes.vertex_extras.push_back({"carried", "double", 1, std::move(field_)});
+    finer->remeshed = remesh_isotropic(with_field, patch_.vertices, length, {}, progress);
+    auto& extras = finer->remeshed.mesh.attributes.vertex_extras;
+    field_ = std::move(extras.back().values);
+    extras.pop_back();
+  }
+  const RemeshResult& remeshed = finer->remeshed;
+  finer->topology = build_topology(remeshed.mesh);
+  finer->now.assign(given_mesh_.vertex_count(), kNoIndex);
+  for (Index v = 0; v < remeshed.kept.size(); ++v) {
+    if (remeshed.kept[v] != kNoIndex) finer->now[remeshed.kept[v]] = v;
+  }
+  finer->inner = remeshed.region;
+  std::erase_if(finer->inner, [&](Index v) { return remeshed.kept[v] != kNoIndex; });
+  if (finer->inner.empty()) finer->inner = remeshed.region;
+  patch_ = disk_patch(remeshed.region, finer->topology, remeshed.mesh.positions, spec_.where);
+  finer_ = std::move(finer);
+  for (TargetHandle& handle : handles_) {
+    std::vector<Index> vertices;
+    for (const Index v : handle.vertices) {
+      const bool stayed = finer_->now[v] != kNoIndex;
+      vertices.push_back(renumbered(v, stayed));
+    }
+    handle.vertices = make_vertex_set(std::move(vertices));
+  }
+  return finer_->remeshed.note;
+}
+
+Index TargetSide::renumbered(Index given, bool on_border) const {
+  if (!finer_) return given;
+  if (on_border) return finer_->now[given];
+  const Positions& positions = finer_->remeshed.mesh.positions;
+  const Vector3d place = given_mesh_.positions[given];
+  const VertexSet& inner = finer_->inner;
+  return *std::min_element(inner.begin(), inner.end(), [&](Index a, Index b) {
+    return (positions[a] - place).squaredNorm() < (positions[b] - place).squaredNorm();
+  });
+}
+
+std::vector<Vector3d> TargetSide::own_positions() const {
+  return on_patch<Vector3d>(patch_, mesh().positions);
+}
+
+std::vector<HeldVertex> TargetSide::held() const {
+  std::vector<HeldVertex> held;
+  for (const TargetHandle& handle : handles_) {
+    for (const Index v : handle.vertices) {
+      const Vector3d& p = mesh().positions[v];
+      held.push_back({v, handle.motion * p - p});
+    }
+  }
+  // Two handles can come to share a vertex of a remeshed patch; the first has it.
+  const auto by_vertex = [](const HeldVertex& a, const HeldVertex& b) {
+    return a.vertex < b.vertex;
+  };
+  std::stable_sort(held.begin(), held.end(), by_vertex);
+  const auto same = [](const HeldVertex& a, const HeldVertex& b) { return a.vertex == b.vertex; };
+  held.erase(std::unique(held.begin(), held.end(), same), held.end());
+  return held;
+}
+
+}  // namespace lapwing
