@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editing/editor.h"
+#include "editing/layer_desk.h"
 #include "ui/load_file.h"
 
 namespace lapwing::viewer {
@@ -19,7 +20,8 @@ struct Document {
         closed_outward(file.closed_outward),
         editor(
             {std::move(file.history), opened.mesh, opened.file, std::move(file.restored), journals},
-            kernels, std::move(say), std::move(wake)),
+            kernels, say, wake),
+        desk(opened.up_axis, kernels, std::move(say), std::move(wake)),
         save_path(file.from_recipe ? std::filesystem::path() : editor.session().file()) {}
 
   OpenedMesh opened;
@@ -28,6 +30,7 @@ struct Document {
   CheckReport report;
   bool closed_outward;
   Editor editor;
+  LayerDesk desk;
   std::filesystem::path save_path;  ///< empty as long as nobody has said where
 };
 

@@ -66,17 +66,31 @@ void append_state(std::string& text, const Editor& editor) {
 
 void ViewerApp::draw_ui(const FrameTimings& last) {
   take_loaded();
-  if (document_) document_->editor.update();
+  update_document();
   carry_out_order();
   draw_menu();
   draw_status(last);
   if (document_) {
     const double per_unit = size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x);
     marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
+    if (const auto area = source_area()) {
+      marks_.draw_pairs(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
+    }
     if (show_panels_) draw_sidebar(last);
   }
   draw_dialogs();
   if (document_) ++frames_shown_;
+}
+
+void ViewerApp::update_document() {
+  if (!document_) return;
+  document_->editor.update();
+  document_->desk.update(document_->editor);
+  const auto area = source_area();
+  if (area) document_->desk.view()->resize(area->size);
+  camera_.target_across = covered_share();
+  // What is left of the window is another part of it.
+  if (std::exchange(shows_source_, area.has_value()) != area.has_value()) frame_all();
 }
 
 void ViewerApp::draw_dialogs() {
@@ -129,7 +143,7 @@ void ViewerApp::draw_unsaved() {
   const auto choice = draw_unsaved_panel(document_->opened.name);
   if (!choice) return;
   if (*choice == UnsavedChoice::save && document_->save_path.empty()) {
-    return save_as(PathPurpose::save_mesh);
+    return ask_for_path(PathPurpose::save_mesh);
   }
   const auto action = std::exchange(leaving_for_, nullptr);
   if (*choice == UnsavedChoice::save && !save_to(document_->save_path)) return;
@@ -230,6 +244,21 @@ void ViewerApp::draw_view_menu() {
   ImGui::EndMenu();
 }
 
+// A coat or mix that is open takes the place of the deform.
+void ViewerApp::draw_operations(Editor& editor) {
+  LayerDesk& desk = document_->desk;
+  if (!desk.is_open() && ImGui::CollapsingHeader("Deform", ImGuiTreeNodeFlags_DefaultOpen)) {
+    if (auto vertices = draw_deform_panel(editor, drafts_)) {
+      frame(*vertices);
+      editor.point_at(*std::move(vertices));
+    }
+  }
+  if (desk.is_open()) ImGui::SetNextItemOpen(true);
+  if (ImGui::CollapsingHeader("Coat and mix")) {
+    if (const auto purpose = draw_layer_panel(desk, editor)) ask_for_path(*purpose);
+  }
+}
+
 void ViewerApp::draw_sidebar(const FrameTimings& last) {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   const float per_unit = static_cast<float>(size_.x()) / viewport.Size.x;
@@ -241,15 +270,10 @@ void ViewerApp::draw_sidebar(const FrameTimings& last) {
     constexpr auto kOpen = ImGuiTreeNodeFlags_DefaultOpen;
     if (ImGui::CollapsingHeader("Mesh")) draw_mesh_panel(*document_);
     if (ImGui::CollapsingHeader("Selection", kOpen)) draw_selection_panel(editor, drafts_);
-    if (ImGui::CollapsingHeader("Deform", kOpen)) {
-      if (auto vertices = draw_deform_panel(editor, drafts_)) {
-        frame(*vertices);
-        editor.point_at(*std::move(vertices));
-      }
-    }
+    draw_operations(editor);
     if (ImGui::CollapsingHeader("Display", kOpen)) draw_display_panel(display_, editor);
     if (ImGui::CollapsingHeader("History", kOpen)) {
-      if (const auto purpose = draw_history_panel(editor, drafts_)) save_as(*purpose);
+      if (const auto purpose = draw_history_panel(editor, drafts_)) ask_for_path(*purpose);
     }
     if (ImGui::CollapsingHeader("Timings")) draw_timings_panel(last);
     if (ImGui::CollapsingHeader("Log")) draw_log_panel(log_);
