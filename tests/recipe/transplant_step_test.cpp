@@ -114,7 +114,10 @@ TEST(TransplantStep, IsWrittenForReaders) {
   "steps": [
     {
       "op": "transplant",
-      "part": {"mesh": "../parts/dragon.ply", "region": {"disk": {"center": 7, "radius": 0.25}}},
+      "part": {
+        "mesh": "../parts/dragon.ply",
+        "region": {"disk": {"center": 7, "radius": 0.25}}
+      },
       "loop": 2,
       "place": {
         "translate": [1, 2, 3],

@@ -69,9 +69,11 @@ void print_transplant(const TransplantReport& transplant, double diagonal) {
   }
   std::printf("\n  transition over %.3g, free for %.3g beyond, held for %.3g\n",
               transplant.transition_width, transplant.padding, transplant.belt);
-  std::printf("  residual %.1e, largest displacement %.2g of the diagonal\n",
-              transplant.relative_residual,
-              diagonal > 0.0 ? transplant.largest_displacement / diagonal : 0.0);
+  std::printf(
+      "  residual %.1e, seam turns by at most %.3g degrees an edge,\n"
+      "  largest displacement %.2g of the diagonal\n",
+      transplant.relative_residual, transplant.seam_degrees,
+      diagonal > 0.0 ? transplant.largest_displacement / diagonal : 0.0);
 }
 
 void print_summary(const RunReport& report) {

@@ -118,6 +118,7 @@ Json as_json(const TransplantReport& transplant) {
           {"flipped", transplant.flipped},
           {"relative_residual", number(transplant.relative_residual)},
           {"last_change", number(transplant.last_change)},
+          {"seam_degrees", number(transplant.seam_degrees)},
           {"largest_displacement", number(transplant.largest_displacement)},
           {"largest_displacement_vertex", vertex(transplant.largest_displacement_vertex)}};
 }

@@ -51,6 +51,8 @@ struct TransplantReport {
   std::size_t flipped = 0;  ///< triangles that the maps over the square turned over
   double relative_residual = 0.0;
   double last_change = 0.0;           ///< of the last pass, in mean edge lengths
+  /// By how much the surface turns over the edges at the hole's rim: all but a hundredth by less.
+  double seam_degrees = 0.0;
   double largest_displacement = 0.0;  ///< from where the part was placed
   Index largest_displacement_vertex = kNoIndex;
 };

@@ -7,8 +7,11 @@
 #include <sstream>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/certificate.h"
+#include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/remesh/isotropic.h"
 #include "lapwing/session/stage.h"
@@ -69,6 +72,7 @@ class TransplantRun {
   TransplantOptions options();
   void reconstruct();
   void require_valid(const TransplantResult& seam) const;
+  double seam_degrees(const Positions& positions) const;
   void hand_over(TransplantResult seam);
 
   const TransplantStep& step_;
@@ -254,6 +258,36 @@ void TransplantRun::reconstruct() {
   hand_over(std::move(seam));
 }
 
+// Over the edges that end on the hole's rim: how much the surface turns, a percentile of it.
+double TransplantRun::seam_degrees(const Positions& positions) const {
+  std::vector<char> on_rim(result_.mesh.vertex_count(), 0);
+  for (const Index v : hole_.loop) on_rim[v] = 1;
+  const auto is_seam = [&](Index v) {
+    const Index host = joined_.host_vertices[v];
+    return host != kNoIndex && on_rim[host] != 0;
+  };
+  std::vector<double> degrees;
+  const auto& triangles = joined_.topology.triangles;
+  const auto normal = [&](Index t) {
+    const auto& [a, b, c] = triangles[t];
+    return (positions[b] - positions[a]).cross(positions[c] - positions[a]).stableNormalized();
+  };
+  const Adjacency edges = sides_by_edge(triangles, positions.size());
+  for (std::size_t e = 0; e < edges.row_count(); ++e) {
+    const auto sides = edges[e];
+    if (sides.size() != 2 ||
+        !(is_seam(side_start(triangles, sides[0])) || is_seam(side_end(triangles, sides[0])))) {
+      continue;
+    }
+    const double cosine = normal(sides[0] / 3).dot(normal(sides[1] / 3));
+    degrees.push_back(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi);
+  }
+  if (degrees.empty()) return 0.0;
+  const auto place = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(degrees.size() - 1));
+  std::nth_element(degrees.begin(), degrees.begin() + place, degrees.end());
+  return degrees[static_cast<std::size_t>(place)];
+}
+
 // The joined mesh takes the place of the host.
 void TransplantRun::hand_over(TransplantResult seam) {
   TransplantReport& report = *report_.transplant;
@@ -266,6 +300,7 @@ void TransplantRun::hand_over(TransplantResult seam) {
     report.largest_displacement = distance;
     report.largest_displacement_vertex = static_cast<Index>(v);
   }
+  report.seam_degrees = seam_degrees(seam.positions);
   report.relative_residual = seam.relative_residual;
   report.last_change = seam.last_change;
   report.flipped = seam.flipped;

@@ -121,6 +121,7 @@ Collar make_collar(std::span<const Triangle> piece, const BoundaryLoop& seam,
   Collar collar;
   if (!parting.has_core()) return collar;
   collar.triangles = parting.collar();
+  if (collar.triangles.empty()) return collar;
   const auto loops = boundary_loops(collar.triangles, where);
   const BoundaryLoop wanted = from_smallest(seam);
   VertexSet others;

@@ -20,9 +20,9 @@ struct Collar {
 /// The collar of `piece` along `seam`, one of its boundary loops: every triangle with a corner
 /// nearer than `width`, and what these enclose beside the largest piece left, so that the offset
 /// has one loop whatever stands on the surface there. `distances` from the seam, one per vertex of
-/// the mesh. Empty (no triangles) when nothing of the piece is left beyond the width. Throws
-/// InputError, naming `where`, when what is left is no annulus: another boundary of the mesh lies
-/// within the width, or a handle does. Near-linear in the piece.
+/// the mesh. Empty (no triangles) when nothing of the piece is left beyond the width, or within it.
+/// Throws InputError, naming `where`, when what is left is no annulus: another boundary of the mesh
+/// lies within the width, or a handle does. Near-linear in the piece.
 Collar make_collar(std::span<const Triangle> piece, const BoundaryLoop& seam,
                    std::span<const double> distances, double width, const std::string& where);
 

@@ -38,6 +38,15 @@ double free_on_part(const TransplantOptions& options) {
   return options.transition.width + options.padding;
 }
 
+// What is larger than this is shape, which goes on smoothly over the seam, and what is smaller than
+// that detail. Whatever lies between is as large as what was cut out and what comes.
+double shape_size(const TransplantOptions& options) {
+  return 2.0 * (free_on_part(options) + options.padding);
+}
+double detail_size(const TransplantOptions& options) {
+  return 0.25 * shape_size(options);
+}
+
 Zone make_zone(const TransplantHost& host, const TransplantJoined& joined,
                const TransplantOptions& options) {
   Zone zone;
@@ -67,9 +76,7 @@ Zone make_zone(const TransplantHost& host, const TransplantJoined& joined,
 // What areas and angles are taken from.
 Positions geometry_of(std::span<const Vector3d> positions, const Topology& topology,
                       const VertexSet& region, const TransplantOptions& options) {
-  constexpr double kOfTheFree = 2.0;
-  const double free = free_on_part(options) + options.padding;
-  return Fairing(positions, topology, region, options.weights).smooth(kOfTheFree * free);
+  return Fairing(positions, topology, region, options.weights).smooth(shape_size(options));
 }
 
 // The low-frequency surface of a mesh.
@@ -115,6 +122,9 @@ class SeamReconstruction {
   std::vector<Vector3d> laplacians_of(std::span<const Vector3d> positions) const;
   std::vector<Matrix3d> frames(std::span<const SurfacePoint> points, const SmoothSurface& source,
                                const SmoothSurface& target) const;
+  double agreement(std::span<const Eigen::Vector3d> between_on_host,
+                   std::span<const Eigen::Vector3d> between) const;
+  std::vector<Vector3d> host_detail() const;
   double ring_size(std::size_t r, const Matrix3d& T) const;
   std::vector<Vector3d> wanted(const SmoothSurface& now) const;
   void solve(std::span<const Vector3d> wanted);
@@ -220,17 +230,54 @@ void SeamReconstruction::make_system() {
   rest_ = laplacians_of(joined_.positions);
 }
 
-// Frames follow what is larger than detail.
+// The shape below all detail.
 SmoothSurface SeamReconstruction::smoothed(const Fairing& fairing,
                                            std::span<const Vector3d> positions,
                                            const Topology& topology) const {
-  constexpr double kOfTheFree = 0.5;
   SmoothSurface result;
-  result.positions = fairing.smooth(positions, kOfTheFree * (free_on_part() + options_.padding));
+  result.positions = fairing.smooth(positions, shape_size(options_));
   result.normals.assign(positions.size(), Vector3d::Zero());
   vertex_normals(result.positions, topology.triangles, topology.vertex_triangles,
                  with_ring_neighbours(fairing.free(), topology.rings), result.normals);
   return result;
+}
+
+// How much of what is between detail and shape host and joined mesh have in common, 0 to 1: all of
+// it where the part is what was cut out, little of it where the one was an ear and the other is a
+// horn.
+double SeamReconstruction::agreement(std::span<const Vector3d> between_on_host,
+                                     std::span<const Vector3d> between) const {
+  double common = 0.0;
+  double on_host = 0.0;
+  double on_joined = 0.0;
+  for (std::size_t r = 0; r < rings().row_count(); ++r) {
+    if (on_host_[r].is_nowhere()) continue;
+    const Vector3d a = on_host_[r].of<Vector3d>(between_on_host);
+    const Vector3d& b = between[rings().vertices[r]];
+    common += a.dot(b);
+    on_host += a.squaredNorm();
+    on_joined += b.squaredNorm();
+  }
+  const double most = std::max(on_host, on_joined);
+  return most > 0.0 ? std::clamp(common / most, 0.0, 1.0) : 1.0;
+}
+
+// What the host has over its shape: its detail, and of the rest what the joined mesh has, too.
+std::vector<Vector3d> SeamReconstruction::host_detail() const {
+  const double size = detail_size(options_);
+  const Positions host_fine = host_fairing_->smooth(host_.positions, size);
+  Positions between_on_host = host_fine;
+  for (std::size_t v = 0; v < host_fine.size(); ++v) {
+    between_on_host[v] -= smooth_host_.positions[v];
+  }
+  Positions between = fairing_->smooth(joined_.positions, size);
+  for (std::size_t v = 0; v < between.size(); ++v) between[v] -= smooth_start_.positions[v];
+  const double common = agreement(between_on_host, between);
+  std::vector<Vector3d> detail(host_fine.size());
+  for (std::size_t v = 0; v < detail.size(); ++v) {
+    detail[v] = host_.positions[v] - host_fine[v] + common * between_on_host[v];
+  }
+  return detail;
 }
 
 // Of the same part of the host as of the joined mesh.
@@ -263,10 +310,8 @@ std::vector<Vector3d> SeamReconstruction::laplacians_of(std::span<const Vector3d
 
 void SeamReconstruction::sample() {
   smooth_host_ = smoothed(*host_fairing_, host_.positions, host_.topology);
-  std::vector<Vector3d> detail(host_.positions.size());
-  for (std::size_t v = 0; v < detail.size(); ++v) {
-    detail[v] = host_.positions[v] - smooth_host_.positions[v];
-  }
+  smooth_start_ = smoothed(*fairing_, joined_.positions, joined_.topology);
+  const std::vector<Vector3d> detail = host_detail();
   const MappedRings mapped{rings(), on_host_};
   sampled_.resize(rings().row_count());
   if (options_.sampling == MappedSampling::one_ring) {
@@ -368,10 +413,7 @@ TransplantResult SeamReconstruction::run() {
   });
   make_system();
   result_.positions.assign(joined_.positions.begin(), joined_.positions.end());
-  timed("sample", [&] {
-    sample();
-    smooth_start_ = smoothed(*fairing_, result_.positions, joined_.topology);
-  });
+  timed("sample", [&] { sample(); });
   SmoothSurface now = smooth_start_;
   for (int pass = 0; pass < kPasses; ++pass) {
     if (pass > 0) {

@@ -64,19 +64,19 @@ Positions smooth_seam(const TransplantHost& host, const TransplantJoined& joined
                       const TransplantOptions& options);
 
 /// Reconstructs what lies around the seam of a transplant (paper section 6). With u the
-/// displacement of D, D smooth below features of half of what is free, xi_U the Laplacians of
-/// what the host has over its surface smooth likewise, where D comes to lie on it - its vertices on
-/// the host's side on themselves, the transition on the collar of what was cut, both laid over the
-/// unit square from the same seam with their cuts aligned - delta_S those of the part as it was
-/// placed, w the transition's share,
+/// displacement of D, D smooth its shape, xi_U the Laplacians of what the host has over its own
+/// shape, where D comes to lie on it - its vertices on the host's side on themselves, the
+/// transition on the collar of what was cut, both laid over the unit square from the same seam with
+/// their cuts aligned - delta_S those of the part as it was placed, w the transition's share,
 ///     (L'L + W) u = L' ((1 - w) (delta(D smooth) + T_U xi_U) + w T_S delta_S - delta(D))
-/// on one n x n factor. Of the host only the detail comes over, as in coating: the Laplacians of
-/// its whole shape, which the paper blends, bend the seam to what is no more, the head under a new
-/// head. A transition as wide as the hole takes that for detail, and bends likewise. T_U and T_S =
-/// s R turn with the smooth surfaces, from host and part to what comes out, which is smoothed anew
-/// in two more passes. A part that is where it was cut from stays there. Throws InputError, naming
-/// `where`, when the transition reaches another boundary or a handle, and SolverError when the
-/// system is singular. Stages "collars", "laplacian", "sample", "solve".
+/// on one n x n factor. Shape is what is larger than twice what is free; detail, what is smaller
+/// than half of that, comes over from the host whole, as in coating. What is between is as large as
+/// what was cut out: the paper blends it in with all of the host's Laplacians, and then the ear
+/// that was there bends the horn that comes. So of this only as much comes over as host and joined
+/// mesh agree on. T_U and T_S = s R turn with the shapes, from host and part to what comes out,
+/// whose shape is taken anew in two more passes. A part that is where it was cut from stays there.
+/// Throws InputError, naming `where`, when the transition reaches another boundary or a handle, and
+/// SolverError when the system is singular. Stages "collars", "laplacian", "sample", "solve".
 TransplantResult reconstruct_seam(const TransplantHost& host, const TransplantJoined& joined,
                                   const TransplantOptions& options, Kernels& kernels,
                                   const std::string& where, StageTimings& timings,
