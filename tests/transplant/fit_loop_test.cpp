@@ -39,7 +39,7 @@ struct CutHills : testing::Test {
     }
     return corner;
   }();
-  Points part = test::loop_points(cut_out(mesh, region, "region").mesh);
+  Points part = test::first_loop(cut_out(mesh, region, "region").mesh);
   Points hole{part.rbegin(), part.rend()};
 };
 
@@ -114,9 +114,9 @@ TEST(FitLoop, ADomeStandsOutOfTheHole) {
     if ((ground.positions[v] - Vector3d(0.5, 0.5, 0.0)).norm() < 0.25) hole.push_back(v);
   }
   // The grid's outer border is cut off too, so that the hole has the one loop left.
-  Points loop = test::loop_points(cut_out(ground, hole, "hole").mesh);
+  Points loop = test::first_loop(cut_out(ground, hole, "hole").mesh);
   std::ranges::reverse(loop);
-  const Affine3d placed = fit_loop(test::loop_points(dome), loop, {}, "fit");
+  const Affine3d placed = fit_loop(test::first_loop(dome), loop, {}, "fit");
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& p : dome.positions) mean += placed * p;
   mean /= static_cast<double>(dome.vertex_count());

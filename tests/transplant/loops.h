@@ -7,18 +7,14 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/mesh/topology.h"
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/transplant/loop_curve.h"
 
 namespace lapwing::test {
 
 /// The positions along the first boundary loop of `mesh`, the surface on the left.
-inline std::vector<Eigen::Vector3d> loop_points(const Mesh& mesh) {
-  std::vector<Eigen::Vector3d> points;
-  const auto triangles = build_topology(mesh).triangles;
-  for (const Index v : boundary_loops(triangles, "mesh").at(0)) {
-    points.push_back(mesh.positions[v]);
-  }
-  return points;
+inline std::vector<Eigen::Vector3d> first_loop(const Mesh& mesh) {
+  const auto loops = boundary_loops(build_topology(mesh).triangles, "mesh");
+  return loop_points(loops.at(0), mesh.positions);
 }
 
 inline std::vector<Eigen::Vector3d> moved(const Eigen::Affine3d& motion,

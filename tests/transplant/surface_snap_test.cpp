@@ -15,7 +15,7 @@ using Eigen::Affine3d;
 using Eigen::Vector3d;
 using test::circle;
 using test::difference;
-using test::loop_points;
+using test::first_loop;
 using test::moved;
 using test::similarity;
 
@@ -53,7 +53,7 @@ struct SnapToASphere : testing::Test {
     for (Index v = 0; v < sphere.vertex_count(); ++v) {
       if (sphere.positions[v].z() > 0.8) cap.push_back(v);
     }
-    return loop_points(cut_out(sphere, cap, "cap").mesh);
+    return first_loop(cut_out(sphere, cap, "cap").mesh);
   }();
   Affine3d placement = similarity(15.0, {1, 0, 0}, 1.0, {0.1, 0.0, 0.3});
 };

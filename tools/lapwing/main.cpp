@@ -59,6 +59,8 @@ int main(int argc, char** argv) {
   lapwing::cli::add_coat(app);
   lapwing::cli::add_transplant(app);
   lapwing::cli::add_peel(app);
+  lapwing::cli::add_cut(app);
+  lapwing::cli::add_parts(app);
   lapwing::cli::add_render(app);
   lapwing::cli::add_check(app);
   lapwing::cli::add_convert(app);

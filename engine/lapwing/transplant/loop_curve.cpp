@@ -122,6 +122,21 @@ Matrix3d least_rotation(const Vector3d& from, const Vector3d& to) {
   return turn.normalized().toRotationMatrix();
 }
 
+std::vector<Vector3d> loop_points(const BoundaryLoop& loop, std::span<const Vector3d> positions) {
+  std::vector<Vector3d> points;
+  points.reserve(loop.size());
+  for (const Index v : loop) points.push_back(positions[v]);
+  return points;
+}
+
+double loop_length(const BoundaryLoop& loop, std::span<const Vector3d> positions) {
+  double length = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    length += (positions[loop[(k + 1) % loop.size()]] - positions[loop[k]]).norm();
+  }
+  return length;
+}
+
 std::vector<Vector3d> transformed(std::span<const Vector3d> points, const Eigen::Affine3d& map) {
   std::vector<Vector3d> images(points.begin(), points.end());
   for (Vector3d& p : images) p = map * p;

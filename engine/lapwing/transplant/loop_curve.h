@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/transplant/boundary_loops.h"
+
 namespace lapwing {
 
 /// A closed polyline, by arc length. Vertices may coincide.
@@ -44,6 +46,13 @@ LoopFrame loop_frame(const LoopCurve& curve);
 /// The rotation by the least angle that takes `from`, of length 1, to `to`, of length 1. For
 /// opposite ones about an axis that depends on `from` alone.
 Eigen::Matrix3d least_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// The positions along a boundary loop.
+std::vector<Eigen::Vector3d> loop_points(const BoundaryLoop& loop,
+                                         std::span<const Eigen::Vector3d> positions);
+
+/// The length of a boundary loop.
+double loop_length(const BoundaryLoop& loop, std::span<const Eigen::Vector3d> positions);
 
 /// The images of `points`.
 std::vector<Eigen::Vector3d> transformed(std::span<const Eigen::Vector3d> points,

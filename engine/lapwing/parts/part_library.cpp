@@ -1,0 +1,151 @@
+#include "lapwing/parts/part_library.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/atomic_file.h"
+#include "lapwing/io/file_bytes.h"
+#include "lapwing/recipe/json_node.h"
+#include "lapwing/transplant/loop_curve.h"
+
+namespace lapwing {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path details_path(const fs::path& path) {
+  return fs::path(path).replace_extension(".json");
+}
+
+std::string count_loops(const std::vector<BoundaryLoop>& loops) {
+  return std::to_string(loops.size()) + (loops.size() == 1 ? " boundary loop" : " boundary loops");
+}
+
+void require_loop(std::size_t loop, const std::vector<BoundaryLoop>& loops,
+                  const std::string& where) {
+  if (loop < loops.size()) return;
+  throw InputError(where + " names loop " + std::to_string(loop) + ", but the mesh has " +
+                   count_loops(loops) + ", counted from 0");
+}
+
+// The number that the details give; none without them.
+std::optional<std::size_t> loop_in_details(const fs::path& path) {
+  std::error_code missing;
+  if (!fs::exists(path, missing)) return std::nullopt;
+  const JsonNode root = JsonNode::parse(FileBytes::read(path).view(), path.string());
+  root.require_keys({"loop"});
+  const auto loop = root.find("loop");
+  return loop ? std::optional<std::size_t>(loop->vertex()) : std::nullopt;
+}
+
+std::size_t longest(const std::vector<BoundaryLoop>& loops,
+                    std::span<const Eigen::Vector3d> positions) {
+  const auto length = [&](const BoundaryLoop& loop) { return loop_length(loop, positions); };
+  return static_cast<std::size_t>(std::ranges::max_element(loops, {}, length) - loops.begin());
+}
+
+Part part_of(const fs::path& path, std::optional<std::size_t> loop, const std::string& loop_where) {
+  Part part;
+  part.name = path.stem().string();
+  part.mesh_path = path;
+  part.mesh = read_mesh(path);
+  part.loops = boundary_loops(build_topology(part.mesh).triangles, path.string());
+  if (part.loops.empty()) {
+    throw InputError(path.string() +
+                     " has no boundary loop, at which a part is joined; cut a part out of it with "
+                     "`lapwing cut`");
+  }
+  if (loop) require_loop(*loop, part.loops, loop_where);
+  part.loop = loop ? *loop : longest(part.loops, part.mesh.positions);
+  return part;
+}
+
+bool is_mesh_file(const fs::path& path) {
+  try {
+    format_of(path);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+void require_name(const std::string& name) {
+  const bool is_file_name =
+      !name.empty() && name.front() != '.' && name.find_first_of("/\\") == std::string::npos;
+  if (!is_file_name) {
+    throw InputError("a part cannot be called \"" + name +
+                     "\": its files take its name, so it may hold no slash and begin with no dot");
+  }
+}
+
+}  // namespace
+
+fs::path picture_path(const fs::path& path) {
+  return fs::path(path).replace_extension(".png");
+}
+
+bool picture_is_current(const fs::path& path) {
+  std::error_code error;
+  const auto drawn = fs::last_write_time(picture_path(path), error);
+  if (error || drawn < fs::last_write_time(path, error) || error) return false;
+  const auto detailed = fs::last_write_time(details_path(path), error);
+  return error || drawn >= detailed;
+}
+
+Part read_part(const fs::path& path) {
+  const fs::path details = details_path(path);
+  return part_of(path, loop_in_details(details), details.string() + ": /loop");
+}
+
+std::vector<fs::path> part_files(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored;
+    if (is_mesh_file(entry->path()) && entry->is_regular_file(ignored)) {
+      files.push_back(entry->path());
+    }
+  }
+  if (error) throw IoError("cannot read the folder " + folder.string() + ": " + error.message());
+  std::ranges::sort(files);
+  return files;
+}
+
+Part find_part(const fs::path& folder, const std::string& name) {
+  std::string names;
+  for (const fs::path& file : part_files(folder)) {
+    if (file.stem() == name) return read_part(file);
+    names += (names.empty() ? "" : ", ") + file.stem().string();
+  }
+  throw InputError("no part \"" + name + "\" in " + folder.string() + "; " +
+                   (names.empty() ? "it has no mesh files" : "it has " + names));
+}
+
+AddedPart add_part(const fs::path& folder, const fs::path& source, const std::string& name,
+                   std::optional<std::size_t> loop) {
+  const std::string own_name = name.empty() ? source.stem().string() : name;
+  require_name(own_name);
+  AddedPart added{part_of(source, loop, source.string() + ": the part"), {}};
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
+  added.part.name = own_name;
+  // Not replace_extension, which would cut off what follows a dot in the name.
+  added.part.mesh_path = folder / (own_name + source.extension().string());
+  std::vector<fs::path> files = part_files(folder);
+  std::erase_if(files, [&](const fs::path& file) { return file.stem() != own_name; });
+  if (fs::exists(details_path(added.part.mesh_path), error)) {
+    files.push_back(details_path(added.part.mesh_path));
+  }
+  if (!files.empty()) {
+    throw InputError(files[0].string() + " is there already; give the new part another --name");
+  }
+  replace_file(details_path(added.part.mesh_path),
+               "{\"loop\": " + std::to_string(added.part.loop) + "}\n");
+  added.report = write_mesh(added.part.mesh, added.part.mesh_path);
+  return added;
+}
+
+}  // namespace lapwing

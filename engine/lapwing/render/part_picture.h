@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "lapwing/mesh/mesh.h"
+#include "lapwing/render/image.h"
+
+namespace lapwing {
+
+class VulkanKernels;
+
+/// A picture of a part for transplanting, `side` pixels wide and high, on nothing: it stands on its
+/// boundary loop, which is marked, and is seen from the front and a little above. `loop` as
+/// boundary_loops has it. Throws InputError for a loop as in LoopCurve, and GpuError for a device
+/// that cannot draw.
+Image part_picture(VulkanKernels& kernels, const Mesh& mesh, std::span<const Index> loop,
+                   std::uint32_t side);
+
+/// The side of the pictures beside parts.
+inline constexpr std::uint32_t kThumbnailSide = 192;
+
+}  // namespace lapwing

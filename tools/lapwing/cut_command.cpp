@@ -1,0 +1,93 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/region/disk_report.h"
+#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/transplant/cut.h"
+#include "loop_text.h"
+#include "mesh_output.h"
+#include "region_text.h"
+
+namespace lapwing::cli {
+namespace {
+
+struct CutArguments {
+  std::string mesh;
+  std::string region;
+  std::string part;
+  std::string rest;
+  bool quiet = false;
+};
+
+VertexSet all_vertices(const Mesh& mesh) {
+  VertexSet all(mesh.vertex_count());
+  for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<Index>(v);
+  return all;
+}
+
+// What keeps a piece from being one that `lapwing transplant` joins without being told more.
+void note_oddities(const Mesh& mesh, const Topology& topology, const std::string& path) {
+  const DiskReport report = report_disk(region_triangles(all_vertices(mesh), topology));
+  const auto note = [&](const std::string& text) {
+    std::fprintf(stderr, "lapwing: note: %s %s\n", path.c_str(), text.c_str());
+  };
+  if (report.pieces.size() > 1) {
+    note("is in " + std::to_string(report.pieces.size()) + " pieces");
+  }
+  if (report.loops.empty()) note("has no boundary loop, so that it cannot be joined to a mesh");
+  if (report.loops.size() > 1) note("has several boundary loops, of which a part is joined at one");
+  if (!report.pinched.empty()) note("touches itself at " + name_vertices(report.pinched));
+  if (!report.crowded_edges.empty()) note("has edges with more than two triangles");
+  if (!report.turned_edges.empty()) note("has edges whose triangles face opposite ways");
+}
+
+void write_piece(const CutPiece& piece, const std::string& path, bool quiet) {
+  print_notes(write_mesh(piece.mesh, path));
+  const Topology topology = build_topology(piece.mesh);
+  note_oddities(piece.mesh, topology, path);
+  if (quiet) return;
+  std::printf("%s: %zu vertices, %zu faces\n", path.c_str(), piece.mesh.vertex_count(),
+              piece.mesh.face_count());
+  std::vector<BoundaryLoop> loops;
+  try {
+    loops = boundary_loops(topology.triangles, path);
+  } catch (const InputError&) {
+    return;  // told already
+  }
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    std::printf("  loop %zu: %s\n", k, loop_text(loops[k], piece.mesh.positions).c_str());
+  }
+}
+
+void cut(const CutArguments& a) {
+  const Mesh mesh = read_mesh(a.mesh);
+  const VertexSet region = resolve(region_spec("--region", a.region), mesh, build_topology(mesh));
+  const CutPiece part = cut_out(mesh, region, "--region");
+  // Both or none are written.
+  CutPiece rest;
+  if (!a.rest.empty()) rest = cut_away(mesh, region, "--region");
+  write_piece(part, a.part, a.quiet);
+  if (!a.rest.empty()) write_piece(rest, a.rest, a.quiet);
+}
+
+}  // namespace
+
+void add_cut(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "cut", "cut a part out of a mesh, to be put on another one: the polygons inside a region");
+  auto a = std::make_shared<CutArguments>();
+  command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("--region", a->region, kRegionHelp)->required();
+  command->add_option("-o,--output", a->part, "the part; its extension names the format")
+      ->required();
+  command->add_option("--rest", a->rest, "what is left of the mesh around the hole");
+  command->add_flag("--quiet", a->quiet, "print errors and notes only");
+  command->callback([a] { cut(*a); });
+}
+
+}  // namespace lapwing::cli

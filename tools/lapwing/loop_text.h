@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "lapwing/transplant/boundary_loops.h"
+
+namespace lapwing::cli {
+
+/// "63 vertices from vertex 12, 1.234 long".
+std::string loop_text(const BoundaryLoop& loop, std::span<const Eigen::Vector3d> positions);
+
+}  // namespace lapwing::cli

@@ -1,0 +1,143 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/parts/part_library.h"
+#include "lapwing/render/part_picture.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+#include "loop_text.h"
+#include "mesh_output.h"
+
+namespace lapwing::cli {
+namespace {
+
+struct PartsArguments {
+  std::string folder;
+  std::string mesh;
+  std::string name;
+  std::optional<std::size_t> loop;
+  std::string picture;
+  std::uint32_t side = 512;
+  std::string device = "auto";
+  bool no_pictures = false;
+};
+
+void note(const std::string& text) {
+  std::fprintf(stderr, "lapwing: note: %s\n", text.c_str());
+}
+
+// Draws the pictures beside parts, on a device that is looked for when the first one is needed.
+class Thumbnails {
+ public:
+  explicit Thumbnails(const PartsArguments& arguments)
+      : device_(arguments.device), off_(arguments.no_pictures) {}
+
+  void renew(const Part& part) {
+    if (off_ || picture_is_current(part.mesh_path)) return;
+    try {
+      if (!kernels_) kernels_.emplace(VulkanOptions{device_});
+      const Image image = part_picture(*kernels_, part.mesh, part.loops[part.loop], kThumbnailSide);
+      write_png(picture_path(part.mesh_path), image);
+    } catch (const GpuError& error) {
+      off_ = true;
+      note(std::string("parts stay without pictures: ") + error.what());
+    } catch (const IoError& error) {
+      off_ = true;
+      note(std::string("parts stay without pictures: ") + error.what());
+    }
+  }
+
+ private:
+  std::string device_;
+  bool off_;
+  std::optional<VulkanKernels> kernels_;
+};
+
+void print(const Part& part) {
+  std::printf("%s: %zu vertices, %zu faces, loop %zu of %zu: %s\n", part.name.c_str(),
+              part.mesh.vertex_count(), part.mesh.face_count(), part.loop, part.loops.size(),
+              loop_text(part.loops[part.loop], part.mesh.positions).c_str());
+}
+
+void list(const PartsArguments& a) {
+  Thumbnails thumbnails(a);
+  for (const auto& file : part_files(a.folder)) {
+    try {
+      const Part part = read_part(file);
+      print(part);
+      thumbnails.renew(part);
+    } catch (const InputError& error) {
+      note("skipped " + file.string() + ": " + error.what());
+    } catch (const IoError& error) {
+      note("skipped " + file.string() + ": " + error.what());
+    }
+  }
+}
+
+void add(const PartsArguments& a) {
+  const AddedPart added = add_part(a.folder, a.mesh, a.name, a.loop);
+  print_notes(added.report);
+  print(added.part);
+  if (added.part.loops.size() > 1 && !a.loop) {
+    note("of the " + std::to_string(added.part.loops.size()) +
+         " boundary loops the longest is where the part is joined; --loop names another");
+  }
+  Thumbnails(a).renew(added.part);
+}
+
+void show(const PartsArguments& a) {
+  const Part part = find_part(a.folder, a.name);
+  std::printf("%s\n", part.mesh_path.string().c_str());
+  print(part);
+  for (std::size_t k = 0; k < part.loops.size(); ++k) {
+    std::printf("  loop %zu: %s\n", k, loop_text(part.loops[k], part.mesh.positions).c_str());
+  }
+  if (a.picture.empty()) return;
+  VulkanKernels kernels(VulkanOptions{a.device});
+  write_png(a.picture, part_picture(kernels, part.mesh, part.loops[part.loop], a.side));
+}
+
+CLI::App* subcommand(CLI::App& parts, PartsArguments& a, const std::string& name,
+                     const std::string& help) {
+  auto* command = parts.add_subcommand(name, help);
+  command->add_option("DIR", a.folder, "the folder of parts")->required();
+  command->add_option("--device", a.device, "auto, an index or a part of a name")
+      ->capture_default_str();
+  return command;
+}
+
+}  // namespace
+
+void add_parts(CLI::App& app) {
+  auto* parts = app.add_subcommand("parts", "a folder of parts for transplanting, with pictures");
+  parts->require_subcommand(1);
+  auto a = std::make_shared<PartsArguments>();
+
+  auto* list_command = subcommand(
+      *parts, *a, "list", "the parts in a folder: meshes with a boundary loop; renews NAME.png");
+  list_command->add_flag("--no-pictures", a->no_pictures, "leave the pictures as they are");
+  list_command->callback([a] { list(*a); });
+
+  auto* add_command = subcommand(*parts, *a, "add", "copy a mesh into the folder as a part");
+  add_command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL with a boundary loop")->required();
+  add_command->add_option("--name", a->name, "of the part; the mesh file's when not given");
+  add_command->add_option("--loop", a->loop,
+                          "number of the boundary loop it is joined at; the longest by default");
+  add_command->add_flag("--no-pictures", a->no_pictures, "without a picture");
+  add_command->callback([a] { add(*a); });
+
+  auto* show_command = subcommand(*parts, *a, "show", "one part, and a picture of it");
+  show_command->add_option("NAME", a->name, "of the part")->required();
+  show_command->add_option("-o,--output", a->picture, "PNG");
+  show_command->add_option("--size", a->side, "of the picture, in pixels")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
+  show_command->callback([a] { show(*a); });
+}
+
+}  // namespace lapwing::cli
