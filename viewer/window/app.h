@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "lapwing/render/camera.h"
@@ -18,12 +19,23 @@ class Context;
 
 namespace lapwing::viewer {
 
-/// What a frame shows under the panels. Without a surface only the background.
-struct Scene {
+/// A surface and how it is looked at.
+struct SurfaceScene {
   VulkanSurface* surface = nullptr;
   const SurfacePaint* paint = nullptr;  ///< of the surface
   Camera camera;
   SurfaceStyle style;
+};
+
+/// Another surface, in a part of the picture that shows nothing else.
+struct SideScene : SurfaceScene {
+  Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< the upper left one, in whole pixels
+  Eigen::Vector2d size = Eigen::Vector2d::Ones();    ///< likewise; all of it in the picture
+};
+
+/// What a frame shows under the panels. Without a surface only the background.
+struct Scene : SurfaceScene {
+  std::optional<SideScene> beside;
   Background background = Background::gradient;
   /// Whether it is being moved: then it is drawn quickly, without antialiasing.
   bool moving = false;

@@ -1,5 +1,6 @@
 #include "window/frame_painter.h"
 
+#include <algorithm>
 #include <imgui.h>
 #include <span>
 
@@ -94,6 +95,22 @@ void FramePainter::submit(const Screen::Image& image) {
   commands_.submit(listed(ready), listed(drawn));
 }
 
+void FramePainter::draw_beside(VkCommandBuffer commands, const Renderer& renderer,
+                               const SideScene& scene, Background background) const {
+  const VkExtent2D extent = screen_.extent();
+  const auto pixel = [](double place, std::uint32_t limit) {
+    return static_cast<std::uint32_t>(std::clamp(place, 0.0, static_cast<double>(limit)));
+  };
+  const std::uint32_t left = pixel(scene.corner.x(), extent.width);
+  const std::uint32_t top = pixel(scene.corner.y(), extent.height);
+  const VkRect2D area{
+      {static_cast<std::int32_t>(left), static_cast<std::int32_t>(top)},
+      {pixel(scene.size.x(), extent.width - left), pixel(scene.size.y(), extent.height - top)}};
+  if (area.extent.width == 0 || area.extent.height == 0) return;
+  renderer.begin(commands, area, background);
+  renderer.draw(commands, area.extent, *scene.surface, *scene.paint, scene.camera, scene.style);
+}
+
 void FramePainter::record(const Screen::Image& image, const Scene& scene,
                           const ImDrawData& panels) {
   const VkExtent2D extent = screen_.extent();
@@ -111,6 +128,7 @@ void FramePainter::record(const Screen::Image& image, const Scene& scene,
     drawing.renderer.draw(commands, extent, *scene.surface, *scene.paint, scene.camera,
                           scene.style);
   }
+  if (scene.beside) draw_beside(commands, drawing.renderer, *scene.beside, scene.background);
   drawing.scope->end(commands);
   recorder.timestamp();
 

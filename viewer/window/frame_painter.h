@@ -46,6 +46,8 @@ class FramePainter {
 
   void fit_to(VkExtent2D pixels);
   void record(const Screen::Image& image, const Scene& scene, const ImDrawData& panels);
+  void draw_beside(VkCommandBuffer commands, const Renderer& renderer, const SideScene& scene,
+                   Background background) const;
   void submit(const Screen::Image& image);
   Drawing& drawing_for(const Scene& scene);
 

@@ -138,11 +138,27 @@ Renderer::Renderer(gpu::Context& context, const TargetFormat& target)
       color_maps_(make_color_maps(context)) {}
 
 void Renderer::begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const {
-  const VkViewport viewport{
-      0.0F, 0.0F, static_cast<float>(extent.width), static_cast<float>(extent.height), 0.0F, 1.0F};
-  const VkRect2D scissor{{0, 0}, extent};
+  fill(commands, {{0, 0}, extent}, background);
+}
+
+void Renderer::begin(VkCommandBuffer commands, const VkRect2D& area, Background background) const {
+  // Depth is reversed: the farthest is 0, which is what a zeroed clear value says.
+  VkClearAttachment depth{};
+  depth.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
+  const VkClearRect cleared{area, 0, 1};
+  context_.vk().vkCmdClearAttachments(commands, 1, &depth, 1, &cleared);
+  fill(commands, area, background);
+}
+
+void Renderer::fill(VkCommandBuffer commands, const VkRect2D& area, Background background) const {
+  const VkViewport viewport{static_cast<float>(area.offset.x),
+                            static_cast<float>(area.offset.y),
+                            static_cast<float>(area.extent.width),
+                            static_cast<float>(area.extent.height),
+                            0.0F,
+                            1.0F};
   context_.vk().vkCmdSetViewport(commands, 0, 1, &viewport);
-  context_.vk().vkCmdSetScissor(commands, 0, 1, &scissor);
+  context_.vk().vkCmdSetScissor(commands, 0, 1, &area);
   background_.draw(commands, {}, background_push(background), 3);
 }
 

@@ -55,6 +55,9 @@ class Renderer {
 
   /// Sets viewport and scissor and fills the picture. First in every scope.
   void begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const;
+  /// Begins anew in a part of the picture, whatever was drawn there: what follows is drawn as into
+  /// a picture of that extent.
+  void begin(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
   /// The surface; its back, where it is drawn, is darker. Commands recorded before must have made
   /// its buffers visible to the vertex stage (a gpu::Recorder begins with that).
   void draw(VkCommandBuffer commands, VkExtent2D extent, const VulkanSurface& surface,
@@ -62,6 +65,8 @@ class Renderer {
   void draw(VkCommandBuffer commands, VkExtent2D extent, const OverlayBuffer& overlay) const;
 
  private:
+  void fill(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
+
   const gpu::Context& context_;
   GraphicsPipeline background_;
   GraphicsPipeline surface_;

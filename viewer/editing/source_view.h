@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "editing/editor.h"
+#include "navigation/keymap.h"
+#include "tools/disk_tool.h"
+
+namespace lapwing::viewer {
+
+/// What the left button does on the source.
+enum class SourceTool { disk, point };
+
+/// The mesh that an operation takes from, shown beside the one that is edited: with a camera of its
+/// own, a patch that is chosen by a disk, and points to be picked. Its pixels are from the upper
+/// left corner of its own part of the window.
+class SourceView {
+ public:
+  /// `kernels` must outlive it. Shows all of `mesh` with `up_axis` up.
+  SourceView(TriangulatedMesh mesh, UpAxis up_axis, VulkanKernels& kernels);
+
+  void release_device() { shown_.release_device(); }
+  void use_device(VulkanKernels& kernels);
+
+  const AppState& state() const { return state_; }
+  const ChosenRegion& patch() const { return state_.selection.roi; }
+  /// Throws what `apply` does.
+  void choose_patch(const RegionSpec& region);
+
+  SourceTool tool() const { return tool_; }
+  void take(SourceTool tool) { tool_ = tool; }
+
+  void resize(const Eigen::Vector2d& size);
+  Editor::Handled handle(const InputEvent& event, const Keymap& keymap);
+  /// Whether a button that was pressed on it is still down.
+  bool holds_mouse() const { return motion_.has_value() || disk_.is_dragging(); }
+  bool is_moving() const { return holds_mouse(); }
+  /// The vertex that was picked last, once.
+  std::optional<Index> take_point() { return std::exchange(point_, std::nullopt); }
+
+  /// Once a frame, before it is drawn.
+  void update();
+
+  ViewFrame view_frame() const;
+  const ShownSurface& shown() const { return shown_; }
+
+ private:
+  ToolAnswer choose(const InputEvent& event);
+  void move_camera(const InputEvent& event, const Keymap& keymap);
+  void drag_to(const Eigen::Vector2d& pixel);
+
+  AppState state_;
+  UpAxis up_axis_;
+  ShownSurface shown_;
+  Camera camera_;
+  Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
+  bool is_framed_ = false;
+  SourceTool tool_ = SourceTool::disk;
+  DiskTool disk_;
+  std::optional<Index> point_;
+  std::optional<Motion> motion_;  // of the camera, under way
+  Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
+  bool classes_are_old_ = true;
+};
+
+}  // namespace lapwing::viewer
