@@ -33,11 +33,11 @@ class SheetAndRelief {
   /// The relief on the middle of the sheet, whose triangles stay unless `remesh` says otherwise.
   CoatStep coat(double amplitude = 1.0, Remeshing remesh = Remeshing::none) const {
     CoatStep step;
-    step.source = relief();
-    step.source_patch = {AllVertices{}};
+    step.source.mesh = relief();
+    step.source.patch = {AllVertices{}};
     step.target_patch = {GeodesicDisk{Eigen::Vector3d(0.5, 0.5, 0.025), 0.3}};
-    step.parameters.detail_size = 0.5;
-    step.parameters.amplitude = amplitude;
+    step.source.detail_size = 0.5;
+    step.source.amplitude = amplitude;
     step.parameters.remesh = remesh;
     return step;
   }
