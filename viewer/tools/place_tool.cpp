@@ -14,6 +14,8 @@ constexpr double kFactorPerNotch = 1.1;
 constexpr double kDegreesPerNotch = 5.0;
 // The surface's direction is that of what lies under the part, in radii of its loop.
 constexpr double kLookedAt = 0.7;
+// Of a part that is brought onto the surface, in the same.
+constexpr double kFarthestSlide = 0.3;
 
 // Two directions across `normal` that turn with the part.
 Eigen::Matrix3d axes_of(const Affine3d& placement, const Vector3d& normal) {
@@ -166,6 +168,16 @@ void PlaceTool::place(const Affine3d& placement) {
   ++version_;
 }
 
+// Onto the surface, unless it would slide away from the cursor.
+Affine3d PlaceTool::snapped(const Vector3d& point) const {
+  if (!snaps) return way_.placement;
+  TransplantDraft there = way_;
+  there.placement = host_.surface->snap(way_.placement, way_.part->loop, "the part in hand");
+  const LoopFrame frame = there.frame();
+  return (frame.center - point).norm() < kFarthestSlide * frame.radius ? there.placement
+                                                                       : way_.placement;
+}
+
 bool PlaceTool::follow(const Vector2d& pixel, const Projection& projection) {
   const Positions& positions = host_.state.rest->positions;
   const Topology& topology = *host_.state.topology;
@@ -174,8 +186,7 @@ bool PlaceTool::follow(const Vector2d& pixel, const Projection& projection) {
   const double around = kLookedAt * way_.frame().radius;
   way_.stand_at(point->position, normal_around(*point, around, topology, positions));
   draft_.stands = true;
-  place(snaps ? host_.surface->snap(way_.placement, draft_.part->loop, "the part in hand")
-              : way_.placement);
+  place(snapped(point->position));
   return true;
 }
 

@@ -65,6 +65,7 @@ class PlaceTool final : public SceneTool {
   ToolAnswer handle_scroll(const InputEvent& event);
   ToolAnswer carry_on(const InputEvent& event, const Projection& projection);
   ToolAnswer adjust(const InputEvent& event, const Projection& projection);
+  Eigen::Affine3d snapped(const Eigen::Vector3d& point) const;
   bool follow(const Eigen::Vector2d& pixel, const Projection& projection);
   template <class Change>
   void change(const Change& change);

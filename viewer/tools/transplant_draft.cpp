@@ -19,7 +19,7 @@ const std::string kWhere = "the part in hand";
 // A loop of a radius between these, in diagonals of the surface, was made for it; another one is
 // made so large.
 constexpr double kLeastRadius = 0.01;
-constexpr double kMostRadius = 0.25;
+constexpr double kMostRadius = 0.12;
 constexpr double kUsualRadius = 0.06;
 
 // Of a hole that was written as the draft writes it, in radii.

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "editing/editor.h"
+#include "editing/transplant_desk.h"
 #include "ui/load_file.h"
+#include "ui/part_pictures.h"
 
 namespace lapwing::viewer {
 
@@ -19,7 +21,8 @@ struct Document {
         closed_outward(file.closed_outward),
         editor(
             {std::move(file.history), opened.mesh, opened.file, std::move(file.restored), journals},
-            kernels, std::move(say), std::move(wake)),
+            kernels, say, wake),
+        transplant(kernels, say, wake),
         save_path(file.from_recipe ? std::filesystem::path() : editor.session().file()) {}
 
   OpenedMesh opened;
@@ -28,6 +31,8 @@ struct Document {
   CheckReport report;
   bool closed_outward;
   Editor editor;
+  TransplantDesk transplant;
+  PartPictures part_pictures;       ///< of its shelf
   std::filesystem::path save_path;  ///< empty as long as nobody has said where
 };
 

@@ -20,6 +20,9 @@ struct PanelDrafts {
   std::optional<SimilarityMove> move;
   std::optional<EditParameters> parameters;
   std::size_t history_shown = 0;  ///< step that the list was scrolled to
+  std::string parts_folder;       ///< being typed in; empty: as the shelf has it
+  std::string part_path;          ///< likewise, to be used or added
+  std::string part_name;          ///< of what is to be cut
 };
 
 // The panels. Each lays itself out with ImGui where the caller has begun a window, and changes only
@@ -34,6 +37,10 @@ void draw_selection_panel(Editor& editor, PanelDrafts& drafts);
 /// The handle's move in numbers, how the edit is computed, how far the worker is, and what the
 /// result promises. Vertices that a person wants to be shown.
 std::optional<std::vector<Index>> draw_deform_panel(Editor& editor, PanelDrafts& drafts);
+
+/// Parts, the one in hand, and how it is sewn on.
+void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, Editor& editor,
+                           PanelDrafts& drafts);
 
 /// What a path is typed in for.
 enum class PathPurpose { save_mesh, save_recipe, replay_recipe };
@@ -68,6 +75,8 @@ class EditMarks {
   /// Pixels of `view` for each of ImGui's units.
   void draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
             const Eigen::Vector2d& cursor);
+  /// Of a transplant: the loops of part and hole, and the part's gizmo.
+  void draw_transplant(const TransplantDesk& desk, const ViewFrame& view, double pixels_per_unit);
 
  private:
   GizmoLines gizmo_;

@@ -36,11 +36,18 @@ void ViewerApp::offer_interrupted() {
 }
 
 void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
-  if (document_) document_->editor.release_device();
+  if (document_) {
+    document_->part_pictures.release();
+    document_->transplant.release_device();
+    document_->editor.release_device();
+  }
   loader_.use_device(context);
   kernels_.emplace(context, Precision::automatic);
   context_ = std::move(context);
-  if (document_) document_->editor.use_device(*kernels_);
+  if (document_) {
+    document_->editor.use_device(*kernels_);
+    document_->transplant.use_device(*kernels_);
+  }
   say("the device was lost and opened again: " + context_->description().name);
 }
 

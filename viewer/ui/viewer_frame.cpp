@@ -66,13 +66,18 @@ void append_state(std::string& text, const Editor& editor) {
 
 void ViewerApp::draw_ui(const FrameTimings& last) {
   take_loaded();
-  if (document_) document_->editor.update();
+  if (document_) {
+    document_->editor.update();
+    document_->transplant.update(document_->editor);
+    document_->part_pictures.renew(document_->transplant.shelf(), *context_);
+  }
   carry_out_order();
   draw_menu();
   draw_status(last);
   if (document_) {
     const double per_unit = size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x);
     marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
+    marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
     if (show_panels_) draw_sidebar(last);
   }
   draw_dialogs();
@@ -246,6 +251,10 @@ void ViewerApp::draw_sidebar(const FrameTimings& last) {
         frame(*vertices);
         editor.point_at(*std::move(vertices));
       }
+    }
+    if (document_->transplant.is_open()) ImGui::SetNextItemOpen(true);
+    if (ImGui::CollapsingHeader("Transplant")) {
+      draw_transplant_panel(document_->transplant, document_->part_pictures, editor, drafts_);
     }
     if (ImGui::CollapsingHeader("Display", kOpen)) draw_display_panel(display_, editor);
     if (ImGui::CollapsingHeader("History", kOpen)) {
