@@ -1,6 +1,7 @@
 #include "editing/part_shelf.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <utility>
 
@@ -46,7 +47,7 @@ void PartShelf::open(const fs::path& folder) {
   items_.clear();
   waiting_.clear();
   message_.clear();
-  ++version_;
+  renew_version();
   job_.cancel();
   working_ = false;
   std::error_code missing;
@@ -91,8 +92,13 @@ void PartShelf::use_kernels(JobThread::MakeKernels make_kernels) {
   job_.use_kernels(std::move(make_kernels));
 }
 
+void PartShelf::renew_version() {
+  static std::atomic<std::uint64_t> last = 0;
+  version_ = ++last;
+}
+
 void PartShelf::keep(Item item) {
-  ++version_;
+  renew_version();
   const auto place = std::lower_bound(items_.begin(), items_.end(), item,
                                       [](const Item& a, const Item& b) { return a.file < b.file; });
   if (place != items_.end() && place->file == item.file) {

@@ -37,7 +37,7 @@ class PartShelf {
   void open(const std::filesystem::path& folder);
   const std::filesystem::path& folder() const { return folder_; }
   std::span<const Item> items() const { return items_; }
-  /// Another number whenever an item has.
+  /// Another number whenever an item has changed, and of no other shelf.
   std::uint64_t version() const { return version_; }
   /// Why the folder or what was to be added could not be read; empty otherwise.
   const std::string& message() const { return message_; }
@@ -56,6 +56,7 @@ class PartShelf {
   using Work = Job<Item>::Work;
 
   void keep(Item item);
+  void renew_version();
 
   std::filesystem::path folder_;
   std::vector<Item> items_;

@@ -6,7 +6,6 @@
 #include "editing/editor.h"
 #include "editing/transplant_desk.h"
 #include "ui/load_file.h"
-#include "ui/part_pictures.h"
 
 namespace lapwing::viewer {
 
@@ -32,7 +31,6 @@ struct Document {
   bool closed_outward;
   Editor editor;
   TransplantDesk transplant;
-  PartPictures part_pictures;       ///< of its shelf
   std::filesystem::path save_path;  ///< empty as long as nobody has said where
 };
 

@@ -10,6 +10,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
 #include "ui/document.h"
+#include "ui/part_pictures.h"
 #include "window/app.h"
 
 namespace lapwing::viewer {

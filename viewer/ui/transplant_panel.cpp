@@ -147,8 +147,8 @@ void draw_place(TransplantDesk& desk, Editor& editor) {
     tool.show(mode);
   } else {
     ImGui::TextWrapped("%s", tool.hint());
+    ImGui::Checkbox("its loop is brought onto the surface", &tool.snaps);
   }
-  ImGui::Checkbox("follows the surface", &tool.snaps);
 }
 
 void draw_hole(TransplantDesk& desk, const Editor& editor) {
@@ -158,11 +158,11 @@ void draw_hole(TransplantDesk& desk, const Editor& editor) {
   ImGui::TextDisabled("hole");
   ImGui::SameLine();
   if (ImGui::RadioButton("disk", !chosen)) desk.take_roi(false);
-  ImGui::SameLine();
-  if (desk.taken_up()) {
-    if (chosen) ImGui::RadioButton("as it was chosen", true);
-  } else if (ImGui::RadioButton("the ROI", chosen)) {
-    desk.take_roi(true);
+  // What an earlier step was chosen on is not what is chosen now.
+  if (chosen || !desk.taken_up()) {
+    ImGui::SameLine();
+    const bool pressed = ImGui::RadioButton(desk.taken_up() ? "as it was" : "the ROI", chosen);
+    if (pressed && !desk.taken_up()) desk.take_roi(true);
   }
   if (desk.takes_roi() && editor.state().selection.roi.vertices.empty()) {
     ImGui::TextDisabled("choose an ROI; until then it is the disk");
@@ -235,18 +235,16 @@ void draw_draft(TransplantDesk& desk, Editor& editor) {
   draw_hole(desk, editor);
   draw_transition(draft);
   draw_computed(draft.parameters);
-  draw_preview(desk, editor);
   const bool carries_out = editor.session().is_carrying_out();
   if (desk.tool().stage() == Stage::set_down && !carries_out) {
     if (ImGui::Button("Apply")) return desk.apply(editor);
     ImGui::SameLine();
   }
-  if (!ImGui::Button("Cancel")) return;
-  if (carries_out) {
+  if (ImGui::Button("Cancel")) {
+    if (!carries_out) return desk.close(editor);
     editor.session().cancel_step();
-  } else {
-    desk.close(editor);
   }
+  draw_preview(desk, editor);
 }
 
 void draw_steps(TransplantDesk& desk, const Editor& editor) {

@@ -36,8 +36,8 @@ void ViewerApp::offer_interrupted() {
 }
 
 void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
+  part_pictures_.release();
   if (document_) {
-    document_->part_pictures.release();
     document_->transplant.release_device();
     document_->editor.release_device();
   }

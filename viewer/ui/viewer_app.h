@@ -110,6 +110,7 @@ class ViewerApp final : public App {
   bool show_start_ = true;
   PanelDrafts drafts_;
   EditMarks marks_;
+  PartPictures part_pictures_;  ///< not the document's: a frame may show them when that is closed
   PicturePlan picture_plan_;
   PathPlan path_plan_;
   std::vector<InterruptedEdit> interrupted_;

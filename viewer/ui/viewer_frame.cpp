@@ -69,7 +69,7 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   if (document_) {
     document_->editor.update();
     document_->transplant.update(document_->editor);
-    document_->part_pictures.renew(document_->transplant.shelf(), *context_);
+    part_pictures_.renew(document_->transplant.shelf(), *context_);
   }
   carry_out_order();
   draw_menu();
@@ -254,7 +254,7 @@ void ViewerApp::draw_sidebar(const FrameTimings& last) {
     }
     if (document_->transplant.is_open()) ImGui::SetNextItemOpen(true);
     if (ImGui::CollapsingHeader("Transplant")) {
-      draw_transplant_panel(document_->transplant, document_->part_pictures, editor, drafts_);
+      draw_transplant_panel(document_->transplant, part_pictures_, editor, drafts_);
     }
     if (ImGui::CollapsingHeader("Display", kOpen)) draw_display_panel(display_, editor);
     if (ImGui::CollapsingHeader("History", kOpen)) {
