@@ -92,6 +92,76 @@ TEST_F(CoatCommands, CoatFlagsLeftOutAreTheRecipesDefaults) {
   EXPECT_EQ(std::get<CoatStep>(read_recipe(file("a.json")).steps.at(0)), expected);
 }
 
+const char* const kMix =
+    "mix sheet.ply --first bumps.ply --first-detail-size 0.5 --second-detail-size 0.4 "
+    "--target-patch near:0.5,0.5,0,0.35 --device cpu ";
+
+TEST_F(CoatCommands, MixWritesMeshReportAndRecipeThatRunsToTheSameMesh) {
+  const Outcome flags = lapwing(std::string(kMix) +
+                                "--distance-to near:0.5,0.5,0,0.1 --width 0.1 --transition 0.1 "
+                                "--save a.ply --report a.json --recipe a.recipe.json");
+  ASSERT_EQ(flags.exit_code, 0) << flags.output;
+  EXPECT_THAT(flags.output, AllOf(HasSubstr("coating from 289 vertices"), HasSubstr("residual")));
+  const auto report = nlohmann::json::parse(read("a.json"));
+  EXPECT_EQ(report["steps"][0]["mix"]["sources"].size(), 2U);
+  ASSERT_EQ(lapwing("run a.recipe.json --device cpu --save b.ply --quiet").exit_code, 0);
+  EXPECT_EQ(read("a.ply"), read("b.ply"));
+  EXPECT_NE(read("a.ply"), read("sheet.ply"));
+}
+
+TEST_F(CoatCommands, EveryFlagOfMixIsInItsRecipe) {
+  const Outcome outcome = lapwing(
+      std::string(kMix) +
+      "--first-patch all --first-inner-pair 144,145 --first-sampling linear --first-scale 2 "
+      "--first-amplitude=-0.5 --second sheet.ply --second-patch near:0.5,0.5,0,0.4 "
+      "--second-amplitude 3 --take shape --domain square --domain-v 0.25,0.75 --weight-profile "
+      "linear --handle 144 --translate 0,0,0.1 --smooth-target 0.25 --weights uniform --transition "
+      "0.25 --profile linear --no-remesh --recipe a.json --quiet");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  MixStep expected;
+  expected.target_patch = {GeodesicDisk{Vector3d(0.5, 0.5, 0.0), 0.35}};
+  CoatSource& first = expected.sources[0];
+  first.mesh = "bumps.ply";
+  first.detail_size = 0.5;
+  first.inner_pairs = {{144, 145}};
+  first.sampling = {MappedSampling::linear, 2.0};
+  first.amplitude = -0.5;
+  CoatSource& second = expected.sources[1];
+  second.mesh = "sheet.ply";
+  second.patch = {GeodesicDisk{Vector3d(0.5, 0.5, 0.0), 0.4}};
+  second.detail_size = 0.4;
+  second.amplitude = 3.0;
+  expected.taken = Taken::shape;
+  expected.weight = {DomainRamp{0.25, 0.75}, Transition::Profile::linear};
+  expected.handles.push_back({{ListedVertices{{144}}}, SimilarityMove{{0.0, 0.0, 0.1}}});
+  expected.parameters.smooth_target = 0.25;
+  expected.parameters.weights = LaplacianWeights::uniform;
+  expected.parameters.domain = Domain::square;
+  expected.parameters.transition = Transition{0.25, Transition::Profile::linear};
+  expected.parameters.remesh = Remeshing::none;
+  EXPECT_EQ(std::get<MixStep>(read_recipe(file("a.json")).steps.at(0)), expected);
+}
+
+TEST_F(CoatCommands, MixTakesItsWeightFromAPropertyOfTheMesh) {
+  Mesh sheet = grid(kCells, kCells);
+  sheet.attributes.vertex_extras.push_back(
+      {"share", "double", 1, std::vector<double>(sheet.vertex_count(), 0.25)});
+  write_mesh(sheet, file("sheet.ply"));
+  ASSERT_EQ(lapwing(std::string(kMix) + "--field share --recipe a.json --quiet").exit_code, 0);
+  const auto step = std::get<MixStep>(read_recipe(file("a.json")).steps.at(0));
+  EXPECT_EQ(std::get<PaintedWeight>(step.weight.form).field,
+            std::vector<double>(sheet.vertex_count(), 0.25));
+  const Outcome missing = lapwing(std::string(kMix) + "--field shares --recipe a.json");
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_THAT(missing.output, HasSubstr("has no vertex property \"shares\""));
+}
+
+TEST_F(CoatCommands, MixNeedsAWeight) {
+  const Outcome outcome = lapwing(std::string(kMix) + "--recipe a.json");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("one of --domain-v, --distance-to and --field"));
+}
+
 TEST_F(CoatCommands, RecipeInAnotherFolderFindsTheSource) {
   std::filesystem::create_directory(file("recipes"));
   const Outcome flags = lapwing(std::string(kBumps) + "--save a.ply --recipe recipes/a.json");

@@ -167,6 +167,18 @@ TEST(Check, EmptyMeshHasNoUsableFaceAndZeroStatistics) {
   EXPECT_EQ(report.statistics.mean_edge_length, 0.0);
 }
 
+TEST(Check, NamesFacesThatCutThroughOthersWhereAsked) {
+  Mesh mesh = grid(1, 1);
+  for (const double z : {-1.0, 1.0}) mesh.positions.emplace_back(0.6, 0.2, z);
+  mesh.positions.emplace_back(0.3, -5, 0);
+  add_polygon(mesh, {4, 5, 6});
+  CheckReport report = check(mesh);
+  EXPECT_EQ(report.find(DefectKind::self_intersection), nullptr);
+  add_self_intersections(mesh, build_topology(mesh), report);
+  ASSERT_NE(report.find(DefectKind::self_intersection), nullptr);
+  EXPECT_THAT(report.find(DefectKind::self_intersection)->first, ElementsAre(0, 2));
+}
+
 TEST(Check, ListsTheFirstOfManyPlaces) {
   Mesh mesh = grid(1, 1);
   for (int i = 0; i < 20; ++i) mesh.positions.emplace_back(i, 9, 9);

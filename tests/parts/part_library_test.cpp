@@ -84,6 +84,7 @@ TEST_F(PartLibrary, NamesAreFileNamesAndTakenOnce) {
   EXPECT_NE(refused([&] { add(".horn"); }), "");
   add("horn.2");
   EXPECT_EQ(find_part(folder, "horn.2").name, "horn.2");
+  EXPECT_THAT(part_files(folder), ElementsAre(folder / "horn.obj", folder / "horn.2.obj"));
   std::filesystem::remove(folder / "horn.2.obj");
   EXPECT_THAT(refused([&] { add("horn.2"); }), HasSubstr("horn.2.json"));
 }

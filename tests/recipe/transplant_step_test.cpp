@@ -28,7 +28,7 @@ TransplantStep step_of(const std::string& keys) {
 }
 
 std::string refusal(const std::string& keys) {
-  return test::error_message<InputError>([&] { parse_step(keys); });
+  return error_message<InputError>([&] { parse_step(keys); });
 }
 
 // Every key away from its default.

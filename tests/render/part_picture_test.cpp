@@ -62,6 +62,16 @@ TEST(PartPicture, PartStandsOnItsLoopHoweverItLies) {
   EXPECT_LT(test::mean_difference(upright, picture_of(hanging)), 6.0);
 }
 
+TEST(PartPicture, FlatPartIsSeenAcross) {
+  LAPWING_NEEDS_GPU();
+  Mesh wing = dome();
+  for (auto& p : wing.positions) p = Eigen::Vector3d(0.1 * p.x(), p.y(), p.z());
+  Mesh turned = dome();
+  for (auto& p : turned.positions) p = Eigen::Vector3d(p.x(), p.y(), 0.1 * p.z());
+  EXPECT_GT(test::coverage(picture_of(turned)), 0.2);
+  EXPECT_NEAR(test::coverage(picture_of(wing)), test::coverage(picture_of(turned)), 0.02);
+}
+
 TEST(PartPicture, LoopWithoutAPlaneIsRefused) {
   LAPWING_NEEDS_GPU();
   VulkanKernels kernels;

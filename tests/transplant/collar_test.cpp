@@ -7,7 +7,6 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/region/disk_report.h"
 #include "lapwing/region/geodesic.h"
 #include "support/error_message.h"
 
@@ -81,7 +80,7 @@ TEST(Collar, IsEmptyWhereNothingIsLeftBeyond) {
 
 TEST(Collar, NamesAnotherBoundaryWithinItsWidth) {
   const Piece pierced = piece(with_hole(grid(40, 40), {0.2, 0.5, 0.0}, 0.05));
-  EXPECT_THAT(test::error_message<InputError>([&] { collar_of(pierced, 0.3); }),
+  EXPECT_THAT(error_message<InputError>([&] { collar_of(pierced, 0.3); }),
               HasSubstr("another boundary"));
   EXPECT_EQ(boundary_loops(collar_of(pierced, 0.1).triangles, "collar").size(), 2U);
 }

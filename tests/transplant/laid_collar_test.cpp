@@ -8,7 +8,6 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/region/geodesic.h"
-#include "support/error_message.h"
 
 namespace lapwing {
 namespace {

@@ -1,9 +1,11 @@
+#include <random>
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/compact.h"
 #include "lapwing/transplant/cut.h"
 #include "support/models.h"
 #include "transplant/loop_scenes.h"
@@ -71,6 +73,53 @@ void expect_exact_return(const Mesh& mesh, const VertexSet& region) {
 TEST(PutBack, ACapOfASphereIsTheSphereAgain) {
   const Mesh mesh = icosphere(4);
   for (const int rings : {1, 2, 5, 12, 20}) expect_exact_return(mesh, around(mesh, 99, rings));
+}
+
+// Without some of the triangles at its boundary, as long as that stays one loop.
+Mesh nibbled(Mesh mesh, std::mt19937& random, int bites) {
+  for (int bite = 0; bite < bites; ++bite) {
+    const BoundaryLoop loop = loops_of(mesh).at(0);
+    const Topology topology = build_topology(mesh);
+    const auto around = topology.vertex_triangles[loop[random() % loop.size()]];
+    KeepMask keep(mesh.face_count(), 1);
+    keep[around[random() % around.size()]] = 0;
+    Mesh smaller = mesh;
+    keep_faces(smaller, keep);
+    KeepMask used(mesh.vertex_count(), 0);
+    for (const Index v : smaller.face_vertices) used[v] = 1;
+    keep_vertices(smaller, used);
+    const CheckReport report = check(smaller, build_topology(smaller));
+    const bool whole = report.statistics.component_sizes.size() == 1;
+    const bool one_loop = report.statistics.boundary_loops == 1;
+    if (whole && one_loop && !report.find(DefectKind::bow_tie_vertex)) mesh = std::move(smaller);
+  }
+  return mesh;
+}
+
+// Rims with ears, chords and gaps, welded wherever they still meet.
+TEST(PutBack, APartThatFitsInPlacesStillGivesAManifold) {
+  const Mesh mesh = icosphere(3);
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(seed);
+    const VertexSet region = around(mesh, static_cast<Index>(random() % mesh.vertex_count()),
+                                    1 + static_cast<int>(random() % 4));
+    const Mesh part = nibbled(cut_out(mesh, region, "part").mesh, random, 8);
+    const Mesh host = nibbled(cut_away(mesh, region, "host").mesh, random, 8);
+    Mesh moved = part;
+    const BoundaryLoop loop = loops_of(part).at(0);
+    for (unsigned k = 0; k < seed % 4; ++k) {
+      moved.positions[loop[random() % loop.size()]] *= 1.0 + 0.05 * static_cast<double>(k);
+    }
+    const BoundaryLoop hole = loops_of(host).at(0);
+    const Zip zip =
+        zip_loops(zip_loop(build_topology(host).triangles, host.positions, hole),
+                  zip_loop(build_topology(moved).triangles, moved.positions, loop), "zip");
+    const Joined joined = join(host, hole, moved, loop, zip, "");
+    ASSERT_EQ(test::manifold_faults(joined.mesh), "") << seed;
+    const CheckReport report = check(joined.mesh, build_topology(joined.mesh));
+    ASSERT_EQ(report.statistics.boundary_edges, 0U) << seed;
+    ASSERT_EQ(report.statistics.euler_characteristic, 2) << seed;
+  }
 }
 
 TEST(PutBack, ABumpOfAModelIsTheModelAgain) {

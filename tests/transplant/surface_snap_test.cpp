@@ -1,5 +1,7 @@
 #include "lapwing/transplant/surface_snap.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 
 #include "lapwing/base/errors.h"
@@ -72,6 +74,16 @@ TEST_F(SnapToASphere, FollowsWhenEverythingMoves) {
   for (const Vector3d& p : part) EXPECT_LT((follows * p - motion * (snapped * p)).norm(), 1e-4);
 }
 
+TEST(SurfaceSnap, LoopAcrossATubeStays) {
+  const Mesh tube = cylinder(30, 21, 0.5, 3.0);
+  VertexSet upper;
+  for (Index v = 10 * 30; v < tube.vertex_count(); ++v) upper.push_back(v);
+  const Points loop = first_loop(cut_out(tube, upper, "upper").mesh);
+  ASSERT_LT(std::abs(loop[0].z() - 1.5), 1e-12);
+  const Affine3d snapped = snap_to(tube).snap(Affine3d::Identity(), loop, "part");
+  EXPECT_LT(difference(snapped, Affine3d::Identity()), 1e-9);
+}
+
 TEST(SurfaceSnap, ThinSheetIsNotTakenFromBehind) {
   Mesh sheet = grid(4, 4);
   const auto count = static_cast<Index>(sheet.vertex_count());
@@ -86,6 +98,16 @@ TEST(SurfaceSnap, ThinSheetIsNotTakenFromBehind) {
   const Affine3d low(Eigen::Translation3d(0.0, 0.0, -0.009));
   const Affine3d snapped = snap_to(sheet).snap(low, small_circle(), "part");
   EXPECT_LT(difference(snapped, Affine3d::Identity()), 1e-9);
+}
+
+TEST(SurfaceSnap, TrianglesThatAreNotFiniteDoNotCount) {
+  Mesh sheet = grid(8, 8);
+  sheet.positions[80].setConstant(std::numeric_limits<double>::quiet_NaN());
+  const Affine3d lifted(Eigen::Translation3d(0.0, 0.0, 0.1));
+  const Affine3d snapped = snap_to(sheet).snap(lifted, small_circle(), "part");
+  EXPECT_LT(difference(snapped, Affine3d::Identity()), 1e-9);
+  for (auto& p : sheet.positions) p.x() = std::numeric_limits<double>::infinity();
+  EXPECT_NE(error_message<InputError>([&] { snap_to(sheet); }), "");
 }
 
 TEST(SurfaceSnap, MeshWithoutTrianglesIsNamed) {

@@ -191,6 +191,19 @@ TEST(Zip, LoopsThatTouchInPlacesAreWeldedThere) {
   }
 }
 
+TEST(Zip, APartLargerThanItsHoleIsNotJoinedAcrossTheHole) {
+  const Rim host = hole_in_sheet(60, circle(1.0));
+  const Rim part = upright_part(90, circle(1.6, 0.3), 0.7);
+  const Joined joined = test::join(host, part, test::zip(host, part));
+  for (const Index face : joined.strip_faces) {
+    const auto corners = joined.mesh.face(face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3d& from = joined.mesh.positions[corners[k]];
+      EXPECT_LT((joined.mesh.positions[corners[(k + 1) % 3]] - from).norm(), 0.8) << face;
+    }
+  }
+}
+
 TEST(Zip, NothingIsWeldedWhereNothingIsNear) {
   EXPECT_THAT(test::zip(hole_in_sheet(64, circle(1.0)), flat_part(64, circle(0.99))).welded,
               IsEmpty());
@@ -252,16 +265,30 @@ TEST(Zip, HostAndPartCanChangeRoles) {
   EXPECT_EQ(triangles, unturned(test::zip(host, part), 40, 0, 57, 0));
 }
 
-// A square hole, a triangle cutting off one of its corners inside the sheet.
-TEST(Zip, AnEdgeInsideTheMeshIsNotRepeatedByTheStrip) {
-  const Rim host = hole_in_sheet(4, circle(1.0));
-  ZipLoop with_chord = host.zip_loop();
-  with_chord.chords.push_back({0, 2});
-  // The part's edge 0 -> 1 lies on that chord, and both ends are on the hole's corners.
-  ZipLoop part{{host.mesh.positions[2], host.mesh.positions[0], {0.2, 0.2, 0.1}}};
-  std::ranges::reverse(part.points);
-  EXPECT_THAT(zip_loops(host.zip_loop(), part, "zip").welded, SizeIs(2));
-  EXPECT_THAT(zip_loops(with_chord, part, "zip").welded, SizeIs(1));
+TEST(Zip, AnEdgeInsideTheMeshIsNotRepeatedByAWeldedEdgeOfThePart) {
+  // The part's edge from 1 to 0 is on the hole's corners 0 and 2.
+  ZipLoop host{{{1, 0, 0}, {0, -1, 0}, {-1, 0, 0}, {0, 1, 0}}};
+  const ZipLoop part{{{0.2, 0.2, 0.1}, {-1, 0, 0}, {1, 0, 0}}};
+  EXPECT_THAT(zip_loops(host, part, "zip").welded, SizeIs(2));
+  host.chords = {{0, 2}};
+  EXPECT_THAT(zip_loops(host, part, "zip").welded, SizeIs(1));
+}
+
+TEST(Zip, AnEdgeInsideTheMeshIsNotRepeatedByATriangleOfTheStrip) {
+  // Welded at the hole's corner 0; the notch 0, 1, 2 is best closed from 0 to 2.
+  ZipLoop host{{{1, 0, 0}, {0, -2, 0}, {-1, 0, 0}, {0, 1.5, 0}}};
+  const ZipLoop part{{{1, 0, 0}, {0.3, 0.95, 0}, {-0.5, 0.5, 0}}};
+  const auto has_notch = [](const Zip& strip) {
+    return std::ranges::find(strip.triangles, Triangle{2, 1, 0}) != strip.triangles.end();
+  };
+  const Zip free = zip_loops(host, part, "zip");
+  host.chords = {{0, 2}};
+  const Zip bound = zip_loops(host, part, "zip");
+  EXPECT_THAT(free.welded, SizeIs(1));
+  EXPECT_THAT(bound.welded, SizeIs(1));
+  EXPECT_TRUE(has_notch(free));
+  EXPECT_FALSE(has_notch(bound));
+  EXPECT_EQ(bound.triangles.size(), free.triangles.size());
 }
 
 TEST(Zip, ChordsAreEdgesBetweenVerticesOfTheLoop) {
@@ -280,6 +307,7 @@ TEST(Zip, UnusableLoopsAreRefusedByName) {
   };
   EXPECT_THAT(message({{{0, 0, 0}, {1, 0, 0}}}), HasSubstr("seam: the part's loop has 2 vertices"));
   EXPECT_THAT(message({{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}), HasSubstr("no length"));
+  EXPECT_THAT(message({{{0, 0, 0}, {1e80, 0, 0}, {0, 1e80, 0}}}), HasSubstr("too large"));
   EXPECT_THAT(message({{{0, 0, 0}, {NAN, 0, 0}, {0, 1, 0}}}),
               AllOf(HasSubstr("place 1"), HasSubstr("not finite")));
   EXPECT_THAT(message({good.points, {{0, 0, 0}}}), HasSubstr("1 corners across for 3 edges"));

@@ -99,6 +99,15 @@ void Person::look_from(View view, const Positions& positions) {
   desktop_.settled_picture();
 }
 
+void Person::look_again_from(View view, const Positions& positions, double covered) {
+  keys(std::string(key_of(view)) + " key Home");
+  Framing framing;
+  framing.legend = covered;
+  camera_ = fit(positions, view_axes(view), kWidth / kHeight, framing);
+  camera_.target_across = covered;
+  desktop_.settled_picture();
+}
+
 viewer::Projection Person::projection() const {
   return {camera_.projection(kWidth / kHeight) * camera_.view(), {kWidth, kHeight}};
 }

@@ -43,6 +43,9 @@ class Person {
   /// Hides the panels and looks from a side at all of `positions`: then the person knows where
   /// everything shows.
   void look_from(View view, const Positions& positions);
+  /// The same where the panels are hidden already and something covers that share of the window at
+  /// its left.
+  void look_again_from(View view, const Positions& positions, double covered);
   viewer::Projection projection() const;
   Vector2d pixel_of(const Vector3d& point) const;
 

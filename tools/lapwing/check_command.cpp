@@ -16,6 +16,7 @@ namespace {
 struct CheckArguments {
   std::string mesh;
   std::string fix;
+  bool self_intersections = false;
 };
 
 bool has_errors(const CheckReport& report) {
@@ -25,8 +26,10 @@ bool has_errors(const CheckReport& report) {
   return false;
 }
 
-CheckReport examine_and_print(const Mesh& mesh) {
-  const CheckReport report = check(mesh, build_topology(mesh));
+CheckReport examine_and_print(const Mesh& mesh, bool with_self_intersections) {
+  const Topology topology = build_topology(mesh);
+  CheckReport report = check(mesh, topology);
+  if (with_self_intersections) add_self_intersections(mesh, topology, report);
   std::fputs(format(report.statistics).c_str(), stdout);
   std::fputs(format(report).c_str(), stdout);
   return report;
@@ -34,13 +37,13 @@ CheckReport examine_and_print(const Mesh& mesh) {
 
 void check_mesh(const CheckArguments& arguments) {
   Mesh mesh = read_mesh(arguments.mesh);
-  CheckReport report = examine_and_print(mesh);
+  CheckReport report = examine_and_print(mesh, arguments.self_intersections);
   if (!arguments.fix.empty()) {
     const FixReport repairs = fix(mesh);
     std::printf("\nRepairs\n%s", format(repairs).c_str());
     print_notes(write_mesh(mesh, arguments.fix));
     std::printf("\nAfter the repairs: %s\n", arguments.fix.c_str());
-    report = examine_and_print(mesh);
+    report = examine_and_print(mesh, arguments.self_intersections);
   }
   if (has_errors(report)) throw ExitWith{kInput};
 }
@@ -53,6 +56,8 @@ void add_check(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
   command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
   command->add_option("--fix", arguments->fix, "write the mesh here with what can be repaired");
+  command->add_flag("--self-intersections", arguments->self_intersections,
+                    "also look for faces that cut through others");
   command->footer("Exits with 3 when the mesh has defects that make it impossible to edit there.");
   command->callback([arguments] { check_mesh(*arguments); });
 }

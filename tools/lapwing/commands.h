@@ -8,6 +8,7 @@ namespace lapwing::cli {
 void add_run(CLI::App& app);
 void add_deform(CLI::App& app);
 void add_coat(CLI::App& app);
+void add_mix(CLI::App& app);
 void add_transplant(CLI::App& app);
 void add_peel(CLI::App& app);
 void add_parameterize(CLI::App& app);

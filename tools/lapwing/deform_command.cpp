@@ -1,13 +1,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
 #include "edit_output.h"
-#include "move_flags.h"
+#include "handle_flags.h"
 #include "region_text.h"
 #include "step_flags.h"
 
@@ -20,8 +19,7 @@ struct DeformArguments {
   std::string mesh;
   std::string roi = "all";
   std::string belt = "fraction:0.1";
-  std::string handle;
-  MoveFlags move;
+  HandleFlags handle;
   std::string weights = "uniform";
   double constraint_weight = 1.0;
   bool hard = false;
@@ -39,11 +37,10 @@ Json settle_json(const DeformArguments& a) {
 }
 
 Json step_json(const DeformArguments& a) {
-  const Json handle = {{"region", region_json("--handle", a.handle)}, {"move", a.move.json()}};
   Json step = {{"op", "deform"},
                {"roi", region_json("--roi", a.roi)},
                {"belt", region_json("--belt", a.belt)},
-               {"handles", Json::array({handle})},
+               {"handles", Json::array({a.handle.json()})},
                {"weights", a.weights},
                {"constraint_weight", a.constraint_weight},
                {"hard", a.hard},
@@ -68,8 +65,7 @@ void add_deform(CLI::App& app) {
       ->add_option("--belt", a->belt,
                    std::string("stationary anchors: fraction:F | ") + kRegionHelp)
       ->capture_default_str();
-  command->add_option("--handle", a->handle, kRegionHelp)->required();
-  a->move.add_to(*command, "the handle", "the handle's centroid");
+  a->handle.add_to(*command)->required();
   command->add_option("--weights", a->weights)
       ->check(CLI::IsMember({"uniform", "cotangent"}))
       ->capture_default_str();

@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
   lapwing::cli::add_run(app);
   lapwing::cli::add_deform(app);
   lapwing::cli::add_coat(app);
+  lapwing::cli::add_mix(app);
   lapwing::cli::add_transplant(app);
   lapwing::cli::add_peel(app);
   lapwing::cli::add_cut(app);

@@ -70,4 +70,28 @@ bool perform_on(Editor& editor, Action action) {
   }
 }
 
+bool perform_on(LayerDesk& desk, Editor& editor, Action action) {
+  using Picking = LayerDesk::Picking;
+  switch (action) {
+    case Action::begin_coat:
+      desk.begin(LayerDraft::Operation::coat);
+      return true;
+    case Action::begin_mix:
+      desk.begin(LayerDraft::Operation::mix);
+      return true;
+    case Action::other_source:
+      if (desk.is_open()) desk.show((desk.current() + 1) % desk.draft().source_count());
+      return true;
+    case Action::pick_pairs:
+      if (!desk.is_open()) return true;
+      desk.pick(desk.picking() == Picking::none ? Picking::inside : Picking::none, editor);
+      return true;
+    case Action::apply_step:
+      if (desk.is_open()) desk.apply(editor);
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace lapwing::viewer

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editing/editor.h"
+#include "editing/layer_desk.h"
 #include "navigation/keymap.h"
 
 namespace lapwing::viewer {
@@ -8,5 +8,7 @@ namespace lapwing::viewer {
 /// Carries out what a key says of the edit. False for what is not the editor's: camera, files and
 /// panels.
 bool perform_on(Editor& editor, Action action);
+/// Likewise of a coat or mix in the making.
+bool perform_on(LayerDesk& desk, Editor& editor, Action action);
 
 }  // namespace lapwing::viewer

@@ -21,6 +21,8 @@ constexpr ZoomRange kZoomRange{1e-4, 1e2};
 
 SourceView::SourceView(TriangulatedMesh mesh, UpAxis up_axis, VulkanKernels& kernels)
     : state_(open_state(mesh.mesh, mesh.topology)), up_axis_(up_axis), shown_(std::move(mesh)) {
+  // A patch has no belt to be seen.
+  state_.selection.belt_fraction = 0.0;
   shown_.take(state_);
   use_device(kernels);
 }

@@ -71,6 +71,12 @@ constexpr std::array kKeyBindings{KeyBinding{kHome, kPlain, Action::frame_all},
                                   KeyBinding{'N', kPlain, Action::take_part},
                                   KeyBinding{'N', kShift, Action::take_up_part},
                                   KeyBinding{'C', kPlain, Action::toggle_before},
+                                  KeyBinding{'K', kControl, Action::begin_coat},
+                                  KeyBinding{'M', kControl, Action::begin_mix},
+                                  KeyBinding{'K', kControlShift, Action::open_source},
+                                  KeyBinding{'K', kShift, Action::other_source},
+                                  KeyBinding{'K', kPlain, Action::pick_pairs},
+                                  KeyBinding{kEnter, kControl, Action::apply_step},
                                   KeyBinding{'Z', kControl, Action::undo},
                                   KeyBinding{'Z', kControlShift, Action::redo},
                                   KeyBinding{'Y', kControl, Action::redo},
@@ -172,6 +178,18 @@ std::string_view words(Action action) {
       return "take the transplant made last up again";
     case Action::toggle_before:
       return "compare with the mesh as it was opened";
+    case Action::begin_coat:
+      return "coat the ROI with the detail of another patch";
+    case Action::begin_mix:
+      return "mix the details of two patches on the ROI";
+    case Action::open_source:
+      return "take a coat or mix from another mesh";
+    case Action::other_source:
+      return "the other source of a mix";
+    case Action::pick_pairs:
+      return "pick corresponding points for a coat or mix, or no longer";
+    case Action::apply_step:
+      return "apply the coat or mix";
     case Action::undo:
       return "undo";
     case Action::redo:

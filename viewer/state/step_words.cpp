@@ -10,16 +10,20 @@ namespace fs = std::filesystem;
 // One overload per operation.
 struct Describer {
   std::string operator()(const DeformStep&) const { return "deform"; }
-  std::string operator()(const CoatStep& step) const { return from("coat", step.source.mesh); }
-  std::string operator()(const MixStep& step) const {
-    const auto& [first, second] = step.sources;
-    return from("mix", first.mesh) + (second.mesh.empty() ? "" : from(" and", second.mesh));
+  std::string operator()(const CoatStep& step) const {
+    const fs::path& mesh = step.source.mesh;
+    return mesh.empty() ? "coat" : "coat from " + mesh.filename().string();
   }
-  std::string operator()(const TransplantStep& step) const { return from("transplant", step.part); }
-
-  // An empty path stands for the mesh itself.
-  static std::string from(const std::string& what, const fs::path& path) {
-    return path.empty() ? what : what + " from " + path.filename().string();
+  std::string operator()(const MixStep& step) const {
+    std::string words = "mix";
+    for (const CoatSource& source : step.sources) {
+      words += words == "mix" ? " " : " and ";
+      words += source.mesh.empty() ? "the mesh itself" : source.mesh.filename().string();
+    }
+    return words;
+  }
+  std::string operator()(const TransplantStep& step) const {
+    return step.part.empty() ? "transplant" : "transplant " + step.part.filename().string();
   }
 };
 

@@ -26,9 +26,11 @@ ImU32 color_of(GizmoPart part) {
 // Draws in pixels of the picture.
 class Pen {
  public:
-  Pen(const ViewFrame& view, double pixels_per_unit, std::vector<Vector2d>& points)
+  Pen(const ViewFrame& view, double pixels_per_unit, std::vector<Vector2d>& points,
+      const Vector2d& corner = Vector2d::Zero())
       : list_(*ImGui::GetBackgroundDrawList()),
         projection_(view.projection()),
+        corner_(corner),
         unit_(pixels_per_unit),
         points_(points) {}
 
@@ -88,11 +90,13 @@ class Pen {
 
  private:
   ImVec2 at(const Vector2d& pixel) const {
-    return {static_cast<float>(pixel.x() / unit_), static_cast<float>(pixel.y() / unit_)};
+    const Vector2d place = (corner_ + pixel) / unit_;
+    return {static_cast<float>(place.x()), static_cast<float>(place.y())};
   }
 
   ImDrawList& list_;
   const Projection projection_;
+  const Vector2d corner_;
   const double unit_;
   std::vector<Vector2d>& points_;
 };
@@ -147,7 +151,41 @@ void draw_loop(Pen& pen, const Editor& editor) {
   for (const Vector2d& corner : pen.pixels_of(editor, loop.corners())) pen.dot(corner, kHighlight);
 }
 
+// One end of each pair, 0 on the source and 1 on the target.
+void draw_ends(Pen& pen, const CoatSource& source, std::size_t end, std::optional<Index> half,
+               const Positions& positions) {
+  const auto mark = [&](Index vertex, ImU32 color, const std::string& name) {
+    if (vertex >= positions.size()) return;
+    const auto pixel = pen.projection().to_pixel(positions[vertex]);
+    if (!pixel) return;
+    pen.dot(*pixel, color);
+    if (!name.empty()) pen.text(*pixel + Vector2d(8.0, -8.0), name);
+  };
+  for (std::size_t p = 0; p < source.inner_pairs.size(); ++p) {
+    mark(source.inner_pairs[p][end], kHighlight, std::to_string(p + 1));
+  }
+  for (std::size_t p = 0; p < source.boundary_pairs.size(); ++p) {
+    mark(source.boundary_pairs[p][end], kPointer, "border " + std::to_string(p + 1));
+  }
+  if (half) mark(*half, kLine, "");
+}
+
 }  // namespace
+
+void EditMarks::draw_pairs(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
+                           const Vector2d& corner, double pixels_per_unit) {
+  if (desk.view() == nullptr) return;
+  const double right = corner.x() + desk.view()->view_frame().size.x();
+  const std::array<Vector2d, 2> seam{Vector2d(right, 0.0), Vector2d(right, view.size.y())};
+  Pen(view, pixels_per_unit, points_).line(seam, false, kLine, 1.0F);
+  const CoatSource& source = desk.draft().sources[desk.current()];
+  Pen beside(desk.view()->view_frame(), pixels_per_unit, points_, corner);
+  draw_ends(beside, source, 0, desk.picked_source(), desk.view()->shown().positions());
+  // Of other triangles their numbers would say nothing.
+  if (!editor.shown().has_triangles_of_state()) return;
+  Pen pen(view, pixels_per_unit, points_);
+  draw_ends(pen, source, 1, desk.picked_target(), editor.positions());
+}
 
 void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
                      const Vector2d& cursor) {

@@ -48,6 +48,9 @@ PathWords words(PathPurpose purpose) {
       return {"Save the steps as a recipe", "lapwing run carries it out without a window.", "Save"};
     case PathPurpose::replay_recipe:
       return {"Replay a recipe", "Its steps are carried out on the mesh that is open.", "Replay"};
+    case PathPurpose::open_source:
+      return {"Take from another mesh", "Its patch is chosen beside the mesh that is open.",
+              "Open"};
   }
   return {};
 }

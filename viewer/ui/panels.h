@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "editing/editor.h"
+#include "editing/layer_desk.h"
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
 #include "ui/document.h"
@@ -44,7 +45,13 @@ void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, E
                            PanelDrafts& drafts);
 
 /// What a path is typed in for.
-enum class PathPurpose { save_mesh, save_recipe, replay_recipe };
+enum class PathPurpose { save_mesh, save_recipe, replay_recipe, open_source };
+
+/// A coat or mix in the making: where it comes from, where it goes, how, and its preview; whether
+/// another source is to be opened.
+std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor);
+/// Its part for the weight of a mix.
+void draw_mix_weight(LayerDesk& desk, Editor& editor);
 
 /// All steps, to go back and forth; what a person wants to do with them as a recipe.
 std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& drafts);
@@ -76,6 +83,10 @@ class EditMarks {
   /// Pixels of `view` for each of ImGui's units.
   void draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
             const Eigen::Vector2d& cursor);
+  /// The pairs of points of a coat or mix, numbered, on the target and on the source, whose view is
+  /// at `corner`.
+  void draw_pairs(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
+                  const Eigen::Vector2d& corner, double pixels_per_unit);
   /// Of a transplant: the loops of part and hole, and the part's gizmo.
   void draw_transplant(const TransplantDesk& desk, const ViewFrame& view, double pixels_per_unit);
 

@@ -39,6 +39,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
   part_pictures_.release();
   if (document_) {
     document_->transplant.release_device();
+    document_->desk.release_device();
     document_->editor.release_device();
   }
   loader_.use_device(context);
@@ -46,6 +47,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
   context_ = std::move(context);
   if (document_) {
     document_->editor.use_device(*kernels_);
+    document_->desk.use_device(*kernels_);
     document_->transplant.use_device(*kernels_);
   }
   say("the device was lost and opened again: " + context_->description().name);
@@ -135,7 +137,7 @@ std::string_view ViewerApp::title() const {
                                                          : document_->title;
 }
 
-void ViewerApp::save_as(PathPurpose purpose) {
+void ViewerApp::ask_for_path(PathPurpose purpose) {
   path_plan_.purpose = purpose;
   const auto& path = document_->save_path;
   switch (purpose) {
@@ -146,6 +148,7 @@ void ViewerApp::save_as(PathPurpose purpose) {
       path_plan_.path = edited_path(document_->opened).replace_extension(".json").string();
       break;
     case PathPurpose::replay_recipe:
+    case PathPurpose::open_source:
       path_plan_.path.clear();
       break;
   }
@@ -168,23 +171,28 @@ bool ViewerApp::save_to(const std::filesystem::path& path) {
 // Of the path that a person has typed in.
 void ViewerApp::use_path() {
   const std::filesystem::path path = path_plan_.path;
+  EditSession& session = document_->editor.session();
   switch (*std::exchange(path_plan_.purpose, std::nullopt)) {
     case PathPurpose::save_mesh:
       if (save_to(path) && leaving_for_) std::exchange(leaving_for_, nullptr)();
       break;
     case PathPurpose::save_recipe:
       try {
-        document_->editor.session().save_recipe(path);
+        session.save_recipe(path);
         say("saved " + path.string());
       } catch (const Error& error) {
         say(error.what());
       }
       break;
     case PathPurpose::replay_recipe:
-      load(path.filename().string(), [path, history = document_->editor.session().history()](
-                                         Kernels& kernels, const Progress& progress) {
-        return load_replay(path, history, kernels, progress);
-      });
+      load(path.filename().string(),
+           [path, history = session.history()](Kernels& kernels, const Progress& progress) {
+             return load_replay(path, history, kernels, progress);
+           });
+      break;
+    case PathPurpose::open_source:
+      document_->desk.use_source(document_->desk.current(),
+                                 std::filesystem::absolute(session.folder() / path));
   }
 }
 
@@ -207,6 +215,18 @@ Scene ViewerApp::scene() {
   const bool closed = document_->closed_outward && editor.shown().is_comparable();
   if (scene.moving && closed && !is_inside(editor.bounds())) {
     scene.style.sides = Sides::front;
+  }
+  if (const auto area = source_area()) {
+    const SourceView& view = *document_->desk.view();
+    SideScene& beside = scene.beside.emplace();
+    beside.surface = &view.shown().device().shown();
+    beside.paint = &view.shown().device().paint();
+    beside.camera = view.view_frame().camera;
+    beside.style = display_.style;
+    beside.style.color = SurfaceColor::regions;
+    beside.corner = area->corner;
+    beside.size = area->size;
+    scene.moving = scene.moving || view.is_moving();
   }
   return scene;
 }

@@ -53,7 +53,7 @@ class ViewerApp final : public App {
   void take_loaded();
   /// Goes on with `action`, which gives up what is open, once nothing is lost by it.
   void leave_for(std::function<void()> action);
-  void save_as(PathPurpose purpose);
+  void ask_for_path(PathPurpose purpose);
   bool save_to(const std::filesystem::path& path);
   void use_path();
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
@@ -75,15 +75,28 @@ class ViewerApp final : public App {
   ViewFrame view_frame() const;
   GizmoKeys gizmo_keys() const;
   bool is_inside(const Bounds& bounds) const;
-  double sidebar_share() const;
+  double covered_share() const;
   double sidebar_pixels() const;
+  /// The part of the window that shows the source of a coat or mix.
+  struct Area {
+    Eigen::Vector2d corner;
+    Eigen::Vector2d size;
+    bool holds(const Eigen::Vector2d& pixel) const {
+      return (pixel.array() >= corner.array()).all() &&
+             (pixel.array() < (corner + size).array()).all();
+    }
+  };
+  std::optional<Area> source_area() const;
+  std::optional<bool> handle_source(const InputEvent& event);
 
   // Panels.
+  void update_document();
   void draw_menu();
   void draw_file_menu();
   void draw_edit_menu();
   void draw_view_menu();
   void draw_sidebar(const FrameTimings& last);
+  void draw_operations(Editor& editor);
   void draw_status(const FrameTimings& last);
   const std::string& status_text(const FrameTimings& last);
   void draw_dialogs();
@@ -106,10 +119,12 @@ class ViewerApp final : public App {
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
   bool show_panels_ = true;
+  bool shows_source_ = false;  ///< beside the mesh
   bool show_controls_ = false;
   bool show_start_ = true;
   PanelDrafts drafts_;
   EditMarks marks_;
+  bool transplants_ = false;    ///< a part was in hand in the last frame
   PartPictures part_pictures_;  ///< not the document's: a frame may show them when that is closed
   PicturePlan picture_plan_;
   PathPlan path_plan_;

@@ -66,11 +66,7 @@ void append_state(std::string& text, const Editor& editor) {
 
 void ViewerApp::draw_ui(const FrameTimings& last) {
   take_loaded();
-  if (document_) {
-    document_->editor.update();
-    document_->transplant.update(document_->editor);
-    part_pictures_.renew(document_->transplant.shelf(), *context_);
-  }
+  update_document();
   carry_out_order();
   draw_menu();
   draw_status(last);
@@ -78,10 +74,34 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
     const double per_unit = size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x);
     marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
     marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
+    if (const auto area = source_area()) {
+      marks_.draw_pairs(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
+    }
     if (show_panels_) draw_sidebar(last);
   }
   draw_dialogs();
   if (document_) ++frames_shown_;
+}
+
+void ViewerApp::update_document() {
+  if (!document_) return;
+  Editor& editor = document_->editor;
+  LayerDesk& desk = document_->desk;
+  TransplantDesk& transplant = document_->transplant;
+  editor.update();
+  // Both preview on the surface: the one begun last stays.
+  if (desk.is_open() && transplant.is_open()) {
+    transplants_ ? transplant.close(editor) : desk.close(editor);
+  }
+  transplants_ = transplant.is_open();
+  desk.update(editor);
+  transplant.update(editor);
+  part_pictures_.renew(transplant.shelf(), *context_);
+  const auto area = source_area();
+  if (area) document_->desk.view()->resize(area->size);
+  camera_.target_across = covered_share();
+  // What is left of the window is another part of it.
+  if (std::exchange(shows_source_, area.has_value()) != area.has_value()) frame_all();
 }
 
 void ViewerApp::draw_dialogs() {
@@ -134,7 +154,7 @@ void ViewerApp::draw_unsaved() {
   const auto choice = draw_unsaved_panel(document_->opened.name);
   if (!choice) return;
   if (*choice == UnsavedChoice::save && document_->save_path.empty()) {
-    return save_as(PathPurpose::save_mesh);
+    return ask_for_path(PathPurpose::save_mesh);
   }
   const auto action = std::exchange(leaving_for_, nullptr);
   if (*choice == UnsavedChoice::save && !save_to(document_->save_path)) return;
@@ -235,6 +255,27 @@ void ViewerApp::draw_view_menu() {
   ImGui::EndMenu();
 }
 
+// A coat, mix or transplant that is open takes the place of the deform.
+void ViewerApp::draw_operations(Editor& editor) {
+  LayerDesk& desk = document_->desk;
+  TransplantDesk& transplant = document_->transplant;
+  const bool is_open = desk.is_open() || transplant.is_open();
+  if (!is_open && ImGui::CollapsingHeader("Deform", ImGuiTreeNodeFlags_DefaultOpen)) {
+    if (auto vertices = draw_deform_panel(editor, drafts_)) {
+      frame(*vertices);
+      editor.point_at(*std::move(vertices));
+    }
+  }
+  if (desk.is_open()) ImGui::SetNextItemOpen(true);
+  if (ImGui::CollapsingHeader("Coat and mix")) {
+    if (const auto purpose = draw_layer_panel(desk, editor)) ask_for_path(*purpose);
+  }
+  if (transplant.is_open()) ImGui::SetNextItemOpen(true);
+  if (ImGui::CollapsingHeader("Transplant")) {
+    draw_transplant_panel(transplant, part_pictures_, editor, drafts_);
+  }
+}
+
 void ViewerApp::draw_sidebar(const FrameTimings& last) {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   const float per_unit = static_cast<float>(size_.x()) / viewport.Size.x;
@@ -246,19 +287,10 @@ void ViewerApp::draw_sidebar(const FrameTimings& last) {
     constexpr auto kOpen = ImGuiTreeNodeFlags_DefaultOpen;
     if (ImGui::CollapsingHeader("Mesh")) draw_mesh_panel(*document_);
     if (ImGui::CollapsingHeader("Selection", kOpen)) draw_selection_panel(editor, drafts_);
-    if (ImGui::CollapsingHeader("Deform", kOpen)) {
-      if (auto vertices = draw_deform_panel(editor, drafts_)) {
-        frame(*vertices);
-        editor.point_at(*std::move(vertices));
-      }
-    }
-    if (document_->transplant.is_open()) ImGui::SetNextItemOpen(true);
-    if (ImGui::CollapsingHeader("Transplant")) {
-      draw_transplant_panel(document_->transplant, part_pictures_, editor, drafts_);
-    }
+    draw_operations(editor);
     if (ImGui::CollapsingHeader("Display", kOpen)) draw_display_panel(display_, editor);
     if (ImGui::CollapsingHeader("History", kOpen)) {
-      if (const auto purpose = draw_history_panel(editor, drafts_)) save_as(*purpose);
+      if (const auto purpose = draw_history_panel(editor, drafts_)) ask_for_path(*purpose);
     }
     if (ImGui::CollapsingHeader("Timings")) draw_timings_panel(last);
     if (ImGui::CollapsingHeader("Log")) draw_log_panel(log_);

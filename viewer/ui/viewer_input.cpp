@@ -36,7 +36,7 @@ bool is_click(const Vector2d& from, const Vector2d& to) {
 
 void ViewerApp::resize(const Vector2d& size) {
   size_ = size;
-  camera_.target_across = sidebar_share();
+  camera_.target_across = covered_share();
 }
 
 Vector3d ViewerApp::upward() const {
@@ -51,9 +51,18 @@ double ViewerApp::sidebar_pixels() const {
   return std::min(per_unit * static_cast<double>(kSidebarLetters * font), 0.5 * size_.x());
 }
 
+std::optional<ViewerApp::Area> ViewerApp::source_area() const {
+  if (!document_ || !document_->desk.is_open() || document_->desk.view() == nullptr) return {};
+  const double left = std::round(sidebar_pixels());
+  const double width = std::floor(0.5 * (size_.x() - left));
+  if (width < 1.0) return {};
+  return Area{{left, 0.0}, {width, size_.y()}};
+}
+
 // How far right of the window's middle the free part's middle is, from 0 to 1.
-double ViewerApp::sidebar_share() const {
-  return sidebar_pixels() / size_.x();
+double ViewerApp::covered_share() const {
+  const auto source = source_area();
+  return (sidebar_pixels() + (source ? source->size.x() : 0.0)) / size_.x();
 }
 
 ViewFrame ViewerApp::view_frame() const {
@@ -90,7 +99,7 @@ void ViewerApp::frame(std::span<const Index> vertices) {
   Framing framing;
   framing.field_of_view = camera_.field_of_view;
   framing.orthographic = camera_.orthographic;
-  framing.legend = sidebar_share();
+  framing.legend = covered_share();
   const Eigen::Matrix4d view = camera_.view();
   const ViewAxes axes{view.block<1, 3>(2, 0).transpose(), view.block<1, 3>(1, 0).transpose()};
   camera_ = fit(points, axes, size_.x() / size_.y(), framing);
@@ -133,11 +142,27 @@ bool ViewerApp::asks() const {
   return leaving_for_ || !interrupted_.empty() || path_plan_.purpose;
 }
 
+// Of what a person does over the source, unless a drag that began elsewhere goes on there: whether
+// the picture changes. Nothing for what is not the source's.
+std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
+  const auto area = source_area();
+  const bool of_pointer = event.kind != InputKind::key && event.kind != InputKind::text;
+  if (!area || !of_pointer || motion_ || document_->editor.is_dragging()) return {};
+  SourceView& view = *document_->desk.view();
+  if (!view.holds_mouse() && !area->holds(event.position)) return {};
+  InputEvent inside = event;
+  inside.position -= area->corner;
+  const bool changed = view.handle(inside, keymaps()[keymap_]).changed;
+  cursor_ = event.position;
+  return changed || event.kind != InputKind::move;
+}
+
 bool ViewerApp::handle(const InputEvent& event) {
   if (asks() && (event.kind == InputKind::key || event.kind == InputKind::text)) {
     if (event.key == kEscape) escape();
     return true;
   }
+  if (const auto changed = handle_source(event)) return *changed;
   Editor::Handled handled;
   if (document_ && !motion_) {
     handled = document_->editor.handle(event, view_frame());
@@ -183,6 +208,7 @@ void ViewerApp::escape() {
 
 void ViewerApp::perform(Action action) {
   if (document_ && perform_on(document_->editor, action)) return;
+  if (document_ && perform_on(document_->desk, document_->editor, action)) return;
   const double step = kOrbitShare * size_.y();
   switch (action) {
     case Action::frame_all:
@@ -230,7 +256,7 @@ void ViewerApp::perform(Action action) {
       return;
     case Action::toggle_panels:
       show_panels_ = !show_panels_;
-      camera_.target_across = sidebar_share();
+      camera_.target_across = covered_share();
       return;
     case Action::toggle_controls:
       show_controls_ = !show_controls_;
@@ -246,17 +272,20 @@ void ViewerApp::perform(Action action) {
       return;
     case Action::save:
       if (!document_) return;
-      if (document_->save_path.empty()) return save_as(PathPurpose::save_mesh);
+      if (document_->save_path.empty()) return ask_for_path(PathPurpose::save_mesh);
       save_to(document_->save_path);
       return;
     case Action::save_as:
-      if (document_) save_as(PathPurpose::save_mesh);
+      if (document_) ask_for_path(PathPurpose::save_mesh);
       return;
     case Action::save_recipe:
-      if (document_) save_as(PathPurpose::save_recipe);
+      if (document_) ask_for_path(PathPurpose::save_recipe);
       return;
     case Action::replay_recipe:
-      if (document_) save_as(PathPurpose::replay_recipe);
+      if (document_) ask_for_path(PathPurpose::replay_recipe);
+      return;
+    case Action::open_source:
+      if (document_ && document_->desk.is_open()) ask_for_path(PathPurpose::open_source);
       return;
     case Action::save_picture:
       picture_plan_.open = true;

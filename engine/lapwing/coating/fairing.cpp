@@ -68,9 +68,9 @@ Fairing::Fairing(std::span<const Vector3d> positions, const Topology& topology,
   if (!free().empty()) solver_->analyze(pattern_->blocks(), 1, pattern_->order());
 }
 
-Positions Fairing::smooth(double length, const char* where) const {
+Positions Fairing::smooth(std::span<const Vector3d> other, double length, const char* where) const {
   require_length(length, where);
-  Positions result(positions_.begin(), positions_.end());
+  Positions result(other.begin(), other.end());
   if (free().empty()) return result;
   const double t = std::pow(length / (2.0 * std::numbers::pi), 2);
   BlockRows rows = rows_;
@@ -80,7 +80,7 @@ Positions Fairing::smooth(double length, const char* where) const {
   // For the displacement, whose right-hand side is small: (M + t^2 D'MD) u = -t^2 D'MD v.
   const std::size_t n = free().size();
   std::vector<double> curvature(3 * n);
-  multiply(rows, positions_, curvature);
+  multiply(rows, other, curvature);
   std::vector<double> by_vertex(3 * n);
   pattern_->normal().multiply_transposed(rows, curvature, by_vertex);
   std::vector<double> u(3 * n);

@@ -34,7 +34,13 @@ class Fairing {
 
   /// The positions of the whole mesh with the region smooth. Factors an n x n system. Throws
   /// InputError when `length` is not above 0, naming `where`.
-  Positions smooth(double length, const char* where = "detail_size") const;
+  Positions smooth(double length, const char* where = "detail_size") const {
+    return smooth(positions_, length, where);
+  }
+  /// The same of other positions of the same mesh, by the areas and angles of those given first:
+  /// where those have none worth having.
+  Positions smooth(std::span<const Eigen::Vector3d> other, double length,
+                   const char* where = "detail_size") const;
 
   /// The vertices that move.
   const VertexSet& free() const { return unknowns_.vertices; }

@@ -10,6 +10,7 @@
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/doctor/repeated_faces.h"
 #include "lapwing/doctor/seams.h"
+#include "lapwing/doctor/self_intersections.h"
 #include "lapwing/mesh/coincident.h"
 #include "lapwing/mesh/edges.h"
 
@@ -181,6 +182,15 @@ CheckReport check(const Mesh& mesh, const Topology& topology) {
   check_rings(mesh, topology, report);
   check_components(topology, report);
   return report;
+}
+
+void add_self_intersections(const Mesh& mesh, const Topology& topology, CheckReport& report) {
+  std::vector<unsigned char> concerned(mesh.face_count(), 0);
+  for (const auto& pair : self_intersections(topology.triangles, mesh.positions)) {
+    for (const Index t : pair) concerned[topology.triangle_faces[t]] = 1;
+  }
+  add(report, DefectKind::self_intersection,
+      indices_where(mesh.face_count(), [&](Index f) { return concerned[f] != 0; }));
 }
 
 }  // namespace lapwing

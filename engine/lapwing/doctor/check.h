@@ -38,4 +38,8 @@ struct CheckReport {
 /// size of the mesh. Never changes the mesh and accepts any mesh that `build_topology` accepts.
 CheckReport check(const Mesh& mesh, const Topology& topology);
 
+/// Adds to the report on `mesh` the faces that cut through or touch others, which `check` leaves
+/// out because it takes several times as long; see self_intersections.h.
+void add_self_intersections(const Mesh& mesh, const Topology& topology, CheckReport& report);
+
 }  // namespace lapwing

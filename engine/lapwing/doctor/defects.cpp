@@ -63,6 +63,10 @@ constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
     {"several_components", "components", "pieces without a common edge move independently",
      "give each piece that an edit should move or hold a handle or a belt", Severity::info,
      Element::component, false},
+    {"self_intersection", "faces that cut through others",
+     "parts of the surface go through or lie on each other: legal to edit, but no solid has such a "
+     "surface",
+     "pull them apart with an edit, or remodel there", Severity::warning, Element::face, false},
 }};
 
 }  // namespace

@@ -21,8 +21,9 @@ enum class DefectKind {
   point_ring,
   collinear_ring,
   several_components,
+  self_intersection,  ///< only looked for by add_self_intersections
 };
-inline constexpr int kDefectKindCount = static_cast<int>(DefectKind::several_components) + 1;
+inline constexpr int kDefectKindCount = static_cast<int>(DefectKind::self_intersection) + 1;
 
 enum class Severity {
   info,     ///< nothing is wrong

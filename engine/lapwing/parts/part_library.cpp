@@ -138,7 +138,7 @@ std::vector<fs::path> part_files(const fs::path& folder) {
     }
   }
   if (error) throw IoError("cannot read the folder " + folder.string() + ": " + error.message());
-  std::ranges::sort(files);
+  std::ranges::sort(files, {}, [](const fs::path& file) { return std::pair(file.stem(), file); });
   return files;
 }
 

@@ -149,6 +149,10 @@ const char* name_of(Transition::Profile profile) {
   return profile == Transition::Profile::linear ? "linear" : "smooth";
 }
 
+Json json_of(const Transition& transition) {
+  return {{"width", transition.width}, {"profile", name_of(transition.profile)}};
+}
+
 const char* name_of(Domain domain) {
   return domain == Domain::disk ? "disk" : "square";
 }
@@ -162,10 +166,6 @@ void write_sampling(const CoatSource& source, Json& keys) {
   keys["sampling"] = name_of(source.sampling.sampling);
   keys["scale"] = source.sampling.scale ? Json(*source.sampling.scale) : Json("auto");
   keys["amplitude"] = source.amplitude;
-}
-
-Json json_of(const Transition& transition) {
-  return {{"width", transition.width}, {"profile", name_of(transition.profile)}};
 }
 
 void write_fading(const CoatParameters& parameters, Json& keys) {

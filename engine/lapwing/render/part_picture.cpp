@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Eigenvalues>
+
 #include "lapwing/render/render_image.h"
 #include "lapwing/transplant/loop_curve.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
@@ -15,11 +17,35 @@ namespace {
 constexpr double kAbove = 20.0 * std::numbers::pi / 180.0;
 constexpr double kAside = 25.0 * std::numbers::pi / 180.0;
 
+// Narrower across than this share of its breadth, a part is looked at across: a wing, a profile.
+constexpr double kFlat = 0.7;
+
 // Meshes face +z; one that stands along z is seen from where its top was.
-ViewAxes standing_view(const Eigen::Vector3d& up) {
-  Eigen::Vector3d front = Eigen::Vector3d::UnitZ() - up.z() * up;
-  if (front.norm() < 0.5) front = Eigen::Vector3d::UnitY() - up.y() * up;
-  front.normalize();
+Eigen::Vector3d front_of(const Eigen::Vector3d& up) {
+  const Eigen::Vector3d axis =
+      std::abs(up.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+  return (axis - axis.dot(up) * up).normalized();
+}
+
+// The horizontal direction along which `positions` spread least, toward the front.
+Eigen::Vector3d broadside_of(const Positions& positions, const Eigen::Vector3d& up) {
+  const Eigen::Vector3d front = front_of(up);
+  const Eigen::Vector3d side = up.cross(front);
+  const auto plan = [&](const Eigen::Vector3d& p) {
+    return Eigen::Vector2d(p.dot(side), p.dot(front));
+  };
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const auto& p : positions) mean += plan(p) / static_cast<double>(positions.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const auto& p : positions) spread += (plan(p) - mean) * (plan(p) - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  if (!(axes.eigenvalues()[0] < kFlat * kFlat * axes.eigenvalues()[1])) return front;
+  const Eigen::Vector2d least = axes.eigenvectors().col(0);
+  return (least.y() < 0.0 ? -1.0 : 1.0) * (least.x() * side + least.y() * front);
+}
+
+ViewAxes standing_view(const Positions& positions, const Eigen::Vector3d& up) {
+  const Eigen::Vector3d front = broadside_of(positions, up);
   const Eigen::Vector3d aside = std::cos(kAside) * front + std::sin(kAside) * up.cross(front);
   return {std::cos(kAbove) * aside + std::sin(kAbove) * up, up};
 }
@@ -43,7 +69,8 @@ Image part_picture(VulkanKernels& kernels, const Mesh& mesh, std::span<const Ind
   options.height = side;
   options.background = Background::transparent;
   options.style.color = SurfaceColor::regions;
-  return render_image(drawn, paint, fit(mesh.positions, standing_view(frame.normal), 1.0), options);
+  return render_image(
+      drawn, paint, fit(mesh.positions, standing_view(mesh.positions, frame.normal), 1.0), options);
 }
 
 }  // namespace lapwing

@@ -11,7 +11,8 @@ namespace lapwing {
 class VulkanKernels;
 
 /// A picture of a part for transplanting, `side` pixels wide and high, on nothing: it stands on its
-/// boundary loop, which is marked, and is seen from the front and a little above. `loop` as
+/// boundary loop, which is marked, and is seen a little from above, from the front (+z; where the
+/// loop faces there, +y), or across where it is flat. `loop` as
 /// boundary_loops has it. Throws InputError for a loop as in LoopCurve, and GpuError for a device
 /// that cannot draw.
 Image part_picture(VulkanKernels& kernels, const Mesh& mesh, std::span<const Index> loop,

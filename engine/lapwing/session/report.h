@@ -73,7 +73,7 @@ struct StepReport {
   Certificate certificate;
   /// Of a coat or mix step, whose certificate says nothing.
   std::optional<CoatReport> coat = {};
-  std::optional<TransplantReport> transplant = {};  ///< of a transplant step, likewise
+  std::optional<TransplantReport> transplant = {};  ///< likewise
   VertexMeasures vertices;  ///< of the ROI, where the run was asked for them; empty otherwise
 };
 

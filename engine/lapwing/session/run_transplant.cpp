@@ -14,6 +14,7 @@
 #include "lapwing/session/stage.h"
 #include "lapwing/session/transplant_parts.h"
 #include "lapwing/transplant/join.h"
+#include "lapwing/transplant/loop_curve.h"
 #include "lapwing/transplant/reconstruct_seam.h"
 #include "lapwing/transplant/seam_lengths.h"
 #include "lapwing/transplant/zip.h"
@@ -27,18 +28,11 @@ ZipLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
   return zip_loop(build_topology(mesh).triangles, mesh.positions, loop);
 }
 
-double length_of(std::span<const Vector3d> loop) {
-  double length = 0.0;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    length += (loop[(k + 1) % loop.size()] - loop[k]).norm();
-  }
-  return length;
-}
-
 // The joined mesh on its way to the seam's reconstruction.
 struct Assembly {
   Mesh mesh;
   Topology topology;
+  Positions geometry;                // smooth around the seam
   std::vector<Index> host_vertices;  // per vertex: its number in the host, or kNoIndex
   std::vector<double> depths;        // per vertex: from the part's loop, 0 off the part
   double gap = 0.0;
@@ -69,6 +63,9 @@ class TransplantRun {
   void assemble();
   void measure_depths(const std::vector<Index>& part_vertices, const PlacedPart& part);
   void remesh();
+  void take_over(RemeshResult& remeshed);
+  TransplantHost host() const;
+  TransplantJoined joined() const;
   TransplantOptions options();
   void reconstruct();
   void require_valid(const TransplantResult& seam) const;
@@ -108,7 +105,7 @@ void TransplantRun::assemble() {
     for (Index v = 0; v < hole_.rest.vertices.size(); ++v) {
       joined_.host_vertices[v] = hole_.rest.vertices[v];
     }
-    hole_radius_ = length_of(host_loop.points) / (2.0 * std::numbers::pi);
+    hole_radius_ = LoopCurve(host_loop.points, step_.where).length() / (2.0 * std::numbers::pi);
     joined_.gap = strip_width(zip, host_loop.points, part_loop.points);
     even_strip_ = is_even(zip, host_loop.points, part_loop.points);
     report.strip_triangles = zip.triangles.size();
@@ -169,28 +166,45 @@ TransplantOptions TransplantRun::options() {
 void TransplantRun::remesh() {
   if (step_.parameters.remesh == Remeshing::none) return;
   const double width = report_.transplant->transition_width;
-  const SeamLengths lengths(joined_.mesh.positions, joined_.topology, joined_.host_vertices,
+  const SeamLengths lengths(joined_.geometry, joined_.topology, joined_.host_vertices,
                             joined_.depths, width);
   if (even_strip_ && !lengths.asks_for_remeshing()) return;
   timed("remesh", [&] {
-    MeshAttributes& attributes = joined_.mesh.attributes;
-    attributes.vertex_extras.push_back({"depth from the seam", "double", 1, joined_.depths});
+    // The smooth surface is cut anew, and keeps in mind where it was on the joined one.
+    Mesh smooth = joined_.mesh;
+    smooth.positions = joined_.geometry;
+    auto& extras = smooth.attributes.vertex_extras;
+    extras.push_back({"depth", "double", 1, joined_.depths});
+    extras.push_back({"place", "double", 3, {}});
+    for (const Vector3d& p : joined_.mesh.positions) {
+      extras.back().values.insert(extras.back().values.end(), p.begin(), p.end());
+    }
     RemeshResult remeshed =
-        remesh_isotropic(joined_.mesh, lengths.region(), std::cref(lengths), {}, progress_);
+        remesh_isotropic(smooth, lengths.region(), std::cref(lengths), {}, progress_);
     if (!remeshed.note.empty()) {
       result_.report.warnings.push_back(step_.where + ": " + remeshed.note);
     }
-    std::vector<Index> host_vertices;
-    for (const Index v : remeshed.kept) {
-      host_vertices.push_back(v == kNoIndex ? kNoIndex : joined_.host_vertices[v]);
-    }
-    joined_.host_vertices = std::move(host_vertices);
-    joined_.mesh = std::move(remeshed.mesh);
-    joined_.depths = std::move(joined_.mesh.attributes.vertex_extras.back().values);
-    joined_.mesh.attributes.vertex_extras.pop_back();
-    joined_.topology = build_topology(joined_.mesh);
+    take_over(remeshed);
     report_.transplant->remeshed_vertices = remeshed.region.size();
   });
+}
+
+void TransplantRun::take_over(RemeshResult& remeshed) {
+  std::vector<Index> host_vertices;
+  for (const Index v : remeshed.kept) {
+    host_vertices.push_back(v == kNoIndex ? kNoIndex : joined_.host_vertices[v]);
+  }
+  joined_.host_vertices = std::move(host_vertices);
+  joined_.mesh = std::move(remeshed.mesh);
+  joined_.topology = build_topology(joined_.mesh);
+  joined_.geometry = joined_.mesh.positions;
+  auto& extras = joined_.mesh.attributes.vertex_extras;
+  for (std::size_t v = 0; v < joined_.mesh.vertex_count(); ++v) {
+    joined_.mesh.positions[v] = Vector3d(extras.back().values.data() + 3 * v);
+  }
+  extras.pop_back();
+  joined_.depths = std::move(extras.back().values);
+  extras.pop_back();
 }
 
 void TransplantRun::require_valid(const TransplantResult& seam) const {
@@ -210,20 +224,26 @@ void TransplantRun::require_valid(const TransplantResult& seam) const {
   throw SolverError(text.str());
 }
 
+TransplantHost TransplantRun::host() const {
+  return {result_.mesh.positions, result_.topology, hole_.triangles, hole_.loop};
+}
+
+// Joined and remeshed, the host's faces come first.
+TransplantJoined TransplantRun::joined() const {
+  return {joined_.mesh.positions,       joined_.topology, joined_.geometry, joined_.host_vertices,
+          hole_.rest.mesh.face_count(), joined_.depths,   joined_.gap};
+}
+
 void TransplantRun::reconstruct() {
   TransplantReport& report = *report_.transplant;
   const TransplantOptions chosen = options();
   report.transition_width = chosen.transition.width;
   report.padding = chosen.padding;
   report.belt = chosen.belt;
+  timed("smooth", [&] { joined_.geometry = smooth_seam(host(), joined(), chosen); });
   remesh();
-  const TransplantHost host{result_.mesh.positions, result_.topology, hole_.triangles, hole_.loop};
-  // Joined and remeshed, the host's faces come first.
-  const TransplantJoined joined{joined_.mesh.positions, joined_.topology,
-                                joined_.host_vertices,  hole_.rest.mesh.face_count(),
-                                joined_.depths,         joined_.gap};
   TransplantResult seam =
-      reconstruct_seam(host, joined, chosen, kernels_, step_.where, report_.timings, progress_);
+      reconstruct_seam(host(), joined(), chosen, kernels_, step_.where, report_.timings, progress_);
   require_valid(seam);
   if (!seam.sampled_host) {
     result_.report.warnings.push_back(

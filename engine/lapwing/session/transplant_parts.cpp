@@ -9,6 +9,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/transform.h"
+#include "lapwing/transplant/loop_curve.h"
 #include "lapwing/transplant/surface_snap.h"
 
 namespace lapwing {
@@ -26,16 +27,6 @@ Vector3d mean(std::span<const Vector3d> points) {
   Vector3d sum = Vector3d::Zero();
   for (const Vector3d& point : points) sum += point;
   return sum / static_cast<double>(points.size());
-}
-
-// Twice the area that a loop goes around, as seen from where it runs counterclockwise.
-Vector3d area_vector(std::span<const Vector3d> loop) {
-  const Vector3d center = mean(loop);
-  Vector3d sum = Vector3d::Zero();
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    sum += (loop[k] - center).cross(loop[(k + 1) % loop.size()] - center);
-  }
-  return sum;
 }
 
 std::string loops_in_words(const std::vector<BoundaryLoop>& loops) {
@@ -63,26 +54,20 @@ BoundaryLoop choose_loop(const TransplantStep& step, const Mesh& part, const std
                      std::to_string(*step.loop) + "; there are " + loops_in_words(loops));
   }
   const auto length = [&](const BoundaryLoop& loop) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      sum += (part.positions[loop[(k + 1) % loop.size()]] - part.positions[loop[k]]).norm();
-    }
-    return sum;
+    return LoopCurve(points_of(loop, part.positions), name).length();
   };
   return *std::max_element(loops.begin(), loops.end(),
                            [&](const auto& a, const auto& b) { return length(a) < length(b); });
 }
 
-// Six times the volume behind the surface, its loop closed by a fan: below 0 for one that is inside
-// out.
-double volume(const Mesh& part, const BoundaryLoop& loop) {
-  const Vector3d center = mean(points_of(loop, part.positions));
+// The volume behind the surface, its loop closed by a fan: below 0 for one that is inside out.
+double volume(const Mesh& part, const Vector3d& center) {
   double sum = 0.0;
   for (const Triangle& t : build_topology(part).triangles) {
     sum += (part.positions[t[0]] - center)
                .dot((part.positions[t[1]] - center).cross(part.positions[t[2]] - center));
   }
-  return sum;
+  return sum / 6.0;
 }
 
 // The same loop of the surface turned inside out.
@@ -93,10 +78,10 @@ void turn(PlacedPart& part) {
 }
 
 // A part that rises from its loop encloses something with it; a sheet does not, and says nothing.
-bool is_inside_out(const PlacedPart& part) {
-  const double area = area_vector(points_of(part.loop, part.mesh.positions)).norm();
-  constexpr double kLeastRise = 0.05;
-  return volume(part.mesh, part.loop) < -kLeastRise * std::pow(area, 1.5);
+bool is_inside_out(const PlacedPart& part, const std::string& where) {
+  constexpr double kLeastRise = 0.1;
+  const LoopFrame loop = loop_frame(LoopCurve(points_of(part.loop, part.mesh.positions), where));
+  return volume(part.mesh, loop.center) < -kLeastRise * std::pow(loop.radius, 3);
 }
 
 PlacedPart read_part(const TransplantStep& step, const std::filesystem::path& base_directory,
@@ -189,7 +174,8 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh, const Topology& topolo
 PlacedPart place_part(const TransplantStep& step, const std::filesystem::path& base_directory,
                       const Mesh& mesh, const Topology& topology, const Hole& hole) {
   PlacedPart part = read_part(step, base_directory, mesh);
-  if (is_inside_out(part)) turn(part);
+  const std::string where = step.where + "/part";
+  if (is_inside_out(part, where)) turn(part);
   const auto hole_points = points_of(hole.rest_loop, hole.rest.mesh.positions);
   const auto loop_points = points_of(part.loop, part.mesh.positions);
   if (const auto* fit = std::get_if<LoopFit>(&step.place)) {
@@ -209,7 +195,11 @@ PlacedPart place_part(const TransplantStep& step, const std::filesystem::path& b
   transform(part.mesh, part.motion);
   if (determinant < 0.0) std::reverse(part.loop.begin() + 1, part.loop.end());
   // Sewn together, the loops run against each other.
-  if (area_vector(points_of(part.loop, part.mesh.positions)).dot(area_vector(hole_points)) > 0.0) {
+  const auto normal = [&](std::span<const Vector3d> points, const std::string& name) {
+    return loop_frame(LoopCurve(points, name)).normal;
+  };
+  if (normal(points_of(part.loop, part.mesh.positions), where)
+          .dot(normal(hole_points, step.target_region.where)) > 0.0) {
     turn(part);
   }
   if (part.turned) {

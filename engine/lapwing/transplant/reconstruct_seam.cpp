@@ -26,12 +26,51 @@ constexpr int kPasses = 3;
 // is taken for one of another size.
 constexpr double kLargestRatio = 4.0;
 
-// Where things are along the way from the host over the seam to the part: geodesic distance from
-// the hole's rim on the host, and from the part's loop on the part.
+// Where things are along the way from the host over the seam to the part.
 struct Zone {
-  std::vector<double> distances;  // per vertex of the joined mesh
-  EditRegion region;              // unknowns, and those of them that are held
+  BoundaryLoop seam;  // the hole's loop, numbers of the joined mesh
+  std::vector<double>
+      distances;      // per vertex: from the seam on the host, from its loop on the part
+  EditRegion region;  // unknowns, and those of them that are held
 };
+
+double free_on_part(const TransplantOptions& options) {
+  return options.transition.width + options.padding;
+}
+
+Zone make_zone(const TransplantHost& host, const TransplantJoined& joined,
+               const TransplantOptions& options) {
+  Zone zone;
+  const std::size_t count = joined.positions.size();
+  std::vector<Index> of_host(host.positions.size(), kNoIndex);
+  std::vector<char> allowed(count, 0);
+  for (Index v = 0; v < count; ++v) {
+    if (joined.host_vertices[v] == kNoIndex) continue;
+    of_host[joined.host_vertices[v]] = v;
+    allowed[v] = 1;
+  }
+  for (const Index v : host.hole) zone.seam.push_back(of_host[v]);
+  zone.distances = geodesic_distances(joined.topology, joined.positions, zone.seam,
+                                      options.padding + options.belt, allowed);
+  for (Index v = 0; v < count; ++v) {
+    const bool is_host = allowed[v] != 0;
+    if (!is_host) zone.distances[v] = joined.depths[v];
+    const double free = is_host ? options.padding : free_on_part(options);
+    const double distance = zone.distances[v];
+    if (joined.topology.rings[v].empty() || !(distance <= free + options.belt)) continue;
+    zone.region.roi.push_back(v);
+    if (distance > free) zone.region.belt.push_back(v);
+  }
+  return zone;
+}
+
+// What areas and angles are taken from.
+Positions geometry_of(std::span<const Vector3d> positions, const Topology& topology,
+                      const VertexSet& region, const TransplantOptions& options) {
+  constexpr double kOfTheFree = 2.0;
+  const double free = free_on_part(options) + options.padding;
+  return Fairing(positions, topology, region, options.weights).smooth(kOfTheFree * free);
+}
 
 // The low-frequency surface of a mesh.
 struct SmoothSurface {
@@ -56,7 +95,7 @@ class SeamReconstruction {
 
  private:
   bool is_host(Index v) const { return joined_.host_vertices[v] != kNoIndex; }
-  double free_on_part() const { return options_.transition.width + options_.padding; }
+  double free_on_part() const { return lapwing::free_on_part(options_); }
 
   template <class Body>
   void timed(const char* name, Body body) {
@@ -66,13 +105,12 @@ class SeamReconstruction {
     timings_.add(name, watch.elapsed_ms());
   }
   std::vector<double> distances_in_cut() const;
-  void make_zone();
   void lay_collars();
   void make_system();
-  void smooth_host();
+  void smooth_geometry();
   void sample();
-  SmoothSurface smoothed(const Positions& positions, const Topology& topology,
-                         const VertexSet& region) const;
+  SmoothSurface smoothed(const Fairing& fairing, std::span<const Eigen::Vector3d> positions,
+                         const Topology& topology) const;
 
   std::vector<Vector3d> laplacians_of(std::span<const Vector3d> positions) const;
   std::vector<Matrix3d> frames(std::span<const SurfacePoint> points, const SmoothSurface& source,
@@ -92,9 +130,11 @@ class SeamReconstruction {
   const Progress& progress_;
 
   Zone zone_;
-  BoundaryLoop seam_;                  // the hole's loop, numbers of the joined mesh
   std::vector<double> cut_distances_;  // per vertex of the host, from the hole's rim inwards
   std::vector<SurfacePoint> points_;   // per vertex of the joined mesh: where it lies on the host
+  Positions host_geometry_;
+  std::optional<Fairing> host_fairing_;
+  std::optional<Fairing> fairing_;
   Constraints constraints_;
   std::unique_ptr<SystemPattern> pattern_;
   std::unique_ptr<LaplacianSystem> system_;
@@ -116,32 +156,8 @@ std::vector<double> SeamReconstruction::distances_in_cut() const {
   return geodesic_distances(host_.topology, host_.positions, host_.hole, kNoLimit, allowed);
 }
 
-void SeamReconstruction::make_zone() {
-  const std::size_t count = joined_.positions.size();
-  std::vector<Index> of_host(host_.positions.size(), kNoIndex);
-  std::vector<char> allowed(count, 0);
-  for (Index v = 0; v < count; ++v) {
-    if (!is_host(v)) continue;
-    of_host[joined_.host_vertices[v]] = v;
-    allowed[v] = 1;
-  }
-  for (const Index v : host_.hole) seam_.push_back(of_host[v]);
-  const double on_host = options_.padding + options_.belt;
-  zone_.distances =
-      geodesic_distances(joined_.topology, joined_.positions, seam_, on_host, allowed);
-  for (Index v = 0; v < count; ++v) {
-    if (!is_host(v)) zone_.distances[v] = joined_.depths[v];
-    const double distance = zone_.distances[v];
-    const double free = is_host(v) ? options_.padding : free_on_part();
-    if (joined_.topology.rings[v].empty() || !(distance <= free + options_.belt)) continue;
-    zone_.region.roi.push_back(v);
-    if (distance > free) zone_.region.belt.push_back(v);
-  }
-}
-
 // What D lies on: the host's vertices on themselves, the transition on what was cut.
 void SeamReconstruction::lay_collars() {
-  cut_distances_ = distances_in_cut();
   double depth = 0.0;
   for (const Triangle& corners : host_.cut) {
     for (const Index v : corners) {
@@ -166,15 +182,15 @@ void SeamReconstruction::lay_collars() {
   }
   // Triangles between the loops belong to it, however narrow it is.
   const double reach = std::max(width, 1e-9 * bounds_of(joined_.positions).diagonal());
-  const Collar above = make_collar(piece, seam_, depths, reach, where_);
+  const Collar above = make_collar(piece, zone_.seam, depths, reach, where_);
   points_.assign(joined_.positions.size(), SurfacePoint::nowhere());
   result_.sampled_host = !below.triangles.empty() && !above.triangles.empty();
   if (result_.sampled_host) {
-    const Index start = best_cut(below, host_.positions);
+    const Index start = best_cut(below, host_geometry_);
     const auto at = std::find(host_.hole.begin(), host_.hole.end(), start) - host_.hole.begin();
-    const LaidCollar lower = lay_collar(below, host_.positions, start, where_);
+    const LaidCollar lower = lay_collar(below, host_geometry_, start, where_);
     const LaidCollar upper =
-        lay_collar(above, joined_.positions, seam_[static_cast<std::size_t>(at)], where_);
+        lay_collar(above, joined_.geometry, zone_.seam[static_cast<std::size_t>(at)], where_);
     points_ = lay_on(upper, lower, joined_.positions.size());
     result_.flipped = flipped_triangles(lower.patch.triangles, lower.map.points).size() +
                       flipped_triangles(upper.patch.triangles, upper.map.points).size();
@@ -190,7 +206,7 @@ void SeamReconstruction::make_system() {
       std::make_unique<SystemPattern>(joined_.topology, zone_.region.roi, constraints_.unknowns);
   pattern_->order();
   system_ =
-      std::make_unique<LaplacianSystem>(joined_.positions, joined_.topology, zone_.region.roi,
+      std::make_unique<LaplacianSystem>(joined_.geometry, joined_.topology, zone_.region.roi,
                                         constraints_, *pattern_, options_.weights, 0.0, timings_);
   for (const Index v : rings().vertices) {
     on_host_.push_back(points_[v]);
@@ -204,20 +220,22 @@ void SeamReconstruction::make_system() {
   rest_ = laplacians_of(joined_.positions);
 }
 
-// Frames follow what is as large as the seam's surroundings.
-SmoothSurface SeamReconstruction::smoothed(const Positions& positions, const Topology& topology,
-                                           const VertexSet& region) const {
+// Frames follow what is larger than detail.
+SmoothSurface SeamReconstruction::smoothed(const Fairing& fairing,
+                                           std::span<const Vector3d> positions,
+                                           const Topology& topology) const {
+  constexpr double kOfTheFree = 0.5;
   SmoothSurface result;
-  const double length = 2.0 * (free_on_part() + options_.padding);
-  result.positions = Fairing(positions, topology, region, options_.weights).smooth(length);
+  result.positions = fairing.smooth(positions, kOfTheFree * (free_on_part() + options_.padding));
   result.normals.assign(positions.size(), Vector3d::Zero());
   vertex_normals(result.positions, topology.triangles, topology.vertex_triangles,
-                 with_ring_neighbours(region, topology.rings), result.normals);
+                 with_ring_neighbours(fairing.free(), topology.rings), result.normals);
   return result;
 }
 
-// The same part of the host as of the joined mesh.
-void SeamReconstruction::smooth_host() {
+// Of the same part of the host as of the joined mesh.
+void SeamReconstruction::smooth_geometry() {
+  cut_distances_ = distances_in_cut();
   VertexSet region;
   for (const Index v : zone_.region.roi) {
     if (is_host(v)) region.push_back(joined_.host_vertices[v]);
@@ -225,8 +243,10 @@ void SeamReconstruction::smooth_host() {
   for (Index v = 0; v < cut_distances_.size(); ++v) {
     if (cut_distances_[v] <= free_on_part() + options_.belt) region.push_back(v);
   }
-  const Positions positions(host_.positions.begin(), host_.positions.end());
-  smooth_host_ = smoothed(positions, host_.topology, make_vertex_set(std::move(region)));
+  region = make_vertex_set(std::move(region));
+  host_geometry_ = geometry_of(host_.positions, host_.topology, region, options_);
+  host_fairing_.emplace(host_geometry_, host_.topology, region, options_.weights);
+  fairing_.emplace(joined_.geometry, joined_.topology, zone_.region.roi, options_.weights);
 }
 
 // L x over the rows.
@@ -242,20 +262,24 @@ std::vector<Vector3d> SeamReconstruction::laplacians_of(std::span<const Vector3d
 }
 
 void SeamReconstruction::sample() {
-  smooth_host();
+  smooth_host_ = smoothed(*host_fairing_, host_.positions, host_.topology);
+  std::vector<Vector3d> detail(host_.positions.size());
+  for (std::size_t v = 0; v < detail.size(); ++v) {
+    detail[v] = host_.positions[v] - smooth_host_.positions[v];
+  }
   const MappedRings mapped{rings(), on_host_};
   sampled_.resize(rings().row_count());
   if (options_.sampling == MappedSampling::one_ring) {
-    kernels_.sample_mapped_laplacians(mapped, options_.sampling, host_.positions, sampled_);
+    kernels_.sample_mapped_laplacians(mapped, options_.sampling, detail, sampled_);
     return;
   }
   // As densities, which do not hang on how finely the host is triangulated.
-  const auto weights = laplacian_weights(host_.topology, host_.positions, options_.weights);
+  const auto weights = laplacian_weights(host_.topology, host_geometry_, options_.weights);
   std::vector<Index> all;
   for (Index v = 0; v < host_.positions.size(); ++v) all.push_back(v);
   std::vector<Vector3d> density(all.size());
-  kernels_.sample_laplacians({host_.positions, host_.topology.rings, weights, all}, density);
-  const auto squares = squared_rings(host_.topology.rings, weights, host_.positions, all);
+  kernels_.sample_laplacians({detail, host_.topology.rings, weights, all}, density);
+  const auto squares = squared_rings(host_.topology.rings, weights, host_geometry_, all);
   for (std::size_t v = 0; v < all.size(); ++v) density[v] *= 4.0 / squares[v];
   kernels_.sample_mapped_laplacians(mapped, options_.sampling, density, sampled_);
 }
@@ -298,14 +322,12 @@ double SeamReconstruction::ring_size(std::size_t r, const Matrix3d& T) const {
 // The Laplacians that the surface is to have when its low frequencies are those of `now`.
 std::vector<Vector3d> SeamReconstruction::wanted(const SmoothSurface& now) const {
   const std::vector<Matrix3d> from_part = frames(on_itself_, smooth_start_, now);
-  std::vector<Vector3d> on_host_side;
+  std::vector<Vector3d> on_host_side = laplacians_of(now.positions);
   if (result_.sampled_host) {
     const std::vector<Matrix3d> from_host = frames(on_host_, smooth_host_, now);
     for (std::size_t r = 0; r < sampled_.size(); ++r) {
-      on_host_side.push_back(from_host[r] * (ring_size(r, from_host[r]) * sampled_[r]));
+      on_host_side[r] += from_host[r] * (ring_size(r, from_host[r]) * sampled_[r]);
     }
-  } else {
-    on_host_side = laplacians_of(now.positions);
   }
   std::vector<Vector3d> result(rings().row_count());
   for (std::size_t r = 0; r < result.size(); ++r) {
@@ -340,20 +362,20 @@ void SeamReconstruction::solve(std::span<const Vector3d> wanted) {
 
 TransplantResult SeamReconstruction::run() {
   timed("collars", [&] {
-    make_zone();
+    zone_ = make_zone(host_, joined_, options_);
+    smooth_geometry();
     lay_collars();
   });
   make_system();
-  const VertexSet& roi = zone_.region.roi;
   result_.positions.assign(joined_.positions.begin(), joined_.positions.end());
   timed("sample", [&] {
     sample();
-    smooth_start_ = smoothed(result_.positions, joined_.topology, roi);
+    smooth_start_ = smoothed(*fairing_, result_.positions, joined_.topology);
   });
   SmoothSurface now = smooth_start_;
   for (int pass = 0; pass < kPasses; ++pass) {
     if (pass > 0) {
-      timed("sample", [&] { now = smoothed(result_.positions, joined_.topology, roi); });
+      timed("sample", [&] { now = smoothed(*fairing_, result_.positions, joined_.topology); });
     }
     timed("solve", [&] { solve(wanted(now)); });
   }
@@ -365,6 +387,12 @@ TransplantResult SeamReconstruction::run() {
 }
 
 }  // namespace
+
+Positions smooth_seam(const TransplantHost& host, const TransplantJoined& joined,
+                      const TransplantOptions& options) {
+  return geometry_of(joined.positions, joined.topology, make_zone(host, joined, options).region.roi,
+                     options);
+}
 
 TransplantResult reconstruct_seam(const TransplantHost& host, const TransplantJoined& joined,
                                   const TransplantOptions& options, Kernels& kernels,

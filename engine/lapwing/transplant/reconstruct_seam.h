@@ -26,6 +26,9 @@ struct TransplantHost {
 struct TransplantJoined {
   std::span<const Eigen::Vector3d> positions;
   const Topology& topology;
+  /// The same, smooth around the seam: what areas, angles and maps are taken from, since a strip
+  /// between two loops may be folded. See `smooth_seam`.
+  std::span<const Eigen::Vector3d> geometry;
   std::span<const Index> host_vertices;  ///< per vertex: its number in the host, or kNoIndex
   std::size_t host_faces = 0;            ///< faces below this number are the host's
   /// Per vertex that is none of the host's: geodesic distance from the part's loop on the part; 0
@@ -55,18 +58,25 @@ struct TransplantResult {
   std::size_t flipped = 0;   ///< triangles that the two maps over the square turned over
 };
 
+/// `joined.geometry` for `joined`, of which that is not read: the positions faired (see Fairing)
+/// over all that is free or held, by a length of twice what is free. Throws what `Fairing` does.
+Positions smooth_seam(const TransplantHost& host, const TransplantJoined& joined,
+                      const TransplantOptions& options);
+
 /// Reconstructs what lies around the seam of a transplant (paper section 6). With u the
-/// displacement of D, delta_U the Laplacians of the host where D comes to lie on it - its vertices
-/// on the host's side on themselves, the transition on the collar of what was cut, both laid over
-/// the unit square from the same seam with their cuts aligned - delta_S those of the part as it was
+/// displacement of D, D smooth below features of half of what is free, xi_U the Laplacians of
+/// what the host has over its surface smooth likewise, where D comes to lie on it - its vertices on
+/// the host's side on themselves, the transition on the collar of what was cut, both laid over the
+/// unit square from the same seam with their cuts aligned - delta_S those of the part as it was
 /// placed, w the transition's share,
-///     (L'L + W) u = L' ((1 - w) T_U delta_U + w T_S delta_S - delta_D)
-/// on one n x n factor. T_U and T_S = s R turn with the low-frequency surfaces, from host and part
-/// to what comes out; the surfaces below the detail of D are smoothed over the seam first, so that
-/// the first pass knows about which way it turns, and renewed in two more passes. A part that is
-/// where it was cut from stays there. Throws InputError, naming `where`, when the transition
-/// reaches another boundary or a handle, and SolverError when the system is singular. Stages
-/// "collars", "laplacian", "sample", "solve".
+///     (L'L + W) u = L' ((1 - w) (delta(D smooth) + T_U xi_U) + w T_S delta_S - delta(D))
+/// on one n x n factor. Of the host only the detail comes over, as in coating: the Laplacians of
+/// its whole shape, which the paper blends, bend the seam to what is no more, the head under a new
+/// head. A transition as wide as the hole takes that for detail, and bends likewise. T_U and T_S =
+/// s R turn with the smooth surfaces, from host and part to what comes out, which is smoothed anew
+/// in two more passes. A part that is where it was cut from stays there. Throws InputError, naming
+/// `where`, when the transition reaches another boundary or a handle, and SolverError when the
+/// system is singular. Stages "collars", "laplacian", "sample", "solve".
 TransplantResult reconstruct_seam(const TransplantHost& host, const TransplantJoined& joined,
                                   const TransplantOptions& options, Kernels& kernels,
                                   const std::string& where, StageTimings& timings,

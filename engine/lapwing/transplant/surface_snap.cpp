@@ -3,8 +3,7 @@
 // Image and Vision Computing 10, 1992.
 #include "lapwing/transplant/surface_snap.h"
 
-#include <limits>
-#include <numeric>
+#include <algorithm>
 
 #include <Eigen/Eigenvalues>
 
@@ -21,6 +20,9 @@ constexpr std::size_t kPoints = 96;
 constexpr int kSteps = 60;
 // A smaller step, in radii of the loop, is none.
 constexpr double kLeastStep = 1e-11;
+// Where the cosine between the surface's normal and the loop's is below this, it is the back of a
+// sheet; above it, a neck, on which a loop lies across.
+constexpr double kBehind = -0.7;
 // Nearer than this, in radii, the surface's normal says more than the way to it.
 constexpr double kTouching = 1e-7;
 // A step that leads farther away is halved as far as this.
@@ -29,16 +31,18 @@ constexpr double kLeastShare = 1.0 / 64.0;
 // would have to be large to be of use: sliding along the surface.
 constexpr double kIdle = 1e-3;
 
-std::span<const Triangle> some(std::span<const Triangle> triangles, const std::string& where) {
-  if (!triangles.empty()) return triangles;
-  throw InputError(where + ": the mesh has no triangles to put a part on");
-}
-
-Adjacency one_group(std::size_t count) {
+// The triangles with finite corners, as one group.
+Adjacency usable(std::span<const Triangle> triangles, std::span<const Vector3d> positions,
+                 const std::string& where) {
   Adjacency groups;
-  groups.values.resize(count);
-  std::iota(groups.values.begin(), groups.values.end(), Index{0});
-  groups.starts.push_back(static_cast<Index>(count));
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto finite = [&](Index v) { return positions[v].allFinite(); };
+    if (std::ranges::all_of(triangles[t], finite)) groups.values.push_back(static_cast<Index>(t));
+  }
+  if (groups.values.empty()) {
+    throw InputError(where + ": the mesh has no triangles to put a part on");
+  }
+  groups.starts.push_back(static_cast<Index>(groups.values.size()));
   return groups;
 }
 
@@ -79,7 +83,7 @@ struct SurfaceSnap::Contacts {
 SurfaceSnap::SurfaceSnap(std::span<const Triangle> triangles, std::span<const Vector3d> positions,
                          const std::string& where)
     : normals_(triangles.size(), Vector3d::Zero()),
-      surface_(some(triangles, where), positions, one_group(triangles.size())) {
+      surface_(triangles, positions, usable(triangles, positions, where)) {
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
     const Vector3d normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
@@ -92,7 +96,11 @@ SurfaceSnap::Contacts SurfaceSnap::contacts(std::span<const Vector3d> points,
   Contacts contacts;
   Index hint = kNoIndex;
   for (const Vector3d& p : points) {
-    const remeshing::TrianglePoint nearest = surface_.find(0, p, frame.normal, hint);
+    remeshing::TrianglePoint nearest = surface_.find(0, p, Vector3d::Zero(), hint);
+    if (nearest.triangle == kNoIndex) continue;  // beyond what a square of a length can be
+    if (normals_[nearest.triangle].dot(frame.normal) < kBehind) {
+      nearest = surface_.find(0, p, frame.normal);
+    }
     hint = nearest.hint;
     const Vector3d way = (p - nearest.position) / frame.radius;
     const double distance = way.norm();

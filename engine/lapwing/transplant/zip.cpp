@@ -19,6 +19,9 @@ using zipping::Pair;
 using zipping::RimLoop;
 using zipping::Step;
 
+// Larger ones have areas and costs that are no numbers.
+constexpr double kLargest = 1e50;
+
 void require_usable(const ZipLoop& loop, const std::string& where, const std::string& whose) {
   const std::string name = where + ": the " + whose + " loop";
   if (loop.points.size() < 3) {
@@ -33,6 +36,9 @@ void require_usable(const ZipLoop& loop, const std::string& where, const std::st
   const Bounds bounds = bounds_of(loop.points);
   if (!(bounds.diagonal() > 0.0)) {
     throw InputError(name + " has no length: its vertices are all at one place; choose another");
+  }
+  if (!(bounds.diagonal() < kLargest)) {
+    throw InputError(name + " is too large to compute with; scale the mesh down");
   }
   if (!loop.across.empty() && loop.across.size() != loop.points.size()) {
     throw InputError(name + " has " + std::to_string(loop.across.size()) + " corners across for " +

@@ -47,7 +47,7 @@ struct Zip {
 /// Host, strip and part are then a manifold if host and part are. Where the loops are the same up
 /// to a turn of the start, the strip is the same; turning, moving and scaling both does not change
 /// it (but where several strips are equally good). Throws InputError, naming `where`, for a loop of
-/// fewer than 3 vertices, one that is not finite or has no length. Near-linear.
+/// fewer than 3 vertices, one that is not finite, larger than 1e50 or has no length. Near-linear.
 Zip zip_loops(const ZipLoop& host, const ZipLoop& part, const std::string& where,
               double weld = 0.05);
 

@@ -1,0 +1,280 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/session/prepared_coat.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+#include "session/coat_runs.h"
+#include "support/bent_tube.h"
+#include "support/gpu.h"
+
+namespace lapwing::test {
+namespace {
+
+using Eigen::Vector3d;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr Index kCells = 24;
+constexpr double kHeight = 0.01;
+constexpr double kDetail = 0.5;
+
+const std::string kKeep = R"(, "remesh": "none")";
+const std::string kByDistance =
+    R"(, "weight": {"distance_to": {"disk": {"near": [0.5, 0.5, 0], "radius": 0.1}}, "width": 0.2})";
+
+// Two reliefs and a folded sheet to mix them on.
+class RunMix : public CoatRuns {
+ protected:
+  void SetUp() override {
+    write(relief(kCells, 4.0, kHeight), "fine.ply");
+    write(relief(kCells, 2.0, 2.0 * kHeight), "coarse.ply");
+    Mesh mesh = grid(kCells, kCells);
+    for (Vector3d& p : mesh.positions) p.z() = 0.1 * p.x() * p.x();
+    write(mesh, "target.ply");
+  }
+
+  // `file` empty: the target itself. `keys` begins with a comma.
+  static std::string source(const std::string& file, const std::string& patch,
+                            double detail = kDetail, const std::string& keys = "") {
+    const std::string mesh = file.empty() ? "" : R"("mesh": ")" + file + R"(", )";
+    return "{" + mesh + R"("patch": )" + patch + R"(, "detail_size": )" + std::to_string(detail) +
+           keys + "}";
+  }
+  static std::string mix(const std::string& first, const std::string& second,
+                         const std::string& target, const std::string& keys) {
+    return R"({"op": "mix", "sources": [)" + first + ", " + second + R"(], "target_patch": )" +
+           target + keys + "}";
+  }
+  static std::string field(std::size_t count, double w) {
+    return R"(, "weight": {"field": )" + nlohmann::json(std::vector<double>(count, w)).dump() + "}";
+  }
+  static std::size_t all_vertices() { return (kCells + 1) * (kCells + 1); }
+};
+
+TEST_F(RunMix, OfASurfaceWithItselfReturnsIt) {
+  write(relief(kCells, 4.0, kHeight), "target.ply");
+  const Mesh before = read("target.ply");
+  const double diagonal = bounds_of(before.positions).diagonal();
+  const std::string own = source("", kAll);
+  for (const char* keys : {R"(, "take": "shape")", R"(, "smooth_target": 0.5)"}) {
+    const auto result =
+        run(mix(own, own, kAll, kByDistance + kKeep + keys + R"(, "transition": {"width": 0})"));
+    EXPECT_LT(largest_distance(result->mesh.positions, before.positions), 1e-6 * diagonal) << keys;
+  }
+}
+
+TEST_F(RunMix, WithAllOfOneSourceIsACoatWithIt) {
+  const auto coated = [&](const std::string& file, double detail, double amplitude) {
+    return run(coat(kAll, kMiddle,
+                    R"(, "source": ")" + file + R"(", "amplitude": )" + std::to_string(amplitude) +
+                        kKeep,
+                    detail))
+        ->mesh.positions;
+  };
+  const std::string fine = source("fine.ply", kAll, 0.3, R"(, "amplitude": 2)");
+  const std::string coarse = source("coarse.ply", kAll, 0.6);
+  const auto mixed = [&](double w) {
+    return run(mix(fine, coarse, kMiddle, field(all_vertices(), w) + kKeep))->mesh.positions;
+  };
+  EXPECT_LT(largest_distance(mixed(0.0), coated("fine.ply", 0.3, 2.0)), 1e-9);
+  EXPECT_LT(largest_distance(mixed(1.0), coated("coarse.ply", 0.6, 1.0)), 1e-9);
+  EXPECT_GT(largest_distance(mixed(0.0), mixed(1.0)), 0.5 * kHeight);
+}
+
+TEST_F(RunMix, IsTheSameWithSourcesAndWeightExchanged) {
+  std::vector<double> w;
+  for (const Vector3d& p : read("target.ply").positions) w.push_back(std::clamp(p.y(), 0.0, 1.0));
+  std::vector<double> complement;
+  for (const double share : w) complement.push_back(1.0 - share);
+  const std::string fine = source("fine.ply", kAll, 0.3);
+  const std::string coarse = source("coarse.ply", kAll, 0.6);
+  const auto weighed = [&](const std::vector<double>& shares) {
+    return R"(, "weight": {"field": )" + nlohmann::json(shares).dump() + "}" + kKeep;
+  };
+  const auto one = run(mix(fine, coarse, kMiddle, weighed(w)));
+  const auto other = run(mix(coarse, fine, kMiddle, weighed(complement)));
+  EXPECT_GT(largest_distance(one->mesh.positions, one->original), 0.2 * kHeight);
+  EXPECT_LT(largest_distance(one->mesh.positions, other->mesh.positions), 1e-9);
+}
+
+TEST_F(RunMix, HandlesTakeTheSurfaceAlongWhateverIsMixed) {
+  const std::string handle =
+      R"(, "handles": [{"region": {"disk": {"near": [0.5, 0.5, 0], "radius": 0.1}},
+                       "move": {"translate": [0, 0, 0.2]}}])";
+  for (const char* take : {"coating", "shape"}) {
+    const std::string keys =
+        kByDistance + kKeep + R"(, "transition": {"width": 0.1}, "take": ")" + take + '"';
+    const std::string fine = source("fine.ply", kMiddle);
+    const std::string coarse = source("coarse.ply", kMiddle);
+    const auto still = run(mix(fine, coarse, kMiddle, keys));
+    const auto moved = run(mix(fine, coarse, kMiddle, keys + handle));
+    ASSERT_EQ(moved->region.handles.size(), 1U);
+    EXPECT_EQ(moved->report.steps[0].handles,
+              (std::vector<std::size_t>{moved->region.handles[0].size()}));
+    for (const Index v : moved->region.handles[0]) {
+      const Vector3d way = moved->mesh.positions[v] - moved->original[v];
+      EXPECT_NEAR(way.z(), 0.2, 0.02) << take << ", vertex " << v;
+    }
+    // Between it and the border the surface has come a part of the way.
+    const Index half = (kCells + 1) * (kCells / 2) + kCells / 2 + 5;
+    const double followed = moved->mesh.positions[half].z() - still->mesh.positions[half].z();
+    EXPECT_GT(followed, 0.03) << take;
+    EXPECT_LT(followed, 0.15) << take;
+  }
+}
+
+TEST_F(RunMix, ReportsBothSources) {
+  const auto result = run(
+      mix(source("fine.ply", kAll), source("coarse.ply", kMiddle), kMiddle, kByDistance + kKeep));
+  const auto step = nlohmann::json::parse(to_json(result->report)).at("steps").at(0);
+  EXPECT_EQ(step.at("op"), "mix");
+  const auto& sources = step.at("mix").at("sources");
+  ASSERT_EQ(sources.size(), 2U);
+  EXPECT_EQ(sources[0].at("source_vertices"), all_vertices());
+  EXPECT_LT(sources[1].at("source_vertices"), all_vertices());
+  EXPECT_LT(step.at("mix").at("relative_residual"), 1e-9);
+  EXPECT_EQ(result->region.roi.size(), step.at("roi"));
+}
+
+TEST_F(RunMix, PaintedFieldAndHandleAreCarriedThroughARemeshing) {
+  const Mesh coarse_target = grid(8, 8);
+  write(coarse_target, "target.ply");
+  // All of the fine source on the left, of none on the right.
+  std::vector<double> w;
+  for (const Vector3d& p : coarse_target.positions) w.push_back(p.x() < 0.5 ? 0.0 : 1.0);
+  const std::string flat = source("fine.ply", kAll, kDetail, R"(, "amplitude": 0)");
+  const std::string keys =
+      R"(, "transition": {"width": 0.05}, "weight": {"field": )" + nlohmann::json(w).dump() + "}";
+  const auto result = run(mix(source("fine.ply", kAll), flat, kAll, keys));
+  EXPECT_GT(result->report.steps[0].coat->vertices_before_remeshing, 0U);
+  EXPECT_GT(result->mesh.vertex_count(), 2 * coarse_target.vertex_count());
+  EXPECT_TRUE(result->mesh.attributes.vertex_extras.empty());
+  double left = 0.0;
+  double right = 0.0;
+  for (const Vector3d& p : result->mesh.positions) {
+    if (p.x() < 0.3) left = std::max(left, std::abs(p.z()));
+    if (p.x() > 0.7) right = std::max(right, std::abs(p.z()));
+  }
+  EXPECT_GT(left, 0.5 * kHeight);
+  EXPECT_LT(right, 0.1 * left);
+  const auto moved = run(mix(source("fine.ply", kAll), flat, kAll,
+                             keys + R"(, "handles": [{"region": {"vertices": [40]},
+                                        "move": {"translate": [0, 0, 0.1]}}])"));
+  ASSERT_EQ(moved->region.handles.at(0).size(), 1U);
+  const Index handle = moved->region.handles[0][0];
+  EXPECT_LT((moved->original[handle] - coarse_target.positions[40]).norm(), 0.05);
+  EXPECT_GT(moved->mesh.positions[handle].z(), 0.05);
+}
+
+TEST_F(RunMix, SaysWhatDoesNotFit) {
+  const std::string fine = source("fine.ply", kAll);
+  const auto said = [&](const std::string& keys) {
+    return refusal(mix(fine, fine, kMiddle, keys + kKeep));
+  };
+  EXPECT_THAT(said(field(3, 0.5)),
+              AllOf(StartsWith("test: /steps/0/weight/field: "), HasSubstr("got 3")));
+  EXPECT_THAT(said(R"(, "weight": {"distance_to": {"vertices": [99999]}, "width": 1})"),
+              AllOf(StartsWith("test: /steps/0/weight/distance_to"), HasSubstr("99999")));
+  EXPECT_THAT(said(R"(, "weight": {"distance_to": {"vertices": []}, "width": 1})"),
+              AllOf(StartsWith("test: /steps/0/weight/distance_to: "), HasSubstr("no vertex")));
+  const auto with_handle = [&](const std::string& handles) {
+    return said(kByDistance + R"(, "handles": [)" + handles + "]");
+  };
+  EXPECT_THAT(with_handle(R"({"region": {"vertices": [0]}, "move": {}})"),
+              AllOf(StartsWith("test: /steps/0/handles/0/region: "),
+                    HasSubstr("leaves the target patch at vertex 0")));
+  const std::string middle = R"({"region": {"vertices": [312]}, "move": {}})";
+  EXPECT_THAT(with_handle(middle + ", " + middle),
+              AllOf(StartsWith("test: /steps/0/handles/1/region: "), HasSubstr("312")));
+  EXPECT_THAT(
+      refusal(mix(fine, source("coarse.ply", R"({"minus": [{"all": true}, )" + kMiddle + "]}"),
+                  kMiddle, kByDistance)),
+      AllOf(StartsWith("test: /steps/0/sources/1/patch"), HasSubstr("no disk")));
+  EXPECT_THAT(refusal<IoError>(mix(fine, source("nothing.ply", kAll), kMiddle, kByDistance)),
+              HasSubstr("nothing.ply"));
+}
+
+TEST_F(RunMix, WarnsOfTheSourceByItsPlace) {
+  const auto result = run(mix(source("fine.ply", kAll), source("coarse.ply", kAll), kMiddle,
+                              kByDistance + kKeep + R"(, "transition": {"width": 5})"));
+  EXPECT_THAT(result->report.warnings,
+              ::testing::Contains(AllOf(StartsWith("test: /steps/0: the transition of 5"),
+                                        HasSubstr("wider than the target patch is deep"))));
+}
+
+TEST_F(RunMix, OnTheDeviceGivesWhatTheProcessorGives) {
+  LAPWING_NEEDS_GPU();
+  VulkanKernels device;
+  for (const char* take : {"coating", "shape"}) {
+    const std::string step = mix(source("fine.ply", kAll), source("coarse.ply", kAll), kMiddle,
+                                 kByDistance + kKeep + R"(, "take": ")" + take + '"');
+    const auto there = run(step, device);
+    const auto here = run(step);
+    EXPECT_GT(largest_distance(here->mesh.positions, here->original), 0.1 * kHeight);
+    EXPECT_LT(largest_distance(there->mesh.positions, here->mesh.positions),
+              1e-6 * bounds_of(here->original).diagonal());
+  }
+}
+
+class APreparedCoat : public RunMix {
+ protected:
+  CoatStep step(double detail, double amplitude, const std::string& keys) const {
+    const std::string text =
+        coat(kAll, kMiddle,
+             R"(, "source": "fine.ply", "amplitude": )" + std::to_string(amplitude) + keys, detail);
+    const Recipe recipe = parse_recipe(
+        R"({"lapwing": 1, "mesh": "target.ply", "steps": [)" + text + "]}", folder_.path(), "test");
+    return std::get<CoatStep>(recipe.steps.at(0));
+  }
+};
+
+TEST_F(APreparedCoat, GivesForEveryAmplitudeWhatTheStepGives) {
+  for (const std::string& keys : {kKeep, std::string()}) {
+    write(grid(keys.empty() ? 8 : kCells, keys.empty() ? 8 : kCells), "target.ply");
+    const Mesh mesh = read("target.ply");
+    const Topology topology = build_topology(mesh);
+    const PreparedCoat prepared(step(kDetail, 1.0, keys), mesh, topology, folder_.path(), cpu_);
+    EXPECT_EQ(prepared.layers().remeshed() != nullptr, keys.empty());
+    for (const double amplitude : {1.0, 0.0, -0.5}) {
+      const CoatStep whole = step(kDetail, amplitude, keys);
+      const auto result = run_recipe({"target.ply", {whole}, "", folder_.path()}, cpu_);
+      EXPECT_EQ(prepared.positions(amplitude), result->mesh.positions);
+    }
+  }
+}
+
+TEST_F(APreparedCoat, TakesAnotherDetailSizeWithoutPreparingAnew) {
+  const Mesh mesh = read("target.ply");
+  const Topology topology = build_topology(mesh);
+  // A transition of its own, since that of the step's follows the detail size.
+  const std::string keys = kKeep + R"(, "transition": {"width": 0.1})";
+  PreparedCoat prepared(step(0.5, 1.0, keys), mesh, topology, folder_.path(), cpu_);
+  const Positions before = prepared.positions(1.0);
+  prepared.set_detail_size(0.2);
+  const Positions smaller = prepared.positions(1.0);
+  const PreparedCoat anew(step(0.2, 1.0, keys), mesh, topology, folder_.path(), cpu_);
+  EXPECT_GT(largest_distance(before, smaller), 0.1 * kHeight);
+  EXPECT_LT(largest_distance(smaller, anew.positions(1.0)),
+            0.25 * largest_distance(before, smaller));
+  prepared.set_detail_size(0.5);
+  EXPECT_EQ(prepared.positions(1.0), before);
+  EXPECT_THROW(prepared.set_detail_size(0.0), InputError);
+}
+
+TEST_F(APreparedCoat, ShowsBothPatchesInTheDomain) {
+  const Mesh mesh = read("target.ply");
+  const Topology topology = build_topology(mesh);
+  const PreparedCoat prepared(step(kDetail, 1.0, kKeep), mesh, topology, folder_.path(), cpu_);
+  const LayeredCoat& layers = prepared.layers();
+  EXPECT_EQ(layers.map(0).source.points.size(), layers.source_patch(0).size());
+  EXPECT_EQ(layers.map(0).target.points.size(), layers.target_patch().size());
+  for (const auto& point : layers.map(0).target.points) EXPECT_LT(point.norm(), 1.0 + 1e-9);
+}
+
+}  // namespace
+}  // namespace lapwing::test

@@ -1,0 +1,350 @@
+#include "editing/layer_desk.h"
+
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// Kernels are one thread's: these share the device with the window's.
+JobThread::MakeKernels kernels_like(const VulkanKernels& kernels) {
+  return [context = kernels.context()] {
+    return std::make_unique<VulkanKernels>(context, Precision::automatic);
+  };
+}
+
+// Painted numbers in the colours of parts, from none to all.
+std::vector<VertexClass> classes_of(const std::vector<double>& field) {
+  std::vector<VertexClass> classes;
+  for (const double w : field) {
+    classes.push_back(w >= 0.75   ? VertexClass::handle
+                      : w >= 0.25 ? VertexClass::belt
+                      : w > 0.0   ? VertexClass::roi
+                                  : VertexClass::outside);
+  }
+  return classes;
+}
+
+bool is_nothing(const RegionSpec& region) {
+  const auto* list = std::get_if<ListedVertices>(&region.form);
+  return list != nullptr && list->vertices.empty();
+}
+
+}  // namespace
+
+ToolAnswer PointTool::handle(const InputEvent& event, const SelectScene& scene) {
+  if (event.kind != InputKind::press || event.button != MouseButton::left) return {};
+  const auto point = scene.pick(event.position);
+  if (!point) return ToolAnswer::passed_on();
+  picked = point->vertex;
+  return ToolAnswer::only_taken();
+}
+
+LayerDesk::LayerDesk(UpAxis up_axis, VulkanKernels& kernels, Editor::Say say,
+                     std::function<void()> wake)
+    : up_axis_(up_axis),
+      kernels_(&kernels),
+      say_(std::move(say)),
+      preview_(kernels_like(kernels), wake),
+      reader_(kernels_like(kernels), std::move(wake)) {}
+
+void LayerDesk::begin(LayerDraft::Operation operation) {
+  draft_ = {};
+  draft_.operation = operation;
+  if (operation == LayerDraft::Operation::mix) draft_.parameters.domain = Domain::square;
+  taken_up_.reset();
+  start_.reset();
+  current_ = 0;
+  for (auto& view : views_) view.reset();
+  seen_roi_ = {ListedVertices{}};
+  is_open_ = true;
+}
+
+bool LayerDesk::take_up(const Editor& editor, std::size_t index) {
+  const auto& steps = editor.state().steps;
+  if (index >= steps.size()) return false;
+  const auto draft = layer_draft_of(*steps[index]);
+  if (!draft) return false;
+  begin(draft->operation);
+  draft_ = *draft;
+  taken_up_ = index;
+  Revision revision = revision_of(editor.session().history(), index, *steps[index]);
+  if (revision.starts_at_step()) start_ = std::move(revision.start);
+  seen_roi_ = spec_of(editor.state().selection.roi, "target patch");
+  for (std::size_t k = 0; k < draft_.source_count(); ++k) {
+    is_to_read_[k] = !draft_.sources[k].mesh.empty();
+  }
+  return true;
+}
+
+void LayerDesk::close(Editor& editor) {
+  is_open_ = false;
+  pick(Picking::none, editor);
+  paint_weight(false, editor);
+  preview_.stop();
+  reader_.cancel();
+  reading_.reset();
+  is_to_read_ = {};
+  for (auto& view : views_) view.reset();
+  previewed_.reset();
+  editor.shown().end_preview();
+}
+
+void LayerDesk::use_source(std::size_t k, const std::filesystem::path& mesh) {
+  draft_.sources[k] = LayerDraft::nothing();
+  draft_.sources[k].mesh = mesh;
+  views_[k].reset();
+  is_to_read_[k] = !mesh.empty();
+}
+
+void LayerDesk::release_device() {
+  for (auto& view : views_) {
+    if (view) view->release_device();
+  }
+  preview_.stop();
+  previewed_.reset();
+}
+
+void LayerDesk::use_device(VulkanKernels& kernels) {
+  kernels_ = &kernels;
+  for (auto& view : views_) {
+    if (view) view->use_device(kernels);
+  }
+  preview_.use_kernels(kernels_like(kernels));
+  reader_.use_kernels(kernels_like(kernels));
+}
+
+void LayerDesk::choose_source_patch(const RegionSpec& region) {
+  if (view() == nullptr) return;
+  try {
+    view()->choose_patch(region);
+  } catch (const Error& error) {
+    say_(error.what());
+  }
+}
+
+// Of a step that is taken up the target may have other triangles than the mesh that is there now.
+bool LayerDesk::can_click_target(const Editor& editor) const {
+  if (!start_ || start_->topology == editor.state().topology) return true;
+  say_("the triangles of the target are others since this step; undo it to click on the target");
+  return false;
+}
+
+void LayerDesk::paint_weight(bool on, Editor& editor) {
+  if (on && !can_click_target(editor)) return;
+  is_painting_ = on;
+  if (on) {
+    pick(Picking::none, editor);
+    editor.lend(weight_paint_);
+  } else {
+    editor.give_back(weight_paint_);
+    editor.shown().end_preview();
+    previewed_.reset();
+  }
+}
+
+void LayerDesk::pick(Picking what, Editor& editor) {
+  if (what != Picking::none && !can_click_target(editor)) return;
+  if (what != Picking::none && is_painting_) paint_weight(false, editor);
+  picking_ = what;
+  picked_source_.reset();
+  point_tool_.picked.reset();
+  const bool picks = what != Picking::none;
+  for (auto& view : views_) {
+    if (view) view->take(picks ? SourceTool::point : SourceTool::disk);
+  }
+  if (picks) {
+    editor.lend(point_tool_);
+  } else {
+    editor.give_back(point_tool_);
+  }
+}
+
+// The surface that the step comes to, with what is settled.
+AppState LayerDesk::target_of(const Editor& editor) const {
+  return start_ ? *start_ : viewer::apply(editor.state(), Commit{});
+}
+
+void LayerDesk::update(Editor& editor) {
+  if (!is_open_) return;
+  if (applies_) {
+    // Where it came to nothing it may be changed and applied again.
+    if (editor.session().is_carrying_out()) return;
+    applies_ = false;
+    if (editor.state().steps != steps_before_) return close(editor);
+  }
+  take_read();
+  read_next();
+  if (needs_settling(editor.state())) return;
+  const AppState target = target_of(editor);
+  renew_own_views(target);
+  take_patches(editor);
+  take_points(editor);
+  if (view() != nullptr) view()->update();
+  take_weight(target);
+  if (is_painting_) return show_weight(editor, target);
+  const bool wanted = wants_preview(editor);
+  if (wanted) preview_.follow(target, draft_);
+  if (preview_.update() || wanted != editor.shown().previews()) show_preview(editor);
+}
+
+// Whoever chooses or picks must see the mesh as it is.
+bool LayerDesk::wants_preview(const Editor& editor) const {
+  return previews_ && picking_ == Picking::none && !editor.is_dragging();
+}
+
+// A field of other vertices is no weight any more.
+void LayerDesk::take_weight(const AppState& target) {
+  auto* painted = std::get_if<PaintedWeight>(&draft_.weight.form);
+  if (painted == nullptr) return;
+  const std::size_t count = target.rest->vertex_count();
+  if (weight_paint_.field().size() != count) {
+    weight_paint_.set_field(painted->field.size() == count ? painted->field
+                                                           : std::vector<double>(count, 0.0));
+  }
+  if (painted->field != weight_paint_.field()) painted->field = weight_paint_.field();
+}
+
+void LayerDesk::show_weight(Editor& editor, const AppState& target) {
+  previewed_.reset();
+  editor.shown().show_preview({target.rest, target.topology},
+                              classes_of(weight_paint_.live_field()));
+}
+
+void LayerDesk::take_read() {
+  if (!reading_) return;
+  const std::size_t k = *reading_;
+  try {
+    auto mesh = reader_.take();
+    if (!mesh) return;
+    views_[k] = std::make_unique<SourceView>(*std::move(mesh), up_axis_, *kernels_);
+    if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);
+    if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
+  } catch (const Error& error) {
+    say_(error.what());
+  }
+  reading_.reset();
+}
+
+void LayerDesk::read_next() {
+  if (reading_) return;
+  for (std::size_t k = 0; k < draft_.source_count(); ++k) {
+    if (!std::exchange(is_to_read_[k], false)) continue;
+    reading_ = k;
+    reader_.start([path = draft_.sources[k].mesh](const auto&, const Progress& progress) {
+      report_progress(progress, "read", 0.0);
+      const AppState state = open_state(read_mesh(path));
+      return TriangulatedMesh{state.rest, state.topology};
+    });
+    return;
+  }
+}
+
+// A source that is the mesh itself shows it as it is.
+void LayerDesk::renew_own_views(const AppState& target) {
+  for (std::size_t k = 0; k < draft_.source_count(); ++k) {
+    if (!draft_.sources[k].mesh.empty() || reading_ == k) continue;
+    if (views_[k] && views_[k]->state().rest == target.rest) continue;
+    views_[k] = std::make_unique<SourceView>(TriangulatedMesh{target.rest, target.topology},
+                                             up_axis_, *kernels_);
+    if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
+    try {
+      if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);
+    } catch (const Error& error) {
+      say_(error.what());
+    }
+  }
+}
+
+// What is chosen on source and target since the last frame.
+void LayerDesk::take_patches(const Editor& editor) {
+  for (std::size_t k = 0; k < draft_.source_count(); ++k) {
+    if (!views_[k]) continue;
+    CoatSource& source = draft_.sources[k];
+    RegionSpec patch = spec_of(views_[k]->patch(), "source patch");
+    if (patch == source.patch) continue;
+    source.patch = std::move(patch);
+    source.inner_pairs.clear();
+    source.boundary_pairs.clear();
+    const AppState& state = views_[k]->state();
+    if (source.detail_size == 0.0) {
+      source.detail_size =
+          usual_detail_size(views_[k]->patch().vertices, *state.rest, *state.topology);
+    }
+  }
+  RegionSpec roi = spec_of(editor.state().selection.roi, "target patch");
+  if (roi == seen_roi_) return;
+  seen_roi_ = roi;
+  // Nothing chosen any more is no wish for another patch: its triangles may be others.
+  if (is_nothing(roi)) return;
+  draft_.target_patch = std::move(roi);
+  for (CoatSource& source : draft_.sources) {
+    source.inner_pairs.clear();
+    source.boundary_pairs.clear();
+  }
+}
+
+void LayerDesk::take_points(const Editor& editor) {
+  if (picking_ == Picking::none || view() == nullptr) return;
+  if (const auto point = view()->take_point()) picked_source_ = point;
+  if (!picked_source_ || !point_tool_.picked) return;
+  try {
+    add_pair(editor);
+  } catch (const Error& error) {
+    say_(error.what());
+  }
+  picked_source_.reset();
+  point_tool_.picked.reset();
+}
+
+void LayerDesk::add_pair(const Editor& editor) {
+  const AppState target = target_of(editor);
+  CoatSource& source = draft_.sources[current_];
+  VertexPair pair{*picked_source_, *point_tool_.picked};
+  if (picking_ == Picking::inside) {
+    source.inner_pairs.push_back(pair);
+    return;
+  }
+  const AppState& from = view()->state();
+  pair[0] = nearest_on_border(pair[0], view()->patch().vertices, *from.rest, *from.topology);
+  pair[1] = nearest_on_border(pair[1], resolve(draft_.target_patch, *target.rest, *target.topology),
+                              *target.rest, *target.topology);
+  // So many fit the domain; one more begins anew.
+  if (source.boundary_pairs.size() >= pin_count(draft_.parameters.domain)) {
+    source.boundary_pairs.clear();
+  }
+  source.boundary_pairs.push_back(pair);
+}
+
+void LayerDesk::show_preview(Editor& editor) {
+  if (!wants_preview(editor) || !preview_.has_result()) {
+    if (std::exchange(previewed_, nullptr)) editor.shown().end_preview();
+    return;
+  }
+  const auto topology = preview_.topology();
+  if (previewed_ != topology || !editor.shown().previews()) {
+    editor.shown().show_preview({preview_.mesh(), topology});
+    previewed_ = topology;
+  }
+  editor.shown().show_preview(preview_.positions());
+}
+
+void LayerDesk::apply(Editor& editor) {
+  Step step;
+  try {
+    step = step_of(draft_);
+  } catch (const Error& error) {
+    return say_(error.what());
+  }
+  if (taken_up_) {
+    editor.replace_step(*taken_up_, step);
+  } else {
+    editor.carry_out(step);
+  }
+  steps_before_ = editor.state().steps;
+  applies_ = editor.session().is_carrying_out();
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editing/editor.h"
+#include "editing/source_view.h"
+#include "tools/layer_preview.h"
+#include "tools/weight_paint.h"
+
+namespace lapwing::viewer {
+
+/// Takes the points that a person clicks on the target.
+class PointTool final : public SceneTool {
+ public:
+  ToolAnswer handle(const InputEvent& event, const SelectScene& scene) override;
+  const char* hint() const override { return "click the same place on the source and here"; }
+  /// The vertex clicked last, until it is let go of.
+  std::optional<Index> picked;
+};
+
+/// A coat or mix being made by hand: the draft, its sources in views of their own, the pairs of
+/// points that are being picked, and the live preview on the surface of an editor. What does not
+/// work is said to the editor.
+class LayerDesk {
+ public:
+  /// `kernels` must outlive it.
+  LayerDesk(UpAxis up_axis, VulkanKernels& kernels, Editor::Say say, std::function<void()> wake);
+
+  /// Begins a new one, or takes the `index`th step of the recipe up again; true if that is one.
+  void begin(LayerDraft::Operation operation);
+  bool take_up(const Editor& editor, std::size_t index);
+  /// Gives up what was not applied.
+  void close(Editor& editor);
+  bool is_open() const { return is_open_; }
+  /// The step that is taken up again, if one is.
+  std::optional<std::size_t> taken_up() const { return taken_up_; }
+
+  LayerDraft& draft() { return draft_; }
+  const LayerDraft& draft() const { return draft_; }
+  /// Where the source `k` comes from: a file, or nothing for the mesh itself.
+  void use_source(std::size_t k, const std::filesystem::path& mesh);
+
+  /// The source that is shown beside the target.
+  std::size_t current() const { return current_; }
+  void show(std::size_t k) { current_ = k; }
+  /// Null while it is read, or if it cannot be.
+  SourceView* view() { return views_[current_].get(); }
+  const SourceView* view() const { return views_[current_].get(); }
+
+  /// On the source that is shown. Says why not, where it cannot be.
+  void choose_source_patch(const RegionSpec& region);
+
+  /// The weight of a mix is painted on the target, or is no longer.
+  bool is_painting() const { return is_painting_; }
+  void paint_weight(bool on, Editor& editor);
+  WeightPaint& weight_paint() { return weight_paint_; }
+  const WeightPaint& weight_paint() const { return weight_paint_; }
+
+  /// Points are picked, one on the source and one on the target, and become a pair.
+  enum class Picking { none, inside, border };
+  Picking picking() const { return picking_; }
+  void pick(Picking what, Editor& editor);
+  /// Half of a pair.
+  std::optional<Index> picked_source() const { return picked_source_; }
+  std::optional<Index> picked_target() const { return point_tool_.picked; }
+
+  bool previews() const { return previews_; }
+  void set_previews(bool on) { previews_ = on; }
+  const LayerPreview& preview() const { return preview_; }
+  bool is_reading() const { return reading_.has_value(); }
+
+  /// Once a frame, after the editor's.
+  void update(Editor& editor);
+  /// Carries the step out, whatever its preview shows.
+  void apply(Editor& editor);
+
+  void release_device();
+  void use_device(VulkanKernels& kernels);
+
+ private:
+  bool can_click_target(const Editor& editor) const;
+  void take_read();
+  void read_next();
+  void renew_own_views(const AppState& target);
+  void take_patches(const Editor& editor);
+  void take_points(const Editor& editor);
+  void add_pair(const Editor& editor);
+  void take_weight(const AppState& target);
+  void show_weight(Editor& editor, const AppState& target);
+  bool wants_preview(const Editor& editor) const;
+  void show_preview(Editor& editor);
+  AppState target_of(const Editor& editor) const;
+
+  UpAxis up_axis_;
+  VulkanKernels* kernels_;
+  Editor::Say say_;
+
+  bool is_open_ = false;
+  LayerDraft draft_;
+  std::optional<std::size_t> taken_up_;
+  std::optional<AppState> start_;  // of the step taken up: the surface before it
+  std::size_t current_ = 0;
+  std::array<std::unique_ptr<SourceView>, 2> views_;
+  std::array<bool, 2> is_to_read_{};
+  std::optional<std::size_t> reading_;
+  RegionSpec seen_roi_{ListedVertices{}};
+
+  Picking picking_ = Picking::none;
+  PointTool point_tool_;
+  std::optional<Index> picked_source_;
+
+  bool is_painting_ = false;
+  WeightPaint weight_paint_;
+
+  bool previews_ = true;
+  bool applies_ = false;  // what was asked of the editor is under way, on a mesh of these steps
+  std::vector<std::shared_ptr<const Step>> steps_before_;
+  std::shared_ptr<const Topology> previewed_;
+  LayerPreview preview_;
+  Job<TriangulatedMesh> reader_;
+};
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,118 @@
+#include "tools/layer_draft.h"
+
+#include <algorithm>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/patch/patch.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// What is smaller than so many edges is a bump to most eyes.
+constexpr double kEdgesPerDetail = 8.0;
+
+bool is_chosen(const RegionSpec& region) {
+  const auto* list = std::get_if<ListedVertices>(&region.form);
+  return list == nullptr || !list->vertices.empty();
+}
+
+void require_complete(const LayerDraft& draft) {
+  for (std::size_t k = 0; k < draft.source_count(); ++k) {
+    const CoatSource& source = draft.sources[k];
+    const std::string which = draft.source_count() == 1 ? "the source"
+                              : k == 0                  ? "the first source"
+                                                        : "the second source";
+    if (!is_chosen(source.patch)) {
+      throw InputError("choose a patch of " + which + ": drag a disk over it");
+    }
+    if (!(source.detail_size > 0.0)) {
+      throw InputError("the detail size of " + which + " must be above 0");
+    }
+  }
+  if (!is_chosen(draft.target_patch)) {
+    throw InputError("choose the target patch: the ROI is taken");
+  }
+}
+
+}  // namespace
+
+CoatSource LayerDraft::nothing() {
+  CoatSource source;
+  source.patch = {ListedVertices{}, "source patch"};
+  return source;
+}
+
+Step step_of(const LayerDraft& draft) {
+  require_complete(draft);
+  if (draft.operation == LayerDraft::Operation::coat) {
+    CoatStep step;
+    step.source = draft.sources[0];
+    step.target_patch = draft.target_patch;
+    step.parameters = draft.parameters;
+    return step;
+  }
+  MixStep step;
+  step.target_patch = draft.target_patch;
+  step.sources = draft.sources;
+  step.weight = draft.weight;
+  step.taken = draft.taken;
+  step.handles = draft.handles;
+  step.parameters = draft.parameters;
+  return step;
+}
+
+std::optional<LayerDraft> layer_draft_of(const Step& step) {
+  LayerDraft draft;
+  if (const auto* coat = std::get_if<CoatStep>(&step)) {
+    draft.sources[0] = coat->source;
+    draft.target_patch = coat->target_patch;
+    draft.parameters = coat->parameters;
+    return draft;
+  }
+  if (const auto* mix = std::get_if<MixStep>(&step)) {
+    draft.operation = LayerDraft::Operation::mix;
+    draft.sources = mix->sources;
+    draft.target_patch = mix->target_patch;
+    draft.parameters = mix->parameters;
+    draft.weight = mix->weight;
+    draft.taken = mix->taken;
+    draft.handles = mix->handles;
+    return draft;
+  }
+  return std::nullopt;
+}
+
+bool same_but_for_sliders(const LayerDraft& a, const LayerDraft& b) {
+  LayerDraft like_b = a;
+  for (std::size_t k = 0; k < a.sources.size(); ++k) {
+    like_b.sources[k].detail_size = b.sources[k].detail_size;
+  }
+  if (a.operation == LayerDraft::Operation::coat) {
+    like_b.sources[0].amplitude = b.sources[0].amplitude;
+  }
+  return like_b == b;
+}
+
+double usual_detail_size(const VertexSet& patch, const Mesh& mesh, const Topology& topology) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const Index v : patch) {
+    for (const Index n : topology.rings[v]) {
+      sum += (mesh.positions[n] - mesh.positions[v]).norm();
+      ++count;
+    }
+  }
+  return count == 0 ? 0.0 : kEdgesPerDetail * sum / static_cast<double>(count);
+}
+
+Index nearest_on_border(Index vertex, const VertexSet& patch, const Mesh& mesh,
+                        const Topology& topology) {
+  const Patch disk = disk_patch(patch, topology, mesh.positions, "patch");
+  const VertexSet border = border_of(disk);
+  const Eigen::Vector3d place = mesh.positions[vertex];
+  return *std::min_element(border.begin(), border.end(), [&](Index a, Index b) {
+    return (mesh.positions[a] - place).squaredNorm() < (mesh.positions[b] - place).squaredNorm();
+  });
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,159 @@
+#include "tools/layer_preview.h"
+
+#include "lapwing/base/errors.h"
+#include "state/command.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// What is prepared refers to the draft, which lives beside it.
+LayeredStep layered(const LayerDraft& draft) {
+  static const std::string kWhere = "preview";
+  return {.sources = draft.all_sources(),
+          .target_patch = draft.target_patch,
+          .parameters = draft.parameters,
+          .where = kWhere,
+          .taken = draft.taken,
+          .weight = draft.operation == LayerDraft::Operation::mix ? &draft.weight : nullptr,
+          .handles = draft.handles};
+}
+
+double amplitude_of(const LayerDraft& draft) {
+  return draft.operation == LayerDraft::Operation::coat ? draft.sources[0].amplitude : 1.0;
+}
+
+}  // namespace
+
+LayerPreview::LayerPreview(JobThread::MakeKernels make_kernels, std::function<void()> wake)
+    : job_(std::move(make_kernels), std::move(wake)) {}
+
+void LayerPreview::follow(const AppState& target, const LayerDraft& draft) {
+  if (wanted_ && wanted_->target.rest == target.rest && wanted_->draft == draft) return;
+  wanted_ = Wanted{target, draft};
+}
+
+void LayerPreview::stop() {
+  job_.cancel();
+  wanted_.reset();
+  asked_.reset();
+  shown_.reset();
+  failed_.reset();
+  prepared_.reset();
+  positions_.clear();
+  message_.clear();
+}
+
+void LayerPreview::use_kernels(JobThread::MakeKernels make_kernels) {
+  const auto wanted = wanted_;
+  stop();
+  job_.use_kernels(std::move(make_kernels));
+  wanted_ = wanted;
+}
+
+std::shared_ptr<const Mesh> LayerPreview::mesh() const {
+  return {prepared_, &prepared_->layers->mesh()};
+}
+
+std::shared_ptr<const Topology> LayerPreview::topology() const {
+  // Where nothing was remeshed these are the target's triangles, and are to be known as such.
+  if (prepared_->layers->remeshed() == nullptr) return prepared_->target.topology;
+  return {prepared_, &prepared_->layers->topology()};
+}
+
+const LayeredCoat* LayerPreview::layers() const {
+  return prepared_ && !busy() ? prepared_->layers.get() : nullptr;
+}
+
+bool LayerPreview::update() {
+  const bool taken = take_result();
+  return go_on() || taken;
+}
+
+bool LayerPreview::take_result() {
+  if (!busy()) return false;
+  std::optional<Result> result;
+  try {
+    result = job_.take();
+  } catch (const Error& error) {
+    failed_ = std::exchange(asked_, std::nullopt);
+    message_ = error.what();
+    prepared_.reset();
+    shown_.reset();
+    return true;
+  }
+  if (!result) return false;
+  prepared_ = *std::move(result);
+  shown_ = std::exchange(asked_, std::nullopt);
+  message_.clear();
+  return place();
+}
+
+// True if there is another result at once.
+bool LayerPreview::go_on() {
+  if (!wanted_ || wanted_ == failed_) return false;
+  if (busy()) {
+    const bool alike = asked_->target.rest == wanted_->target.rest &&
+                       same_but_for_sliders(asked_->draft, wanted_->draft);
+    if (!alike) prepare(*wanted_);
+    return false;
+  }
+  if (wanted_ == shown_) return false;
+  const bool alike = shown_ && shown_->target.rest == wanted_->target.rest &&
+                     same_but_for_sliders(shown_->draft, wanted_->draft);
+  if (!alike) {
+    prepare(*wanted_);
+    return false;
+  }
+  for (std::size_t k = 0; k < wanted_->draft.source_count(); ++k) {
+    if (shown_->draft.sources[k].detail_size == wanted_->draft.sources[k].detail_size) continue;
+    change_sizes(*wanted_);
+    return false;
+  }
+  shown_ = wanted_;
+  return place();
+}
+
+void LayerPreview::prepare(const Wanted& wanted) {
+  asked_ = wanted;
+  message_.clear();
+  job_.start([wanted](const std::shared_ptr<Kernels>& kernels, const Progress& progress) {
+    return prepared(wanted, kernels, progress);
+  });
+}
+
+LayerPreview::Result LayerPreview::prepared(const Wanted& wanted,
+                                            const std::shared_ptr<Kernels>& kernels,
+                                            const Progress& progress) {
+  step_of(wanted.draft);  // says what is missing
+  auto result = std::make_shared<Prepared>(Prepared{kernels, wanted.target, wanted.draft, nullptr});
+  result->layers = std::make_unique<LayeredCoat>(layered(result->draft), *result->target.rest,
+                                                 *result->target.topology, "", *kernels, progress);
+  return result;
+}
+
+// On the prepared one, which is the worker's meanwhile.
+void LayerPreview::change_sizes(const Wanted& wanted) {
+  asked_ = wanted;
+  job_.start([wanted, shown = *shown_, result = prepared_](const std::shared_ptr<Kernels>&,
+                                                           const Progress& progress) {
+    for (std::size_t k = 0; k < wanted.draft.source_count(); ++k) {
+      const double size = wanted.draft.sources[k].detail_size;
+      if (size != shown.draft.sources[k].detail_size) {
+        result->layers->set_detail_size(k, size, progress);
+      }
+    }
+    return result;
+  });
+}
+
+bool LayerPreview::place() {
+  try {
+    positions_ = prepared_->layers->positions(amplitude_of(shown_->draft));
+  } catch (const Error& error) {
+    failed_ = shown_;
+    message_ = error.what();
+  }
+  return true;
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,53 @@
+#include "tools/weight_paint.h"
+
+namespace lapwing::viewer {
+namespace {
+
+constexpr Part kPainted{Part::Role::roi};
+
+}  // namespace
+
+WeightPaint::WeightPaint() {
+  paint_.options().shape = PaintTool::Shape::brush;
+}
+
+ToolAnswer WeightPaint::handle(const InputEvent& event, const SelectScene& scene) {
+  field_.resize(scene.state.rest->vertex_count(), 0.0);
+  // A selection that the brush can add everything to, or take everything from.
+  AppState canvas = open_state(scene.state.rest, scene.state.topology);
+  const bool erases = is_dragging() ? paint_.erases() : brush().erase != event.modifiers.control;
+  if (erases) canvas.selection.roi = choose({AllVertices{}}, *canvas.rest, *canvas.topology);
+  ToolAnswer answer = paint_.handle(
+      event, {canvas, scene.positions, scene.projection, scene.pick, scene.is_visible, kPainted});
+  if (answer.command) {
+    if (const auto* painted = std::get_if<Paint>(&*answer.command)) {
+      for (const Index v : painted->added) field_[v] = strength;
+      for (const Index v : painted->removed) field_[v] = 0.0;
+      ++version_;
+    }
+    // The field is what changes, not what is chosen.
+    answer.command.reset();
+  }
+  return answer;
+}
+
+std::vector<double> WeightPaint::live_field() const {
+  std::vector<double> field = field_;
+  if (!is_dragging()) return field;
+  for (const Index v : paint_.live()) {
+    if (v < field.size()) field[v] = paint_.erases() ? 0.0 : strength;
+  }
+  return field;
+}
+
+void WeightPaint::soften(const Topology& topology) {
+  const std::vector<double> before = field_;
+  for (Index v = 0; v < before.size(); ++v) {
+    double sum = before[v];
+    for (const Index n : topology.rings[v]) sum += before[n];
+    field_[v] = sum / static_cast<double>(topology.rings.size(v) + 1);
+  }
+  ++version_;
+}
+
+}  // namespace lapwing::viewer

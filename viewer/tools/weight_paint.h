@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "tools/paint_tool.h"
+#include "tools/scene_tool.h"
+
+namespace lapwing::viewer {
+
+/// Paints a number from 0 to 1 on every vertex: how much of the second source there is. The brush
+/// sets what it touches to `strength`; with Ctrl it sets it to 0.
+class WeightPaint final : public SceneTool {
+ public:
+  WeightPaint();
+
+  ToolAnswer handle(const InputEvent& event, const SelectScene& scene) override;
+  bool is_dragging() const override { return paint_.is_dragging(); }
+  const char* hint() const override { return "paint where the second source comes; Ctrl erases"; }
+
+  /// One number per vertex; 0 everywhere for as many as there are now, where it was of other
+  /// vertices.
+  const std::vector<double>& field() const { return field_; }
+  void set_field(std::vector<double> field) { field_ = std::move(field); }
+  /// The field as it would be if the stroke ended here.
+  std::vector<double> live_field() const;
+  /// Another number whenever the field has changed.
+  std::uint64_t version() const { return version_; }
+
+  /// Averages every number with those around it.
+  void soften(const Topology& topology);
+
+  double strength = 1.0;
+  PaintTool::Options& brush() { return paint_.options(); }
+  const PaintTool& tool() const { return paint_; }
+
+ private:
+  PaintTool paint_;
+  std::vector<double> field_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,232 @@
+#include <imgui.h>
+#include <utility>
+
+#include "state/step_words.h"
+#include "ui/domain_picture.h"
+#include "ui/panels.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Operation = LayerDraft::Operation;
+
+bool draw_slider(const char* label, double& value, double from, double to, bool logarithmic,
+                 const char* format = "%.4g") {
+  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &from, &to, format,
+                             logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+}
+
+template <typename Value>
+void choose(const char* label, Value& value,
+            std::initializer_list<std::pair<const char*, Value>> choices) {
+  ImGui::TextDisabled("%s", label);
+  ImGui::PushID(label);
+  for (const auto& [name, choice] : choices) {
+    ImGui::SameLine();
+    if (ImGui::RadioButton(name, value == choice)) value = choice;
+  }
+  ImGui::PopID();
+}
+
+// Nothing open: what can be begun, and what can be taken up again.
+void draw_beginnings(LayerDesk& desk, Editor& editor) {
+  if (ImGui::Button("Coat...")) desk.begin(Operation::coat);
+  ImGui::SameLine();
+  if (ImGui::Button("Mix...")) desk.begin(Operation::mix);
+  const auto& steps = editor.state().steps;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    if (!layer_draft_of(*steps[k])) continue;
+    ImGui::PushID(static_cast<int>(k));
+    if (ImGui::SmallButton("change")) desk.take_up(editor, k);
+    ImGui::SameLine();
+    ImGui::Text("%zu  %s", k + 1, describe(*steps[k]).c_str());
+    ImGui::PopID();
+  }
+}
+
+// True when another file is to be chosen.
+bool draw_source_file(LayerDesk& desk) {
+  const std::size_t k = desk.current();
+  const std::filesystem::path& mesh = desk.draft().sources[k].mesh;
+  ImGui::Text("source: %s", mesh.empty() ? "this mesh" : mesh.filename().string().c_str());
+  const bool asked = ImGui::Button("Another mesh...");
+  if (!mesh.empty()) {
+    ImGui::SameLine();
+    if (ImGui::Button("This mesh")) desk.use_source(k, {});
+  }
+  return asked;
+}
+
+void draw_patch(LayerDesk& desk) {
+  SourceView* view = desk.view();
+  if (view == nullptr) {
+    ImGui::TextDisabled("%s", desk.is_reading() ? "reading the source" : "no source");
+    return;
+  }
+  if (view->patch().vertices.empty()) {
+    ImGui::TextWrapped("Drag a disk over the source, beside the mesh, or take");
+  } else {
+    ImGui::Text("source patch: %zu vertices", view->patch().vertices.size());
+  }
+  if (ImGui::Button("the whole source")) desk.choose_source_patch({AllVertices{}});
+  if (view->patch().vertices.empty()) return;
+  ImGui::SameLine();
+  if (ImGui::Button("the largest disk in it")) {
+    desk.choose_source_patch({DiskInRegion{{spec_of(view->patch(), "source patch")}}});
+  }
+}
+
+void draw_target(const LayerDesk& desk, const Editor& editor) {
+  const std::size_t count = editor.state().selection.roi.vertices.size();
+  if (desk.taken_up()) {
+    ImGui::TextWrapped("Step %zu is changed; what follows it is carried out again.",
+                       *desk.taken_up() + 1);
+  } else if (count == 0) {
+    ImGui::TextWrapped("Choose the target patch: the ROI is taken (I, then a disk).");
+  } else {
+    ImGui::Text("target patch: the ROI, %zu vertices", count);
+  }
+}
+
+// What changes at once, as long as it is pulled.
+void draw_live_sliders(LayerDesk& desk) {
+  CoatSource& source = desk.draft().sources[desk.current()];
+  if (const SourceView* view = desk.view()) {
+    const double size = view->shown().bounds().diagonal();
+    draw_slider("detail size", source.detail_size, 1e-3 * size, 0.5 * size, true);
+  }
+  draw_slider("amplitude", source.amplitude, -2.0, 2.0, false, "%.2f");
+}
+
+void draw_transition(CoatParameters& parameters, double size) {
+  bool own = parameters.transition.has_value();
+  if (ImGui::Checkbox("own transition", &own)) {
+    parameters.transition =
+        own ? std::optional(Transition{0.05 * size, Transition::Profile::smooth}) : std::nullopt;
+  }
+  if (!parameters.transition) return;
+  draw_slider("width", parameters.transition->width, 0.0, 0.25 * size, false);
+  choose("profile", parameters.transition->profile,
+         {{"smooth", Transition::Profile::smooth}, {"linear", Transition::Profile::linear}});
+}
+
+void draw_parameters(LayerDesk& desk, const Editor& editor) {
+  if (!ImGui::TreeNode("How it is computed")) return;
+  LayerDraft& draft = desk.draft();
+  CoatParameters& parameters = draft.parameters;
+  CoatSource& source = draft.sources[desk.current()];
+  const double size = editor.bounds().diagonal();
+  draw_slider("smooth target", parameters.smooth_target, 0.0, 0.25 * size, false);
+  bool scaled = source.sampling.scale.has_value();
+  if (ImGui::Checkbox("own scale", &scaled)) {
+    source.sampling.scale = scaled ? std::optional(1.0) : std::nullopt;
+  }
+  if (source.sampling.scale) draw_slider("scale", *source.sampling.scale, 0.1, 10.0, true);
+  draw_transition(parameters, size);
+  choose("sampling", source.sampling.sampling,
+         {{"one ring", MappedSampling::one_ring}, {"linear", MappedSampling::linear}});
+  const Domain before = parameters.domain;
+  choose("domain", parameters.domain, {{"disk", Domain::disk}, {"square", Domain::square}});
+  if (parameters.domain != before) {
+    // Another number of them.
+    for (CoatSource& each : draft.sources) each.boundary_pairs.clear();
+  }
+  choose("triangles", parameters.remesh,
+         {{"finer where needed", Remeshing::automatic}, {"kept", Remeshing::none}});
+  ImGui::TreePop();
+}
+
+void draw_pair_list(const char* where, std::vector<VertexPair>& pairs) {
+  ImGui::PushID(where);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    ImGui::PushID(static_cast<int>(p));
+    const bool removed = ImGui::SmallButton("x");
+    ImGui::SameLine();
+    ImGui::Text("%s %zu: %u - %u", where, p + 1, pairs[p][0], pairs[p][1]);
+    ImGui::PopID();
+    if (!removed) continue;
+    pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(p));
+    break;
+  }
+  ImGui::PopID();
+}
+
+void draw_pairs(LayerDesk& desk, Editor& editor) {
+  using Picking = LayerDesk::Picking;
+  if (!ImGui::TreeNodeEx("Corresponding points", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  CoatSource& source = desk.draft().sources[desk.current()];
+  draw_pair_list("inside", source.inner_pairs);
+  draw_pair_list("border", source.boundary_pairs);
+  if (desk.picking() == Picking::none) {
+    if (ImGui::Button("Pick inside")) desk.pick(Picking::inside, editor);
+    ImGui::SameLine();
+    if (ImGui::Button("Pick on the border")) desk.pick(Picking::border, editor);
+  } else {
+    ImGui::TextWrapped("%s", desk.picked_source()   ? "now the same place on the target"
+                             : desk.picked_target() ? "now the same place on the source"
+                                                    : "click the same place on both");
+    if (ImGui::Button("Done picking")) desk.pick(Picking::none, editor);
+  }
+  ImGui::TreePop();
+}
+
+void draw_result(LayerDesk& desk, Editor& editor) {
+  bool previews = desk.previews();
+  if (ImGui::Checkbox("live preview", &previews)) desk.set_previews(previews);
+  const LayerPreview& preview = desk.preview();
+  const WorkStatus step = editor.session().step_status();
+  const WorkStatus work = step.busy ? step : preview.status();
+  if (work.busy) {
+    ImGui::SameLine();
+    ImGui::ProgressBar(static_cast<float>(work.fraction), {-1.0F, 0.0F}, work.stage.c_str());
+  }
+  if (!preview.message().empty()) ImGui::TextWrapped("%s", preview.message().c_str());
+  if (const LayeredCoat* layers = preview.layers()) {
+    for (const std::string& warning : layers->warnings()) {
+      ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(242, 194, 77, 255));
+      ImGui::TextWrapped("%s", warning.c_str());
+      ImGui::PopStyleColor();
+    }
+  }
+  if (step.busy) {
+    if (ImGui::Button("Stop")) editor.session().cancel_step();
+    return;
+  }
+  if (ImGui::Button("Apply")) desk.apply(editor);
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) desk.close(editor);
+}
+
+}  // namespace
+
+std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor) {
+  std::optional<PathPurpose> purpose;
+  if (!desk.is_open()) {
+    draw_beginnings(desk, editor);
+    return purpose;
+  }
+  ImGui::PushItemWidth(11.0F * ImGui::GetFontSize());
+  draw_target(desk, editor);
+  ImGui::Separator();
+  if (desk.draft().source_count() == 2) {
+    std::size_t current = desk.current();
+    choose("source", current, {{"first", std::size_t{0}}, {"second", std::size_t{1}}});
+    desk.show(current);
+  }
+  if (draw_source_file(desk)) purpose = PathPurpose::open_source;
+  draw_patch(desk);
+  draw_live_sliders(desk);
+  draw_pairs(desk, editor);
+  if (desk.draft().operation == Operation::mix) draw_mix_weight(desk, editor);
+  draw_parameters(desk, editor);
+  if (ImGui::TreeNode("Domain")) {
+    draw_domain(desk.preview().layers(), desk.current());
+    ImGui::TreePop();
+  }
+  ImGui::Separator();
+  draw_result(desk, editor);
+  ImGui::PopItemWidth();
+  return purpose;
+}
+
+}  // namespace lapwing::viewer
