@@ -89,6 +89,15 @@ TEST_F(PartLibrary, NamesAreFileNamesAndTakenOnce) {
   EXPECT_THAT(refused([&] { add("horn.2"); }), HasSubstr("horn.2.json"));
 }
 
+TEST_F(PartLibrary, TakesAMeshThatIsInNoFile) {
+  const AddedPart added = add_part(folder, cylinder(12, 5, 1.0, 2.0), "horn.3");
+  EXPECT_EQ(added.part.mesh_path, folder / "horn.3.obj");
+  const Part read = find_part(folder, "horn.3");
+  EXPECT_EQ(read.mesh.positions, added.part.mesh.positions);
+  EXPECT_EQ(read.loop, added.part.loop);
+  EXPECT_THAT(refused([&] { add_part(folder, icosphere(1), "ball"); }), HasSubstr("ball"));
+}
+
 TEST_F(PartLibrary, UnknownPartIsAnsweredWithThoseThatAreThere) {
   add("horn");
   add("tail");

@@ -47,7 +47,9 @@ void Person::open(const fs::path& mesh) {
   std::vector<std::string> arguments{LAPWING_VIEWER};
   if (!mesh.empty()) arguments.push_back(mesh);
   viewer_ = std::make_unique<Process>(
-      arguments, std::vector{desktop_.display(), "XDG_CACHE_HOME=" + (folder_ / "cache").string()},
+      arguments,
+      std::vector{desktop_.display(), "XDG_CACHE_HOME=" + (folder_ / "cache").string(),
+                  "XDG_DATA_HOME=" + (folder_ / "data").string()},
       folder_ / "errors");
 }
 
@@ -138,6 +140,10 @@ void Person::drag(const std::vector<Vector2d>& pixels, const std::string& held) 
   gesture += "mouseup 1";
   if (!held.empty()) gesture += " keyup " + held;
   desktop_.xdotool(gesture);
+}
+
+void Person::move_to(const Vector2d& pixel) const {
+  desktop_.xdotool(at(pixel));
 }
 
 std::optional<viewer::Draft> Person::draft() const {

@@ -51,6 +51,7 @@ class Person {
 
   void keys(const std::string& names) const;
   void type(const std::string& text) const;
+  void move_to(const Vector2d& pixel) const;
   void click(const Vector2d& pixel) const;
   void scroll(const Vector2d& pixel, int notches) const;
   /// Presses the left button at the first pixel and lets go at the last; `held` is a key.
@@ -60,6 +61,8 @@ class Person {
   std::optional<viewer::Draft> draft() const;
   /// Waits until it is as said.
   bool eventually_is(const std::function<bool(const viewer::Draft&)>& wanted) const;
+  /// Where the viewer keeps parts.
+  std::filesystem::path parts() const { return folder_ / "data" / "lapwing" / "parts"; }
   std::filesystem::path journals() const { return folder_ / "cache" / "lapwing"; }
 
  private:

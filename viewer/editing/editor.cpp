@@ -98,7 +98,9 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   // Alt and the left button turn the view with every tool.
   if (event.kind == InputKind::press && event.modifiers.alt && !is_dragging()) return {};
   const Projection projection = view.projection();
-  if (handle_ < handle_count() && (has_gizmo() || gizmo_.is_dragging() || !is_of_pointer(event))) {
+  // A lent tool has the keys to itself.
+  const bool keys = !is_of_pointer(event) && tool_ != EditTool::lent;
+  if (handle_ < handle_count() && (has_gizmo() || gizmo_.is_dragging() || keys)) {
     const GizmoPart before = gizmo_.part();
     const ToolAnswer answer = send_to_gizmo(event, projection);
     if (answer.taken) return act_on(answer);
@@ -118,7 +120,7 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
 
 // Whoever chooses must see what there is to choose of.
 void Editor::return_to_triangles_of_state() {
-  if (shown_.has_triangles_of_state()) return;
+  if (shown_.has_triangles_of_state() || (lent_ != nullptr && lent_->draws_preview())) return;
   shown_.end_preview();
   show_before(false);
 }

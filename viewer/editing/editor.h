@@ -87,6 +87,7 @@ class Editor {
   /// Takes a panel's tool in hand, or gives it back if it is. It must live until then.
   void lend(SceneTool& tool);
   void give_back(const SceneTool& tool);
+  bool has_in_hand(const SceneTool& tool) const { return lent_ == &tool; }
   /// What the tools choose.
   const Part& part() const { return part_; }
   void choose(const Part& part);

@@ -68,6 +68,8 @@ constexpr std::array kKeyBindings{KeyBinding{kHome, kPlain, Action::frame_all},
                                   KeyBinding{'-', kControl, Action::shrink},
                                   KeyBinding{'I', kControl, Action::invert},
                                   KeyBinding{kDelete, kPlain, Action::remove_handle},
+                                  KeyBinding{'N', kPlain, Action::take_part},
+                                  KeyBinding{'N', kShift, Action::take_up_part},
                                   KeyBinding{'C', kPlain, Action::toggle_before},
                                   KeyBinding{'K', kControl, Action::begin_coat},
                                   KeyBinding{'M', kControl, Action::begin_mix},
@@ -170,6 +172,10 @@ std::string_view words(Action action) {
       return "choose what is not chosen";
     case Action::remove_handle:
       return "remove the handle";
+    case Action::take_part:
+      return "take a part of the folder in hand, then the next one";
+    case Action::take_up_part:
+      return "take the transplant made last up again";
     case Action::toggle_before:
       return "compare with the mesh as it was opened";
     case Action::begin_coat:
@@ -269,6 +275,12 @@ std::vector<ControlLine> gizmo_controls() {
           {"W, E, Q", "the gizmo moves, turns, scales the handle"}};
 }
 
+// PlaceTool's.
+std::vector<ControlLine> part_controls() {
+  return {{"wheel, [ and ], with a part in hand", "size it; Shift + wheel turns it"},
+          {"G, Enter, Escape, when it is set down", "take it up again, apply it, give it up"}};
+}
+
 std::string row(const std::vector<std::string>& cells) {
   std::string text = "|";
   for (const std::string& cell : cells) text += " " + cell + " |";
@@ -328,6 +340,7 @@ std::vector<ControlLine> key_controls() {
       lines.push_back({std::move(how), std::string(what)});
     }
   }
+  for (ControlLine& line : part_controls()) lines.push_back(std::move(line));
   return lines;
 }
 

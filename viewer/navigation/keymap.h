@@ -51,6 +51,8 @@ enum class Action {
   shrink,
   invert,
   remove_handle,
+  take_part,
+  take_up_part,
   toggle_before,
   begin_coat,
   begin_mix,

@@ -15,6 +15,8 @@ class SceneTool {
   virtual ToolAnswer handle(const InputEvent& event, const SelectScene& scene) = 0;
   /// Whether a stroke is under way, which nothing else may interrupt.
   virtual bool is_dragging() const { return false; }
+  /// Whether what is shown is a preview of its own, on which it works whatever the triangles.
+  virtual bool draws_preview() const { return false; }
   /// What to do next.
   virtual const char* hint() const = 0;
 };

@@ -5,6 +5,7 @@
 
 #include "editing/editor.h"
 #include "editing/layer_desk.h"
+#include "editing/transplant_desk.h"
 #include "ui/load_file.h"
 
 namespace lapwing::viewer {
@@ -21,7 +22,8 @@ struct Document {
         editor(
             {std::move(file.history), opened.mesh, opened.file, std::move(file.restored), journals},
             kernels, say, wake),
-        desk(opened.up_axis, kernels, std::move(say), std::move(wake)),
+        desk(opened.up_axis, kernels, say, wake),
+        transplant(kernels, std::move(say), std::move(wake)),
         save_path(file.from_recipe ? std::filesystem::path() : editor.session().file()) {}
 
   OpenedMesh opened;
@@ -31,6 +33,7 @@ struct Document {
   bool closed_outward;
   Editor editor;
   LayerDesk desk;
+  TransplantDesk transplant;
   std::filesystem::path save_path;  ///< empty as long as nobody has said where
 };
 

@@ -13,6 +13,7 @@ constexpr ImU32 kHighlight = IM_COL32(255, 220, 90, 255);
 constexpr ImU32 kLine = IM_COL32(255, 240, 200, 255);
 constexpr ImU32 kShade = IM_COL32(20, 20, 24, 160);
 constexpr ImU32 kPointer = IM_COL32(255, 90, 200, 255);
+constexpr ImU32 kHole = IM_COL32(90, 190, 255, 255);
 constexpr float kThick = 2.5F;
 
 ImU32 color_of(GizmoPart part) {
@@ -69,6 +70,15 @@ class Pen {
     list_.AddText(from, kLine, words.c_str());
   }
 
+  // Where points show, until the next call.
+  std::span<const Vector2d> pixels_of(std::span<const Eigen::Vector3d> points) {
+    points_.clear();
+    for (const Eigen::Vector3d& point : points) {
+      if (const auto pixel = projection_.to_pixel(point)) points_.push_back(*pixel);
+    }
+    return points_;
+  }
+
   // Where vertices show, until the next call.
   std::span<const Vector2d> pixels_of(const Editor& editor, std::span<const Index> vertices) {
     points_.clear();
@@ -107,13 +117,12 @@ void draw_arm_end(Pen& pen, const GizmoLine& line, GizmoMode mode, ImU32 color) 
   }
 }
 
-void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& readout) {
-  const GizmoTool& tool = editor.gizmo_tool();
-  const Gizmo gizmo = tool.gizmo(editor.gizmo_scene(pen.projection()));
+// `taken_part` is under the cursor, or dragged.
+void draw_gizmo(Pen& pen, const Gizmo& gizmo, GizmoPart taken_part, GizmoLines& lines) {
   lines.renew(gizmo, pen.projection());
   for (const GizmoLine& line : lines.lines()) {
     if (line.pixels.size() < 2) continue;
-    const bool taken = line.part == tool.part();
+    const bool taken = line.part == taken_part;
     const ImU32 color = taken ? kHighlight : color_of(line.part);
     if (is_plane(line.part)) {
       pen.area(line.pixels, (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, taken ? 170 : 90));
@@ -122,6 +131,12 @@ void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& 
     const bool arm = !line.closed && axis_of(line.part) >= 0 && !is_plane(line.part);
     if (arm && gizmo.mode != GizmoMode::rotate) draw_arm_end(pen, line, gizmo.mode, color);
   }
+}
+
+void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& readout) {
+  const GizmoTool& tool = editor.gizmo_tool();
+  const Gizmo gizmo = tool.gizmo(editor.gizmo_scene(pen.projection()));
+  draw_gizmo(pen, gizmo, tool.part(), lines);
   if (!tool.is_dragging()) return;
   if (const auto center = pen.projection().to_pixel(gizmo.center)) {
     tool.read_out(readout);
@@ -185,6 +200,17 @@ void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_
   for (const Vector2d& pixel : pen.pixels_of(editor, editor.pointed_at())) {
     pen.circle(pixel, 14.0, kPointer);
   }
+}
+
+void EditMarks::draw_transplant(const TransplantDesk& desk, const ViewFrame& view,
+                                double pixels_per_unit) {
+  const PlaceTool& tool = desk.tool();
+  if (!desk.has_part() || !tool.draft().stands) return;
+  Pen pen(view, pixels_per_unit, points_);
+  pen.line(pen.pixels_of(desk.hole()), true, kHole, 1.5F);
+  const auto loop = transformed(tool.draft().part->loop, tool.draft().placement);
+  pen.line(pen.pixels_of(loop), true, kHighlight, 1.5F);
+  if (const auto gizmo = tool.gizmo()) draw_gizmo(pen, *gizmo, tool.part(), gizmo_);
 }
 
 }  // namespace lapwing::viewer

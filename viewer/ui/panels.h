@@ -11,6 +11,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
 #include "ui/document.h"
+#include "ui/part_pictures.h"
 #include "window/app.h"
 
 namespace lapwing::viewer {
@@ -21,6 +22,9 @@ struct PanelDrafts {
   std::optional<SimilarityMove> move;
   std::optional<EditParameters> parameters;
   std::size_t history_shown = 0;  ///< step that the list was scrolled to
+  std::string parts_folder;       ///< being typed in; empty: as the shelf has it
+  std::string part_path;          ///< likewise, to be used or added
+  std::string part_name;          ///< of what is to be cut
 };
 
 // The panels. Each lays itself out with ImGui where the caller has begun a window, and changes only
@@ -35,6 +39,10 @@ void draw_selection_panel(Editor& editor, PanelDrafts& drafts);
 /// The handle's move in numbers, how the edit is computed, how far the worker is, and what the
 /// result promises. Vertices that a person wants to be shown.
 std::optional<std::vector<Index>> draw_deform_panel(Editor& editor, PanelDrafts& drafts);
+
+/// Parts, the one in hand, and how it is sewn on.
+void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, Editor& editor,
+                           PanelDrafts& drafts);
 
 /// What a path is typed in for.
 enum class PathPurpose { save_mesh, save_recipe, replay_recipe, open_source };
@@ -79,6 +87,8 @@ class EditMarks {
   /// at `corner`.
   void draw_pairs(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
                   const Eigen::Vector2d& corner, double pixels_per_unit);
+  /// Of a transplant: the loops of part and hole, and the part's gizmo.
+  void draw_transplant(const TransplantDesk& desk, const ViewFrame& view, double pixels_per_unit);
 
  private:
   GizmoLines gizmo_;

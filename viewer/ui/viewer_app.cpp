@@ -36,7 +36,9 @@ void ViewerApp::offer_interrupted() {
 }
 
 void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
+  part_pictures_.release();
   if (document_) {
+    document_->transplant.release_device();
     document_->desk.release_device();
     document_->editor.release_device();
   }
@@ -46,6 +48,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
   if (document_) {
     document_->editor.use_device(*kernels_);
     document_->desk.use_device(*kernels_);
+    document_->transplant.use_device(*kernels_);
   }
   say("the device was lost and opened again: " + context_->description().name);
 }

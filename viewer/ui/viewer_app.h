@@ -124,6 +124,8 @@ class ViewerApp final : public App {
   bool show_start_ = true;
   PanelDrafts drafts_;
   EditMarks marks_;
+  bool transplants_ = false;    ///< a part was in hand in the last frame
+  PartPictures part_pictures_;  ///< not the document's: a frame may show them when that is closed
   PicturePlan picture_plan_;
   PathPlan path_plan_;
   std::vector<InterruptedEdit> interrupted_;

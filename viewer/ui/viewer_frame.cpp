@@ -73,6 +73,7 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   if (document_) {
     const double per_unit = size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x);
     marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
+    marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
     if (const auto area = source_area()) {
       marks_.draw_pairs(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
     }
@@ -84,8 +85,18 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
 
 void ViewerApp::update_document() {
   if (!document_) return;
-  document_->editor.update();
-  document_->desk.update(document_->editor);
+  Editor& editor = document_->editor;
+  LayerDesk& desk = document_->desk;
+  TransplantDesk& transplant = document_->transplant;
+  editor.update();
+  // Both preview on the surface: the one begun last stays.
+  if (desk.is_open() && transplant.is_open()) {
+    transplants_ ? transplant.close(editor) : desk.close(editor);
+  }
+  transplants_ = transplant.is_open();
+  desk.update(editor);
+  transplant.update(editor);
+  part_pictures_.renew(transplant.shelf(), *context_);
   const auto area = source_area();
   if (area) document_->desk.view()->resize(area->size);
   camera_.target_across = covered_share();
@@ -244,10 +255,12 @@ void ViewerApp::draw_view_menu() {
   ImGui::EndMenu();
 }
 
-// A coat or mix that is open takes the place of the deform.
+// A coat, mix or transplant that is open takes the place of the deform.
 void ViewerApp::draw_operations(Editor& editor) {
   LayerDesk& desk = document_->desk;
-  if (!desk.is_open() && ImGui::CollapsingHeader("Deform", ImGuiTreeNodeFlags_DefaultOpen)) {
+  TransplantDesk& transplant = document_->transplant;
+  const bool is_open = desk.is_open() || transplant.is_open();
+  if (!is_open && ImGui::CollapsingHeader("Deform", ImGuiTreeNodeFlags_DefaultOpen)) {
     if (auto vertices = draw_deform_panel(editor, drafts_)) {
       frame(*vertices);
       editor.point_at(*std::move(vertices));
@@ -256,6 +269,10 @@ void ViewerApp::draw_operations(Editor& editor) {
   if (desk.is_open()) ImGui::SetNextItemOpen(true);
   if (ImGui::CollapsingHeader("Coat and mix")) {
     if (const auto purpose = draw_layer_panel(desk, editor)) ask_for_path(*purpose);
+  }
+  if (transplant.is_open()) ImGui::SetNextItemOpen(true);
+  if (ImGui::CollapsingHeader("Transplant")) {
+    draw_transplant_panel(transplant, part_pictures_, editor, drafts_);
   }
 }
 

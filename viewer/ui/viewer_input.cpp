@@ -261,6 +261,12 @@ void ViewerApp::perform(Action action) {
     case Action::toggle_controls:
       show_controls_ = !show_controls_;
       return;
+    case Action::take_part:
+      if (document_) document_->transplant.take_next_part();
+      return;
+    case Action::take_up_part:
+      if (document_) document_->transplant.take_up_last(document_->editor);
+      return;
     case Action::open:
       show_start_ = true;
       return;

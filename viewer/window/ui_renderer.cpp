@@ -8,6 +8,7 @@
 
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/transfer.h"
+#include "lapwing/render/image.h"
 #include "lapwing/shaders/ui_frag.h"
 #include "lapwing/shaders/ui_vert.h"
 
@@ -19,6 +20,7 @@ struct UiPush {
   std::array<float, 2> clip_per_unit;
   std::array<float, 2> origin;
   std::array<std::uint32_t, 2> atlas_size;
+  std::uint32_t colored;
 };
 
 // shaders/ui.vert
@@ -55,6 +57,13 @@ VkRect2D scissor_of(const ImVec4& clip, const ImDrawData& panels, VkExtent2D ext
 }
 
 }  // namespace
+
+UiPicture::UiPicture(gpu::Context& context, const Image& image)
+    : pixels_(context, "picture in a panel", image.rgba.size()),
+      width_(image.width),
+      height_(image.height) {
+  gpu::Transfer(context).upload(pixels_, std::as_bytes(std::span(image.rgba)));
+}
 
 UiRenderer::UiRenderer(gpu::Context& context, VkFormat color)
     : context_(context),
@@ -108,16 +117,22 @@ void UiRenderer::draw(VkCommandBuffer commands, VkExtent2D extent, const ImDrawD
   const VkViewport viewport{
       0.0F, 0.0F, static_cast<float>(extent.width), static_cast<float>(extent.height), 0.0F, 1.0F};
   context_.vk().vkCmdSetViewport(commands, 0, 1, &viewport);
-  const UiPush push{{2.0F / panels.DisplaySize.x, 2.0F / panels.DisplaySize.y},
-                    {panels.DisplayPos.x, panels.DisplayPos.y},
-                    {atlas_width_, atlas_height_}};
+  UiPush push{{2.0F / panels.DisplaySize.x, 2.0F / panels.DisplaySize.y},
+              {panels.DisplayPos.x, panels.DisplayPos.y},
+              {},
+              0};
   std::uint32_t first = 0;
   for (const ImDrawList* list : lists_of(panels)) {
     for (const ImDrawCmd& command : list->CmdBuffer) {
       const VkRect2D scissor = scissor_of(command.ClipRect, panels, extent);
       if (scissor.extent.width > 0 && scissor.extent.height > 0 && command.ElemCount > 0) {
         context_.vk().vkCmdSetScissor(commands, 0, 1, &scissor);
-        pipeline_.draw(commands, {&corners_, &vertices_, &*atlas_}, push, command.ElemCount, first);
+        const auto* picture = static_cast<const UiPicture*>(command.GetTexID());
+        push.colored = picture != nullptr ? 1 : 0;
+        push.atlas_size = picture != nullptr ? std::array{picture->width(), picture->height()}
+                                             : std::array{atlas_width_, atlas_height_};
+        const gpu::Buffer* pixels = picture != nullptr ? &picture->pixels() : &*atlas_;
+        pipeline_.draw(commands, {&corners_, &vertices_, pixels}, push, command.ElemCount, first);
       }
       first += command.ElemCount;
     }

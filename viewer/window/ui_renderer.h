@@ -8,7 +8,32 @@
 
 struct ImDrawData;
 
+namespace lapwing {
+struct Image;
+}
+
 namespace lapwing::viewer {
+
+/// A picture that panels show: ImGui::Image(picture.id(), ...). It must live, and stay where it is,
+/// until the frame that shows it is drawn, on the context that it was made on, which must outlive
+/// it.
+class UiPicture {
+ public:
+  UiPicture(gpu::Context& context, const Image& image);
+  UiPicture(const UiPicture&) = delete;
+  UiPicture& operator=(const UiPicture&) = delete;
+
+  /// ImGui's ImTextureID of it.
+  void* id() const { return const_cast<UiPicture*>(this); }
+  const gpu::Buffer& pixels() const { return pixels_; }
+  std::uint32_t width() const { return width_; }
+  std::uint32_t height() const { return height_; }
+
+ private:
+  gpu::Buffer pixels_;
+  std::uint32_t width_;
+  std::uint32_t height_;
+};
 
 /// Draws what ImGui laid out, by the renderer's own pipelines: ImGui's Vulkan backend calls the
 /// Vulkan loader by name, which this program opens at run time instead. The context must outlive

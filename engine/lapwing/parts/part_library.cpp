@@ -46,11 +46,13 @@ std::size_t longest(const std::vector<BoundaryLoop>& loops,
   return static_cast<std::size_t>(std::ranges::max_element(loops, {}, length) - loops.begin());
 }
 
-Part part_of(const fs::path& path, std::optional<std::size_t> loop, const std::string& loop_where) {
+// `path` says where it is, or what it is called.
+Part part_of(Mesh mesh, const fs::path& path, std::optional<std::size_t> loop,
+             const std::string& loop_where) {
   Part part;
   part.name = path.stem().string();
   part.mesh_path = path;
-  part.mesh = read_mesh(path);
+  part.mesh = std::move(mesh);
   part.loops = boundary_loops(build_topology(part.mesh).triangles, path.string());
   if (part.loops.empty()) {
     throw InputError(path.string() +
@@ -80,6 +82,31 @@ void require_name(const std::string& name) {
   }
 }
 
+// In the folder, under that name.
+AddedPart write_part(const fs::path& folder, Part part, const std::string& name,
+                     const std::string& extension) {
+  AddedPart added{std::move(part), {}};
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
+  added.part.name = name;
+  // Not replace_extension, which would cut off what follows a dot in the name.
+  added.part.mesh_path = folder / (name + extension);
+  std::vector<fs::path> files = part_files(folder);
+  std::erase_if(files, [&](const fs::path& file) { return file.stem() != name; });
+  if (fs::exists(details_path(added.part.mesh_path), error)) {
+    files.push_back(details_path(added.part.mesh_path));
+  }
+  if (!files.empty()) {
+    throw InputError(files[0].string() +
+                     " is there already; give the new part another name (--name)");
+  }
+  replace_file(details_path(added.part.mesh_path),
+               "{\"loop\": " + std::to_string(added.part.loop) + "}\n");
+  added.report = write_mesh(added.part.mesh, added.part.mesh_path);
+  return added;
+}
+
 }  // namespace
 
 fs::path picture_path(const fs::path& path) {
@@ -96,7 +123,8 @@ bool picture_is_current(const fs::path& path) {
 
 Part read_part(const fs::path& path) {
   const fs::path details = details_path(path);
-  return part_of(path, loop_in_details(details), details.string() + ": /loop");
+  Mesh mesh = read_mesh(path);
+  return part_of(std::move(mesh), path, loop_in_details(details), details.string() + ": /loop");
 }
 
 std::vector<fs::path> part_files(const fs::path& folder) {
@@ -128,25 +156,13 @@ AddedPart add_part(const fs::path& folder, const fs::path& source, const std::st
                    std::optional<std::size_t> loop) {
   const std::string own_name = name.empty() ? source.stem().string() : name;
   require_name(own_name);
-  AddedPart added{part_of(source, loop, source.string() + ": the part"), {}};
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  added.part.name = own_name;
-  // Not replace_extension, which would cut off what follows a dot in the name.
-  added.part.mesh_path = folder / (own_name + source.extension().string());
-  std::vector<fs::path> files = part_files(folder);
-  std::erase_if(files, [&](const fs::path& file) { return file.stem() != own_name; });
-  if (fs::exists(details_path(added.part.mesh_path), error)) {
-    files.push_back(details_path(added.part.mesh_path));
-  }
-  if (!files.empty()) {
-    throw InputError(files[0].string() + " is there already; give the new part another --name");
-  }
-  replace_file(details_path(added.part.mesh_path),
-               "{\"loop\": " + std::to_string(added.part.loop) + "}\n");
-  added.report = write_mesh(added.part.mesh, added.part.mesh_path);
-  return added;
+  Part part = part_of(read_mesh(source), source, loop, source.string() + ": the part");
+  return write_part(folder, std::move(part), own_name, source.extension().string());
+}
+
+AddedPart add_part(const fs::path& folder, Mesh mesh, const std::string& name) {
+  require_name(name);
+  return write_part(folder, part_of(std::move(mesh), name, {}, name), name, ".obj");
 }
 
 }  // namespace lapwing

@@ -52,4 +52,7 @@ struct AddedPart {
 AddedPart add_part(const std::filesystem::path& folder, const std::filesystem::path& source,
                    const std::string& name, std::optional<std::size_t> loop);
 
+/// The same of a mesh that is in no file, written as OBJ and joined at its longest loop.
+AddedPart add_part(const std::filesystem::path& folder, Mesh mesh, const std::string& name);
+
 }  // namespace lapwing

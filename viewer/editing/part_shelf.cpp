@@ -1,0 +1,134 @@
+#include "editing/part_shelf.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/parts/part_library.h"
+#include "lapwing/render/part_picture.h"
+#include "lapwing/transplant/cut.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+
+namespace lapwing::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+PartShelf::Item item_of(const Part& part, Kernels& kernels) {
+  PartShelf::Item item;
+  item.file = part.mesh_path;
+  item.name = part.name;
+  item.vertices = part.mesh.vertex_count();
+  item.looked_at = true;
+  if (auto* device = dynamic_cast<VulkanKernels*>(&kernels)) {
+    item.picture = part_picture(*device, part.mesh, part.loops[part.loop], kThumbnailSide);
+  }
+  return item;
+}
+
+}  // namespace
+
+fs::path parts_folder() {
+  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/') {
+    return fs::path(data) / "lapwing" / "parts";
+  }
+  const char* home = std::getenv("HOME");
+  const fs::path base = home != nullptr ? fs::path(home) : fs::temp_directory_path();
+  return base / ".local" / "share" / "lapwing" / "parts";
+}
+
+PartShelf::PartShelf(JobThread::MakeKernels make_kernels, std::function<void()> wake)
+    : job_(std::move(make_kernels), std::move(wake)) {}
+
+void PartShelf::open(const fs::path& folder) {
+  folder_ = folder;
+  items_.clear();
+  waiting_.clear();
+  message_.clear();
+  renew_version();
+  job_.cancel();
+  working_ = false;
+  std::error_code missing;
+  if (!fs::exists(folder, missing)) return;
+  try {
+    for (const fs::path& file : part_files(folder)) {
+      items_.push_back({file, file.stem().string(), 0, {}, {}, false});
+      waiting_.emplace_back([file](const std::shared_ptr<Kernels>& kernels, const Progress&) {
+        try {
+          return item_of(read_part(file), *kernels);
+        } catch (const InputError& error) {
+          return Item{file, file.stem().string(), 0, {}, error.what(), true};
+        } catch (const IoError& error) {
+          return Item{file, file.stem().string(), 0, {}, error.what(), true};
+        }
+      });
+    }
+  } catch (const IoError& error) {
+    message_ = error.what();
+  }
+}
+
+void PartShelf::add(const fs::path& file) {
+  message_.clear();
+  waiting_.emplace_front(
+      [folder = folder_, file](const std::shared_ptr<Kernels>& kernels, const Progress&) {
+        return item_of(add_part(folder, file, "", {}).part, *kernels);
+      });
+}
+
+void PartShelf::cut(const AppState& state, const RegionSpec& region, const std::string& name) {
+  message_.clear();
+  waiting_.emplace_front([folder = folder_, state, region, name](
+                             const std::shared_ptr<Kernels>& kernels, const Progress&) {
+    const Mesh mesh = mesh_of(state);
+    CutPiece piece = cut_out(mesh, resolve(region, mesh, *state.topology), region.where);
+    return item_of(add_part(folder, std::move(piece.mesh), name).part, *kernels);
+  });
+}
+
+void PartShelf::use_kernels(JobThread::MakeKernels make_kernels) {
+  job_.use_kernels(std::move(make_kernels));
+}
+
+void PartShelf::renew_version() {
+  static std::atomic<std::uint64_t> last = 0;
+  version_ = ++last;
+}
+
+void PartShelf::keep(Item item) {
+  renew_version();
+  const auto place = std::lower_bound(items_.begin(), items_.end(), item,
+                                      [](const Item& a, const Item& b) { return a.file < b.file; });
+  if (place != items_.end() && place->file == item.file) {
+    *place = std::move(item);
+  } else {
+    items_.insert(place, std::move(item));
+  }
+}
+
+bool PartShelf::update() {
+  bool news = false;
+  if (working_) {
+    try {
+      if (auto item = job_.take()) {
+        keep(*std::move(item));
+        working_ = false;
+        news = true;
+      }
+    } catch (const Error& error) {
+      message_ = error.what();
+      working_ = false;
+      news = true;
+    }
+  }
+  if (!working_ && !waiting_.empty()) {
+    job_.start(std::move(waiting_.front()));
+    waiting_.pop_front();
+    working_ = true;
+  }
+  return news;
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,334 @@
+#include "editing/transplant_desk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "state/revision.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Stage = PlaceTool::Stage;
+
+// Kernels are one thread's: these share the device with the window's.
+JobThread::MakeKernels kernels_like(const VulkanKernels& kernels) {
+  return [context = kernels.context()] {
+    return std::make_unique<VulkanKernels>(context, Precision::automatic);
+  };
+}
+
+// Both as they are, without what they carry.
+Mesh side_by_side(const Mesh& host, const Mesh& part) {
+  Mesh both;
+  both.positions = host.positions;
+  both.positions.insert(both.positions.end(), part.positions.begin(), part.positions.end());
+  both.face_starts = host.face_starts;
+  both.face_vertices = host.face_vertices;
+  const auto first_vertex = static_cast<Index>(host.vertex_count());
+  const auto first_corner = static_cast<Index>(host.face_vertices.size());
+  for (const Index v : part.face_vertices) both.face_vertices.push_back(first_vertex + v);
+  for (std::size_t f = 1; f < part.face_starts.size(); ++f) {
+    both.face_starts.push_back(first_corner + part.face_starts[f]);
+  }
+  return both;
+}
+
+// The part in the colour of what is edited.
+std::vector<VertexClass> classes_of(std::size_t host_vertices, std::size_t all) {
+  std::vector<VertexClass> classes(all, VertexClass::roi);
+  std::fill_n(classes.begin(), host_vertices, VertexClass::outside);
+  return classes;
+}
+
+AppState surface_now(const AppState& now, Kernels&, const Progress&) {
+  return apply(now, Commit{});
+}
+
+// What carrying the steps before the one taken up again leads to.
+AppState start_of(const Revision& revision, Kernels& kernels, const Progress& progress) {
+  History history(revision.start);
+  for (std::size_t k = 0; k < revision.changed; ++k) {
+    perform(history, revision.rest.steps[k], carry_out_with(kernels, progress));
+  }
+  return apply(history.state(), Commit{});
+}
+
+}  // namespace
+
+TransplantDesk::TransplantDesk(const VulkanKernels& kernels, Editor::Say say,
+                               std::function<void()> wake)
+    : say_(std::move(say)),
+      shelf_(kernels_like(kernels), wake),
+      preview_(kernels_like(kernels), wake),
+      reader_(kernels_like(kernels), std::move(wake)) {
+  shelf_.open(parts_folder());
+}
+
+void TransplantDesk::take_part(const std::filesystem::path& file) {
+  taken_up_.reset();
+  takes_roi_ = false;
+  lends_ = true;
+  begin_ =
+      Begin{surface_now, [file](const AppState& host) {
+              return draft_with(std::make_shared<const TransplantPart>(read_transplant_part(file)),
+                                bounds_of(host.rest->positions).diagonal());
+            }};
+}
+
+void TransplantDesk::take_next_part() {
+  const auto items = shelf_.items();
+  const auto is_in_hand = [&](const PartShelf::Item& item) {
+    return has_part() && item.file == tool_.draft().part->file;
+  };
+  auto at = std::find_if(items.begin(), items.end(), is_in_hand);
+  for (std::size_t looked = 0; looked < items.size(); ++looked) {
+    at = at == items.end() || at + 1 == items.end() ? items.begin() : at + 1;
+    if (at->trouble.empty()) return take_part(at->file);
+  }
+  say_("there is no part in " + shelf_.folder().string() + " yet; add one in the Transplant panel");
+}
+
+void TransplantDesk::take_up(const Editor& editor, std::size_t index) {
+  const auto& steps = editor.state().steps;
+  const auto* step =
+      index < steps.size() ? std::get_if<TransplantStep>(steps[index].get()) : nullptr;
+  if (step == nullptr) return;
+  try {
+    const Revision revision = revision_of(editor.session().history(), index, *steps[index]);
+    takes_roi_ = false;
+    lends_ = true;
+    taken_up_ = index;
+    begin_ = Begin{[revision](const AppState&, Kernels& kernels, const Progress& progress) {
+                     return start_of(revision, kernels, progress);
+                   },
+                   [step = *step](const AppState& host) { return viewer::taken_up(step, host); }};
+  } catch (const Error& error) {
+    say_(error.what());
+  }
+}
+
+void TransplantDesk::take_up_last(const Editor& editor) {
+  const auto& steps = editor.state().steps;
+  for (std::size_t k = steps.size(); k-- > 0;) {
+    if (std::holds_alternative<TransplantStep>(*steps[k])) return take_up(editor, k);
+  }
+  say_("there is no transplant yet to be taken up again");
+}
+
+void TransplantDesk::close(Editor& editor) {
+  begin_.reset();
+  is_reading_ = false;
+  reader_.cancel();
+  preview_.stop();
+  tool_.end();
+  editor.give_back(tool_);
+  taken_up_.reset();
+  mesh_.reset();
+  topology_.reset();
+  hole_.clear();
+  applies_.reset();
+  if (std::exchange(shown_, Shown::nothing) != Shown::nothing) editor.shown().end_preview();
+}
+
+void TransplantDesk::take_roi(bool on) {
+  takes_roi_ = on;
+  if (!on) tool_.draft().chosen_hole.reset();
+}
+
+std::span<const Eigen::Vector3d> TransplantDesk::hole() const {
+  if (tool_.stage() != Stage::set_down || tool_.is_dragging()) return {};
+  return hole_;
+}
+
+TransplantDesk::InHand TransplantDesk::in_hand(const Begin& begin, const AppState& now,
+                                               Kernels& kernels, const Progress& progress) {
+  report_progress(progress, "read", 0.0);
+  InHand hand;
+  hand.host.state = begin.host(now, kernels, progress);
+  const Mesh& host = *hand.host.state.rest;
+  hand.draft = begin.draft(hand.host.state);
+  hand.mesh = std::make_shared<const Mesh>(side_by_side(host, hand.draft.part->mesh));
+  hand.topology = std::make_shared<const Topology>(build_topology(*hand.mesh));
+  hand.host.surface = std::make_shared<const SurfaceSnap>(hand.host.state.topology->triangles,
+                                                          host.positions, "the mesh");
+  return hand;
+}
+
+void TransplantDesk::start_reading(const Editor& editor) {
+  if (!begin_ || needs_settling(editor.state())) return;
+  rest_ = editor.state().rest;
+  settled_ = editor.state().settled;
+  reader_.start([begin = *std::exchange(begin_, {}), now = editor.state()](
+                    const std::shared_ptr<Kernels>& kernels, const Progress& progress) {
+    return in_hand(begin, now, *kernels, progress);
+  });
+  is_reading_ = true;
+}
+
+void TransplantDesk::take_read(Editor& editor) {
+  if (!is_reading_) return;
+  try {
+    auto hand = reader_.take();
+    if (!hand) return;
+    is_reading_ = false;
+    mesh_ = std::move(hand->mesh);
+    topology_ = std::move(hand->topology);
+    positions_ = mesh_->positions;
+    hole_.clear();
+    preview_.stop();
+    shown_ = Shown::nothing;
+    tool_.begin(std::move(hand->draft), std::move(hand->host));
+    if (lends_) editor.lend(tool_);
+  } catch (const Error& error) {
+    say_(error.what());
+    close(editor);
+  }
+}
+
+bool TransplantDesk::stands_on_other_surface(const AppState& now) const {
+  return now.rest != rest_ || now.settled != settled_;
+}
+
+// After an undo, say: a new part stays where it is, on the surface as it is now.
+void TransplantDesk::begin_anew(Editor& editor) {
+  if (taken_up_) {
+    say_("the surface has changed: take the step up again");
+    return close(editor);
+  }
+  preview_.stop();
+  shown_ = Shown::nothing;
+  begin_ = Begin{surface_now, [draft = tool_.draft()](const AppState&) { return draft; }};
+  lends_ = editor.has_in_hand(tool_);
+  tool_.end();
+}
+
+// The numbers of what is chosen are those of the surface that is edited now.
+void TransplantDesk::take_hole(const Editor& editor) {
+  if (!takes_roi_ || taken_up_) return;
+  const ChosenRegion& roi = editor.state().selection.roi;
+  if (roi.vertices.empty()) {
+    tool_.draft().chosen_hole.reset();
+  } else {
+    tool_.draft().chosen_hole = spec_of(roi, "the ROI");
+  }
+}
+
+void TransplantDesk::update(Editor& editor) {
+  shelf_.update();
+  if (finish_applying(editor)) return;
+  start_reading(editor);
+  take_read(editor);
+  if (!has_part()) return;
+  if (stands_on_other_surface(editor.state())) return begin_anew(editor);
+  take_hole(editor);
+  switch (tool_.take_wish()) {
+    case PlaceTool::Wish::apply:
+      return apply(editor);
+    case PlaceTool::Wish::give_up:
+      return close(editor);
+    case PlaceTool::Wish::nothing:
+      break;
+  }
+  show(editor);
+}
+
+// True while the step is under way. What failed stays in hand.
+bool TransplantDesk::finish_applying(Editor& editor) {
+  if (!applies_) return false;
+  if (editor.session().is_carrying_out()) return true;
+  const bool is_done = editor.session().history().done() != *std::exchange(applies_, {});
+  if (is_done) close(editor);
+  return is_done;
+}
+
+void TransplantDesk::show(Editor& editor) {
+  // Somebody else ended it.
+  if (!editor.shown().previews()) shown_ = Shown::nothing;
+  if (!editor.has_in_hand(tool_)) {
+    // Another tool works on the surface as it is.
+    if (std::exchange(shown_, Shown::nothing) != Shown::nothing) editor.shown().end_preview();
+    return;
+  }
+  if (!tool_.draft().stands) return;
+  if (tool_.stage() == Stage::carried || tool_.is_dragging()) {
+    preview_.stop();
+    return show_carried(editor);
+  }
+  preview_.follow(tool_.host().state, tool_.draft().step());
+  const bool news = preview_.update();
+  if (preview_.result() != nullptr) {
+    if (news || shown_ != Shown::result) show_result(editor);
+  } else if (shown_ != Shown::result || shown_version_ != tool_.version()) {
+    show_carried(editor);
+  }
+}
+
+void TransplantDesk::show_carried(Editor& editor) {
+  if (shown_ == Shown::carried && shown_version_ == tool_.version()) return;
+  const Mesh& part = tool_.draft().part->mesh;
+  const std::size_t first = positions_.size() - part.vertex_count();
+  for (std::size_t v = 0; v < part.vertex_count(); ++v) {
+    positions_[first + v] = tool_.draft().placement * part.positions[v];
+  }
+  if (std::exchange(shown_, Shown::carried) != Shown::carried) {
+    editor.shown().show_preview({mesh_, topology_}, classes_of(first, positions_.size()));
+  }
+  editor.shown().show_preview(positions_);
+  shown_version_ = tool_.version();
+}
+
+void TransplantDesk::show_result(Editor& editor) {
+  const TransplantResult& result = *preview_.result();
+  hole_ = result.hole;
+  if (const auto* made = std::get_if<NewMesh>(&*result.carried_out.result)) {
+    editor.shown().show_preview({made->mesh, made->topology});
+  } else {
+    Positions positions = tool_.host().state.rest->positions;
+    const auto& moved = std::get<MovedVertices>(*result.carried_out.result);
+    for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
+      positions[moved.vertices[k]] = moved.positions[k];
+    }
+    const AppState& host = tool_.host().state;
+    editor.shown().show_preview({host.rest, host.topology});
+    editor.shown().show_preview(positions);
+  }
+  shown_ = Shown::result;
+  shown_version_ = tool_.version();
+}
+
+void TransplantDesk::apply(Editor& editor) {
+  if (tool_.stage() != Stage::set_down || applies_) return;
+  const TransplantStep step = tool_.draft().step();
+  const std::size_t done = editor.session().history().done();
+  // Of what it is now, or none.
+  preview_.follow(tool_.host().state, step);
+  const TransplantResult* result = preview_.result();
+  if (taken_up_) {
+    editor.replace_step(*taken_up_, step);
+  } else if (result != nullptr) {
+    const std::vector<std::string> warnings = result->carried_out.warnings;
+    editor.perform(Apply{step, result->carried_out.result});
+    for (const std::string& warning : warnings) say_(warning);
+  } else {
+    editor.carry_out(step);
+  }
+  if (editor.session().is_carrying_out()) {
+    applies_ = done;
+  } else if (editor.session().history().done() != done) {
+    close(editor);
+  }
+}
+
+void TransplantDesk::release_device() {
+  preview_.stop();
+  shown_ = Shown::nothing;
+}
+
+void TransplantDesk::use_device(const VulkanKernels& kernels) {
+  shelf_.use_kernels(kernels_like(kernels));
+  preview_.use_kernels(kernels_like(kernels));
+  reader_.use_kernels(kernels_like(kernels));
+}
+
+}  // namespace lapwing::viewer

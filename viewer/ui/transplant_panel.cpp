@@ -1,0 +1,280 @@
+#include <algorithm>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+#include <optional>
+
+#include "state/step_words.h"
+#include "ui/panels.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Stage = PlaceTool::Stage;
+
+// In letters of the font.
+constexpr float kPictureLetters = 4.4F;
+constexpr float kStripLetters = 13.0F;
+constexpr ImU32 kInHand = IM_COL32(255, 220, 90, 255);
+constexpr ImU32 kHovered = IM_COL32(255, 240, 200, 160);
+const ImVec4 kTroubleColor{0.95F, 0.76F, 0.30F, 1.0F};
+
+void draw_trouble(const std::string& text) {
+  if (text.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, kTroubleColor);
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+// One part, picture and name: true as soon as it is pressed. Let go over the surface it stays
+// there.
+bool draw_part(const PartShelf::Item& item, const UiPicture* picture, bool in_hand, float side) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size{side, side + ImGui::GetTextLineHeight()};
+  ImGui::InvisibleButton("part", size);
+  const bool pressed = ImGui::IsItemActivated();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 corner{from.x + size.x, from.y + side};
+  list.AddRectFilled(from, corner, ImGui::GetColorU32(ImGuiCol_FrameBg), 4.0F);
+  if (picture != nullptr) list.AddImage(picture->id(), from, corner);
+  if (in_hand || ImGui::IsItemHovered()) {
+    list.AddRect(from, corner, in_hand ? kInHand : kHovered, 4.0F, 0, 2.0F);
+  }
+  list.PushClipRect(from, {from.x + size.x, from.y + size.y}, true);
+  list.AddText({from.x, from.y + side}, ImGui::GetColorU32(ImGuiCol_Text), item.name.c_str());
+  list.PopClipRect();
+  if (ImGui::IsItemHovered()) {
+    if (item.trouble.empty()) {
+      ImGui::SetTooltip("%s, %zu vertices", item.file.c_str(), item.vertices);
+    } else {
+      ImGui::SetTooltip("%s", item.trouble.c_str());
+    }
+  }
+  return pressed && item.trouble.empty();
+}
+
+bool is_in_hand(const TransplantDesk& desk, const PartShelf::Item& item) {
+  return desk.has_part() && desk.tool().draft().part->file == item.file;
+}
+
+void draw_strip(TransplantDesk& desk, const PartPictures& pictures) {
+  const float side = kPictureLetters * ImGui::GetFontSize();
+  const auto items = desk.shelf().items();
+  if (items.empty()) {
+    ImGui::TextWrapped("No parts in %s yet: add a mesh file with a hole, or cut the ROI out.",
+                       desk.shelf().folder().c_str());
+    return;
+  }
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const auto per_row =
+      static_cast<std::size_t>(std::max(1.0F, ImGui::GetContentRegionAvail().x / (side + spacing)));
+  const std::size_t rows = (items.size() + per_row - 1) / per_row;
+  const float row = side + ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
+  const float height =
+      std::min(static_cast<float>(rows) * row, kStripLetters * ImGui::GetFontSize());
+  std::optional<std::filesystem::path> taken;
+  if (ImGui::BeginChild("parts", {0.0F, height})) {
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      if (k % per_row != 0) ImGui::SameLine();
+      ImGui::PushID(static_cast<int>(k));
+      if (draw_part(items[k], pictures.of(k), is_in_hand(desk, items[k]), side)) {
+        taken = items[k].file;
+      }
+      // Dragged out of the strip and let go over the surface.
+      const bool outside = !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
+      if (ImGui::IsItemDeactivated() && outside) desk.tool().set_down();
+      ImGui::PopID();
+    }
+  }
+  ImGui::EndChild();
+  if (taken) desk.take_part(*taken);
+}
+
+void draw_more_parts(TransplantDesk& desk, Editor& editor, PanelDrafts& drafts) {
+  PartShelf& shelf = desk.shelf();
+  if (!ImGui::TreeNode("More parts")) return;
+  if (drafts.parts_folder.empty()) drafts.parts_folder = shelf.folder();
+  ImGui::TextDisabled("folder");
+  ImGui::SetNextItemWidth(-1.0F);
+  if (ImGui::InputText("##folder", &drafts.parts_folder, ImGuiInputTextFlags_EnterReturnsTrue)) {
+    shelf.open(drafts.parts_folder);
+  }
+  ImGui::TextDisabled("mesh file");
+  ImGui::SetNextItemWidth(-1.0F);
+  const bool entered =
+      ImGui::InputText("##file", &drafts.part_path, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool has_path = !drafts.part_path.empty();
+  if ((ImGui::Button("Use") || entered) && has_path) desk.take_part(drafts.part_path);
+  ImGui::SameLine();
+  if (ImGui::Button("Add to the folder") && has_path) shelf.add(drafts.part_path);
+  ImGui::TextDisabled("the ROI as a part called");
+  ImGui::SetNextItemWidth(-4.0F * ImGui::GetFontSize());
+  ImGui::InputText("##name", &drafts.part_name);
+  ImGui::SameLine();
+  const AppState& state = editor.state();
+  const bool can_cut = !state.selection.roi.vertices.empty() && !needs_settling(state);
+  if (ImGui::Button("Cut") && can_cut && !drafts.part_name.empty()) {
+    shelf.cut(state, spec_of(state.selection.roi, "the ROI"), drafts.part_name);
+  }
+  if (!can_cut) ImGui::TextDisabled("choose an ROI to cut one out");
+  ImGui::TreePop();
+}
+
+template <typename Value>
+void choose(const char* label, Value& value,
+            std::initializer_list<std::pair<const char*, Value>> choices) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", label);
+  ImGui::PushID(label);
+  for (const auto& [name, choice] : choices) {
+    ImGui::SameLine();
+    if (ImGui::RadioButton(name, value == choice)) value = choice;
+  }
+  ImGui::PopID();
+}
+
+void draw_place(TransplantDesk& desk, Editor& editor) {
+  PlaceTool& tool = desk.tool();
+  if (!editor.has_in_hand(tool)) {
+    if (ImGui::Button("Place by hand")) editor.lend(tool);
+    ImGui::SameLine();
+    ImGui::TextDisabled("another tool is in hand");
+  } else if (tool.stage() == Stage::set_down) {
+    if (ImGui::Button("Take up (G)")) tool.carry();
+    GizmoMode mode = tool.mode();
+    choose(
+        "gizmo", mode,
+        {{"move", GizmoMode::translate}, {"turn", GizmoMode::rotate}, {"scale", GizmoMode::scale}});
+    tool.show(mode);
+  } else {
+    ImGui::TextWrapped("%s", tool.hint());
+    ImGui::Checkbox("its loop is brought onto the surface", &tool.snaps);
+  }
+}
+
+void draw_hole(TransplantDesk& desk, const Editor& editor) {
+  TransplantDraft& draft = desk.tool().draft();
+  bool chosen = draft.chosen_hole.has_value() || desk.takes_roi();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("hole");
+  ImGui::SameLine();
+  if (ImGui::RadioButton("disk", !chosen)) desk.take_roi(false);
+  // What an earlier step was chosen on is not what is chosen now.
+  if (chosen || !desk.taken_up()) {
+    ImGui::SameLine();
+    const bool pressed = ImGui::RadioButton(desk.taken_up() ? "as it was" : "the ROI", chosen);
+    if (pressed && !desk.taken_up()) desk.take_roi(true);
+  }
+  if (desk.takes_roi() && editor.state().selection.roi.vertices.empty()) {
+    ImGui::TextDisabled("choose an ROI; until then it is the disk");
+  }
+  if (draft.chosen_hole) return;
+  float percent = static_cast<float>(100.0 * draft.hole_share);
+  if (ImGui::SliderFloat("size", &percent, 50.0F, 300.0F, "%.0f %% of the part's loop")) {
+    draft.hole_share = 0.01 * static_cast<double>(percent);
+  }
+}
+
+void draw_transition(TransplantDraft& draft) {
+  std::optional<Transition>& transition = draft.parameters.transition;
+  const double radius = draft.stands ? draft.frame().radius : 0.0;
+  bool automatic = !transition;
+  if (ImGui::Checkbox("transition by itself", &automatic)) {
+    transition = automatic ? std::nullopt
+                           : std::optional(Transition{0.5 * radius, Transition::Profile::smooth});
+  }
+  if (!transition) return;
+  float width = static_cast<float>(transition->width);
+  if (ImGui::SliderFloat("width", &width, 0.0F, static_cast<float>(2.0 * radius), "%.4g")) {
+    transition->width = static_cast<double>(width);
+  }
+  choose("profile", transition->profile,
+         {{"smooth", Transition::Profile::smooth}, {"linear", Transition::Profile::linear}});
+}
+
+void draw_computed(TransplantParameters& parameters) {
+  if (!ImGui::TreeNode("How the seam is computed")) return;
+  choose("detail", parameters.sampling,
+         {{"linear", MappedSampling::linear}, {"one ring", MappedSampling::one_ring}});
+  choose("weights", parameters.weights,
+         {{"uniform", LaplacianWeights::uniform}, {"cotangent", LaplacianWeights::cotangent}});
+  bool remeshes = parameters.remesh == Remeshing::automatic;
+  if (ImGui::Checkbox("remesh where it is needed", &remeshes)) {
+    parameters.remesh = remeshes ? Remeshing::automatic : Remeshing::none;
+  }
+  ImGui::TreePop();
+}
+
+// What the worker is at, or what came of it.
+void draw_preview(const TransplantDesk& desk, const Editor& editor) {
+  const TransplantPreview& preview = desk.preview();
+  const WorkStatus applying = editor.session().step_status();
+  const WorkStatus status = applying.busy ? applying : preview.status();
+  if (status.busy) {
+    ImGui::ProgressBar(static_cast<float>(status.fraction), {-1.0F, 0.0F}, status.stage.c_str());
+  } else if (const TransplantResult* result = preview.result()) {
+    if (const auto& report = result->carried_out.report.transplant) {
+      ImGui::TextDisabled("seam of %zu triangles, %zu vertices blended", report->strip_triangles,
+                          result->carried_out.report.free);
+    }
+    for (const std::string& warning : result->carried_out.warnings) draw_trouble(warning);
+  }
+  draw_trouble(preview.message());
+}
+
+void draw_draft(TransplantDesk& desk, Editor& editor) {
+  TransplantDraft& draft = desk.tool().draft();
+  ImGui::Separator();
+  const std::string name = draft.part->file.filename().string();
+  ImGui::Text("%s, %zu vertices", name.empty() ? "this mesh" : name.c_str(),
+              draft.part->mesh.vertex_count());
+  if (desk.taken_up()) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("step %zu again", *desk.taken_up() + 1);
+  }
+  draw_place(desk, editor);
+  draw_hole(desk, editor);
+  draw_transition(draft);
+  draw_computed(draft.parameters);
+  const bool carries_out = editor.session().is_carrying_out();
+  if (desk.tool().stage() == Stage::set_down && !carries_out) {
+    if (ImGui::Button("Apply")) return desk.apply(editor);
+    ImGui::SameLine();
+  }
+  if (ImGui::Button("Cancel")) {
+    if (!carries_out) return desk.close(editor);
+    editor.session().cancel_step();
+  }
+  draw_preview(desk, editor);
+}
+
+void draw_steps(TransplantDesk& desk, const Editor& editor) {
+  const auto& steps = editor.state().steps;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    if (!std::holds_alternative<TransplantStep>(*steps[k])) continue;
+    ImGui::PushID(static_cast<int>(k));
+    if (ImGui::SmallButton("Edit")) desk.take_up(editor, k);
+    ImGui::SameLine();
+    ImGui::Text("step %zu: %s", k + 1, describe(*steps[k]).c_str());
+    ImGui::PopID();
+  }
+}
+
+}  // namespace
+
+void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, Editor& editor,
+                           PanelDrafts& drafts) {
+  ImGui::PushItemWidth(11.0F * ImGui::GetFontSize());
+  draw_strip(desk, pictures);
+  draw_trouble(desk.shelf().message());
+  draw_more_parts(desk, editor, drafts);
+  if (!desk.is_open()) draw_steps(desk, editor);
+  if (desk.has_part()) {
+    draw_draft(desk, editor);
+  } else if (desk.is_reading()) {
+    ImGui::TextDisabled("reading the part");
+    if (ImGui::Button("Cancel")) desk.close(editor);
+  }
+  ImGui::PopItemWidth();
+}
+
+}  // namespace lapwing::viewer
