@@ -15,14 +15,15 @@ JobThread::MakeKernels kernels_like(const VulkanKernels& kernels) {
   };
 }
 
-// Painted numbers in the colours of parts, from none to all.
-std::vector<VertexClass> classes_of(const std::vector<double>& field) {
-  std::vector<VertexClass> classes;
-  for (const double w : field) {
-    classes.push_back(w >= 0.75   ? VertexClass::handle
-                      : w >= 0.25 ? VertexClass::belt
-                      : w > 0.0   ? VertexClass::roi
-                                  : VertexClass::outside);
+// Painted numbers in the colours of parts, from none to all, on the patch that they count on.
+std::vector<VertexClass> classes_of(const std::vector<double>& field, const VertexSet& patch) {
+  std::vector<VertexClass> classes(field.size(), VertexClass::outside);
+  for (const Index v : patch) {
+    if (v < classes.size()) classes[v] = VertexClass::roi;
+  }
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    if (field[v] >= 0.25) classes[v] = VertexClass::belt;
+    if (field[v] >= 0.75) classes[v] = VertexClass::handle;
   }
   return classes;
 }
@@ -175,6 +176,11 @@ void LayerDesk::update(Editor& editor) {
     applies_ = false;
     if (editor.state().steps != steps_before_) return close(editor);
   }
+  // Another tool was taken in hand.
+  if (editor.tool() != EditTool::lent) {
+    if (is_painting_) paint_weight(false, editor);
+    if (picking_ != Picking::none) pick(Picking::none, editor);
+  }
   take_read();
   read_next();
   if (needs_settling(editor.state())) return;
@@ -209,8 +215,9 @@ void LayerDesk::take_weight(const AppState& target) {
 
 void LayerDesk::show_weight(Editor& editor, const AppState& target) {
   previewed_.reset();
-  editor.shown().show_preview({target.rest, target.topology},
-                              classes_of(weight_paint_.live_field()));
+  editor.shown().show_preview(
+      {target.rest, target.topology},
+      classes_of(weight_paint_.live_field(), editor.state().selection.roi.vertices));
 }
 
 void LayerDesk::take_read() {

@@ -19,6 +19,7 @@ bool draw_slider(const char* label, double& value, double from, double to, bool 
 template <typename Value>
 void choose(const char* label, Value& value,
             std::initializer_list<std::pair<const char*, Value>> choices) {
+  ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", label);
   ImGui::PushID(label);
   for (const auto& [name, choice] : choices) {

@@ -74,7 +74,8 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
     const double per_unit = size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x);
     marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
     if (const auto area = source_area()) {
-      marks_.draw_pairs(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
+      marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit,
+                  cursor_);
     }
     if (show_panels_) draw_sidebar(last);
   }
