@@ -51,24 +51,25 @@ LayerDesk::LayerDesk(UpAxis up_axis, VulkanKernels& kernels, Editor::Say say,
       preview_(kernels_like(kernels), wake),
       reader_(kernels_like(kernels), std::move(wake)) {}
 
-void LayerDesk::begin(LayerDraft::Operation operation) {
+void LayerDesk::begin(Editor& editor, LayerDraft::Operation operation) {
+  if (is_open_) close(editor);
   draft_ = {};
   draft_.operation = operation;
   if (operation == LayerDraft::Operation::mix) draft_.parameters.domain = Domain::square;
   taken_up_.reset();
   start_.reset();
   current_ = 0;
-  for (auto& view : views_) view.reset();
+  weight_paint_.set_field({});
   seen_roi_ = {ListedVertices{}};
   is_open_ = true;
 }
 
-bool LayerDesk::take_up(const Editor& editor, std::size_t index) {
+bool LayerDesk::take_up(Editor& editor, std::size_t index) {
   const auto& steps = editor.state().steps;
   if (index >= steps.size()) return false;
   const auto draft = layer_draft_of(*steps[index]);
   if (!draft) return false;
-  begin(draft->operation);
+  begin(editor, draft->operation);
   draft_ = *draft;
   taken_up_ = index;
   Revision revision = revision_of(editor.session().history(), index, *steps[index]);
@@ -82,6 +83,7 @@ bool LayerDesk::take_up(const Editor& editor, std::size_t index) {
 
 void LayerDesk::close(Editor& editor) {
   is_open_ = false;
+  applies_ = false;
   pick(Picking::none, editor);
   paint_weight(false, editor);
   preview_.stop();
@@ -96,6 +98,10 @@ void LayerDesk::close(Editor& editor) {
 void LayerDesk::use_source(std::size_t k, const std::filesystem::path& mesh) {
   draft_.sources[k] = LayerDraft::nothing();
   draft_.sources[k].mesh = mesh;
+  if (reading_ == k) {
+    reader_.cancel();
+    reading_.reset();
+  }
   views_[k].reset();
   is_to_read_[k] = !mesh.empty();
 }

@@ -30,8 +30,9 @@ class LayerDesk {
   LayerDesk(UpAxis up_axis, VulkanKernels& kernels, Editor::Say say, std::function<void()> wake);
 
   /// Begins a new one, or takes the `index`th step of the recipe up again; true if that is one.
-  void begin(LayerDraft::Operation operation);
-  bool take_up(const Editor& editor, std::size_t index);
+  /// Gives up what was open.
+  void begin(Editor& editor, LayerDraft::Operation operation);
+  bool take_up(Editor& editor, std::size_t index);
   /// Gives up what was not applied.
   void close(Editor& editor);
   bool is_open() const { return is_open_; }

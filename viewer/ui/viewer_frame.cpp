@@ -203,7 +203,9 @@ void ViewerApp::draw_edit_menu() {
                           {"Grow", "Ctrl+=", Action::grow},
                           {"Shrink", "Ctrl+-", Action::shrink},
                           {"Invert", "Ctrl+I", Action::invert},
-                          {"Remove handle", "Delete", Action::remove_handle}};
+                          {"Remove handle", "Delete", Action::remove_handle},
+                          {"Coat the ROI...", "Ctrl+K", Action::begin_coat},
+                          {"Mix on the ROI...", "Ctrl+M", Action::begin_mix}};
   for (const Item& item : kItems) {
     if (ImGui::MenuItem(item.label, item.keys, false, document_ != nullptr)) perform(item.action);
   }
