@@ -155,6 +155,7 @@ void LayerDesk::paint_weight(bool on, Editor& editor) {
 void LayerDesk::pick(Picking what, Editor& editor) {
   if (what != Picking::none && !can_click_target(editor)) return;
   if (what != Picking::none && is_painting_) paint_weight(false, editor);
+  take_what_was_done(editor);
   picking_ = what;
   picked_source_.reset();
   point_tool_.picked.reset();
@@ -192,8 +193,7 @@ void LayerDesk::update(Editor& editor) {
   if (needs_settling(editor.state())) return;
   const AppState target = target_of(editor);
   renew_own_views(target);
-  take_patches(editor);
-  take_points(editor);
+  take_what_was_done(editor);
   if (view() != nullptr) view()->update();
   take_weight(target);
   if (is_painting_) return show_weight(editor, target);
@@ -271,7 +271,13 @@ void LayerDesk::renew_own_views(const AppState& target) {
   }
 }
 
-// What is chosen on source and target since the last frame.
+// Since the last frame, or the last key.
+void LayerDesk::take_what_was_done(const Editor& editor) {
+  if (!is_open_) return;
+  take_patches(editor);
+  take_points(editor);
+}
+
 void LayerDesk::take_patches(const Editor& editor) {
   for (std::size_t k = 0; k < draft_.source_count(); ++k) {
     if (!views_[k]) continue;
@@ -345,6 +351,7 @@ void LayerDesk::show_preview(Editor& editor) {
 }
 
 void LayerDesk::apply(Editor& editor) {
+  take_what_was_done(editor);
   Step step;
   try {
     step = step_of(draft_);

@@ -86,6 +86,7 @@ class LayerDesk {
   void take_read();
   void read_next();
   void renew_own_views(const AppState& target);
+  void take_what_was_done(const Editor& editor);
   void take_patches(const Editor& editor);
   void take_points(const Editor& editor);
   void add_pair(const Editor& editor);
