@@ -6,6 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/transition.h"
+#include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "session/transplant_runs.h"
@@ -101,6 +102,43 @@ TEST_F(RunTransplant, AnotherTriangulationOfTheSameSurfaceComesOutAsThatSurface)
           << sampling << radius;
       expect_whole(*result);
     }
+  }
+}
+
+// The same vertices, every so many edges turned to the other diagonal of their two triangles.
+Mesh with_edges_flipped(const Mesh& mesh, std::size_t every) {
+  std::vector<Triangle> triangles = build_topology(mesh).triangles;
+  const Adjacency edges = sides_by_edge(triangles, mesh.vertex_count());
+  std::vector<char> done(triangles.size(), 0);
+  for (std::size_t e = 0; e < edges.row_count(); e += every) {
+    const Index left = edges[e][0] / 3;
+    const Index right = edges[e][1] / 3;
+    if (done[left] != 0 || done[right] != 0) continue;
+    done[left] = done[right] = 1;
+    const auto corner = [&](std::size_t side, Index step) {
+      return triangles[edges[e][side] / 3][(edges[e][side] + step) % 3];
+    };
+    const std::array<Index, 4> quad{corner(0, 0), corner(1, 2), corner(0, 1), corner(0, 2)};
+    triangles[left] = {quad[3], quad[0], quad[1]};
+    triangles[right] = {quad[1], quad[2], quad[3]};
+  }
+  Mesh result;
+  result.positions = mesh.positions;
+  for (const Triangle& t : triangles) result.add_face(t);
+  return result;
+}
+
+TEST_F(RunTransplant, AnotherTriangulationOfTheHolesBorderMovesNothingFar) {
+  const Mesh host = hilly_sphere(4);
+  write(host, "host.ply");
+  const double edge = mean_edge_length(build_topology(host).rings, host.positions);
+  for (const std::size_t every : {std::size_t{5}, std::size_t{11}}) {
+    write(with_edges_flipped(host, every), "other.ply");
+    const auto result = run(transplant(from_region("other.ply", kPole), kPole,
+                                       R"(, "place": {"translate": [0, 0, 0]}, "remesh": "none",
+                                           "transition": {"width": 0.2})"));
+    EXPECT_LT(result->report.steps[0].transplant->largest_displacement, 0.1 * edge) << every;
+    expect_whole(*result);
   }
 }
 
