@@ -143,18 +143,21 @@ TEST_F(APreview, FollowsTheAmplitudeAtOnce) {
   EXPECT_EQ(preview_.positions(), target_.rest->positions);
 }
 
-TEST_F(APreview, FollowsTheDetailSizeWithoutPreparingAnew) {
-  LayerDraft draft = coat_draft(files_);
+TEST_F(APreview, FollowsTheDetailSizeAtOnceAndThenExactly) {
+  LayerDraft draft = coat_draft(files_, Remeshing::automatic);
   show(draft);
+  EXPECT_TRUE(preview_.is_exact());
   const auto mesh = preview_.mesh();
   const Positions before = preview_.positions();
-  draft.sources[0].detail_size = 0.1;
-  show(draft);
-  EXPECT_EQ(preview_.mesh(), mesh) << "the same preparation";
+  draft.sources[0].detail_size = 0.25;
+  preview_.follow(target_, draft);
+  while (!preview_.update()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(preview_.mesh(), mesh) << "what was prepared";
+  EXPECT_FALSE(preview_.is_exact());
   EXPECT_GT(largest_distance(preview_.positions(), before), 1e-5);
-  draft.sources[0].detail_size = 0.5;
   show(draft);
-  EXPECT_EQ(preview_.positions(), before);
+  EXPECT_TRUE(preview_.is_exact());
+  EXPECT_EQ(preview_.positions(), applied(draft).positions);
 }
 
 TEST_F(APreview, WhatIsAskedForMeanwhileIsWhatComes) {

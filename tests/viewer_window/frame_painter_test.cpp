@@ -106,6 +106,29 @@ TEST(FramePainter, WhatMovesLooksTheSameButForItsEdges) {
   EXPECT_EQ(moving.pixel(kCenterX, kCenterY), still.pixel(kCenterX, kCenterY));
 }
 
+TEST(FramePainter, ASecondSurfaceIsDrawnInItsPartAndNowhereElse) {
+  LAPWING_NEEDS_GPU();
+  Frames frames;
+  Scene scene = frames.sphere.scene();
+  const Image alone = frames.picture_of(scene);
+  SideScene& beside = scene.beside.emplace();
+  static_cast<SurfaceScene&>(beside) = frames.sphere.scene();
+  beside.corner = {200.0, 50.0};
+  beside.size = {120.0, 100.0};
+  const Image both = frames.picture_of(scene);
+  constexpr std::uint32_t kPanel = 80;  // at the left, and not the same in its first frames
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(both.pixel(260, 100)[c], alone.pixel(kCenterX, kCenterY)[c], 4) << "its middle";
+  }
+  EXPECT_THAT(both.pixel(204, 100), Each(Gt(200))) << "background where the other surface was";
+  for (std::uint32_t y = 0; y < kSize.height; ++y) {
+    for (std::uint32_t x = kPanel; x < kSize.width; ++x) {
+      if (x >= 200 && y >= 50 && y < 150) continue;
+      ASSERT_EQ(both.pixel(x, y), alone.pixel(x, y)) << x << ", " << y;
+    }
+  }
+}
+
 TEST(FramePainter, TimesEveryPartOfADragFrame) {
   LAPWING_NEEDS_GPU();
   Frames frames;

@@ -113,7 +113,8 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   classes_are_old_ = classes_are_old_ || answer.taken;
   // The line to the cursor and the brush go with it.
   if (event.kind == InputKind::move) {
-    handled.changed = handled.taken || tool_ == EditTool::brush || !loop_.corners().empty();
+    handled.changed = handled.taken || tool_ == EditTool::brush || tool_ == EditTool::lent ||
+                      !loop_.corners().empty();
   }
   return handled;
 }

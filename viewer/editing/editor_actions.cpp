@@ -74,10 +74,10 @@ bool perform_on(LayerDesk& desk, Editor& editor, Action action) {
   using Picking = LayerDesk::Picking;
   switch (action) {
     case Action::begin_coat:
-      desk.begin(LayerDraft::Operation::coat);
+      desk.begin(editor, LayerDraft::Operation::coat);
       return true;
     case Action::begin_mix:
-      desk.begin(LayerDraft::Operation::mix);
+      desk.begin(editor, LayerDraft::Operation::mix);
       return true;
     case Action::other_source:
       if (desk.is_open()) desk.show((desk.current() + 1) % desk.draft().source_count());

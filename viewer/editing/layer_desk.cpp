@@ -15,14 +15,15 @@ JobThread::MakeKernels kernels_like(const VulkanKernels& kernels) {
   };
 }
 
-// Painted numbers in the colours of parts, from none to all.
-std::vector<VertexClass> classes_of(const std::vector<double>& field) {
-  std::vector<VertexClass> classes;
-  for (const double w : field) {
-    classes.push_back(w >= 0.75   ? VertexClass::handle
-                      : w >= 0.25 ? VertexClass::belt
-                      : w > 0.0   ? VertexClass::roi
-                                  : VertexClass::outside);
+// Painted numbers in the colours of parts, from none to all, on the patch that they count on.
+std::vector<VertexClass> classes_of(const std::vector<double>& field, const VertexSet& patch) {
+  std::vector<VertexClass> classes(field.size(), VertexClass::outside);
+  for (const Index v : patch) {
+    if (v < classes.size()) classes[v] = VertexClass::roi;
+  }
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    if (field[v] >= 0.25) classes[v] = VertexClass::belt;
+    if (field[v] >= 0.75) classes[v] = VertexClass::handle;
   }
   return classes;
 }
@@ -50,24 +51,25 @@ LayerDesk::LayerDesk(UpAxis up_axis, VulkanKernels& kernels, Editor::Say say,
       preview_(kernels_like(kernels), wake),
       reader_(kernels_like(kernels), std::move(wake)) {}
 
-void LayerDesk::begin(LayerDraft::Operation operation) {
+void LayerDesk::begin(Editor& editor, LayerDraft::Operation operation) {
+  if (is_open_) close(editor);
   draft_ = {};
   draft_.operation = operation;
   if (operation == LayerDraft::Operation::mix) draft_.parameters.domain = Domain::square;
   taken_up_.reset();
   start_.reset();
   current_ = 0;
-  for (auto& view : views_) view.reset();
+  weight_paint_.set_field({});
   seen_roi_ = {ListedVertices{}};
   is_open_ = true;
 }
 
-bool LayerDesk::take_up(const Editor& editor, std::size_t index) {
+bool LayerDesk::take_up(Editor& editor, std::size_t index) {
   const auto& steps = editor.state().steps;
   if (index >= steps.size()) return false;
   const auto draft = layer_draft_of(*steps[index]);
   if (!draft) return false;
-  begin(draft->operation);
+  begin(editor, draft->operation);
   draft_ = *draft;
   taken_up_ = index;
   Revision revision = revision_of(editor.session().history(), index, *steps[index]);
@@ -81,6 +83,7 @@ bool LayerDesk::take_up(const Editor& editor, std::size_t index) {
 
 void LayerDesk::close(Editor& editor) {
   is_open_ = false;
+  applies_ = false;
   pick(Picking::none, editor);
   paint_weight(false, editor);
   preview_.stop();
@@ -95,6 +98,10 @@ void LayerDesk::close(Editor& editor) {
 void LayerDesk::use_source(std::size_t k, const std::filesystem::path& mesh) {
   draft_.sources[k] = LayerDraft::nothing();
   draft_.sources[k].mesh = mesh;
+  if (reading_ == k) {
+    reader_.cancel();
+    reading_.reset();
+  }
   views_[k].reset();
   is_to_read_[k] = !mesh.empty();
 }
@@ -148,6 +155,7 @@ void LayerDesk::paint_weight(bool on, Editor& editor) {
 void LayerDesk::pick(Picking what, Editor& editor) {
   if (what != Picking::none && !can_click_target(editor)) return;
   if (what != Picking::none && is_painting_) paint_weight(false, editor);
+  take_what_was_done(editor);
   picking_ = what;
   picked_source_.reset();
   point_tool_.picked.reset();
@@ -175,13 +183,17 @@ void LayerDesk::update(Editor& editor) {
     applies_ = false;
     if (editor.state().steps != steps_before_) return close(editor);
   }
+  // Another tool was taken in hand.
+  if (editor.tool() != EditTool::lent) {
+    if (is_painting_) paint_weight(false, editor);
+    if (picking_ != Picking::none) pick(Picking::none, editor);
+  }
   take_read();
   read_next();
   if (needs_settling(editor.state())) return;
   const AppState target = target_of(editor);
   renew_own_views(target);
-  take_patches(editor);
-  take_points(editor);
+  take_what_was_done(editor);
   if (view() != nullptr) view()->update();
   take_weight(target);
   if (is_painting_) return show_weight(editor, target);
@@ -209,8 +221,9 @@ void LayerDesk::take_weight(const AppState& target) {
 
 void LayerDesk::show_weight(Editor& editor, const AppState& target) {
   previewed_.reset();
-  editor.shown().show_preview({target.rest, target.topology},
-                              classes_of(weight_paint_.live_field()));
+  editor.shown().show_preview(
+      {target.rest, target.topology},
+      classes_of(weight_paint_.live_field(), editor.state().selection.roi.vertices));
 }
 
 void LayerDesk::take_read() {
@@ -258,7 +271,13 @@ void LayerDesk::renew_own_views(const AppState& target) {
   }
 }
 
-// What is chosen on source and target since the last frame.
+// Since the last frame, or the last key.
+void LayerDesk::take_what_was_done(const Editor& editor) {
+  if (!is_open_) return;
+  take_patches(editor);
+  take_points(editor);
+}
+
 void LayerDesk::take_patches(const Editor& editor) {
   for (std::size_t k = 0; k < draft_.source_count(); ++k) {
     if (!views_[k]) continue;
@@ -332,6 +351,7 @@ void LayerDesk::show_preview(Editor& editor) {
 }
 
 void LayerDesk::apply(Editor& editor) {
+  take_what_was_done(editor);
   Step step;
   try {
     step = step_of(draft_);

@@ -30,8 +30,9 @@ class LayerDesk {
   LayerDesk(UpAxis up_axis, VulkanKernels& kernels, Editor::Say say, std::function<void()> wake);
 
   /// Begins a new one, or takes the `index`th step of the recipe up again; true if that is one.
-  void begin(LayerDraft::Operation operation);
-  bool take_up(const Editor& editor, std::size_t index);
+  /// Gives up what was open.
+  void begin(Editor& editor, LayerDraft::Operation operation);
+  bool take_up(Editor& editor, std::size_t index);
   /// Gives up what was not applied.
   void close(Editor& editor);
   bool is_open() const { return is_open_; }
@@ -85,6 +86,7 @@ class LayerDesk {
   void take_read();
   void read_next();
   void renew_own_views(const AppState& target);
+  void take_what_was_done(const Editor& editor);
   void take_patches(const Editor& editor);
   void take_points(const Editor& editor);
   void add_pair(const Editor& editor);

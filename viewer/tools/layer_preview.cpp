@@ -18,6 +18,11 @@ LayeredStep layered(const LayerDraft& draft) {
           .handles = draft.handles};
 }
 
+bool same_sizes(const LayerDraft& a, const LayerDraft& b) {
+  return a.sources[0].detail_size == b.sources[0].detail_size &&
+         a.sources[1].detail_size == b.sources[1].detail_size;
+}
+
 double amplitude_of(const LayerDraft& draft) {
   return draft.operation == LayerDraft::Operation::coat ? draft.sources[0].amplitude : 1.0;
 }
@@ -61,7 +66,7 @@ std::shared_ptr<const Topology> LayerPreview::topology() const {
 }
 
 const LayeredCoat* LayerPreview::layers() const {
-  return prepared_ && !busy() ? prepared_->layers.get() : nullptr;
+  return shown_ && !is_lent() ? prepared_->layers.get() : nullptr;
 }
 
 bool LayerPreview::update() {
@@ -84,6 +89,7 @@ bool LayerPreview::take_result() {
   if (!result) return false;
   prepared_ = *std::move(result);
   shown_ = std::exchange(asked_, std::nullopt);
+  is_exact_ = !changes_sizes_;
   message_.clear();
   return place();
 }
@@ -91,30 +97,35 @@ bool LayerPreview::take_result() {
 // True if there is another result at once.
 bool LayerPreview::go_on() {
   if (!wanted_ || wanted_ == failed_) return false;
-  if (busy()) {
-    const bool alike = asked_->target.rest == wanted_->target.rest &&
-                       same_but_for_sliders(asked_->draft, wanted_->draft);
-    if (!alike) prepare(*wanted_);
-    return false;
-  }
-  if (wanted_ == shown_) return false;
-  const bool alike = shown_ && shown_->target.rest == wanted_->target.rest &&
-                     same_but_for_sliders(shown_->draft, wanted_->draft);
-  if (!alike) {
-    prepare(*wanted_);
-    return false;
-  }
-  for (std::size_t k = 0; k < wanted_->draft.source_count(); ++k) {
-    if (shown_->draft.sources[k].detail_size == wanted_->draft.sources[k].detail_size) continue;
+  const auto alike = [this](const std::optional<Wanted>& other) {
+    return other && other->target.rest == wanted_->target.rest &&
+           same_but_for_sliders(other->draft, wanted_->draft);
+  };
+  if (!is_lent() && alike(shown_)) return slide();
+  if (!busy() || !alike(asked_)) prepare(*wanted_);
+  return false;
+}
+
+// What is prepared serves for what is wanted, too.
+bool LayerPreview::slide() {
+  if (!same_sizes(shown_->draft, wanted_->draft)) {
     change_sizes(*wanted_);
     return false;
   }
-  shown_ = wanted_;
-  return place();
+  bool placed = false;
+  if (wanted_ != shown_) {
+    shown_ = wanted_;
+    placed = place();
+  }
+  if (!is_exact_ && !busy()) prepare(*wanted_);
+  return placed;
 }
 
 void LayerPreview::prepare(const Wanted& wanted) {
+  // The worker may be changing what was prepared for a while yet.
+  if (is_lent()) shown_.reset();
   asked_ = wanted;
+  changes_sizes_ = false;
   message_.clear();
   job_.start([wanted](const std::shared_ptr<Kernels>& kernels, const Progress& progress) {
     return prepared(wanted, kernels, progress);
@@ -134,6 +145,7 @@ LayerPreview::Result LayerPreview::prepared(const Wanted& wanted,
 // On the prepared one, which is the worker's meanwhile.
 void LayerPreview::change_sizes(const Wanted& wanted) {
   asked_ = wanted;
+  changes_sizes_ = true;
   job_.start([wanted, shown = *shown_, result = prepared_](const std::shared_ptr<Kernels>&,
                                                            const Progress& progress) {
     for (std::size_t k = 0; k < wanted.draft.source_count(); ++k) {

@@ -12,7 +12,8 @@
 namespace lapwing::viewer {
 
 /// What a coat or mix comes to while a person still changes it. Prepared beside the window; then
-/// the amplitude of a coat is at once, and a detail size by one back-substitution. What is asked
+/// the amplitude of a coat is at once, and another detail size first by one back-substitution,
+/// which leaves the transition as it was, and once nothing else is wanted exactly. What is asked
 /// for meanwhile is done as soon as the worker is free, or in place of what is under way.
 class LayerPreview {
  public:
@@ -32,6 +33,8 @@ class LayerPreview {
 
   /// Whether what is wanted is still to come.
   bool is_behind() const { return busy() || (wanted_ && wanted_ != failed_ && wanted_ != shown_); }
+  /// Whether the result is that of the step, bit for bit, but for `is_behind`.
+  bool is_exact() const { return is_exact_; }
   WorkStatus status() const { return job_.status(); }
   /// Why the last thing wanted cannot be had; empty if it can.
   const std::string& message() const { return message_; }
@@ -64,8 +67,11 @@ class LayerPreview {
   using Result = std::shared_ptr<Prepared>;
 
   bool busy() const { return asked_.has_value(); }
+  // Whether the worker may be changing what is prepared.
+  bool is_lent() const { return busy() && changes_sizes_; }
   bool take_result();
   bool go_on();
+  bool slide();
   void prepare(const Wanted& wanted);
   void change_sizes(const Wanted& wanted);
   bool place();
@@ -73,8 +79,10 @@ class LayerPreview {
                          const Progress& progress);
 
   std::optional<Wanted> wanted_;
-  std::optional<Wanted> asked_;  // of the worker
-  std::optional<Wanted> shown_;  // what `positions_` are
+  std::optional<Wanted> asked_;  // of the worker:
+  bool changes_sizes_ = false;   // of what is prepared, rather than preparing anew
+  std::optional<Wanted> shown_;  // what is prepared, and `positions_` are
+  bool is_exact_ = false;
   std::optional<Wanted> failed_;
   Result prepared_;
   Positions positions_;

@@ -23,7 +23,6 @@ ToolAnswer WeightPaint::handle(const InputEvent& event, const SelectScene& scene
     if (const auto* painted = std::get_if<Paint>(&*answer.command)) {
       for (const Index v : painted->added) field_[v] = strength;
       for (const Index v : painted->removed) field_[v] = 0.0;
-      ++version_;
     }
     // The field is what changes, not what is chosen.
     answer.command.reset();
@@ -47,7 +46,6 @@ void WeightPaint::soften(const Topology& topology) {
     for (const Index n : topology.rings[v]) sum += before[n];
     field_[v] = sum / static_cast<double>(topology.rings.size(v) + 1);
   }
-  ++version_;
 }
 
 }  // namespace lapwing::viewer

@@ -23,9 +23,6 @@ class WeightPaint final : public SceneTool {
   void set_field(std::vector<double> field) { field_ = std::move(field); }
   /// The field as it would be if the stroke ended here.
   std::vector<double> live_field() const;
-  /// Another number whenever the field has changed.
-  std::uint64_t version() const { return version_; }
-
   /// Averages every number with those around it.
   void soften(const Topology& topology);
 
@@ -36,7 +33,6 @@ class WeightPaint final : public SceneTool {
  private:
   PaintTool paint_;
   std::vector<double> field_;
-  std::uint64_t version_ = 0;
 };
 
 }  // namespace lapwing::viewer

@@ -172,8 +172,8 @@ void draw_ends(Pen& pen, const CoatSource& source, std::size_t end, std::optiona
 
 }  // namespace
 
-void EditMarks::draw_pairs(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
-                           const Vector2d& corner, double pixels_per_unit) {
+void EditMarks::draw(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
+                     const Vector2d& corner, double pixels_per_unit, const Vector2d& cursor) {
   if (desk.view() == nullptr) return;
   const double right = corner.x() + desk.view()->view_frame().size.x();
   const std::array<Vector2d, 2> seam{Vector2d(right, 0.0), Vector2d(right, view.size.y())};
@@ -185,6 +185,7 @@ void EditMarks::draw_pairs(const LayerDesk& desk, const Editor& editor, const Vi
   if (!editor.shown().has_triangles_of_state()) return;
   Pen pen(view, pixels_per_unit, points_);
   draw_ends(pen, source, 1, desk.picked_target(), editor.positions());
+  if (desk.is_painting()) pen.circle(cursor, desk.weight_paint().tool().options().radius, kLine);
 }
 
 void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,

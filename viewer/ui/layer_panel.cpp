@@ -19,6 +19,7 @@ bool draw_slider(const char* label, double& value, double from, double to, bool 
 template <typename Value>
 void choose(const char* label, Value& value,
             std::initializer_list<std::pair<const char*, Value>> choices) {
+  ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", label);
   ImGui::PushID(label);
   for (const auto& [name, choice] : choices) {
@@ -30,9 +31,9 @@ void choose(const char* label, Value& value,
 
 // Nothing open: what can be begun, and what can be taken up again.
 void draw_beginnings(LayerDesk& desk, Editor& editor) {
-  if (ImGui::Button("Coat...")) desk.begin(Operation::coat);
+  if (ImGui::Button("Coat...")) desk.begin(editor, Operation::coat);
   ImGui::SameLine();
-  if (ImGui::Button("Mix...")) desk.begin(Operation::mix);
+  if (ImGui::Button("Mix...")) desk.begin(editor, Operation::mix);
   const auto& steps = editor.state().steps;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     if (!layer_draft_of(*steps[k])) continue;

@@ -75,7 +75,8 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
     marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
     marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
     if (const auto area = source_area()) {
-      marks_.draw_pairs(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
+      marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit,
+                  cursor_);
     }
     if (show_panels_) draw_sidebar(last);
   }
@@ -213,7 +214,9 @@ void ViewerApp::draw_edit_menu() {
                           {"Grow", "Ctrl+=", Action::grow},
                           {"Shrink", "Ctrl+-", Action::shrink},
                           {"Invert", "Ctrl+I", Action::invert},
-                          {"Remove handle", "Delete", Action::remove_handle}};
+                          {"Remove handle", "Delete", Action::remove_handle},
+                          {"Coat the ROI...", "Ctrl+K", Action::begin_coat},
+                          {"Mix on the ROI...", "Ctrl+M", Action::begin_mix}};
   for (const Item& item : kItems) {
     if (ImGui::MenuItem(item.label, item.keys, false, document_ != nullptr)) perform(item.action);
   }
