@@ -11,6 +11,7 @@
 #include "viewer_window/desktop.h"
 #include "viewer_window/test_frames.h"
 #include "window/offscreen_screen.h"
+#include "window/ui_renderer.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -73,6 +74,24 @@ TEST(FramePainter, PaintsTheSurfaceAndThePanelsOverIt) {
   EXPECT_GT(clay[0], clay[2]) << "warm";
   EXPECT_THAT(background, Each(Gt(200)));
   EXPECT_THAT(std::vector(panel.begin(), panel.begin() + 3), Each(Le(60)));
+}
+
+TEST(FramePainter, ShowsAPictureInItsColoursAndNothingWhereItIsClear) {
+  LAPWING_NEEDS_GPU();
+  Frames frames;
+  const Image without = frames.picture_of({});
+  const UiPicture halves(*frames.context, {2, 1, {200, 100, 50, 255, 0, 0, 0, 0}});
+  ImGui::NewFrame();
+  ImGui::GetForegroundDrawList()->AddImage(halves.id(), {200.0F, 20.0F}, {280.0F, 60.0F});
+  ImGui::Render();
+  frames.painter.paint(kSize, {}, *ImGui::GetDrawData());
+  frames.painter.finish_frame(frames.times);
+  const Image with = frames.screen.picture();
+  const auto left = with.pixel(210, 40);
+  EXPECT_NEAR(left[0], 200, 1);
+  EXPECT_NEAR(left[1], 100, 1);
+  EXPECT_NEAR(left[2], 50, 1);
+  EXPECT_EQ(with.pixel(275, 40), without.pixel(275, 40));
 }
 
 TEST(FramePainter, WhatMovesLooksTheSameButForItsEdges) {

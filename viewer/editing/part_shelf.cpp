@@ -110,18 +110,16 @@ void PartShelf::keep(Item item) {
 
 bool PartShelf::update() {
   bool news = false;
-  if (working_) {
-    try {
-      if (auto item = job_.take()) {
-        keep(*std::move(item));
-        working_ = false;
-        news = true;
-      }
-    } catch (const Error& error) {
-      message_ = error.what();
+  try {
+    if (auto item = job_.take()) {
+      keep(*std::move(item));
       working_ = false;
       news = true;
     }
+  } catch (const Error& error) {
+    message_ = error.what();
+    working_ = false;
+    news = true;
   }
   if (!working_ && !waiting_.empty()) {
     job_.start(std::move(waiting_.front()));

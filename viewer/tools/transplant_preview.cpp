@@ -43,6 +43,7 @@ bool TransplantPreview::update() {
     auto result = job_.take();
     if (!result) return false;
     result_ = std::move(result);
+    message_.clear();  // of a device that was lost on the way
   } catch (const Error& error) {
     message_ = error.what();
   }
