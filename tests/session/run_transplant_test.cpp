@@ -91,7 +91,7 @@ TEST_F(RunTransplant, AnotherTriangulationOfTheSameSurfaceComesOutAsThatSurface)
   for (const std::string sampling : {"one_ring", "linear"}) {
     // With a gap around of about an edge, and of half of one. Loops that cross each other many
     // times make a strip that is folded, and come out twice as far off.
-    const std::map<std::string, double> tolerances{{"0.44", 0.1}, {"0.47", 0.1}, {"0.5", 0.25}};
+    const std::map<std::string, double> tolerances{{"0.44", 0.1}, {"0.47", 0.1}, {"0.5", 0.2}};
     for (const auto& [radius, tolerance] : tolerances) {
       const std::string part = R"({"disk": {"near": [0, 0, 1], "radius": )" + radius + "}}";
       const auto result = run(transplant(from_region("other.ply", part), kPole,
@@ -128,16 +128,18 @@ Mesh with_edges_flipped(const Mesh& mesh, std::size_t every) {
   return result;
 }
 
-TEST_F(RunTransplant, AnotherTriangulationOfTheHolesBorderMovesNothingFar) {
-  const Mesh host = hilly_sphere(4);
+TEST_F(RunTransplant, AnotherTriangulationOfTheHolesBorderComesOutAsTheSurface) {
+  const Mesh host = icosphere(4);
   write(host, "host.ply");
   const double edge = mean_edge_length(build_topology(host).rings, host.positions);
-  for (const std::size_t every : {std::size_t{5}, std::size_t{11}}) {
+  for (const std::size_t every :
+       {std::size_t{6}, std::size_t{7}, std::size_t{8}, std::size_t{9}, std::size_t{11},
+        std::size_t{13}, std::size_t{17}, std::size_t{25}}) {
     write(with_edges_flipped(host, every), "other.ply");
     const auto result = run(transplant(from_region("other.ply", kPole), kPole,
-                                       R"(, "place": {"translate": [0, 0, 0]}, "remesh": "none",
+                                       R"(, "place": {"translate": [0, 0, 0]},
                                            "transition": {"width": 0.2})"));
-    EXPECT_LT(result->report.steps[0].transplant->largest_displacement, 0.1 * edge) << every;
+    EXPECT_LT(largest_radius_error(result->mesh.positions), 0.1 * edge) << every;
     expect_whole(*result);
   }
 }

@@ -1,6 +1,7 @@
 #include "lapwing/transplant/laid_collar.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -138,10 +139,26 @@ std::vector<Triangle> cut_open(const OwnCollar& collar, std::span<const Index> p
 
 }  // namespace
 
-Index best_cut(const Collar& collar, std::span<const Vector3d> positions) {
+Index best_cut(const Collar& collar, std::span<const Vector3d> positions,
+               std::span<const char> allowed) {
   const OwnCollar own = own_collar(collar, positions);
-  const std::vector<Index> path = path_across(own, own.seam);
+  std::vector<Index> starts = own.seam;
+  if (!allowed.empty()) {
+    std::erase_if(starts, [&](Index v) { return allowed[own.vertices[v]] == 0; });
+  }
+  const std::vector<Index> path = path_across(own, starts);
   return path.empty() ? kNoIndex : own.vertices[path.front()];
+}
+
+std::vector<Index> cut_starts(const Collar& collar) {
+  const VertexSet seam = make_vertex_set(collar.seam);
+  const auto on_seam = [&](Index v) { return std::binary_search(seam.begin(), seam.end(), v); };
+  std::vector<Index> starts;
+  for (const Triangle& t : collar.triangles) {
+    if (std::all_of(t.begin(), t.end(), on_seam)) continue;
+    std::copy_if(t.begin(), t.end(), std::back_inserter(starts), on_seam);
+  }
+  return make_vertex_set(std::move(starts));
 }
 
 LaidCollar lay_collar(const Collar& collar, std::span<const Vector3d> positions, Index start,

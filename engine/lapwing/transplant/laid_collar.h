@@ -20,8 +20,14 @@ struct LaidCollar {
   DomainMap map;                ///< per own number
 };
 
-/// The vertex of `seam` from which the shortest path leads across `collar`.
-Index best_cut(const Collar& collar, std::span<const Eigen::Vector3d> positions);
+/// The vertex of `seam` from which the shortest path leads across `collar`; kNoIndex when none
+/// does. `allowed`, when not empty, has one entry per vertex of the mesh, 0 for those not to begin
+/// at.
+Index best_cut(const Collar& collar, std::span<const Eigen::Vector3d> positions,
+               std::span<const char> allowed = {});
+
+/// The vertices of the seam with a neighbour off it: a path may lead across from there.
+std::vector<Index> cut_starts(const Collar& collar);
 
 /// Cuts `collar` along the shortest path from `start`, a vertex of its seam from which one leads
 /// inside, and lays it by mean value coordinates. Two collars with the same seam, cut from the same

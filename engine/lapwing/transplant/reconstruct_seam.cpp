@@ -194,9 +194,14 @@ void SeamReconstruction::lay_collars() {
   const double reach = std::max(width, 1e-9 * bounds_of(joined_.positions).diagonal());
   const Collar above = make_collar(piece, zone_.seam, depths, reach, where_);
   points_.assign(joined_.positions.size(), SurfacePoint::nowhere());
-  result_.sampled_host = !below.triangles.empty() && !above.triangles.empty();
+  // From the same vertex on both.
+  std::vector<char> starts(host_.positions.size(), 0);
+  for (const Index v : cut_starts(above)) starts[joined_.host_vertices[v]] = 1;
+  const Index start = below.triangles.empty() || above.triangles.empty()
+                          ? kNoIndex
+                          : best_cut(below, host_geometry_, starts);
+  result_.sampled_host = start != kNoIndex;
   if (result_.sampled_host) {
-    const Index start = best_cut(below, host_geometry_);
     const auto at = std::find(host_.hole.begin(), host_.hole.end(), start) - host_.hole.begin();
     const LaidCollar lower = lay_collar(below, host_geometry_, start, where_);
     const LaidCollar upper =
@@ -258,7 +263,7 @@ double SeamReconstruction::agreement(std::span<const Vector3d> between_on_host,
     on_host += a.squaredNorm();
     on_joined += b.squaredNorm();
   }
-  const double most = std::max(on_host, on_joined);
+  const double most = std::sqrt(on_host * on_joined);
   return most > 0.0 ? std::clamp(common / most, 0.0, 1.0) : 1.0;
 }
 
