@@ -39,11 +39,12 @@ struct TransplantArguments {
 
 Json place_json(const TransplantArguments& a) {
   const bool fitted = a.fit_degrees || a.fit_scale || a.keep_size;
-  if (a.move.are_given() && fitted) {
+  const bool moved = a.move.are_given() || a.snap;
+  if (moved && fitted) {
     throw CLI::ExcludesError("--fit-rotate, --fit-scale and --keep-size",
-                             "--translate, --rotate, --scale, --pivot and --matrix");
+                             "--translate, --rotate, --scale, --pivot, --matrix and --snap");
   }
-  if (a.move.are_given() || a.snap) return a.move.json();
+  if (moved) return a.move.json();
   Json fit = Json::object();
   if (a.fit_degrees) fit["rotate_degrees"] = *a.fit_degrees;
   if (a.fit_scale) fit["scale"] = *a.fit_scale;

@@ -13,6 +13,7 @@
 #include "lapwing/laplacian/laplacian_system.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/transplant/laid_collar.h"
+#include "lapwing/transplant/seam_zone.h"
 
 namespace lapwing {
 namespace {
@@ -25,53 +26,6 @@ constexpr int kPasses = 3;
 // A draped ring may be this much larger or smaller than the one it came from before its Laplacian
 // is taken for one of another size.
 constexpr double kLargestRatio = 4.0;
-
-// Where things are along the way from the host over the seam to the part.
-struct Zone {
-  BoundaryLoop seam;  // the hole's loop, numbers of the joined mesh
-  std::vector<double>
-      distances;      // per vertex: from the seam on the host, from its loop on the part
-  EditRegion region;  // unknowns, and those of them that are held
-};
-
-double free_on_part(const TransplantOptions& options) {
-  return options.transition.width + options.padding;
-}
-
-// What is larger than this is shape, which goes on smoothly over the seam, and what is smaller than
-// that detail. Whatever lies between is as large as what was cut out and what comes.
-double shape_size(const TransplantOptions& options) {
-  return 2.0 * (free_on_part(options) + options.padding);
-}
-double detail_size(const TransplantOptions& options) {
-  return 0.25 * shape_size(options);
-}
-
-Zone make_zone(const TransplantHost& host, const TransplantJoined& joined,
-               const TransplantOptions& options) {
-  Zone zone;
-  const std::size_t count = joined.positions.size();
-  std::vector<Index> of_host(host.positions.size(), kNoIndex);
-  std::vector<char> allowed(count, 0);
-  for (Index v = 0; v < count; ++v) {
-    if (joined.host_vertices[v] == kNoIndex) continue;
-    of_host[joined.host_vertices[v]] = v;
-    allowed[v] = 1;
-  }
-  for (const Index v : host.hole) zone.seam.push_back(of_host[v]);
-  zone.distances = geodesic_distances(joined.topology, joined.positions, zone.seam,
-                                      options.padding + options.belt, allowed);
-  for (Index v = 0; v < count; ++v) {
-    const bool is_host = allowed[v] != 0;
-    if (!is_host) zone.distances[v] = joined.depths[v];
-    const double free = is_host ? options.padding : free_on_part(options);
-    const double distance = zone.distances[v];
-    if (joined.topology.rings[v].empty() || !(distance <= free + options.belt)) continue;
-    zone.region.roi.push_back(v);
-    if (distance > free) zone.region.belt.push_back(v);
-  }
-  return zone;
-}
 
 // What areas and angles are taken from.
 Positions geometry_of(std::span<const Vector3d> positions, const Topology& topology,
@@ -102,7 +56,6 @@ class SeamReconstruction {
 
  private:
   bool is_host(Index v) const { return joined_.host_vertices[v] != kNoIndex; }
-  double free_on_part() const { return lapwing::free_on_part(options_); }
 
   template <class Body>
   void timed(const char* name, Body body) {
@@ -139,7 +92,7 @@ class SeamReconstruction {
   StageTimings& timings_;
   const Progress& progress_;
 
-  Zone zone_;
+  SeamZone zone_;
   std::vector<double> cut_distances_;  // per vertex of the host, from the hole's rim inwards
   std::vector<SurfacePoint> points_;   // per vertex of the joined mesh: where it lies on the host
   Positions host_geometry_;
@@ -293,7 +246,7 @@ void SeamReconstruction::smooth_geometry() {
     if (is_host(v)) region.push_back(joined_.host_vertices[v]);
   }
   for (Index v = 0; v < cut_distances_.size(); ++v) {
-    if (cut_distances_[v] <= free_on_part() + options_.belt) region.push_back(v);
+    if (cut_distances_[v] <= free_on_part(options_) + options_.belt) region.push_back(v);
   }
   region = make_vertex_set(std::move(region));
   host_geometry_ = geometry_of(host_.positions, host_.topology, region, options_);
@@ -412,7 +365,7 @@ void SeamReconstruction::solve(std::span<const Vector3d> wanted) {
 
 TransplantResult SeamReconstruction::run() {
   timed("collars", [&] {
-    zone_ = make_zone(host_, joined_, options_);
+    zone_ = seam_zone(host_, joined_, options_);
     smooth_geometry();
     lay_collars();
   });
@@ -437,7 +390,7 @@ TransplantResult SeamReconstruction::run() {
 
 Positions smooth_seam(const TransplantHost& host, const TransplantJoined& joined,
                       const TransplantOptions& options) {
-  return geometry_of(joined.positions, joined.topology, make_zone(host, joined, options).region.roi,
+  return geometry_of(joined.positions, joined.topology, seam_zone(host, joined, options).region.roi,
                      options);
 }
 
