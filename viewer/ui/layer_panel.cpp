@@ -3,6 +3,7 @@
 
 #include "state/step_words.h"
 #include "ui/domain_picture.h"
+#include "ui/choose.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -14,19 +15,6 @@ bool draw_slider(const char* label, double& value, double from, double to, bool 
                  const char* format = "%.4g") {
   return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &from, &to, format,
                              logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-}
-
-template <typename Value>
-void choose(const char* label, Value& value,
-            std::initializer_list<std::pair<const char*, Value>> choices) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", label);
-  ImGui::PushID(label);
-  for (const auto& [name, choice] : choices) {
-    ImGui::SameLine();
-    if (ImGui::RadioButton(name, value == choice)) value = choice;
-  }
-  ImGui::PopID();
 }
 
 // Nothing open: what can be begun, and what can be taken up again.

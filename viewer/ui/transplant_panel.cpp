@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "state/step_words.h"
+#include "ui/choose.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -117,19 +118,6 @@ void draw_more_parts(TransplantDesk& desk, Editor& editor, PanelDrafts& drafts) 
   }
   if (!can_cut) ImGui::TextDisabled("choose an ROI to cut one out");
   ImGui::TreePop();
-}
-
-template <typename Value>
-void choose(const char* label, Value& value,
-            std::initializer_list<std::pair<const char*, Value>> choices) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", label);
-  ImGui::PushID(label);
-  for (const auto& [name, choice] : choices) {
-    ImGui::SameLine();
-    if (ImGui::RadioButton(name, value == choice)) value = choice;
-  }
-  ImGui::PopID();
 }
 
 void draw_place(TransplantDesk& desk, Editor& editor) {

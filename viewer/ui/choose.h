@@ -1,0 +1,24 @@
+#pragma once
+
+#include <initializer_list>
+#include <utility>
+
+#include <imgui.h>
+
+namespace lapwing::viewer {
+
+/// One of several on a line behind `label`; `value` becomes the one that is clicked.
+template <typename Value>
+void choose(const char* label, Value& value,
+            std::initializer_list<std::pair<const char*, Value>> choices) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", label);
+  ImGui::PushID(label);
+  for (const auto& [name, choice] : choices) {
+    ImGui::SameLine();
+    if (ImGui::RadioButton(name, value == choice)) value = choice;
+  }
+  ImGui::PopID();
+}
+
+}  // namespace lapwing::viewer
