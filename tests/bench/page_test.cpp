@@ -85,12 +85,18 @@ TEST(ScalingPlot, LabelsALineWithItsGrowth) {
   const Report report = growing_report();
   const auto plot = scaling_plot(report, "CPU", Lines::preparation, 500);
   ASSERT_TRUE(plot);
-  EXPECT_THAT(plot->element(""), HasSubstr(">order  n^1.00</text>"));
-  const auto peers = scaling_plot(report, "CPU", Lines::peers, 500);
-  ASSERT_TRUE(peers);
-  EXPECT_THAT(peers->element(""), HasSubstr(">factor, CHOLMOD  n^"));
-  EXPECT_THAT(peers->element(""), HasSubstr("dashed"));
-  EXPECT_THAT(peers->element(""), Not(HasSubstr(">order"))) << "which nobody else did";
+  EXPECT_THAT(plot->element(""), HasSubstr(">order ~ n^1.00</text>"));
+  EXPECT_THAT(plot->element(""), Not(HasSubstr("drag frame"))) << "which is no preparation";
+  EXPECT_THAT(plot->element(""), Not(HasSubstr("CHOLMOD")));
+}
+
+TEST(PeerPlots, HaveEveryoneWhoDidAStage) {
+  const std::vector<Svg> plots = peer_plots(growing_report(), "CPU", 300);
+  ASSERT_EQ(plots.size(), 1u);
+  EXPECT_THAT(plots[0].element(""), HasSubstr(">factor</text>"));
+  EXPECT_THAT(plots[0].element(""), HasSubstr(">Lapwing ~ n^"));
+  EXPECT_THAT(plots[0].element(""), HasSubstr(">CHOLMOD ~ n^"));
+  EXPECT_THAT(plots[0].element(""), HasSubstr("dashed"));
 }
 
 TEST(ScalingPlot, IsNotDrawnOfOneSize) {

@@ -15,7 +15,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(Table, OfASmallReport) {
-  EXPECT_EQ(table_of(small_report()), R"(CPU (cpu): copies 10.0 GB/s, multiplies matrices at 100 GFLOP/s
+  EXPECT_EQ(table_of(small_report()),
+            R"(CPU (cpu): copies 10.0 GB/s, multiplies matrices at 100 GFLOP/s
 Some GPU (discrete GPU): copies 400 GB/s, multiplies matrices at 500 GFLOP/s
 
 armadillo, 26,002 vertices, on CPU

@@ -24,8 +24,9 @@ double height_of(const std::vector<BarGroup>& groups) {
   return height;
 }
 
-std::size_t characters_in(double width) {
-  return static_cast<std::size_t>(width / text_width("x"));
+std::string fitted(const std::string& text, double width) {
+  const bool fits = text_width(text) <= width;
+  return fits ? text : clipped(text, static_cast<std::size_t>(width / text_width("x")));
 }
 
 void draw_bar(const Bar& bar, const Scale& x, double origin, double top, Svg& svg) {
@@ -57,7 +58,7 @@ Svg bar_chart(const std::string& title, const std::vector<BarGroup>& groups, con
   Svg svg(width, height_of(groups));
   const double bottom = svg.height() - kAxis;
   svg.text({0, 13}, title, "heading", Anchor::start);
-  for (const double tick : x.ticks(40)) {
+  for (const double tick : x.ticks(56)) {
     svg.line({x(tick), kTitle}, {x(tick), bottom}, "grid");
     svg.text({x(tick), bottom + 15}, axis.tick(tick), "quiet", Anchor::middle);
   }
@@ -68,8 +69,7 @@ Svg bar_chart(const std::string& title, const std::vector<BarGroup>& groups, con
     svg.text({0, y + 15}, group.heading, "quiet", Anchor::start);
     y += kHeading;
     for (const Bar& bar : group.bars) {
-      svg.text({left - kGap, y + 13}, clipped(bar.label, characters_in(left - kGap)), "ink",
-               Anchor::end);
+      svg.text({left - kGap, y + 13}, fitted(bar.label, left - kGap + 0.5), "ink", Anchor::end);
       draw_bar(bar, x, axis.origin, y, svg);
       svg.text({end + kGap, y + 13}, bar.text, "ink", Anchor::start);
       y += kRow;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "report/bar_chart.h"
 #include "report/measurements.h"
@@ -39,7 +40,7 @@ std::vector<Bar> bars_on(const Report& report, const std::string& device) {
 }
 
 std::string tick_text(double share) {
-  return percent(share);
+  return std::to_string(std::lround(100.0 * share)) + "%";
 }
 
 }  // namespace

@@ -24,6 +24,11 @@ inline constexpr std::array<std::string_view, 10> kPreparationStages{
     "pattern", "order",  "laplacian weights", "laplacian", "assemble", "normal matrix",
     "analyze", "factor", "response",          "upload"};
 
+/// Of stages "kernel NAME", which only a device has.
+inline bool is_kernel(std::string_view stage) {
+  return stage.starts_with("kernel ");
+}
+
 /// The fastest clock there is: the device's own where it was read, else the wall's.
 const std::vector<double>& clock_of(const Measurement& measurement);
 double median_ms(const Measurement& measurement);  ///< by that clock

@@ -10,7 +10,8 @@ namespace lapwing::bench {
 namespace {
 
 constexpr double kPlotWidth = 960;
-constexpr double kHalfWidth = 470;  // of scaling plots, which stand in pairs
+constexpr double kHalfWidth = 470;   // of scaling plots, which stand in pairs
+constexpr double kThirdWidth = 306;  // of those beside peers
 
 const char* const kStyle = R"(
 :root{color-scheme:light dark}
@@ -37,6 +38,11 @@ std::string section(const char* heading, const char* explanation, const std::str
          content + "</section>\n";
 }
 
+std::string folded(const char* summary, const std::string& content) {
+  if (content.empty()) return "";
+  return "<details><summary>" + std::string(summary) + "</summary>\n" + content + "</details>\n";
+}
+
 std::string element(const std::optional<Svg>& plot, const std::string& label) {
   return plot ? plot->element(label) : "";
 }
@@ -54,9 +60,17 @@ std::string on_every_device(const Report& report,
 
 std::string scaling_plots(const Report& report, const std::string& device) {
   std::string html;
-  for (const Lines lines : {Lines::waits, Lines::preparation, Lines::peers, Lines::kernels}) {
+  for (const Lines lines : {Lines::waits, Lines::preparation, Lines::kernels}) {
     html += element(scaling_plot(report, device, lines, kHalfWidth),
                     "Time over number of vertices on " + device);
+  }
+  return html;
+}
+
+std::string plots_beside_peers(const Report& report, const std::string& device) {
+  std::string html;
+  for (const Svg& plot : peer_plots(report, device, kThirdWidth)) {
+    html += plot.element("Our times and others' over number of vertices on " + device);
   }
   return html;
 }
@@ -77,13 +91,18 @@ std::string sections(const Report& report) {
              "How times grow",
              "Medians, with error bars from one quartile to the other. n^1.5 behind a name: time "
              "grows as the 1.5th power of the number of vertices.",
-             on_every_device(report, scaling_plots) + growths_html(report)) +
+             on_every_device(report, scaling_plots) +
+                 folded("Growth in numbers", growths_html(report))) +
          section("What preparations consist of",
                  "Each stage alone, as a share of their sum. What a device does not do itself is "
                  "shown as the processor does it.",
                  on_every_device(report, stages_plots)) +
-         section("Beside others", "Bars to the left of 1: we are faster.",
-                 element(ratios_plot(report, kPlotWidth), "Ratios of our times to others'")) +
+         section(
+             "Beside others",
+             "The same work by others, on the processor whatever ours runs on. Bars to the left "
+             "of 1: we are faster. Dashed lines are theirs.",
+             element(ratios_plot(report, kPlotWidth), "Ratios of our times to others'") +
+                 on_every_device(report, plots_beside_peers)) +
          section(
              "Beside what the device can do",
              "Operations over the rate of float64 products of large matrices, or bytes that must "

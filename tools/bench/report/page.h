@@ -10,4 +10,8 @@ namespace lapwing::bench {
 /// dark as the reader's system is, light on paper.
 std::string page_of(const Report& report);
 
+/// How times scale and what preparations consist of, for every device, as one picture (SVG) on
+/// white that stands alone: for a README.
+std::string plots_svg(const Report& report);
+
 }  // namespace lapwing::bench

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "report/report.h"
 #include "report/svg.h"
@@ -12,8 +13,7 @@ namespace lapwing::bench {
 enum class Lines {
   preparation,  ///< our stages of reading and of preparing an edit
   waits,        ///< what else of ours a user waits for
-  kernels,      ///< our stages "kernel ..."
-  peers         ///< stages that others did too, ours and theirs
+  kernels       ///< our stages "kernel ..."
 };
 
 /// Median times over numbers of vertices, both logarithmic, a line for every stage that was
@@ -21,6 +21,9 @@ enum class Lines {
 /// quartile to the other. Nothing where no line has two sizes.
 std::optional<Svg> scaling_plot(const Report& report, const std::string& device, Lines lines,
                                 double width);
+
+/// The same for each stage that others did too: our line, and theirs, dashed, whatever they ran on.
+std::vector<Svg> peer_plots(const Report& report, const std::string& device, double width);
 
 /// What share of the preparation each stage is, a bar for every mesh and size, with times inside.
 /// Stages that were not measured on `device` are those of the processor. Nothing where `device` has
@@ -34,9 +37,5 @@ std::optional<Svg> ratios_plot(const Report& report, double width);
 /// What share of its device's limit each stage reaches, the highest first: a bar for the largest
 /// mesh, marks for the smaller ones. Nothing where no share is known.
 std::optional<Svg> limits_plot(const Report& report, double width);
-
-/// How times scale and what preparations consist of, for every device, as one picture on white that
-/// stands alone: for a README.
-std::string plots_svg(const Report& report);
 
 }  // namespace lapwing::bench

@@ -1,6 +1,6 @@
-#include "report/plots.h"
-
 #include "report/measurements.h"
+#include "report/page.h"
+#include "report/plots.h"
 #include "report/theme.h"
 
 namespace lapwing::bench {
