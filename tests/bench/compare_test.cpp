@@ -201,6 +201,23 @@ TEST(Compare, ListsRowsOfOneReportOnlyWithoutJudgingThem) {
   EXPECT_THAT(text_of(comparison), AllOf(HasSubstr("gone    old"), HasSubstr("new     fresh")));
 }
 
+TEST(Compare, TellsWhatChangedInATable) {
+  Report before = report_of({row("drag frame", kBefore), row("factor", kBefore), row("old", {})});
+  Report after = report_of({row("drag frame", times(kBefore, 2.0)), row("factor", kBefore)});
+  before.measurements[1].counts = {{"allocations", 0}, {"flops", 123'456'789'012}};
+  after.measurements[1].counts = {{"allocations", 3}, {"flops", 123'456'789'000}};
+  EXPECT_EQ(text_of(compare(before, after)), R"(armadillo, 26,002 vertices, on CPU
+  worse   factor                         allocations   0 -> 3
+  slower  drag frame                     wall ms       103 -> 206                             +100%
+  better  factor                         flops         123,456,789,012 -> 123,456,789,000
+armadillo, 26,002 vertices, on CPU
+  gone    old
+
+Unchanged: 0 counts, 1 times.
+Verdict: worse (counts: 1 rose, 0 gone, 1 fell; times: 1 slower, 0 faster)
+)");
+}
+
 TEST(Compare, RefusesAReportThatMeasuresARowTwice) {
   const Report twice = report_of({row("factor", kBefore), row("factor", kBefore)});
   EXPECT_THAT(error_message<InputError>([&] { compare(twice, twice); }),

@@ -40,6 +40,7 @@ TEST(Percent, KeepsADecimalWhereItCounts) {
   EXPECT_EQ(change_in_percent(100.0, 120.0), "+20%");
   EXPECT_EQ(change_in_percent(12.0, 11.0), "-8.3%");
   EXPECT_EQ(change_in_percent(0.0, 5.0), "");
+  EXPECT_EQ(change_in_percent(1e9, 1e9 - 1.0), "");
 }
 
 TEST(Padding, CountsCharactersNotBytes) {

@@ -10,8 +10,11 @@ namespace {
 // Widths in characters.
 constexpr std::size_t kLine = 100;
 constexpr std::size_t kVerdict = 8;
-constexpr std::size_t kStage = 37;
+constexpr std::size_t kStage = 31;
 constexpr std::size_t kWhat = 14;
+constexpr std::size_t kNumbers = 36;  // two of a hundred thousand million
+constexpr std::size_t kPercent = 8;
+static_assert(2 + kVerdict + kStage + kWhat + kNumbers + kPercent <= kLine);
 
 bool is_time(const Change& change) {
   return change.what == "wall ms" || change.what == "device ms";
@@ -39,20 +42,25 @@ std::string number(const Change& change, double value) {
   return is_time(change) ? short_number(value) : grouped(static_cast<std::uint64_t>(value));
 }
 
+// What ends up in a row's cells, without the spaces that empty ones leave at its end.
+std::string line_of(const char* word, const RowKey& row, const std::string& rest) {
+  std::string line = "  " + padded_right(word, kVerdict) +
+                     padded_right(clipped(row_name(row), kStage - 2), kStage) + rest;
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
 std::string line_of(const Change& change) {
   const std::string numbers = number(change, change.before) + " -> " + number(change, change.after);
-  return "  " + padded_right(word(change), kVerdict) +
-         padded_right(clipped(row_name(change.row), kStage - 2), kStage) +
-         padded_right(change.what, kWhat) + padded_right(numbers, 30) +
-         padded_left(change_in_percent(change.before, change.after), 8) + "\n";
+  return line_of(word(change), change.row,
+                 padded_right(change.what, kWhat) + padded_right(numbers, kNumbers) +
+                     padded_left(change_in_percent(change.before, change.after), kPercent));
 }
 
 std::string line_of(const Missing& missing) {
-  const char* const what = missing.was_there ? "gone" : "new";
-  return "  " + padded_right(what, kVerdict) +
-         padded_right(clipped(row_name(missing.row), kStage - 2), kStage) + missing.count +
-         (missing.fails ? (missing.count.empty() ? "with its counts (worse)" : " (worse)") : "") +
-         "\n";
+  std::string what = missing.count;
+  if (missing.fails) what += missing.count.empty() ? "with its counts (worse)" : " (worse)";
+  return line_of(missing.was_there ? "gone" : "new", missing.row, what);
 }
 
 template <class Item>

@@ -95,20 +95,39 @@ void draw_line(const PlotLine& line, const Axes& axes, Svg& svg) {
   }
 }
 
-// Where labels stand that want to stand at `wanted` (rising), a line of text apart and within the
+// Labels that touch, and stand one below the other about the middle of where they want to.
+struct Pile {
+  double middle;
+  double count;
+  double top() const { return middle - (count - 1.0) / 2.0 * kLabelGap; }
+  double bottom() const { return middle + (count - 1.0) / 2.0 * kLabelGap; }
+};
+
+// Where labels stand that want to stand at `wanted` (rising), a line of text apart, and within the
 // axes as far as there is room.
-std::vector<double> spread_out(std::vector<double> wanted, double top, double bottom) {
-  double least = top + kLabelGap / 2;
-  for (double& y : wanted) {
-    y = std::max(y, least);
-    least = y + kLabelGap;
+std::vector<double> spread_out(const std::vector<double>& wanted, double top, double bottom) {
+  const auto kept_within = [&](Pile pile) {
+    const double reach = (pile.count - 1.0) / 2.0 * kLabelGap;
+    pile.middle = std::max(std::min(pile.middle, bottom - reach), top + reach);
+    return pile;
+  };
+  std::vector<Pile> piles;
+  for (const double y : wanted) {
+    piles.push_back(kept_within({y, 1.0}));
+    while (piles.size() > 1 && piles.end()[-2].bottom() + kLabelGap > piles.back().top()) {
+      const Pile below = piles.back();
+      piles.pop_back();
+      Pile& above = piles.back();
+      const double count = above.count + below.count;
+      const double middle = (above.middle * above.count + below.middle * below.count) / count;
+      above = kept_within({middle, count});
+    }
   }
-  double most = bottom;
-  for (auto y = wanted.rbegin(); y != wanted.rend(); ++y) {
-    *y = std::min(*y, most);
-    most = *y - kLabelGap;
+  std::vector<double> places;
+  for (const Pile& pile : piles) {
+    for (double k = 0.0; k < pile.count; ++k) places.push_back(pile.top() + k * kLabelGap);
   }
-  return wanted;
+  return places;
 }
 
 void draw_labels(std::vector<PlotLine> lines, const Axes& axes, Svg& svg) {

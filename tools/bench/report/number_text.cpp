@@ -63,7 +63,8 @@ std::string percent(double share) {
 }
 
 std::string change_in_percent(double before, double after) {
-  if (before == 0.0) return {};
+  constexpr double kSeen = 0.0005;  // what would not be printed as 0.0%
+  if (before == 0.0 || std::abs(after - before) < kSeen * std::abs(before)) return {};
   return (after >= before ? "+" : "") + percent((after - before) / before);
 }
 

@@ -18,7 +18,7 @@ std::string brief_count(double value);
 /// Of a share: "12%", "0.3%".
 std::string percent(double share);
 
-/// How a value changed: "+17%", "-3.2%"; "" from 0.
+/// How a value changed: "+17%", "-3.2%"; "" from 0, and for less than 0.05%.
 std::string change_in_percent(double before, double after);
 
 /// How many characters are seen, UTF-8 read as such.

@@ -45,7 +45,7 @@ std::size_t place_of(const Report& report, const std::string& stage) {
 }
 
 // `name`, and how its time grows where that is known.
-std::string label_of(const Report& report, const std::string& name, const Measurement& m) {
+std::string with_growth(const Report& report, const std::string& name, const Measurement& m) {
   for (const Growth& growth : growths_of(report)) {
     if (growth.stage != m.stage || growth.by != m.by || growth.device != m.device) continue;
     const std::string words = in_words(growth);
@@ -55,8 +55,8 @@ std::string label_of(const Report& report, const std::string& name, const Measur
 }
 
 // Everything like `first`; no points where no time is known.
-PlotLine line_of(const Report& report, const Measurement& first, const std::string& name) {
-  PlotLine line{label_of(report, name, first), {}};
+PlotLine line_of(const Report& report, const Measurement& first, const std::string& label) {
+  PlotLine line{label, {}};
   for (const Measurement& m : report.measurements) {
     const bool belongs = m.stage == first.stage && m.by == first.by && m.device == first.device;
     if (belongs && median_ms(m) > 0.0) line.points.push_back(&m);
@@ -109,7 +109,8 @@ std::optional<Svg> scaling_plot(const Report& report, const std::string& device,
   for (const Measurement* first : our_stages(report, device)) {
     if (group_of(first->stage) != which) continue;
     const std::string& stage = first->stage;
-    PlotLine line = line_of(report, *first, is_kernel(stage) ? stage.substr(7) : stage);
+    const std::string name = is_kernel(stage) ? stage.substr(7) : stage;
+    PlotLine line = line_of(report, *first, with_growth(report, name, *first));
     const std::size_t place = place_of(report, stage);
     line.color = place % kColors;
     line.shape = place + place / kColors;  // another one when colors come round

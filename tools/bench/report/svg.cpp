@@ -59,9 +59,21 @@ std::string escaped(std::string_view text) {
 }
 
 double text_width(std::string_view text) {
-  constexpr double kWidest =
-      0.57;  // mean of a character over the height, in DejaVu Sans and Verdana
-  return kWidest * kTextSize * static_cast<double>(character_count(text));
+  // In ems, as wide as in DejaVu Sans, the widest of the usual ones.
+  double width = 0.0;
+  for (const char c : text) {
+    const bool continues = (static_cast<unsigned char>(c) >> 6) == 2;  // of a UTF-8 sequence
+    const bool is_capital = c >= 'A' && c <= 'Z';
+    if (continues) continue;
+    if (std::string_view("fijlrtI.,:;' ()|/").find(c) != std::string_view::npos) {
+      width += 0.38;
+    } else if (std::string_view("mwMW%^~+").find(c) != std::string_view::npos) {
+      width += 0.9;
+    } else {
+      width += is_capital ? 0.78 : 0.62;
+    }
+  }
+  return width * kTextSize;
 }
 
 void Svg::close(std::string_view name, std::string_view tooltip) {
