@@ -137,6 +137,13 @@ void JsonNode::require_keys(std::initializer_list<std::string_view> known) const
   }
 }
 
+std::vector<std::string> JsonNode::keys() const {
+  require_object();
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : value_->json->items()) keys.push_back(key);
+  return keys;
+}
+
 bool JsonNode::has(std::string_view key) const {
   require_object();
   return value_->json->contains(key);

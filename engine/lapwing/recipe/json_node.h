@@ -29,6 +29,7 @@ class JsonNode {
 
   /// This is an object and has no other keys; an unknown one is answered with the nearest.
   void require_keys(std::initializer_list<std::string_view> known) const;
+  std::vector<std::string> keys() const;  ///< of this object, sorted
   bool has(std::string_view key) const;
   JsonNode at(std::string_view key) const;
   std::optional<JsonNode> find(std::string_view key) const;

@@ -1,0 +1,104 @@
+#include "report/report_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bench/made_up_report.h"
+#include "io/temporary_folder.h"
+#include "lapwing/base/errors.h"
+#include "support/error_message.h"
+
+namespace lapwing::bench {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+std::string complaint_about(const std::string& text) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("a.json", text);
+  return error_message<InputError>([&] { read_report(path); });
+}
+
+TEST(ReportJson, ComesBackAsItWasWritten) {
+  const TemporaryFolder folder;
+  const Report report = small_report();
+  const Report read = read_report(folder.file("a.json", to_json(report)));
+  EXPECT_EQ(read.date, report.date);
+  EXPECT_EQ(read.commit, report.commit);
+  EXPECT_EQ(read.host.memory_bytes, report.host.memory_bytes);
+  ASSERT_EQ(read.limits.size(), 2u);
+  EXPECT_EQ(read.limits[1].matmul_gflops_float32, 20'000.0);
+  ASSERT_EQ(read.measurements.size(), 3u);
+  EXPECT_EQ(read.measurements[0].wall_ms, report.measurements[0].wall_ms);
+  EXPECT_EQ(read.measurements[0].counts, report.measurements[0].counts);
+  EXPECT_EQ(read.measurements[2].device_ms, report.measurements[2].device_ms);
+  ASSERT_EQ(read.targets.size(), 2u);
+  EXPECT_FALSE(read.targets[0].is_floor);
+  EXPECT_TRUE(read.targets[1].is_floor);
+  EXPECT_EQ(to_json(read), to_json(report)) << "and nothing else is lost either";
+}
+
+TEST(ReportJson, BeginsWithItsFormatAndHasAMeasurementToALine) {
+  const std::string text = to_json(small_report());
+  EXPECT_THAT(text, StartsWith("{\n  \"format\": \"lapwing-bench 1\",\n  \"date\": "));
+  EXPECT_THAT(text, HasSubstr("\n    {\"stage\":\"factor\",\"by\":\"CHOLMOD\",\"device\":\"CPU\","
+                              "\"mesh\":\"armadillo\",\"vertices\":26002,"
+                              "\"wall_ms\":[400.0,404.0,408.0],"));
+}
+
+TEST(ReportJson, WritesSixDigitsOfATimeAndAllOfACount) {
+  Measurement m = row("factor", {1.23456789, 123456.789});
+  m.counts["flops"] = 123'456'789'012'345;
+  const std::string text = to_json(report_of({m}));
+  EXPECT_THAT(text, HasSubstr("[1.23457,123457.0]"));
+  EXPECT_THAT(text, HasSubstr("\"flops\":123456789012345"));
+}
+
+TEST(ReportJson, WithNothingMeasuredIsReadToo) {
+  const TemporaryFolder folder;
+  const Report read = read_report(folder.file("a.json", to_json(Report())));
+  EXPECT_TRUE(read.measurements.empty());
+}
+
+TEST(ReportJson, OfAnotherFormatIsRefusedByName) {
+  const std::string message =
+      complaint_about(changed(to_json(small_report()), "lapwing-bench 1", "lapwing-bench 2"));
+  EXPECT_THAT(message, HasSubstr("a.json: /format: this is \"lapwing-bench 2\""));
+  EXPECT_THAT(message, HasSubstr("\"lapwing-bench 1\""));
+}
+
+TEST(ReportJson, NamesTheFileAndWhatIsMissing) {
+  const std::string text = changed(to_json(small_report()), "\"by\":\"CHOLMOD\",", "");
+  EXPECT_THAT(complaint_about(text),
+              HasSubstr("a.json: /measurements/1: the key \"by\" is missing"));
+}
+
+TEST(ReportJson, NamesTheRunThatIsNoTime) {
+  const std::string text = changed(to_json(small_report()), "404.0", "-404.0");
+  EXPECT_THAT(complaint_about(text), HasSubstr("a.json: /measurements/1/wall_ms/1: expected 0"));
+}
+
+TEST(ReportJson, NamesTheCountThatIsNoWholeNumber) {
+  const std::string text =
+      changed(to_json(small_report()), "\"allocations\":12", "\"allocations\":1.5");
+  EXPECT_THAT(complaint_about(text),
+              HasSubstr("/measurements/0/counts/allocations: expected a whole"));
+}
+
+TEST(ReportJson, CutOffIsRefusedWithLineAndColumn) {
+  const std::string text = to_json(small_report());
+  EXPECT_THAT(complaint_about(text.substr(0, text.size() / 2)), HasSubstr("syntax error"));
+}
+
+TEST(ReportJson, ThatIsNotThereIsAnIoError) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(read_report(folder / "none.json"), IoError);
+}
+
+}  // namespace
+}  // namespace lapwing::bench

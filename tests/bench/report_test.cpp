@@ -1,0 +1,64 @@
+#include "report/report.h"
+
+#include <gtest/gtest.h>
+
+#include "bench/made_up_report.h"
+
+namespace lapwing::bench {
+namespace {
+
+TEST(SpreadOf, InterpolatesBetweenTheNumbersAroundAQuartile) {
+  const Spread spread = spread_of({4.0, 1.0, 3.0, 2.0});
+  EXPECT_DOUBLE_EQ(spread.median, 2.5);
+  EXPECT_DOUBLE_EQ(spread.low, 1.75);
+  EXPECT_DOUBLE_EQ(spread.high, 3.25);
+  EXPECT_EQ(spread.least, 1.0);
+  EXPECT_EQ(spread.most, 4.0);
+}
+
+TEST(SpreadOf, IsTheNumberItselfForOneAndZeroForNone) {
+  EXPECT_EQ(spread_of({7.0}).low, 7.0);
+  EXPECT_EQ(spread_of({7.0}).high, 7.0);
+  EXPECT_EQ(spread_of({}).most, 0.0);
+}
+
+TEST(LimitsOf, AreThoseOfTheMeasurementsDevice) {
+  const Report report = small_report();
+  Measurement m = row("factor", {1.0});
+  m.device = "Some GPU";
+  ASSERT_NE(limits_of(report, m), nullptr);
+  EXPECT_EQ(limits_of(report, m)->type, "discrete GPU");
+  m.device = "a device that nobody measured";
+  EXPECT_EQ(limits_of(report, m), nullptr);
+}
+
+TEST(ShareOfLimit, IsOfTheCopyRateByTheDevicesOwnClock) {
+  // 250 MB in 1.25 ms are 200 GB/s; the device copies 400.
+  const Report report = small_report();
+  EXPECT_DOUBLE_EQ(share_of_limit(report, report.measurements[2]), 0.5);
+}
+
+TEST(ShareOfLimit, IsOfFloat64ProductsByTheWallWhereTheDeviceHasNoClock) {
+  // 4e9 operations in 102 ms, of 100e9 a second.
+  const Report report = small_report();
+  EXPECT_DOUBLE_EQ(share_of_limit(report, report.measurements[0]), 4.0 / 0.102 / 100.0);
+}
+
+TEST(ShareOfLimit, IsTheLargerOfTheTwo) {
+  Measurement m = row("factor", {1000.0});
+  m.counts = {{"flops", 10'000'000'000}, {"bytes", 3'000'000'000}};
+  EXPECT_DOUBLE_EQ(share_of_limit(report_of({m}), m), 0.3);
+  m.counts["flops"] = 40'000'000'000;
+  EXPECT_DOUBLE_EQ(share_of_limit(report_of({m}), m), 0.4);
+}
+
+TEST(ShareOfLimit, IsZeroWhereNothingIsCountedOrKnown) {
+  const Report report = small_report();
+  EXPECT_EQ(share_of_limit(report, row("factor", {1.0})), 0.0);
+  Measurement counted = report.measurements[0];
+  counted.device = "a device that nobody measured";
+  EXPECT_EQ(share_of_limit(report, counted), 0.0);
+}
+
+}  // namespace
+}  // namespace lapwing::bench

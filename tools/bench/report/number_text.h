@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace lapwing::bench {
+
+/// Three digits that count, never an exponent, thousands apart: "0.0123", "12.3", "1,230".
+std::string short_number(double value);
+
+/// "26,002"
+std::string grouped(std::uint64_t value);
+
+/// "26k", "1.3M": three digits at most, for ticks and labels.
+std::string brief_count(double value);
+
+/// Of a share: "12%", "0.3%".
+std::string percent(double share);
+
+/// How a value changed: "+17%", "-3.2%"; "" from 0, and for less than 0.05%.
+std::string change_in_percent(double before, double after);
+
+/// How many characters are seen, UTF-8 read as such.
+std::size_t character_count(std::string_view text);
+
+/// With spaces up to `width` characters; unchanged where it is longer.
+std::string padded_right(std::string text, std::size_t width);
+std::string padded_left(const std::string& text, std::size_t width);
+
+/// Not wider than `width` characters: what is too long ends in "...".
+std::string clipped(std::string_view text, std::size_t width);
+
+}  // namespace lapwing::bench

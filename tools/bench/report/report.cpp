@@ -1,0 +1,50 @@
+#include "report/report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/measurements.h"
+
+namespace lapwing::bench {
+namespace {
+
+// Between the two numbers that stand nearest to `share` of the way through.
+double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+// `count` in `ms` milliseconds, as a share of `limit` (1e9 a second).
+double share(const Counts& counts, const std::string& count, double ms, double limit) {
+  const auto found = counts.find(count);
+  if (found == counts.end() || !(ms > 0.0) || !(limit > 0.0)) return 0.0;
+  return static_cast<double>(found->second) / (ms * 1e6) / limit;
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> numbers) {
+  if (numbers.empty()) return {};
+  std::sort(numbers.begin(), numbers.end());
+  return {quantile(numbers, 0.5), quantile(numbers, 0.25), quantile(numbers, 0.75), numbers.front(),
+          numbers.back()};
+}
+
+const Limits* limits_of(const Report& report, const Measurement& measurement) {
+  const auto found =
+      std::find_if(report.limits.begin(), report.limits.end(),
+                   [&](const Limits& limits) { return limits.device == measurement.device; });
+  return found == report.limits.end() ? nullptr : &*found;
+}
+
+double share_of_limit(const Report& report, const Measurement& measurement) {
+  const Limits* const limits = limits_of(report, measurement);
+  if (limits == nullptr) return 0.0;
+  const double ms = median_ms(measurement);
+  return std::max(share(measurement.counts, "flops", ms, limits->matmul_gflops_float64),
+                  share(measurement.counts, "bytes", ms, limits->copy_gb_per_s));
+}
+
+}  // namespace lapwing::bench
