@@ -1,11 +1,25 @@
 #include "lapwing/kernels/cpu_kernels.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "lapwing/kernels/cpu_ring_rotations.h"
 
 namespace lapwing {
 namespace {
+
+// Every triangle around some vertices, ascending.
+std::vector<Index> triangles_around(std::span<const Index> vertices,
+                                    const Adjacency& vertex_triangles) {
+  std::vector<Index> triangles;
+  for (const Index v : vertices) {
+    const auto around = vertex_triangles[v];
+    triangles.insert(triangles.end(), around.begin(), around.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
 
 class CpuSurface final : public DeformedSurface {
  public:
@@ -17,31 +31,41 @@ class CpuSurface final : public DeformedSurface {
         affected_(with_ring_neighbours(moving_, input.topology.rings)),
         basis_(input.basis.begin(), input.basis.end()),
         positions_(rest_),
+        areas_(triangles_.size()),
         normals_(rest_.size(), Eigen::Vector3d::Zero()) {
-    std::vector<Index> all(rest_.size());
+    changing_triangles_ = triangles_around(moving_, vertex_triangles_);
+    std::vector<Index> all(std::max(rest_.size(), triangles_.size()));
     std::iota(all.begin(), all.end(), 0U);
-    vertex_normals(positions_, triangles_, vertex_triangles_, all, normals_);
+    triangle_areas(positions_, triangles_, std::span(all).first(triangles_.size()), areas_);
+    vertex_normals(areas_, vertex_triangles_, std::span(all).first(rest_.size()), normals_);
   }
 
   void blend(std::span<const double> parameters) override {
     blend_response(rest_, moving_, basis_, parameters, positions_);
-    vertex_normals(positions_, triangles_, vertex_triangles_, affected_, normals_);
+    renew_normals();
   }
   void place(std::span<const Eigen::Vector3d> positions) override {
     for (const Index v : moving_) positions_[v] = positions[v];
-    vertex_normals(positions_, triangles_, vertex_triangles_, affected_, normals_);
+    renew_normals();
   }
   Positions positions() const override { return positions_; }
   std::vector<Eigen::Vector3d> normals() const override { return normals_; }
 
  private:
+  void renew_normals() {
+    triangle_areas(positions_, triangles_, changing_triangles_, areas_);
+    vertex_normals(areas_, vertex_triangles_, affected_, normals_);
+  }
+
   Positions rest_;
   std::vector<Triangle> triangles_;
   Adjacency vertex_triangles_;
   std::vector<Index> moving_;
-  std::vector<Index> affected_;
+  std::vector<Index> affected_;            // the vertices whose normals a frame renews
+  std::vector<Index> changing_triangles_;  // those with a moving corner
   std::vector<double> basis_;
   Positions positions_;
+  std::vector<Eigen::Vector3d> areas_;  // per triangle, see triangle_areas
   std::vector<Eigen::Vector3d> normals_;
 };
 

@@ -5,7 +5,7 @@
 namespace lapwing::bench {
 
 const std::vector<double>& clock_of(const Measurement& measurement) {
-  return measurement.device_ms.empty() ? measurement.wall_ms : measurement.device_ms;
+  return measurement.wall_ms.empty() ? measurement.device_ms : measurement.wall_ms;
 }
 
 double median_ms(const Measurement& measurement) {

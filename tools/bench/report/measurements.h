@@ -29,7 +29,7 @@ inline bool is_kernel(std::string_view stage) {
   return stage.starts_with("kernel ");
 }
 
-/// The fastest clock there is: the device's own where it was read, else the wall's.
+/// The wall's, or the device's own where only that was read: of the kernels that a stage ran.
 const std::vector<double>& clock_of(const Measurement& measurement);
 double median_ms(const Measurement& measurement);  ///< by that clock
 

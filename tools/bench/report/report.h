@@ -84,9 +84,9 @@ Spread spread_of(std::vector<double> numbers);
 /// The limits of a measurement's device; null where they were not measured.
 const Limits* limits_of(const Report& report, const Measurement& measurement);
 
-/// What share of its limit the work reaches, by the fastest clock there is (device time, else wall
-/// time), each by its median: "flops" over the rate of float64 products, or "bytes" over the copy
-/// rate, whichever share is larger. 0 where neither is counted or no limit is known.
+/// What share of its limit the work reaches by its median wall time, or device time where only that
+/// is known (kernels): "flops" over the rate of float64 products, or "bytes" over the copy rate,
+/// whichever share is larger. 0 where neither is counted or no limit is known.
 double share_of_limit(const Report& report, const Measurement& measurement);
 
 }  // namespace lapwing::bench

@@ -1,11 +1,21 @@
 #include "run/bench_run.h"
 
 #include <cstdio>
+#include <string>
+#include <unistd.h>
 
 #include "run/stages.h"
 #include "run/targets.h"
 
 namespace lapwing::bench {
+namespace {
+
+// One line that the next one replaces; only for someone who watches.
+void show_progress(const std::string& text) {
+  if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K%s", text.c_str());
+}
+
+}  // namespace
 
 BenchRun::BenchRun(const RunSettings& settings)
     : settings_(settings), processor_(open_bench_device("cpu")) {
@@ -33,8 +43,8 @@ Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
                                const std::function<void()>& before) {
   last_kernels_.clear();
   if (!wants(stage, by, device.name, subject)) return nullptr;
-  std::fprintf(stderr, "\r\033[K%s, %zu vertices: %s (%s, %s)", subject.name.c_str(),
-               subject.vertices(), stage.c_str(), by.c_str(), device.name.c_str());
+  show_progress(subject.name + ", " + std::to_string(subject.vertices()) + " vertices: " + stage +
+                " (" + by + ", " + device.name + ")");
   Measurement measurement;
   measurement.stage = stage;
   measurement.by = by;
@@ -71,7 +81,8 @@ void BenchRun::add_kernel(const std::string& kernel, std::uint64_t bytes) {
 }
 
 void BenchRun::leave_out(const std::string& what, const Subject& subject, const std::string& why) {
-  std::fprintf(stderr, "\r\033[K%s, %zu vertices: %s is left out: %s\n", subject.name.c_str(),
+  show_progress("");
+  std::fprintf(stderr, "%s, %zu vertices: %s is left out: %s\n", subject.name.c_str(),
                subject.vertices(), what.c_str(), why.c_str());
 }
 
@@ -98,7 +109,7 @@ Report run_benchmark(const RunSettings& settings) {
     measure_render(run, subject);
     measure_peers(run, subject);
   }
-  std::fprintf(stderr, "\r\033[K");
+  show_progress("");
   report.targets = targets_of(report);
   return std::move(report);
 }
