@@ -8,12 +8,22 @@
 #include "lapwing/gpu/structure.h"
 
 namespace lapwing::gpu {
+namespace {
+
+// Enough for 63 dispatches, many times what any list holds.
+constexpr std::uint32_t kProfileQueries = 128;
+constexpr double kMillisecondsPerNanosecond = 1e-6;
+
+}  // namespace
 
 CommandList::CommandList(Context& context, std::string name, std::uint32_t timestamps)
     : context_(context),
       name_(std::move(name)),
       timestamp_capacity_(context.limits().timestampComputeAndGraphics != VK_FALSE ? timestamps
                                                                                    : 0) {
+  if (context.profile() != nullptr && context.limits().timestampComputeAndGraphics != VK_FALSE) {
+    profile_capacity_ = kProfileQueries;
+  }
   try {
     const auto& vk = context.vk();
     auto pool = structure<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
@@ -27,10 +37,10 @@ CommandList::CommandList(Context& context, std::string name, std::uint32_t times
     buffer.commandBufferCount = 1;
     context.check(vk.vkAllocateCommandBuffers(context.device(), &buffer, &handle_),
                   "vkAllocateCommandBuffers");
-    if (timestamp_capacity_ == 0) return;
+    if (timestamp_capacity_ + profile_capacity_ == 0) return;
     auto queries = structure<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
     queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    queries.queryCount = timestamp_capacity_;
+    queries.queryCount = timestamp_capacity_ + profile_capacity_;
     context.check(vk.vkCreateQueryPool(context.device(), &queries, nullptr, &queries_),
                   "vkCreateQueryPool");
   } catch (...) {
@@ -62,31 +72,54 @@ std::uint64_t CommandList::submit(std::span<const VkSemaphoreSubmitInfo> waits,
   }
   wait();
   last_submission_ = context_.submit(handle_, waits, signals);
+  in_profile_ = context_.profile() == nullptr;
   return last_submission_;
 }
 
 void CommandList::wait() const {
   context_.wait(last_submission_);
+  if (!in_profile_) add_to_profile();
 }
 
 bool CommandList::done() const {
   return context_.completed() >= last_submission_;
 }
 
+std::uint64_t CommandList::ticks_at(std::uint32_t query) const {
+  std::uint64_t ticks = 0;
+  context_.check(context_.vk().vkGetQueryPoolResults(
+                     context_.device(), queries_, query, 1, sizeof ticks, &ticks, sizeof ticks,
+                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+                 "vkGetQueryPoolResults");
+  return ticks;
+}
+
 double CommandList::milliseconds_between(std::uint32_t first, std::uint32_t second) const {
-  if (queries_ == VK_NULL_HANDLE) return 0.0;
-  const auto read = [&](std::uint32_t query) {
-    std::uint64_t ticks = 0;
-    context_.check(context_.vk().vkGetQueryPoolResults(
-                       context_.device(), queries_, query, 1, sizeof ticks, &ticks, sizeof ticks,
-                       VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-                   "vkGetQueryPoolResults");
-    return ticks;
+  if (timestamp_capacity_ == 0) return 0.0;
+  return static_cast<double>(ticks_at(second) - ticks_at(first)) *
+         context_.limits().timestampPeriod * kMillisecondsPerNanosecond;
+}
+
+void CommandList::add_to_profile() const {
+  in_profile_ = true;
+  const auto milliseconds_from = [&](std::uint32_t query) {
+    if (profile_capacity_ == 0) return 0.0;
+    return static_cast<double>(ticks_at(query + 1) - ticks_at(query)) *
+           context_.limits().timestampPeriod * kMillisecondsPerNanosecond;
   };
-  constexpr double kMillisecondsPerNanosecond = 1e-6;
-  const double nanoseconds =
-      static_cast<double>(read(second) - read(first)) * context_.limits().timestampPeriod;
-  return nanoseconds * kMillisecondsPerNanosecond;
+  DeviceUse use;
+  use.submissions = 1;
+  use.device_ms = milliseconds_from(timestamp_capacity_);
+  std::uint32_t query = timestamp_capacity_ + 2;
+  for (const std::string& kernel : profiled_kernels_) {
+    KernelUse& own = use.kernels[kernel];
+    ++own.dispatches;
+    if (query + 1 < timestamp_capacity_ + profile_capacity_) {
+      own.device_ms += milliseconds_from(query);
+    }
+    query += 2;
+  }
+  context_.profile()->add(use);
 }
 
 }  // namespace lapwing::gpu

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <volk.h>
 
@@ -48,6 +49,8 @@ class CommandList {
  private:
   friend class Recorder;
   void release() noexcept;
+  std::uint64_t ticks_at(std::uint32_t query) const;
+  void add_to_profile() const;
 
   Context& context_;
   std::string name_;
@@ -55,6 +58,11 @@ class CommandList {
   VkCommandBuffer handle_ = VK_NULL_HANDLE;
   VkQueryPool queries_ = VK_NULL_HANDLE;
   std::uint32_t timestamp_capacity_;
+  /// For Context::profile, behind the timestamps: one query before and after everything, then one
+  /// before and after each of the first so many dispatches.
+  std::uint32_t profile_capacity_ = 0;
+  std::vector<std::string> profiled_kernels_;  ///< of the dispatches, in order
+  mutable bool in_profile_ = true;             ///< whether the last submission is
   std::uint64_t last_submission_ = 0;
   bool recorded_ = false;
 };

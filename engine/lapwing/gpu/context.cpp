@@ -59,7 +59,9 @@ std::vector<DeviceDescription> list_devices() {
   return list;
 }
 
-Context::Context(const ContextOptions& options) : maps_device_memory_(options.map_device_memory) {
+Context::Context(const ContextOptions& options)
+    : profile_(options.profile ? std::make_unique<Profile>() : nullptr),
+      maps_device_memory_(options.map_device_memory) {
   try {
     create_instance(options);
     create_device(options);

@@ -12,6 +12,7 @@
 #include <volk.h>
 
 #include "lapwing/gpu/devices.h"
+#include "lapwing/gpu/profile.h"
 
 namespace lapwing::gpu {
 
@@ -30,6 +31,8 @@ struct ContextOptions {
   /// False: memory of the device is never mapped, as on a discrete GPU, so that every copy is
   /// staged. For tests.
   bool map_device_memory = true;
+  /// Time every command list and every dispatch, for `Context::profile`.
+  bool profile = false;
 };
 
 /// Bytes that the host wrote for the device, and read from it.
@@ -105,6 +108,9 @@ class Context {
   void count_upload(std::size_t bytes) noexcept { uploaded_ += bytes; }
   void count_download(std::size_t bytes) noexcept { downloaded_ += bytes; }
 
+  /// What the device has done; null unless the options asked for it.
+  Profile* profile() const { return profile_.get(); }
+
   bool validation_enabled() const { return validation_ != nullptr; }
   /// Errors and warnings of the validation layers so far; 0 without validation.
   std::size_t validation_message_count() const;
@@ -117,6 +123,7 @@ class Context {
   void destroy() noexcept;
 
   std::unique_ptr<Validation> validation_;
+  std::unique_ptr<Profile> profile_;
   VkInstance instance_ = VK_NULL_HANDLE;
   VkPhysicalDevice physical_device_ = VK_NULL_HANDLE;
   DeviceDescription description_;

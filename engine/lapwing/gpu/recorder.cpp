@@ -55,8 +55,11 @@ Recorder::Recorder(CommandList& list) : list_(list) {
       structure<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
   context.check(vk.vkBeginCommandBuffer(list.handle(), &begin), "vkBeginCommandBuffer");
   if (list.queries_ != VK_NULL_HANDLE) {
-    vk.vkCmdResetQueryPool(list.handle(), list.queries_, 0, list.timestamp_capacity_);
+    vk.vkCmdResetQueryPool(list.handle(), list.queries_, 0,
+                           list.timestamp_capacity_ + list.profile_capacity_);
   }
+  list.profiled_kernels_.clear();
+  write_profile_timestamp(0);
   auto earlier = structure<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
   earlier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   earlier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
@@ -66,6 +69,7 @@ Recorder::Recorder(CommandList& list) : list_(list) {
 }
 
 void Recorder::finish() {
+  write_profile_timestamp(1);
   const Context& context = list_.context();
   auto host = structure<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
   host.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -209,8 +213,12 @@ void Recorder::dispatch(const Kernel& kernel, std::uint64_t invocations,
   if (rows > list_.context().limits().maxComputeWorkGroupCount[1]) {
     throw_dispatch_error(kernel, std::to_string(invocations) + " invocations are too many");
   }
+  const auto query = static_cast<std::uint32_t>(2 + 2 * list_.profiled_kernels_.size());
+  write_profile_timestamp(query);
   list_.context().vk().vkCmdDispatch(handle(), static_cast<std::uint32_t>(row),
                                      static_cast<std::uint32_t>(rows), 1);
+  write_profile_timestamp(query + 1);
+  if (list_.context().profile() != nullptr) list_.profiled_kernels_.push_back(kernel.name());
 }
 
 void Recorder::copy(const BufferRange& source, const BufferRange& target) {
@@ -236,14 +244,28 @@ void Recorder::fill(const Buffer& buffer, std::uint32_t word) {
                                        buffer.bytes() / sizeof word * sizeof word, word);
 }
 
+// Software devices write a timestamp without waiting for the commands before it, whatever its stage
+// says; they do wait at a barrier.
+void Recorder::write_timestamp(std::uint32_t query) {
+  auto everything = structure<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
+  everything.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  everything.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  barrier(list_.context(), handle(), everything);
+  list_.context().vk().vkCmdWriteTimestamp2(handle(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                            list_.queries_, query);
+}
+
+void Recorder::write_profile_timestamp(std::uint32_t number) {
+  if (number < list_.profile_capacity_) write_timestamp(list_.timestamp_capacity_ + number);
+}
+
 std::uint32_t Recorder::timestamp() {
-  if (list_.queries_ == VK_NULL_HANDLE) return timestamp_count_++;
+  if (list_.timestamp_capacity_ == 0) return timestamp_count_++;
   if (timestamp_count_ >= list_.timestamp_capacity_) {
     throw GpuError("command list \"" + list_.name() + "\" holds only " +
                    std::to_string(list_.timestamp_capacity_) + " timestamps");
   }
-  list_.context().vk().vkCmdWriteTimestamp2(handle(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                                            list_.queries_, timestamp_count_);
+  write_timestamp(timestamp_count_);
   return timestamp_count_++;
 }
 

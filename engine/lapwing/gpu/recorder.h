@@ -82,6 +82,8 @@ class Recorder {
   void place_pending_barrier();
   void check_dispatch(const Kernel& kernel, std::span<const BufferRange> buffers,
                       std::span<const std::byte> push) const;
+  void write_timestamp(std::uint32_t query);
+  void write_profile_timestamp(std::uint32_t number);
   void bind(const Kernel& kernel, std::span<const BufferRange> buffers,
             std::span<const std::byte> push);
 

@@ -1,4 +1,4 @@
-#include "pictures.h"
+#include "studies/pictures.h"
 
 #include "lapwing/render/render_image.h"
 #include "lapwing/vulkan/vulkan_surface.h"

@@ -3,13 +3,13 @@
 #include <numeric>
 #include <thread>
 
-#include "benches.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/subdivide.h"
-#include "solver_rows.h"
+#include "studies/solver_rows.h"
+#include "studies/studies.h"
 
 namespace lapwing::bench {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <random>
 
-#include "measure.h"
-#include "solver_rows.h"
+#include "studies/measure.h"
+#include "studies/solver_rows.h"
 
 namespace lapwing::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <cholmod.h>
 
 #include "lapwing/solve/scalar_lower.h"
-#include "measure.h"
-#include "solver_rows.h"
+#include "studies/measure.h"
+#include "studies/solver_rows.h"
 
 namespace lapwing::bench {
 namespace {

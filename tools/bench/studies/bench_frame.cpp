@@ -4,16 +4,16 @@
 #include <imgui.h>
 #include <memory>
 
-#include "benches.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/gpu/context.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/render/closed_surface.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "lapwing/vulkan/vulkan_surface.h"
-#include "measure.h"
+#include "run/subject.h"
+#include "studies/measure.h"
+#include "studies/studies.h"
 #include "ui/panels.h"
-#include "whole_mesh_region.h"
 #include "window/frame_painter.h"
 #include "window/offscreen_screen.h"
 #include "window/theme.h"

@@ -3,15 +3,15 @@
 #include <numbers>
 #include <optional>
 
-#include "benches.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/session/run_recipe.h"
 #include "lapwing/vulkan/open_device.h"
-#include "measure.h"
-#include "pictures.h"
-#include "time_cgal_arap.h"
+#include "run/cgal_arap.h"
+#include "studies/measure.h"
+#include "studies/pictures.h"
+#include "studies/studies.h"
 
 namespace lapwing::bench {
 namespace {

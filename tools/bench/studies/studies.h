@@ -1,23 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "lapwing/solve/block_solver.h"
-
 namespace lapwing::bench {
-
-/// Reads a generated mesh of `vertices` vertices as OBJ and as binary PLY, and prints MB/s.
-void bench_read(std::size_t vertices, int repeats);
-
-/// Prepares and drags `mesh` as a whole (belt: the lowest 5% of the vertices in y; handle: the
-/// highest 5%, moved by 20% of the diagonal), and prints each stage beside what the same work costs
-/// in Eigen, and the preparation beside that of CGAL's as-rigid-as-possible deformation where CGAL
-/// was there to build with.
-void bench_deform(const std::filesystem::path& mesh, const std::string& device, SolverKind solver,
-                  int repeats);
 
 struct SolveBench {
   std::vector<std::string> meshes;
@@ -69,10 +56,10 @@ struct FrameBench {
   std::string picture;  ///< a PNG of the last frame, or empty
 };
 
-/// Drags a whole mesh (as bench_deform does) through what the viewer's window draws with, on images
-/// that no display holds up, and prints what each part of a frame costs: drawn as the window does
-/// while something moves (without antialiasing, without backs where none is seen) and as when
-/// nothing does.
+/// Drags a whole mesh (as the benchmark's own run does) through what the viewer's window draws
+/// with, on images that no display holds up, and prints what each part of a frame costs: drawn as
+/// the window does while something moves (without antialiasing, without backs where none is seen)
+/// and as when nothing does.
 void bench_frame(const FrameBench& settings);
 
 }  // namespace lapwing::bench

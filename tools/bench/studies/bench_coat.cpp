@@ -5,7 +5,6 @@
 #include <map>
 #include <numbers>
 
-#include "benches.h"
 #include "lapwing/coating/carried_length.h"
 #include "lapwing/coating/coater.h"
 #include "lapwing/coating/correspondence.h"
@@ -19,7 +18,8 @@
 #include "lapwing/region/largest_disk.h"
 #include "lapwing/session/run_coat.h"
 #include "lapwing/vulkan/open_device.h"
-#include "measure.h"
+#include "studies/measure.h"
+#include "studies/studies.h"
 
 namespace lapwing::bench {
 namespace {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lapwing/kernels/kernels.h"
+#include "report/report.h"
+
+namespace lapwing::gpu {
+class Context;
+}
+
+namespace lapwing::bench {
+
+/// A device to measure on: the CPU twins, or Vulkan with its command lists profiled.
+struct BenchDevice {
+  std::string name;
+  std::shared_ptr<gpu::Context> context;  ///< null for the CPU twins
+  std::unique_ptr<Kernels> kernels;
+};
+
+/// `name` as for `open_device`. Throws GpuError.
+BenchDevice open_bench_device(const std::string& name);
+
+/// What the device can do at best: copies between large buffers, by its copy command or by a kernel
+/// (shaders/copy.comp), whichever is faster; products of large matrices (shaders/matmul.comp). On
+/// the processor all threads copy, and the products are those of the BLAS that CHOLMOD uses;
+/// without it their rates are 0. Takes about a second.
+Limits measure_limits(const BenchDevice& device);
+
+}  // namespace lapwing::bench

@@ -1,0 +1,106 @@
+#include "run/bench_run.h"
+
+#include <cstdio>
+
+#include "run/stages.h"
+#include "run/targets.h"
+
+namespace lapwing::bench {
+
+BenchRun::BenchRun(const RunSettings& settings)
+    : settings_(settings), processor_(open_bench_device("cpu")) {
+  for (const std::string& name : settings.devices) devices_.push_back(open_bench_device(name));
+}
+
+bool BenchRun::wants(const std::string& stage, const std::string& by, const std::string& device,
+                     const Subject& subject) const {
+  if (by != kLapwing && !settings_.peers) return false;
+  if (!settings_.filter) return true;
+  return std::regex_search(stage + " / " + by + " / " + device + " / " + subject.name,
+                           *settings_.filter);
+}
+
+bool BenchRun::wants_any(const std::string& stage, const Subject& subject) const {
+  for (const BenchDevice& device : devices_) {
+    if (wants(stage, kLapwing, device.name, subject)) return true;
+  }
+  return false;
+}
+
+Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
+                               const BenchDevice& device, const Subject& subject,
+                               const std::function<void()>& work,
+                               const std::function<void()>& before) {
+  last_kernels_.clear();
+  if (!wants(stage, by, device.name, subject)) return nullptr;
+  std::fprintf(stderr, "\r\033[K%s, %zu vertices: %s (%s, %s)", subject.name.c_str(),
+               subject.vertices(), stage.c_str(), by.c_str(), device.name.c_str());
+  Measurement measurement;
+  measurement.stage = stage;
+  measurement.by = by;
+  measurement.device = device.name;
+  measurement.mesh = subject.name;
+  measurement.vertices = subject.vertices();
+  Meter meter(device.context.get());
+  const Repeats once{1, 1, 0.0};
+  meter.run(measurement, settings_.only_counts ? once : settings_.repeats, work, before);
+  last_kernels_ = meter.kernels();
+  report_.measurements.push_back(std::move(measurement));
+  return &report_.measurements.back();
+}
+
+Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
+                               const Subject& subject, const std::function<void()>& work,
+                               const std::function<void()>& before) {
+  return measure(stage, by, processor_, subject, work, before);
+}
+
+void BenchRun::add_kernel(const std::string& kernel, std::uint64_t bytes) {
+  const auto found = last_kernels_.find(kernel);
+  if (found == last_kernels_.end() || report_.measurements.empty()) return;
+  Measurement row = report_.measurements.back();
+  row.stage = "kernel " + kernel;
+  row.wall_ms.clear();
+  row.cpu_ms.clear();
+  row.device_ms.clear();
+  row.peak_bytes = 0;
+  for (const gpu::KernelUse& use : found->second) row.device_ms.push_back(use.device_ms);
+  const std::uint64_t dispatches = found->second.back().dispatches;
+  row.counts = {{"dispatches", dispatches}, {"bytes", bytes}};
+  report_.measurements.push_back(std::move(row));
+}
+
+void BenchRun::leave_out(const std::string& what, const Subject& subject, const std::string& why) {
+  std::fprintf(stderr, "\r\033[K%s, %zu vertices: %s is left out: %s\n", subject.name.c_str(),
+               subject.vertices(), what.c_str(), why.c_str());
+}
+
+Report run_benchmark(const RunSettings& settings) {
+  BenchRun run(settings);
+  Report& report = run.report();
+  if (settings.limits) {
+    bool processor = false;
+    for (const BenchDevice& device : run.devices()) {
+      report.limits.push_back(measure_limits(device));
+      processor = processor || device.name == kProcessor;
+    }
+    if (!processor) report.limits.push_back(measure_limits(open_bench_device("cpu")));
+  }
+  for (const SubjectSource& source : all_subjects(settings.models)) {
+    if (source.vertices > settings.most_vertices || source.vertices < settings.least_vertices) {
+      continue;
+    }
+    const Subject subject = source.load();
+    measure_mesh_stages(run, subject);
+    measure_solver_stages(run, subject);
+    measure_edit_stages(run, subject);
+    measure_layer_stages(run, subject);
+    measure_render(run, subject);
+    measure_peers(run, subject);
+  }
+  std::fprintf(stderr, "\r\033[K");
+  report.targets = targets_of(report);
+  return std::move(report);
+}
+
+}  // namespace lapwing::bench

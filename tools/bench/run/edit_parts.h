@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/laplacian/constraints.h"
+#include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/laplacian/system_pattern.h"
+#include "run/subject.h"
+
+namespace lapwing::bench {
+
+/// What the parts of a preparation start from, for a subject's region with soft constraints of
+/// weight 1 and uniform Laplacian weights.
+struct EditParts {
+  explicit EditParts(const Subject& subject)
+      : constraints(constraints_of(subject.region, subject.topology, 1.0, false)),
+        pattern(std::make_unique<SystemPattern>(subject.topology, subject.region.roi,
+                                                constraints.unknowns)),
+        weights(laplacian_weights(subject.topology, subject.mesh.positions,
+                                  LaplacianWeights::uniform)) {}
+
+  RingProblem ring_problem(const Subject& subject) const {
+    return {subject.mesh.positions, subject.topology.rings, weights, subject.region.roi};
+  }
+  LaplacianSystem laplacian_system(const Subject& subject) const {
+    StageTimings timings;
+    return {subject.mesh.positions,
+            subject.topology,
+            subject.region.roi,
+            constraints,
+            *pattern,
+            LaplacianWeights::uniform,
+            0.0,
+            timings};
+  }
+
+  Constraints constraints;
+  std::unique_ptr<SystemPattern> pattern;
+  std::vector<double> weights;
+};
+
+}  // namespace lapwing::bench

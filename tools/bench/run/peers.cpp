@@ -1,0 +1,119 @@
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <Eigen/SparseCore>
+
+#include "run/edit_parts.h"
+#include "run/stages.h"
+
+#ifdef LAPWING_HAVE_CGAL
+#include "run/cgal_arap.h"
+#endif
+
+namespace lapwing::bench {
+namespace {
+
+// Beyond these, minutes or gigabytes.
+constexpr std::size_t kMostForEigenFactor = 30'000;
+constexpr std::size_t kMostForEigenProduct = 120'000;
+[[maybe_unused]] constexpr std::size_t kMostForCholmod = 120'000;
+[[maybe_unused]] constexpr std::size_t kMostForArap = 450'000;
+
+constexpr std::size_t kColumns = 12;
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+Sparse as_sparse(const BlockRows& M, std::size_t vertex_count) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(9 * M.columns.size());
+  for (std::size_t r = 0; r < M.size(); ++r) {
+    for (std::size_t b = M.starts[r]; b < M.starts[r + 1]; ++b) {
+      for (std::size_t k = 0; k < 9; ++k) {
+        entries.emplace_back(static_cast<int>(3 * r + k % 3),
+                             static_cast<int>(3 * M.columns[b] + k / 3), M.values[9 * b + k]);
+      }
+    }
+  }
+  Sparse S(static_cast<int>(3 * M.size()), static_cast<int>(3 * vertex_count));
+  S.setFromTriplets(entries.begin(), entries.end());
+  return S;
+}
+
+void measure_product(BenchRun& run, const Subject& subject, const BlockRows& M) {
+  if (!run.wants("normal matrix", "Eigen", kProcessor, subject)) return;
+  const Sparse S = as_sparse(M, subject.vertices());
+  const Sparse St = S.transpose();
+  run.measure("normal matrix", "Eigen", subject, [&] { const Sparse N = St * S; });
+}
+
+// The same matrix in the same order of its blocks.
+void measure_factorization(BenchRun& run, const Subject& subject, const EditParts& parts,
+                           const BlockRows& M, SolverKind kind, const char* by) {
+  const bool wanted = run.wants("analyze", by, kProcessor, subject) ||
+                      run.wants("factor", by, kProcessor, subject) ||
+                      run.wants("response", by, kProcessor, subject);
+  if (!wanted) return;
+  const BlockMatrix N = parts.pattern->normal().normal_matrix(M, parts.constraints.W);
+  const auto solver = make_solver(kind);
+  const auto analyze = [&] { solver->analyze(parts.pattern->blocks(), 3, parts.pattern->order()); };
+  if (run.measure("analyze", by, subject, analyze) == nullptr) analyze();
+  if (run.measure("factor", by, subject, [&] { solver->factor(N); }) == nullptr) solver->factor(N);
+  std::vector<double> x(kColumns * N.scalar_size(), 1.0);
+  run.measure(
+      "response", by, subject, [&] { solver->solve(x, x, kColumns); },
+      [&] { std::fill(x.begin(), x.end(), 1.0); });
+  const auto one = std::span(x).first(N.scalar_size());
+  run.measure(
+      "back-substitution", by, subject, [&] { solver->solve(one, one, 1); },
+      [&] { std::fill(x.begin(), x.end(), 1.0); });
+}
+
+#ifdef LAPWING_HAVE_CGAL
+// From rest to the motion's end and back, as ours: each frame begins where the last one ended.
+void measure_arap(BenchRun& run, const Subject& subject) {
+  constexpr const char* kArap = "CGAL ARAP";
+  constexpr int kMostIterations = 200;
+  const bool wanted = run.wants("preparation", kArap, kProcessor, subject) ||
+                      run.wants("settle iteration", kArap, kProcessor, subject) ||
+                      run.wants("settle frame", kArap, kProcessor, subject);
+  if (!wanted) return;
+  CgalArap arap(subject.mesh, subject.topology, subject.region);
+  if (run.measure("preparation", kArap, subject, [&] { arap.prepare(); }) == nullptr) {
+    arap.prepare();
+  }
+  MovingHandle handle(subject);
+  run.measure(
+      "settle iteration", kArap, subject, [&] { arap.iterate(1, 0.0); },
+      [&] { arap.move(handle.next()); });
+  int iterations = 0;
+  Measurement* const row = run.measure(
+      "settle frame", kArap, subject, [&] { iterations = arap.iterate(kMostIterations); },
+      [&] { arap.move(handle.next()); });
+  if (row != nullptr) row->counts["iterations"] = static_cast<std::uint64_t>(iterations);
+}
+#endif
+
+}  // namespace
+
+void measure_peers(BenchRun& run, const Subject& subject) {
+  if (!run.settings().peers) return;
+#ifdef LAPWING_HAVE_CGAL
+  if (subject.vertices() <= kMostForArap) measure_arap(run, subject);
+#endif
+  if (subject.vertices() > kMostForEigenProduct) return;
+  const EditParts parts(subject);
+  const BlockRows M =
+      assemble_rsi_rows(*open_bench_device("cpu").kernels, parts.ring_problem(subject));
+  measure_product(run, subject, M);
+  if (subject.vertices() <= kMostForEigenFactor) {
+    measure_factorization(run, subject, parts, M, SolverKind::eigen, "Eigen");
+  }
+#ifdef LAPWING_HAVE_CHOLMOD
+  if (subject.vertices() <= kMostForCholmod) {
+    measure_factorization(run, subject, parts, M, SolverKind::cholmod, "CHOLMOD");
+  }
+#endif
+}
+
+}  // namespace lapwing::bench

@@ -1,0 +1,148 @@
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag_preview.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/settle/settle.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+#include "run/edit_parts.h"
+#include "run/stages.h"
+
+namespace lapwing::bench {
+namespace {
+
+// What a user sees as settled while the handle still moves, in mean edge lengths.
+constexpr double kSettleTolerance = 1e-3;
+// Iterations of one counted run, so that what begins and ends a run does not count.
+constexpr int kSettleIterations = 20;
+
+DeformOptions deform_options() {
+  DeformOptions options;
+  options.settle.emplace();
+  options.settle->tolerance = kSettleTolerance;
+  return options;
+}
+
+// What a frame must read and write at least: blend (basis, rest, numbers, positions), then normals
+// (numbers, fans, positions, normals). Twelve columns, all in use.
+std::uint64_t blend_bytes(const Subject& subject, bool on_device) {
+  const std::uint64_t n = subject.vertices();
+  const std::uint64_t number = on_device ? sizeof(float) : sizeof(double);
+  const std::uint64_t rest = on_device ? 4 * number : 3 * number;
+  return n * (36 * number + rest + sizeof(Index) + 3 * number);
+}
+
+std::uint64_t normals_bytes(const Subject& subject, bool on_device) {
+  const std::uint64_t n = subject.vertices();
+  const std::uint64_t vector = on_device ? 4 * sizeof(float) : 3 * sizeof(double);
+  const std::uint64_t corners = subject.topology.vertex_triangles.values.size();
+  // The device reads fans; the processor each triangle, and which are around a vertex.
+  const std::uint64_t triangles =
+      on_device ? sizeof(Index) * (corners + n)
+                : sizeof(Index) * corners + sizeof(Triangle) * subject.topology.triangles.size();
+  return triangles + n * (2 * sizeof(Index) + 2 * vector);
+}
+
+void measure_frame(BenchRun& run, const Subject& subject, const BenchDevice& device,
+                   const std::string& stage, const std::function<void()>& frame) {
+  const bool on_device = device.context != nullptr;
+  const std::uint64_t blend = blend_bytes(subject, on_device);
+  const std::uint64_t normals = normals_bytes(subject, on_device);
+  Measurement* const row = run.measure(stage, kLapwing, device, subject, frame);
+  if (row == nullptr) return;
+  row->counts["bytes"] = blend + normals;
+  run.add_kernel("blend_response", blend);
+  run.add_kernel("vertex_normals", normals);
+}
+
+void measure_preview(BenchRun& run, const Subject& subject, const BenchDevice& device) {
+  const bool wanted = run.wants("first drag", kLapwing, device.name, subject) ||
+                      run.wants("preview frame", kLapwing, device.name, subject);
+  if (!wanted) return;
+  const DeformOptions options = deform_options();
+  MovingHandle handle(subject);
+  std::unique_ptr<DragPreview> preview;
+  const auto make = [&] {
+    preview = std::make_unique<DragPreview>(subject.mesh.positions, subject.topology,
+                                            subject.region, options, *device.kernels);
+    preview->drag(handle.next());
+  };
+  run.measure("first drag", kLapwing, device, subject, make, [&] { preview.reset(); });
+  if (preview == nullptr) make();
+  run.measure("preview frame", kLapwing, device, subject, [&] { preview->drag(handle.next()); });
+}
+
+void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& device) {
+  const DeformOptions options = deform_options();
+  MovingHandle handle(subject);
+  std::unique_ptr<Deformer> deformer;
+  const auto make = [&] {
+    deformer = std::make_unique<Deformer>(subject.mesh.positions, subject.topology, subject.region,
+                                          options, *device.kernels);
+  };
+  run.measure("preparation", kLapwing, device, subject, make, [&] { deformer.reset(); });
+  const bool more = run.wants("drag frame", kLapwing, device.name, subject) ||
+                    run.wants("settle frame", kLapwing, device.name, subject);
+  if (!more) return;
+  if (deformer == nullptr) make();
+  measure_frame(run, subject, device, "drag frame", [&] { deformer->drag(handle.next()); });
+  int iterations = 0;
+  Measurement* const row = run.measure("settle frame", kLapwing, device, subject, [&] {
+    iterations = deformer->solve(handle.next()).certificate.settle_iterations;
+  });
+  if (row != nullptr) row->counts["iterations"] = static_cast<std::uint64_t>(iterations);
+}
+
+// The mean of many iterations from rest, on what a Deformer would run them on.
+void measure_settle_iteration(BenchRun& run, const Subject& subject, const BenchDevice& device) {
+  if (!run.wants("settle iteration", kLapwing, device.name, subject)) return;
+  const EditParts parts(subject);
+  const LaplacianSystem system = parts.laplacian_system(subject);
+  SettleOptions options;
+  options.max_iterations = kSettleIterations;
+  options.tolerance = 1e-300;
+  Settler settler(*device.kernels, system, options);
+  Positions wanted(subject.vertices(), Eigen::Vector3d::Zero());
+  const Eigen::Affine3d motion = subject.motion(1.0);
+  for (const Index v : subject.region.handles[0]) {
+    wanted[v] = motion * subject.mesh.positions[v] - subject.mesh.positions[v];
+  }
+  Positions u;
+  Measurement* const row = run.measure(
+      "settle iteration", kLapwing, device, subject, [&] { settler.settle(wanted, u); },
+      [&] { u.assign(subject.vertices(), Eigen::Vector3d::Zero()); });
+  for (auto* const times : {&row->wall_ms, &row->cpu_ms, &row->device_ms}) {
+    for (double& ms : *times) ms /= kSettleIterations;
+  }
+  row->counts["iterations"] = kSettleIterations;
+}
+
+bool exact_fits(BenchRun& run, const Subject& subject) {
+  // Far above what 16 GB hold needs no look; far below neither.
+  constexpr std::size_t kSurelyFits = 300'000;
+  if (subject.vertices() < kSurelyFits) return true;
+  const EditParts parts(subject);
+  const auto solver = make_solver();
+  solver->analyze(parts.pattern->blocks(), 3, parts.pattern->order());
+  const std::uint64_t bytes = solver->statistics().peak_bytes;
+  if (bytes <= run.settings().memory_bytes) return true;
+  run.leave_out("the exact preparation", subject,
+                "its factor needs " + std::to_string(bytes / 1'000'000) + " MB");
+  return false;
+}
+
+}  // namespace
+
+void measure_edit_stages(BenchRun& run, const Subject& subject) {
+  for (const BenchDevice& device : run.devices()) measure_preview(run, subject, device);
+  for (const BenchDevice& device : run.devices()) measure_settle_iteration(run, subject, device);
+  const bool exact = run.wants_any("preparation", subject) ||
+                     run.wants_any("drag frame", subject) || run.wants_any("settle frame", subject);
+  if (!exact || !exact_fits(run, subject)) return;
+  for (const BenchDevice& device : run.devices()) measure_exact(run, subject, device);
+}
+
+}  // namespace lapwing::bench

@@ -1,0 +1,54 @@
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+
+#include "lapwing/doctor/check.h"
+#include "lapwing/io/mesh_file.h"
+#include "run/stages.h"
+
+namespace lapwing::bench {
+namespace {
+
+// A mesh file for as long as it is needed, beside those of other processes.
+class TemporaryMesh {
+ public:
+  TemporaryMesh(const Mesh& mesh, const std::string& extension)
+      : path_(std::filesystem::temp_directory_path() /
+              ("lapwing-bench-" + std::to_string(getpid()) + extension)) {
+    write_mesh(mesh, path_);
+  }
+  ~TemporaryMesh() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  TemporaryMesh(const TemporaryMesh&) = delete;
+  TemporaryMesh& operator=(const TemporaryMesh&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+void measure_reading(BenchRun& run, const Subject& subject, const std::string& stage,
+                     const std::string& extension) {
+  if (!run.wants(stage, kLapwing, kProcessor, subject)) return;
+  // As generated: a mesh read from a file is written back as that file.
+  Mesh mesh;
+  mesh.positions = subject.mesh.positions;
+  for (const Triangle& t : subject.topology.triangles) mesh.add_face(t);
+  const TemporaryMesh file(mesh, extension);
+  Measurement* const row = run.measure(stage, kLapwing, subject, [&] { read_mesh(file.path()); });
+  row->counts["file bytes"] = std::filesystem::file_size(file.path());
+}
+
+}  // namespace
+
+void measure_mesh_stages(BenchRun& run, const Subject& subject) {
+  measure_reading(run, subject, "read OBJ", ".obj");
+  measure_reading(run, subject, "read PLY", ".ply");
+  run.measure("topology", kLapwing, subject, [&] { build_topology(subject.mesh); });
+  run.measure("check", kLapwing, subject, [&] { check(subject.mesh, subject.topology); });
+}
+
+}  // namespace lapwing::bench

@@ -1,0 +1,45 @@
+#include <memory>
+#include <vector>
+
+#include "lapwing/gpu/context.h"
+#include "lapwing/render/camera.h"
+#include "lapwing/render/offscreen.h"
+#include "lapwing/render/renderer.h"
+#include "lapwing/render/surface_paint.h"
+#include "lapwing/vulkan/vulkan_surface.h"
+#include "run/stages.h"
+
+namespace lapwing::bench {
+namespace {
+
+constexpr std::uint32_t kWidth = 1280;
+constexpr std::uint32_t kHeight = 800;
+
+}  // namespace
+
+void measure_render(BenchRun& run, const Subject& subject) {
+  for (const BenchDevice& device : run.devices()) {
+    if (device.context == nullptr || !device.context->has_graphics()) continue;
+    if (!run.wants("render", kLapwing, device.name, subject)) continue;
+    // At rest: a picture costs the same wherever the vertices are.
+    const auto made =
+        device.kernels->make_surface({subject.mesh.positions, subject.topology, {}, {}, 0});
+    const auto& surface = dynamic_cast<const VulkanSurface&>(*made);
+    SurfacePaint paint(surface);
+    paint.set_classes(vertex_classes(subject.region, subject.vertices()));
+    SurfaceStyle style;
+    style.color = SurfaceColor::regions;
+    OffscreenTarget target(*device.context, kWidth, kHeight);
+    const Renderer renderer(*device.context, target.format());
+    const Camera camera = fit(bounds_of(subject.mesh.positions), view_axes(View::three_quarter),
+                              static_cast<double>(kWidth) / static_cast<double>(kHeight));
+    run.measure("render", kLapwing, device, subject, [&] {
+      target.render([&](VkCommandBuffer commands) {
+        renderer.begin(commands, target.extent(), Background::gradient);
+        renderer.draw(commands, target.extent(), surface, paint, camera, style);
+      });
+    });
+  }
+}
+
+}  // namespace lapwing::bench

@@ -1,0 +1,114 @@
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lapwing/laplacian/constraints.h"
+#include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/laplacian/system_pattern.h"
+#include "lapwing/solve/block_solver.h"
+#include "lapwing/solve/ordering.h"
+#include "run/edit_parts.h"
+#include "run/stages.h"
+
+namespace lapwing::bench {
+namespace {
+
+constexpr std::size_t kColumns = 12;
+
+void count_factor(Measurement* row, const SolverStatistics& statistics) {
+  if (row == nullptr) return;
+  row->counts["flops"] = static_cast<std::uint64_t>(statistics.flops);
+  row->counts["nonzeros"] = statistics.factor_bytes / sizeof(double);
+}
+
+// Both triangular solves read the whole factor, and every number of it is used for every column
+// in a multiplication and an addition.
+void count_solve(Measurement* row, const SolverStatistics& statistics, std::size_t size,
+                 std::size_t columns) {
+  if (row == nullptr) return;
+  row->counts["bytes"] = 2 * statistics.factor_bytes + 2 * size * columns * sizeof(double);
+  row->counts["flops"] = 4 * statistics.factor_bytes / sizeof(double) * columns;
+}
+
+void measure_assembly(BenchRun& run, const Subject& subject, const EditParts& parts) {
+  for (const BenchDevice& device : run.devices()) {
+    const bool float64 = device.kernels->device().float64;
+    const std::size_t real = float64 ? sizeof(double) : sizeof(float);
+    const std::size_t entries = subject.topology.rings.values.size();
+    const std::size_t n = subject.vertices();
+    // Positions, rings and weights come in once, nine numbers a block go out.
+    const std::uint64_t bytes =
+        real * (3 * n + entries + 9 * (n + entries)) + sizeof(Index) * (2 * n + entries);
+    BlockRows M;
+    Measurement* const row = run.measure("assemble", kLapwing, device, subject, [&] {
+      M = assemble_rsi_rows(*device.kernels, parts.ring_problem(subject));
+    });
+    if (row != nullptr) row->counts["bytes"] = bytes;
+    run.add_kernel("assemble_rsi", bytes);
+  }
+}
+
+void measure_coupled(BenchRun& run, const Subject& subject, const EditParts& parts) {
+  const SystemPattern& pattern = *parts.pattern;
+  std::unique_ptr<BlockSolver> solver;
+  Measurement* row = run.measure(
+      "analyze", kLapwing, subject, [&] { solver->analyze(pattern.blocks(), 3, pattern.order()); },
+      [&] { solver = make_solver(); });
+  if (solver == nullptr) {
+    solver = make_solver();
+    solver->analyze(pattern.blocks(), 3, pattern.order());
+  }
+  const SolverStatistics statistics = solver->statistics();
+  if (row != nullptr) row->counts["nonzeros"] = statistics.factor_bytes / sizeof(double);
+  if (statistics.peak_bytes > run.settings().memory_bytes) {
+    run.leave_out("the 3n x 3n factor", subject,
+                  "it needs " + std::to_string(statistics.peak_bytes / 1'000'000) + " MB");
+    return;
+  }
+  const bool rest = run.wants("normal matrix", kLapwing, kProcessor, subject) ||
+                    run.wants("factor", kLapwing, kProcessor, subject) ||
+                    run.wants("response", kLapwing, kProcessor, subject);
+  if (!rest) return;
+  const BlockRows M =
+      assemble_rsi_rows(*open_bench_device("cpu").kernels, parts.ring_problem(subject));
+  BlockMatrix N = pattern.normal().normal_matrix(M, parts.constraints.W);
+  row = run.measure("normal matrix", kLapwing, subject,
+                    [&] { N = pattern.normal().normal_matrix(M, parts.constraints.W); });
+  if (row != nullptr) row->counts["bytes"] = sizeof(double) * (M.values.size() + N.values.size());
+  row = run.measure("factor", kLapwing, subject, [&] { solver->factor(N); });
+  count_factor(row, statistics);
+  if (!run.wants("response", kLapwing, kProcessor, subject)) return;
+  solver->factor(N);
+  const std::size_t size = N.scalar_size();
+  std::vector<double> x(kColumns * size, 1.0);
+  row = run.measure(
+      "response", kLapwing, subject, [&] { solver->solve(x, x, kColumns); },
+      [&] { std::fill(x.begin(), x.end(), 1.0); });
+  count_solve(row, statistics, size, kColumns);
+  row = run.measure(
+      "back-substitution", kLapwing, subject,
+      [&] { solver->solve(std::span(x).first(size), std::span(x).first(size), 1); },
+      [&] { std::fill(x.begin(), x.end(), 1.0); });
+  count_solve(row, statistics, size, 1);
+}
+
+}  // namespace
+
+void measure_solver_stages(BenchRun& run, const Subject& subject) {
+  EditParts parts(subject);
+  run.measure("pattern", kLapwing, subject, [&] {
+    SystemPattern(subject.topology, subject.region.roi, parts.constraints.unknowns);
+  });
+  std::vector<int> order;
+  run.measure("order", kLapwing, subject,
+              [&] { order = fill_reducing_order(parts.pattern->blocks()); });
+  run.measure("laplacian weights", kLapwing, subject, [&] {
+    laplacian_weights(subject.topology, subject.mesh.positions, LaplacianWeights::uniform);
+  });
+  parts.pattern->order();
+  run.measure("laplacian", kLapwing, subject, [&] { parts.laplacian_system(subject); });
+  measure_assembly(run, subject, parts);
+  measure_coupled(run, subject, parts);
+}
+
+}  // namespace lapwing::bench

@@ -1,0 +1,108 @@
+#include "run/subject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/subdivide.h"
+
+namespace lapwing::bench {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr const char* kHills = "hills";
+
+// Vertices of a file of the models' packages, so that a run need not read what it leaves out.
+struct Scan {
+  const char* name;
+  const char* file;
+  std::size_t vertices;
+  int subdivisions;
+};
+constexpr std::array kScans{
+    Scan{"homer", "homer.off", 4930, 0},
+    Scan{"camel", "camel.off", 9770, 0},
+    Scan{"armadillo", "armadillo.off", 26002, 0},
+    Scan{"elephant", "refined_elephant.off", 44460, 0},
+    Scan{"armadillo x 4", "armadillo.off", 104002, 1},
+    Scan{"armadillo x 16", "armadillo.off", 416002, 2},
+};
+// Across: about 1,000, 10,000, 100,000, 250,000 and 1,000,000 vertices.
+constexpr std::array<Index, 5> kHillsAcross{32, 100, 316, 500, 1000};
+
+}  // namespace
+
+Mesh hills(Index across) {
+  using std::numbers::pi;
+  Mesh mesh = grid(across - 1, across - 1);
+  for (Vector3d& p : mesh.positions) {
+    p *= across - 1;
+    p.z() = 4.0 * std::sin(pi * p.x() / 30.0) * std::sin(pi * p.y() / 30.0) +
+            0.5 * std::sin(pi * p.x() / 4.0) * std::sin(pi * p.y() / 4.0);
+  }
+  return mesh;
+}
+
+EditRegion whole_mesh_region(const Mesh& mesh) {
+  std::vector<Index> by_height(mesh.vertex_count());
+  std::iota(by_height.begin(), by_height.end(), 0U);
+  EditRegion region;
+  region.roi = by_height;
+  std::stable_sort(by_height.begin(), by_height.end(),
+                   [&](Index a, Index b) { return mesh.positions[a].y() < mesh.positions[b].y(); });
+  const auto share = static_cast<std::ptrdiff_t>(mesh.vertex_count() / 20);
+  region.belt.assign(by_height.begin(), by_height.begin() + share);
+  region.handles.emplace_back(by_height.end() - share, by_height.end());
+  std::sort(region.belt.begin(), region.belt.end());
+  std::sort(region.handles[0].begin(), region.handles[0].end());
+  return region;
+}
+
+Eigen::Affine3d Subject::motion(double share) const {
+  const Vector3d shift(0.1 * diagonal * share, 0.05 * diagonal * share, 0.0);
+  return Eigen::Translation3d(shift) *
+         Eigen::AngleAxisd(0.3 * share, Vector3d(1.0, 2.0, 3.0).normalized());
+}
+
+std::array<Eigen::Affine3d, 1> MovingHandle::next() {
+  // There and back in half a second at 60 frames a second.
+  constexpr double kFramesOfMotion = 30.0;
+  const double turn = 2.0 * std::numbers::pi * ++frames_ / kFramesOfMotion;
+  return {subject_.motion(0.5 - 0.5 * std::cos(turn))};
+}
+
+Subject SubjectSource::load() const {
+  Subject subject;
+  subject.name = name;
+  subject.mesh = make();
+  subject.topology = build_topology(subject.mesh);
+  subject.region = whole_mesh_region(subject.mesh);
+  subject.diagonal = bounds_of(subject.mesh.positions).diagonal();
+  subject.has_relief = name == kHills;
+  return subject;
+}
+
+std::vector<SubjectSource> all_subjects(const std::filesystem::path& models) {
+  std::vector<SubjectSource> subjects;
+  for (const Scan& scan : kScans) {
+    const std::filesystem::path path = models / "cgal/meshes" / scan.file;
+    if (!std::filesystem::exists(path)) continue;
+    subjects.push_back({scan.name, scan.vertices, [path, times = scan.subdivisions] {
+                          Mesh mesh = read_mesh(path);
+                          for (int i = 0; i < times; ++i) mesh = loop_subdivide(mesh);
+                          return mesh;
+                        }});
+  }
+  for (const Index across : kHillsAcross) {
+    subjects.push_back({kHills, std::size_t{across} * across, [across] { return hills(across); }});
+  }
+  std::stable_sort(subjects.begin(), subjects.end(),
+                   [](const auto& a, const auto& b) { return a.vertices < b.vertices; });
+  return subjects;
+}
+
+}  // namespace lapwing::bench

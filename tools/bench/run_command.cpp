@@ -1,0 +1,127 @@
+#include "run_command.h"
+
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <regex>
+
+#include <CLI/CLI.hpp>
+
+#include "lapwing/base/errors.h"
+#include "report/compare.h"
+#include "report/page.h"
+#include "report/report_json.h"
+#include "report/table.h"
+#include "run/bench_run.h"
+#include "run/host.h"
+
+namespace lapwing::bench {
+namespace {
+
+// A minute on two cores, peers included.
+constexpr std::size_t kQuickMost = 30'000;
+constexpr std::size_t kQuickLeast = 4'000;
+constexpr Repeats kQuick{3, 21, 100.0};
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw IoError("cannot write " + path + "; is its folder there and writable?");
+}
+
+std::optional<std::regex> as_regex(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  try {
+    return std::regex(text, std::regex::ECMAScript | std::regex::icase);
+  } catch (const std::regex_error& error) {
+    throw InputError("--filter: '" + text + "' is no regular expression (" + error.what() + ")");
+  }
+}
+
+}  // namespace
+
+RunCommand::RunCommand(CLI::App& app) {
+  app.add_flag("--quick", quick_, "meshes of 4,000 to 30,000 vertices and fewer runs: a minute");
+  app.add_option("--filter", filter_,
+                 "only rows \"stage / who / device / mesh\" that this regular expression finds");
+  app.add_option("--devices", devices_, "cpu, auto, an index or a part of a name, by commas")
+      ->delimiter(',')
+      ->capture_default_str();
+  app.add_option("--vertices", vertices_, "least and most vertices of the meshes, by a comma")
+      ->delimiter(',')
+      ->expected(2);
+  app.add_option("--repeats", repeats_, "counted runs of each thing at least (5)")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--models", models_, "where tools/setup/fetch-models put the scans")
+      ->capture_default_str();
+  app.add_option("--memory", memory_gb_, "GB that a factorization may take")
+      ->check(CLI::Range(0.1, 1e4))
+      ->capture_default_str();
+  app.add_flag("--no-peers", no_peers_, "neither CGAL nor Eigen nor CHOLMOD");
+  app.add_flag("--counts", counts_,
+               "only what does not vary (allocations, dispatches, bytes, operations, nonzeros)");
+  app.add_option("--json", json_, "write the report here");
+  app.add_option("--page", page_, "write the report with plots here, as one HTML file");
+  app.add_option("--plots", plots_, "write the plots here, as SVG");
+  app.add_option("--compare", compare_, "two reports, OLD NEW: nothing is measured")->expected(2);
+  app.add_option("--against", against_, "compare the counts of this run with those of a report");
+}
+
+int RunCommand::compare_reports(const std::filesystem::path& before,
+                                const std::filesystem::path& after) const {
+  const Comparison comparison = compare(read_report(before), read_report(after));
+  std::fputs(text_of(comparison).c_str(), stdout);
+  return comparison.verdict == Verdict::worse ? 1 : 0;
+}
+
+int RunCommand::run(const std::string& command_line) const {
+  if (!compare_.empty()) return compare_reports(compare_[0], compare_[1]);
+  RunSettings settings;
+  settings.models = models_;
+  settings.devices = devices_;
+  settings.filter = as_regex(filter_);
+  settings.peers = !no_peers_ && !counts_;
+  settings.limits = !counts_;
+  settings.only_counts = counts_;
+  settings.memory_bytes = static_cast<std::uint64_t>(memory_gb_ * 1e9);
+  if (quick_) {
+    settings.least_vertices = kQuickLeast;
+    settings.most_vertices = kQuickMost;
+    settings.repeats = kQuick;
+  }
+  if (!vertices_.empty()) {
+    settings.least_vertices = vertices_[0];
+    settings.most_vertices = vertices_[1];
+  }
+  if (repeats_ > 0) {
+    settings.repeats.least = repeats_;
+    settings.repeats.most = std::max(settings.repeats.most, repeats_);
+  }
+  // Before minutes of measuring: a typing error in a path should not cost them.
+  std::optional<Report> earlier;
+  if (!against_.empty()) earlier = read_report(against_);
+  for (const std::string& path : {json_, page_, plots_}) {
+    if (!path.empty()) write_text(path, "");
+  }
+  Report report = run_benchmark(settings);
+  if (report.measurements.empty()) {
+    throw InputError("nothing was measured: no row matches --filter and --vertices");
+  }
+  report.date = now_utc();
+  report.commit = built_from();
+  report.command = command_line;
+  report.host = this_host();
+  std::fputs(table_of(report).c_str(), stdout);
+  if (!json_.empty()) write_text(json_, to_json(report));
+  if (!page_.empty()) write_text(page_, page_of(report));
+  if (!plots_.empty()) write_text(plots_, plots_svg(report));
+  if (!earlier) return 0;
+  CompareOptions options;
+  options.times = false;
+  const Comparison comparison = compare(*earlier, report, options);
+  std::fputs(text_of(comparison).c_str(), stdout);
+  return comparison.verdict == Verdict::worse ? 1 : 0;
+}
+
+}  // namespace lapwing::bench
