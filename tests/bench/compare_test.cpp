@@ -113,7 +113,7 @@ TEST(Compare, SaysWhenThereAreTooFewRunsToSeeOneChange) {
   std::mt19937 random(5);
   const Report before = noisy_report(300, 7, random);
   EXPECT_THAT(compare(before, noisy_report(300, 7, random, 1, 0.5)).notes,
-              ElementsAre(AllOf(HasSubstr("With 7 runs"), HasSubstr("measure 8"))));
+              ElementsAre(AllOf(HasSubstr("300 of 300 times"), HasSubstr("with 8 runs"))));
   EXPECT_THAT(compare(noisy_report(10, 7, random), noisy_report(10, 7, random)).notes, IsEmpty());
 }
 

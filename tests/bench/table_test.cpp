@@ -29,8 +29,10 @@ armadillo, 26,002 vertices, on Some GPU
   assemble                          4.10  +-1.2%   0.600    1.25       -   50%
 
 Targets
-  met      factor / CHOLMOD                             0.252  at most  0.500   armadillo, CPU
-  NOT met  frames a second                               31.0  at least 60.0    armadillo, Some GPU
+  armadillo, CPU
+    met      factor / CHOLMOD                                            0.252, at most 0.500
+  armadillo, Some GPU
+    NOT met  frames a second                                              31.0, at least 60.0
 
 )");
 }

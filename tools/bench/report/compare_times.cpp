@@ -92,19 +92,20 @@ void note_limits(const std::map<std::string, std::vector<double>>& scales, Compa
 
 // So few runs that even the clearest change of one time alone would be put down to chance.
 void note_few_runs(const std::vector<Times>& compared, Comparison& comparison) {
-  if (compared.empty()) return;
-  std::size_t fewest = compared.front().before->size();
-  for (const Times& times : compared) {
-    fewest = std::min({fewest, times.before->size(), times.after->size()});
-  }
   const double bound = std::min(kProbability, kFalseShare / static_cast<double>(compared.size()));
-  if (smallest_rank_test(fewest, fewest) < bound) return;
-  std::size_t enough = fewest;
-  while (smallest_rank_test(enough, enough) >= bound) ++enough;
-  comparison.notes.push_back("With " + std::to_string(fewest) + " runs, one changed time among " +
-                             std::to_string(compared.size()) +
-                             " cannot be told from chance: measure " + std::to_string(enough) +
-                             " (--repeats) to see single ones.");
+  const auto too_few = [&](std::size_t before, std::size_t after) {
+    return smallest_rank_test(before, after) >= bound;
+  };
+  const auto affected = std::count_if(compared.begin(), compared.end(), [&](const Times& times) {
+    return too_few(times.before->size(), times.after->size());
+  });
+  if (affected == 0) return;
+  std::size_t enough = 1;
+  while (too_few(enough, enough)) ++enough;
+  comparison.notes.push_back(std::to_string(affected) + " of " + std::to_string(compared.size()) +
+                             " times have so few runs that a change of one alone cannot be told "
+                             "from chance; with " +
+                             std::to_string(enough) + " runs (--repeats) it can.");
 }
 
 void judge_times(const std::vector<Times>& compared, Comparison& comparison) {

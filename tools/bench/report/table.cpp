@@ -97,12 +97,14 @@ std::string growth_lines(const Report& report) {
 std::string target_lines(const Report& report) {
   if (report.targets.empty()) return "";
   std::string text = "Targets\n";
+  std::string on;
   for (const Target& target : report.targets) {
-    text += "  " + padded_right(target.met() ? "met" : "NOT met", 9) +
-            padded_right(clipped(target.name, 40), 42) +
-            padded_left(short_number(target.measured), 8) +
-            padded_right(target.is_floor ? "  at least " : "  at most ", 11) +
-            padded_right(short_number(target.at_most), 8) + clipped(target.on, 20) + "\n";
+    if (target.on != on) text += "  " + clipped(target.on, kLine - 2) + "\n";
+    on = target.on;
+    text += "    " + padded_right(target.met() ? "met" : "NOT met", 9) +
+            padded_right(clipped(target.name, 54), 56) +
+            padded_left(short_number(target.measured), 9) +
+            (target.is_floor ? ", at least " : ", at most ") + short_number(target.at_most) + "\n";
   }
   return text + "\n";
 }
