@@ -72,6 +72,42 @@ Samples settle_iteration(const Mesh& mesh, const Topology& topology, const EditR
   return samples;
 }
 
+// Preparations that alternate between an edit and one that differs in one thing, on the same ROI.
+struct Again {
+  const char* name;
+  Samples samples;
+};
+std::vector<Again> prepare_again(const Mesh& mesh, const Topology& topology,
+                                 const EditRegion& region, const DeformOptions& options,
+                                 Kernels& kernels, int repeats) {
+  struct Edit {
+    EditRegion region;
+    DeformOptions options;
+  };
+  const Edit first{region, options};
+  std::vector<std::pair<const char*, Edit>> others{
+      {"handle", first}, {"belt", first}, {"weight", first}, {"Laplacian", first}, {"mu", first}};
+  const auto by_half = [](VertexSet& vertices) { vertices.resize(vertices.size() / 2); };
+  by_half(others[0].second.region.handles[0]);
+  by_half(others[1].second.region.belt);
+  others[2].second.options.constraint_weight = 2.0;
+  others[3].second.options.weights = LaplacianWeights::cotangent;
+  others[3].second.options.settle->weights = LaplacianWeights::cotangent;
+  others[4].second.options.settle->stretch_resistance = 0.1;
+  std::vector<Again> results;
+  for (const auto& [name, other] : others) {
+    PreparedRegion prepared(topology);
+    bool turn = false;
+    const auto prepare = [&, &other = other] {
+      const Edit& edit = std::exchange(turn, !turn) ? other : first;
+      const Deformer deformer(prepared, mesh.positions, edit.region, edit.options, kernels);
+    };
+    prepare();
+    results.push_back({name, measure(2 * repeats, prepare)});
+  }
+  return results;
+}
+
 void print_row(const char* name, const Samples& samples) {
   std::printf("  %-28s %10.2f %10.2f %10.2f\n", name, samples.median(), samples.min(),
               samples.max());
@@ -116,6 +152,7 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
     first_drag.milliseconds.push_back(watch.elapsed_ms());
     deformer = std::make_unique<Deformer>(*preview, *kernels);
   });
+  const auto again = prepare_again(mesh, topology, region, options, *kernels, repeats);
   const Samples drag = measure(20 * repeats, [&] { deformer->drag(motions); });
   std::vector<double> x(3 * deformer->unknown_count(), 1.0);
   const Samples back = measure(repeats, [&] { deformer->back_substitute(x); });
@@ -134,6 +171,9 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
   }
   print_row("time to first drag (preview)", first_drag);
   print_row("  and to the exact one", exact);
+  for (const auto& [name, samples] : again) {
+    print_row(("again, another " + std::string(name)).c_str(), samples);
+  }
   print_row("drag frame with normals", drag);
   print_row("one back-substitution", back);
   print_row("one settle iteration", iteration);
@@ -143,11 +183,15 @@ void bench_deform(const std::filesystem::path& path, const std::string& device, 
   const Samples arap = time_cgal_arap(mesh, topology, region, repeats);
   print_row("CGAL's ARAP preprocess", arap);
   std::printf("  whole preparation / CGAL's ARAP   %.3f\n", total.median() / arap.median());
+  std::printf("  first drag / CGAL's ARAP          %.3f\n", first_drag.median() / arap.median());
 #endif
   std::printf("  normal matrix / Eigen's product   %.3f\n",
               stages["normal_matrix"].median() / product.median());
   std::printf("  whole preparation / factorization %.3f\n",
               total.median() / stages["factor"].median());
+  for (const auto& [name, samples] : again) {
+    std::printf("  again, another %-9s / whole   %.3f\n", name, samples.median() / total.median());
+  }
   std::printf("  drag frame / back-substitution    %.3f\n", drag.median() / back.median());
   std::printf("  settle iteration / back-subst.    %.3f\n", iteration.median() / back.median());
   std::printf("  first drag / exact one after it    %.3f\n", first_drag.median() / exact.median());
