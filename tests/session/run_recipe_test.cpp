@@ -66,6 +66,29 @@ TEST_F(RunRecipe, StepsFollowOneAnother) {
   EXPECT_EQ(twice->mesh.positions, once->mesh.positions) << "a still handle changed the mesh";
 }
 
+TEST_F(RunRecipe, SecondStepOnTheSameRoiOrdersNothingAnewAndGivesTheSameBits) {
+  const std::string other = R"({"op": "deform", "roi": {"all": true},
+      "belt": {"vertices": [0, 3, 6]},
+      "handles": [{"region": {"vertices": [228, 232, 236]}, "move": {"translate": [0.3, 0, 0]}}]})";
+  const auto both = run(std::string(kLift) + ", " + other);
+  const auto ordered = [&](std::size_t step) {
+    const auto& stages = both->report.steps[step].timings.stages();
+    return std::any_of(stages.begin(), stages.end(),
+                       [](const auto& s) { return s.first == "order"; });
+  };
+  EXPECT_TRUE(ordered(0));
+  EXPECT_FALSE(ordered(1));
+
+  const auto once = run(kLift);
+  once->prepared.reset();
+  once->last.reset();
+  const Step alone = parse_recipe(R"({"lapwing": 1, "mesh": "", "steps": [)" + other + "]}",
+                                  folder_.path(), "test")
+                         .steps[0];
+  run_step(alone, 2, folder_.path(), kernels_, {}, *once);
+  EXPECT_EQ(both->mesh.positions, once->mesh.positions);
+}
+
 TEST_F(RunRecipe, SavedMeshHoldsTheResult) {
   const auto result = run(kLift);
   save_result(*result, folder_.path() / "out.ply");

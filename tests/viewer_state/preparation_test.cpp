@@ -147,6 +147,26 @@ TEST(Preparation, AnotherSelectionStartsAnew) {
   EXPECT_EQ(preparation.exact()->region().handles[0].size(), 48U);
 }
 
+TEST(Preparation, AnotherHandleOnTheSameRoiOrdersNothingAnew) {
+  Preparation preparation(cpu_kernels);
+  const auto orders = [&](const AppState& state) {
+    preparation.follow(state);
+    wait_for(preparation, Phase::ready);
+    const StageTimings timings = preparation.exact()->timings();
+    return std::any_of(timings.stages().begin(), timings.stages().end(),
+                       [](const auto& stage) { return stage.first == "order"; });
+  };
+  AppState state = chosen_tube();
+  EXPECT_TRUE(orders(state));
+  state = apply(state, Choose{kHandle, box(2.5, 4.0)});
+  EXPECT_FALSE(orders(state));
+  state = apply(state, SetParameters{{.constraint_weight = 2.0}});
+  EXPECT_FALSE(orders(state));
+  EXPECT_TRUE(orders(apply(state, Choose{kRoi, box(0.4, 4.0)})));
+  preparation.cancel();
+  EXPECT_TRUE(orders(state)) << "nothing is kept";
+}
+
 TEST(Preparation, TheLatestSelectionWinsHoweverFastTheyChange) {
   Preparation preparation(cpu_kernels);
   AppState state = chosen_tube();

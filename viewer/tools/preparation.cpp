@@ -12,9 +12,9 @@ namespace {
 
 using Phase = PreparationStatus::Phase;
 
-constexpr std::array<std::string_view, 10> kStages{
-    "pattern",       "order",   "laplacian", "preview",  "assemble",
-    "normal_matrix", "analyze", "factor",    "response", "upload"};
+constexpr std::array<std::string_view, 11> kStages{
+    "pattern",       "constraints", "order",  "laplacian", "preview", "assemble",
+    "normal_matrix", "analyze",     "factor", "response",  "upload"};
 
 // By stages, not by time, which depends on the mesh and the device.
 double fraction_of_preparation(std::string_view stage, double fraction) {
@@ -132,8 +132,10 @@ void Preparation::cancel_settling() {
 
 void Preparation::cancel() {
   Ready old;
+  std::shared_ptr<Kept> kept;
   const std::lock_guard lock(mutex_);
   old = let_go();
+  kept = std::exchange(kept_, nullptr);
   followed_.reset();
 }
 
@@ -203,7 +205,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
   };
   try {
     Ready ready;
-    ready.preview = make_preview(state, progress);
+    ready.preview = make_preview(state, ticket, progress);
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
@@ -218,12 +220,25 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
   }
 }
 
-std::shared_ptr<DragPreview> Preparation::make_preview(const AppState& state,
+std::shared_ptr<DragPreview> Preparation::make_preview(const AppState& state, std::uint64_t ticket,
                                                        const Progress& progress) {
   const std::shared_ptr<Kernels> kernels = make_kernels();
-  return {new DragPreview(state.rest->positions, *state.topology, edit_region(state),
+  const std::shared_ptr<Kept> kept = kept_for(state, ticket);
+  return {new DragPreview(kept->region, state.rest->positions, edit_region(state),
                           deform_options(state.parameters), *kernels, progress),
           [kernels, topology = state.topology](DragPreview* p) { delete p; }};
+}
+
+// Nothing is kept for a state that is no longer followed.
+std::shared_ptr<Preparation::Kept> Preparation::kept_for(const AppState& state,
+                                                         std::uint64_t ticket) {
+  std::shared_ptr<Kept> before;
+  const std::lock_guard lock(mutex_);
+  if (ticket_ != ticket) throw Cancelled();
+  if (kept_ == nullptr || kept_->topology != state.topology) {
+    before = std::exchange(kept_, std::make_shared<Kept>(state.topology));
+  }
+  return kept_;
 }
 
 bool Preparation::publish(std::uint64_t ticket, Ready ready, Phase phase) {

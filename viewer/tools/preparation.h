@@ -11,6 +11,7 @@
 
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag_preview.h"
+#include "lapwing/deform/prepared_region.h"
 #include "state/app_state.h"
 
 namespace lapwing::viewer {
@@ -55,7 +56,8 @@ class Preparation {
 
   /// Prepares what `state` chooses. Where selection, parameters or rest shape are no longer those
   /// that were followed last, what is under way is cancelled and what was ready is let go; a mere
-  /// move changes nothing. Without ROI or handle there is nothing to prepare.
+  /// move changes nothing. On the same ROI the next preparation orders and analyzes nothing anew.
+  /// Without ROI or handle there is nothing to prepare.
   void follow(const AppState& state);
 
   /// Computes the result of the moves of `state`, which is the one followed, as soon as the exact
@@ -95,6 +97,14 @@ class Preparation {
     std::shared_ptr<Kernels> exact_kernels;
   };
 
+  // What the worker keeps from one preparation to the next.
+  struct Kept {
+    explicit Kept(std::shared_ptr<const Topology> of)
+        : topology(std::move(of)), region(*topology) {}
+    std::shared_ptr<const Topology> topology;
+    PreparedRegion region;
+  };
+
   struct Request {
     AppState state;
     std::uint64_t ticket = 0;
@@ -104,7 +114,9 @@ class Preparation {
   void run();
   void prepare(const AppState& state, std::uint64_t ticket);
   void settle_now(const Request& request, const Ready& ready);
-  std::shared_ptr<DragPreview> make_preview(const AppState& state, const Progress& progress);
+  std::shared_ptr<DragPreview> make_preview(const AppState& state, std::uint64_t ticket,
+                                            const Progress& progress);
+  std::shared_ptr<Kept> kept_for(const AppState& state, std::uint64_t ticket);
   bool publish(std::uint64_t ticket, Ready ready, PreparationStatus::Phase phase);
   void fail(std::uint64_t ticket, PreparationStatus::Phase phase, const std::string& message);
   Ready let_go();
@@ -126,6 +138,7 @@ class Preparation {
   std::optional<SettledResult> result_;
   std::optional<SettledResult> live_result_;
   PreparationStatus status_;
+  std::shared_ptr<Kept> kept_;
   Ready ready_;
 
   std::thread worker_;  // last: it uses all the others

@@ -8,7 +8,6 @@
 
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/edit_system.h"
-#include "lapwing/deform/rsi_solution.h"
 #include "lapwing/deform/turned_start.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -18,6 +17,15 @@ namespace lapwing {
 using Eigen::Vector3d;
 
 namespace {
+
+// An edit of whose preparation nothing is kept.
+std::shared_ptr<const EditSystem> edit_of(const Topology& topology, std::span<const Vector3d> rest,
+                                          EditRegion region, const DeformOptions& options,
+                                          const Progress& progress) {
+  PreparedRegion prepared(topology);
+  return std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
+                                            options.settle.has_value(), progress);
+}
 
 bool any_far(std::span<const Eigen::AngleAxisd> turns) {
   constexpr double kLimit = kLargestLinearTurnDegrees * std::numbers::pi / 180.0;
@@ -36,7 +44,7 @@ bool settles_on(const DeviceInfo& device) {
 struct Deformer::State {
   std::shared_ptr<const EditSystem> system;
   StageTimings timings;
-  std::unique_ptr<RsiSolution> solution;
+  Kernels* kernels = nullptr;
   std::unique_ptr<Settler> settler;  ///< null without settling, as the next
   std::unique_ptr<TurnedStart> turned_start;
   std::vector<double> weights;   ///< of the Laplacians that certificates measure
@@ -51,6 +59,7 @@ struct Deformer::State {
 void Deformer::State::compute_response(const Progress& progress) {
   const EditSystem& s = *system;
   const Unknowns& unknowns = s.constraints.unknowns;
+  const RsiSolution& rsi = s.systems->rsi();
   const std::size_t column = 3 * s.moving.size();
   const std::size_t n = 3 * unknowns.size();
   response.assign(column * s.column_count(), 0.0);
@@ -65,9 +74,9 @@ void Deformer::State::compute_response(const Progress& progress) {
       return s.wanted_displacement(q);
     };
     for (std::size_t k = 0; k < kMotionParameters; ++k) {
-      solution->right_hand_side(unit_motion(k), std::span(x).subspan(k * n, n));
+      rsi.right_hand_side(unit_motion(k), std::span(x).subspan(k * n, n));
     }
-    solution->solve_in_place(x, kMotionParameters);
+    rsi.solve_in_place(x, kMotionParameters);
     for (std::size_t k = 0; k < kMotionParameters; ++k) {
       // Vertices that move but are not solved for are handles with hard constraints.
       const std::vector<Vector3d> given = unit_motion(k);
@@ -84,14 +93,18 @@ void Deformer::State::compute_response(const Progress& progress) {
 
 // The displacement of every vertex, in double precision.
 std::vector<Vector3d> Deformer::State::blended_displacement(std::span<const double> q) const {
-  std::vector<Vector3d> u(system->rest.size(), Vector3d::Zero());
+  std::vector<Vector3d> u(system->rest->size(), Vector3d::Zero());
   blend_response(u, system->moving, response, q, u);
   return u;
 }
 
 Deformer::Deformer(std::span<const Vector3d> rest, const Topology& topology, EditRegion region,
                    const DeformOptions& options, Kernels& kernels, const Progress& progress)
-    : Deformer(std::make_shared<const EditSystem>(rest, topology, std::move(region), options,
+    : Deformer(edit_of(topology, rest, std::move(region), options, progress), kernels, progress) {}
+
+Deformer::Deformer(PreparedRegion& prepared, std::span<const Vector3d> rest, EditRegion region,
+                   const DeformOptions& options, Kernels& kernels, const Progress& progress)
+    : Deformer(std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
                                                   options.settle.has_value(), progress),
                kernels, progress) {}
 
@@ -103,11 +116,13 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
     : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.system = std::move(system);
+  s.kernels = &kernels;
   const EditSystem& edit = *s.system;
   s.timings = edit.timings;
   s.parameters.resize(edit.column_count());
-  s.weights = laplacian_weights(edit.topology, edit.rest, edit.options.weights);
-  s.solution = std::make_unique<RsiSolution>(edit, s.weights, kernels, progress, s.timings);
+  s.weights = laplacian_weights(edit.topology, *edit.rest, edit.options.weights);
+  const auto lock = edit.systems->lock();
+  edit.hold_rsi(s.weights, kernels, progress, s.timings);
   Stopwatch watch;
   s.compute_response(progress);
   s.timings.add("response", watch.elapsed_ms());
@@ -115,15 +130,27 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   watch.restart();
   report_progress(progress, "upload", 0.0);
   s.surface = kernels.make_surface(
-      {edit.rest, edit.topology, edit.moving, s.response, edit.column_count()});
+      {*edit.rest, edit.topology, edit.moving, s.response, edit.column_count()});
   if (edit.options.settle) {
+    edit.hold_laplacian();
     CpuKernels cpu;
-    s.settler = std::make_unique<Settler>(settles_on(kernels.device()) ? kernels : cpu,
-                                          *edit.laplacian, *edit.options.settle);
+    s.settler =
+        std::make_unique<Settler>(settles_on(kernels.device()) ? kernels : cpu,
+                                  edit.systems->laplacian_with_rings(), *edit.options.settle);
     s.turned_start = std::make_unique<TurnedStart>(edit);
   }
   s.timings.add("upload", watch.elapsed_ms());
   report_progress(progress, "upload", 1.0);
+}
+
+// The systems may be another edit's meanwhile.
+void Deformer::hold(const Progress& progress) const {
+  const State& s = *state_;
+  StageTimings untold;
+  s.system->hold_rsi(s.weights, *s.kernels, progress, untold);
+  if (s.settler == nullptr) return;
+  s.system->hold_laplacian();
+  s.system->systems->laplacian_with_rings();
 }
 
 Deformer::~Deformer() = default;
@@ -168,19 +195,21 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
                              const Progress& progress) const {
   const State& s = *state_;
   const EditSystem& edit = *s.system;
+  const auto lock = edit.systems->lock();
+  hold(progress);
   std::vector<double> q(edit.column_count());
   edit.set_parameters(motions, q);
   const std::vector<Vector3d> wanted = edit.wanted_displacement(q);
   std::vector<Vector3d> u = s.blended_displacement(q);
 
   DeformResult result;
-  result.certificate.relative_residual = s.solution->refine(wanted, u);
+  result.certificate.relative_residual = edit.systems->rsi().refine(wanted, u);
   const bool still =
       std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.isZero(0.0); });
   if (s.settler != nullptr && (!still || any_far(turns))) {
     settle(motions, turns, wanted, u, result.certificate, progress);
   }
-  result.positions = edit.rest;
+  result.positions = *edit.rest;
   for (const Index v : edit.moving) {
     // Adding 0 would turn a coordinate of -0 into +0.
     if (!u[v].isZero(0.0)) result.positions[v] += u[v];
@@ -191,7 +220,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
           std::max(result.certificate.handle_error, (u[v] - wanted[v]).norm());
     }
   }
-  measure_region(edit.region, edit.topology, s.weights, edit.rest, result.positions,
+  measure_region(edit.region, edit.topology, s.weights, *edit.rest, result.positions,
                  result.certificate);
   require_valid(result.certificate);
   return result;
@@ -204,7 +233,7 @@ const StageTimings& Deformer::timings() const {
   return state_->timings;
 }
 std::string_view Deformer::solver_name() const {
-  return state_->solution->solver_name();
+  return state_->system->systems->rsi().solver_name();
 }
 std::size_t Deformer::unknown_count() const {
   return state_->system->constraints.unknowns.size();
@@ -218,7 +247,9 @@ std::size_t Deformer::free_count() const {
 }
 
 void Deformer::back_substitute(std::span<double> x) const {
-  state_->solution->solve_in_place(x, 1);
+  const auto lock = state_->system->systems->lock();
+  hold({});
+  state_->system->systems->rsi().solve_in_place(x, 1);
 }
 
 }  // namespace lapwing

@@ -10,6 +10,7 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/deform_options.h"
+#include "lapwing/deform/prepared_region.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
@@ -42,6 +43,12 @@ class Deformer {
   /// Throws InputError for a region that does not fit the mesh, SolverError when a component of the
   /// region is not anchored, GpuError when the device fails, Cancelled when `progress` asks for it.
   Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
+           const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
+
+  /// The same with what `prepared` keeps of earlier preparations, which need not be done again:
+  /// "constraints" comes in place of "pattern" and "order", and of "assemble", "normal_matrix" and
+  /// "analyze" only what is to be done. Same bits.
+  Deformer(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
   /// Prepares what `preview` has not, from "assemble" on; timings include those of the preview's
@@ -88,6 +95,7 @@ class Deformer {
  private:
   struct State;
   Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, const Progress& progress);
+  void hold(const Progress& progress) const;
   void settle(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
               std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u,
               Certificate& certificate, const Progress& progress) const;

@@ -16,17 +16,19 @@ constexpr std::size_t kCoordinates = kMotionParameters / 3;
 // columns of displacements along x, y and z hold the same numbers.
 void add_columns(const EditSystem& system, std::size_t h, std::span<double> columns) {
   const HandleFrame& frame = system.frames[h];
-  std::vector<Vector3d> coordinates(system.rest.size(), Vector3d::Zero());
-  std::vector<Vector3d> one(system.rest.size(), Vector3d::Zero());
+  const Positions& rest = *system.rest;
+  const LaplacianSystem& laplacian = system.systems->laplacian();
+  std::vector<Vector3d> coordinates(rest.size(), Vector3d::Zero());
+  std::vector<Vector3d> one(rest.size(), Vector3d::Zero());
   for (const Index v : system.region.handles[h]) {
-    coordinates[v] = (system.rest[v] - frame.centroid) / frame.radius;
+    coordinates[v] = (rest[v] - frame.centroid) / frame.radius;
     one[v].x() = 1.0;
   }
-  const std::size_t n = system.laplacian->size();
+  const std::size_t n = laplacian.size();
   std::vector<double> x(6 * n);
-  system.laplacian->right_hand_side(coordinates, std::span(x).first(3 * n));
-  system.laplacian->right_hand_side(one, std::span(x).subspan(3 * n));
-  system.laplacian->solve_in_place(std::span(x).first(kCoordinates * n), kCoordinates);
+  laplacian.right_hand_side(coordinates, std::span(x).first(3 * n));
+  laplacian.right_hand_side(one, std::span(x).subspan(3 * n));
+  laplacian.solve_in_place(std::span(x).first(kCoordinates * n), kCoordinates);
 
   const std::size_t column = 3 * system.moving.size();
   for (std::size_t k = 0; k < kMotionParameters; ++k) {
@@ -36,9 +38,8 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
     for (std::size_t m = 0; m < system.moving.size(); ++m) {
       const Index v = system.moving[m];
       const Index u = system.constraints.unknowns.of_vertex[v];
-      out[3 * m] = u != kNoIndex
-                       ? x[coordinate * n + u]
-                       : unit_displacement(frame, system.rest[v], k)[static_cast<int>(axis)];
+      out[3 * m] = u != kNoIndex ? x[coordinate * n + u]
+                                 : unit_displacement(frame, rest[v], k)[static_cast<int>(axis)];
     }
   }
 }
@@ -54,19 +55,28 @@ struct DragPreview::State {
 
 DragPreview::DragPreview(std::span<const Vector3d> rest, const Topology& topology,
                          EditRegion region, const DeformOptions& options, Kernels& kernels,
+                         const Progress& progress) {
+  PreparedRegion prepared(topology);
+  *this = DragPreview(prepared, rest, std::move(region), options, kernels, progress);
+}
+
+DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> rest,
+                         EditRegion region, const DeformOptions& options, Kernels& kernels,
                          const Progress& progress)
     : state_(std::make_unique<State>()) {
-  const auto system = std::make_shared<const EditSystem>(rest, topology, std::move(region), options,
+  const auto system = std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
                                                          true, progress);
   report_progress(progress, "preview", 0.0);
   const Stopwatch watch;
   const std::size_t handle_columns = 3 * system->moving.size() * kMotionParameters;
   std::vector<double> columns(handle_columns * system->frames.size(), 0.0);
+  const auto lock = system->systems->lock();
+  system->hold_laplacian();
   for (std::size_t h = 0; h < system->frames.size(); ++h) {
     add_columns(*system, h, std::span(columns).subspan(h * handle_columns, handle_columns));
   }
   state_->surface = kernels.make_surface(
-      {system->rest, topology, system->moving, columns, system->column_count()});
+      {*system->rest, system->topology, system->moving, columns, system->column_count()});
   state_->parameters.resize(system->column_count());
   state_->timings = system->timings;
   state_->timings.add("preview", watch.elapsed_ms());

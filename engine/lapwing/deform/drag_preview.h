@@ -8,6 +8,7 @@
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deform_options.h"
+#include "lapwing/deform/prepared_region.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
@@ -29,6 +30,10 @@ class DragPreview {
   /// Prepares. Stages reported and timed: "pattern", "order", "laplacian", "preview". `topology`
   /// and `kernels` must outlive the object; positions are copied. Throws what Deformer does.
   DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
+              const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
+  /// The same with what `prepared` keeps: without "pattern" and "order" where that is of use, but
+  /// with "constraints" in their place.
+  DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
               const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
   ~DragPreview();
   DragPreview(DragPreview&&) noexcept;

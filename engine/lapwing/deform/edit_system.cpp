@@ -32,34 +32,66 @@ std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unk
 
 }  // namespace
 
-EditSystem::EditSystem(std::span<const Vector3d> rest_positions, const Topology& mesh_topology,
+EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_positions,
                        EditRegion edit_region, const DeformOptions& deform_options,
                        bool with_laplacian, const Progress& progress)
-    : rest(rest_positions.begin(), rest_positions.end()),
-      topology(mesh_topology),
-      region(std::move(edit_region)),
-      options(deform_options) {
+    : topology(prepared.topology()), region(std::move(edit_region)), options(deform_options) {
   check(options);
-  report_progress(progress, "pattern", 0.0);
   Stopwatch watch;
+  const auto begin = [&](const char* stage) {
+    report_progress(progress, stage, 0.0);
+    return stage;
+  };
   constraints = constraints_of(region, topology, options.constraint_weight, options.hard);
-  pattern = std::make_unique<SystemPattern>(topology, region.roi, constraints.unknowns);
-  timings.add("pattern", watch.elapsed_ms());
-  report_progress(progress, "order", 0.0);
-  watch.restart();
+  rest = prepared.copy_of(rest_positions);
+  const bool finds_pattern = !prepared.serves(region.roi, constraints.unknowns);
+  if (finds_pattern) begin("pattern");
+  systems = prepared.system_of(region.roi, constraints.unknowns);
+  if (finds_pattern) {
+    timings.add("pattern", watch.elapsed_ms());
+    watch.restart();
+  }
+  const auto lock = systems->lock();
+  const char* const stage = begin(systems->is_ordered() ? "constraints" : "order");
   parallel_invoke(
       [&] {
-        check_anchors(region, rest, topology, "region");
-        for (const auto& handle : region.handles) frames.push_back(handle_frame(handle, rest));
-        moving = moving_vertices(region, constraints.unknowns);
+        check_and_frame();
+        if (with_laplacian) systems->assemble_laplacian(laplacian_terms());
       },
-      [&] { pattern->order(); });
-  timings.add("order", watch.elapsed_ms());
+      [&] {
+        if (with_laplacian) {
+          systems->analyze_laplacian();
+        } else {
+          systems->find_order();
+        }
+      });
+  timings.add(stage, watch.elapsed_ms());
   if (!with_laplacian) return;
-  report_progress(progress, "laplacian", 0.0);
+  watch.restart();
+  begin("laplacian");
+  hold_laplacian();
+  timings.add("laplacian", watch.elapsed_ms());
+}
+
+void EditSystem::check_and_frame() {
+  check_anchors(region, *rest, topology, "region");
+  for (const auto& handle : region.handles) frames.push_back(handle_frame(handle, *rest));
+  moving = moving_vertices(region, constraints.unknowns);
+}
+
+SystemTerms EditSystem::laplacian_terms() const {
   const SettleOptions settle = options.settle.value_or(SettleOptions{.weights = options.weights});
-  laplacian = std::make_unique<LaplacianSystem>(rest, topology, region.roi, constraints, *pattern,
-                                                settle.weights, settle.stretch_resistance, timings);
+  return {rest, settle.weights, settle.stretch_resistance};
+}
+
+void EditSystem::hold_laplacian() const {
+  systems->hold_laplacian(laplacian_terms(), constraints.W);
+}
+
+void EditSystem::hold_rsi(std::span<const double> weights, Kernels& kernels,
+                          const Progress& progress, StageTimings& stages) const {
+  systems->hold_rsi({rest, options.weights}, weights, constraints.W, options.solver, kernels,
+                    progress, stages);
 }
 
 void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
@@ -75,12 +107,12 @@ void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
 }
 
 std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> parameters) const {
-  std::vector<Vector3d> wanted(rest.size(), Vector3d::Zero());
+  std::vector<Vector3d> wanted(rest->size(), Vector3d::Zero());
   for (std::size_t h = 0; h < frames.size(); ++h) {
     const auto own = parameters.subspan(h * kMotionParameters, kMotionParameters);
     for (const Index v : region.handles[h]) {
       for (std::size_t k = 0; k < kMotionParameters; ++k) {
-        wanted[v] += own[k] * unit_displacement(frames[h], rest[v], k);
+        wanted[v] += own[k] * unit_displacement(frames[h], (*rest)[v], k);
       }
     }
   }

@@ -10,31 +10,41 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deform_options.h"
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/deform/prepared_region.h"
+#include "lapwing/deform/region_system.h"
+#include "lapwing/laplacian/constraints.h"
 #include "lapwing/region/edit_region.h"
 
 namespace lapwing {
 
 /// One edit made ready: what its preview and its exact preparation share. Not changed after
-/// construction, so both may use it from threads of their own, the n x n system excepted.
+/// construction, so both may use it from threads of their own; the systems are another matter, see
+/// RegionSystem.
 struct EditSystem {
-  /// Stages "pattern", "order" and, with the n x n system, "laplacian". Throws what Deformer does.
-  EditSystem(std::span<const Eigen::Vector3d> rest_positions, const Topology& mesh_topology,
+  /// Stages "pattern" and "order", or "constraints" where `prepared` has both, and with the n x n
+  /// system "laplacian". Throws what Deformer does.
+  EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
              EditRegion edit_region, const DeformOptions& deform_options, bool with_laplacian,
              const Progress& progress);
 
-  Positions rest;
+  std::shared_ptr<const Positions> rest;
   const Topology& topology;
   EditRegion region;
   DeformOptions options;
   StageTimings timings;
   std::vector<HandleFrame> frames;  ///< per handle
   Constraints constraints;
-  std::unique_ptr<SystemPattern> pattern;
-  std::unique_ptr<LaplacianSystem> laplacian;  ///< or null
+  std::shared_ptr<RegionSystem> systems;  ///< of all edits over these unknowns
   /// The vertices that any motion can displace: all of the region but loose vertices outside the
   /// handles and, with hard constraints, the belt.
   std::vector<Index> moving;
+
+  /// Makes the n x n system that of this edit, for previews and settling.
+  void hold_laplacian() const;
+  /// Makes the 3n x 3n one that of this edit; `weights` are those of its Laplacians, per ring
+  /// entry.
+  void hold_rsi(std::span<const double> weights, Kernels& kernels, const Progress& progress,
+                StageTimings& stages) const;
 
   std::size_t column_count() const { return kMotionParameters * region.handles.size(); }
 
@@ -43,6 +53,10 @@ struct EditSystem {
 
   /// What the handles' motions ask for, over the whole mesh; 0 off the handles.
   std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;
+
+ private:
+  SystemTerms laplacian_terms() const;
+  void check_and_frame();
 };
 
 }  // namespace lapwing

@@ -36,48 +36,53 @@ std::string component_of(Index vertex, const Topology& topology, const Unknowns&
 
 }  // namespace
 
-RsiSolution::RsiSolution(const EditSystem& system, std::span<const double> weights,
-                         Kernels& kernels, const Progress& progress, StageTimings& timings)
-    : constraints_(system.constraints),
-      pattern_(*system.pattern),
-      solver_(make_solver(system.options.solver)) {
+RsiSolution::RsiSolution(const Topology& topology, std::span<const Index> roi,
+                         const Unknowns& unknowns, const SystemPattern& pattern, SolverKind solver)
+    : topology_(topology),
+      pattern_(pattern),
+      roi_(roi.begin(), roi.end()),
+      constraints_{unknowns, {}},
+      factor_(pattern, solver) {}
+
+void RsiSolution::assemble(std::span<const Vector3d> rest, std::span<const double> weights,
+                           Kernels& kernels, const Progress& progress, StageTimings& timings) {
   Stopwatch watch;
   const auto stage_is_done = [&](const char* stage) {
     timings.add(stage, watch.elapsed_ms());
     watch.restart();
   };
-  BlockMatrix N;
+  const bool analyzes = !factor_.is_analyzed();
   // The symbolic work needs the pattern alone.
   parallel_invoke(
       [&] {
         report_progress(progress, "assemble", 0.0);
-        M_ = assemble_rsi_rows(kernels,
-                               {system.rest, system.topology.rings, weights, system.region.roi});
+        M_ = assemble_rsi_rows(kernels, {rest, topology_.rings, weights, roi_});
         stage_is_done("assemble");
         report_progress(progress, "normal_matrix", 0.0);
-        N = pattern_.normal().normal_matrix(M_, constraints_.W);
+        factor_.set_matrix(pattern_.normal().normal_matrix(M_));
         stage_is_done("normal_matrix");
-        report_progress(progress, "analyze", 0.0);
+        if (analyzes) report_progress(progress, "analyze", 0.0);
       },
-      [&] { solver_->analyze(pattern_.blocks(), 3, pattern_.order()); });
-  stage_is_done("analyze");
-  factor(N, system.topology, progress);
-  stage_is_done("factor");
+      [&] { factor_.analyze(3); });
+  if (analyzes) stage_is_done("analyze");
 }
 
-void RsiSolution::factor(const BlockMatrix& N, const Topology& topology, const Progress& progress) {
+void RsiSolution::factor(std::span<const double> W, const Progress& progress,
+                         StageTimings& timings) {
+  if (factor_.holds(W)) return;
+  const Stopwatch watch;
   report_progress(progress, "factor", 0.0);
-  solver_->set_progress(progress);
+  constraints_.W.assign(W.begin(), W.end());
   try {
-    solver_->factor(N);
+    factor_.factor(W, progress);
   } catch (const NotPositiveDefinite& error) {
     const Index vertex = constraints_.unknowns.vertices[error.block];
     throw SolverError("the system is singular at vertex " + std::to_string(vertex) + ", in " +
-                      component_of(vertex, topology, constraints_.unknowns) +
+                      component_of(vertex, topology_, constraints_.unknowns) +
                       ": its belt and handle do not hold it. Add belt vertices there, leave it out "
                       "of the region, or run `lapwing check` to find degenerate triangles");
   }
-  solver_->set_progress({});
+  timings.add("factor", watch.elapsed_ms());
 }
 
 void RsiSolution::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
@@ -103,7 +108,7 @@ void RsiSolution::right_hand_side(std::span<const Vector3d> wanted, std::span<do
 }
 
 void RsiSolution::solve_in_place(std::span<double> columns_of_b, std::size_t columns) const {
-  if (constraints_.unknowns.size() > 0) solver_->solve(columns_of_b, columns_of_b, columns);
+  if (constraints_.unknowns.size() > 0) factor_.solver().solve(columns_of_b, columns_of_b, columns);
 }
 
 // r = W (wanted - u) - M'M u over the unknowns, which is b - N u for either kind of constraint.

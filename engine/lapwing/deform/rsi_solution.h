@@ -1,14 +1,14 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/deform/edit_system.h"
 #include "lapwing/kernels/kernels.h"
+#include "lapwing/laplacian/constraints.h"
+#include "lapwing/laplacian/held_factor.h"
 
 namespace lapwing {
 
@@ -16,13 +16,22 @@ namespace lapwing {
 /// vertices. Hard ones: M'M u = -M'M d over the free vertices, d given on handle and belt.
 class RsiSolution {
  public:
-  /// Assembles with `weights` and factors; stages "assemble", "normal_matrix", "analyze" and
-  /// "factor". `system` must outlive the object. Throws SolverError, naming the vertex and its
-  /// component, when the system is singular.
-  RsiSolution(const EditSystem& system, std::span<const double> weights, Kernels& kernels,
-              const Progress& progress, StageTimings& timings);
+  /// Of the region's rows over `unknowns`, not ready yet. `topology` and `pattern` must outlive the
+  /// object.
+  RsiSolution(const Topology& topology, std::span<const Index> roi, const Unknowns& unknowns,
+              const SystemPattern& pattern, SolverKind solver);
 
-  std::string_view solver_name() const { return solver_->name(); }
+  /// M and M'M, with `weights` per ring entry; the first time the symbolic factorization beside it.
+  /// Stages "assemble", "normal_matrix" and "analyze" (what was left of that).
+  void assemble(std::span<const Eigen::Vector3d> rest, std::span<const double> weights,
+                Kernels& kernels, const Progress& progress, StageTimings& timings);
+
+  /// The factor under `W`, one number per unknown, after `assemble`; redoes what has changed since
+  /// the last time. Stage "factor". Throws SolverError, naming the vertex and its component, when
+  /// the system is singular, and Cancelled: all but the factor is kept then.
+  void factor(std::span<const double> W, const Progress& progress, StageTimings& timings);
+
+  std::string_view solver_name() const { return factor_.solver().name(); }
 
   /// The right-hand side for wanted displacements of the whole mesh (given on handles, 0
   /// elsewhere): 3 numbers per unknown.
@@ -36,14 +45,15 @@ class RsiSolution {
   double refine(std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u) const;
 
  private:
-  void factor(const BlockMatrix& N, const Topology& topology, const Progress& progress);
   void residual(std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> u,
                 std::span<double> r) const;
 
-  const Constraints& constraints_;
+  const Topology& topology_;
   const SystemPattern& pattern_;
+  std::vector<Index> roi_;
+  Constraints constraints_;
   BlockRows M_;
-  std::unique_ptr<BlockSolver> solver_;
+  HeldFactor factor_;
 };
 
 }  // namespace lapwing

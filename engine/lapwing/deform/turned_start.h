@@ -20,7 +20,7 @@ inline constexpr double kLargestLinearTurnDegrees = 15.0;
 /// 7; from here 260 degrees keep their winding.
 class TurnedStart {
  public:
-  /// Solves for the shares, one column of the n x n system for each handle. `system` has that
+  /// Solves for the shares, one column of the n x n system for each handle. `system` holds that
   /// system, and must outlive the object.
   explicit TurnedStart(const EditSystem& system);
 

@@ -10,64 +10,96 @@ namespace lapwing {
 
 using Eigen::Vector3d;
 
+LaplacianSystem::LaplacianSystem(const Topology& topology, std::span<const Index> roi,
+                                 const Unknowns& unknowns, const SystemPattern& pattern)
+    : topology_(topology),
+      pattern_(pattern),
+      roi_(roi.begin(), roi.end()),
+      constraints_{unknowns, {}},
+      factor_(pattern, SolverKind::automatic) {}
+
 LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology& topology,
                                  std::span<const Index> roi, const Constraints& constraints,
                                  const SystemPattern& pattern, LaplacianWeights weights,
                                  double stretch_resistance, StageTimings& timings)
-    : constraints_(constraints), pattern_(pattern), solver_(make_solver()) {
+    : LaplacianSystem(topology, roi, constraints.unknowns, pattern) {
   const Stopwatch watch;
-  BlockMatrix A;
-  // The symbolic work needs the pattern alone.
   parallel_invoke(
       [&] {
-        const auto w = laplacian_weights(topology, rest, weights);
-        std::vector<double> edges;
-        if (stretch_resistance > 0.0) edges = edge_weights(topology, rest);
-        L_ = laplacian_rows(topology.rings, w, roi);
-        A = pattern.normal().normal_matrix(L_, constraints.W);
-        const std::vector<Index> rows = rows_by_elimination(roi);
-        rings_ = region_rings(topology, rest, w, edges, stretch_resistance, rows,
-                              std::span(rows).first(size()));
-        if (!edges.empty()) add_edge_terms(A);
+        assemble(rest, weights, stretch_resistance);
+        make_rings(rest);
       },
-      [&] { solver_->analyze(pattern.blocks(), 1, pattern.order()); });
-  try {
-    solver_->factor(A);
-  } catch (const NotPositiveDefinite& error) {
-    throw SolverError("the Laplacian system is singular at vertex " +
-                      std::to_string(constraints.unknowns.vertices[error.block]) +
-                      ": belt and handle do not hold its component. Add belt vertices there, or "
-                      "leave it out of the region");
-  }
+      [&] { analyze(); });
+  factor(constraints.W);
   timings.add("laplacian", watch.elapsed_ms());
 }
 
+void LaplacianSystem::assemble(std::span<const Vector3d> rest, LaplacianWeights weights,
+                               double stretch_resistance) {
+  has_rings_ = false;
+  stretch_resistance_ = stretch_resistance;
+  weights_ = laplacian_weights(topology_, rest, weights);
+  edge_weights_.clear();
+  if (stretch_resistance > 0.0) edge_weights_ = edge_weights(topology_, rest);
+  L_ = laplacian_rows(topology_.rings, weights_, roi_);
+  BlockMatrix A = pattern_.normal().normal_matrix(L_);
+  if (!edge_weights_.empty()) add_edge_terms(A);
+  factor_.set_matrix(std::move(A));
+}
+
+void LaplacianSystem::analyze() {
+  factor_.analyze(1);
+}
+
+void LaplacianSystem::factor(std::span<const double> W) {
+  constraints_.W.assign(W.begin(), W.end());
+  try {
+    factor_.factor(W);
+  } catch (const NotPositiveDefinite& error) {
+    throw SolverError("the Laplacian system is singular at vertex " +
+                      std::to_string(constraints_.unknowns.vertices[error.block]) +
+                      ": belt and handle do not hold its component. Add belt vertices there, or "
+                      "leave it out of the region");
+  }
+}
+
+void LaplacianSystem::make_rings(std::span<const Vector3d> rest) {
+  if (has_rings_) return;
+  const std::vector<Index> rows = rows_by_elimination();
+  rings_ = region_rings(topology_, rest, weights_, edge_weights_, stretch_resistance_, rows,
+                        std::span(rows).first(size()));
+  has_rings_ = true;
+}
+
 // The vertices of the unknowns in the order of elimination, then the others of the region.
-std::vector<Index> LaplacianSystem::rows_by_elimination(std::span<const Index> roi) {
+std::vector<Index> LaplacianSystem::rows_by_elimination() {
   const Unknowns& unknowns = constraints_.unknowns;
   std::vector<Index> rows;
-  rows.reserve(roi.size());
+  rows.reserve(roi_.size());
   places_.resize(size());
   for (const int k : elimination_order()) {
     places_[static_cast<std::size_t>(k)] = static_cast<Index>(rows.size());
     rows.push_back(unknowns.vertices[static_cast<std::size_t>(k)]);
   }
-  for (const Index v : roi) {
+  for (const Index v : roi_) {
     if (unknowns.of_vertex[v] == kNoIndex) rows.push_back(v);
   }
   return rows;
 }
 
-// Every row holds the edges of its ring, so an edge between two rows counts twice.
+// Every row holds the edges of its ring by half, so an edge between two rows counts in full.
 void LaplacianSystem::add_edge_terms(BlockMatrix& A) const {
   const BlockPattern& blocks = *A.pattern;
+  const Adjacency& rings = topology_.rings;
+  std::vector<char> is_row(rings.row_count(), 0);
+  for (const Index v : roi_) is_row[v] = 1;
   for (std::size_t c = 0; c < size(); ++c) {
-    const std::size_t row = rings_.unknown_rows[places_[c]];
-    for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
-      const Index j = rings_.neighbours[e];
-      const double w = rings_.stiffness[e] * (rings_.is_row(j) ? 2.0 : 1.0);
+    const Index v = constraints_.unknowns.vertices[c];
+    for (std::size_t e = rings.starts[v]; e < rings.starts[v + 1]; ++e) {
+      const Index j = rings.values[e];
+      const double w = (is_row[j] != 0 ? 1.0 : 0.5) * stretch_resistance_ * edge_weights_[e];
       A.values[blocks.starts[c]] += w;
-      const Index r = constraints_.unknowns.of_vertex[rings_.vertices[j]];
+      const Index r = constraints_.unknowns.of_vertex[j];
       if (r == kNoIndex || r < c) continue;
       const auto column = blocks.column(c);
       const auto at = std::lower_bound(column.begin(), column.end(), r) - column.begin();
@@ -82,12 +114,13 @@ std::vector<double> LaplacianSystem::from_given(std::span<const Vector3d> given)
   multiply(L_, given, rows);
   std::vector<double> result(3 * size());
   pattern_.normal().multiply_transposed(L_, rows, result);
-  if (rings_.stiffness.empty()) return result;
+  if (edge_weights_.empty()) return result;
+  const Adjacency& rings = topology_.rings;
   for (std::size_t k = 0; k < size(); ++k) {
-    const std::size_t row = rings_.unknown_rows[places_[k]];
-    for (std::size_t e = rings_.starts[row]; e < rings_.starts[row + 1]; ++e) {
+    const Index v = constraints_.unknowns.vertices[k];
+    for (std::size_t e = rings.starts[v]; e < rings.starts[v + 1]; ++e) {
       Eigen::Map<Vector3d>(result.data() + 3 * k) -=
-          2.0 * rings_.stiffness[e] * given[rings_.vertices[rings_.neighbours[e]]];
+          stretch_resistance_ * edge_weights_[e] * given[rings.values[e]];
     }
   }
   return result;
@@ -98,7 +131,7 @@ void LaplacianSystem::right_hand_side(std::span<const Vector3d> wanted, std::spa
   const Unknowns& unknowns = constraints_.unknowns;
   std::vector<Vector3d> given(wanted.size(), Vector3d::Zero());
   bool any_given = false;
-  for (const Index v : std::span(rings_.vertices).first(rings_.row_count())) {
+  for (const Index v : roi_) {
     if (unknowns.of_vertex[v] != kNoIndex || wanted[v].isZero(0.0)) continue;
     given[v] = wanted[v];
     any_given = true;
@@ -114,11 +147,11 @@ void LaplacianSystem::right_hand_side(std::span<const Vector3d> wanted, std::spa
 
 void LaplacianSystem::solve_in_elimination_order(std::span<double> columns_of_b,
                                                  std::size_t columns) const {
-  if (size() > 0) solver_->solve_in_places(columns_of_b, columns, places_);
+  if (size() > 0) factor_.solver().solve_in_places(columns_of_b, columns, places_);
 }
 
 void LaplacianSystem::solve_in_place(std::span<double> columns_of_b, std::size_t columns) const {
-  if (size() > 0) solver_->solve(columns_of_b, columns_of_b, columns);
+  if (size() > 0) factor_.solver().solve(columns_of_b, columns_of_b, columns);
 }
 
 }  // namespace lapwing

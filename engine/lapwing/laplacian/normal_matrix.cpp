@@ -107,6 +107,7 @@ BlockMatrix NormalPattern::normal_matrix(const BlockRows& M, std::span<const dou
           }
         }
       }
+      if (W.empty()) continue;
       double* diagonal = N.values.data() + numbers * blocks_.starts[c];
       for (std::size_t k = 0; k < size; ++k) diagonal[(size + 1) * k] += W[c];
     }

@@ -46,9 +46,9 @@ class NormalPattern {
 
   const BlockPattern& blocks() const { return blocks_; }
 
-  /// N = M'M + diag(W), W given per unknown. A gather over the rows that two unknowns share: each
-  /// block is summed by one thread in a fixed order.
-  BlockMatrix normal_matrix(const BlockRows& M, std::span<const double> W) const;
+  /// N = M'M + diag(W), W given per unknown, or empty for 0. A gather over the rows that two
+  /// unknowns share: each block is summed by one thread in a fixed order.
+  BlockMatrix normal_matrix(const BlockRows& M, std::span<const double> W = {}) const;
 
   /// y = M' r over the unknowns: 3 numbers per row in, 3 per unknown out. A 1 x 1 block acts on x,
   /// y and z alike.

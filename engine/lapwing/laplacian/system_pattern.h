@@ -19,6 +19,8 @@ class SystemPattern {
 
   /// New to old. Found in the first call, by whichever thread that is.
   const std::vector<int>& order() const;
+  /// Whether it has been; not to be asked while another thread may be finding it.
+  bool is_ordered() const { return order_.size() == blocks().size(); }
 
  private:
   NormalPattern normal_;

@@ -13,10 +13,10 @@ using Eigen::Vector3d;
 // The mesh follows the handles from share `from` of the step to share `to`.
 Certificate run_part(const BoundStep& bound, double from, double to, Kernels& kernels,
                      const Progress& progress, RunResult& result, StageTimings& timings) {
-  // A factor is large: the one before goes first.
   result.last.reset();
+  if (!result.prepared) result.prepared = std::make_unique<PreparedRegion>(result.topology);
   result.last =
-      std::make_unique<Deformer>(result.mesh.positions, result.topology, bound.region,
+      std::make_unique<Deformer>(*result.prepared, result.mesh.positions, bound.region,
                                  deform_options(bound.step.parameters), kernels, progress);
   Deformer& deformer = *result.last;
   for (const auto& [name, ms] : deformer.timings().stages()) timings.add(name, ms);

@@ -77,10 +77,11 @@ struct Runner {
   StepReport operator()(const TransplantStep& step) const { return run_whole(step); }
 
  private:
-  // A step that leaves no deformer behind.
+  // A step that leaves no deformer behind, and may change the triangles.
   template <class SomeStep>
   StepReport run_whole(const SomeStep& step) const {
     result.last.reset();
+    result.prepared.reset();
     return run_step(step, base_directory, kernels, progress, result);
   }
 };

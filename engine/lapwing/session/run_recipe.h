@@ -16,6 +16,8 @@ struct RunResult {
   /// remeshing made is where it was made.
   Positions original;
   Topology topology;  ///< of `mesh`
+  /// What a deform step leaves for one on the same ROI after it; null after any other.
+  std::unique_ptr<PreparedRegion> prepared;
   /// What the last step concerned; nothing without steps.
   EditRegion region;
   /// The deformer of the last step if that is a deform or, where that commits on the way, of its

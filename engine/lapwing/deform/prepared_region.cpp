@@ -1,0 +1,30 @@
+#include "lapwing/deform/prepared_region.h"
+
+#include <cstring>
+
+#include "lapwing/deform/region_system.h"
+
+namespace lapwing {
+
+bool PreparedRegion::serves(const VertexSet& roi, const Unknowns& unknowns) const {
+  return system_ != nullptr && system_->serves(roi, unknowns);
+}
+
+std::shared_ptr<RegionSystem> PreparedRegion::system_of(const VertexSet& roi,
+                                                        const Unknowns& unknowns) {
+  if (!serves(roi, unknowns)) {
+    system_.reset();  // factors are large: the ones before go first
+    system_ = std::make_shared<RegionSystem>(topology_, roi, unknowns);
+  }
+  return system_;
+}
+
+std::shared_ptr<const Positions> PreparedRegion::copy_of(std::span<const Eigen::Vector3d> rest) {
+  // Bits, since 0 and -0 are not the same rest shape.
+  const bool same = rest_ != nullptr && rest_->size() == rest.size() &&
+                    std::memcmp(rest_->data(), rest.data(), rest.size_bytes()) == 0;
+  if (!same) rest_ = std::make_shared<const Positions>(rest.begin(), rest.end());
+  return rest_;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/rsi_solution.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/laplacian/laplacian_system.h"
+
+namespace lapwing {
+
+/// What the numbers of a system depend on besides region and constraints.
+struct SystemTerms {
+  std::shared_ptr<const Positions> rest;  ///< the same pointer for the same positions
+  LaplacianWeights weights = LaplacianWeights::uniform;
+  double stretch_resistance = 0.0;  ///< of the n x n system
+
+  bool operator==(const SystemTerms&) const = default;
+};
+
+/// The systems of all edits with one ROI and the same unknowns, each as one of these edits left it:
+/// whoever uses one makes it that of its own edit by `hold_...` first, which does nothing where it
+/// is, and keeps the lock from then on.
+class RegionSystem {
+ public:
+  /// Finds the pattern, and nothing else yet.
+  RegionSystem(const Topology& topology, const VertexSet& roi, const Unknowns& unknowns);
+
+  bool serves(const VertexSet& roi, const Unknowns& unknowns) const;
+
+  [[nodiscard]] std::unique_lock<std::mutex> lock() { return std::unique_lock(mutex_); }
+
+  /// L and L'L + mu K, for which neither order nor constraints are needed.
+  void assemble_laplacian(const SystemTerms& terms);
+  /// The order; once.
+  void find_order() { pattern_.order(); }
+  bool is_ordered() const { return pattern_.is_ordered(); }
+  /// The order and the symbolic factorization of the n x n system; once. May run beside
+  /// `assemble_laplacian`.
+  void analyze_laplacian() { laplacian_.analyze(); }
+  /// Both, and the factor under `W`.
+  void hold_laplacian(const SystemTerms& terms, std::span<const double> W);
+  /// As held last; `with_rings` has its rings too.
+  const LaplacianSystem& laplacian() const { return laplacian_; }
+  const LaplacianSystem& laplacian_with_rings();
+
+  /// The 3n x 3n system under `W`; stages "assemble", "normal_matrix" and "analyze" as far as they
+  /// are to be done, and "factor". `weights` are those of `terms`, per ring entry.
+  void hold_rsi(const SystemTerms& terms, std::span<const double> weights,
+                std::span<const double> W, SolverKind solver, Kernels& kernels,
+                const Progress& progress, StageTimings& timings);
+  /// As held last.
+  const RsiSolution& rsi() const { return *rsi_; }
+
+ private:
+  const Topology& topology_;
+  const VertexSet roi_;
+  const Unknowns unknowns_;
+  const SystemPattern pattern_;
+  std::mutex mutex_;
+  LaplacianSystem laplacian_;
+  SystemTerms laplacian_terms_;  ///< no positions where it is not assembled
+  std::unique_ptr<RsiSolution> rsi_;
+  SolverKind rsi_solver_ = SolverKind::automatic;
+  SystemTerms rsi_terms_;
+};
+
+}  // namespace lapwing

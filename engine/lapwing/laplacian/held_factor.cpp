@@ -1,0 +1,75 @@
+#include "lapwing/laplacian/held_factor.h"
+
+#include <algorithm>
+
+namespace lapwing {
+namespace {
+
+// Whom a factorization tells how far it is, for as long as that lasts.
+class Reporting {
+ public:
+  Reporting(BlockSolver& solver, const Progress& progress) : solver_(solver) {
+    solver_.set_progress(progress);
+  }
+  Reporting(const Reporting&) = delete;
+  Reporting& operator=(const Reporting&) = delete;
+  ~Reporting() { solver_.set_progress({}); }
+
+ private:
+  BlockSolver& solver_;
+};
+
+}  // namespace
+
+HeldFactor::HeldFactor(const SystemPattern& pattern, SolverKind kind)
+    : pattern_(pattern), solver_(make_solver(kind)) {}
+
+void HeldFactor::analyze(int block_size) {
+  if (analyzed_) return;
+  solver_->analyze(pattern_.blocks(), block_size, pattern_.order());
+  analyzed_ = true;
+}
+
+void HeldFactor::set_matrix(BlockMatrix A) {
+  factored_ = false;
+  A_ = std::move(A);
+  W_.assign(A_.pattern->size(), 0.0);
+  const auto b = static_cast<std::size_t>(A_.block_size);
+  diagonal_.resize(A_.scalar_size());
+  for (std::size_t u = 0; u < W_.size(); ++u) {
+    const auto block = A_.block(A_.pattern->starts[u]);
+    for (std::size_t k = 0; k < b; ++k) diagonal_[b * u + k] = block[(b + 1) * k];
+  }
+}
+
+void HeldFactor::hold(std::size_t unknown, double weight) {
+  const auto b = static_cast<std::size_t>(A_.block_size);
+  double* block = A_.values.data() + b * b * A_.pattern->starts[unknown];
+  for (std::size_t k = 0; k < b; ++k) block[(b + 1) * k] = diagonal_[b * unknown + k] + weight;
+  W_[unknown] = weight;
+}
+
+bool HeldFactor::holds(std::span<const double> W) const {
+  return factored_ && std::equal(W.begin(), W.end(), W_.begin(), W_.end());
+}
+
+void HeldFactor::factor(std::span<const double> W, const Progress& progress) {
+  if (holds(W)) return;
+  std::vector<Index> changed;
+  for (std::size_t u = 0; u < W_.size(); ++u) {
+    if (W[u] == W_[u]) continue;
+    hold(u, W[u]);
+    changed.push_back(static_cast<Index>(u));
+  }
+  const bool anew = !factored_;
+  factored_ = false;
+  const Reporting reporting(*solver_, progress);
+  if (anew) {
+    solver_->factor(A_);
+  } else {
+    solver_->refactor_diagonal(A_, changed);
+  }
+  factored_ = true;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/laplacian/system_pattern.h"
+#include "lapwing/solve/block_solver.h"
+
+namespace lapwing {
+
+/// The Cholesky factor of A + diag(W): a region's normal matrix A and, per unknown, how firmly it
+/// is held. Analyzed once; after that A and W may change as often as wanted, and `factor` redoes
+/// what depends on what did. One thread at a time, `analyze` excepted.
+class HeldFactor {
+ public:
+  /// `pattern` must outlive the object.
+  HeldFactor(const SystemPattern& pattern, SolverKind kind);
+
+  /// The symbolic work for blocks of `block_size`, the order included, which need no numbers; may
+  /// run beside `set_matrix`. Does nothing when done already.
+  void analyze(int block_size);
+  bool is_analyzed() const { return analyzed_; }
+
+  /// A, without W.
+  void set_matrix(BlockMatrix A);
+
+  /// Whether A + diag(W) is what is factored.
+  bool holds(std::span<const double> W) const;
+
+  /// Factors A + diag(W), after the two above; does nothing when that is factored already. Where
+  /// only W differs from the last time it keeps the parts of the factor that no changed number
+  /// reaches. Same bits either way. Throws NotPositiveDefinite, Cancelled: analysis and A are then
+  /// kept, the factor is not.
+  void factor(std::span<const double> W, const Progress& progress = {});
+
+  BlockSolver& solver() const { return *solver_; }
+
+ private:
+  void hold(std::size_t unknown, double weight);
+
+  const SystemPattern& pattern_;
+  std::unique_ptr<BlockSolver> solver_;
+  bool analyzed_ = false;
+  bool factored_ = false;         ///< A_, which holds W_
+  BlockMatrix A_;                 ///< with W_ added
+  std::vector<double> diagonal_;  ///< of A without W, a number for each scalar unknown
+  std::vector<double> W_;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,314 @@
+#include "lapwing/deform/prepared_region.h"
+
+#include <cstring>
+#include <functional>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag_preview.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::Not;
+
+struct Edit {
+  EditRegion region;
+  DeformOptions options;
+};
+
+// The vertices of `mesh` between two heights.
+VertexSet slab(const Mesh& mesh, double from_z, double to_z) {
+  VertexSet vertices;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const double z = mesh.positions[v].z();
+    if (z >= from_z && z < to_z) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+// Of several fronts, so that a change leaves some of them as they are.
+Mesh tube() {
+  return rippled_cylinder(24, 61);
+}
+
+Edit first_edit(const Mesh& mesh) {
+  Edit edit;
+  edit.region = {slab(mesh, 0.3, 7.0), slab(mesh, 0.3, 0.8), {slab(mesh, 5.4, 7.0)}};
+  edit.options.settle.emplace();
+  return edit;
+}
+
+std::vector<Affine3d> motions_for(const Edit& edit) {
+  std::vector<Affine3d> motions(edit.region.handles.size());
+  for (std::size_t h = 0; h < motions.size(); ++h) {
+    motions[h] = Eigen::Translation3d(0.4, -0.1 * static_cast<double>(h), -0.2) *
+                 Eigen::AngleAxisd(0.3, Vector3d::UnitY());
+  }
+  return motions;
+}
+
+std::vector<std::string> stages_of(const StageTimings& timings) {
+  std::vector<std::string> names;
+  for (const auto& [name, ms] : timings.stages()) names.push_back(name);
+  return names;
+}
+
+bool same_bits(const Positions& a, const Positions& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(Vector3d) * a.size()) == 0;
+}
+
+class PreparedTube : public ::testing::Test {
+ protected:
+  Deformer prepare(const Edit& edit, const Progress& progress = {}) {
+    return {prepared_, mesh_.positions, edit.region, edit.options, kernels_, progress};
+  }
+  // What a Deformer that shares nothing computes.
+  Positions expected(const Edit& edit) {
+    const Deformer alone(mesh_.positions, topology_, edit.region, edit.options, kernels_);
+    return alone.solve(motions_for(edit)).positions;
+  }
+  Positions solved(const Deformer& deformer, const Edit& edit) {
+    return deformer.solve(motions_for(edit)).positions;
+  }
+
+  Mesh mesh_ = tube();
+  Topology topology_ = build_topology(mesh_);
+  CpuKernels kernels_;
+  PreparedRegion prepared_{topology_};
+};
+
+struct Change {
+  const char* name;
+  std::function<void(Edit&, const Mesh&)> make;
+  std::vector<std::string> stages;  // of the preparation after it
+};
+
+const std::vector<std::string> kFactored{"constraints", "laplacian", "factor", "response",
+                                         "upload"};
+const std::vector<std::string> kAssembled{"constraints", "laplacian", "assemble", "normal_matrix",
+                                          "factor",      "response",  "upload"};
+const std::vector<std::string> kSameFactor{"constraints", "laplacian", "response", "upload"};
+
+class SameRoi : public PreparedTube, public ::testing::WithParamInterface<Change> {};
+
+TEST_P(SameRoi, OrdersAndAnalyzesNothingAnewAndGivesTheBitsOfAFullPreparation) {
+  Edit edit = first_edit(mesh_);
+  prepare(edit);
+  GetParam().make(edit, mesh_);
+  const Deformer next = prepare(edit);
+  EXPECT_EQ(stages_of(next.timings()), GetParam().stages);
+  EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Changes, SameRoi,
+    ::testing::Values(
+        Change{"Nothing", [](Edit&, const Mesh&) {}, kSameFactor},
+        Change{"Handle",
+               [](Edit& edit, const Mesh& mesh) { edit.region.handles[0] = slab(mesh, 3.0, 3.5); },
+               kFactored},
+        Change{"SeveralHandles",
+               [](Edit& edit, const Mesh& mesh) {
+                 edit.region.handles.push_back(slab(mesh, 2.0, 2.5));
+                 edit.region.handles.push_back(slab(mesh, 3.0, 3.5));
+               },
+               kFactored},
+        Change{"Belt",
+               [](Edit& edit, const Mesh& mesh) { edit.region.belt = slab(mesh, 0.3, 1.7); },
+               kFactored},
+        Change{"Weight", [](Edit& edit, const Mesh&) { edit.options.constraint_weight = 3.0; },
+               kFactored},
+        Change{"LaplacianWeights",
+               [](Edit& edit, const Mesh&) {
+                 edit.options.weights = LaplacianWeights::cotangent;
+                 edit.options.settle->weights = LaplacianWeights::cotangent;
+               },
+               kAssembled},
+        Change{"StretchResistance",
+               [](Edit& edit, const Mesh&) { edit.options.settle->stretch_resistance = 0.2; },
+               kSameFactor},
+        Change{"Details",
+               [](Edit& edit, const Mesh&) { edit.options.settle->details = Details::follow; },
+               kSameFactor}),
+    [](const auto& test) { return test.param.name; });
+
+TEST_F(PreparedTube, PositionsMayChangeToo) {
+  Edit edit = first_edit(mesh_);
+  mesh_.positions = solved(prepare(edit), edit);
+  const Deformer next = prepare(edit);
+  EXPECT_EQ(stages_of(next.timings()), kAssembled);
+  EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
+}
+
+TEST_F(PreparedTube, AnotherSolverOrdersNothingAnew) {
+  Edit edit = first_edit(mesh_);
+  prepare(edit);
+  edit.options.solver = SolverKind::eigen;
+  const Deformer next = prepare(edit);
+  EXPECT_THAT(stages_of(next.timings()), Not(Contains("order")));
+  EXPECT_EQ(next.solver_name(), "Eigen");
+  EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
+}
+
+TEST_F(PreparedTube, PreviewSharesWhatIsKept) {
+  Edit edit = first_edit(mesh_);
+  prepare(edit);
+  edit.region.handles[0] = slab(mesh_, 3.0, 3.5);
+  DragPreview preview(prepared_, mesh_.positions, edit.region, edit.options, kernels_);
+  EXPECT_THAT(stages_of(preview.timings()), ElementsAre("constraints", "laplacian", "preview"));
+  DragPreview alone(mesh_.positions, topology_, edit.region, edit.options, kernels_);
+  preview.drag(motions_for(edit));
+  alone.drag(motions_for(edit));
+  EXPECT_TRUE(same_bits(preview.surface().positions(), alone.surface().positions()));
+  const Deformer exact(preview, kernels_);
+  EXPECT_EQ(stages_of(exact.timings()), kFactored);
+  EXPECT_TRUE(same_bits(solved(exact, edit), expected(edit)));
+}
+
+TEST_F(PreparedTube, ExactOneFollowsItsPreviewThroughAnother) {
+  const Edit edit = first_edit(mesh_);
+  Edit other = edit;
+  other.region.handles[0] = slab(mesh_, 3.0, 3.5);
+  const DragPreview preview(prepared_, mesh_.positions, edit.region, edit.options, kernels_);
+  const DragPreview after(prepared_, mesh_.positions, other.region, other.options, kernels_);
+  EXPECT_TRUE(same_bits(solved(Deformer(preview, kernels_), edit), expected(edit)));
+}
+
+TEST_F(PreparedTube, AnotherRoiIsPreparedInFull) {
+  Edit edit = first_edit(mesh_);
+  prepare(edit);
+  edit.region.roi = slab(mesh_, 0.2, 7.0);
+  const Deformer next = prepare(edit);
+  EXPECT_THAT(stages_of(next.timings()),
+              ElementsAre("pattern", "order", "laplacian", "assemble", "normal_matrix", "analyze",
+                          "factor", "response", "upload"));
+  EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
+}
+
+TEST_F(PreparedTube, HardConstraintsOnAnotherHandleArePreparedInFull) {
+  Edit edit = first_edit(mesh_);
+  edit.options.hard = true;
+  prepare(edit);
+  edit.options.weights = LaplacianWeights::cotangent;
+  EXPECT_THAT(stages_of(prepare(edit).timings()), Not(Contains("order"))) << "the same unknowns";
+  edit.region.handles[0] = slab(mesh_, 3.0, 3.5);
+  const Deformer next = prepare(edit);
+  EXPECT_THAT(stages_of(next.timings()), Contains("order"));
+  EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
+}
+
+TEST_F(PreparedTube, LooseVertexInAHandleIsAnotherUnknown) {
+  mesh_.positions.emplace_back(7, 7, 7);
+  const Topology topology = build_topology(mesh_);
+  PreparedRegion prepared(topology);
+  Edit edit = first_edit(mesh_);
+  const auto loose = static_cast<Index>(mesh_.vertex_count() - 1);
+  edit.region.roi.push_back(loose);
+  const Deformer first(prepared, mesh_.positions, edit.region, edit.options, kernels_);
+  edit.region.handles[0].push_back(loose);
+  const Deformer next(prepared, mesh_.positions, edit.region, edit.options, kernels_);
+  EXPECT_THAT(stages_of(next.timings()), Contains("order"));
+  EXPECT_LT((solved(next, edit)[loose] - motions_for(edit)[0] * Vector3d(7, 7, 7)).norm(), 1e-9);
+}
+
+TEST_F(PreparedTube, CancelledPreparationLosesNothing) {
+  const Edit first = first_edit(mesh_);
+  Edit other = first;
+  other.region.handles[0] = slab(mesh_, 3.0, 3.5);
+  other.options.weights = LaplacianWeights::cotangent;
+  prepare(first);
+  for (const std::string& stop : kAssembled) {
+    EXPECT_THROW(prepare(other, [&](std::string_view stage, double) { return stage != stop; }),
+                 Cancelled)
+        << stop;
+    const Deformer next = prepare(first);
+    EXPECT_THAT(stages_of(next.timings()), Not(Contains("order"))) << stop;
+    EXPECT_THAT(stages_of(next.timings()), Not(Contains("analyze"))) << stop;
+    EXPECT_TRUE(same_bits(solved(next, first), expected(first))) << stop;
+  }
+}
+
+TEST_F(PreparedTube, FirstPreparationCancelledKeepsWhatItFound) {
+  const Edit edit = first_edit(mesh_);
+  EXPECT_THROW(prepare(edit, [](std::string_view stage, double) { return stage != "factor"; }),
+               Cancelled);
+  const Deformer next = prepare(edit);
+  EXPECT_THAT(stages_of(next.timings()), ::testing::ElementsAreArray(kFactored));
+  EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
+}
+
+TEST_F(PreparedTube, FailedPreparationLosesNothing) {
+  Edit edit = first_edit(mesh_);
+  edit.region.roi = slab(mesh_, 0.0, 7.0);  // which nothing holds but belt and handle
+  prepare(edit);
+  for (const bool settles : {true, false}) {
+    Edit unheld = edit;
+    unheld.options.constraint_weight = 1e-200;
+    if (!settles) unheld.options.settle.reset();
+    EXPECT_THROW(prepare(unheld), SolverError);
+  }
+  Edit unanchored = edit;
+  unanchored.region.belt.clear();
+  unanchored.region.handles[0].resize(2);
+  EXPECT_THROW(prepare(unanchored), InputError);
+  const Deformer next = prepare(edit);
+  EXPECT_EQ(stages_of(next.timings()), kFactored);
+  EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
+}
+
+TEST_F(PreparedTube, EarlierDeformerIsDraggedWhileTheNextIsPrepared) {
+  const Edit first = first_edit(mesh_);
+  Edit other = first;
+  other.region.handles[0] = slab(mesh_, 3.0, 3.5);
+  Deformer earlier = prepare(first);
+  earlier.drag(motions_for(first));
+  const Positions before = earlier.surface().positions();
+  std::unique_ptr<Deformer> next;
+  CpuKernels own_kernels;
+  std::thread preparing([&] {
+    next = std::make_unique<Deformer>(prepared_, mesh_.positions, other.region, other.options,
+                                      own_kernels);
+  });
+  for (int frame = 0; frame < 50; ++frame) earlier.drag(motions_for(first));
+  preparing.join();
+  earlier.drag(motions_for(first));
+  EXPECT_TRUE(same_bits(earlier.surface().positions(), before));
+  EXPECT_TRUE(same_bits(solved(*next, other), expected(other)));
+}
+
+TEST_F(PreparedTube, EarlierDeformerStillSolves) {
+  const Edit first = first_edit(mesh_);
+  Edit other = first;
+  other.region.handles[0] = slab(mesh_, 3.0, 3.5);
+  other.options.weights = LaplacianWeights::cotangent;
+  other.options.settle->stretch_resistance = 0.3;
+  const Deformer earlier = prepare(first);
+  const Deformer next = prepare(other);
+  EXPECT_TRUE(same_bits(solved(earlier, first), expected(first)));
+  EXPECT_TRUE(same_bits(solved(next, other), expected(other)));
+}
+
+TEST_F(PreparedTube, DeformersOutliveIt) {
+  const Edit edit = first_edit(mesh_);
+  std::unique_ptr<Deformer> deformer;
+  {
+    PreparedRegion prepared(topology_);
+    deformer =
+        std::make_unique<Deformer>(prepared, mesh_.positions, edit.region, edit.options, kernels_);
+  }
+  EXPECT_TRUE(same_bits(solved(*deformer, edit), expected(edit)));
+}
+
+}  // namespace
+}  // namespace lapwing
