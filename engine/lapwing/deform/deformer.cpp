@@ -226,6 +226,25 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   return result;
 }
 
+void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
+                      const Progress& progress) const {
+  const State& s = *state_;
+  if (s.settler == nullptr) {
+    throw InputError("a drag can follow settled only with settling in the deform options");
+  }
+  std::vector<double> q(s.system->column_count());
+  s.system->set_parameters(motions, q);
+  std::vector<double> change = q;
+  Positions u(s.system->rest->size(), Vector3d::Zero());
+  if (!pose.parameters.empty()) {
+    u = pose.displacement;
+    for (std::size_t k = 0; k < q.size(); ++k) change[k] -= pose.parameters[k];
+  }
+  blend_response(u, s.system->moving, s.response, change, u);
+  const SettleResult settled = s.settler->follow(s.system->wanted_displacement(q), u, progress);
+  pose = {std::move(q), std::move(u), settled};
+}
+
 const EditRegion& Deformer::region() const {
   return state_->system->region;
 }

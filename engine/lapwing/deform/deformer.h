@@ -14,6 +14,7 @@
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
+#include "lapwing/settle/settle.h"
 
 namespace lapwing {
 
@@ -23,6 +24,13 @@ struct EditSystem;
 struct DeformResult {
   Positions positions;  ///< of the whole mesh; vertices that do not move keep their bits
   Certificate certificate;
+};
+
+/// Where a settled drag is: what its next frame begins with.
+struct SettledPose {
+  std::vector<double> parameters;  ///< of the handles' motions; empty before the first frame
+  Positions displacement;          ///< of the whole mesh
+  SettleResult settled;            ///< how the last frame ended
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
@@ -81,6 +89,16 @@ class Deformer {
   /// hold it.
   DeformResult solve(std::span<const Eigen::Affine3d> motions,
                      std::span<const Eigen::AngleAxisd> turns, const Progress& progress = {}) const;
+
+  /// One settled frame of a drag: moves `pose` on to where the handles' motions take it, from where
+  /// the last frame left it and by the linear response to what the handles did since. A few
+  /// iterations in place of many, and rotations add up over whole turns. The first frame settles
+  /// from the linear solution. Within the tolerance the surface is the one that `solve` gives where
+  /// that does not depend on the start; `solve` is what counts when the handle is let go. Throws
+  /// InputError without settling in the options; Cancelled, `pose` as it was, when `progress` asks
+  /// for it.
+  void follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
+              const Progress& progress = {}) const;
 
   const EditRegion& region() const;
   const StageTimings& timings() const;

@@ -14,7 +14,7 @@ namespace lapwing {
 /// two passes over it each step, on all threads. Same input, same bits.
 class Anderson {
  public:
-  static constexpr int kLargestWindow = 8;
+  static constexpr int kLargestWindow = 24;
 
   Anderson(std::size_t size, int window);
 
@@ -24,6 +24,10 @@ class Anderson {
   /// Replaces `x` by the g that the last `advance` was given, and forgets the past: for when that
   /// step turns out to lead away.
   void step_back(std::span<double> x);
+
+  /// Keeps what the past tells of G where G itself is now another by a constant; the next `advance`
+  /// has no last one to compare with.
+  void carry_on() { has_last_ = false; }
 
   /// Forgets the past; the next `advance` takes g as it is.
   void restart() {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "lapwing/base/errors.h"
@@ -19,6 +20,7 @@ using Eigen::Vector3d;
 
 // The harder the motion, the more a longer memory saves.
 constexpr int kWindow = 8;
+constexpr int kFollowingWindow = 24;
 constexpr std::size_t kUnknownsPerTask = 4096;
 
 void check(const SettleOptions& options) {
@@ -48,6 +50,7 @@ struct Settler::State {
   double mean_edge;
   std::unique_ptr<RingRotations> rotations;
   Anderson anderson;
+  std::optional<Anderson> following;  ///< from the first frame on
 
   // Of one iteration. Vectors over the unknowns, which come in the order of elimination, hold x of
   // all, then y, then z.
@@ -110,7 +113,6 @@ void Settler::State::begin(std::span<const Vector3d> handles, std::span<const Ve
       constant[axis * n + k] = g[axis * n + own];
     }
   }
-  anderson.restart();
 }
 
 void Settler::State::finish(std::span<const double> from, std::span<Vector3d> u) const {
@@ -179,10 +181,26 @@ Settler& Settler::operator=(Settler&&) noexcept = default;
 
 SettleResult Settler::settle(std::span<const Vector3d> wanted, std::span<Vector3d> u,
                              const Progress& progress) {
+  state_->begin(wanted, u);
+  state_->anderson.restart();
+  return iterate(state_->anderson, u, progress);
+}
+
+SettleResult Settler::follow(std::span<const Vector3d> wanted, std::span<Vector3d> u,
+                             const Progress& progress) {
+  State& s = *state_;
+  if (!s.following) s.following.emplace(3 * s.system.size(), kFollowingWindow);
+  s.begin(wanted, u);
+  s.following->carry_on();
+  return iterate(*s.following, u, progress);
+}
+
+// From where `begin` has put the unknowns.
+SettleResult Settler::iterate(Anderson& anderson, std::span<Vector3d> u, const Progress& progress) {
   State& s = *state_;
   SettleResult result;
-  s.begin(wanted, u);
   if (s.system.size() == 0) {
+    s.finish(s.x, u);
     result.settled = true;
     return result;
   }
@@ -204,10 +222,10 @@ SettleResult Settler::settle(std::span<const Vector3d> wanted, std::span<Vector3
       if (result.settled || !s.options.accelerate) {
         std::copy(s.g.begin(), s.g.end(), s.x.begin());
       } else if (residual > last_residual && energy > last_energy) {
-        s.anderson.step_back(s.x);
+        anderson.step_back(s.x);
         last_residual = last_energy = kNone;
       } else {
-        s.anderson.advance(s.x, s.g);
+        anderson.advance(s.x, s.g);
         last_residual = residual;
         last_energy = energy;
       }

@@ -12,6 +12,8 @@
 
 namespace lapwing {
 
+class Anderson;
+
 struct SettleResult {
   int iterations = 0;      ///< global steps taken
   double last_step = 0.0;  ///< how far a vertex would still move, in mean edge lengths
@@ -47,8 +49,18 @@ class Settler {
   SettleResult settle(std::span<const Eigen::Vector3d> wanted, std::span<Eigen::Vector3d> u,
                       const Progress& progress = {});
 
+  /// One frame of a drag: the same for a `wanted` a little farther on than in the last call, with
+  /// `u` near where that one ended. What its iterations told of the slow ways to move is kept from
+  /// frame to frame, more of it than `settle` keeps: a third of the iterations. The first call
+  /// takes the memory for it, 600 bytes an unknown vertex. The result depends, within the
+  /// tolerance, on the frames before.
+  SettleResult follow(std::span<const Eigen::Vector3d> wanted, std::span<Eigen::Vector3d> u,
+                      const Progress& progress = {});
+
  private:
   struct State;
+  SettleResult iterate(Anderson& anderson, std::span<Eigen::Vector3d> u, const Progress& progress);
+
   std::unique_ptr<State> state_;
 };
 

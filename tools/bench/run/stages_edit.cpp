@@ -1,10 +1,11 @@
-#include <array>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag_preview.h"
+#include "lapwing/deform/prepared_region.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
 #include "lapwing/vulkan/vulkan_surface.h"
@@ -16,6 +17,9 @@ namespace {
 
 // What a user sees as settled while the handle still moves, in mean edge lengths.
 constexpr double kSettleTolerance = 1e-3;
+// Without any, nothing holds the rotation of flat surface, and settling a whole mesh by a small
+// handle creeps on for ever.
+constexpr double kStretchResistance = 1e-3;
 // Iterations of one counted run, so that what begins and ends a run does not count.
 constexpr int kSettleIterations = 20;
 
@@ -23,6 +27,7 @@ DeformOptions deform_options() {
   DeformOptions options;
   options.settle.emplace();
   options.settle->tolerance = kSettleTolerance;
+  options.settle->stretch_resistance = kStretchResistance;
   return options;
 }
 
@@ -75,6 +80,20 @@ void measure_preview(BenchRun& run, const Subject& subject, const BenchDevice& d
   run.measure("preview frame", kLapwing, device, subject, [&] { preview->drag(handle.next()); });
 }
 
+void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevice& device,
+                          const std::string& stage, const Deformer& deformer) {
+  MovingHandle handle(subject);
+  SettledPose pose;
+  std::uint64_t iterations = 0;
+  std::uint64_t frames = 0;
+  Measurement* const row = run.measure(stage, kLapwing, device, subject, [&] {
+    deformer.follow(handle.next(), pose);
+    iterations += static_cast<std::uint64_t>(pose.settled.iterations);
+    ++frames;
+  });
+  if (row != nullptr) row->counts["iterations"] = iterations / frames;
+}
+
 void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& device) {
   const DeformOptions options = deform_options();
   MovingHandle handle(subject);
@@ -89,11 +108,62 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
   if (!more) return;
   if (deformer == nullptr) make();
   measure_frame(run, subject, device, "drag frame", [&] { deformer->drag(handle.next()); });
-  int iterations = 0;
-  Measurement* const row = run.measure("settle frame", kLapwing, device, subject, [&] {
-    iterations = deformer->solve(handle.next()).certificate.settle_iterations;
-  });
-  if (row != nullptr) row->counts["iterations"] = static_cast<std::uint64_t>(iterations);
+  measure_settle_frame(run, subject, device, "settle frame", *deformer);
+}
+
+// The region of the subject with another handle, the same number of vertices below its own.
+EditRegion with_other_handle(const Subject& subject) {
+  EditRegion region = subject.region;
+  const Positions& positions = subject.mesh.positions;
+  VertexSet& handle = region.handles[0];
+  const std::size_t count = handle.size();
+  std::vector<Index> by_height(region.roi);
+  std::stable_sort(by_height.begin(), by_height.end(),
+                   [&](Index a, Index b) { return positions[a].y() > positions[b].y(); });
+  handle.assign(by_height.begin() + static_cast<std::ptrdiff_t>(count),
+                by_height.begin() + static_cast<std::ptrdiff_t>(2 * count));
+  std::sort(handle.begin(), handle.end());
+  return region;
+}
+
+// Half of the belt.
+EditRegion with_other_belt(const Subject& subject) {
+  EditRegion region = subject.region;
+  region.belt.resize(region.belt.size() / 2);
+  return region;
+}
+
+// A preparation that follows another one of the same region.
+void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& device,
+                   const std::string& stage, const EditRegion& region,
+                   const DeformOptions& options) {
+  if (!run.wants(stage, kLapwing, device.name, subject)) return;
+  PreparedRegion prepared(subject.topology);
+  std::unique_ptr<Deformer> first;
+  std::unique_ptr<Deformer> again;
+  run.measure(
+      stage, kLapwing, device, subject,
+      [&] {
+        again = std::make_unique<Deformer>(prepared, subject.mesh.positions, region, options,
+                                           *device.kernels);
+      },
+      [&] {
+        again.reset();
+        first = std::make_unique<Deformer>(prepared, subject.mesh.positions, subject.region,
+                                           deform_options(), *device.kernels);
+      });
+}
+
+void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice& device) {
+  const DeformOptions options = deform_options();
+  DeformOptions other_weight = options;
+  other_weight.constraint_weight = 10.0;
+  DeformOptions other_laplacians = options;
+  other_laplacians.weights = LaplacianWeights::cotangent;
+  measure_again(run, subject, device, "again, other handle", with_other_handle(subject), options);
+  measure_again(run, subject, device, "again, other belt", with_other_belt(subject), options);
+  measure_again(run, subject, device, "again, other weight", subject.region, other_weight);
+  measure_again(run, subject, device, "again, other Laplacians", subject.region, other_laplacians);
 }
 
 // The mean of many iterations from rest, on what a Deformer would run them on.
@@ -142,7 +212,10 @@ void measure_edit_stages(BenchRun& run, const Subject& subject) {
   const bool exact = run.wants_any("preparation", subject) ||
                      run.wants_any("drag frame", subject) || run.wants_any("settle frame", subject);
   if (!exact || !exact_fits(run, subject)) return;
-  for (const BenchDevice& device : run.devices()) measure_exact(run, subject, device);
+  for (const BenchDevice& device : run.devices()) {
+    measure_exact(run, subject, device);
+    measure_all_again(run, subject, device);
+  }
 }
 
 }  // namespace lapwing::bench

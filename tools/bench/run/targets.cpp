@@ -39,6 +39,7 @@ constexpr std::array kRatios{
     RatioTarget{"again, other handle", "preparation", kLapwing, 0.6},
     RatioTarget{"again, other belt", "preparation", kLapwing, 0.6},
     RatioTarget{"again, other weight", "preparation", kLapwing, 0.6},
+    RatioTarget{"again, other Laplacians", "preparation", kLapwing, 0.6},
     RatioTarget{"drag frame", "settle iteration", kArap, 0.02},
     RatioTarget{"settle frame", "settle iteration", kArap, 1.0},
 };
