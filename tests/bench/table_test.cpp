@@ -26,7 +26,7 @@ armadillo, 26,002 vertices, on CPU
 
 armadillo, 26,002 vertices, on Some GPU
   ms                              median  spread     cpu  device peak MB limit  ratio
-  assemble                          4.10  +-1.2%   0.600    1.25       -   50%
+  assemble                          4.10  +-1.2%   0.600    1.25       -   15%
 
 Targets
   armadillo, CPU

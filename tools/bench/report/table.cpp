@@ -48,7 +48,7 @@ std::string ratio_cells(const Report& report, const Measurement& m, std::size_t 
 std::string row(const Report& report, const Measurement& m) {
   const double share = share_of_limit(report, m);
   std::string text = "  " + padded_right(clipped(row_name(m), kStage), kStage);
-  text += median_cell(m.wall_ms) + spread_cell(m.wall_ms.empty() ? m.device_ms : m.wall_ms);
+  text += median_cell(m.wall_ms) + spread_cell(clock_of(m));
   text += median_cell(m.cpu_ms) + median_cell(m.device_ms);
   const auto megabytes = (m.peak_bytes + 500'000) / 1'000'000;
   text += padded_left(m.peak_bytes > 0 ? grouped(megabytes) : "-", kNumber);
