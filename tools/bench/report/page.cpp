@@ -19,7 +19,7 @@ body{margin:0 auto;max-width:1000px;padding:16px;font:15px/1.45 system-ui,"Segoe
 h1{font-size:24px;margin:8px 0} h2{font-size:19px;margin:28px 0 8px} h3{font-size:15px;margin:18px 0 6px}
 p{max-width:46em} dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px} dt{opacity:.7} dd{margin:0;overflow-wrap:anywhere}
 table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums} th{text-align:left;vertical-align:bottom}
-th,td{padding:3px 10px 3px 0;border-bottom:1px solid #8884} .n{text-align:right} th,td{white-space:nowrap}
+th,td{padding:3px 10px 3px 0;border-bottom:1px solid #8884} .n{text-align:right} td{white-space:nowrap}
 .wide{overflow-x:auto} .met{color:#117733;font-weight:600} .missed{color:#b3261e;font-weight:600}
 .plots{display:flex;flex-wrap:wrap;gap:16px 20px} .plot{max-width:100%;height:auto}
 )";
@@ -31,7 +31,7 @@ const char* const kPrintStyle =
     "@media print{body{max-width:none;padding:0;font-size:11pt} table{font-size:7pt} "
     "th,td{padding-right:5px} .wide{overflow:visible} svg,tr{break-inside:avoid} "
     "h2,h3{break-after:avoid} .plots{display:block} .plots .plot{max-width:49%} "
-    ".plots .plot:only-child{max-width:100%} th,td{white-space:normal}}\n";
+    ".plots .plot:only-child{max-width:100%} td{white-space:normal}}\n";
 
 std::string section(const char* heading, const char* explanation, const std::string& content) {
   if (content.empty()) return "";
