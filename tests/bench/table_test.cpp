@@ -65,6 +65,13 @@ TEST(Table, NamesEveryPeerBesideTheStage) {
   EXPECT_THAT(table, HasSubstr("0.100 of Eigen\n"));
 }
 
+TEST(Table, PutsTargetsOnOneThingTogether) {
+  Report report = small_report();
+  report.targets.push_back({"another", "armadillo, CPU", 1.0, false, 0.5});
+  const std::string table = table_of(report);
+  EXPECT_LT(table.find("another"), table.find("frames a second"));
+}
+
 TEST(Table, TellsGrowthWhereThereAreSizesEnough) {
   Report report = small_report();
   EXPECT_THAT(table_of(report), Not(HasSubstr("Growth")));
