@@ -1,6 +1,7 @@
 #include "report/page.h"
 
 #include <cmath>
+#include <iterator>
 #include <regex>
 
 #include <gmock/gmock.h>
@@ -90,6 +91,17 @@ TEST(ScalingPlot, LabelsALineWithItsGrowth) {
   EXPECT_THAT(plot->element(""), Not(HasSubstr("CHOLMOD")));
 }
 
+TEST(ScalingPlot, JoinsTheSizesOfOneMesh) {
+  const auto plot = scaling_plot(growing_report(), "CPU", Lines::preparation, 500);
+  ASSERT_TRUE(plot);
+  const std::string text = plot->element("");
+  // "factor" has four markers and a line through three: the other is of another mesh.
+  const std::regex marker("factor by Lapwing");
+  EXPECT_EQ(std::distance(std::sregex_iterator(text.begin(), text.end(), marker), {}), 4);
+  const std::regex line("<polyline class=\"line s7\" points=\"[^ ]+ [^ ]+ [^ ]+\"/>");
+  EXPECT_TRUE(std::regex_search(text, line));
+}
+
 TEST(PeerPlots, HaveEveryoneWhoDidAStage) {
   const std::vector<Svg> plots = peer_plots(growing_report(), "CPU", 300);
   ASSERT_EQ(plots.size(), 1u);
@@ -107,9 +119,9 @@ TEST(ScalingPlot, IsNotDrawnOfOneSize) {
 TEST(StagesPlot, TakesFromTheProcessorWhatTheDeviceDoesNot) {
   const auto plot = stages_plot(small_report(), "Some GPU", 500);
   ASSERT_TRUE(plot);
-  EXPECT_THAT(plot->element(""), HasSubstr("<title>assemble: 1.25 ms, 1.2%</title>"));
-  EXPECT_THAT(plot->element(""), HasSubstr("<title>factor: 102 ms, 99%</title>"));
-  EXPECT_THAT(plot->element(""), HasSubstr(">103 ms</text>"));
+  EXPECT_THAT(plot->element(""), HasSubstr("<title>assemble: 4.10 ms, 3.9%</title>"));
+  EXPECT_THAT(plot->element(""), HasSubstr("<title>factor: 102 ms, 96%</title>"));
+  EXPECT_THAT(plot->element(""), HasSubstr(">106 ms</text>"));
 }
 
 TEST(RatiosPlot, HasABarForTheLargestMesh) {
@@ -117,6 +129,16 @@ TEST(RatiosPlot, HasABarForTheLargestMesh) {
   ASSERT_TRUE(plot);
   EXPECT_THAT(plot->element(""), HasSubstr("factor / CHOLMOD: 0.200  hills &lt;&amp;&gt; 40k"));
   EXPECT_FALSE(ratios_plot(report_of({row("factor", {1.0})}), 500));
+}
+
+TEST(LimitsPlot, CutsOffWhatIsFarBeyondTheLimit) {
+  Measurement m = row("in cache", {1.0});
+  m.counts["bytes"] = 100'000'000;  // ten times the rate of copies
+  const auto plot = limits_plot(report_of({m}), 500);
+  ASSERT_TRUE(plot);
+  EXPECT_THAT(plot->element(""), HasSubstr(">150%</text>"));
+  EXPECT_THAT(plot->element(""), Not(HasSubstr(">200%</text>")));
+  EXPECT_THAT(plot->element(""), HasSubstr("1000%  armadillo 26k</text>"));
 }
 
 TEST(LimitsPlot, ShowsTheHighestShareFirst) {

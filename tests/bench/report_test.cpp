@@ -32,13 +32,21 @@ TEST(LimitsOf, AreThoseOfTheMeasurementsDevice) {
   EXPECT_EQ(limits_of(report, m), nullptr);
 }
 
-TEST(ShareOfLimit, IsOfTheCopyRateByTheDevicesOwnClock) {
+TEST(ShareOfLimit, OfAKernelIsOfTheCopyRateByTheDevicesOwnClock) {
   // 250 MB in 1.25 ms are 200 GB/s; the device copies 400.
   const Report report = small_report();
-  EXPECT_DOUBLE_EQ(share_of_limit(report, report.measurements[2]), 0.5);
+  Measurement kernel = report.measurements[2];
+  kernel.wall_ms.clear();
+  EXPECT_DOUBLE_EQ(share_of_limit(report, kernel), 0.5);
 }
 
-TEST(ShareOfLimit, IsOfFloat64ProductsByTheWallWhereTheDeviceHasNoClock) {
+TEST(ShareOfLimit, OfAStageIsByTheWallThoughTheDeviceHasAPartInIt) {
+  // 250 MB in 4.1 ms, of 400 GB/s.
+  const Report report = small_report();
+  EXPECT_DOUBLE_EQ(share_of_limit(report, report.measurements[2]), 0.25 / 4.1e-3 / 400.0);
+}
+
+TEST(ShareOfLimit, IsOfFloat64Products) {
   // 4e9 operations in 102 ms, of 100e9 a second.
   const Report report = small_report();
   EXPECT_DOUBLE_EQ(share_of_limit(report, report.measurements[0]), 4.0 / 0.102 / 100.0);

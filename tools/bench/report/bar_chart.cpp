@@ -29,12 +29,13 @@ std::string fitted(const std::string& text, double width) {
   return fits ? text : clipped(text, static_cast<std::size_t>(width / text_width("x")));
 }
 
-void draw_bar(const Bar& bar, const Scale& x, double origin, double top, Svg& svg) {
-  const double a = x(origin);
-  const double b = x(bar.value);
+void draw_bar(const Bar& bar, const Scale& x, const BarAxis& axis, double top, Svg& svg) {
+  const double a = x(axis.origin);
+  const double b = x(std::clamp(bar.value, axis.from, axis.to));
   svg.rectangle({std::min(a, b), top + 3}, std::abs(b - a), kBar, bar_class(bar.color),
                 bar.label + ": " + bar.text);
   for (const double mark : bar.marks) {
+    if (mark < axis.from || mark > axis.to) continue;
     svg.line({x(mark), top + 2}, {x(mark), top + kBar + 4}, "mark");
   }
 }
@@ -70,7 +71,7 @@ Svg bar_chart(const std::string& title, const std::vector<BarGroup>& groups, con
     y += kHeading;
     for (const Bar& bar : group.bars) {
       svg.text({left - kGap, y + 13}, fitted(bar.label, left - kGap + 0.5), "ink", Anchor::end);
-      draw_bar(bar, x, axis.origin, y, svg);
+      draw_bar(bar, x, axis, y, svg);
       svg.text({end + kGap, y + 13}, bar.text, "ink", Anchor::start);
       y += kRow;
     }

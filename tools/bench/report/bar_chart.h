@@ -33,7 +33,8 @@ struct BarAxis {
   std::string high;
 };
 
-/// Bars on their sides, in groups, each with its label in front and its text behind.
+/// Bars on their sides, in groups, each with its label in front and its text behind. What reaches
+/// beyond the axis is cut off there; marks beyond it are left out.
 Svg bar_chart(const std::string& title, const std::vector<BarGroup>& groups, const BarAxis& axis,
               double width);
 

@@ -18,10 +18,10 @@ struct Growth {
   std::size_t sizes = 0;      ///< different sizes that it was fitted to
 };
 
-/// By least squares on the logarithms of vertices and of medians (of wall time, device time for kernels),
-/// for everything that was measured at three different sizes or more; in the order of the report.
-/// Meshes smaller than 5,000 vertices are left out: there, constant costs such as a submission to
-/// the device are most of the time, and bend the line.
+/// By least squares on the logarithms of vertices and of medians (of wall time, device time for
+/// kernels), for everything that was measured at three different sizes or more; in the order of the
+/// report. Meshes smaller than 5,000 vertices are left out: there, constant costs such as a
+/// submission to the device are most of the time, and bend the line.
 std::vector<Growth> growths_of(const Report& report);
 
 /// "n^1.48 +-0.03"

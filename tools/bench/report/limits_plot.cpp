@@ -47,6 +47,7 @@ std::string tick_text(double share) {
 
 std::optional<Svg> limits_plot(const Report& report, double width) {
   std::vector<BarGroup> groups;
+  constexpr double kShown = 1.5;  // small meshes live in caches, and would squeeze the others
   BarAxis axis{false, 0.0, 1.05, 0.0, 1.0, tick_text, "of the device's rate of copies or products",
                ""};
   for (const std::string& device : devices_of(report)) {
@@ -58,6 +59,7 @@ std::optional<Svg> limits_plot(const Report& report, double width) {
     if (!group.bars.empty()) groups.push_back(std::move(group));
   }
   if (groups.empty()) return std::nullopt;
+  axis.to = std::min(axis.to, kShown);
   return bar_chart("Share of what the device can do (bar: largest mesh; marks: the others)", groups,
                    axis, width);
 }

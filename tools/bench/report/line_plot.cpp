@@ -1,6 +1,7 @@
 #include "report/line_plot.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "report/measurements.h"
 #include "report/number_text.h"
@@ -60,7 +61,7 @@ Axes axes_for(const std::vector<PlotLine>& lines, double width, double height) {
 }
 
 void draw_axes(const Axes& axes, Svg& svg) {
-  for (const double size : axes.x.ticks(44)) {
+  for (const double size : axes.x.ticks(34)) {
     const double x = axes.x(size);
     svg.line({x, axes.top}, {x, axes.bottom}, "grid");
     svg.text({x, axes.bottom + 16}, brief_count(size), "quiet", Anchor::middle);
@@ -75,23 +76,38 @@ void draw_axes(const Axes& axes, Svg& svg) {
   svg.text({axes.left - 6, axes.top - 4}, "ms", "quiet", Anchor::end);
 }
 
+// Those that a line joins: different meshes of about one size would make it jump up and down, so
+// where one mesh has sizes enough, it is that one's; the others are marks beside it.
+std::vector<const Measurement*> joined(const PlotLine& line) {
+  constexpr std::ptrdiff_t kEnough = 3;
+  for (const Measurement* first : line.points) {
+    const auto is_same = [&](const Measurement* m) { return m->mesh == first->mesh; };
+    if (std::count_if(line.points.begin(), line.points.end(), is_same) < kEnough) continue;
+    std::vector<const Measurement*> same;
+    std::copy_if(line.points.begin(), line.points.end(), std::back_inserter(same), is_same);
+    return same;
+  }
+  return line.points;
+}
+
+Point place_of(const Measurement& m, const Axes& axes) {
+  return {axes.x(static_cast<double>(m.vertices)), axes.y(median_ms(m))};
+}
+
 void draw_line(const PlotLine& line, const Axes& axes, Svg& svg) {
   std::vector<Point> points;
+  for (const Measurement* m : joined(line)) points.push_back(place_of(*m, axes));
+  svg.polyline(points, line.is_dashed ? dashed_class(line.color) : line_class(line.color));
   for (const Measurement* m : line.points) {
     const Spread spread = spread_of(clock_of(*m));
-    const Point at{axes.x(static_cast<double>(m->vertices)), axes.y(spread.median)};
+    const Point at = place_of(*m, axes);
     if (spread.low > 0.0) {
       const std::string classes = line_class(line.color) + " error";
       svg.line({at.x, axes.y(spread.low)}, {at.x, axes.y(spread.high)}, classes);
     }
-    points.push_back(at);
-  }
-  svg.polyline(points, line.is_dashed ? dashed_class(line.color) : line_class(line.color));
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Measurement& m = *line.points[k];
-    svg.marker(points[k], line.shape, marker_class(line.color),
-               m.stage + " by " + m.by + ", " + m.mesh + ", " + grouped(m.vertices) +
-                   " vertices: " + short_number(median_ms(m)) + " ms");
+    svg.marker(at, line.shape, marker_class(line.color),
+               m->stage + " by " + m->by + ", " + m->mesh + ", " + grouped(m->vertices) +
+                   " vertices: " + short_number(spread.median) + " ms");
   }
 }
 
@@ -131,10 +147,7 @@ std::vector<double> spread_out(const std::vector<double>& wanted, double top, do
 }
 
 void draw_labels(std::vector<PlotLine> lines, const Axes& axes, Svg& svg) {
-  const auto end_of = [&](const PlotLine& line) {
-    const Measurement& last = *line.points.back();
-    return Point{axes.x(static_cast<double>(last.vertices)), axes.y(median_ms(last))};
-  };
+  const auto end_of = [&](const PlotLine& line) { return place_of(*joined(line).back(), axes); };
   std::stable_sort(lines.begin(), lines.end(),
                    [&](const PlotLine& a, const PlotLine& b) { return end_of(a).y < end_of(b).y; });
   std::vector<double> wanted;

@@ -20,7 +20,8 @@ struct PlotLine {
 bool has_two_sizes(const PlotLine& line);
 
 /// Median times over numbers of vertices, both logarithmic, with error bars from one quartile to
-/// the other and each line's label at its end.
+/// the other and each line's label at its end. A line joins the sizes of one mesh if that has
+/// three.
 Svg line_plot(const std::string& title, const std::vector<PlotLine>& lines, double width,
               double height);
 

@@ -17,7 +17,8 @@ inline constexpr std::string_view kOurselves = "Lapwing";
 inline constexpr std::string_view kHostDevice = "CPU";
 
 /// What comes before a preparation.
-inline constexpr std::array<std::string_view, 3> kMeshStages{"read", "check", "topology"};
+inline constexpr std::array<std::string_view, 4> kMeshStages{"read OBJ", "read PLY", "topology",
+                                                             "check"};
 
 /// What a preparation consists of, in its order.
 inline constexpr std::array<std::string_view, 10> kPreparationStages{

@@ -19,7 +19,7 @@ body{margin:0 auto;max-width:1000px;padding:16px;font:15px/1.45 system-ui,"Segoe
 h1{font-size:24px;margin:8px 0} h2{font-size:19px;margin:28px 0 8px} h3{font-size:15px;margin:18px 0 6px}
 p{max-width:46em} dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px} dt{opacity:.7} dd{margin:0;overflow-wrap:anywhere}
 table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums} th{text-align:left;vertical-align:bottom}
-th,td{padding:3px 10px 3px 0;border-bottom:1px solid #8884} .n{text-align:right} td:not(:last-child){white-space:nowrap} td:last-child{min-width:9em}
+th,td{padding:3px 10px 3px 0;border-bottom:1px solid #8884} .n{text-align:right} td{white-space:nowrap}
 .wide{overflow-x:auto} .met{color:#117733;font-weight:600} .missed{color:#b3261e;font-weight:600}
 .plots{display:flex;flex-wrap:wrap;gap:16px 20px} .plot{max-width:100%;height:auto}
 )";
@@ -31,7 +31,7 @@ const char* const kPrintStyle =
     "@media print{body{max-width:none;padding:0;font-size:11pt} table{font-size:7pt} "
     "th,td{padding-right:5px} .wide{overflow:visible} svg,tr{break-inside:avoid} "
     "h2,h3{break-after:avoid} .plots{display:block} .plots .plot{max-width:49%} "
-    ".plots .plot:only-child{max-width:100%} td:not(:last-child){white-space:normal}}\n";
+    ".plots .plot:only-child{max-width:100%} td{white-space:normal}}\n";
 
 std::string section(const char* heading, const char* explanation, const std::string& content) {
   if (content.empty()) return "";
@@ -90,7 +90,9 @@ std::string sections(const Report& report) {
   return section("Targets", "What was asked for, and what this run gave.", targets_html(report)) +
          section(
              "How times grow",
-             "Medians, with error bars from one quartile to the other. n^1.5 behind a name: time "
+             "Medians of wall times (of kernels, of the device's own), with error bars from one "
+             "quartile to the other. Lines join the sizes of one mesh where there are three or "
+             "more; marks beside them are other meshes. n^1.5 behind a name: over all meshes, time "
              "grows as the 1.5th power of the number of vertices.",
              on_every_device(report, scaling_plots) +
                  folded("Growth in numbers", growths_html(report))) +
@@ -107,7 +109,8 @@ std::string sections(const Report& report) {
          section(
              "Beside what the device can do",
              "Operations over the rate of float64 products of large matrices, or bytes that must "
-             "be moved over the rate of large copies, whichever is the larger share.",
+             "be moved over the rate of large copies, whichever is the larger share. What stays in "
+             "caches can be faster than large copies: more than 100%.",
              element(limits_plot(report, kPlotWidth), "Shares of the devices' limits")) +
          section(
              "All measurements",

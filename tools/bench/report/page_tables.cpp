@@ -67,7 +67,7 @@ std::string counts_text(const Counts& counts) {
 }
 
 std::string measurement_row(const Report& report, const Measurement& m) {
-  const std::vector<double>& runs = m.wall_ms.empty() ? m.device_ms : m.wall_ms;
+  const std::vector<double>& runs = clock_of(m);
   const Spread spread = spread_of(runs);
   const double share = share_of_limit(report, m);
   return "<tr>" + cell(m.mesh) + number_cell(grouped(m.vertices)) + cell(m.device) + cell(m.stage) +

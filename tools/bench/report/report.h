@@ -50,9 +50,9 @@ struct Host {
 
 /// What was asked for, as a bound from above, beside what this run gave.
 struct Target {
-  std::string name;      ///< "whole preparation / CGAL ARAP preprocess"
-  std::string on;        ///< the mesh and device that it is about
-  double at_most = 0;    ///< or at least, if `is_floor`
+  std::string name;    ///< "whole preparation / CGAL ARAP preprocess"
+  std::string on;      ///< the mesh and device that it is about
+  double at_most = 0;  ///< or at least, if `is_floor`
   bool is_floor = false;
   double measured = 0;
   bool met() const { return is_floor ? measured >= at_most : measured <= at_most; }

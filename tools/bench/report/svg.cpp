@@ -112,6 +112,7 @@ void Svg::marker(Point at, std::size_t shape, std::string_view classes, std::str
 }
 
 void Svg::text(Point at, std::string_view text, std::string_view classes, Anchor anchor) {
+  if (text.empty()) return;
   constexpr std::array<const char*, 3> kAnchors{"start", "middle", "end"};
   body_ += "<text" + class_of(classes) + attribute("x", at.x) + attribute("y", at.y) +
            " text-anchor=\"" + kAnchors[static_cast<std::size_t>(anchor)] + "\">" + escaped(text) +

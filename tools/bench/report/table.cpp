@@ -48,7 +48,7 @@ std::string ratio_cells(const Report& report, const Measurement& m, std::size_t 
 std::string row(const Report& report, const Measurement& m) {
   const double share = share_of_limit(report, m);
   std::string text = "  " + padded_right(clipped(row_name(m), kStage), kStage);
-  text += median_cell(m.wall_ms) + spread_cell(m.wall_ms.empty() ? m.device_ms : m.wall_ms);
+  text += median_cell(m.wall_ms) + spread_cell(clock_of(m));
   text += median_cell(m.cpu_ms) + median_cell(m.device_ms);
   const auto megabytes = (m.peak_bytes + 500'000) / 1'000'000;
   text += padded_left(m.peak_bytes > 0 ? grouped(megabytes) : "-", kNumber);
@@ -78,35 +78,46 @@ std::string blocks(const Report& report) {
   return text;
 }
 
+// `line` of every item below the heading it belongs to; headings in the order of their first item.
+template <class Item>
+std::string grouped_lines(const std::vector<Item>& items, std::string Item::*heading,
+                          std::string (*line)(const Item&)) {
+  std::string text;
+  std::vector<std::string> done;
+  for (const Item& first : items) {
+    if (std::find(done.begin(), done.end(), first.*heading) != done.end()) continue;
+    done.push_back(first.*heading);
+    text += "  " + clipped(first.*heading, kLine - 2) + "\n";
+    for (const Item& item : items) {
+      if (item.*heading == first.*heading) text += line(item);
+    }
+  }
+  return text;
+}
+
+std::string line_of(const Growth& growth) {
+  const std::string name = growth.by == kOurselves ? growth.stage : growth.stage + ", " + growth.by;
+  return "    " + padded_right(clipped(name, 44), 46) + padded_right(in_words(growth), 20) +
+         std::to_string(growth.sizes) + " sizes\n";
+}
+
+std::string line_of(const Target& target) {
+  return "    " + padded_right(target.met() ? "met" : "NOT met", 9) +
+         padded_right(clipped(target.name, 54), 56) +
+         padded_left(short_number(target.measured), 9) +
+         (target.is_floor ? ", at least " : ", at most ") + short_number(target.at_most) + "\n";
+}
+
 std::string growth_lines(const Report& report) {
   const std::vector<Growth> growths = growths_of(report);
   if (growths.empty()) return "";
-  std::string text = "Growth with the number of vertices n\n";
-  std::string device;
-  for (const Growth& growth : growths) {
-    if (growth.device != device) text += "  on " + clipped(growth.device, 95) + "\n";
-    device = growth.device;
-    const std::string name =
-        growth.by == kOurselves ? growth.stage : growth.stage + ", " + growth.by;
-    text += "  " + padded_right(clipped(name, 44), 46) + padded_right(in_words(growth), 20) +
-            std::to_string(growth.sizes) + " sizes\n";
-  }
-  return text + "\n";
+  return "Growth with the number of vertices n\n" +
+         grouped_lines(growths, &Growth::device, line_of) + "\n";
 }
 
 std::string target_lines(const Report& report) {
   if (report.targets.empty()) return "";
-  std::string text = "Targets\n";
-  std::string on;
-  for (const Target& target : report.targets) {
-    if (target.on != on) text += "  " + clipped(target.on, kLine - 2) + "\n";
-    on = target.on;
-    text += "    " + padded_right(target.met() ? "met" : "NOT met", 9) +
-            padded_right(clipped(target.name, 54), 56) +
-            padded_left(short_number(target.measured), 9) +
-            (target.is_floor ? ", at least " : ", at most ") + short_number(target.at_most) + "\n";
-  }
-  return text + "\n";
+  return "Targets\n" + grouped_lines(report.targets, &Target::on, line_of) + "\n";
 }
 
 std::string limit_lines(const Report& report) {
