@@ -15,6 +15,13 @@ void show_progress(const std::string& text) {
   if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K%s", text.c_str());
 }
 
+void forget_times(Measurement& measurement) {
+  measurement.wall_ms.clear();
+  measurement.cpu_ms.clear();
+  measurement.device_ms.clear();
+  measurement.peak_bytes = 0;
+}
+
 }  // namespace
 
 BenchRun::BenchRun(const RunSettings& settings)
@@ -55,6 +62,7 @@ Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
   const Repeats once{1, 1, 0.0};
   meter.run(measurement, settings_.only_counts ? once : settings_.repeats, work, before);
   last_kernels_ = meter.kernels();
+  if (settings_.only_counts) forget_times(measurement);
   report_.measurements.push_back(std::move(measurement));
   return &report_.measurements.back();
 }
@@ -75,6 +83,7 @@ void BenchRun::add_kernel(const std::string& kernel, std::uint64_t bytes) {
   row.device_ms.clear();
   row.peak_bytes = 0;
   for (const gpu::KernelUse& use : found->second) row.device_ms.push_back(use.device_ms);
+  if (settings_.only_counts) forget_times(row);
   const std::uint64_t dispatches = found->second.back().dispatches;
   row.counts = {{"dispatches", dispatches}, {"bytes", bytes}};
   report_.measurements.push_back(std::move(row));

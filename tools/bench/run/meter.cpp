@@ -48,8 +48,10 @@ void Meter::run_once(Measurement& measurement, const std::function<void()>& work
   const Reading after = read();
   measurement.wall_ms.push_back(wall_ms);
   measurement.cpu_ms.push_back(after.processor_ms - before.processor_ms);
-  measurement.counts["allocations"] = after.allocations - before.allocations;
-  if (context_ == nullptr) return;
+  if (context_ == nullptr) {
+    measurement.counts["allocations"] = after.allocations - before.allocations;
+    return;
+  }
   const gpu::DeviceUse use = context_->profile()->take();
   if (use.submissions == 0) return;
   measurement.device_ms.push_back(use.device_ms);

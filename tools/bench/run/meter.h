@@ -36,9 +36,9 @@ class Meter {
   explicit Meter(gpu::Context* context) : context_(context) {}
 
   /// Runs `work` once to warm up, then as often as `repeats` says, and fills in times, peak memory
-  /// and what is counted by itself (allocations; dispatches, submissions and bytes uploaded and
-  /// downloaded of a device), of the last run. `before` is called before every run and belongs to
-  /// none.
+  /// and what is counted by itself, of the last run: allocations on the processor (a device's
+  /// driver allocates too); dispatches, submissions and bytes uploaded and downloaded on a device.
+  /// `before` is called before every run and belongs to none.
   void run(Measurement& measurement, const Repeats& repeats, const std::function<void()>& work,
            const std::function<void()>& before = {});
 
