@@ -16,6 +16,7 @@
 #include "report/table.h"
 #include "run/bench_run.h"
 #include "run/host.h"
+#include "run/targets.h"
 
 namespace lapwing::bench {
 namespace {
@@ -83,6 +84,8 @@ RunCommand::RunCommand(CLI::App& app) {
   app.add_option("--json", json_, "write the report here");
   app.add_option("--page", page_, "write the report with plots here, as one HTML file");
   app.add_option("--plots", plots_, "write the plots here, as SVG");
+  app.add_option("--show", show_,
+                 "print a report, and write what is asked for: nothing is measured");
   app.add_option("--compare", compare_, "two reports, OLD NEW: nothing is measured")->expected(2);
   app.add_option("--against", against_, "compare the counts of this run with those of a report");
 }
@@ -94,8 +97,22 @@ int RunCommand::compare_reports(const std::filesystem::path& before,
   return comparison.verdict == Verdict::worse ? 1 : 0;
 }
 
+void RunCommand::write(const Report& report) const {
+  if (!json_.empty()) write_text(json_, to_json(report));
+  if (!page_.empty()) write_text(page_, page_of(report));
+  if (!plots_.empty()) write_text(plots_, plots_svg(report));
+}
+
 int RunCommand::run(const std::string& command_line) const {
   if (!compare_.empty()) return compare_reports(compare_[0], compare_[1]);
+  if (!show_.empty()) {
+    Report report = read_report(show_);
+    // By today's targets.
+    report.targets = targets_of(report);
+    std::fputs(table_of(report).c_str(), stdout);
+    write(report);
+    return 0;
+  }
   RunSettings settings;
   settings.models = models_;
   settings.devices = devices_;
@@ -133,9 +150,7 @@ int RunCommand::run(const std::string& command_line) const {
   report.command = command_line;
   report.host = this_host();
   if (!counts_) std::fputs(table_of(report).c_str(), stdout);
-  if (!json_.empty()) write_text(json_, to_json(report));
-  if (!page_.empty()) write_text(page_, page_of(report));
-  if (!plots_.empty()) write_text(plots_, plots_svg(report));
+  write(report);
   if (!earlier) return 0;
   CompareOptions options;
   options.times = false;

@@ -10,6 +10,8 @@ class App;
 
 namespace lapwing::bench {
 
+struct Report;
+
 /// Declares the options of a run of the whole benchmark on `app`. What they ask for is done by
 /// `run_command` after parsing.
 class RunCommand {
@@ -21,6 +23,7 @@ class RunCommand {
   int run(const std::string& command_line) const;
 
  private:
+  void write(const Report& report) const;
   int compare_reports(const std::filesystem::path& before,
                       const std::filesystem::path& after) const;
 
@@ -38,6 +41,7 @@ class RunCommand {
   std::string plots_;
   std::vector<std::string> compare_;
   std::string against_;
+  std::string show_;
 };
 
 }  // namespace lapwing::bench
