@@ -15,6 +15,7 @@ class CpuSurface final : public DeformedSurface {
         vertex_triangles_(input.topology.vertex_triangles),
         moving_(input.moving.begin(), input.moving.end()),
         affected_(with_ring_neighbours(moving_, input.topology.rings)),
+        columns_(input.columns),
         basis_(input.basis.begin(), input.basis.end()),
         positions_(rest_),
         normals_(rest_.size(), Eigen::Vector3d::Zero()) {
@@ -23,6 +24,19 @@ class CpuSurface final : public DeformedSurface {
     vertex_normals(positions_, triangles_, vertex_triangles_, all, normals_);
   }
 
+  void set_basis(std::span<const double> basis) override {
+    basis_.assign(basis.begin(), basis.end());
+  }
+  void set_axis_basis(std::span<const double> numbers) override {
+    const std::size_t n = moving_.size();
+    basis_.assign(3 * n * columns_, 0.0);
+    for (std::size_t column = 0; column < columns_; ++column) {
+      const std::size_t axis = column / 4 % 3;
+      const double* from = numbers.data() + (4 * (column / 12) + column % 4) * n;
+      double* to = basis_.data() + 3 * n * column + axis;
+      for (std::size_t m = 0; m < n; ++m) to[3 * m] = from[m];
+    }
+  }
   void blend(std::span<const double> parameters) override {
     blend_response(rest_, moving_, basis_, parameters, positions_);
     vertex_normals(positions_, triangles_, vertex_triangles_, affected_, normals_);
@@ -40,6 +54,7 @@ class CpuSurface final : public DeformedSurface {
   Adjacency vertex_triangles_;
   std::vector<Index> moving_;
   std::vector<Index> affected_;
+  std::size_t columns_;
   std::vector<double> basis_;
   Positions positions_;
   std::vector<Eigen::Vector3d> normals_;
