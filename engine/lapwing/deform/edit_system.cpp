@@ -92,8 +92,8 @@ void EditSystem::hold_laplacian() const {
 
 void EditSystem::hold_rsi(std::span<const double> weights, Kernels& kernels,
                           const Progress& progress, StageTimings& stages) const {
-  systems->hold_rsi({rest, options.weights}, weights, constraints.W, options.solver, kernels,
-                    progress, stages);
+  systems->hold_rsi({rest, options.weights}, weights, constraints.W, options, kernels, progress,
+                    stages);
 }
 
 void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
