@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/deform/drag_preview.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/bent_tube.h"
@@ -217,6 +218,48 @@ TEST(Deformer, StrongerConstraintsHoldTheHandleBetter) {
     const double error = deformer.solve(std::array{bend()}).certificate.handle_error;
     EXPECT_LT(error, previous);
     previous = error;
+  }
+}
+
+TEST(Deformer, WithoutMemoryForTheExactSystemItSettlesFromThePreview) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  const EditRegion region = foot_and_head(mesh);
+  CpuKernels kernels;
+  DeformOptions options;
+  options.settle.emplace().tolerance = 1e-8;
+  options.settle->max_iterations = 1000;
+  const Deformer exact(mesh.positions, topology, region, options, kernels);
+  EXPECT_TRUE(exact.is_exact());
+  options.memory_limit_bytes = 1000;
+  Deformer deformer(mesh.positions, topology, region, options, kernels);
+  EXPECT_FALSE(deformer.is_exact());
+  EXPECT_THAT(std::string(deformer.why_not_exact()), ::testing::HasSubstr("240 vertices needs"));
+
+  const std::array motions{bend()};
+  DragPreview preview(mesh.positions, topology, region, options, kernels);
+  preview.drag(motions);
+  deformer.drag(motions);
+  EXPECT_LT(largest_distance(deformer.surface().positions(), preview.surface().positions()), 1e-12);
+
+  const DeformResult result = deformer.solve(motions);
+  EXPECT_TRUE(result.certificate.settled);
+  EXPECT_LT(largest_distance(result.positions, exact.solve(motions).positions), 1e-6);
+  const DeformResult still = deformer.solve(std::array{Affine3d::Identity()});
+  EXPECT_EQ(still.positions, mesh.positions);
+}
+
+TEST(Deformer, WithoutMemoryAndSettlingItSaysWhatItNeeds) {
+  const Mesh mesh = bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  CpuKernels kernels;
+  DeformOptions options;
+  options.memory_limit_bytes = 1000;
+  try {
+    const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
+    FAIL() << "took more than it may";
+  } catch (const SolverError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("may take 1 MB"));
   }
 }
 

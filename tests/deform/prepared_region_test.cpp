@@ -267,6 +267,29 @@ TEST_F(PreparedTube, FailedPreparationLosesNothing) {
   EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
 }
 
+TEST_F(PreparedTube, MemoryThatIsThereIsNotAskedForAgain) {
+  Edit edit = first_edit(mesh_);
+  prepare(edit);
+  edit.options.memory_limit_bytes = 1000;
+  EXPECT_TRUE(prepare(edit).is_exact());
+}
+
+TEST_F(PreparedTube, RegionThatDidNotFitIsExactOnceItMayBe) {
+  Edit edit = first_edit(mesh_);
+  edit.options.memory_limit_bytes = 1000;
+  const Deformer without = prepare(edit);
+  EXPECT_FALSE(without.is_exact());
+  const Deformer again = prepare(edit);
+  EXPECT_THAT(stages_of(again.timings()),
+              ElementsAre("constraints", "laplacian", "response", "upload"));
+  edit.options.memory_limit_bytes = 0;
+  const Deformer exact = prepare(edit);
+  EXPECT_TRUE(exact.is_exact());
+  EXPECT_TRUE(same_bits(solved(exact, edit), expected(edit)));
+  EXPECT_FALSE(without.is_exact());
+  EXPECT_LT((solved(without, edit)[500] - solved(exact, edit)[500]).norm(), 1e-2);
+}
+
 TEST_F(PreparedTube, EarlierDeformerIsDraggedWhileTheNextIsPrepared) {
   const Edit first = first_edit(mesh_);
   Edit other = first;

@@ -97,6 +97,43 @@ TEST_P(BlendResponseKernel, SkippedColumnsAddNothing) {
   }
 }
 
+TEST_P(BlendResponseKernel, BasisAlongAxesIsOneWithZerosAcross) {
+  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 18));
+  Drag drag(sample, 24, 19);
+  const std::size_t n = drag.moving.size();
+  const std::vector<double> numbers = random_numbers(8 * n, 20);
+  std::fill(drag.basis.begin(), drag.basis.end(), 0.0);
+  for (std::size_t column = 0; column < drag.columns; ++column) {
+    const std::size_t axis = column % 12 / 4;
+    const std::size_t from = 4 * (column / 12) + column % 4;
+    for (std::size_t m = 0; m < n; ++m) {
+      drag.basis[3 * (column * n + m) + axis] = numbers[from * n + m];
+    }
+  }
+  const auto expected = kernels->make_surface(drag.input());
+  const auto surface = kernels->make_surface(
+      {sample.mesh.positions, sample.topology, drag.moving, {}, drag.columns});
+  surface->set_axis_basis(numbers);
+  expected->blend(drag.parameters);
+  surface->blend(drag.parameters);
+  EXPECT_EQ(surface->positions(), expected->positions());
+}
+
+TEST_P(BlendResponseKernel, BasisMayBeGivenLaterAndAgain) {
+  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 21));
+  const Drag drag(sample, 13, 22);
+  const Drag other(sample, 13, 23);
+  const auto expected = kernels->make_surface(drag.input());
+  const auto surface = kernels->make_surface(
+      {sample.mesh.positions, sample.topology, drag.moving, {}, drag.columns});
+  surface->set_basis(other.basis);
+  surface->blend(drag.parameters);
+  surface->set_basis(drag.basis);
+  expected->blend(drag.parameters);
+  surface->blend(drag.parameters);
+  EXPECT_EQ(surface->positions(), expected->positions());
+}
+
 TEST_P(BlendResponseKernel, RepeatsBitForBit) {
   const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 16));
   const Drag drag(sample, 12, 17);

@@ -33,8 +33,8 @@ class HeldSheet : public ::testing::Test {
   }
 
   std::vector<double> solution_from_scratch(BlockMatrix A, std::span<const double> W) const {
-    HeldFactor factor(pattern_, SolverKind::automatic);
-    factor.analyze(1);
+    HeldFactor factor(pattern_, 1, SolverKind::automatic);
+    factor.analyze();
     factor.set_matrix(std::move(A));
     factor.factor(W);
     return solution(factor);
@@ -53,8 +53,8 @@ class HeldSheet : public ::testing::Test {
 };
 
 TEST_F(HeldSheet, OtherHoldsGiveTheBitsOfAFactorizationFromScratch) {
-  HeldFactor factor(pattern_, SolverKind::automatic);
-  factor.analyze(1);
+  HeldFactor factor(pattern_, 1, SolverKind::automatic);
+  factor.analyze();
   factor.set_matrix(normal_matrix());
   factor.factor(held(std::array<Index, 3>{0, 40, 1680}, 1.0));
   for (const double weight : {1.0, 0.3, 1.0}) {
@@ -66,8 +66,8 @@ TEST_F(HeldSheet, OtherHoldsGiveTheBitsOfAFactorizationFromScratch) {
 }
 
 TEST_F(HeldSheet, AnotherMatrixIsFactoredUnderTheSameHolds) {
-  HeldFactor factor(pattern_, SolverKind::automatic);
-  factor.analyze(1);
+  HeldFactor factor(pattern_, 1, SolverKind::automatic);
+  factor.analyze();
   factor.set_matrix(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
   factor.factor(W);
@@ -78,8 +78,8 @@ TEST_F(HeldSheet, AnotherMatrixIsFactoredUnderTheSameHolds) {
 }
 
 TEST_F(HeldSheet, RefusedHoldsLeaveItReadyForOthers) {
-  HeldFactor factor(pattern_, SolverKind::automatic);
-  factor.analyze(1);
+  HeldFactor factor(pattern_, 1, SolverKind::automatic);
+  factor.analyze();
   factor.set_matrix(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
   factor.factor(W);
@@ -91,8 +91,8 @@ TEST_F(HeldSheet, RefusedHoldsLeaveItReadyForOthers) {
 }
 
 TEST_F(HeldSheet, CancelledFactorizationIsNotTakenForDone) {
-  HeldFactor factor(pattern_, SolverKind::automatic);
-  factor.analyze(1);
+  HeldFactor factor(pattern_, 1, SolverKind::automatic);
+  factor.analyze();
   factor.set_matrix(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
   EXPECT_THROW(factor.factor(W, [](std::string_view, double) { return false; }), Cancelled);

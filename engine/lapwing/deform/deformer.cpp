@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/edit_system.h"
 #include "lapwing/deform/turned_start.h"
@@ -48,13 +49,27 @@ struct Deformer::State {
   std::unique_ptr<Settler> settler;  ///< null without settling, as the next
   std::unique_ptr<TurnedStart> turned_start;
   std::vector<double> weights;   ///< of the Laplacians that certificates measure
-  std::vector<double> response;  ///< columns as in SurfaceInput::basis
+  std::vector<double> response;  ///< columns as in SurfaceInput::basis, or axis_response
+  std::string why_not_exact;
   std::vector<double> parameters;
   std::unique_ptr<DeformedSurface> surface;
 
+  bool hold_rsi(const Progress& progress);
   void compute_response(const Progress& progress);
   std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
 };
+
+// False where it does not fit and settling can do without.
+bool Deformer::State::hold_rsi(const Progress& progress) {
+  try {
+    system->hold_rsi(weights, *kernels, progress, timings);
+  } catch (const DoesNotFit& reason) {
+    if (!system->options.settle) throw;
+    why_not_exact = reason.what();
+    return false;
+  }
+  return true;
+}
 
 void Deformer::State::compute_response(const Progress& progress) {
   const EditSystem& s = *system;
@@ -94,7 +109,11 @@ void Deformer::State::compute_response(const Progress& progress) {
 // The displacement of every vertex, in double precision.
 std::vector<Vector3d> Deformer::State::blended_displacement(std::span<const double> q) const {
   std::vector<Vector3d> u(system->rest->size(), Vector3d::Zero());
-  blend_response(u, system->moving, response, q, u);
+  if (why_not_exact.empty()) {
+    blend_response(u, system->moving, response, q, u);
+  } else {
+    blend_axis_response(system->moving, response, q, u);
+  }
   return u;
 }
 
@@ -122,17 +141,27 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   s.parameters.resize(edit.column_count());
   s.weights = laplacian_weights(edit.topology, *edit.rest, edit.options.weights);
   const auto lock = edit.systems->lock();
-  edit.hold_rsi(s.weights, kernels, progress, s.timings);
+  const bool exact = s.hold_rsi(progress);
+  if (edit.options.settle) edit.hold_laplacian();
   Stopwatch watch;
-  s.compute_response(progress);
+  if (exact) {
+    s.compute_response(progress);
+  } else {
+    report_progress(progress, "response", 0.0);
+    s.response = axis_response(edit);
+  }
   s.timings.add("response", watch.elapsed_ms());
 
   watch.restart();
   report_progress(progress, "upload", 0.0);
-  s.surface = kernels.make_surface(
-      {*edit.rest, edit.topology, edit.moving, s.response, edit.column_count()});
+  s.surface =
+      kernels.make_surface({*edit.rest, edit.topology, edit.moving, {}, edit.column_count()});
+  if (exact) {
+    s.surface->set_basis(s.response);
+  } else {
+    s.surface->set_axis_basis(s.response);
+  }
   if (edit.options.settle) {
-    edit.hold_laplacian();
     CpuKernels cpu;
     s.settler =
         std::make_unique<Settler>(settles_on(kernels.device()) ? kernels : cpu,
@@ -147,7 +176,7 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
 void Deformer::hold(const Progress& progress) const {
   const State& s = *state_;
   StageTimings untold;
-  s.system->hold_rsi(s.weights, *s.kernels, progress, untold);
+  if (is_exact()) s.system->hold_rsi(s.weights, *s.kernels, progress, untold);
   if (s.settler == nullptr) return;
   s.system->hold_laplacian();
   s.system->systems->laplacian_with_rings();
@@ -203,7 +232,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   std::vector<Vector3d> u = s.blended_displacement(q);
 
   DeformResult result;
-  result.certificate.relative_residual = edit.systems->rsi().refine(wanted, u);
+  if (is_exact()) result.certificate.relative_residual = edit.systems->rsi().refine(wanted, u);
   const bool still =
       std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.isZero(0.0); });
   if (s.settler != nullptr && (!still || any_far(turns))) {
@@ -235,16 +264,23 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pos
   std::vector<double> q(s.system->column_count());
   s.system->set_parameters(motions, q);
   std::vector<double> change = q;
-  Positions u(s.system->rest->size(), Vector3d::Zero());
-  if (!pose.parameters.empty()) {
-    u = pose.displacement;
-    for (std::size_t k = 0; k < q.size(); ++k) change[k] -= pose.parameters[k];
+  const bool first = pose.parameters.empty();
+  for (std::size_t k = 0; !first && k < q.size(); ++k) change[k] -= pose.parameters[k];
+  Positions u = s.blended_displacement(change);
+  for (const Index v : s.system->moving) {
+    if (!first) u[v] += pose.displacement[v];
   }
-  blend_response(u, s.system->moving, s.response, change, u);
   const SettleResult settled = s.settler->follow(s.system->wanted_displacement(q), u, progress);
   pose = {std::move(q), std::move(u), settled};
 }
 
+
+bool Deformer::is_exact() const {
+  return state_->why_not_exact.empty();
+}
+std::string_view Deformer::why_not_exact() const {
+  return state_->why_not_exact;
+}
 const EditRegion& Deformer::region() const {
   return state_->system->region;
 }
@@ -252,7 +288,8 @@ const StageTimings& Deformer::timings() const {
   return state_->timings;
 }
 std::string_view Deformer::solver_name() const {
-  return state_->system->systems->rsi().solver_name();
+  const RegionSystem& systems = *state_->system->systems;
+  return is_exact() ? systems.rsi().solver_name() : systems.laplacian().solver_name();
 }
 std::size_t Deformer::unknown_count() const {
   return state_->system->constraints.unknowns.size();
@@ -268,7 +305,11 @@ std::size_t Deformer::free_count() const {
 void Deformer::back_substitute(std::span<double> x) const {
   const auto lock = state_->system->systems->lock();
   hold({});
-  state_->system->systems->rsi().solve_in_place(x, 1);
+  if (is_exact()) {
+    state_->system->systems->rsi().solve_in_place(x, 1);
+  } else {
+    state_->system->systems->laplacian().solve_in_place(x, 3);
+  }
 }
 
 }  // namespace lapwing

@@ -43,13 +43,16 @@ struct SettledPose {
 ///     mesh.positions = deformer.solve(motions).positions;
 ///
 /// `topology` and `kernels` must outlive the deformer; positions are copied. Memory is dominated by
-/// the factor (about 8 kB a vertex) and the response (300 bytes a vertex and handle).
+/// the factor (about 8 kB a vertex, more in large regions) and the response (300 bytes a vertex and
+/// handle). Where the options' memory limit does not allow for that factor, a deformer that settles
+/// does without: `is_exact`.
 class Deformer {
  public:
   /// Prepares. Stages reported and timed: "pattern", "order", with settling "laplacian",
   /// "assemble", "normal_matrix", "analyze" (what was left of it), "factor", "response", "upload".
   /// Throws InputError for a region that does not fit the mesh, SolverError when a component of the
-  /// region is not anchored, GpuError when the device fails, Cancelled when `progress` asks for it.
+  /// region is not anchored or its exact system exceeds the memory limit and nothing settles,
+  /// GpuError when the device fails, Cancelled when `progress` asks for it.
   Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
@@ -100,6 +103,13 @@ class Deformer {
   void follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
               const Progress& progress = {}) const;
 
+  /// Whether the RSI system is there. Without it (the region was too large for the memory limit)
+  /// `drag` is a DragPreview's, which is where settling then starts; what it settles to is the same
+  /// within its tolerance, and the certificate's residual is 0.
+  bool is_exact() const;
+  /// What the system would need, and may take, in a sentence; empty where it is there.
+  std::string_view why_not_exact() const;
+
   const EditRegion& region() const;
   const StageTimings& timings() const;
   std::string_view solver_name() const;
@@ -107,7 +117,7 @@ class Deformer {
   std::size_t free_count() const;     ///< of those, neither handle nor belt
 
   /// Replaces a right-hand side of 3 unknown_count() numbers by its solution: the unit in which
-  /// benchmarks measure a drag frame.
+  /// benchmarks measure a drag frame. Of the n x n system, for x, y and z, where that is all.
   void back_substitute(std::span<double> x) const;
 
  private:

@@ -2,49 +2,12 @@
 
 #include <vector>
 
+#include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/edit_system.h"
 
 namespace lapwing {
 
 using Eigen::Vector3d;
-
-namespace {
-
-constexpr std::size_t kCoordinates = kMotionParameters / 3;
-
-// How the region follows each coordinate function of handle `h`, as DeformedSurface takes it: the
-// columns of displacements along x, y and z hold the same numbers.
-void add_columns(const EditSystem& system, std::size_t h, std::span<double> columns) {
-  const HandleFrame& frame = system.frames[h];
-  const Positions& rest = *system.rest;
-  const LaplacianSystem& laplacian = system.systems->laplacian();
-  std::vector<Vector3d> coordinates(rest.size(), Vector3d::Zero());
-  std::vector<Vector3d> one(rest.size(), Vector3d::Zero());
-  for (const Index v : system.region.handles[h]) {
-    coordinates[v] = (rest[v] - frame.centroid) / frame.radius;
-    one[v].x() = 1.0;
-  }
-  const std::size_t n = laplacian.size();
-  std::vector<double> x(6 * n);
-  laplacian.right_hand_side(coordinates, std::span(x).first(3 * n));
-  laplacian.right_hand_side(one, std::span(x).subspan(3 * n));
-  laplacian.solve_in_place(std::span(x).first(kCoordinates * n), kCoordinates);
-
-  const std::size_t column = 3 * system.moving.size();
-  for (std::size_t k = 0; k < kMotionParameters; ++k) {
-    const std::size_t axis = k / kCoordinates;
-    const std::size_t coordinate = k % kCoordinates;
-    double* out = columns.data() + k * column + axis;
-    for (std::size_t m = 0; m < system.moving.size(); ++m) {
-      const Index v = system.moving[m];
-      const Index u = system.constraints.unknowns.of_vertex[v];
-      out[3 * m] = u != kNoIndex ? x[coordinate * n + u]
-                                 : unit_displacement(frame, rest[v], k)[static_cast<int>(axis)];
-    }
-  }
-}
-
-}  // namespace
 
 struct DragPreview::State {
   std::shared_ptr<const EditSystem> system;
@@ -64,19 +27,19 @@ DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> res
                          EditRegion region, const DeformOptions& options, Kernels& kernels,
                          const Progress& progress)
     : state_(std::make_unique<State>()) {
-  const auto system = std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
-                                                         true, progress);
+  // The device gets all but the basis while the order is found.
+  const auto system = std::make_shared<const EditSystem>(
+      prepared, rest, std::move(region), options, true, progress, [&](const EditSystem& edit) {
+        state_->surface =
+            kernels.make_surface({*edit.rest, edit.topology, edit.moving, {}, edit.column_count()});
+      });
   report_progress(progress, "preview", 0.0);
   const Stopwatch watch;
-  const std::size_t handle_columns = 3 * system->moving.size() * kMotionParameters;
-  std::vector<double> columns(handle_columns * system->frames.size(), 0.0);
-  const auto lock = system->systems->lock();
-  system->hold_laplacian();
-  for (std::size_t h = 0; h < system->frames.size(); ++h) {
-    add_columns(*system, h, std::span(columns).subspan(h * handle_columns, handle_columns));
+  {
+    const auto lock = system->systems->lock();
+    system->hold_laplacian();
+    state_->surface->set_axis_basis(axis_response(*system));
   }
-  state_->surface = kernels.make_surface(
-      {*system->rest, system->topology, system->moving, columns, system->column_count()});
   state_->parameters.resize(system->column_count());
   state_->timings = system->timings;
   state_->timings.add("preview", watch.elapsed_ms());

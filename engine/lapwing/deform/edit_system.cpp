@@ -34,7 +34,8 @@ std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unk
 
 EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_positions,
                        EditRegion edit_region, const DeformOptions& deform_options,
-                       bool with_laplacian, const Progress& progress)
+                       bool with_laplacian, const Progress& progress,
+                       const std::function<void(const EditSystem&)>& meanwhile)
     : topology(prepared.topology()), region(std::move(edit_region)), options(deform_options) {
   check(options);
   Stopwatch watch;
@@ -57,6 +58,7 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
       [&] {
         check_and_frame();
         if (with_laplacian) systems->assemble_laplacian(laplacian_terms());
+        if (meanwhile) meanwhile(*this);
       },
       [&] {
         if (with_laplacian) {
@@ -90,8 +92,8 @@ void EditSystem::hold_laplacian() const {
 
 void EditSystem::hold_rsi(std::span<const double> weights, Kernels& kernels,
                           const Progress& progress, StageTimings& stages) const {
-  systems->hold_rsi({rest, options.weights}, weights, constraints.W, options.solver, kernels,
-                    progress, stages);
+  systems->hold_rsi({rest, options.weights}, weights, constraints.W, options, kernels, progress,
+                    stages);
 }
 
 void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,

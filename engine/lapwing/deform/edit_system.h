@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,10 +23,12 @@ namespace lapwing {
 /// RegionSystem.
 struct EditSystem {
   /// Stages "pattern" and "order", or "constraints" where `prepared` has both, and with the n x n
-  /// system "laplacian". Throws what Deformer does.
+  /// system "laplacian". `meanwhile` is called on this thread while another finds the order: then
+  /// all but the systems is there. Throws what Deformer does.
   EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
              EditRegion edit_region, const DeformOptions& deform_options, bool with_laplacian,
-             const Progress& progress);
+             const Progress& progress,
+             const std::function<void(const EditSystem&)>& meanwhile = {});
 
   std::shared_ptr<const Positions> rest;
   const Topology& topology;

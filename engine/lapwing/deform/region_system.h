@@ -4,13 +4,21 @@
 #include <mutex>
 #include <span>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/deform_options.h"
 #include "lapwing/deform/rsi_solution.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
 
 namespace lapwing {
+
+/// The 3n x 3n system of a region needs more memory than it may take. The message says how much.
+class DoesNotFit : public SolverError {
+ public:
+  using SolverError::SolverError;
+};
 
 /// What the numbers of a system depend on besides region and constraints.
 struct SystemTerms {
@@ -47,15 +55,19 @@ class RegionSystem {
   const LaplacianSystem& laplacian() const { return laplacian_; }
   const LaplacianSystem& laplacian_with_rings();
 
-  /// The 3n x 3n system under `W`; stages "assemble", "normal_matrix" and "analyze" as far as they
-  /// are to be done, and "factor". `weights` are those of `terms`, per ring entry.
+  /// The 3n x 3n system under `W`, by the solver and within the memory that `options` say; stages
+  /// "assemble", "normal_matrix", "analyze" and "factor" as far as they are to be done. `weights`
+  /// are those of `terms`, per ring entry. Throws DoesNotFit, of a large region before its memory
+  /// is taken, and keeps nothing of the system then.
   void hold_rsi(const SystemTerms& terms, std::span<const double> weights,
-                std::span<const double> W, SolverKind solver, Kernels& kernels,
+                std::span<const double> W, const DeformOptions& options, Kernels& kernels,
                 const Progress& progress, StageTimings& timings);
   /// As held last.
   const RsiSolution& rsi() const { return *rsi_; }
 
  private:
+  void require_memory(std::size_t limit_bytes);
+
   const Topology& topology_;
   const VertexSet roi_;
   const Unknowns unknowns_;
@@ -66,6 +78,8 @@ class RegionSystem {
   std::unique_ptr<RsiSolution> rsi_;
   SolverKind rsi_solver_ = SolverKind::automatic;
   SystemTerms rsi_terms_;
+  bool rsi_has_memory_ = false;
+  std::size_t rsi_bytes_ = 0;  ///< that it needs, once known
 };
 
 }  // namespace lapwing

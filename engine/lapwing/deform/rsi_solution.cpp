@@ -42,7 +42,21 @@ RsiSolution::RsiSolution(const Topology& topology, std::span<const Index> roi,
       pattern_(pattern),
       roi_(roi.begin(), roi.end()),
       constraints_{unknowns, {}},
-      factor_(pattern, solver) {}
+      factor_(pattern, 3, solver) {}
+
+void RsiSolution::analyze(const Progress& progress, StageTimings& timings) {
+  if (is_analyzed()) return;
+  const Stopwatch watch;
+  report_progress(progress, "analyze", 0.0);
+  factor_.analyze();
+  timings.add("analyze", watch.elapsed_ms());
+}
+
+std::size_t RsiSolution::memory_bytes() const {
+  std::size_t blocks = pattern_.blocks().rows.size();  // of M'M
+  for (const Index v : roi_) blocks += 1 + topology_.rings.size(v);
+  return 9 * sizeof(double) * blocks + factor_.solver().statistics().peak_bytes;
+}
 
 void RsiSolution::assemble(std::span<const Vector3d> rest, std::span<const double> weights,
                            Kernels& kernels, const Progress& progress, StageTimings& timings) {
@@ -51,7 +65,7 @@ void RsiSolution::assemble(std::span<const Vector3d> rest, std::span<const doubl
     timings.add(stage, watch.elapsed_ms());
     watch.restart();
   };
-  const bool analyzes = !factor_.is_analyzed();
+  const bool analyzes = !is_analyzed();
   // The symbolic work needs the pattern alone.
   parallel_invoke(
       [&] {
@@ -63,7 +77,7 @@ void RsiSolution::assemble(std::span<const Vector3d> rest, std::span<const doubl
         stage_is_done("normal_matrix");
         if (analyzes) report_progress(progress, "analyze", 0.0);
       },
-      [&] { factor_.analyze(3); });
+      [&] { factor_.analyze(); });
   if (analyzes) stage_is_done("analyze");
 }
 

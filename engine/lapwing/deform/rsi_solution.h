@@ -21,8 +21,15 @@ class RsiSolution {
   RsiSolution(const Topology& topology, std::span<const Index> roi, const Unknowns& unknowns,
               const SystemPattern& pattern, SolverKind solver);
 
-  /// M and M'M, with `weights` per ring entry; the first time the symbolic factorization beside it.
-  /// Stages "assemble", "normal_matrix" and "analyze" (what was left of that).
+  /// The symbolic factorization; once. Stage "analyze".
+  void analyze(const Progress& progress, StageTimings& timings);
+  bool is_analyzed() const { return factor_.is_analyzed(); }
+  /// Once analyzed: the memory that matrices and factor take at most. What a solver other than ours
+  /// takes is not known, and left out.
+  std::size_t memory_bytes() const;
+
+  /// M and M'M, with `weights` per ring entry; beside it the symbolic factorization where that is
+  /// still to be done. Stages "assemble", "normal_matrix" and "analyze" (what was left of that).
   void assemble(std::span<const Eigen::Vector3d> rest, std::span<const double> weights,
                 Kernels& kernels, const Progress& progress, StageTimings& timings);
 

@@ -29,6 +29,7 @@ class CpuSurface final : public DeformedSurface {
         vertex_triangles_(input.topology.vertex_triangles),
         moving_(input.moving.begin(), input.moving.end()),
         affected_(with_ring_neighbours(moving_, input.topology.rings)),
+        columns_(input.columns),
         basis_(input.basis.begin(), input.basis.end()),
         positions_(rest_),
         areas_(triangles_.size()),
@@ -40,6 +41,19 @@ class CpuSurface final : public DeformedSurface {
     vertex_normals(areas_, vertex_triangles_, std::span(all).first(rest_.size()), normals_);
   }
 
+  void set_basis(std::span<const double> basis) override {
+    basis_.assign(basis.begin(), basis.end());
+  }
+  void set_axis_basis(std::span<const double> numbers) override {
+    const std::size_t n = moving_.size();
+    basis_.assign(3 * n * columns_, 0.0);
+    for (std::size_t column = 0; column < columns_; ++column) {
+      const std::size_t axis = column / 4 % 3;
+      const double* from = numbers.data() + (4 * (column / 12) + column % 4) * n;
+      double* to = basis_.data() + 3 * n * column + axis;
+      for (std::size_t m = 0; m < n; ++m) to[3 * m] = from[m];
+    }
+  }
   void blend(std::span<const double> parameters) override {
     blend_response(rest_, moving_, basis_, parameters, positions_);
     renew_normals();
@@ -63,6 +77,7 @@ class CpuSurface final : public DeformedSurface {
   std::vector<Index> moving_;
   std::vector<Index> affected_;            // the vertices whose normals a frame renews
   std::vector<Index> changing_triangles_;  // those with a moving corner
+  std::size_t columns_;
   std::vector<double> basis_;
   Positions positions_;
   std::vector<Eigen::Vector3d> areas_;  // per triangle, see triangle_areas

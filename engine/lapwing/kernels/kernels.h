@@ -35,6 +35,7 @@ struct SurfaceInput {
   const Topology& topology;
   std::span<const Index> moving;  ///< the vertices that the basis moves, ascending
   /// `columns` columns of 3 |moving| numbers each, column after column; x, y, z of moving[0] first.
+  /// Or nothing: `set_basis` or `set_axis_basis` gives them before the first blend.
   std::span<const double> basis;
   std::size_t columns = 0;
 };
@@ -46,6 +47,14 @@ struct SurfaceInput {
 class DeformedSurface {
  public:
   virtual ~DeformedSurface() = default;
+
+  /// Another basis, of as many columns, as in SurfaceInput.
+  virtual void set_basis(std::span<const double> basis) = 0;
+
+  /// The same for columns that displace along one axis each, x, y and z by the same numbers: column
+  /// 12 h + 4 axis + k by column 4 h + k of `numbers`, which has |moving| in each, a third of the
+  /// columns. `columns` is a multiple of 12.
+  virtual void set_axis_basis(std::span<const double> numbers) = 0;
 
   /// One drag frame: positions of the moving vertices, then the normals of those and of their
   /// neighbours. `parameters` has one number per basis column. Returns when the device is done.

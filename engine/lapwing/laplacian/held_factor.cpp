@@ -21,12 +21,13 @@ class Reporting {
 
 }  // namespace
 
-HeldFactor::HeldFactor(const SystemPattern& pattern, SolverKind kind)
-    : pattern_(pattern), solver_(make_solver(kind)) {}
+HeldFactor::HeldFactor(const SystemPattern& pattern, int block_size, SolverKind kind)
+    : pattern_(pattern), block_size_(block_size), solver_(make_solver(kind)) {}
 
-void HeldFactor::analyze(int block_size) {
+void HeldFactor::analyze() {
   if (analyzed_) return;
-  solver_->analyze(pattern_.blocks(), block_size, pattern_.order());
+  solver_->analyze(pattern_.blocks(), block_size_,
+                   block_size_ == 1 ? pattern_.order() : pattern_.thorough_order());
   analyzed_ = true;
 }
 

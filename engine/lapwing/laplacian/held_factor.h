@@ -15,12 +15,13 @@ namespace lapwing {
 /// what depends on what did. One thread at a time, `analyze` excepted.
 class HeldFactor {
  public:
-  /// `pattern` must outlive the object.
-  HeldFactor(const SystemPattern& pattern, SolverKind kind);
+  /// Of matrices in blocks of `block_size`, 3 for M'M or 1 for L'L. `pattern` must outlive the
+  /// object.
+  HeldFactor(const SystemPattern& pattern, int block_size, SolverKind kind);
 
-  /// The symbolic work for blocks of `block_size`, the order included, which need no numbers; may
-  /// run beside `set_matrix`. Does nothing when done already.
-  void analyze(int block_size);
+  /// The symbolic work, the order included, which needs no numbers; may run beside `set_matrix`.
+  /// Does nothing when done already.
+  void analyze();
   bool is_analyzed() const { return analyzed_; }
 
   /// A, without W.
@@ -41,6 +42,7 @@ class HeldFactor {
   void hold(std::size_t unknown, double weight);
 
   const SystemPattern& pattern_;
+  int block_size_;
   std::unique_ptr<BlockSolver> solver_;
   bool analyzed_ = false;
   bool factored_ = false;         ///< A_, which holds W_

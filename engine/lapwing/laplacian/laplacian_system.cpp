@@ -16,7 +16,7 @@ LaplacianSystem::LaplacianSystem(const Topology& topology, std::span<const Index
       pattern_(pattern),
       roi_(roi.begin(), roi.end()),
       constraints_{unknowns, {}},
-      factor_(pattern, SolverKind::automatic) {}
+      factor_(pattern, 1, SolverKind::automatic) {}
 
 LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology& topology,
                                  std::span<const Index> roi, const Constraints& constraints,
@@ -48,7 +48,7 @@ void LaplacianSystem::assemble(std::span<const Vector3d> rest, LaplacianWeights 
 }
 
 void LaplacianSystem::analyze() {
-  factor_.analyze(1);
+  factor_.analyze();
 }
 
 void LaplacianSystem::factor(std::span<const double> W) {

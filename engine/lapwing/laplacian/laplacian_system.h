@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "lapwing/base/stopwatch.h"
@@ -49,6 +50,7 @@ class LaplacianSystem {
   const RegionRings& rings() const { return rings_; }
   const std::vector<int>& elimination_order() const { return pattern_.order(); }
   const Constraints& constraints() const { return constraints_; }
+  std::string_view solver_name() const { return factor_.solver().name(); }
   std::size_t size() const { return constraints_.unknowns.size(); }
 
   /// b = W d - (L'L + mu K) d', d what `wanted` (one vector for each vertex of the mesh) says for

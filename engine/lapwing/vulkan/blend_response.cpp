@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
 #include "lapwing/gpu/context.h"
 
 namespace lapwing {
@@ -28,21 +29,7 @@ std::size_t groups_of(std::size_t columns) {
   return (columns + kColumnsPerGroup - 1) / kColumnsPerGroup;
 }
 
-// The basis of vertices [first, first + count) in texels: per group and axis, then per vertex.
-std::vector<Vec4> pack_basis(const SurfaceInput& input, std::size_t first, std::size_t count) {
-  std::vector<Vec4> texels(3 * groups_of(input.columns) * count, Vec4{});
-  for (std::size_t k = 0; k < input.columns; ++k) {
-    const double* column = input.basis.data() + 3 * (k * input.moving.size() + first);
-    const std::size_t slot = k % kColumnsPerGroup;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      Vec4* out = texels.data() + (3 * (k / kColumnsPerGroup) + axis) * count;
-      for (std::size_t m = 0; m < count; ++m) {
-        out[m][slot] = static_cast<float>(column[3 * m + axis]);
-      }
-    }
-  }
-  return texels;
-}
+constexpr std::size_t kVerticesPerTask = 4096;
 
 }  // namespace
 
@@ -50,6 +37,7 @@ BlendResponse::BlendResponse(VulkanState& state, const SurfaceInput& input,
                              const Eigen::Vector3d& origin, std::size_t most_texels)
     : state_(state),
       columns_(input.columns),
+      moving_count_(input.moving.size()),
       groups_(*state.context, "blend parameters",
               sizeof(GroupHeader) + groups_of(columns_) * sizeof(Group), gpu::Memory::upload) {
   if (most_texels == 0) most_texels = state.context->limits().maxTexelBufferElements;
@@ -58,7 +46,56 @@ BlendResponse::BlendResponse(VulkanState& state, const SurfaceInput& input,
   for (std::size_t first = 0; first < input.moving.size(); first += most) {
     add_range(input, origin, first, std::min(most, input.moving.size() - first));
   }
+  if (!input.basis.empty()) set_basis(input.basis);
   set_parameters(std::vector<double>(columns_, 0.0));
+}
+
+// Calls pack(vertex of moving, texels of that vertex, how far apart these are), per group and axis,
+// and puts the texels where the device reads them.
+template <typename Pack>
+void BlendResponse::fill(const Pack& pack) {
+  for (const Range& range : ranges_) {
+    const std::size_t texels = 3 * groups_of(columns_) * range.count;
+    const gpu::Buffer& buffer = range.basis.buffer();
+    std::vector<Vec4> own(buffer.mapped().empty() ? texels : 0);
+    Vec4* const out = own.empty() ? reinterpret_cast<Vec4*>(buffer.mapped().data()) : own.data();
+    parallel_for(range.count, kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t m = begin; m < end; ++m) pack(range.first + m, out + m, range.count);
+    });
+    if (own.empty()) {
+      state_.context->count_upload(texels * sizeof(Vec4));
+    } else {
+      state_.transfer.upload(buffer, std::span<const Vec4>(own));
+    }
+  }
+}
+
+void BlendResponse::set_basis(std::span<const double> basis) {
+  fill([&](std::size_t vertex, Vec4* out, std::size_t stride) {
+    for (std::size_t first = 0; first < columns_; first += kColumnsPerGroup) {
+      for (std::size_t axis = 0; axis < 3; ++axis, out += stride) {
+        *out = {};
+        for (std::size_t k = first; k < std::min(columns_, first + kColumnsPerGroup); ++k) {
+          (*out)[k - first] = static_cast<float>(basis[3 * (k * moving_count_ + vertex) + axis]);
+        }
+      }
+    }
+  });
+}
+
+void BlendResponse::set_axis_basis(std::span<const double> numbers) {
+  fill([&](std::size_t vertex, Vec4* out, std::size_t stride) {
+    for (std::size_t group = 0; group < groups_of(columns_); ++group) {
+      for (std::size_t axis = 0; axis < 3; ++axis, out += stride) {
+        *out = {};
+        if (axis != group % 3) continue;
+        for (std::size_t k = 0; k < kColumnsPerGroup; ++k) {
+          const std::size_t column = kColumnsPerGroup * (group / 3) + k;
+          (*out)[k] = static_cast<float>(numbers[column * moving_count_ + vertex]);
+        }
+      }
+    }
+  });
 }
 
 void BlendResponse::add_range(const SurfaceInput& input, const Eigen::Vector3d& origin,
@@ -70,15 +107,14 @@ void BlendResponse::add_range(const SurfaceInput& input, const Eigen::Vector3d& 
     const Eigen::Vector3f place = (input.rest[vertex] - origin).cast<float>();
     rests.push_back({place.x(), place.y(), place.z(), 1.0F});
   }
-  const std::vector<Vec4> basis = pack_basis(input, first, count);
   const gpu::Context& context = *state_.context;
-  ranges_.push_back({count, gpu::TexelBuffer(context, "moving vertices", Format::uint, count),
-                     gpu::TexelBuffer(context, "rest positions", Format::vec4, count),
-                     gpu::TexelBuffer(context, "response basis", Format::vec4, basis.size())});
+  ranges_.push_back(
+      {first, count, gpu::TexelBuffer(context, "moving vertices", Format::uint, count),
+       gpu::TexelBuffer(context, "rest positions", Format::vec4, count),
+       gpu::TexelBuffer(context, "response basis", Format::vec4, 3 * groups_of(columns_) * count)});
   const Range& range = ranges_.back();
   state_.transfer.upload(range.moving.buffer(), moving);
   state_.transfer.upload(range.rests.buffer(), std::span<const Vec4>(rests));
-  state_.transfer.upload(range.basis.buffer(), std::span<const Vec4>(basis));
 }
 
 void BlendResponse::record(gpu::Recorder& recorder, const gpu::Buffer& positions) const {

@@ -19,6 +19,10 @@ class BlendResponse {
   BlendResponse(VulkanState& state, const SurfaceInput& input, const Eigen::Vector3d& origin,
                 std::size_t most_texels = 0);
 
+  /// As DeformedSurface. The device must be done with the recorded commands.
+  void set_basis(std::span<const double> basis);
+  void set_axis_basis(std::span<const double> numbers);
+
   /// Records the blend into `positions`, one vec4 per vertex of the mesh, whose w stays.
   void record(gpu::Recorder& recorder, const gpu::Buffer& positions) const;
   /// What the recorded commands use when they next run: one number per column. The device must be
@@ -27,16 +31,20 @@ class BlendResponse {
 
  private:
   struct Range {
+    std::size_t first;
     std::size_t count;
     gpu::TexelBuffer moving;
     gpu::TexelBuffer rests;
     gpu::TexelBuffer basis;
   };
+  template <typename Pack>
+  void fill(const Pack& pack);
   void add_range(const SurfaceInput& input, const Eigen::Vector3d& origin, std::size_t first,
                  std::size_t count);
 
   VulkanState& state_;
   std::size_t columns_;
+  std::size_t moving_count_;
   gpu::Buffer groups_;
   std::vector<Range> ranges_;
 };

@@ -108,6 +108,14 @@ void VulkanSurface::record_normals() {
   recorder.finish();
 }
 
+void VulkanSurface::set_basis(std::span<const double> basis) {
+  buffers_->blend_response.set_basis(basis);
+}
+
+void VulkanSurface::set_axis_basis(std::span<const double> numbers) {
+  buffers_->blend_response.set_axis_basis(numbers);
+}
+
 void VulkanSurface::blend(std::span<const double> parameters) {
   buffers_->blend_response.set_parameters(parameters);
   frame_->run();

@@ -23,6 +23,8 @@ class VulkanSurface final : public DeformedSurface {
   VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceInput& input);
   ~VulkanSurface() override;
 
+  void set_basis(std::span<const double> basis) override;
+  void set_axis_basis(std::span<const double> numbers) override;
   void blend(std::span<const double> parameters) override;
   void place(std::span<const Eigen::Vector3d> positions) override;
   Positions positions() const override;

@@ -1,0 +1,70 @@
+#include "lapwing/deform/axis_response.h"
+
+namespace lapwing {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t kCoordinates = kMotionParameters / 3;
+
+// How the region follows each coordinate function of handle `h`, as set_axis_basis takes it.
+void add_columns(const EditSystem& system, std::size_t h, std::span<double> columns) {
+  const HandleFrame& frame = system.frames[h];
+  const Positions& rest = *system.rest;
+  const LaplacianSystem& laplacian = system.systems->laplacian();
+  std::vector<Vector3d> coordinates(rest.size(), Vector3d::Zero());
+  std::vector<Vector3d> one(rest.size(), Vector3d::Zero());
+  for (const Index v : system.region.handles[h]) {
+    coordinates[v] = (rest[v] - frame.centroid) / frame.radius;
+    one[v].x() = 1.0;
+  }
+  const std::size_t n = laplacian.size();
+  std::vector<double> x(6 * n);
+  laplacian.right_hand_side(coordinates, std::span(x).first(3 * n));
+  laplacian.right_hand_side(one, std::span(x).subspan(3 * n));
+  laplacian.solve_in_place(std::span(x).first(kCoordinates * n), kCoordinates);
+
+  for (std::size_t k = 0; k < kCoordinates; ++k) {
+    double* out = columns.data() + k * system.moving.size();
+    for (const Index v : system.moving) {
+      const Index u = system.constraints.unknowns.of_vertex[v];
+      if (u != kNoIndex) {
+        *out++ = x[k * n + u];
+      } else {  // of a handle with hard constraints, this one or another
+        *out++ = k == 3 ? one[v].x() : coordinates[v][static_cast<Eigen::Index>(k)];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<double> axis_response(const EditSystem& system) {
+  const std::size_t of_handle = system.moving.size() * kCoordinates;
+  std::vector<double> columns(of_handle * system.frames.size());
+  for (std::size_t h = 0; h < system.frames.size(); ++h) {
+    add_columns(system, h, std::span(columns).subspan(h * of_handle, of_handle));
+  }
+  return columns;
+}
+
+void blend_axis_response(std::span<const Index> moving, std::span<const double> columns,
+                         std::span<const double> parameters, std::span<Vector3d> u) {
+  const std::size_t handles = parameters.size() / kMotionParameters;
+  for (std::size_t m = 0; m < moving.size(); ++m) {
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t h = 0; h < handles; ++h) {
+      for (std::size_t k = 0; k < kCoordinates; ++k) {
+        const double number = columns[(kCoordinates * h + k) * moving.size() + m];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          sum[static_cast<Eigen::Index>(axis)] +=
+              parameters[kMotionParameters * h + kCoordinates * axis + k] * number;
+        }
+      }
+    }
+    u[moving[m]] = sum;
+  }
+}
+
+}  // namespace lapwing
