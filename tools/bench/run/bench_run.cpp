@@ -37,13 +37,6 @@ bool BenchRun::wants(const std::string& stage, const std::string& by, const std:
                            *settings_.filter);
 }
 
-bool BenchRun::wants_any(const std::string& stage, const Subject& subject) const {
-  for (const BenchDevice& device : devices_) {
-    if (wants(stage, kLapwing, device.name, subject)) return true;
-  }
-  return false;
-}
-
 Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
                                const BenchDevice& device, const Subject& subject,
                                const std::function<void()>& work,

@@ -44,8 +44,6 @@ class BenchRun {
   /// Whether a row is asked for; what only serves rows that are not need not be made ready.
   bool wants(const std::string& stage, const std::string& by, const std::string& device,
              const Subject& subject) const;
-  /// Any row of that stage by us.
-  bool wants_any(const std::string& stage, const Subject& subject) const;
 
   /// Measures `work`, unless the row is not wanted: then null. The row stays the report's until the
   /// next one; add to its counts.

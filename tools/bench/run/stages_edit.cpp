@@ -23,8 +23,9 @@ constexpr double kStretchResistance = 1e-3;
 // Iterations of one counted run, so that what begins and ends a run does not count.
 constexpr int kSettleIterations = 20;
 
-DeformOptions deform_options() {
+DeformOptions deform_options(const BenchRun& run) {
   DeformOptions options;
+  options.memory_limit_bytes = run.settings().memory_bytes;
   options.settle.emplace();
   options.settle->tolerance = kSettleTolerance;
   options.settle->stretch_resistance = kStretchResistance;
@@ -67,7 +68,7 @@ void measure_preview(BenchRun& run, const Subject& subject, const BenchDevice& d
   const bool wanted = run.wants("first drag", kLapwing, device.name, subject) ||
                       run.wants("preview frame", kLapwing, device.name, subject);
   if (!wanted) return;
-  const DeformOptions options = deform_options();
+  const DeformOptions options = deform_options(run);
   MovingHandle handle(subject);
   std::unique_ptr<DragPreview> preview;
   const auto make = [&] {
@@ -95,7 +96,10 @@ void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevi
 }
 
 void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& device) {
-  const DeformOptions options = deform_options();
+  const bool frames = run.wants("drag frame", kLapwing, device.name, subject) ||
+                      run.wants("settle frame", kLapwing, device.name, subject);
+  if (!frames && !run.wants("preparation", kLapwing, device.name, subject)) return;
+  const DeformOptions options = deform_options(run);
   MovingHandle handle(subject);
   std::unique_ptr<Deformer> deformer;
   const auto make = [&] {
@@ -103,9 +107,7 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
                                           options, *device.kernels);
   };
   run.measure("preparation", kLapwing, device, subject, make, [&] { deformer.reset(); });
-  const bool more = run.wants("drag frame", kLapwing, device.name, subject) ||
-                    run.wants("settle frame", kLapwing, device.name, subject);
-  if (!more) return;
+  if (!frames) return;
   if (deformer == nullptr) make();
   measure_frame(run, subject, device, "drag frame", [&] { deformer->drag(handle.next()); });
   measure_settle_frame(run, subject, device, "settle frame", *deformer);
@@ -150,12 +152,12 @@ void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& dev
       [&] {
         again.reset();
         first = std::make_unique<Deformer>(prepared, subject.mesh.positions, subject.region,
-                                           deform_options(), *device.kernels);
+                                           deform_options(run), *device.kernels);
       });
 }
 
 void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice& device) {
-  const DeformOptions options = deform_options();
+  const DeformOptions options = deform_options(run);
   DeformOptions other_weight = options;
   other_weight.constraint_weight = 10.0;
   DeformOptions other_laplacians = options;
@@ -190,28 +192,11 @@ void measure_settle_iteration(BenchRun& run, const Subject& subject, const Bench
   row->counts["iterations"] = kSettleIterations;
 }
 
-bool exact_fits(BenchRun& run, const Subject& subject) {
-  // Far above what 16 GB hold needs no look; far below neither.
-  constexpr std::size_t kSurelyFits = 300'000;
-  if (subject.vertices() < kSurelyFits) return true;
-  const EditParts parts(subject);
-  const auto solver = make_solver();
-  solver->analyze(parts.pattern->blocks(), 3, parts.pattern->order());
-  const std::uint64_t bytes = solver->statistics().peak_bytes;
-  if (bytes <= run.settings().memory_bytes) return true;
-  run.leave_out("the exact preparation", subject,
-                "its factor needs " + std::to_string(bytes / 1'000'000) + " MB");
-  return false;
-}
-
 }  // namespace
 
 void measure_edit_stages(BenchRun& run, const Subject& subject) {
   for (const BenchDevice& device : run.devices()) measure_preview(run, subject, device);
   for (const BenchDevice& device : run.devices()) measure_settle_iteration(run, subject, device);
-  const bool exact = run.wants_any("preparation", subject) ||
-                     run.wants_any("drag frame", subject) || run.wants_any("settle frame", subject);
-  if (!exact || !exact_fits(run, subject)) return;
   for (const BenchDevice& device : run.devices()) {
     measure_exact(run, subject, device);
     measure_all_again(run, subject, device);

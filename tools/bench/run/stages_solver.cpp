@@ -49,6 +49,12 @@ void measure_assembly(BenchRun& run, const Subject& subject, const EditParts& pa
 }
 
 void measure_coupled(BenchRun& run, const Subject& subject, const EditParts& parts) {
+  const auto wants = [&](const char* stage) {
+    return run.wants(stage, kLapwing, kProcessor, subject);
+  };
+  const bool solves = wants("response") || wants("back-substitution");
+  const bool factors = solves || wants("factor");
+  if (!factors && !wants("normal matrix") && !wants("analyze")) return;
   const SystemPattern& pattern = *parts.pattern;
   std::unique_ptr<BlockSolver> solver;
   Measurement* row = run.measure(
@@ -60,24 +66,21 @@ void measure_coupled(BenchRun& run, const Subject& subject, const EditParts& par
   }
   const SolverStatistics statistics = solver->statistics();
   if (row != nullptr) row->counts["nonzeros"] = statistics.factor_bytes / sizeof(double);
-  if (statistics.peak_bytes > run.settings().memory_bytes) {
-    run.leave_out("the 3n x 3n factor", subject,
-                  "it needs " + std::to_string(statistics.peak_bytes / 1'000'000) + " MB");
-    return;
-  }
-  const bool rest = run.wants("normal matrix", kLapwing, kProcessor, subject) ||
-                    run.wants("factor", kLapwing, kProcessor, subject) ||
-                    run.wants("response", kLapwing, kProcessor, subject);
-  if (!rest) return;
   const BlockRows M =
       assemble_rsi_rows(*open_bench_device("cpu").kernels, parts.ring_problem(subject));
   BlockMatrix N = pattern.normal().normal_matrix(M, parts.constraints.W);
   row = run.measure("normal matrix", kLapwing, subject,
                     [&] { N = pattern.normal().normal_matrix(M, parts.constraints.W); });
   if (row != nullptr) row->counts["bytes"] = sizeof(double) * (M.values.size() + N.values.size());
+  if (!factors) return;
+  if (statistics.peak_bytes > run.settings().memory_bytes) {
+    run.leave_out("the 3n x 3n factor", subject,
+                  "it needs " + std::to_string(statistics.peak_bytes / 1'000'000) + " MB");
+    return;
+  }
   row = run.measure("factor", kLapwing, subject, [&] { solver->factor(N); });
   count_factor(row, statistics);
-  if (!run.wants("response", kLapwing, kProcessor, subject)) return;
+  if (!solves) return;
   solver->factor(N);
   const std::size_t size = N.scalar_size();
   std::vector<double> x(kColumns * size, 1.0);
