@@ -52,7 +52,7 @@ Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
   measurement.mesh = subject.name;
   measurement.vertices = subject.vertices();
   Meter meter(device.context.get());
-  const Repeats once{1, 1, 0.0};
+  const Repeats once{1, 1, 0.0, 1};
   meter.run(measurement, settings_.only_counts ? once : settings_.repeats, work, before);
   last_kernels_ = meter.kernels();
   if (settings_.only_counts) forget_times(measurement);

@@ -76,7 +76,7 @@ void Meter::run(Measurement& measurement, const Repeats& repeats, const std::fun
   forget_peak_memory();
   once();
   const double first_ms = measurement.wall_ms.front();
-  int left = repeats.least - 1;
+  int left = std::min(repeats.least, repeats.least_long) - 1;
   if (first_ms < kLongRun_ms) {
     measurement.wall_ms.clear();
     measurement.cpu_ms.clear();

@@ -11,11 +11,15 @@
 
 namespace lapwing::bench {
 
+/// A run that takes longer than this is its own warm-up: what first runs lose is small beside it.
+inline constexpr double kLongRun_ms = 2000.0;
+
 /// How often something is run.
 struct Repeats {
   int least = 5;           ///< counted runs, however long they take
-  int most = 101;          ///< counted runs, however short
-  double enough_ms = 400;  ///< all counted runs together, between those two
+  int most = 51;           ///< counted runs, however short
+  double enough_ms = 500;  ///< all counted runs together, between those two
+  int least_long = 3;      ///< in place of `least` for work that takes longer than kLongRun_ms
 };
 
 /// Processor time of all threads of this process, in milliseconds.
@@ -25,9 +29,6 @@ double processor_ms();
 /// system does not tell.
 std::uint64_t peak_memory();
 void forget_peak_memory();
-
-/// A run that takes longer than this is its own warm-up: what first runs lose is small beside it.
-inline constexpr double kLongRun_ms = 2000.0;
 
 /// Reads clocks and counters around repeated runs of one piece of work.
 class Meter {

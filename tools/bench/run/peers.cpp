@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMostForEigenFactor = 30'000;
 constexpr std::size_t kMostForEigenProduct = 120'000;
 [[maybe_unused]] constexpr std::size_t kMostForCholmod = 120'000;
-[[maybe_unused]] constexpr std::size_t kMostForArap = 450'000;
+[[maybe_unused]] constexpr std::size_t kMostForArap = 120'000;
 
 constexpr std::size_t kColumns = 12;
 

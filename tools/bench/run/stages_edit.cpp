@@ -139,6 +139,9 @@ EditRegion with_other_belt(const Subject& subject) {
 void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& device,
                    const std::string& stage, const EditRegion& region,
                    const DeformOptions& options) {
+  // Every run needs a preparation before it.
+  constexpr std::size_t kMostForAgain = 120'000;
+  if (subject.vertices() > kMostForAgain) return;
   if (!run.wants(stage, kLapwing, device.name, subject)) return;
   PreparedRegion prepared(subject.topology);
   std::unique_ptr<Deformer> first;
