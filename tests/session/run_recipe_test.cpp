@@ -82,7 +82,7 @@ TEST_F(RunRecipe, SecondStepOnTheSameRoiOrdersNothingAnewAndGivesTheSameBits) {
   const auto once = run(kLift);
   once->prepared.reset();
   once->last.reset();
-  const Step alone = parse_recipe(R"({"lapwing": 1, "mesh": "", "steps": [)" + other + "]}",
+  const Step alone = parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [)" + other + "]}",
                                   folder_.path(), "test")
                          .steps[0];
   run_step(alone, 2, folder_.path(), kernels_, {}, *once);

@@ -17,18 +17,20 @@ class SystemPattern {
   const NormalPattern& normal() const { return normal_; }
   const BlockPattern& blocks() const { return normal_.blocks(); }
 
-  /// New to old, by minimum degree, for L'L: a preview waits for it. Found in the first call, by
-  /// whichever thread that is.
+  /// New to old, for L'L, found fast since a preview waits for it: by minimum degree, or in a large
+  /// region (above kMinimumDegreeLimit) by dissection of small clusters. Found in the first call,
+  /// by whichever thread that is.
   const std::vector<int>& order() const;
+  /// Whether it has been; not to be asked while another thread may be finding it.
+  bool is_ordered() const { return order_.size() == blocks().size(); }
   /// The order for M'M: the same, or where the region is so large that it saves more of the
   /// factorization's 27 times as many operations than it takes, by nested dissection; found
   /// likewise.
   const std::vector<int>& thorough_order() const;
-  /// Whether it has been; not to be asked while another thread may be finding it.
-  bool is_ordered() const { return order_.size() == blocks().size(); }
 
  private:
   NormalPattern normal_;
+  std::vector<Index> cluster_of_;  // per unknown of a large region
   mutable std::once_flag ordered_;
   mutable std::vector<int> order_;
   mutable std::once_flag thoroughly_ordered_;

@@ -5,10 +5,14 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/parallel.h"
+
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr std::size_t kRowsPerTask = 2048;
 
 void set_uniform(std::span<double> row) {
   std::fill(row.begin(), row.end(), 1.0 / static_cast<double>(row.size()));
@@ -66,19 +70,21 @@ std::vector<double> laplacian_weights(const Topology& topology, std::span<const 
                                       LaplacianWeights scheme) {
   const Adjacency& rings = topology.rings;
   std::vector<double> weights(rings.values.size(), 0.0);
-  for (std::size_t i = 0; i < rings.row_count(); ++i) {
-    const std::span row(weights.data() + rings.starts[i], rings.size(i));
-    if (row.empty()) continue;
-    if (scheme == LaplacianWeights::cotangent) {
-      add_cotangents(topology, static_cast<Index>(i), positions, row);
+  parallel_for(rings.row_count(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::span row(weights.data() + rings.starts[i], rings.size(i));
+      if (row.empty()) continue;
+      if (scheme == LaplacianWeights::cotangent) {
+        add_cotangents(topology, static_cast<Index>(i), positions, row);
+      }
+      if (scheme == LaplacianWeights::uniform || !make_positive(row)) {
+        set_uniform(row);
+        continue;
+      }
+      const double sum = sum_of(row);
+      for (double& w : row) w /= sum;
     }
-    if (scheme == LaplacianWeights::uniform || !make_positive(row)) {
-      set_uniform(row);
-      continue;
-    }
-    const double sum = sum_of(row);
-    for (double& w : row) w /= sum;
-  }
+  });
   return weights;
 }
 

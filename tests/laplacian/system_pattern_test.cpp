@@ -1,0 +1,46 @@
+#include "lapwing/laplacian/system_pattern.h"
+
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/solve/block_solver.h"
+#include "lapwing/solve/ordering.h"
+
+namespace lapwing {
+namespace {
+
+SystemPattern pattern_of(const Mesh& mesh, const Topology& topology) {
+  std::vector<Index> all(mesh.vertex_count());
+  std::iota(all.begin(), all.end(), 0U);
+  return {topology, all, Unknowns(all, all.size())};
+}
+
+TEST(SystemPattern, HasOneOrderForBothSystemsOfAnOrdinaryRegion) {
+  const Mesh mesh = icosphere(3);
+  const Topology topology = build_topology(mesh);
+  const SystemPattern pattern = pattern_of(mesh, topology);
+  EXPECT_FALSE(pattern.is_ordered());
+  EXPECT_EQ(pattern.order(), fill_reducing_order(pattern.blocks()));
+  EXPECT_TRUE(pattern.is_ordered());
+  EXPECT_EQ(&pattern.thorough_order(), &pattern.order());
+}
+
+TEST(SystemPattern, LargeRegionHasOneThatIsFoundFastAndSavesMoreThanMinimumDegree) {
+  const Mesh mesh = grid(400, 400);
+  const Topology topology = build_topology(mesh);
+  const SystemPattern pattern = pattern_of(mesh, topology);
+  ASSERT_GT(pattern.blocks().size(), kMinimumDegreeLimit);
+  const auto flops = [&](std::span<const int> order) {
+    const auto solver = make_solver(SolverKind::block);
+    solver->analyze(pattern.blocks(), 1, order);
+    return solver->statistics().flops;
+  };
+  EXPECT_LT(flops(pattern.order()),
+            flops(fill_reducing_order(pattern.blocks(), Ordering::minimum_degree)));
+  EXPECT_LE(flops(pattern.thorough_order()), flops(pattern.order()));
+}
+
+}  // namespace
+}  // namespace lapwing
