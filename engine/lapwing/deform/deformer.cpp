@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/drag_preview.h"
@@ -38,6 +39,15 @@ bool any_far(std::span<const Eigen::AngleAxisd> turns) {
 // disguise takes about three times as long as the CPU twins (measured on lavapipe).
 bool settles_on(const DeviceInfo& device) {
   return device.float64 && device.type != "software";
+}
+
+// How many times `last` a change goes in that direction, within what a last frame can foretell.
+double share_along(std::span<const double> change, std::span<const double> last) {
+  constexpr double kMost = 2.0;
+  const double size = std::inner_product(last.begin(), last.end(), last.begin(), 0.0);
+  if (size == 0.0) return 0.0;
+  const double along = std::inner_product(change.begin(), change.end(), last.begin(), 0.0);
+  return std::clamp(along / size, -kMost, kMost);
 }
 
 }  // namespace
@@ -266,14 +276,21 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pos
   std::vector<double> change = q;
   const bool first = pose.parameters.empty();
   for (std::size_t k = 0; !first && k < q.size(); ++k) change[k] -= pose.parameters[k];
-  Positions u = s.blended_displacement(change);
-  for (const Index v : s.system->moving) {
-    if (!first) u[v] += pose.displacement[v];
+  Positions moved = s.blended_displacement(change);
+  Positions u = moved;
+  if (!first) {
+    // What the linear response does not know changes with the motion as it did in the last frame.
+    const double share = share_along(change, pose.change);
+    for (const Index v : s.system->moving) {
+      u[v] += pose.displacement[v] + share * pose.correction[v];
+    }
   }
   const SettleResult settled = s.settler->follow(s.system->wanted_displacement(q), u, progress);
-  pose = {std::move(q), std::move(u), settled};
+  for (const Index v : s.system->moving) {
+    moved[v] = first ? Vector3d::Zero() : Vector3d(u[v] - pose.displacement[v] - moved[v]);
+  }
+  pose = {std::move(q), std::move(u), std::move(change), std::move(moved), settled};
 }
-
 
 bool Deformer::is_exact() const {
   return state_->why_not_exact.empty();

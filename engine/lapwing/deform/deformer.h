@@ -30,6 +30,8 @@ struct DeformResult {
 struct SettledPose {
   std::vector<double> parameters;  ///< of the handles' motions; empty before the first frame
   Positions displacement;          ///< of the whole mesh
+  std::vector<double> change;      ///< of the parameters in the last frame
+  Positions correction;            ///< what that changed beyond the linear response to it
   SettleResult settled;            ///< how the last frame ended
 };
 

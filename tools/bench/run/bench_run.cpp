@@ -1,5 +1,6 @@
 #include "run/bench_run.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <unistd.h>
@@ -41,6 +42,13 @@ Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
                                const BenchDevice& device, const Subject& subject,
                                const std::function<void()>& work,
                                const std::function<void()>& before) {
+  return measure(stage, by, device, subject, 0, work, before);
+}
+
+Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
+                               const BenchDevice& device, const Subject& subject, int least_runs,
+                               const std::function<void()>& work,
+                               const std::function<void()>& before) {
   last_kernels_.clear();
   if (!wants(stage, by, device.name, subject)) return nullptr;
   show_progress(subject.name + ", " + std::to_string(subject.vertices()) + " vertices: " + stage +
@@ -52,8 +60,11 @@ Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
   measurement.mesh = subject.name;
   measurement.vertices = subject.vertices();
   Meter meter(device.context.get());
-  const Repeats once{1, 1, 0.0, 1};
-  meter.run(measurement, settings_.only_counts ? once : settings_.repeats, work, before);
+  Repeats repeats = settings_.repeats;
+  repeats.least = std::max(repeats.least, least_runs);
+  repeats.most = std::max(repeats.most, least_runs);
+  if (settings_.only_counts) repeats = {1, 1, 0.0, 1};
+  meter.run(measurement, repeats, work, before);
   last_kernels_ = meter.kernels();
   if (settings_.only_counts) forget_times(measurement);
   report_.measurements.push_back(std::move(measurement));

@@ -50,6 +50,10 @@ class BenchRun {
   Measurement* measure(const std::string& stage, const std::string& by, const BenchDevice& device,
                        const Subject& subject, const std::function<void()>& work,
                        const std::function<void()>& before = {});
+  /// With at least so many runs, where they are not as long as kLongRun_ms.
+  Measurement* measure(const std::string& stage, const std::string& by, const BenchDevice& device,
+                       const Subject& subject, int least_runs, const std::function<void()>& work,
+                       const std::function<void()>& before = {});
   /// On the processor, whatever the device.
   Measurement* measure(const std::string& stage, const std::string& by, const Subject& subject,
                        const std::function<void()>& work, const std::function<void()>& before = {});

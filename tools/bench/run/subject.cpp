@@ -69,8 +69,6 @@ Eigen::Affine3d Subject::motion(double share) const {
 }
 
 std::array<Eigen::Affine3d, 1> MovingHandle::next() {
-  // There and back in a second at 60 frames a second.
-  constexpr double kFramesOfMotion = 60.0;
   const double turn = 2.0 * std::numbers::pi * ++frames_ / kFramesOfMotion;
   return {subject_.motion(0.5 - 0.5 * std::cos(turn))};
 }

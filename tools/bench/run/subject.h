@@ -32,6 +32,9 @@ struct Subject {
 /// A handle on its way there and back, a frame at a time: one that stands still would be too easy.
 class MovingHandle {
  public:
+  /// There and back in a second at 60 frames a second.
+  static constexpr int kFramesOfMotion = 60;
+
   /// `subject` must outlive it.
   explicit MovingHandle(const Subject& subject) : subject_(subject) {}
   std::array<Eigen::Affine3d, 1> next();
