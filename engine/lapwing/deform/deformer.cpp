@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/edit_system.h"
+#include "lapwing/deform/turn_tracker.h"
 #include "lapwing/deform/turned_start.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -31,6 +33,16 @@ bool any_far(std::span<const Eigen::AngleAxisd> turns) {
   constexpr double kLimit = kLargestLinearTurnDegrees * std::numbers::pi / 180.0;
   return std::any_of(turns.begin(), turns.end(),
                      [](const Eigen::AngleAxisd& turn) { return std::abs(turn.angle()) > kLimit; });
+}
+
+// Whether a handle has turned too far from the last frame to this one to go on from there.
+bool any_far(std::span<const Eigen::AngleAxisd> turns, std::span<const Eigen::AngleAxisd> last) {
+  std::vector<Eigen::AngleAxisd> since;
+  for (std::size_t h = 0; h < last.size(); ++h) {
+    const Vector3d change = turns[h].angle() * turns[h].axis() - last[h].angle() * last[h].axis();
+    since.emplace_back(change.norm(), Vector3d::UnitX());
+  }
+  return any_far(since);
 }
 
 // A result is in double precision whatever the device; and a device that is the processor in
@@ -148,9 +160,12 @@ void Deformer::hold(const Progress& progress) const {
   const State& s = *state_;
   StageTimings untold;
   s.system->hold_rsi(s.weights, *s.kernels, progress, untold);
-  if (s.settler == nullptr) return;
-  s.system->hold_laplacian();
-  s.system->systems->laplacian_with_rings();
+  if (s.settler != nullptr) hold_for_settling();
+}
+
+void Deformer::hold_for_settling() const {
+  state_->system->hold_laplacian();
+  state_->system->systems->laplacian_with_rings();
 }
 
 Deformer::~Deformer() = default;
@@ -228,21 +243,43 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
 
 void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
                       const Progress& progress) const {
+  std::vector<Eigen::AngleAxisd> turns;
+  for (std::size_t h = 0; h < motions.size(); ++h) {
+    TurnTracker tracker = h < pose.turns.size() ? TurnTracker(pose.turns[h]) : TurnTracker();
+    tracker.follow(motions[h]);
+    turns.push_back(tracker.turn());
+  }
+  follow(motions, turns, pose, progress);
+}
+
+void Deformer::follow(std::span<const Eigen::Affine3d> motions,
+                      std::span<const Eigen::AngleAxisd> turns, SettledPose& pose,
+                      const Progress& progress) const {
   const State& s = *state_;
+  const EditSystem& edit = *s.system;
   if (s.settler == nullptr) {
     throw InputError("a drag can follow settled only with settling in the deform options");
   }
-  std::vector<double> q(s.system->column_count());
-  s.system->set_parameters(motions, q);
-  std::vector<double> change = q;
-  Positions u(s.system->rest->size(), Vector3d::Zero());
-  if (!pose.parameters.empty()) {
-    u = pose.displacement;
+  const auto lock = edit.systems->lock();
+  hold_for_settling();
+  std::vector<double> q(edit.column_count());
+  edit.set_parameters(motions, q);
+  Positions u;
+  if (pose.parameters.empty() || any_far(turns, pose.turns)) {
+    s.settler->begin_drag();
+    u = any_far(turns) ? s.turned_start->displacement(motions, turns) : s.blended_displacement(q);
+  } else {
+    std::vector<double> change = q;
     for (std::size_t k = 0; k < q.size(); ++k) change[k] -= pose.parameters[k];
+    u = pose.displacement;
+    blend_response(u, edit.moving, s.response, change, u);
   }
-  blend_response(u, s.system->moving, s.response, change, u);
-  const SettleResult settled = s.settler->follow(s.system->wanted_displacement(q), u, progress);
-  pose = {std::move(q), std::move(u), settled};
+  const SettleResult settled = s.settler->follow(edit.wanted_displacement(q), u, progress);
+  Certificate certificate;
+  certificate.all_finite =
+      std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.allFinite(); });
+  require_valid(certificate);
+  pose = {std::move(q), {turns.begin(), turns.end()}, std::move(u), settled};
 }
 
 const EditRegion& Deformer::region() const {
