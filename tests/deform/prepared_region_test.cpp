@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <functional>
+#include <optional>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -320,6 +321,26 @@ TEST_F(PreparedTube, EarlierDeformerStillSolves) {
   const Deformer next = prepare(other);
   EXPECT_TRUE(same_bits(solved(earlier, first), expected(first)));
   EXPECT_TRUE(same_bits(solved(next, other), expected(other)));
+}
+
+TEST_F(PreparedTube, EarlierDeformerFollowsADragOnThroughAnotherPreparation) {
+  const Edit first = first_edit(mesh_);
+  Edit other = first;
+  other.region.handles[0] = slab(mesh_, 3.0, 3.5);
+  other.options.settle->stretch_resistance = 0.3;
+  const Deformer alone(mesh_.positions, topology_, first.region, first.options, kernels_);
+  const Deformer earlier = prepare(first);
+  SettledPose expected;
+  SettledPose pose;
+  std::optional<Deformer> next;
+  for (int frame = 1; frame <= 3; ++frame) {
+    const std::array motions{
+        Affine3d(Eigen::AngleAxisd(0.1 * frame, Vector3d(1, 2, 3).normalized()))};
+    alone.follow(motions, expected);
+    earlier.follow(motions, pose);
+    EXPECT_TRUE(same_bits(pose.displacement, expected.displacement)) << "frame " << frame;
+    next.emplace(prepare(other));
+  }
 }
 
 TEST_F(PreparedTube, DeformersOutliveIt) {

@@ -52,6 +52,18 @@ TEST(TurnTracker, GoesOnPastHalfAndWholeTurns) {
   }
 }
 
+TEST(TurnTracker, GoesOnFromTheTurnItIsGiven) {
+  for (const double begun : {200.0, 350.0, 500.0}) {
+    TurnTracker tracker(Eigen::AngleAxisd(begun * std::numbers::pi / 180.0, kTilted));
+    expect_turn(tracker, begun, kTilted);
+    tracker.follow(turn(begun + 40.0, kTilted));
+    expect_turn(tracker, begun + 40.0, kTilted);
+    const Eigen::AngleAxisd all = tracker.turn();
+    EXPECT_NEAR(all.angle() * 180.0 / std::numbers::pi, begun + 40.0, 1e-9);
+    EXPECT_LT((all.axis() - kTilted).norm(), 1e-9);
+  }
+}
+
 TEST(TurnTracker, ComesBackToNothingAndOnToTheOtherSide) {
   TurnTracker tracker;
   drag(tracker, kTilted, 0.0, 400.0, 10.0);

@@ -12,19 +12,19 @@ using ::testing::Each;
 using ::testing::Lt;
 
 // x <- c + D x with slow, different rates; the fixed point is c / (1 - D).
-std::vector<double> linear_step(const std::vector<double>& x) {
+std::vector<double> linear_step(const std::vector<double>& x, double c = 1.0) {
   std::vector<double> g(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double rate = 1.0 - 1.0 / static_cast<double>(2 + 3 * i);
-    g[i] = 1.0 + rate * x[i];
+    g[i] = c + rate * x[i];
   }
   return g;
 }
 
-double distance_from_fixed_point(const std::vector<double>& x) {
+double distance_from_fixed_point(const std::vector<double>& x, double c = 1.0) {
   double largest = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    largest = std::max(largest, std::abs(x[i] - static_cast<double>(2 + 3 * i)));
+    largest = std::max(largest, std::abs(x[i] - c * static_cast<double>(2 + 3 * i)));
   }
   return largest;
 }
@@ -47,6 +47,23 @@ TEST(Anderson, FirstStepAfterARestartIsThePlainOne) {
   const std::vector<double> g = linear_step(x);
   anderson.advance(x, g);
   EXPECT_EQ(x, g);
+}
+
+TEST(Anderson, CarryingOnSolvesAnotherConstantInFewerStepsThanARestart) {
+  const auto steps_after = [](auto change) {
+    std::vector<double> x(4, 0.0);
+    Anderson anderson(x.size(), 5);
+    for (int step = 0; step < 7; ++step) anderson.advance(x, linear_step(x));
+    change(anderson);
+    int steps = 0;
+    for (; distance_from_fixed_point(x, 3.0) > 1e-5; ++steps) {
+      anderson.advance(x, linear_step(x, 3.0));
+    }
+    return steps;
+  };
+  const int carried_on = steps_after([](Anderson& anderson) { anderson.carry_on(); });
+  const int restarted = steps_after([](Anderson& anderson) { anderson.restart(); });
+  EXPECT_LT(2 * carried_on, restarted + 1);
 }
 
 TEST(Anderson, StaysAtAFixedPoint) {

@@ -140,7 +140,12 @@ TEST_F(ASession, LiveResultIsNoStep) {
   EXPECT_EQ(session_->history().done(), 2U);
   EXPECT_FALSE(is_moved(session_->state()));
   drag(bent());
-  EXPECT_EQ(*session_->state().settled, *live) << "what was seen is what comes";
+  const Positions result = positions();
+  Positions seen = session_->state().rest->positions;
+  for (std::size_t k = 0; k < live->vertices.size(); ++k) {
+    seen[live->vertices[k]] = live->positions[k];
+  }
+  EXPECT_LT(largest_distance(seen, result), 1e-3) << "what was seen is what comes";
 }
 
 TEST_F(ASession, AMoveWinsOverALiveResult) {

@@ -65,6 +65,36 @@ SettledResult wait_for_result(Preparation& preparation) {
   }
 }
 
+// Where a drag is brought next, as soon as that is possible.
+std::shared_ptr<const MovedVertices> follow(Preparation& preparation, const AppState& dragged) {
+  wait_for(preparation, Phase::ready);
+  EXPECT_TRUE(preparation.settle_live(dragged));
+  wait_for(preparation, Phase::ready);
+  return preparation.take_live_result();
+}
+
+double distance(const AppState& state, const MovedVertices& a, const MovedVertices& b) {
+  const auto positions = [&state](const MovedVertices& moved) {
+    return positions_of(apply(state, Settle{std::make_shared<const MovedVertices>(moved)}));
+  };
+  return largest_distance(positions(a), positions(b));
+}
+
+// The same without a worker.
+struct PreparedTube {
+  PreparedTube(const AppState& state, Kernels& kernels)
+      : rest(state.rest->positions),
+        deformer(rest, *state.topology, edit_region(state), deform_options(state.parameters),
+                 kernels) {}
+  MovedVertices moved(const SettledPose& pose) const {
+    Positions positions = rest;
+    for (std::size_t v = 0; v < rest.size(); ++v) positions[v] += pose.displacement[v];
+    return moved_vertices(rest, positions);
+  }
+  const Positions& rest;
+  Deformer deformer;
+};
+
 TEST(Preparation, PreviewComesFirstThenTheExactOne) {
   Gate gate;
   Preparation preparation([&gate] { return gate.make_kernels(); });
@@ -232,9 +262,78 @@ TEST(Preparation, LiveResultComesByItself) {
   wait_for(preparation, Phase::ready);
   EXPECT_FALSE(preparation.take_result().has_value());
   CpuKernels kernels;
-  EXPECT_EQ(preparation.take_live_result()->moved->vertices,
-            carry_out_with(kernels).solve(dragged)->vertices);
-  EXPECT_FALSE(preparation.take_live_result().has_value());
+  const auto live = preparation.take_live_result();
+  EXPECT_LT(distance(dragged, *live, *carry_out_with(kernels).solve(dragged)), 1e-3);
+  EXPECT_EQ(preparation.take_live_result(), nullptr);
+}
+
+TEST(Preparation, LiveResultsGoOnFromOneToTheNext) {
+  const AppState still = chosen_tube();
+  CpuKernels kernels;
+  const PreparedTube expected(still, kernels);
+  Preparation preparation(cpu_kernels);
+  preparation.follow(still);
+  SettledPose pose;
+  for (const double degrees : {10.0, 20.0, 30.0}) {
+    const AppState dragged = apply(still, MoveHandle{0, twisted(degrees)});
+    expected.deformer.follow(motions_of(dragged), turns_of(dragged), pose);
+    EXPECT_EQ(distance(dragged, *follow(preparation, dragged), expected.moved(pose)), 0.0)
+        << degrees << " degrees";
+  }
+}
+
+// From where the last drag ended, the result would be another one within the tolerance.
+TEST(Preparation, ADragBeginsAnewAfterAnythingElse) {
+  const AppState still = chosen_tube();
+  const AppState far = apply(still, MoveHandle{0, twisted(10.0)});
+  const AppState near = apply(still, MoveHandle{0, twisted(5.0)});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(still);
+  const auto first = follow(preparation, near);
+  const auto drag_anew = [&](auto between) {
+    follow(preparation, far);
+    between();
+    return *follow(preparation, near) == *first;
+  };
+  EXPECT_FALSE(drag_anew([] {}));
+  EXPECT_TRUE(drag_anew([&] { preparation.cancel_settling(); }));
+  EXPECT_TRUE(drag_anew([&] {
+    preparation.settle(far);
+    wait_for_result(preparation);
+  }));
+  EXPECT_TRUE(drag_anew([&] {
+    preparation.follow(apply(still, SetParameters{{.constraint_weight = 2.0}}));
+    preparation.follow(still);
+  }));
+}
+
+// A second drag of a handle that is turned by more than half a turn already.
+TEST(Preparation, LiveResultIsWoundTheWayTheHandleWent) {
+  const AppState dragged = apply(chosen_tube(), MoveHandle{0, twisted(200.0)});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(dragged);
+  CpuKernels kernels;
+  EXPECT_LT(
+      distance(dragged, *follow(preparation, dragged), *carry_out_with(kernels).solve(dragged)),
+      1e-3);
+}
+
+TEST(Preparation, LiveResultWithoutSettlingIsTheLinearOne) {
+  AppState state = apply(chosen_tube(), SetParameters{{.settle = std::nullopt}});
+  state = apply(state, MoveHandle{0, bent()});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  CpuKernels kernels;
+  EXPECT_EQ(*follow(preparation, state), *carry_out_with(kernels).solve(state));
+}
+
+TEST(Preparation, LiveResultCommitsOnTheWayToo) {
+  AppState state = apply(chosen_tube(), SetParameters{{.commit_every = 60.0}});
+  state = apply(state, MoveHandle{0, twisted(100.0)});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  CpuKernels kernels;
+  EXPECT_EQ(*follow(preparation, state), *solve_open_step(state, kernels).moved);
 }
 
 TEST(Preparation, LiveResultIsNotAskedForWhileAnythingElseIs) {
@@ -261,7 +360,7 @@ TEST(Preparation, SettlingTakesThePlaceOfALiveResult) {
   state = apply(state, MoveHandle{0, bent()});
   preparation.settle(state);
   EXPECT_EQ(wait_for_result(preparation).moves, state.moves);
-  EXPECT_FALSE(preparation.take_live_result().has_value());
+  EXPECT_EQ(preparation.take_live_result(), nullptr);
 }
 
 TEST(Preparation, NothingChosenIsNothingToPrepare) {

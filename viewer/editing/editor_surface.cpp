@@ -68,7 +68,10 @@ void Editor::follow_hand() {
   const bool dragging = gizmo_.is_dragging();
   if (shown_.shows_before() || shown_.previews()) return;
   if (!dragging && !needs_settling(state())) {
-    if (shown_.follows()) state_changed();  // the drag was given up
+    if (shown_.follows()) {  // the drag was given up
+      session_->cancel_settling();
+      state_changed();
+    }
     return;
   }
   if (dragging && continuous_ && follow_settled()) return;

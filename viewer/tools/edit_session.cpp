@@ -197,8 +197,7 @@ void EditSession::settle_live(std::span<const Move> moves) {
 }
 
 std::shared_ptr<const MovedVertices> EditSession::take_live_result() {
-  auto result = preparation_.take_live_result();
-  return result ? std::move(result->moved) : nullptr;
+  return preparation_.take_live_result();
 }
 
 const Certificate* EditSession::certificate() const {

@@ -69,8 +69,9 @@ class EditSession {
   bool take_result();
 
   /// Asks for the result of `moves`, one per handle, which are not in the state: those of a drag
-  /// under way. Only if nothing else settles; does nothing otherwise, so call it as often as they
-  /// change. Every step, undo and redo wins over it.
+  /// under way, followed from its last result on. Only if nothing else settles; does nothing
+  /// otherwise, so call it as often as they change. Every step, undo and redo wins over it and ends
+  /// the drag, as `cancel_settling` does where it is given up.
   void settle_live(std::span<const Move> moves);
   /// Where that result puts the vertices, once; null if none has come. Never a step of the history.
   std::shared_ptr<const MovedVertices> take_live_result();

@@ -65,6 +65,7 @@ Preparation::~Preparation() {
 Preparation::Ready Preparation::let_go() {
   ++ticket_;
   ++settle_ticket_;
+  ++drag_;
   to_prepare_.reset();
   to_settle_.reset();
   result_.reset();
@@ -93,7 +94,8 @@ void Preparation::settle(const AppState& state) {
     const std::lock_guard lock(mutex_);
     result_.reset();
     live_result_.reset();
-    to_settle_ = Request{state, ++settle_ticket_};
+    to_settle_ = Request{state, ++settle_ticket_, std::nullopt};
+    ++drag_;
     // From now on: the caller must not drag what the worker is about to use.
     if (status_.phase == Phase::ready) status_.phase = Phase::settling;
   }
@@ -109,21 +111,22 @@ bool Preparation::settle_live(const AppState& state) {
   {
     const std::lock_guard lock(mutex_);
     if (status_.phase != Phase::ready || result_ || live_result_) return false;
-    to_settle_ = Request{state, ++settle_ticket_, true};
+    to_settle_ = Request{state, ++settle_ticket_, drag_};
     status_.phase = Phase::settling;
   }
   asked_.notify_one();
   return true;
 }
 
-std::optional<SettledResult> Preparation::take_live_result() {
+std::shared_ptr<const MovedVertices> Preparation::take_live_result() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(live_result_, std::nullopt);
+  return std::exchange(live_result_, nullptr);
 }
 
 void Preparation::cancel_settling() {
   const std::lock_guard lock(mutex_);
   ++settle_ticket_;
+  ++drag_;
   result_.reset();
   live_result_.reset();
   // The worker passes over one that it was given to, and says when it is done with it.
@@ -273,10 +276,19 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
     wake();
     return true;
   };
+  const AppState& state = request.state;
+  const bool follows =
+      request.drag && state.parameters.settle.has_value() && !state.parameters.commit_every;
   std::optional<SettledResult> result;
+  std::shared_ptr<const MovedVertices> live;
   std::string message;
   try {
-    result = settled_result(request.state, *ready.exact, *ready.exact_kernels, progress);
+    if (follows) {
+      live = follow_drag(request, *ready.exact, progress);
+    } else {
+      result = settled_result(state, *ready.exact, *ready.exact_kernels, progress);
+      live = result->moved;
+    }
   } catch (const Cancelled&) {
     // Whoever cancelled wants nothing.
   } catch (const std::exception& error) {
@@ -287,7 +299,24 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
   status_.phase = to_settle_ ? Phase::settling : Phase::ready;
   if (settle_ticket_ != request.ticket) return;
   status_.message = message;
-  (request.live ? live_result_ : result_) = std::move(result);
+  if (request.drag) {
+    live_result_ = std::move(live);
+  } else {
+    result_ = std::move(result);
+  }
+}
+
+std::shared_ptr<const MovedVertices> Preparation::follow_drag(const Request& request,
+                                                              const Deformer& exact,
+                                                              const Progress& progress) {
+  if (dragged_.drag != *request.drag) dragged_ = {*request.drag, {}};
+  exact.follow(motions_of(request.state), turns_of(request.state), dragged_.pose, progress);
+  const Positions& rest = request.state.rest->positions;
+  Positions positions = rest;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    positions[v] += dragged_.pose.displacement[v];
+  }
+  return std::make_shared<const MovedVertices>(moved_vertices(rest, positions));
 }
 
 }  // namespace lapwing::viewer

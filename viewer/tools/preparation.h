@@ -66,13 +66,18 @@ class Preparation {
   /// The result that is there, once.
   std::optional<SettledResult> take_result();
 
-  /// The same for a drag under way, whose moves `state` holds for once: a result to look at, which
-  /// comes by `take_live_result`. Only if nothing settles and no result waits to be taken; false
-  /// otherwise, and nothing is asked for. A later `settle` takes its place at once.
+  /// Follows a drag under way, whose moves `state` holds for once: a result to look at, which comes
+  /// by `take_live_result`. It goes on from the last one of the same drag, in a few iterations, and
+  /// is within the tolerance what `settle` gives (Deformer::follow). Only if nothing settles and no
+  /// result waits to be taken; false otherwise, and nothing is asked for. A later `settle` takes
+  /// its place at once. A drag ends with all that may come between two of its results: `settle`,
+  /// `cancel_settling`, another preparation.
   bool settle_live(const AppState& state);
-  std::optional<SettledResult> take_live_result();
+  /// Once; null without.
+  std::shared_ptr<const MovedVertices> take_live_result();
 
-  /// Gives up what is under way and what waits to be taken, live or not.
+  /// Gives up what is under way and what waits to be taken, live or not. The next live result is
+  /// the first of another drag.
   void cancel_settling();
 
   /// Cancels everything, and makes what follows with other kernels: the device was lost.
@@ -108,12 +113,20 @@ class Preparation {
   struct Request {
     AppState state;
     std::uint64_t ticket = 0;
-    bool live = false;
+    std::optional<std::uint64_t> drag;  ///< with one it is live
+  };
+
+  // Where the worker has brought a drag.
+  struct Dragged {
+    std::uint64_t drag = 0;
+    SettledPose pose;
   };
 
   void run();
   void prepare(const AppState& state, std::uint64_t ticket);
   void settle_now(const Request& request, const Ready& ready);
+  std::shared_ptr<const MovedVertices> follow_drag(const Request& request, const Deformer& exact,
+                                                   const Progress& progress);
   std::shared_ptr<DragPreview> make_preview(const AppState& state, std::uint64_t ticket,
                                             const Progress& progress);
   std::shared_ptr<Kept> kept_for(const AppState& state, std::uint64_t ticket);
@@ -131,16 +144,18 @@ class Preparation {
   MakeKernels make_kernels_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
+  std::uint64_t drag_ = 1;  ///< the one under way, or the next
   bool stop_ = false;
   std::optional<AppState> followed_;
   std::optional<AppState> to_prepare_;
   std::optional<Request> to_settle_;
   std::optional<SettledResult> result_;
-  std::optional<SettledResult> live_result_;
+  std::shared_ptr<const MovedVertices> live_result_;
   PreparationStatus status_;
   std::shared_ptr<Kept> kept_;
   Ready ready_;
 
+  Dragged dragged_;     // the worker's alone
   std::thread worker_;  // last: it uses all the others
 };
 

@@ -7,9 +7,11 @@
 #include <numbers>
 #include <numeric>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/edit_system.h"
+#include "lapwing/deform/turn_tracker.h"
 #include "lapwing/deform/turned_start.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -33,6 +35,16 @@ bool any_far(std::span<const Eigen::AngleAxisd> turns) {
   constexpr double kLimit = kLargestLinearTurnDegrees * std::numbers::pi / 180.0;
   return std::any_of(turns.begin(), turns.end(),
                      [](const Eigen::AngleAxisd& turn) { return std::abs(turn.angle()) > kLimit; });
+}
+
+// Whether a handle has turned too far from the last frame to this one to go on from there.
+bool any_far(std::span<const Eigen::AngleAxisd> turns, std::span<const Eigen::AngleAxisd> last) {
+  std::vector<Eigen::AngleAxisd> since;
+  for (std::size_t h = 0; h < last.size(); ++h) {
+    const Vector3d change = turns[h].angle() * turns[h].axis() - last[h].angle() * last[h].axis();
+    since.emplace_back(change.norm(), Vector3d::UnitX());
+  }
+  return any_far(since);
 }
 
 // A result is in double precision whatever the device; and a device that is the processor in
@@ -67,6 +79,7 @@ struct Deformer::State {
   bool hold_rsi(const Progress& progress);
   void compute_response(const Progress& progress);
   std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
+  Positions moved_on(const SettledPose& pose, std::vector<double>& change) const;
 };
 
 // False where it does not fit and settling can do without.
@@ -124,6 +137,15 @@ std::vector<Vector3d> Deformer::State::blended_displacement(std::span<const doub
   } else {
     blend_axis_response(system->moving, response, q, u);
   }
+  return u;
+}
+
+// Where the linear response takes a drag from its last frame; `change` are the parameters and
+// becomes what has changed of them.
+Positions Deformer::State::moved_on(const SettledPose& pose, std::vector<double>& change) const {
+  for (std::size_t k = 0; k < change.size(); ++k) change[k] -= pose.parameters[k];
+  Positions u = blended_displacement(change);
+  for (const Index v : system->moving) u[v] += pose.displacement[v];
   return u;
 }
 
@@ -187,9 +209,12 @@ void Deformer::hold(const Progress& progress) const {
   const State& s = *state_;
   StageTimings untold;
   if (is_exact()) s.system->hold_rsi(s.weights, *s.kernels, progress, untold);
-  if (s.settler == nullptr) return;
-  s.system->hold_laplacian();
-  s.system->systems->laplacian_with_rings();
+  if (s.settler != nullptr) hold_for_settling();
+}
+
+void Deformer::hold_for_settling() const {
+  state_->system->hold_laplacian();
+  state_->system->systems->laplacian_with_rings();
 }
 
 Deformer::~Deformer() = default;
@@ -267,29 +292,52 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
 
 void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
                       const Progress& progress) const {
+  std::vector<Eigen::AngleAxisd> turns;
+  for (std::size_t h = 0; h < motions.size(); ++h) {
+    TurnTracker tracker = h < pose.turns.size() ? TurnTracker(pose.turns[h]) : TurnTracker();
+    tracker.follow(motions[h]);
+    turns.push_back(tracker.turn());
+  }
+  follow(motions, turns, pose, progress);
+}
+
+void Deformer::follow(std::span<const Eigen::Affine3d> motions,
+                      std::span<const Eigen::AngleAxisd> turns, SettledPose& pose,
+                      const Progress& progress) const {
   const State& s = *state_;
+  const EditSystem& edit = *s.system;
   if (s.settler == nullptr) {
     throw InputError("a drag can follow settled only with settling in the deform options");
   }
-  std::vector<double> q(s.system->column_count());
-  s.system->set_parameters(motions, q);
-  std::vector<double> change = q;
-  const bool first = pose.parameters.empty();
-  for (std::size_t k = 0; !first && k < q.size(); ++k) change[k] -= pose.parameters[k];
-  Positions moved = s.blended_displacement(change);
-  Positions u = moved;
-  if (!first) {
+  const auto lock = edit.systems->lock();
+  hold_for_settling();
+  SettledPose next;
+  next.parameters.resize(edit.column_count());
+  next.turns.assign(turns.begin(), turns.end());
+  edit.set_parameters(motions, next.parameters);
+  next.change = next.parameters;
+  const bool anew = pose.parameters.empty() || any_far(turns, pose.turns);
+  if (anew) s.settler->begin_drag();
+  const Positions linear = !anew            ? s.moved_on(pose, next.change)
+                           : any_far(turns) ? s.turned_start->displacement(motions, turns)
+                                            : s.blended_displacement(next.parameters);
+  Positions u = linear;
+  if (!anew && !pose.correction.empty()) {
     // What the linear response does not know changes with the motion as it did in the last frame.
-    const double share = share_along(change, pose.change);
-    for (const Index v : s.system->moving) {
-      u[v] += pose.displacement[v] + share * pose.correction[v];
-    }
+    const double share = share_along(next.change, pose.change);
+    for (const Index v : edit.moving) u[v] += share * pose.correction[v];
   }
-  const SettleResult settled = s.settler->follow(s.system->wanted_displacement(q), u, progress);
-  for (const Index v : s.system->moving) {
-    moved[v] = first ? Vector3d::Zero() : Vector3d(u[v] - pose.displacement[v] - moved[v]);
+  next.settled = s.settler->follow(edit.wanted_displacement(next.parameters), u, progress);
+  Certificate certificate;
+  certificate.all_finite =
+      std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.allFinite(); });
+  require_valid(certificate);
+  if (!anew) {
+    next.correction = u;
+    for (const Index v : edit.moving) next.correction[v] -= linear[v];
   }
-  pose = {std::move(q), std::move(u), std::move(change), std::move(moved), settled};
+  next.displacement = std::move(u);
+  pose = std::move(next);
 }
 
 bool Deformer::is_exact() const {

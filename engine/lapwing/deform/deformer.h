@@ -26,13 +26,15 @@ struct DeformResult {
   Certificate certificate;
 };
 
-/// Where a settled drag is: what its next frame begins with.
+/// Where a settled drag is: what its next frame begins with. Empty before the first.
 struct SettledPose {
-  std::vector<double> parameters;  ///< of the handles' motions; empty before the first frame
-  Positions displacement;          ///< of the whole mesh
-  std::vector<double> change;      ///< of the parameters in the last frame
-  Positions correction;            ///< what that changed beyond the linear response to it
-  SettleResult settled;            ///< how the last frame ended
+  std::vector<double> parameters;        ///< of the handles' motions
+  std::vector<Eigen::AngleAxisd> turns;  ///< by which those came about, one per handle
+  Positions displacement;                ///< of the whole mesh
+  std::vector<double> change;            ///< of the parameters in the last frame
+  Positions
+      correction;  ///< what that changed beyond the linear response; empty after a first frame
+  SettleResult settled;  ///< how the last frame ended
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
@@ -97,11 +99,17 @@ class Deformer {
 
   /// One settled frame of a drag: moves `pose` on to where the handles' motions take it, from where
   /// the last frame left it and by the linear response to what the handles did since. A few
-  /// iterations in place of many, and rotations add up over whole turns. The first frame settles
-  /// from the linear solution. Within the tolerance the surface is the one that `solve` gives where
-  /// that does not depend on the start; `solve` is what counts when the handle is let go. Throws
-  /// InputError without settling in the options; Cancelled, `pose` as it was, when `progress` asks
-  /// for it.
+  /// iterations in place of many. `turns` are those of `solve`. The first frame settles from where
+  /// `solve` does, and so does one in which a handle has turned by more than 15 degrees since the
+  /// last: from the old pose that takes as long, and may end wound otherwise. Within the tolerance
+  /// the surface is the one that `solve` gives where that does not depend on the start; `solve` is
+  /// what counts when the handle is let go. One drag at a time. Throws InputError without settling
+  /// in the options, SolverError when the result is not finite, Cancelled when `progress` asks for
+  /// it, each time with `pose` as it was.
+  void follow(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
+              SettledPose& pose, const Progress& progress = {}) const;
+
+  /// The same with turns that add up from frame to frame, as TurnTracker follows them.
   void follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
               const Progress& progress = {}) const;
 
@@ -126,6 +134,7 @@ class Deformer {
   struct State;
   Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, const Progress& progress);
   void hold(const Progress& progress) const;
+  void hold_for_settling() const;
   void settle(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
               std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u,
               Certificate& certificate, const Progress& progress) const;

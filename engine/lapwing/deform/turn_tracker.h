@@ -18,6 +18,11 @@ inline constexpr double kLargestSettledTurnDegrees = 180.0;
 /// is taken for the short way round.
 class TurnTracker {
  public:
+  TurnTracker() = default;
+  /// Goes on from a motion that came about by `turn`.
+  explicit TurnTracker(const Eigen::AngleAxisd& turn)
+      : rotation_(turn), turn_(turn.angle() * turn.axis()) {}
+
   /// The handle's next motion, from the rest position as `Deformer::drag` takes it. Of a linear
   /// part that stretches the rotation of the polar decomposition counts; one that mirrors or
   /// flattens (determinant not above 0) has none, and the turn stays.
@@ -28,6 +33,7 @@ class TurnTracker {
   /// Right-handed, of length 1; 0 where there is no turn. Within 30 degrees of a whole turn, where
   /// the rotation hardly tells its axis, the one before.
   Eigen::Vector3d axis() const { return turn_.normalized(); }
+  Eigen::AngleAxisd turn() const { return {turn_.norm(), axis()}; }
 
  private:
   // Of the two quaternions of a rotation the one that the drag came to: a whole turn changes sign.

@@ -195,6 +195,10 @@ SettleResult Settler::follow(std::span<const Vector3d> wanted, std::span<Vector3
   return iterate(*s.following, u, progress);
 }
 
+void Settler::begin_drag() {
+  if (state_->following) state_->following->restart();
+}
+
 // From where `begin` has put the unknowns.
 SettleResult Settler::iterate(Anderson& anderson, std::span<Vector3d> u, const Progress& progress) {
   State& s = *state_;

@@ -50,12 +50,17 @@ class Settler {
                       const Progress& progress = {});
 
   /// One frame of a drag: the same for a `wanted` a little farther on than in the last call, with
-  /// `u` near where that one ended. What its iterations told of the slow ways to move is kept from
-  /// frame to frame, more of it than `settle` keeps: a third of the iterations. The first call
-  /// takes the memory for it, 600 bytes an unknown vertex. The result depends, within the
-  /// tolerance, on the frames before.
+  /// `u` where that one ended and moved on by the linear response to what `wanted` did since
+  /// (without that it can take longer than settling anew, and end elsewhere). What its iterations
+  /// told of the slow ways to move is kept from frame to frame, more of it than `settle` keeps: a
+  /// third of the iterations. The first call takes the memory for it, 600 bytes an unknown vertex;
+  /// later ones allocate nothing per iteration. The result depends, within the tolerance, on the
+  /// frames since `begin_drag`.
   SettleResult follow(std::span<const Eigen::Vector3d> wanted, std::span<Eigen::Vector3d> u,
                       const Progress& progress = {});
+
+  /// Forgets the frames so far: the next one is the first of another drag.
+  void begin_drag();
 
  private:
   struct State;

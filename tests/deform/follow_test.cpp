@@ -1,0 +1,144 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/deform/deformer.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "support/bent_tube.h"
+#include "support/error_message.h"
+#include "support/rippled_cylinder.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+using test::largest_distance;
+
+DeformOptions settling() {
+  DeformOptions options;
+  options.settle.emplace();
+  return options;
+}
+
+std::array<Affine3d, 1> twist(double degrees) {
+  return {test::turn_and_move(degrees, Vector3d::UnitZ(), Vector3d::Zero())};
+}
+
+std::array<AngleAxisd, 1> turn_of(double degrees) {
+  return {AngleAxisd(degrees * std::numbers::pi / 180.0, Vector3d::UnitZ())};
+}
+
+bool same(const SettledPose& a, const SettledPose& b) {
+  return a.parameters == b.parameters && a.displacement == b.displacement;
+}
+
+class FollowedCylinder : public ::testing::Test {
+ protected:
+  Positions positions(const SettledPose& pose) const {
+    Positions positions = mesh_.positions;
+    for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
+    return positions;
+  }
+  double distance_from_solution(const SettledPose& pose, double degrees) const {
+    return largest_distance(positions(pose),
+                            deformer_.solve(twist(degrees), turn_of(degrees)).positions);
+  }
+
+  Mesh mesh_ = test::rippled_cylinder();
+  Topology topology_ = build_topology(mesh_);
+  CpuKernels kernels_;
+  Deformer deformer_{mesh_.positions, topology_, test::ends_of_cylinder(mesh_), settling(),
+                     kernels_};
+};
+
+TEST_F(FollowedCylinder, StillHandleKeepsTheRestPositions) {
+  SettledPose pose;
+  for (int frame = 0; frame < 3; ++frame) {
+    deformer_.follow(twist(0.0), pose);
+    EXPECT_LT(largest_distance(positions(pose), mesh_.positions), 1e-9);
+  }
+}
+
+// Wound by -100 the distance is 0.8.
+TEST_F(FollowedCylinder, TurnOf260DegreesInFramesKeepsItsWinding) {
+  SettledPose pose;
+  for (int degrees = 10; degrees <= 260; degrees += 10) {
+    deformer_.follow(twist(degrees), pose);
+    EXPECT_TRUE(pose.settled.settled) << degrees << " degrees";
+  }
+  EXPECT_NEAR(pose.turns[0].angle() * 180.0 / std::numbers::pi, 260.0, 1e-6);
+  EXPECT_LT(distance_from_solution(pose, 260.0), 1e-3);
+}
+
+TEST_F(FollowedCylinder, FirstFrameIsWoundByItsTurn) {
+  for (const double degrees : {260.0, -100.0}) {
+    SettledPose pose;
+    deformer_.follow(twist(degrees), turn_of(degrees), pose);
+    EXPECT_LT(distance_from_solution(pose, degrees), 1e-3) << degrees << " degrees";
+  }
+}
+
+TEST_F(FollowedCylinder, FramesFarApartEndWhereTheSolutionIs) {
+  SettledPose pose;
+  for (const double degrees : {120.0, 240.0, 30.0, -90.0}) {
+    deformer_.follow(twist(degrees), turn_of(degrees), pose);
+    EXPECT_LT(distance_from_solution(pose, degrees), 1e-3) << degrees << " degrees";
+  }
+}
+
+TEST_F(FollowedCylinder, ADragDoesNotDependOnTheOneBefore) {
+  const auto drag = [&](double degrees) {
+    SettledPose pose;
+    for (int frame = 1; frame <= 4; ++frame) deformer_.follow(twist(degrees * frame), pose);
+    return pose;
+  };
+  const SettledPose first = drag(5.0);
+  drag(-12.0);
+  EXPECT_TRUE(same(drag(5.0), first));
+}
+
+TEST_F(FollowedCylinder, CancellingLeavesThePoseAsItWas) {
+  SettledPose pose;
+  deformer_.follow(twist(10.0), pose);
+  const SettledPose before = pose;
+  int calls = 0;
+  const auto third = [&calls](std::string_view, double) { return ++calls < 3; };
+  EXPECT_THROW(deformer_.follow(twist(20.0), pose, third), Cancelled);
+  EXPECT_TRUE(same(pose, before));
+  deformer_.follow(twist(20.0), pose);
+  EXPECT_LT(distance_from_solution(pose, 20.0), 1e-3);
+}
+
+TEST_F(FollowedCylinder, MotionThatIsNotFiniteLeavesThePoseAsItWas) {
+  SettledPose pose;
+  deformer_.follow(twist(10.0), pose);
+  const SettledPose before = pose;
+  std::array motions = twist(10.0);
+  motions[0].translation().x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(deformer_.follow(motions, pose), SolverError);
+  EXPECT_TRUE(same(pose, before));
+}
+
+TEST_F(FollowedCylinder, WrongNumberOfMotionsIsRefused) {
+  SettledPose pose;
+  EXPECT_THROW(deformer_.follow({}, pose), InputError);
+  deformer_.follow(twist(10.0), pose);
+  const std::vector<Affine3d> two(2, twist(10.0)[0]);
+  EXPECT_THROW(deformer_.follow(two, pose), InputError);
+}
+
+TEST_F(FollowedCylinder, WithoutSettlingInTheOptionsADragCannotBeFollowed) {
+  const Deformer linear(mesh_.positions, topology_, test::ends_of_cylinder(mesh_), {}, kernels_);
+  SettledPose pose;
+  EXPECT_THAT(error_message<InputError>([&] { linear.follow(twist(10.0), pose); }),
+              ::testing::HasSubstr("settling in the deform options"));
+}
+
+}  // namespace
+}  // namespace lapwing

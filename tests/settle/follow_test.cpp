@@ -1,0 +1,224 @@
+#include <cstring>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/settle/settle.h"
+#include "support/bent_tube.h"
+#include "support/failing_new.h"
+#include "support/rippled_cylinder.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+
+constexpr int kFrames = 10;
+
+// A handle and how far it goes.
+struct Edit {
+  Mesh mesh;
+  EditRegion region;
+  Affine3d motion;
+  AngleAxisd turn;
+
+  Affine3d part(double share) const {
+    return partial_motion(motion, turn, handle_frame(region.handles[0], mesh.positions).centroid,
+                          share);
+  }
+};
+
+Edit bent_tube() {
+  const Mesh mesh = test::bumpy_tube();
+  return {mesh, test::foot_and_head(mesh), test::bend(), AngleAxisd(0.6, Vector3d::UnitY())};
+}
+
+Edit twisted_cylinder() {
+  const Mesh mesh = test::rippled_cylinder();
+  return {mesh, test::ends_of_cylinder(mesh),
+          test::turn_and_move(60, Vector3d::UnitZ(), Vector3d(0.3, 0, 0)),
+          AngleAxisd(std::numbers::pi / 3.0, Vector3d::UnitZ())};
+}
+
+// Resisting stretch, so that the result does not depend on the start.
+SettleOptions resisting(double tolerance = 1e-4) {
+  SettleOptions options;
+  options.stretch_resistance = 0.01;
+  options.tolerance = tolerance;
+  options.max_iterations = 2000;
+  return options;
+}
+
+// A settler and where its surface is.
+class Drag {
+ public:
+  Drag(Edit edit, const SettleOptions& options, bool hard = false)
+      : edit_(std::move(edit)),
+        topology_(build_topology(edit_.mesh)),
+        constraints_(constraints_of(edit_.region, topology_, 1.0, hard)),
+        pattern_(topology_, edit_.region.roi, constraints_.unknowns),
+        system_(edit_.mesh.positions, topology_, edit_.region.roi, constraints_, pattern_,
+                options.weights, options.stretch_resistance, timings_),
+        settler_(kernels_, system_, options),
+        linear_(edit_.mesh.positions, topology_, edit_.region, hard_options(hard), kernels_),
+        u_(edit_.mesh.vertex_count(), Vector3d::Zero()) {}
+
+  std::vector<Vector3d> wanted(const Affine3d& motion) const {
+    std::vector<Vector3d> wanted(u_.size(), Vector3d::Zero());
+    for (const Index v : edit_.region.handles[0]) {
+      wanted[v] = motion * edit_.mesh.positions[v] - edit_.mesh.positions[v];
+    }
+    return wanted;
+  }
+  // As Deformer does: from where the last frame ended, and by what the handle did since.
+  SettleResult follow(const Affine3d& motion) {
+    const std::vector<Vector3d> to = linear(motion);
+    const std::vector<Vector3d> from = linear(last_);
+    for (std::size_t v = 0; v < u_.size(); ++v) u_[v] += to[v] - from[v];
+    last_ = motion;
+    return settler_.follow(wanted(motion), u_);
+  }
+  // All frames of the edit's motion; their iterations.
+  int follow_all() {
+    int iterations = 0;
+    for (int k = 1; k <= kFrames; ++k) {
+      const SettleResult result = follow(edit_.part(k / double{kFrames}));
+      EXPECT_TRUE(result.settled);
+      iterations += result.iterations;
+    }
+    return iterations;
+  }
+  SettleResult settle_from_linear(const Affine3d& motion) {
+    u_ = linear(motion);
+    return settler_.settle(wanted(motion), u_);
+  }
+  void put_back() {
+    std::fill(u_.begin(), u_.end(), Vector3d::Zero());
+    last_ = Affine3d::Identity();
+  }
+
+  Settler& settler() { return settler_; }
+  const Edit& edit() const { return edit_; }
+  std::vector<Vector3d>& displacement() { return u_; }
+  double mean_edge() const {
+    double sum = 0.0;
+    for (const Vector3d& edge : system_.rings().edges) sum += edge.norm();
+    return sum / static_cast<double>(system_.rings().edges.size());
+  }
+
+ private:
+  static DeformOptions hard_options(bool hard) {
+    DeformOptions options;
+    options.hard = hard;
+    return options;
+  }
+  std::vector<Vector3d> linear(const Affine3d& motion) const {
+    std::vector<Vector3d> u = linear_.solve(std::array{motion}).positions;
+    for (std::size_t v = 0; v < u.size(); ++v) u[v] -= edit_.mesh.positions[v];
+    return u;
+  }
+
+  Edit edit_;
+  Topology topology_;
+  Constraints constraints_;
+  SystemPattern pattern_;
+  StageTimings timings_;
+  LaplacianSystem system_;
+  CpuKernels kernels_;
+  Settler settler_;
+  Deformer linear_;
+  std::vector<Vector3d> u_;
+  Affine3d last_ = Affine3d::Identity();
+};
+
+class FollowedDrag : public ::testing::TestWithParam<Edit (*)()> {};
+
+TEST_P(FollowedDrag, StaysWhereItIsWhileTheHandleIsStill) {
+  Drag drag(GetParam()(), resisting());
+  drag.follow_all();
+  const Positions before = drag.displacement();
+  const SettleResult again = drag.follow(drag.edit().motion);
+  EXPECT_TRUE(again.settled);
+  EXPECT_LE(again.iterations, 2);
+  EXPECT_LT(test::largest_distance(drag.displacement(), before), 3e-4 * drag.mean_edge());
+}
+
+TEST_P(FollowedDrag, EndsWhereSettlingDoes) {
+  constexpr double kTolerance = 1e-8;
+  Drag drag(GetParam()(), resisting(kTolerance));
+  drag.follow_all();
+  const Positions followed = drag.displacement();
+  EXPECT_TRUE(drag.settle_from_linear(drag.edit().motion).settled);
+  EXPECT_LT(test::largest_distance(followed, drag.displacement()),
+            100.0 * kTolerance * drag.mean_edge());
+}
+
+TEST_P(FollowedDrag, TakesFewerIterationsThanSettlingEachFrameAnew) {
+  Drag drag(GetParam()(), resisting());
+  int anew = 0;
+  for (int k = 1; k <= kFrames; ++k) {
+    anew += drag.settle_from_linear(drag.edit().part(k / double{kFrames})).iterations;
+  }
+  drag.put_back();
+  EXPECT_LT(drag.follow_all(), anew);
+}
+
+INSTANTIATE_TEST_SUITE_P(Edits, FollowedDrag, ::testing::Values(bent_tube, twisted_cylinder),
+                         [](const auto& test) {
+                           return test.param == bent_tube ? "BentTube" : "TwistedCylinder";
+                         });
+
+TEST(Follow, SimilaritiesEndWhereSettlingDoesToo) {
+  SettleOptions options = resisting(1e-8);
+  options.details = Details::follow;
+  Drag drag(bent_tube(), options);
+  drag.follow_all();
+  const Positions followed = drag.displacement();
+  drag.settle_from_linear(drag.edit().motion);
+  EXPECT_LT(test::largest_distance(followed, drag.displacement()), 1e-6 * drag.mean_edge());
+}
+
+TEST(Follow, HardConstraintsAreMetExactlyInEachFrame) {
+  Drag drag(bent_tube(), resisting(), true);
+  for (const double share : {0.3, 0.6, 1.0}) {
+    const Affine3d motion = drag.edit().part(share);
+    EXPECT_TRUE(drag.follow(motion).settled);
+    const std::vector<Vector3d> wanted = drag.wanted(motion);
+    for (const Index v : drag.edit().region.handles[0]) {
+      EXPECT_EQ(drag.displacement()[v], wanted[v]);
+    }
+  }
+}
+
+TEST(Follow, ADragBegunAnewGivesTheSameBits) {
+  Drag drag(bent_tube(), resisting());
+  drag.follow_all();
+  const Positions first = drag.displacement();
+  drag.put_back();
+  drag.settler().begin_drag();
+  drag.follow_all();
+  EXPECT_EQ(std::memcmp(first.data(), drag.displacement().data(), first.size() * sizeof(Vector3d)),
+            0);
+}
+
+TEST(Follow, IterationsAllocateNothingAfterTheFirstFrame) {
+  const auto allocations = [](int iterations) {
+    SettleOptions options = resisting(1e-300);
+    options.max_iterations = iterations;
+    Drag drag(bent_tube(), options);
+    drag.follow(drag.edit().part(0.5));
+    const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
+    const test::FailingNew counting(-1);
+    EXPECT_EQ(drag.settler().follow(wanted, drag.displacement()).iterations, iterations);
+    return test::FailingNew::calls();
+  };
+  EXPECT_EQ(allocations(30), allocations(2));
+}
+
+}  // namespace
+}  // namespace lapwing
