@@ -29,11 +29,20 @@ constexpr Repeats kQuick{3, 21, 100.0, 3};
 // Of counts that the last bits of a number can change, which other processors round otherwise.
 const std::map<std::string, double> kTolerances{{"iterations", 0.5}, {"allocations", 0.02}};
 
+void require_good(const std::ofstream& file, const std::string& path) {
+  if (!file) throw IoError("cannot write " + path + "; is its folder there and writable?");
+}
+
+// What is there stays until there is something to put in its place.
+void require_writable(const std::string& path) {
+  require_good(std::ofstream(path, std::ios::app), path);
+}
+
 void write_text(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();
-  if (!file) throw IoError("cannot write " + path + "; is its folder there and writable?");
+  require_good(file, path);
 }
 
 std::optional<std::regex> as_regex(const std::string& text) {
@@ -139,7 +148,7 @@ int RunCommand::run(const std::string& command_line) const {
   std::optional<Report> earlier;
   if (!against_.empty()) earlier = read_report(against_);
   for (const std::string& path : {json_, page_, plots_}) {
-    if (!path.empty()) write_text(path, "");
+    if (!path.empty()) require_writable(path);
   }
   Report report = run_benchmark(settings);
   if (report.measurements.empty()) {
