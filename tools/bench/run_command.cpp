@@ -24,6 +24,7 @@ namespace {
 // A minute on two cores, peers included.
 constexpr std::size_t kQuickMost = 30'000;
 constexpr std::size_t kQuickLeast = 4'000;
+constexpr std::size_t kQuickMostForEigen = 9'900;
 constexpr Repeats kQuick{3, 21, 100.0, 3};
 
 // Of counts that the last bits of a number can change, which other processors round otherwise.
@@ -135,6 +136,7 @@ int RunCommand::run(const std::string& command_line) const {
     settings.least_vertices = kQuickLeast;
     settings.most_vertices = kQuickMost;
     settings.repeats = kQuick;
+    settings.most_for_eigen = kQuickMostForEigen;
   }
   if (!vertices_.empty()) {
     settings.least_vertices = vertices_[0];

@@ -61,8 +61,7 @@ Measurement* BenchRun::measure(const std::string& stage, const std::string& by,
   measurement.vertices = subject.vertices();
   Meter meter(device.context.get());
   Repeats repeats = settings_.repeats;
-  repeats.least = std::max(repeats.least, least_runs);
-  repeats.most = std::max(repeats.most, least_runs);
+  repeats.least = std::max(repeats.least, std::min(repeats.most, least_runs));
   if (settings_.only_counts) repeats = {1, 1, 0.0, 1};
   meter.run(measurement, repeats, work, before);
   last_kernels_ = meter.kernels();

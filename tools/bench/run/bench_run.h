@@ -22,6 +22,7 @@ struct RunSettings {
   /// Only rows in which "stage / who / device / mesh" has a match; all without.
   std::optional<std::regex> filter;
   bool peers = true;  ///< CGAL, Eigen and CHOLMOD too, where they were there to build with
+  std::size_t most_for_eigen = 30'000;  ///< vertices that Eigen factors; minutes beyond
   bool limits = true;
   Repeats repeats;
   /// What one piece of work may take; what would need more is left out, and said so.
@@ -50,7 +51,7 @@ class BenchRun {
   Measurement* measure(const std::string& stage, const std::string& by, const BenchDevice& device,
                        const Subject& subject, const std::function<void()>& work,
                        const std::function<void()>& before = {});
-  /// With at least so many runs, where they are not as long as kLongRun_ms.
+  /// With at least so many runs if the settings allow as many, and none takes kLongRun_ms.
   Measurement* measure(const std::string& stage, const std::string& by, const BenchDevice& device,
                        const Subject& subject, int least_runs, const std::function<void()>& work,
                        const std::function<void()>& before = {});

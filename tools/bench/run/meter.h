@@ -17,7 +17,7 @@ inline constexpr double kLongRun_ms = 2000.0;
 /// How often something is run.
 struct Repeats {
   int least = 5;           ///< counted runs, however long they take
-  int most = 51;           ///< counted runs, however short
+  int most = 60;           ///< counted runs, however short
   double enough_ms = 500;  ///< all counted runs together, between those two
   int least_long = 3;      ///< in place of `least` for work that takes longer than kLongRun_ms
 };

@@ -15,7 +15,6 @@ namespace lapwing::bench {
 namespace {
 
 // Beyond these, minutes or gigabytes.
-constexpr std::size_t kMostForEigenFactor = 30'000;
 constexpr std::size_t kMostForEigenProduct = 120'000;
 [[maybe_unused]] constexpr std::size_t kMostForCholmod = 120'000;
 [[maybe_unused]] constexpr std::size_t kMostForArap = 120'000;
@@ -106,7 +105,7 @@ void measure_peers(BenchRun& run, const Subject& subject) {
   const BlockRows M =
       assemble_rsi_rows(*open_bench_device("cpu").kernels, parts.ring_problem(subject));
   measure_product(run, subject, M);
-  if (subject.vertices() <= kMostForEigenFactor) {
+  if (subject.vertices() <= run.settings().most_for_eigen) {
     measure_factorization(run, subject, parts, M, SolverKind::eigen, "Eigen");
   }
 #ifdef LAPWING_HAVE_CHOLMOD
