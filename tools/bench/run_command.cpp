@@ -23,7 +23,7 @@ namespace {
 
 // A minute on two cores, peers included.
 constexpr std::size_t kQuickMost = 30'000;
-constexpr std::size_t kQuickLeast = 4'000;
+constexpr std::size_t kQuickLeast = 9'900;
 constexpr std::size_t kQuickMostForEigen = 9'900;
 constexpr Repeats kQuick{3, 21, 100.0, 3};
 
@@ -72,7 +72,7 @@ void use_one_processor() {
 }  // namespace
 
 RunCommand::RunCommand(CLI::App& app) {
-  app.add_flag("--quick", quick_, "meshes of 4,000 to 30,000 vertices and fewer runs: a minute");
+  app.add_flag("--quick", quick_, "meshes of 10,000 to 30,000 vertices and fewer runs: a minute");
   app.add_option("--filter", filter_,
                  "only rows \"stage / who / device / mesh\" that this regular expression finds");
   app.add_option("--devices", devices_, "cpu, auto, an index or a part of a name, by commas")
