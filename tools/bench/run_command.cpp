@@ -152,14 +152,22 @@ int RunCommand::run(const std::string& command_line) const {
   for (const std::string& path : {json_, page_, plots_}) {
     if (!path.empty()) require_writable(path);
   }
-  Report report = run_benchmark(settings);
+  const auto sign = [&command_line](Report& report) {
+    report.date = now_utc();
+    report.commit = built_from();
+    report.command = command_line;
+    report.host = this_host();
+  };
+  // After each mesh: half an hour of measuring is not lost to what stops the rest.
+  Report report = run_benchmark(settings, [&](Report so_far) {
+    if (json_.empty() || so_far.measurements.empty()) return;
+    sign(so_far);
+    write_text(json_, to_json(so_far));
+  });
   if (report.measurements.empty()) {
     throw InputError("nothing was measured: no row matches --filter and --vertices");
   }
-  report.date = now_utc();
-  report.commit = built_from();
-  report.command = command_line;
-  report.host = this_host();
+  sign(report);
   if (!counts_) std::fputs(table_of(report).c_str(), stdout);
   write(report);
   if (!earlier) return 0;

@@ -157,8 +157,11 @@ std::string to_json(const Report& report) {
 }
 
 Report read_report(const std::filesystem::path& path) {
-  const FileBytes bytes = FileBytes::read(path);
-  const JsonNode root = JsonNode::parse(bytes.view(), path.string());
+  return parse_report(FileBytes::read(path).view(), path.string());
+}
+
+Report parse_report(std::string_view json, const std::string& name) {
+  const JsonNode root = JsonNode::parse(json, name);
   require_format(root);
   root.require_keys(
       {"format", "date", "commit", "command", "host", "limits", "measurements", "targets"});

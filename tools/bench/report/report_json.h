@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "report/report.h"
 
@@ -16,5 +17,8 @@ std::string to_json(const Report& report);
 /// the file and the place in it when it is no JSON, is of another format, or when something is
 /// missing or of the wrong kind.
 Report read_report(const std::filesystem::path& path);
+
+/// The same for text that is there already; `name` stands in errors for the file.
+Report parse_report(std::string_view json, const std::string& name);
 
 }  // namespace lapwing::bench

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <unistd.h>
 
+#include "run/apart.h"
 #include "run/stages.h"
 #include "run/targets.h"
 
@@ -21,6 +23,31 @@ void forget_times(Measurement& measurement) {
   measurement.cpu_ms.clear();
   measurement.device_ms.clear();
   measurement.peak_bytes = 0;
+}
+
+Report limits_of(const RunSettings& settings) {
+  Report report;
+  bool processor = false;
+  for (const std::string& name : settings.devices) {
+    const BenchDevice device = open_bench_device(name);
+    report.limits.push_back(measure_limits(device));
+    processor = processor || device.name == kProcessor;
+  }
+  if (!processor) report.limits.push_back(measure_limits(open_bench_device("cpu")));
+  return report;
+}
+
+Report measure_subject(const RunSettings& settings, const SubjectSource& source) {
+  BenchRun run(settings);
+  const Subject subject = source.load();
+  measure_mesh_stages(run, subject);
+  measure_solver_stages(run, subject);
+  measure_edit_stages(run, subject);
+  measure_layer_stages(run, subject);
+  measure_render(run, subject);
+  measure_peers(run, subject);
+  show_progress("");
+  return std::move(run.report());
 }
 
 }  // namespace
@@ -98,32 +125,21 @@ void BenchRun::leave_out(const std::string& what, const Subject& subject, const 
                subject.vertices(), what.c_str(), why.c_str());
 }
 
-Report run_benchmark(const RunSettings& settings) {
-  BenchRun run(settings);
-  Report& report = run.report();
-  if (settings.limits) {
-    bool processor = false;
-    for (const BenchDevice& device : run.devices()) {
-      report.limits.push_back(measure_limits(device));
-      processor = processor || device.name == kProcessor;
-    }
-    if (!processor) report.limits.push_back(measure_limits(open_bench_device("cpu")));
-  }
+Report run_benchmark(const RunSettings& settings,
+                     const std::function<void(const Report&)>& after_mesh) {
+  Report report;
+  if (settings.limits) report.limits = made_apart([&] { return limits_of(settings); }).limits;
   for (const SubjectSource& source : all_subjects(settings.models)) {
     if (source.vertices > settings.most_vertices || source.vertices < settings.least_vertices) {
       continue;
     }
-    const Subject subject = source.load();
-    measure_mesh_stages(run, subject);
-    measure_solver_stages(run, subject);
-    measure_edit_stages(run, subject);
-    measure_layer_stages(run, subject);
-    measure_render(run, subject);
-    measure_peers(run, subject);
+    Report one = made_apart([&] { return measure_subject(settings, source); });
+    std::move(one.measurements.begin(), one.measurements.end(),
+              std::back_inserter(report.measurements));
+    report.targets = targets_of(report);
+    if (after_mesh) after_mesh(report);
   }
-  show_progress("");
-  report.targets = targets_of(report);
-  return std::move(report);
+  return report;
 }
 
 }  // namespace lapwing::bench

@@ -74,7 +74,10 @@ class BenchRun {
   std::map<std::string, std::vector<gpu::KernelUse>> last_kernels_;
 };
 
-/// Measures everything the settings ask for. Says on the error stream what is under way.
-Report run_benchmark(const RunSettings& settings);
+/// Measures everything the settings ask for, each mesh in a process of its own (see made_apart).
+/// Says on the error stream what is under way, and hands what there is so far to `after_mesh` after
+/// each.
+Report run_benchmark(const RunSettings& settings,
+                     const std::function<void(const Report&)>& after_mesh = {});
 
 }  // namespace lapwing::bench
