@@ -147,26 +147,50 @@ TEST_P(BlendResponseKernel, RepeatsBitForBit) {
 
 LAPWING_ON_ALL_TWINS(BlendResponseKernel);
 
-TEST(BlendResponse, SplitBasisGivesTheSameBits) {
-  LAPWING_NEEDS_GPU();
-  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 18));
-  const Drag drag(sample, 12, 19);
-  VulkanState state(std::make_shared<gpu::Context>(), false);
-  const auto blend = [&](std::size_t most_texels) {
-    BlendResponse response(state, drag.input(), Vector3d::Zero(), most_texels);
-    const gpu::Buffer positions(*state.context, "positions", 16 * sample.vertices.size());
-    gpu::CommandList list(*state.context, "blend");
+// A blend with at most so many texels of the basis in a buffer.
+class BlendResponseBuffers : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    LAPWING_NEEDS_GPU();
+    state = std::make_unique<VulkanState>(std::make_shared<gpu::Context>(), false);
+  }
+
+  std::vector<float> blend(std::size_t most_texels, bool on_host) const {
+    BlendResponse response(*state, drag.input(), Vector3d::Zero(), most_texels);
+    const gpu::Buffer positions(*state->context, "positions", 16 * sample.vertices.size());
+    gpu::CommandList list(*state->context, "blend");
     gpu::Recorder recorder(list);
     recorder.fill(positions, 0);
-    response.record(recorder, positions);
+    if (!on_host) response.record(recorder, positions);
     recorder.finish();
     response.set_parameters(drag.parameters);
     list.run();
+    if (on_host) response.run_on_host(positions.mapped_as<Vec4>());
     std::vector<float> values(4 * sample.vertices.size());
-    state.transfer.download(positions, std::span(values));
+    state->transfer.download(positions, std::span(values));
     return values;
-  };
-  EXPECT_EQ(blend(100), blend(0));
+  }
+
+  std::unique_ptr<VulkanState> state;
+  const Sample sample{"rough sphere", test::rough_sphere(2, 0.2, 18)};
+  const Drag drag{sample, 12, 19};
+};
+
+TEST_F(BlendResponseBuffers, OfASplitBasisGiveTheSameBits) {
+  EXPECT_EQ(blend(100, false), blend(0, false));
+}
+
+TEST_F(BlendResponseBuffers, AreBlendedOnTheHostAsByTheShader) {
+  const gpu::Buffer probe(*state->context, "probe", 16);
+  if (probe.mapped().empty()) GTEST_SKIP() << "device memory is not mapped";
+  for (const std::size_t most_texels : {0U, 100U}) {
+    const std::vector<float> expected = blend(most_texels, false);
+    const std::vector<float> values = blend(most_texels, true);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i % 4 == 3) continue;  // w, which only the surface's own positions set
+      EXPECT_NEAR(values[i], expected[i], 2e-5) << "number " << i;
+    }
+  }
 }
 
 TEST(BlendResponse, WrongNumberOfParametersIsRefused) {

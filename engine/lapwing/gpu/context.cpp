@@ -232,6 +232,15 @@ void Context::wait(std::uint64_t value) const {
         "vkWaitSemaphores");
 }
 
+void Context::wait_for_submitted() {
+  std::uint64_t last = 0;
+  {
+    const std::scoped_lock lock(submit_mutex_);
+    last = last_submitted_;
+  }
+  wait(last);
+}
+
 std::uint64_t Context::completed() const {
   std::uint64_t value = 0;
   check(table_.vkGetSemaphoreCounterValue(device_, timeline_, &value),

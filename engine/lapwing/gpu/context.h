@@ -98,6 +98,8 @@ class Context {
 
   /// Blocks until the timeline reaches `value`. Throws GpuError when the device is lost.
   void wait(std::uint64_t value) const;
+  /// Blocks until everything is done that was submitted before the call, by any thread.
+  void wait_for_submitted();
   /// The value that the timeline has reached.
   std::uint64_t completed() const;
   /// For another queue or a presentation to wait on.

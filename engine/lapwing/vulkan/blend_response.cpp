@@ -1,7 +1,6 @@
 #include "lapwing/vulkan/blend_response.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <string>
 
@@ -12,15 +11,10 @@
 namespace lapwing {
 namespace {
 
-using Vec4 = std::array<float, 4>;
 using Format = gpu::TexelBuffer::Format;
 
 // Layouts of shaders/blend_response.comp.
 constexpr std::size_t kColumnsPerGroup = 4;
-struct alignas(16) Group {
-  Vec4 parameters;
-  std::uint32_t number;
-};
 struct alignas(16) GroupHeader {
   std::uint32_t group_count;
 };
@@ -39,7 +33,7 @@ BlendResponse::BlendResponse(VulkanState& state, const SurfaceInput& input,
       columns_(input.columns),
       moving_count_(input.moving.size()),
       groups_(*state.context, "blend parameters",
-              sizeof(GroupHeader) + groups_of(columns_) * sizeof(Group), gpu::Memory::upload) {
+              sizeof(GroupHeader) + groups_of(columns_) * sizeof(BlendGroup), gpu::Memory::upload) {
   if (most_texels == 0) most_texels = state.context->limits().maxTexelBufferElements;
   const std::size_t texels_per_vertex = std::max<std::size_t>(1, 3 * groups_of(columns_));
   const std::size_t most = std::max<std::size_t>(1, most_texels / texels_per_vertex);
@@ -125,24 +119,36 @@ void BlendResponse::record(gpu::Recorder& recorder, const gpu::Buffer& positions
   }
 }
 
+void BlendResponse::run_on_host(std::span<Vec4> positions) const {
+  const std::byte* const memory = groups_.mapped().data();
+  const std::span<const BlendGroup> groups(
+      reinterpret_cast<const BlendGroup*>(memory + sizeof(GroupHeader)),
+      reinterpret_cast<const GroupHeader*>(memory)->group_count);
+  for (const Range& range : ranges_) {
+    blend_on_host({range.moving.buffer().mapped_as<Index>(), range.rests.buffer().mapped_as<Vec4>(),
+                   range.basis.buffer().mapped_as<Vec4>()},
+                  groups, positions);
+  }
+}
+
 void BlendResponse::set_parameters(std::span<const double> parameters) {
   if (parameters.size() != columns_) {
     throw InputError("a blend of " + std::to_string(columns_) + " basis columns was given " +
                      std::to_string(parameters.size()) + " parameters");
   }
   const std::span<std::byte> memory = groups_.mapped();
-  auto* const groups = reinterpret_cast<Group*>(memory.data() + sizeof(GroupHeader));
+  auto* const groups = reinterpret_cast<BlendGroup*>(memory.data() + sizeof(GroupHeader));
   std::uint32_t count = 0;
   for (std::size_t k = 0; k < columns_; k += kColumnsPerGroup) {
     const auto group = parameters.subspan(k, std::min(kColumnsPerGroup, columns_ - k));
     if (std::all_of(group.begin(), group.end(), [](double p) { return p == 0.0; })) continue;
-    Group& out = groups[count++];
+    BlendGroup& out = groups[count++];
     out = {{}, static_cast<std::uint32_t>(k / kColumnsPerGroup)};
     std::transform(group.begin(), group.end(), out.parameters.begin(),
                    [](double p) { return static_cast<float>(p); });
   }
   reinterpret_cast<GroupHeader*>(memory.data())->group_count = count;
-  state_.context->count_upload(sizeof(GroupHeader) + count * sizeof(Group));
+  state_.context->count_upload(sizeof(GroupHeader) + count * sizeof(BlendGroup));
 }
 
 }  // namespace lapwing

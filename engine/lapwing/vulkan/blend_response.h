@@ -6,6 +6,7 @@
 #include "lapwing/gpu/recorder.h"
 #include "lapwing/gpu/texel_buffer.h"
 #include "lapwing/kernels/kernels.h"
+#include "lapwing/vulkan/host_frame.h"
 #include "lapwing/vulkan/vulkan_state.h"
 
 namespace lapwing {
@@ -23,8 +24,10 @@ class BlendResponse {
   void set_basis(std::span<const double> basis);
   void set_axis_basis(std::span<const double> numbers);
 
-  /// Records the blend into `positions`, one vec4 per vertex of the mesh, whose w stays.
+  /// Records the blend into `positions`, one vec4 per vertex of the mesh, whose w stays: 1.
   void record(gpu::Recorder& recorder, const gpu::Buffer& positions) const;
+  /// Does now, on the processor, what the recorded commands would. Everything must be mapped.
+  void run_on_host(std::span<Vec4> positions) const;
   /// What the recorded commands use when they next run: one number per column. The device must be
   /// done with them. Throws InputError when the number is wrong.
   void set_parameters(std::span<const double> parameters);

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "lapwing/vulkan/host_frame.h"
+
 namespace lapwing {
 namespace {
 
@@ -89,6 +91,14 @@ void VertexNormals::record(gpu::Recorder& recorder, const gpu::TexelBuffer& whic
   const auto count = static_cast<std::uint32_t>(which.buffer().bytes() / sizeof(Index));
   recorder.dispatch(state_.vertex_normals, count,
                     {which, fan_starts_, fan_corners_, positions, normals}, count);
+}
+
+void VertexNormals::run_on_host(const gpu::TexelBuffer& which, const gpu::TexelBuffer& positions,
+                                const gpu::Buffer& normals) const {
+  normals_on_host(
+      which.buffer().mapped_as<Index>(),
+      {fan_starts_.buffer().mapped_as<Index>(), fan_corners_.buffer().mapped_as<Index>()},
+      positions.buffer().mapped_as<Vec4>(), normals.mapped_as<Vec4>());
 }
 
 }  // namespace lapwing

@@ -28,6 +28,10 @@ class VertexNormals {
   void record(gpu::Recorder& recorder, const gpu::TexelBuffer& which,
               const gpu::TexelBuffer& positions, const gpu::Buffer& normals) const;
 
+  /// Does now, on the processor, what the recorded commands would. Everything must be mapped.
+  void run_on_host(const gpu::TexelBuffer& which, const gpu::TexelBuffer& positions,
+                   const gpu::Buffer& normals) const;
+
  private:
   VertexNormals(VulkanState& state, const Adjacency& fans);
 

@@ -1,9 +1,9 @@
 #include "lapwing/vulkan/vulkan_surface.h"
 
-#include <array>
 #include <numeric>
 #include <utility>
 
+#include "lapwing/base/stopwatch.h"
 #include "lapwing/gpu/recorder.h"
 #include "lapwing/vulkan/blend_response.h"
 #include "lapwing/vulkan/vertex_normals.h"
@@ -11,8 +11,6 @@
 
 namespace lapwing {
 namespace {
-
-using Vec4 = std::array<float, 4>;
 
 // Timestamps of `frame_` and of `normals_`.
 enum FrameMoment : std::uint32_t { kBegun, kBlended, kNormalsDone, kFrameMoments };
@@ -54,9 +52,10 @@ VulkanSurface::VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceIn
       triangle_count_(input.topology.triangles.size()),
       origin_(bounds_of(input.rest).center()),
       buffers_(std::make_unique<Buffers>(*state_, input, origin_)),
-      frame_(std::make_unique<gpu::CommandList>(*state_->context, "drag frame", kFrameMoments)),
-      normals_(std::make_unique<gpu::CommandList>(*state_->context, "normals", kNormalsMoments)) {
+      on_host_(state_->context->description().type == "software" &&
+               !buffers_->normals.mapped().empty()) {
   upload_rest(input);
+  if (on_host_) return;
   record_frame();
   record_normals();
 }
@@ -80,6 +79,10 @@ void VulkanSurface::upload_rest(const SurfaceInput& input) {
   std::vector<Index> all(vertex_count_);
   std::iota(all.begin(), all.end(), 0U);
   const gpu::TexelBuffer everything = buffers_->vertex_normals.upload_list(all);
+  if (on_host_) {
+    buffers_->vertex_normals.run_on_host(everything, buffers_->positions, buffers_->normals);
+    return;
+  }
   gpu::CommandList rest_normals(*state_->context, "rest normals");
   gpu::Recorder recorder(rest_normals);
   recorder.fill(buffers_->normals, 0);
@@ -89,6 +92,7 @@ void VulkanSurface::upload_rest(const SurfaceInput& input) {
 }
 
 void VulkanSurface::record_frame() {
+  frame_ = std::make_unique<gpu::CommandList>(*state_->context, "drag frame", kFrameMoments);
   gpu::Recorder recorder(*frame_);
   recorder.timestamp();
   buffers_->blend_response.record(recorder, buffers_->positions.buffer());
@@ -100,6 +104,7 @@ void VulkanSurface::record_frame() {
 }
 
 void VulkanSurface::record_normals() {
+  normals_ = std::make_unique<gpu::CommandList>(*state_->context, "normals", kNormalsMoments);
   gpu::Recorder recorder(*normals_);
   recorder.timestamp();
   buffers_->vertex_normals.record(recorder, buffers_->affected, buffers_->positions,
@@ -118,13 +123,34 @@ void VulkanSurface::set_axis_basis(std::span<const double> numbers) {
 
 void VulkanSurface::blend(std::span<const double> parameters) {
   buffers_->blend_response.set_parameters(parameters);
+  if (on_host_) {
+    // What was drawn last may still be read.
+    state_->context->wait_for_submitted();
+    const Stopwatch watch;
+    buffers_->blend_response.run_on_host(buffers_->positions.buffer().mapped_as<Vec4>());
+    times_.blend_ms += watch.elapsed_ms();
+    renew_normals();
+    return;
+  }
   frame_->run();
   times_.blend_ms += frame_->milliseconds_between(kBegun, kBlended);
   times_.normals_ms += frame_->milliseconds_between(kBlended, kNormalsDone);
 }
 
 void VulkanSurface::place(std::span<const Eigen::Vector3d> positions) {
+  state_->context->wait_for_submitted();
   upload_positions(positions);
+  renew_normals();
+}
+
+void VulkanSurface::renew_normals() {
+  if (on_host_) {
+    const Stopwatch watch;
+    buffers_->vertex_normals.run_on_host(buffers_->affected, buffers_->positions,
+                                         buffers_->normals);
+    times_.normals_ms += watch.elapsed_ms();
+    return;
+  }
   normals_->run();
   times_.normals_ms += normals_->milliseconds_between(kPlaced, kRenewed);
 }

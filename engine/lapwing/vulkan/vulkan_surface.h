@@ -10,14 +10,16 @@ namespace lapwing {
 
 class VulkanState;
 
-/// Device time in milliseconds; 0 on a device without timestamps.
+/// Device time in milliseconds, the processor's where that does the work; 0 on a device without
+/// timestamps.
 struct SurfaceTimes {
   double blend_ms = 0.0;
   double normals_ms = 0.0;
 };
 
 /// A deformed surface in device memory, in float32. The renderer draws from its buffers, without a
-/// copy, once `blend` or `place` has returned.
+/// copy, once `blend` or `place` has returned. On a software device the processor does in the same
+/// memory what the shaders would (vulkan/host_frame.h), unless that memory is not mapped.
 class VulkanSurface final : public DeformedSurface {
  public:
   VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceInput& input);
@@ -53,13 +55,15 @@ class VulkanSurface final : public DeformedSurface {
   void upload_rest(const SurfaceInput& input);
   void record_frame();
   void record_normals();
+  void renew_normals();
 
   std::shared_ptr<VulkanState> state_;
   std::size_t vertex_count_;
   std::size_t triangle_count_;
   Eigen::Vector3d origin_;
   std::unique_ptr<Buffers> buffers_;
-  std::unique_ptr<gpu::CommandList> frame_;    ///< of a blend
+  bool on_host_;                               ///< whether the processor does the frames
+  std::unique_ptr<gpu::CommandList> frame_;    ///< of a blend; null on the host, as the next
   std::unique_ptr<gpu::CommandList> normals_;  ///< after a placing
   SurfaceTimes times_;
 };

@@ -6,7 +6,7 @@
 
 namespace lapwing::bench {
 
-BenchDevice open_bench_device(const std::string& name) {
+BenchDevice open_bench_device(const std::string& name, bool map_device_memory) {
   BenchDevice device;
   if (name == "cpu") {
     device.kernels = std::make_unique<CpuKernels>();
@@ -14,6 +14,7 @@ BenchDevice open_bench_device(const std::string& name) {
     gpu::ContextOptions options;
     options.device = name;
     options.profile = true;
+    options.map_device_memory = map_device_memory;
     device.context = std::make_shared<gpu::Context>(options);
     device.kernels = std::make_unique<VulkanKernels>(device.context, Precision::automatic);
   }

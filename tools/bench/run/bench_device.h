@@ -19,8 +19,8 @@ struct BenchDevice {
   std::unique_ptr<Kernels> kernels;
 };
 
-/// `name` as for `open_device`. Throws GpuError.
-BenchDevice open_bench_device(const std::string& name);
+/// `name` as for `open_device`; `map_device_memory` as in gpu::ContextOptions. Throws GpuError.
+BenchDevice open_bench_device(const std::string& name, bool map_device_memory = true);
 
 /// What the device can do at best: copies between large buffers, by its copy command or by a kernel
 /// (shaders/copy.comp), whichever is faster; products of large matrices (shaders/matmul.comp). On

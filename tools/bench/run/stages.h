@@ -13,7 +13,7 @@ void measure_mesh_stages(BenchRun& run, const Subject& subject);
 void measure_solver_stages(BenchRun& run, const Subject& subject);
 
 /// What a user waits for, on every device: "first drag", "preparation", "again, other handle"
-/// and so on, "drag frame", "settle iteration", "settle frame".
+/// and so on, "drag frame", "shader frame", "settle iteration", "settle frame".
 void measure_edit_stages(BenchRun& run, const Subject& subject);
 
 /// "coat", "mix" and "transplant" of a tenth of the mesh, on every device; only on sheets of hills.

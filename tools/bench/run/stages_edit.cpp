@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <vector>
 
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag_preview.h"
+#include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -52,16 +54,33 @@ std::uint64_t normals_bytes(const Subject& subject, bool on_device) {
   return triangles + n * (2 * sizeof(Index) + 2 * vector);
 }
 
-void measure_frame(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                   const std::string& stage, const std::function<void()>& frame) {
+Measurement* measure_frame(BenchRun& run, const Subject& subject, const BenchDevice& device,
+                           const std::string& stage, const std::function<void()>& frame) {
   const bool on_device = device.context != nullptr;
-  const std::uint64_t blend = blend_bytes(subject, on_device);
-  const std::uint64_t normals = normals_bytes(subject, on_device);
   Measurement* const row = run.measure(stage, kLapwing, device, subject, frame);
-  if (row == nullptr) return;
-  row->counts["bytes"] = blend + normals;
-  run.add_kernel("blend_response", blend);
-  run.add_kernel("vertex_normals", normals);
+  if (row != nullptr) {
+    row->counts["bytes"] = blend_bytes(subject, on_device) + normals_bytes(subject, on_device);
+  }
+  return row;
+}
+
+// A frame by the shaders, also where the processor does them in place of a software device. The
+// response is made up.
+void measure_shader_frame(BenchRun& run, const Subject& subject, const BenchDevice& device) {
+  if (device.context == nullptr) return;
+  if (!run.wants("shader frame", kLapwing, device.name, subject)) return;
+  const BenchDevice staged = open_bench_device(device.name, false);
+  std::vector<Index> moving(subject.vertices());
+  std::iota(moving.begin(), moving.end(), Index{0});
+  std::vector<double> basis(3 * moving.size() * kMotionParameters, 0.0);
+  for (std::size_t i = 0; i < basis.size(); ++i) basis[i] = 1e-3 * static_cast<double>(i % 97);
+  const auto surface = staged.kernels->make_surface(
+      {subject.mesh.positions, subject.topology, moving, basis, kMotionParameters});
+  std::vector<double> parameters(kMotionParameters, 1e-3);
+  const auto frame = [&] { surface->blend(parameters); };
+  if (measure_frame(run, subject, staged, "shader frame", frame) == nullptr) return;
+  run.add_kernel("blend_response", blend_bytes(subject, true));
+  run.add_kernel("vertex_normals", normals_bytes(subject, true));
 }
 
 void measure_preview(BenchRun& run, const Subject& subject, const BenchDevice& device) {
@@ -205,6 +224,7 @@ void measure_settle_iteration(BenchRun& run, const Subject& subject, const Bench
 void measure_edit_stages(BenchRun& run, const Subject& subject) {
   for (const BenchDevice& device : run.devices()) measure_preview(run, subject, device);
   for (const BenchDevice& device : run.devices()) measure_settle_iteration(run, subject, device);
+  for (const BenchDevice& device : run.devices()) measure_shader_frame(run, subject, device);
   for (const BenchDevice& device : run.devices()) {
     measure_exact(run, subject, device);
     measure_all_again(run, subject, device);
