@@ -90,6 +90,16 @@ TEST(NormalMatrix, EqualsTheSparseProduct) {
   EXPECT_LT((dense(N) - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
 }
 
+TEST(NormalMatrix, IsTheSameInMemoryThatHeldAnother) {
+  const System system = half_of_a_torus();
+  const NormalPattern pattern(system.M, system.unknowns);
+  const BlockMatrix expected = pattern.normal_matrix(system.M);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{5}, 2 * expected.values.size()}) {
+    const BlockMatrix N = pattern.normal_matrix(system.M, {}, Numbers(size, 7.0));
+    EXPECT_EQ(N.values, expected.values) << size;
+  }
+}
+
 TEST(NormalMatrix, ProductsWithMAndItsTransposeMatchTheSparseOnes) {
   const System system = half_of_a_torus();
   const NormalPattern pattern(system.M, system.unknowns);

@@ -13,8 +13,8 @@ namespace {
 using Phase = PreparationStatus::Phase;
 
 constexpr std::array<std::string_view, 11> kStages{
-    "pattern",       "constraints", "order",  "laplacian", "preview", "assemble",
-    "normal_matrix", "analyze",     "factor", "response",  "upload"};
+    "pattern", "constraints",   "order",  "laplacian", "preview", "assemble",
+    "analyze", "normal_matrix", "factor", "response",  "upload"};
 
 // By stages, not by time, which depends on the mesh and the device.
 double fraction_of_preparation(std::string_view stage, double fraction) {

@@ -40,9 +40,9 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
 
 }  // namespace
 
-std::vector<double> axis_response(const EditSystem& system) {
+Numbers axis_response(const EditSystem& system) {
   const std::size_t of_handle = system.moving.size() * kCoordinates;
-  std::vector<double> columns(of_handle * system.frames.size());
+  Numbers columns(of_handle * system.frames.size());
   for (std::size_t h = 0; h < system.frames.size(); ++h) {
     add_columns(system, h, std::span(columns).subspan(h * of_handle, of_handle));
   }

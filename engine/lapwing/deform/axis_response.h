@@ -11,7 +11,7 @@ namespace lapwing {
 /// turn with them: (L'L + W) u = W d, x, y and z by the same numbers. Four columns a handle (its
 /// coordinates x, y, z and 1), each over the moving vertices, as DeformedSurface::set_axis_basis
 /// takes them. The n x n system of `system` is held.
-std::vector<double> axis_response(const EditSystem& system);
+Numbers axis_response(const EditSystem& system);
 
 /// u of the moving vertices = sum of those columns under `parameters`, 12 a handle; others stay.
 void blend_axis_response(std::span<const Index> moving, std::span<const double> columns,

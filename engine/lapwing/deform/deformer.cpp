@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/edit_system.h"
@@ -70,14 +71,16 @@ struct Deformer::State {
   Kernels* kernels = nullptr;
   std::unique_ptr<Settler> settler;  ///< null without settling, as the next
   std::unique_ptr<TurnedStart> turned_start;
-  std::vector<double> weights;   ///< of the Laplacians that certificates measure
-  std::vector<double> response;  ///< columns as in SurfaceInput::basis, or axis_response
+  std::vector<double> weights;  ///< of the Laplacians that certificates measure
+  Numbers response;             ///< columns as in SurfaceInput::basis, or axis_response
   std::string why_not_exact;
   std::vector<double> parameters;
   std::unique_ptr<DeformedSurface> surface;
 
   bool hold_rsi(const Progress& progress);
   void compute_response(const Progress& progress);
+  void make_surface();
+  void make_settler(Kernels& on);
   std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
   Positions moved_on(const SettledPose& pose, std::vector<double>& change) const;
 };
@@ -100,33 +103,53 @@ void Deformer::State::compute_response(const Progress& progress) {
   const RsiSolution& rsi = s.systems->rsi();
   const std::size_t column = 3 * s.moving.size();
   const std::size_t n = 3 * unknowns.size();
-  response.assign(column * s.column_count(), 0.0);
-  std::vector<double> q(s.column_count(), 0.0);
-  std::vector<double> x(kMotionParameters * n);
+  response.resize(column * s.column_count());
+  Numbers x(kMotionParameters * n);
   for (std::size_t h = 0; h < s.frames.size(); ++h) {
     report_progress(progress, "response",
                     static_cast<double>(h) / static_cast<double>(s.frames.size()));
     const auto unit_motion = [&](std::size_t k) {
-      std::fill(q.begin(), q.end(), 0.0);
+      std::vector<double> q(s.column_count(), 0.0);
       q[h * kMotionParameters + k] = 1.0;
       return s.wanted_displacement(q);
     };
-    for (std::size_t k = 0; k < kMotionParameters; ++k) {
-      rsi.right_hand_side(unit_motion(k), std::span(x).subspan(k * n, n));
-    }
-    rsi.solve_in_place(x, kMotionParameters);
-    for (std::size_t k = 0; k < kMotionParameters; ++k) {
-      // Vertices that move but are not solved for are handles with hard constraints.
-      const std::vector<Vector3d> given = unit_motion(k);
-      double* out = response.data() + (h * kMotionParameters + k) * column;
-      for (std::size_t m = 0; m < s.moving.size(); ++m) {
-        const Index u = unknowns.of_vertex[s.moving[m]];
-        Eigen::Map<Vector3d>(out + 3 * m) =
-            u == kNoIndex ? given[s.moving[m]]
-                          : Vector3d(Eigen::Map<const Vector3d>(x.data() + k * n + 3 * u));
+    parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        rsi.right_hand_side(unit_motion(k), std::span(x).subspan(k * n, n));
       }
-    }
+    });
+    rsi.solve_in_place(x, kMotionParameters);
+    parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        // Vertices that move but are not solved for are handles with hard constraints.
+        const std::vector<Vector3d> given = unit_motion(k);
+        double* out = response.data() + (h * kMotionParameters + k) * column;
+        for (std::size_t m = 0; m < s.moving.size(); ++m) {
+          const Index u = unknowns.of_vertex[s.moving[m]];
+          Eigen::Map<Vector3d>(out + 3 * m) =
+              u == kNoIndex ? given[s.moving[m]]
+                            : Vector3d(Eigen::Map<const Vector3d>(x.data() + k * n + 3 * u));
+        }
+      }
+    });
   }
+}
+
+void Deformer::State::make_surface() {
+  const EditSystem& s = *system;
+  surface = kernels->make_surface({*s.rest, s.topology, s.moving, {}, s.column_count()});
+  if (why_not_exact.empty()) {
+    surface->set_basis(response);
+  } else {
+    surface->set_axis_basis(response);
+  }
+}
+
+void Deformer::State::make_settler(Kernels& on) {
+  if (!system->options.settle) return;
+  settler = std::make_unique<Settler>(on, system->systems->laplacian_with_rings(),
+                                      *system->options.settle);
+  turned_start = std::make_unique<TurnedStart>(*system);
 }
 
 // The displacement of every vertex, in double precision.
@@ -186,19 +209,12 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
 
   watch.restart();
   report_progress(progress, "upload", 0.0);
-  s.surface =
-      kernels.make_surface({*edit.rest, edit.topology, edit.moving, {}, edit.column_count()});
-  if (exact) {
-    s.surface->set_basis(s.response);
+  if (settles_on(kernels.device())) {
+    s.make_surface();
+    s.make_settler(kernels);
   } else {
-    s.surface->set_axis_basis(s.response);
-  }
-  if (edit.options.settle) {
     CpuKernels cpu;
-    s.settler =
-        std::make_unique<Settler>(settles_on(kernels.device()) ? kernels : cpu,
-                                  edit.systems->laplacian_with_rings(), *edit.options.settle);
-    s.turned_start = std::make_unique<TurnedStart>(edit);
+    parallel_invoke([&] { s.make_surface(); }, [&] { s.make_settler(cpu); });
   }
   s.timings.add("upload", watch.elapsed_ms());
   report_progress(progress, "upload", 1.0);

@@ -53,7 +53,7 @@ struct SettledPose {
 class Deformer {
  public:
   /// Prepares. Stages reported and timed: "pattern", "order", with settling "laplacian",
-  /// "assemble", "normal_matrix", "analyze" (what was left of it), "factor", "response", "upload".
+  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", "response", "upload".
   /// Throws InputError for a region that does not fit the mesh, SolverError when a component of the
   /// region is not anchored or its exact system exceeds the memory limit and nothing settles,
   /// GpuError when the device fails, Cancelled when `progress` asks for it.

@@ -56,7 +56,7 @@ class RegionSystem {
   const LaplacianSystem& laplacian_with_rings();
 
   /// The 3n x 3n system under `W`, by the solver and within the memory that `options` say; stages
-  /// "assemble", "normal_matrix", "analyze" and "factor" as far as they are to be done. `weights`
+  /// "assemble", "analyze", "normal_matrix" and "factor" as far as they are to be done. `weights`
   /// are those of `terms`, per ring entry. Throws DoesNotFit, of a large region before its memory
   /// is taken, and keeps nothing of the system then.
   void hold_rsi(const SystemTerms& terms, std::span<const double> weights,

@@ -65,20 +65,28 @@ void RsiSolution::assemble(std::span<const Vector3d> rest, std::span<const doubl
     timings.add(stage, watch.elapsed_ms());
     watch.restart();
   };
-  const bool analyzes = !is_analyzed();
-  // The symbolic work needs the pattern alone.
-  parallel_invoke(
-      [&] {
-        report_progress(progress, "assemble", 0.0);
-        M_ = assemble_rsi_rows(kernels, {rest, topology_.rings, weights, roi_});
-        stage_is_done("assemble");
-        report_progress(progress, "normal_matrix", 0.0);
-        factor_.set_matrix(pattern_.normal().normal_matrix(M_));
-        stage_is_done("normal_matrix");
-        if (analyzes) report_progress(progress, "analyze", 0.0);
-      },
-      [&] { factor_.analyze(); });
-  if (analyzes) stage_is_done("analyze");
+  const auto make_rows = [&] {
+    report_progress(progress, "assemble", 0.0);
+    if (M_.values.empty()) M_ = rsi_rows(topology_.rings, roi_);
+    kernels.assemble_rsi({rest, topology_.rings, weights, roi_}, M_.values);
+    stage_is_done("assemble");
+  };
+  if (is_analyzed()) {
+    make_rows();
+  } else {
+    // The symbolic work needs the pattern alone and is one thread's, as the rows are meanwhile.
+    // M'M, which takes longer, has all threads to itself.
+    parallel_invoke(
+        [&] {
+          make_rows();
+          report_progress(progress, "analyze", 0.0);
+        },
+        [&] { factor_.analyze(); });
+    stage_is_done("analyze");
+  }
+  report_progress(progress, "normal_matrix", 0.0);
+  factor_.set_matrix(pattern_.normal().normal_matrix(M_, {}, factor_.take_memory()));
+  stage_is_done("normal_matrix");
 }
 
 void RsiSolution::factor(std::span<const double> W, const Progress& progress,

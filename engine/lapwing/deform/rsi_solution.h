@@ -29,7 +29,8 @@ class RsiSolution {
   std::size_t memory_bytes() const;
 
   /// M and M'M, with `weights` per ring entry; beside it the symbolic factorization where that is
-  /// still to be done. Stages "assemble", "normal_matrix" and "analyze" (what was left of that).
+  /// still to be done. Stages "assemble", "analyze" (what was left of that) and
+  /// "normal_matrix".
   void assemble(std::span<const Eigen::Vector3d> rest, std::span<const double> weights,
                 Kernels& kernels, const Progress& progress, StageTimings& timings);
 

@@ -50,8 +50,7 @@ std::vector<std::size_t> rsi_block_starts(const RingProblem& problem) {
 }
 
 BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem) {
-  BlockRows M = ring_blocks(problem.rings, problem.rows);
-  M.values.resize(9 * M.columns.size());
+  BlockRows M = rsi_rows(problem.rings, problem.rows);
   kernels.assemble_rsi(problem, M.values);
   return M;
 }

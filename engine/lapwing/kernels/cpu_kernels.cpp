@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lapwing/base/numbers.h"
+#include "lapwing/base/parallel.h"
 #include "lapwing/kernels/cpu_ring_rotations.h"
 
 namespace lapwing {
@@ -10,14 +12,15 @@ namespace {
 
 // Every triangle around some vertices, ascending.
 std::vector<Index> triangles_around(std::span<const Index> vertices,
-                                    const Adjacency& vertex_triangles) {
-  std::vector<Index> triangles;
+                                    const Adjacency& vertex_triangles, std::size_t triangle_count) {
+  std::vector<char> is_around(triangle_count, 0);
   for (const Index v : vertices) {
-    const auto around = vertex_triangles[v];
-    triangles.insert(triangles.end(), around.begin(), around.end());
+    for (const Index t : vertex_triangles[v]) is_around[t] = 1;
   }
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  std::vector<Index> triangles;
+  for (Index t = 0; t < triangle_count; ++t) {
+    if (is_around[t] != 0) triangles.push_back(t);
+  }
   return triangles;
 }
 
@@ -30,11 +33,11 @@ class CpuSurface final : public DeformedSurface {
         moving_(input.moving.begin(), input.moving.end()),
         affected_(with_ring_neighbours(moving_, input.topology.rings)),
         columns_(input.columns),
-        basis_(input.basis.begin(), input.basis.end()),
         positions_(rest_),
         areas_(triangles_.size()),
         normals_(rest_.size(), Eigen::Vector3d::Zero()) {
-    changing_triangles_ = triangles_around(moving_, vertex_triangles_);
+    set_basis(input.basis);
+    changing_triangles_ = triangles_around(moving_, vertex_triangles_, triangles_.size());
     std::vector<Index> all(std::max(rest_.size(), triangles_.size()));
     std::iota(all.begin(), all.end(), 0U);
     triangle_areas(positions_, triangles_, std::span(all).first(triangles_.size()), areas_);
@@ -42,7 +45,13 @@ class CpuSurface final : public DeformedSurface {
   }
 
   void set_basis(std::span<const double> basis) override {
-    basis_.assign(basis.begin(), basis.end());
+    constexpr std::size_t kNumbersPerTask = std::size_t{1} << 16U;
+    basis_.resize(basis.size());
+    parallel_for(basis.size(), kNumbersPerTask, [&](std::size_t begin, std::size_t end) {
+      std::copy(basis.begin() + static_cast<std::ptrdiff_t>(begin),
+                basis.begin() + static_cast<std::ptrdiff_t>(end),
+                basis_.begin() + static_cast<std::ptrdiff_t>(begin));
+    });
   }
   void set_axis_basis(std::span<const double> numbers) override {
     const std::size_t n = moving_.size();
@@ -78,7 +87,7 @@ class CpuSurface final : public DeformedSurface {
   std::vector<Index> affected_;            // the vertices whose normals a frame renews
   std::vector<Index> changing_triangles_;  // those with a moving corner
   std::size_t columns_;
-  std::vector<double> basis_;
+  Numbers basis_;
   Positions positions_;
   std::vector<Eigen::Vector3d> areas_;  // per triangle, see triangle_areas
   std::vector<Eigen::Vector3d> normals_;

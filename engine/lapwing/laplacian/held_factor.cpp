@@ -1,6 +1,7 @@
 #include "lapwing/laplacian/held_factor.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lapwing {
 namespace {
@@ -41,6 +42,11 @@ void HeldFactor::set_matrix(BlockMatrix A) {
     const auto block = A_.block(A_.pattern->starts[u]);
     for (std::size_t k = 0; k < b; ++k) diagonal_[b * u + k] = block[(b + 1) * k];
   }
+}
+
+Numbers HeldFactor::take_memory() {
+  factored_ = false;
+  return std::exchange(A_.values, {});
 }
 
 void HeldFactor::hold(std::size_t unknown, double weight) {

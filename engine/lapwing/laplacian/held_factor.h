@@ -26,6 +26,8 @@ class HeldFactor {
 
   /// A, without W.
   void set_matrix(BlockMatrix A);
+  /// What the last A lay in, for the next. There is no A then.
+  Numbers take_memory();
 
   /// Whether A + diag(W) is what is factored.
   bool holds(std::span<const double> W) const;

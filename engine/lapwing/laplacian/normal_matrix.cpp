@@ -81,11 +81,13 @@ void NormalPattern::find_blocks(const BlockRows& M) {
   });
 }
 
-BlockMatrix NormalPattern::normal_matrix(const BlockRows& M, std::span<const double> W) const {
+BlockMatrix NormalPattern::normal_matrix(const BlockRows& M, std::span<const double> W,
+                                         Numbers memory) const {
   const std::size_t n = blocks_.size();
   const auto size = static_cast<std::size_t>(M.block_size);
   const std::size_t numbers = size * size;
-  BlockMatrix N{&blocks_, M.block_size, std::vector<double>(numbers * blocks_.rows.size(), 0.0)};
+  memory.resize(numbers * blocks_.rows.size());
+  BlockMatrix N{&blocks_, M.block_size, std::move(memory)};
   parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
     // Where in the column at hand each row lies. Only entries of that column are read.
     std::vector<std::size_t> place(n);
@@ -93,6 +95,8 @@ BlockMatrix NormalPattern::normal_matrix(const BlockRows& M, std::span<const dou
       for (std::size_t e = blocks_.starts[c]; e < blocks_.starts[c + 1]; ++e) {
         place[blocks_.rows[e]] = e;
       }
+      std::fill(N.values.data() + numbers * blocks_.starts[c],
+                N.values.data() + numbers * blocks_.starts[c + 1], 0.0);
       for (const Entry& entry : entries(c)) {
         const double* B_c = M.values.data() + numbers * entry.block;
         for (std::size_t b = M.starts[entry.row]; b < M.starts[entry.row + 1]; ++b) {

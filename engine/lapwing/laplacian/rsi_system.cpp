@@ -22,6 +22,12 @@ BlockRows ring_blocks(const Adjacency& rings, std::span<const Index> rows) {
   return blocks;
 }
 
+BlockRows rsi_rows(const Adjacency& rings, std::span<const Index> rows) {
+  BlockRows M = ring_blocks(rings, rows);
+  M.values.resize(9 * M.columns.size());
+  return M;
+}
+
 BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights,
                          std::span<const Index> rows) {
   BlockRows L = ring_blocks(rings, rows);

@@ -14,13 +14,16 @@ struct BlockRows {
   int block_size = 3;
   std::vector<std::size_t> starts{0};  ///< in blocks
   std::vector<Index> columns;          ///< per block: a vertex of the whole mesh
-  std::vector<double> values;          ///< per block: its numbers, column after column
+  Numbers values;                      ///< per block: its numbers, column after column
 
   std::size_t size() const { return starts.size() - 1; }
 };
 
 /// Where the blocks of M and of L are, for `rows`: each vertex, then its ring. No values.
 BlockRows ring_blocks(const Adjacency& rings, std::span<const Index> rows);
+
+/// The rows of M for `rows`, their values undefined (Kernels::assemble_rsi).
+BlockRows rsi_rows(const Adjacency& rings, std::span<const Index> rows);
 
 /// The rows of L for `rows`: 1 for the vertex itself, -w_ij for its ring; a vertex without ring has
 /// the block 0. `weights` as laplacian_weights gives them.
@@ -47,8 +50,10 @@ class NormalPattern {
   const BlockPattern& blocks() const { return blocks_; }
 
   /// N = M'M + diag(W), W given per unknown, or empty for 0. A gather over the rows that two
-  /// unknowns share: each block is summed by one thread in a fixed order.
-  BlockMatrix normal_matrix(const BlockRows& M, std::span<const double> W = {}) const;
+  /// unknowns share: each block is summed by one thread in a fixed order. `memory`, of a matrix
+  /// that is no longer needed, saves taking new.
+  BlockMatrix normal_matrix(const BlockRows& M, std::span<const double> W = {},
+                            Numbers memory = {}) const;
 
   /// y = M' r over the unknowns: 3 numbers per row in, 3 per unknown out. A 1 x 1 block acts on x,
   /// y and z alike.

@@ -74,7 +74,7 @@ PlanarNewton::PlanarNewton(std::span<const Triangle> triangles, std::span<const 
     if (is_held[v] == 0) unknown_of_vertex_[v] = static_cast<Index>(unknowns_++);
   }
   make_pattern();
-  hessian_ = {&pattern_, 1, std::vector<double>(pattern_.rows.size())};
+  hessian_ = {&pattern_, 1, Numbers(pattern_.rows.size(), 0.0)};
   gradient_.resize(2 * unknowns_);
   parts_.resize(triangles.size());
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "lapwing/base/numbers.h"
 #include "lapwing/mesh/mesh.h"
 
 namespace lapwing {
@@ -27,7 +28,7 @@ struct BlockPattern {
 struct BlockMatrix {
   const BlockPattern* pattern = nullptr;
   int block_size = 3;
-  std::vector<double> values;
+  Numbers values;
 
   std::size_t scalar_size() const { return pattern->size() * static_cast<std::size_t>(block_size); }
   std::span<const double> block(std::size_t entry) const {
