@@ -104,6 +104,7 @@ TEST_F(AnEditor, WhatSettledOfADragThatIsGivenUpNeverShows) {
   EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
   wait_until_ready();
   EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
+  EXPECT_EQ(editor_->session().take_live_result(), nullptr);
   begin_drag(kLeft);
   editor_->update();
   EXPECT_LT(head_moved(), -0.2) << "of this drag";
