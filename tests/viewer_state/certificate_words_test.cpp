@@ -88,6 +88,13 @@ TEST_F(CertificateWords, HandleIsJudgedByTheSizeOfTheMesh) {
   EXPECT_THAT(warnings_of(certificate_, topology_, 0.0), IsEmpty());
 }
 
+TEST_F(CertificateWords, RegionTooLargeForTheExactSystemSaysWhyAndWhatToDo) {
+  certificate_.why_not_exact = "the exact system of 240 vertices needs 3 MB of memory";
+  EXPECT_THAT(only_warning().text, HasSubstr("preview alone: the exact system of 240 vertices"));
+  EXPECT_THAT(only_warning().text, HasSubstr("settle while dragging"));
+  EXPECT_THAT(only_warning().vertices, IsEmpty());
+}
+
 TEST_F(CertificateWords, WhatNeverSettledComesFirst) {
   certificate_.settled = false;
   certificate_.detail_error = 0.5;

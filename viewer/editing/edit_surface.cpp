@@ -50,7 +50,7 @@ bool EditSurface::drag(const Preparation& preparation, std::span<const Eigen::Af
   const bool is_free = preparation.status().phase == PreparationStatus::Phase::ready;
   if (auto exact = preparation.exact(); exact && is_free) {
     exact->drag(motions);
-    show(exact->surface(), SurfaceSource::exact);
+    show(exact->surface(), exact->is_exact() ? SurfaceSource::exact : SurfaceSource::preview);
     exact_ = std::move(exact);
     return true;
   }

@@ -16,7 +16,7 @@ namespace lapwing::viewer {
 /// Where the surface that is drawn comes from.
 enum class SurfaceSource {
   still,    ///< positions that are known: at rest, or settled
-  preview,  ///< a drag by the preview
+  preview,  ///< a drag by the preview's response, whoever holds it
   exact,    ///< a drag by the exact response
 };
 

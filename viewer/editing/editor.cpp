@@ -136,6 +136,9 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
     // What settles now is of no use any more, and keeps the exact response from following.
     session_->cancel_settling();
   }
+  // Then it is of use again: nothing has come in its place.
+  const bool given_up = was_dragging && !gizmo_.is_dragging() && !answer.command;
+  if (given_up && needs_settling(state())) settle();
   return answer;
 }
 

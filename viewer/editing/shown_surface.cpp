@@ -62,7 +62,8 @@ void ShownSurface::put(const TriangulatedMesh& what, const Positions& positions)
 void ShownSurface::follow(const Preparation& preparation,
                           std::span<const Eigen::Affine3d> motions) {
   const bool could_be_exact = device_->surface.source() != SurfaceSource::exact &&
-                              preparation.status().phase == PreparationStatus::Phase::ready;
+                              preparation.status().phase == PreparationStatus::Phase::ready &&
+                              preparation.exact()->is_exact();
   const bool same =
       std::equal(motions.begin(), motions.end(), followed_.begin(), followed_.end(),
                  [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });

@@ -51,6 +51,13 @@ CertificateWarning handle_missed(const Certificate& certificate, double mesh_dia
           {}};
 }
 
+CertificateWarning not_exact(const Certificate& certificate) {
+  return {"A drag shows the preview alone: " + certificate.why_not_exact +
+              ". Its result is the same. To see it on the way, settle while dragging, or choose a "
+              "smaller ROI.",
+          {}};
+}
+
 }  // namespace
 
 std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
@@ -88,6 +95,7 @@ std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
                    1.0 + certificate.largest_edge_stretch),
          {ends.begin(), ends.end()}});
   }
+  if (!certificate.why_not_exact.empty()) warnings.push_back(not_exact(certificate));
   return warnings;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using Phase = PreparationStatus::Phase;
 
-const char* words(Phase phase) {
+const char* words(Phase phase, bool is_exact) {
   switch (phase) {
     case Phase::idle:
       return "choose an ROI and a handle";
@@ -19,7 +19,7 @@ const char* words(Phase phase) {
     case Phase::solving:
       return "preview ready; preparing the exact response";
     case Phase::ready:
-      return "exact response ready";
+      return is_exact ? "exact response ready" : "preview ready; too large for the exact response";
     case Phase::settling:
       return "settling";
     case Phase::failed:
@@ -43,7 +43,8 @@ const char* words(SurfaceSource source) {
 void draw_progress(Editor& editor) {
   EditSession& session = editor.session();
   const PreparationStatus status = session.preparation().status();
-  ImGui::TextWrapped("%s", words(status.phase));
+  const auto exact = session.preparation().exact();
+  ImGui::TextWrapped("%s", words(status.phase, exact == nullptr || exact->is_exact()));
   if (!status.message.empty()) ImGui::TextWrapped("%s", status.message.c_str());
   if (editor.handles_leave_roi() && ImGui::Button("Enlarge the ROI")) editor.enlarge_roi();
   const bool prepares = status.phase == Phase::previewing || status.phase == Phase::solving;
@@ -195,7 +196,9 @@ std::optional<std::vector<Index>> draw_certificate(const Editor& editor) {
   const Certificate* certificate = editor.session().certificate();
   if (certificate == nullptr) return shown;
   ImGui::Separator();
-  draw_number_line("residual", "%.1e", certificate->relative_residual);
+  if (certificate->why_not_exact.empty()) {
+    draw_number_line("residual", "%.1e", certificate->relative_residual);
+  }
   draw_number_line("iterations", "%.0f", certificate->settle_iterations);
   draw_number_line("largest turn", "%.1f degrees", certificate->largest_rotation_degrees);
   draw_number_line("detail error", "%.3f", certificate->detail_error);

@@ -309,7 +309,8 @@ const std::string& ViewerApp::status_text(const FrameTimings& last) {
     const Editor& editor = document_->editor;
     append(text, "  |  %zu vertices  |  %.1f ms", editor.positions().size(),
            last.draw_ms + last.ui_ms);
-    if (const Certificate* certificate = editor.session().certificate()) {
+    const Certificate* certificate = editor.session().certificate();
+    if (certificate != nullptr && certificate->why_not_exact.empty()) {
       append(text, "  |  residual %.0e", certificate->relative_residual);
     }
     append_state(text, editor);

@@ -13,8 +13,10 @@ namespace lapwing {
 /// What a result promises, measured on the result itself. Every deformation carries one.
 struct Certificate {
   /// |N u - b| / |b| of the normal equations (2-norms), from whose solution settling starts; 0 when
-  /// nothing moves.
+  /// nothing moves, and where there is no such solution.
   double relative_residual = 0.0;
+  /// Why settling started without one (Deformer::why_not_exact); empty otherwise.
+  std::string why_not_exact;
   /// Largest distance between where a handle vertex is and where the motion wants it, mesh units.
   /// Not zero with soft constraints: they share the error with the surface.
   double handle_error = 0.0;

@@ -91,7 +91,7 @@ bool Deformer::State::hold_rsi(const Progress& progress) {
     system->hold_rsi(weights, *kernels, progress, timings);
   } catch (const DoesNotFit& reason) {
     if (!system->options.settle) throw;
-    why_not_exact = reason.what();
+    why_not_exact = reason.need();
     return false;
   }
   return true;
@@ -283,6 +283,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   std::vector<Vector3d> u = s.blended_displacement(q);
 
   DeformResult result;
+  result.certificate.why_not_exact = s.why_not_exact;
   if (is_exact()) result.certificate.relative_residual = edit.systems->rsi().refine(wanted, u);
   const bool still =
       std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.isZero(0.0); });

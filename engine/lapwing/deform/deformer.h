@@ -117,7 +117,7 @@ class Deformer {
   /// `drag` is a DragPreview's, which is where settling then starts; what it settles to is the same
   /// within its tolerance, and the certificate's residual is 0.
   bool is_exact() const;
-  /// What the system would need, and may take, in a sentence; empty where it is there.
+  /// What the system would need, and may take, in words; empty where it is there.
   std::string_view why_not_exact() const;
 
   const EditRegion& region() const;

@@ -80,8 +80,7 @@ void RegionSystem::require_memory(std::size_t limit_bytes) {
     return std::to_string(bytes / 1'000'000 + 1) + " MB";
   };
   throw DoesNotFit("the exact system of " + std::to_string(unknowns_.size()) + " vertices needs " +
-                   megabytes(rsi_bytes_) + " of memory, and may take " + megabytes(limit_bytes) +
-                   "; choose a smaller region, or settle, which can do without");
+                   megabytes(rsi_bytes_) + " of memory, and may take " + megabytes(limit_bytes));
 }
 
 }  // namespace lapwing

@@ -3,6 +3,8 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <string>
+#include <utility>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/progress.h"
@@ -14,10 +16,17 @@
 
 namespace lapwing {
 
-/// The 3n x 3n system of a region needs more memory than it may take. The message says how much.
+/// The 3n x 3n system of a region needs more memory than it may take.
 class DoesNotFit : public SolverError {
  public:
-  using SolverError::SolverError;
+  explicit DoesNotFit(std::string need)
+      : SolverError(need + "; choose a smaller region, or settle, which can do without"),
+        need_(std::move(need)) {}
+  /// What it needs and may take, in words.
+  const std::string& need() const { return need_; }
+
+ private:
+  std::string need_;
 };
 
 /// What the numbers of a system depend on besides region and constraints.

@@ -245,7 +245,8 @@ void Recorder::fill(const Buffer& buffer, std::uint32_t word) {
 }
 
 // Software devices write a timestamp without waiting for the commands before it, whatever its stage
-// says; they do wait at a barrier.
+// says; they do wait at a barrier. Once they have drawn, they also put the timestamp off until the
+// next barrier, after whatever kernel runs before that.
 void Recorder::write_timestamp(std::uint32_t query) {
   auto everything = structure<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
   everything.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -253,6 +254,9 @@ void Recorder::write_timestamp(std::uint32_t query) {
   barrier(list_.context(), handle(), everything);
   list_.context().vk().vkCmdWriteTimestamp2(handle(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                             list_.queries_, query);
+  if (list_.context().description().type == "software") {
+    barrier(list_.context(), handle(), everything);
+  }
 }
 
 void Recorder::write_profile_timestamp(std::uint32_t number) {

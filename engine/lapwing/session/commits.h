@@ -14,8 +14,8 @@ std::size_t commit_count(const DeformStep& step, std::size_t number);
 
 /// One certificate for a step carried out in `parts`, from the surface `start` to `end`. Shape,
 /// details, stretch and handles are measured between the two, since what the parts lose adds up; of
-/// the parts come the worst residual and last step, all iterations, and settled only if each is.
-/// Throws SolverError when it does not hold.
+/// the parts come the worst residual and last step, all iterations, and settled and exact only if
+/// each is. Throws SolverError when it does not hold.
 Certificate certify(const BoundStep& bound, std::span<const Eigen::Vector3d> start,
                     std::span<const Eigen::Vector3d> end, std::span<const Certificate> parts);
 

@@ -81,10 +81,9 @@ StepReport run_step(const DeformStep& step, std::size_t number, Kernels& kernels
   report.belt = region.belt.size();
   for (const VertexSet& handle : region.handles) report.handles.push_back(handle.size());
   report.free = result.last->free_count();
-  if (!result.last->is_exact()) {
-    result.report.warnings.push_back("step " + std::to_string(number) + ": " +
-                                     std::string(result.last->why_not_exact()) +
-                                     "; this one is settled without");
+  if (const std::string& why = report.certificate.why_not_exact; !why.empty()) {
+    result.report.warnings.push_back("step " + std::to_string(number) + ": " + why +
+                                     "; the step is settled without");
   }
   result.region = std::move(region);
   report.solver = result.last->solver_name();

@@ -21,7 +21,7 @@ void measure_render(BenchRun& run, const Subject& subject) {
   for (const BenchDevice& kept : run.devices()) {
     if (kept.context == nullptr || !kept.context->has_graphics()) continue;
     if (!run.wants("render", kLapwing, kept.name, subject)) continue;
-    // Once Mesa's software device has drawn, its timestamps no longer wait for kernels.
+    // Once Mesa's software device has drawn, each of its timestamps takes some microseconds more.
     const BenchDevice device = open_bench_device(kept.name);
     // At rest: a picture costs the same wherever the vertices are.
     const auto made =
