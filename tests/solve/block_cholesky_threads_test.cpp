@@ -23,8 +23,8 @@ BlockCholeskyOptions with_threads(unsigned threads) {
   return options;
 }
 
-// How often what hangs on chance is tried. ThreadSanitizer slows each run down tenfold, and finds a
-// race without its coming true.
+// How often what hangs on chance is tried. ThreadSanitizer makes runs slow, but sees a race between
+// accesses that did not collide; what differs by order alone is left to the other builds.
 #ifdef __SANITIZE_THREAD__
 constexpr int kRuns = 10;
 #else
