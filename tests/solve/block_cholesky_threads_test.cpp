@@ -23,6 +23,14 @@ BlockCholeskyOptions with_threads(unsigned threads) {
   return options;
 }
 
+// How often what hangs on chance is tried. ThreadSanitizer makes runs slow, but sees a race between
+// accesses that did not collide; what differs by order alone is left to the other builds.
+#ifdef __SANITIZE_THREAD__
+constexpr int kRuns = 10;
+#else
+constexpr int kRuns = 70;
+#endif
+
 // Large enough that the fronts at the top are shared.
 OwnedMatrix shared_system() {
   return rsi_matrix(icosphere(4), 1.0, 100);
@@ -60,7 +68,7 @@ TEST(BlockCholeskyThreads, GiveTheSameBitsOnEveryRun) {
   for (const unsigned threads : {1U, 2U, 4U}) {
     BlockCholesky solver(with_threads(threads));
     solver.analyze(*A.pattern, 3, order);
-    for (int run = 0; run < 70; ++run) {
+    for (int run = 0; run < kRuns; ++run) {
       solver.factor(A.matrix);
       std::vector<double> x(b.size());
       solver.solve(b, x, 1);
@@ -120,7 +128,7 @@ TEST(BlockCholeskyThreads, StopWhenCancelledAndFactorAgain) {
   for (const unsigned threads : {1U, 2U, 4U}) {
     BlockCholesky solver(with_threads(threads));
     solver.analyze(*A.pattern, 3, order);
-    for (int trial = 0; trial < 70; ++trial) {
+    for (int trial = 0; trial < kRuns; ++trial) {
       int calls = static_cast<int>(random() % 6);
       solver.set_progress([&](std::string_view, double) { return calls-- > 0; });
       try {
@@ -135,7 +143,7 @@ TEST(BlockCholeskyThreads, StopWhenCancelledAndFactorAgain) {
     solver.solve(b, x, 1);
     EXPECT_EQ(x, expected);
   }
-  EXPECT_GE(cancelled, 35);
+  EXPECT_GE(cancelled, kRuns / 2);
 }
 
 TEST(BlockCholeskyThreads, PassOnWhatTheProgressCallbackThrows) {

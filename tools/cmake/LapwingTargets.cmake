@@ -46,6 +46,14 @@ function(lapwing_add_program name)
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()
 
+# lapwing_compile_in_batches(TARGET SIZE): with LAPWING_BATCHES, SIZE sources at a time are one
+# compilation, where templates that all of them use are compiled once. Their names must then differ
+# across files, those in unnamed namespaces too.
+function(lapwing_compile_in_batches target size)
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD ${LAPWING_BATCHES} UNITY_BUILD_BATCH_SIZE ${size})
+endfunction()
+
 # What nearly every file includes, compiled once per library or test program: Eigen alone costs
 # more than most files of the engine.
 set(lapwing_common_headers

@@ -38,7 +38,7 @@ std::optional<double> share_of(const RegionSpec& hole, const LoopFrame& frame) {
 }  // namespace
 
 TransplantPart read_transplant_part(const std::filesystem::path& file) {
-  Part read = read_part(file);
+  lapwing::Part read = read_part(file);
   TransplantPart part;
   part.file = std::filesystem::absolute(file).lexically_normal();
   part.loop_number = read.loop;

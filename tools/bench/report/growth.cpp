@@ -16,20 +16,20 @@ namespace {
 constexpr std::size_t kSmallest = 5'000;  // vertices; below, overheads are measured
 constexpr std::size_t kFewestSizes = 3;   // two are always on a line
 
-struct Point {
+struct Sample {
   double x;  // log of the vertices
   double y;  // log of the median
 };
 
-double mean(const std::vector<Point>& points, double Point::*coordinate) {
+double mean(const std::vector<Sample>& points, double Sample::*coordinate) {
   double sum = 0.0;
-  for (const Point& point : points) sum += point.*coordinate;
+  for (const Sample& sample : points) sum += sample.*coordinate;
   return sum / static_cast<double>(points.size());
 }
 
-void fit_line(const std::vector<Point>& points, Growth& growth) {
-  const double x0 = mean(points, &Point::x);
-  const double y0 = mean(points, &Point::y);
+void fit_line(const std::vector<Sample>& points, Growth& growth) {
+  const double x0 = mean(points, &Sample::x);
+  const double y0 = mean(points, &Sample::y);
   double xx = 0.0;
   double xy = 0.0;
   for (const auto& [x, y] : points) {
@@ -48,7 +48,7 @@ void fit_line(const std::vector<Point>& points, Growth& growth) {
 }
 
 std::optional<Growth> growth_of(const Report& report, const Measurement& first) {
-  std::vector<Point> points;
+  std::vector<Sample> points;
   std::set<std::size_t> sizes;
   for (const Measurement& m : report.measurements) {
     const bool belongs = m.stage == first.stage && m.by == first.by && m.device == first.device;
