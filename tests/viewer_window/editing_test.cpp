@@ -1,5 +1,6 @@
 // A person edits meshes in a real window, by real events.
 #include <algorithm>
+#include <functional>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -371,18 +372,26 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
   drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -40.0});
   ASSERT_TRUE(settles());
   const Draft bent = person_->draft().value();
-  const Image edited = desktop_->settled_picture();
-  EXPECT_GT(test::mean_difference(edited, opened), 0.5);
+  // The journal is written before the window is painted.
+  Image edited;
+  EXPECT_TRUE(test::eventually(60.0, [&] {
+    edited = desktop_->settled_picture();
+    return test::mean_difference(edited, opened) > 0.5;
+  }));
+  const auto eventually_shown = [&](const std::function<bool(double)>& is_right) {
+    return test::eventually(60.0, [&] {
+      return is_right(test::mean_difference(desktop_->settled_picture(), edited));
+    });
+  };
 
   person_->keys("ctrl+z");
   person_->keys("ctrl+z");
   ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return !d.settled; }));
-  const Image undone = desktop_->settled_picture();
-  EXPECT_GT(test::mean_difference(edited, undone), 0.3);
+  EXPECT_TRUE(eventually_shown([](double difference) { return difference > 0.3; }));
   person_->keys("ctrl+shift+z");
   person_->keys("ctrl+shift+z");
   ASSERT_TRUE(person_->eventually_is([&](const Draft& d) { return d == bent; }));
-  EXPECT_LT(test::mean_difference(desktop_->settled_picture(), edited), 0.3);
+  EXPECT_TRUE(eventually_shown([](double difference) { return difference < 0.3; }));
 
   const auto save_as = [&](const std::string& keys, const fs::path& path) {
     person_->open_dialog(keys);
