@@ -379,9 +379,8 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
     return test::mean_difference(edited, opened) > 0.5;
   }));
   const auto eventually_shown = [&](const std::function<bool(double)>& is_right) {
-    return test::eventually(60.0, [&] {
-      return is_right(test::mean_difference(desktop_->settled_picture(), edited));
-    });
+    return test::eventually(
+        60.0, [&] { return is_right(test::mean_difference(desktop_->settled_picture(), edited)); });
   };
 
   person_->keys("ctrl+z");
