@@ -53,8 +53,10 @@ struct GrowthTarget {
 };
 constexpr std::array kGrowths{
     GrowthTarget{"assemble", 1.05},
-    GrowthTarget{"kernel vertex_normals", 1.05},
+    GrowthTarget{"kernel assemble_rsi", 1.05},
     GrowthTarget{"drag frame", 1.05},
+    GrowthTarget{"kernel blend_response", 1.05},
+    GrowthTarget{"kernel vertex_normals", 1.05},
     GrowthTarget{"preparation", 1.5},
 };
 
