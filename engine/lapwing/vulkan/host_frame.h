@@ -19,8 +19,8 @@ struct alignas(16) BlendGroup {
 
 /// The kernels of a drag frame, run by the processor on the very memory that the shaders would read
 /// and write, in float32 and in the shaders' layouts. For devices that are the processor in
-/// disguise: what Mesa's compiler makes of the shaders takes four to five times as long. Same
-/// bits for any number of threads; within float32 rounding of what the shaders give.
+/// disguise: what Mesa's compiler makes of the shaders takes 2.5 to 7 times as long, a submission
+/// included. Same bits for any number of threads; within float32 rounding of what the shaders give.
 
 /// shaders/blend_response.comp over one range of vertices.
 struct BlendRange {
