@@ -7,7 +7,8 @@ add_library(lapwing_warnings INTERFACE)
 # Vulkan's structures are given their type and filled in by name.
 target_compile_options(lapwing_warnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow
   -Wconversion -Wno-restrict -Wno-stringop-overflow -Wno-maybe-uninitialized
-  -Wno-missing-field-initializers>)
+  -Wno-missing-field-initializers
+  $<$<BOOL:${LAPWING_FOLDER_UNITS}>:-Wno-subobject-linkage>>)
 
 add_library(lapwing_sanitizers INTERFACE)
 if(LAPWING_SANITIZE)
@@ -16,8 +17,28 @@ if(LAPWING_SANITIZE)
   target_link_options(lapwing_sanitizers INTERFACE -fsanitize=${LAPWING_SANITIZE})
 endif()
 
+# lapwing_add_sources(TARGET SOURCES...): sources of TARGET. With LAPWING_FOLDER_UNITS those of one
+# folder, or of the folders that set LAPWING_UNIT to the same name, are one unit of compilation: what
+# they include, and templates that several of them use, are compiled once. Their names must then
+# differ across files, those in unnamed namespaces too. A source with compile options or definitions
+# of its own stays a unit of its own.
+function(lapwing_add_sources target)
+  target_sources(${target} PRIVATE ${ARGN})
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD ${LAPWING_FOLDER_UNITS} UNITY_BUILD_MODE GROUP)
+  foreach(source ${ARGN})
+    cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+    cmake_path(GET path PARENT_PATH folder)
+    cmake_path(GET folder FILENAME unit)
+    if(LAPWING_UNIT)
+      set(unit ${LAPWING_UNIT})
+    endif()
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${unit})
+  endforeach()
+endfunction()
+
 # lapwing_add_library(NAME EXPORT_NAME): a static library of the engine, installed and exported as
-# lapwing::EXPORT_NAME. Sources are added by the CMakeLists.txt of each folder.
+# lapwing::EXPORT_NAME. The CMakeLists.txt of each folder adds its sources.
 function(lapwing_add_library name export_name)
   add_library(${name} STATIC)
   add_library(lapwing::${export_name} ALIAS ${name})
@@ -36,7 +57,8 @@ endfunction()
 
 # lapwing_add_program(NAME SOURCES...): an executable of the project.
 function(lapwing_add_program name)
-  add_executable(${name} ${ARGN})
+  add_executable(${name})
+  lapwing_add_sources(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE lapwing_warnings lapwing_sanitizers)
   if(LAPWING_SANITIZE MATCHES "address")
     target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tools/cmake/keep_modules_loaded.cpp)
@@ -44,14 +66,6 @@ function(lapwing_add_program name)
   endif()
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
-endfunction()
-
-# lapwing_compile_in_batches(TARGET SIZE): with LAPWING_BATCHES, SIZE sources at a time are one
-# compilation, where templates that all of them use are compiled once. Their names must then differ
-# across files, those in unnamed namespaces too.
-function(lapwing_compile_in_batches target size)
-  set_target_properties(${target} PROPERTIES
-    UNITY_BUILD ${LAPWING_BATCHES} UNITY_BUILD_BATCH_SIZE ${size})
 endfunction()
 
 # What nearly every file includes, compiled once per library or test program: Eigen alone costs

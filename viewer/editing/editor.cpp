@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editing/kernels_like.h"
 #include "lapwing/base/errors.h"
 #include "tools/selection_edits.h"
 
@@ -29,13 +30,6 @@ bool is_of_pointer(const InputEvent& event) {
 
 bool contains(const VertexSet& vertices, Index vertex) {
   return std::binary_search(vertices.begin(), vertices.end(), vertex);
-}
-
-// On the same context: kernels are one thread's.
-Preparation::MakeKernels kernels_like(const VulkanKernels& kernels) {
-  return [context = kernels.context()] {
-    return std::make_unique<VulkanKernels>(context, Precision::automatic);
-  };
 }
 
 }  // namespace

@@ -8,13 +8,6 @@
 #include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
-namespace {
-
-Bounds united(const Bounds& a, const Bounds& b) {
-  return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
-}
-
-}  // namespace
 
 void Editor::state_changed() {
   const AppState& now = state();

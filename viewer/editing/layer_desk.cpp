@@ -2,18 +2,12 @@
 
 #include <utility>
 
+#include "editing/kernels_like.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 
 namespace lapwing::viewer {
 namespace {
-
-// Kernels are one thread's: these share the device with the window's.
-JobThread::MakeKernels kernels_like(const VulkanKernels& kernels) {
-  return [context = kernels.context()] {
-    return std::make_unique<VulkanKernels>(context, Precision::automatic);
-  };
-}
 
 // Painted numbers in the colours of parts, from none to all, on the patch that they count on.
 std::vector<VertexClass> classes_of(const std::vector<double>& field, const VertexSet& patch) {

@@ -4,13 +4,6 @@
 #include <utility>
 
 namespace lapwing::viewer {
-namespace {
-
-Bounds united(const Bounds& a, const Bounds& b) {
-  return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
-}
-
-}  // namespace
 
 ShownSurface::ShownSurface(TriangulatedMesh opened)
     : opened_(std::move(opened)), opened_bounds_(bounds_of(opened_.mesh->positions)) {}

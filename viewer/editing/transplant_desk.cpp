@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "editing/kernels_like.h"
 #include "lapwing/base/errors.h"
 #include "state/revision.h"
 
@@ -10,13 +11,6 @@ namespace lapwing::viewer {
 namespace {
 
 using Stage = PlaceTool::Stage;
-
-// Kernels are one thread's: these share the device with the window's.
-JobThread::MakeKernels kernels_like(const VulkanKernels& kernels) {
-  return [context = kernels.context()] {
-    return std::make_unique<VulkanKernels>(context, Precision::automatic);
-  };
-}
 
 // Both as they are, without what they carry.
 Mesh side_by_side(const Mesh& host, const Mesh& part) {

@@ -194,7 +194,7 @@ std::string with_number(const char* format, double number) {
 }
 
 // One overload per command.
-struct Describer {
+struct CommandDescriber {
   std::string operator()(const Choose& command) const {
     return name_of(command.part) + ": " + std::visit(FormName{}, command.region.form);
   }
@@ -230,7 +230,7 @@ AppState apply(AppState state, const Command& command) {
 }
 
 std::string describe(const Command& command) {
-  return std::visit(Describer{}, command);
+  return std::visit(CommandDescriber{}, command);
 }
 
 }  // namespace lapwing::viewer

@@ -8,7 +8,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // One overload per operation.
-struct Describer {
+struct StepDescriber {
   std::string operator()(const DeformStep&) const { return "deform"; }
   std::string operator()(const CoatStep& step) const {
     const fs::path& mesh = step.source.mesh;
@@ -47,7 +47,7 @@ struct PathChanger {
 }  // namespace
 
 std::string describe(const Step& step) {
-  return std::visit(Describer{}, step);
+  return std::visit(StepDescriber{}, step);
 }
 
 Step with_absolute_paths(Step step, const fs::path& base_directory) {

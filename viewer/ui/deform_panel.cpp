@@ -1,8 +1,8 @@
 #include <array>
 #include <cstdio>
 #include <imgui.h>
-#include <utility>
 
+#include "ui/choose.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -75,23 +75,6 @@ bool draw_number(const char* label, double& number, bool& let_go) {
   const bool changed =
       ImGui::InputScalar(label, ImGuiDataType_Double, &number, nullptr, nullptr, "%.5g");
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
-  return changed;
-}
-
-template <typename Value>
-bool choose(const char* label, Value& value,
-            std::initializer_list<std::pair<const char*, Value>> choices) {
-  ImGui::TextDisabled("%s", label);
-  bool changed = false;
-  for (const auto& [name, choice] : choices) {
-    ImGui::SameLine();
-    ImGui::PushID(label);
-    if (ImGui::RadioButton(name, value == choice)) {
-      value = choice;
-      changed = true;
-    }
-    ImGui::PopID();
-  }
   return changed;
 }
 

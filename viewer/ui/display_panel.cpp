@@ -43,7 +43,7 @@ void draw_legend(const SurfaceStyle& style) {
 }
 
 template <typename Value, std::size_t count>
-void choose(const char* label, Value& value,
+void choose_in_pairs(const char* label, Value& value,
             const std::array<std::pair<const char*, Value>, count>& choices) {
   ImGui::TextDisabled("%s", label);
   for (std::size_t c = 0; c < count; ++c) {
@@ -90,7 +90,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   ImGui::SameLine();
   bool before = editor.shown().shows_before();
   if (ImGui::Checkbox("Before", &before)) editor.show_before(before);
-  choose("Colour", choices.coloring,
+  choose_in_pairs("Colour", choices.coloring,
          std::array{std::pair{"plain", Coloring::plain}, std::pair{"regions", Coloring::regions},
                     std::pair{"displacement", Coloring::displacement},
                     std::pair{"rotation", Coloring::rotation},
@@ -107,7 +107,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
     ImGui::TextDisabled("%s", title.c_str());
     draw_legend(style_of(choices, editor));
   }
-  choose(
+  choose_in_pairs(
       "Background", choices.background,
       std::array{std::pair{"gradient", Background::gradient}, std::pair{"white", Background::white},
                  std::pair{"black", Background::transparent}});

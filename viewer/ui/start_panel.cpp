@@ -23,7 +23,7 @@ float column_width() {
 
 // Buttons in rows of three; the number of the one that was pressed.
 template <typename Items, typename NameOf>
-std::optional<std::size_t> choose(const Items& items, const NameOf& name_of) {
+std::optional<std::size_t> pressed_button(const Items& items, const NameOf& name_of) {
   std::optional<std::size_t> chosen;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (i % 3 != 0) ImGui::SameLine();
@@ -73,12 +73,12 @@ std::optional<Choice> draw_start_panel(std::span<const fs::path> samples, std::s
     const auto name = [](const fs::path& path) {
       return path.extension() == ".json" ? path.filename().string() : path.stem().string();
     };
-    if (const auto chosen = choose(samples, name)) choice = samples[*chosen];
+    if (const auto chosen = pressed_button(samples, name)) choice = samples[*chosen];
   }
   ImGui::Spacing();
   ImGui::TextDisabled("Generated");
   const auto name = [](const NamedShape& shape) { return std::string(shape.name); };
-  if (const auto chosen = choose(named_shapes(), name)) choice = &named_shapes()[*chosen];
+  if (const auto chosen = pressed_button(named_shapes(), name)) choice = &named_shapes()[*chosen];
   ImGui::End();
   return choice;
 }

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, int error) {
+[[noreturn]] void fail_to_write(const fs::path& path, int error) {
   throw IoError("cannot write " + path.string() + ": " + std::strerror(error) +
                 "; nothing was changed, choose another place or make room and try again");
 }
@@ -28,9 +28,9 @@ fs::path resolve_links(fs::path path) {
   constexpr int kMostLinks = 40;  // as the kernel's own limit
   std::error_code error;
   for (int links = 0; fs::is_symlink(fs::symlink_status(path, error)); ++links) {
-    if (links == kMostLinks) fail(path, ELOOP);
+    if (links == kMostLinks) fail_to_write(path, ELOOP);
     const fs::path next = fs::read_symlink(path, error);
-    if (error) fail(path, error.value());
+    if (error) fail_to_write(path, error.value());
     path = path.parent_path() / next;
   }
   return path;
@@ -50,19 +50,19 @@ class Temporary {
     while (!bytes.empty()) {
       const ssize_t put = ::write(file_.get(), bytes.data(), bytes.size());
       if (put < 0 && errno == EINTR) continue;
-      if (put < 0) fail(target_, errno);
+      if (put < 0) fail_to_write(target_, errno);
       bytes.remove_prefix(static_cast<std::size_t>(put));
     }
   }
 
   void set_permissions(mode_t mode) {
-    if (::fchmod(file_.get(), mode & 07777U) != 0) fail(target_, errno);
+    if (::fchmod(file_.get(), mode & 07777U) != 0) fail_to_write(target_, errno);
   }
 
   void rename_to_target() {
-    if (::fsync(file_.get()) != 0) fail(target_, errno);
-    if (!file_.close()) fail(target_, errno);
-    if (std::rename(path_.c_str(), target_.c_str()) != 0) fail(target_, errno);
+    if (::fsync(file_.get()) != 0) fail_to_write(target_, errno);
+    if (!file_.close()) fail_to_write(target_, errno);
+    if (std::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
     renamed_ = true;
   }
 
@@ -74,7 +74,7 @@ class Temporary {
       path_ += ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(serial++);
       const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor >= 0) return descriptor;
-      if (errno != EEXIST) fail(target_, errno);
+      if (errno != EEXIST) fail_to_write(target_, errno);
     }
   }
 
@@ -98,12 +98,12 @@ void replace_file(const fs::path& path, std::string_view bytes) {
   const fs::path target = resolve_links(path);
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
+  if (exists && S_ISDIR(old.st_mode)) fail_to_write(path, EISDIR);
   if (exists && !S_ISREG(old.st_mode)) {
     throw IoError("cannot write " + path.string() + ": not a regular file; name another");
   }
   // A rename needs only the directory's permission; a file marked read-only is to stay.
-  if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail(path, errno);
+  if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(path, errno);
 
   Temporary temporary(target);
   if (exists) temporary.set_permissions(old.st_mode);

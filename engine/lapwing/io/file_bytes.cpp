@@ -13,7 +13,7 @@
 namespace lapwing {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+[[noreturn]] void fail_to_read(const std::filesystem::path& path, int error) {
   throw IoError("cannot read " + path.string() + ": " + std::strerror(error) +
                 "; check the path and its permissions");
 }
@@ -22,9 +22,9 @@ namespace {
 
 FileBytes FileBytes::read(const std::filesystem::path& path) {
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.is_open()) fail(path, errno);
+  if (!file.is_open()) fail_to_read(path, errno);
   struct stat status {};
-  if (::fstat(file.get(), &status) != 0) fail(path, errno);
+  if (::fstat(file.get(), &status) != 0) fail_to_read(path, errno);
   if (!S_ISREG(status.st_mode)) {
     throw IoError("cannot read " + path.string() + ": not a regular file; name a file");
   }
@@ -34,7 +34,7 @@ FileBytes FileBytes::read(const std::filesystem::path& path) {
   while (bytes.size_ < capacity) {
     const ssize_t got = ::read(file.get(), bytes.data_.get() + bytes.size_, capacity - bytes.size_);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail(path, errno);
+    if (got < 0) fail_to_read(path, errno);
     if (got == 0) break;
     bytes.size_ += static_cast<std::size_t>(got);
   }

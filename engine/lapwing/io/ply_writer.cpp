@@ -9,8 +9,6 @@
 namespace lapwing {
 namespace {
 
-constexpr MeshFormat kFormat = MeshFormat::ply;
-
 // Appends the numbers of a record in the file's encoding.
 class PlyRecords {
  public:
@@ -136,11 +134,11 @@ class PlyWriter {
   void report_losses(WriteReport& report) const {
     const MeshAttributes& a = mesh_.attributes;
     if (!normals_) {
-      report_loss(report, kFormat, "normals that differ around a vertex", a.normals.size());
+      report_loss(report, MeshFormat::ply, "normals that differ around a vertex", a.normals.size());
     }
-    report_materials(report, kFormat, a);
-    report_loss(report, kFormat, "groups", a.groups.size());
-    report_uneditable(report, kFormat, a);
+    report_materials(report, MeshFormat::ply, a);
+    report_loss(report, MeshFormat::ply, "groups", a.groups.size());
+    report_uneditable(report, MeshFormat::ply, a);
   }
 
  private:

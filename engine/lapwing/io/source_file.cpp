@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kNextStep = "; correct this place or export the file again";
 
-std::uint64_t hash(std::span<const Index> values, std::uint64_t seed) {
+std::uint64_t hash_of(std::span<const Index> values, std::uint64_t seed) {
   for (const Index value : values) {
     seed = (seed ^ value) * 0x9E3779B97F4A7C15U;
     seed ^= seed >> 29U;
@@ -20,7 +20,7 @@ std::uint64_t hash(std::span<const Index> values, std::uint64_t seed) {
 }
 
 std::uint64_t hash_of_faces(const Mesh& mesh) {
-  return hash(mesh.face_vertices, hash(mesh.face_starts, mesh.face_starts.size()));
+  return hash_of(mesh.face_vertices, hash_of(mesh.face_starts, mesh.face_starts.size()));
 }
 
 }  // namespace

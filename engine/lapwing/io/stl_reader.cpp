@@ -5,15 +5,11 @@
 #include "lapwing/io/formats.h"
 #include "lapwing/io/reading.h"
 #include "lapwing/io/text_scanner.h"
+#include "lapwing/io/stl_layout.h"
 #include "lapwing/io/welder.h"
 
 namespace lapwing {
 namespace {
-
-// 80 bytes of header, a count, then per facet a normal, three corners and two bytes of attribute.
-constexpr std::size_t kHeaderSize = 84;
-constexpr std::size_t kFacetSize = 50;
-constexpr Encoding kOrder = Encoding::little_endian;
 
 std::string lower_word(TextScanner& scan) {
   std::string word(scan.word());
@@ -23,14 +19,14 @@ std::string lower_word(TextScanner& scan) {
 }
 
 std::size_t binary_count(std::string_view bytes) {
-  return static_cast<std::size_t>(load_number(bytes.data() + 80, Scalar::uint32, kOrder));
+  return static_cast<std::size_t>(load_number(bytes.data() + kStlTextSize, Scalar::uint32, kStlOrder));
 }
 
 // Binary headers often begin with "solid" too: the size decides, then the words that follow.
 bool is_ascii(const SourceFile& file) {
   const std::string_view bytes = file.bytes();
-  if (bytes.size() >= kHeaderSize &&
-      bytes.size() == kHeaderSize + kFacetSize * binary_count(bytes)) {
+  if (bytes.size() >= kStlHeaderSize &&
+      bytes.size() == kStlHeaderSize + kStlFacetSize * binary_count(bytes)) {
     return false;
   }
   if (bytes.substr(0, 1024).find('\0') != std::string_view::npos) return false;
@@ -116,14 +112,14 @@ class AsciiStlReader {
 
 void check_binary_size(const SourceFile& file) {
   const std::size_t size = file.bytes().size();
-  if (size < kHeaderSize) {
+  if (size < kStlHeaderSize) {
     file.fail(0,
               "expected an ascii STL file that starts with 'solid', or a binary one of at least "
               "84 bytes; found " +
                   std::to_string(size) + " bytes");
   }
   const std::size_t count = binary_count(file.bytes());
-  const std::size_t room = (size - kHeaderSize) / kFacetSize;
+  const std::size_t room = (size - kStlHeaderSize) / kStlFacetSize;
   // Fewer bytes than a facet behind the last one are some program's own; whole facets are a
   // wrong count.
   if (count != room) {
@@ -135,8 +131,8 @@ void check_binary_size(const SourceFile& file) {
 void describe_places(SourceFile& file, std::size_t count) {
   NumberTriples regular;
   regular.types = {Scalar::float32, Scalar::float32, Scalar::float32};
-  regular.first = kHeaderSize;
-  regular.stride = kFacetSize;
+  regular.first = kStlHeaderSize;
+  regular.stride = kStlFacetSize;
   regular.places = {0, 4, 8};
 
   file.normals = regular;
@@ -149,7 +145,7 @@ void describe_places(SourceFile& file, std::size_t count) {
 }
 
 Mesh read_binary(SourceFile& file) {
-  file.encoding = kOrder;
+  file.encoding = kStlOrder;
   check_binary_size(file);
   const std::string_view bytes = file.bytes();
   const std::size_t count = binary_count(bytes);
@@ -171,14 +167,14 @@ Mesh read_binary(SourceFile& file) {
       mesh.face_vertices.push_back(
           welder.vertex_at(file.read_triple(file.positions, 3 * f + corner)));
     }
-    const std::uint64_t start = kHeaderSize + f * kFacetSize;
+    const std::uint64_t start = kStlHeaderSize + f * kStlFacetSize;
     close_face(file, mesh, start);
     attributes.corner_normals.insert(attributes.corner_normals.end(), 3, static_cast<Index>(f));
-    words.values[f] = load_number(bytes.data() + start + 48, Scalar::uint16, kOrder);
+    words.values[f] = load_number(bytes.data() + start + 48, Scalar::uint16, kStlOrder);
     any_word = any_word || words.values[f] != 0.0;
   }
   if (any_word) attributes.face_extras.push_back(std::move(words));
-  if (bytes.size() > kHeaderSize + count * kFacetSize) {
+  if (bytes.size() > kStlHeaderSize + count * kStlFacetSize) {
     attributes.uneditable.emplace_back("bytes behind the last triangle");
   }
   return mesh;

@@ -5,13 +5,12 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/binary_numbers.h"
 #include "lapwing/io/formats.h"
+#include "lapwing/io/stl_layout.h"
 #include "lapwing/io/writing.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
 namespace {
-
-constexpr MeshFormat kFormat = MeshFormat::stl;
 
 // The triangles of a mesh, and the face each came from.
 struct Facets {
@@ -70,14 +69,11 @@ const ExtraAttribute* attribute_words(const Mesh& mesh) {
 }
 
 std::string write_binary(const Mesh& mesh, const Facets& facets) {
-  constexpr std::size_t kHeader = 80;
-  constexpr std::size_t kFacetSize = 50;
-  constexpr Encoding kOrder = Encoding::little_endian;
   std::string out = "binary STL";
-  out.resize(kHeader, ' ');
-  out.reserve(kHeader + 4 + kFacetSize * facets.triangles.size());
+  out.resize(kStlTextSize, ' ');
+  out.reserve(kStlHeaderSize + kStlFacetSize * facets.triangles.size());
   const auto append = [&out](double value, Scalar type) {
-    append_binary(out, value, type, kOrder);
+    append_binary(out, value, type, kStlOrder);
   };
   append(static_cast<double>(facets.triangles.size()), Scalar::uint32);
   const ExtraAttribute* const words = attribute_words(mesh);
@@ -103,23 +99,23 @@ void report_losses(const Mesh& mesh, const Facets& facets, bool ascii, WriteRepo
   }
   const auto loose = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 
-  report_loss(report, kFormat, "polygons, which were cut into triangles,", polygons);
-  report_loss(report, kFormat, "vertices without a face", loose);
+  report_loss(report, MeshFormat::stl, "polygons, which were cut into triangles,", polygons);
+  report_loss(report, MeshFormat::stl, "vertices without a face", loose);
   if (!ascii && narrowest_type(numbers_of(mesh.positions)) != Scalar::float32) {
-    report_loss(report, kFormat, "positions beyond 32-bit floats, to which they were rounded,",
+    report_loss(report, MeshFormat::stl, "positions beyond 32-bit floats, to which they were rounded,",
                 mesh.vertex_count());
   }
-  report_loss(report, kFormat, "texture coordinates", a.uvs.size());
+  report_loss(report, MeshFormat::stl, "texture coordinates", a.uvs.size());
   if (a.normals.size() != mesh.face_count()) {
-    report_loss(report, kFormat, "normals other than those of triangles", a.normals.size());
+    report_loss(report, MeshFormat::stl, "normals other than those of triangles", a.normals.size());
   }
-  report_loss(report, kFormat, "vertex colours", a.vertex_colors.size());
-  report_loss(report, kFormat, "face colours", a.face_colors.size());
-  report_materials(report, kFormat, a);
-  if (!ascii) report_loss(report, kFormat, "groups", a.groups.size());
-  report_loss(report, kFormat, "comments", a.comments.size());
-  report_extras(report, kFormat, a);
-  report_uneditable(report, kFormat, a);
+  report_loss(report, MeshFormat::stl, "vertex colours", a.vertex_colors.size());
+  report_loss(report, MeshFormat::stl, "face colours", a.face_colors.size());
+  report_materials(report, MeshFormat::stl, a);
+  if (!ascii) report_loss(report, MeshFormat::stl, "groups", a.groups.size());
+  report_loss(report, MeshFormat::stl, "comments", a.comments.size());
+  report_extras(report, MeshFormat::stl, a);
+  report_uneditable(report, MeshFormat::stl, a);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace lapwing {
 namespace {
 
-std::uint64_t hash(const Eigen::Vector3d& position) {
+std::uint64_t position_hash(const Eigen::Vector3d& position) {
   std::uint64_t state = 0;
   for (const double x : position) {
     state = (state ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;  // -0 + 0 is 0
@@ -34,7 +34,7 @@ Index Welder::vertex_at(const Eigen::Vector3d& position) {
 
 std::size_t Welder::find_slot(const Eigen::Vector3d& position) const {
   const std::size_t mask = slots_.size() - 1;
-  std::size_t slot = hash(position) & mask;
+  std::size_t slot = position_hash(position) & mask;
   while (slots_[slot] != kNoIndex && positions_[slots_[slot]] != position) slot = (slot + 1) & mask;
   return slot;
 }

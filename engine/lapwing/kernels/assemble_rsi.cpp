@@ -11,8 +11,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kRowsPerTask = 512;
-
 void assemble_row(const RingProblem& problem, Index i, double* out) {
   const auto ring = problem.rings[i];
   if (ring.empty()) {
@@ -57,6 +55,7 @@ BlockRows assemble_rsi_rows(Kernels& kernels, const RingProblem& problem) {
 
 void CpuKernels::assemble_rsi(const RingProblem& problem, std::span<double> blocks) {
   const auto starts = rsi_block_starts(problem);
+  constexpr std::size_t kRowsPerTask = 512;
   parallel_for(problem.rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       assemble_row(problem, problem.rows[r], blocks.data() + 9 * starts[r]);

@@ -7,7 +7,6 @@
 namespace lapwing {
 namespace {
 
-constexpr std::size_t kVerticesPerTask = 4096;
 // So many displacements stay in the first cache while the columns pass by.
 constexpr std::size_t kVerticesPerBatch = 256;
 
@@ -31,6 +30,7 @@ void blend_response(std::span<const Eigen::Vector3d> rest, std::span<const Index
       current[v] = rest[v] + Eigen::Map<const Eigen::Vector3d>(displacement.data() + 3 * m);
     }
   };
+  constexpr std::size_t kVerticesPerTask = 4096;
   parallel_for(moving.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t first = begin; first < end; first += kVerticesPerBatch) {
       blend_batch(first, std::min(kVerticesPerBatch, end - first));

@@ -20,8 +20,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kBatchesPerTask = 128;
-constexpr std::size_t kVerticesPerTask = 8192;
-
 Matrix3d matrix_of(const double (&entries)[9][kFitLanes], int lane) {
   Matrix3d m;
   for (Eigen::Index k = 0; k < 9; ++k) m(k % 3, k / 3) = entries[k][lane];
@@ -44,6 +42,7 @@ FitBatchFunction fit_batch_function() {
 
 void CpuRingRotations::fit_rotations(std::span<const Vector3d> displacement,
                                      std::span<double> energies) {
+  constexpr std::size_t kVerticesPerTask = 8192;
   parallel_for(displacement.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) displacement_[v].head<3>() = displacement[v];
   });

@@ -13,7 +13,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kRowsPerTask = 512;
 // What cancels to less than this share is rounding and tells nothing.
 constexpr double kRoundingShare = 1e-12;
 // A ring that much smaller than the target's has no extent but rounding.
@@ -109,6 +108,7 @@ Matrix3d turn_of_row(const MappedRings& rings, std::size_t row, const FramedSurf
 
 void CpuKernels::rotate_frames(const MappedRings& rings, const FramedSurface& source,
                                const FramedSurface& target, std::span<Matrix3d> transforms) {
+  constexpr std::size_t kRowsPerTask = 512;
   parallel_for(rings.target.row_count(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       transforms[r] = turn_of_row(rings, r, source, target);

@@ -7,8 +7,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kRowsPerTask = 2048;
-
 Vector3d laplacian_of_mapped_ring(const MappedRings& rings, std::size_t row,
                                   std::span<const Vector3d> f) {
   const SurfacePoint& here = rings.points[row];
@@ -29,6 +27,7 @@ Vector3d laplacian_of_mapped_ring(const MappedRings& rings, std::size_t row,
 void CpuKernels::sample_mapped_laplacians(const MappedRings& rings, MappedSampling sampling,
                                           std::span<const Vector3d> source,
                                           std::span<Vector3d> laplacians) {
+  constexpr std::size_t kRowsPerTask = 2048;
   parallel_for(rings.target.row_count(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       if (rings.points[r].is_nowhere()) {

@@ -8,7 +8,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kVerticesPerTask = 2048;
 constexpr std::size_t kTrianglesPerTask = 4096;
 
 // Twice the area of a triangle, along its normal.
@@ -21,6 +20,7 @@ Vector3d area_vector(std::span<const Vector3d> positions, const Triangle& t) {
 template <typename AreaOf>
 void normalize_sums(const Adjacency& vertex_triangles, std::span<const Index> which,
                     const AreaOf& area_of, std::span<Vector3d> normals) {
+  constexpr std::size_t kVerticesPerTask = 2048;
   parallel_for(which.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; ++m) {
       Vector3d sum = Vector3d::Zero();

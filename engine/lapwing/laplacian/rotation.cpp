@@ -5,33 +5,33 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
+
+#include "lapwing/laplacian/decompositions.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Matrix4d;
+using Eigen::Vector3d;
 
 // Below this share of the largest singular value the second one counts as zero.
 constexpr double kRankOneShare = 1e-12;
 // Below this product of distances to the other eigenvalues the eigenvector loses half its digits.
 constexpr double kSmallestGap = 1e-6;
 constexpr int kMostNewtonSteps = 40;
+// Radians from opposite directions within which rounding decides about the axis between them.
+constexpr double kOpposite = 1e-9;
 
 Matrix3d rotation_by_svd(const Matrix3d& H) {
-  const Eigen::JacobiSVD<Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const auto& sigma = svd.singularValues();
-  if (sigma(1) <= kRankOneShare * sigma(0)) {
-    return Eigen::Quaterniond::FromTwoVectors(svd.matrixV().col(0), svd.matrixU().col(0))
-        .toRotationMatrix();
-  }
-  Matrix3d U = svd.matrixU();
-  if (U.determinant() * svd.matrixV().determinant() < 0.0) U.col(2) = -U.col(2);
-  return U * svd.matrixV().transpose();
+  auto [U, sigma, V] = singular_values(H);
+  if (sigma(1) <= kRankOneShare * sigma(0)) return least_rotation(V.col(0), U.col(0));
+  if (U.determinant() * V.determinant() < 0.0) U.col(2) = -U.col(2);
+  return U * V.transpose();
 }
 
 // Horn's matrix: q'Nq = trace(R(q)' H).
@@ -113,6 +113,13 @@ Matrix3d nearest_rotation(const Matrix3d& given) {
   }
   q.normalize();
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+}
+
+Matrix3d least_rotation(const Vector3d& from, const Vector3d& to) {
+  const Vector3d axis = from.cross(to);  // times twice sine and cosine of half the angle
+  Eigen::Quaterniond turn(1.0 + from.dot(to), axis.x(), axis.y(), axis.z());
+  if (turn.norm() < kOpposite) turn = Eigen::AngleAxisd(std::numbers::pi, from.unitOrthogonal());
+  return turn.normalized().toRotationMatrix();
 }
 
 }  // namespace lapwing

@@ -3,11 +3,6 @@
 #include "lapwing/base/parallel.h"
 
 namespace lapwing {
-namespace {
-
-constexpr std::size_t kRowsPerTask = 2048;
-
-}  // namespace
 
 BlockRows ring_blocks(const Adjacency& rings, std::span<const Index> rows) {
   BlockRows blocks;
@@ -49,6 +44,7 @@ Unknowns::Unknowns(std::vector<Index> list, std::size_t vertex_count)
 
 void multiply(const BlockRows& M, std::span<const Eigen::Vector3d> displacement,
               std::span<double> r) {
+  constexpr std::size_t kRowsPerTask = 2048;
   parallel_for(M.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -67,6 +63,7 @@ void multiply(const BlockRows& M, std::span<const Eigen::Vector3d> displacement,
 
 void NormalPattern::multiply_transposed(const BlockRows& M, std::span<const double> r,
                                         std::span<double> y) const {
+  constexpr std::size_t kRowsPerTask = 2048;
   parallel_for(blocks_.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t u = begin; u < end; ++u) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kRowsPerTask = 2048;
-
 void set_uniform(std::span<double> row) {
   std::fill(row.begin(), row.end(), 1.0 / static_cast<double>(row.size()));
 }
@@ -70,6 +68,7 @@ std::vector<double> laplacian_weights(const Topology& topology, std::span<const 
                                       LaplacianWeights scheme) {
   const Adjacency& rings = topology.rings;
   std::vector<double> weights(rings.values.size(), 0.0);
+  constexpr std::size_t kRowsPerTask = 2048;
   parallel_for(rings.row_count(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::span row(weights.data() + rings.starts[i], rings.size(i));

@@ -67,4 +67,8 @@ Edges build_edges(const Mesh& mesh, const std::vector<unsigned char>& use_face) 
   return edges;
 }
 
+std::string name_edge(Index a, Index b) {
+  return std::to_string(a) + "-" + std::to_string(b);
+}
+
 }  // namespace lapwing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "lapwing/mesh/mesh.h"
@@ -26,5 +27,8 @@ struct Edges {
 /// empty: all faces). Sorts within the edges of each vertex: near-linear. Requires valid indices
 /// (`validate_indices`).
 Edges build_edges(const Mesh& mesh, const std::vector<unsigned char>& use_face = {});
+
+/// "12-40", as messages name the edge between two vertices.
+std::string name_edge(Index a, Index b);
 
 }  // namespace lapwing

@@ -16,6 +16,10 @@ Bounds bounds_of(std::span<const Eigen::Vector3d> positions) {
   return bounds;
 }
 
+Bounds united(const Bounds& a, const Bounds& b) {
+  return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
+}
+
 void validate_indices(const Mesh& mesh) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     for (const Index v : mesh.face(f)) {

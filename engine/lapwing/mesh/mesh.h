@@ -83,6 +83,8 @@ struct Bounds {
   double diagonal() const { return (max - min).norm(); }
 };
 Bounds bounds_of(std::span<const Eigen::Vector3d> positions);
+/// The smallest that holds both.
+Bounds united(const Bounds& a, const Bounds& b);
 
 /// Throws InputError, naming the face, when a face names a vertex that the mesh does not have.
 void validate_indices(const Mesh& mesh);

@@ -8,21 +8,16 @@
 
 #include "lapwing/base/parallel.h"
 #include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/parameterize/planar.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t kPointsPerTask = 1024;
-
 // A cell takes the triangles within this share of its size, so that rounding in a point's cell or
 // in a triangle's outline never parts the two.
 constexpr double kCellSlack = 1e-6;
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // The nearest point to p of the segment ab, as a share of the way.
 double nearest_share(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
@@ -228,6 +223,7 @@ SurfacePoint DomainLocator::locate(const Vector2d& point) const {
 
 std::vector<SurfacePoint> DomainLocator::locate(std::span<const Vector2d> points) const {
   std::vector<SurfacePoint> found(points.size());
+  constexpr std::size_t kPointsPerTask = 1024;
   parallel_for(points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) found[k] = grid_->locate(points[k]);
   });

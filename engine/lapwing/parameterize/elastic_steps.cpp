@@ -17,8 +17,6 @@ using Eigen::Vector2d;
 // energy at the end hardly falls.
 constexpr double kKeptShare = 0.5;
 
-constexpr std::size_t kPointsPerTask = 512;
-
 Vector2d turned(double angle, const Vector2d& p) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -86,6 +84,7 @@ std::vector<Vector2d> elastic_moves(const WarpedDomain& domain, std::span<const 
                                     std::span<const Vector2d> points) {
   const RadialBasisField field(domain.chart, centres, displacements);
   std::vector<Vector2d> moves(points.size(), Vector2d::Zero());
+  constexpr std::size_t kPointsPerTask = 512;
   parallel_for(points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       if (domain.is_held[v] == 0) moves[v] = field.at(points[v]);

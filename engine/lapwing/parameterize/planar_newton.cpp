@@ -13,8 +13,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t kTrianglesPerTask = 256;
-
 // Of the diagonal, added to it: keeps the factor positive definite where the projected twists leave
 // nothing but rounding.
 constexpr double kDiagonalShift = 1e-10;
@@ -121,6 +119,7 @@ void PlanarNewton::add_part(const Triangle& triangle, const SymmetricDirichlet::
 
 void PlanarNewton::assemble(std::span<const PointPull> pulls, double stiffness,
                             std::span<const Vector2d> points) {
+  constexpr std::size_t kTrianglesPerTask = 256;
   parallel_for(parts_.size(), kTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) parts_[t] = energy_.part(t, points);
   });

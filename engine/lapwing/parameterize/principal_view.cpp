@@ -3,8 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+
+#include "lapwing/laplacian/decompositions.h"
 
 namespace lapwing {
 
@@ -60,7 +61,7 @@ void PrincipalView::look_along_normal() {
     for (const Sample& s : samples_) {
       covariance += s.area * (s.position - center_) * (s.position - center_).transpose();
     }
-    normal = Eigen::SelfAdjointEigenSolver<Matrix3d>(covariance).eigenvectors().col(0);
+    normal = symmetric_eigenvectors(covariance).vectors.col(0);
     if (normal.dot(positions_[patch_.loop.front()] - center_) < 0.0) normal = -normal;
   }
   normal_ = normal.normalized();

@@ -19,8 +19,6 @@ using Eigen::Vector2d;
 // A triangle counts at least as much as one with this share of the mean area.
 constexpr double kLeastWeight = 1e-3;
 
-constexpr std::size_t kTrianglesPerTask = 2048;
-
 Matrix2d edges(const Triangle& t, std::span<const Vector2d> points) {
   Matrix2d columns;
   columns.col(0) = points[t[1]] - points[t[0]];
@@ -86,6 +84,7 @@ double SymmetricDirichlet::energy_of(std::size_t triangle, std::span<const Vecto
 
 double SymmetricDirichlet::energy(std::span<const Vector2d> points) const {
   // Summed task by task, so that the number of threads does not change the bits.
+  constexpr std::size_t kTrianglesPerTask = 2048;
   const std::size_t tasks = (size() + kTrianglesPerTask - 1) / kTrianglesPerTask;
   std::vector<double> sums(tasks, 0.0);
   parallel_for(tasks, 1, [&](std::size_t begin, std::size_t end) {

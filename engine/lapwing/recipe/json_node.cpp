@@ -10,14 +10,14 @@
 
 namespace lapwing {
 
-using Json = nlohmann::json;
-
 struct JsonNode::Value {
-  std::shared_ptr<const Json> document;
-  const Json* json;
+  std::shared_ptr<const nlohmann::ordered_json> document;
+  const nlohmann::ordered_json* json;
 };
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 // What a message says was found.
 std::string in_words(const Json& json) {

@@ -79,7 +79,7 @@ void refuse_mirror(const JsonNode& node) {
       "a matrix that mirrors cannot be carried out in parts; leave out \"commit_every\"");
 }
 
-DeformParameters read_parameters(const JsonNode& step) {
+DeformParameters read_deform_parameters(const JsonNode& step) {
   DeformParameters parameters;
   if (const auto weights = step.find("weights")) parameters.weights = read_weights(*weights);
   if (const auto weight = step.find("constraint_weight")) {
@@ -106,7 +106,7 @@ Step read_deform(const JsonNode& node) {
   const JsonNode handles = node.at("handles");
   for (const JsonNode& handle : handles.elements()) step.handles.push_back(read_handle(handle));
   if (step.handles.empty()) handles.fail("expected at least one handle");
-  step.parameters = read_parameters(node);
+  step.parameters = read_deform_parameters(node);
   if (step.parameters.commit_every) {
     for (const JsonNode& handle : handles.elements()) refuse_mirror(handle.at("move"));
   }

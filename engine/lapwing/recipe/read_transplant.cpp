@@ -37,7 +37,7 @@ void read_part(const JsonNode& node, TransplantStep& step) {
   if (const auto region = node.find("region")) step.part_region = read_region(*region);
 }
 
-TransplantParameters read_parameters(const JsonNode& node) {
+TransplantParameters read_transplant_parameters(const JsonNode& node) {
   TransplantParameters parameters;
   if (const auto transition = node.find("transition")) {
     parameters.transition = read_transition(*transition);
@@ -73,7 +73,7 @@ TransplantStep read_transplant(const JsonNode& node) {
     }
   }
   step.target_region = read_region(node.at("target_region"));
-  step.parameters = read_parameters(node);
+  step.parameters = read_transplant_parameters(node);
   return step;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "lapwing/base/union_find.h"
+#include "lapwing/mesh/edges.h"
 #include "lapwing/mesh/triangle_sides.h"
 
 namespace lapwing {
@@ -121,8 +122,8 @@ std::string list(const std::vector<Item>& items, const std::string& kind, const 
   return text + ")";
 }
 
-std::string name_edge(const std::array<Index, 2>& edge) {
-  return std::to_string(edge[0]) + "-" + std::to_string(edge[1]);
+std::string name_ends(const std::array<Index, 2>& edge) {
+  return name_edge(edge[0], edge[1]);
 }
 
 }  // namespace
@@ -184,10 +185,10 @@ std::string describe(const DiskReport& report) {
   if (report.handles > 0)
     parts.push_back(count(static_cast<std::size_t>(report.handles), "handle"));
   if (!report.crowded_edges.empty()) {
-    parts.push_back(list(report.crowded_edges, "edge", name_edge) + " of more than two triangles");
+    parts.push_back(list(report.crowded_edges, "edge", name_ends) + " of more than two triangles");
   }
   if (!report.turned_edges.empty()) {
-    parts.push_back(list(report.turned_edges, "edge", name_edge) +
+    parts.push_back(list(report.turned_edges, "edge", name_ends) +
                     " whose triangles face opposite ways");
   }
   if (!report.pinched.empty()) {

@@ -13,7 +13,7 @@
 namespace lapwing {
 namespace {
 
-void require_vertex(const Topology& topology, Index v) {
+void require_end(const Topology& topology, Index v) {
   if (v < topology.vertex_count()) return;
   throw InputError("vertex " + std::to_string(v) + " cannot end a path: the mesh has " +
                    std::to_string(topology.vertex_count()) + " vertices (numbered from 0)");
@@ -29,8 +29,8 @@ struct Reached {
 std::vector<Index> shortest_edge_path(const Topology& topology,
                                       std::span<const Eigen::Vector3d> positions, Index from,
                                       Index to) {
-  require_vertex(topology, from);
-  require_vertex(topology, to);
+  require_end(topology, from);
+  require_end(topology, to);
   // A map, not an array per vertex: the paths of a loop are short on a large mesh.
   std::unordered_map<Index, Reached> reached;
   using Entry = std::pair<double, Index>;

@@ -4,14 +4,11 @@
 #include <unordered_set>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/edges.h"
 #include "lapwing/region/edge_path.h"
 
 namespace lapwing {
 namespace {
-
-std::string name_edge(Index a, Index b) {
-  return std::to_string(a) + "-" + std::to_string(b);
-}
 
 // Undirected edges as pairs in one number.
 class EdgeSet {

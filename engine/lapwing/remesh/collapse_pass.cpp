@@ -11,7 +11,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTooShort = 4.0 / 5.0;
-constexpr double kTooLong = 4.0 / 3.0;
 
 struct ShortEdge {
   double length;

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 const double kCornerCosine = std::cos(std::numbers::pi / 4);
 
 // Below this share of the square of its longest side, a triangle's area is rounding.
-constexpr double kNoArea = 1e-12;
+constexpr double kNoAreaShare = 1e-12;
 
 // Stored normals that are meant to be equal differ by the digits that files print.
 constexpr double kSameNormal = 1e-3;
@@ -49,7 +49,7 @@ class LineFinder {
       facings[t].longest = 3 * t + static_cast<Index>(longest);
       const Vector3d normal = (b - a).cross(c - a);
       const double area = normal.norm();
-      if (area > kNoArea * sides[static_cast<std::size_t>(longest)]) {
+      if (area > kNoAreaShare * sides[static_cast<std::size_t>(longest)]) {
         facings[t].normal = normal / area;
       }
     }

@@ -27,7 +27,7 @@ Vector3d area(const Corners& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]);
 }
 
-double smallest_angle(const Corners& t) {
+double smallest_corner(const Corners& t) {
   return std::min(
       {angle_at(t[0], t[1], t[2]), angle_at(t[1], t[2], t[0]), angle_at(t[2], t[0], t[1])});
 }
@@ -154,8 +154,8 @@ void flip_for_valence(WorkingPatch& patch) {
 
 void flip_for_angles(WorkingPatch& patch) {
   Flipper(patch).run([](const Quad& quad) {
-    const double before = std::min(smallest_angle(quad.above), smallest_angle(quad.below));
-    const double after = std::min(smallest_angle(quad.left), smallest_angle(quad.right));
+    const double before = std::min(smallest_corner(quad.above), smallest_corner(quad.below));
+    const double after = std::min(smallest_corner(quad.left), smallest_corner(quad.right));
     return after > before + 1e-9;
   });
 }

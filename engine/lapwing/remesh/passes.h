@@ -6,6 +6,9 @@
 
 namespace lapwing::remeshing {
 
+/// Of the target: an edge longer than this is halved, and no collapse makes one longer.
+inline constexpr double kTooLong = 4.0 / 3.0;
+
 /// One pass each over the patch. None turns a triangle over, touches a border edge or joins two
 /// vertices that are joined already.
 

@@ -11,8 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kGrain = 256;
-
 // The centroid of the triangles around `v`, each weighted by its area over the fourth power of the
 // target there: how dense a centroidal Voronoi tessellation with such cells is.
 Vector3d centroid(const WorkingPatch& patch, Index v) {
@@ -80,6 +78,7 @@ void relax(WorkingPatch& patch) {
   };
   Positions places = patch.positions;
   std::vector<Vector3d> normals(places.size());
+  constexpr std::size_t kGrain = 256;
   parallel_for(places.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
       if (!moves(v)) continue;

@@ -6,7 +6,6 @@
 namespace lapwing::remeshing {
 namespace {
 
-constexpr double kTooLong = 4.0 / 3.0;
 // An edge waits for edges of its triangles that are longer than this many times its own length.
 // Above 1, or a fine field beside a coarse one could never refine; well below 2, or the triangles
 // at a long border edge would be cut without end.

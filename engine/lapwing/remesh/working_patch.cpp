@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 // Triangles of this quality are good enough not to be compared: angles from about 15 degrees.
 constexpr double kGoodEnough = 0.4;
 // Below this quality a triangle's normal is rounding.
-constexpr double kNoArea = 1e-9;
+constexpr double kNoQuality = 1e-9;
 // How far a line may leave where it was, in target lengths.
 constexpr double kLineTolerance = 0.1;
 constexpr int kLineSamples = 8;
@@ -137,16 +137,16 @@ void ReplacementCheck::add(const Corners& before, const Corners& after) {
   const double quality_after = triangle_quality(after);
   worst_before_ = std::min(worst_before_, quality_before);
   worst_after_ = std::min(worst_after_, quality_after);
-  const Vector3d was = quality_before > kNoArea ? area_vector(before) : fallback_;
+  const Vector3d was = quality_before > kNoQuality ? area_vector(before) : fallback_;
   const Vector3d is = area_vector(after);
-  if (quality_after > kNoArea && is.dot(was) < kLargestTurnCosine * is.norm() * was.norm()) {
+  if (quality_after > kNoQuality && is.dot(was) < kLargestTurnCosine * is.norm() * was.norm()) {
     turned_ = true;
   }
 }
 
 bool ReplacementCheck::passes() const {
   return !turned_ && worst_after_ >= std::min(kGoodEnough, worst_before_) &&
-         (worst_after_ > kNoArea || worst_before_ <= kNoArea);
+         (worst_after_ > kNoQuality || worst_before_ <= kNoQuality);
 }
 
 }  // namespace lapwing::remeshing

@@ -19,10 +19,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr TargetFormat kFormat{.color = VK_FORMAT_R32_UINT};
-constexpr ImageState kCopySource{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                 VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                                 VK_ACCESS_2_TRANSFER_READ_BIT};
-
 // What shaders/triangle_id.vert takes.
 struct IdPush {
   std::array<float, 16> clip_from_surface;  // columns

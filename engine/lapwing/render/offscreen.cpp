@@ -8,13 +8,6 @@
 #include "lapwing/gpu/recorder.h"
 
 namespace lapwing {
-namespace {
-
-constexpr ImageState kCopySource{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                 VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                                 VK_ACCESS_2_TRANSFER_READ_BIT};
-
-}  // namespace
 
 VkExtent2D checked_extent(const gpu::Context& context, std::uint32_t width, std::uint32_t height) {
   require_graphics(context);

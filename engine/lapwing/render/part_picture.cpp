@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 
 #include "lapwing/render/render_image.h"
 #include "lapwing/transplant/loop_curve.h"
@@ -18,7 +18,7 @@ constexpr double kAbove = 20.0 * std::numbers::pi / 180.0;
 constexpr double kAside = 25.0 * std::numbers::pi / 180.0;
 
 // Narrower across than this share of its breadth, a part is looked at across: a wing, a profile.
-constexpr double kFlat = 0.7;
+constexpr double kFlatSpread = 0.7;
 
 // Meshes face +z; one that stands along z is seen from where its top was.
 Eigen::Vector3d front_of(const Eigen::Vector3d& up) {
@@ -38,9 +38,10 @@ Eigen::Vector3d broadside_of(const Positions& positions, const Eigen::Vector3d& 
   for (const auto& p : positions) mean += plan(p) / static_cast<double>(positions.size());
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const auto& p : positions) spread += (plan(p) - mean) * (plan(p) - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
-  if (!(axes.eigenvalues()[0] < kFlat * kFlat * axes.eigenvalues()[1])) return front;
-  const Eigen::Vector2d least = axes.eigenvectors().col(0);
+  const Eigen::JacobiSVD<Eigen::Matrix2d> axes(spread, Eigen::ComputeFullV);
+  const Eigen::Vector2d sizes = axes.singularValues();
+  if (!(sizes[1] < kFlatSpread * kFlatSpread * sizes[0])) return front;
+  const Eigen::Vector2d least = axes.matrixV().col(1);
   return (least.y() < 0.0 ? -1.0 : 1.0) * (least.x() * side + least.y() * front);
 }
 

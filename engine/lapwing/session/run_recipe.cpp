@@ -29,7 +29,7 @@ std::vector<std::string> doctor_warnings(const CheckReport& report) {
   return warnings;
 }
 
-void load(const Recipe& recipe, const Progress& progress, RunResult& result) {
+void load_mesh(const Recipe& recipe, const Progress& progress, RunResult& result) {
   RunReport& report = result.report;
   const auto path = recipe.mesh_path();
   report.mesh = path.lexically_normal().string();
@@ -98,7 +98,7 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress, const RunOptions& options) {
   auto result = std::make_unique<RunResult>();
   result->report.device = kernels.device();
-  load(recipe, progress, *result);
+  load_mesh(recipe, progress, *result);
   for (const Step& step : recipe.steps) {
     const std::size_t number = result->report.steps.size() + 1;
     const Positions before = options.measure_vertices ? result->mesh.positions : Positions{};

@@ -6,8 +6,8 @@ namespace lapwing {
 namespace {
 
 template <class Loaded>
-std::unique_ptr<Loaded> load(const std::filesystem::path& mesh,
-                             const std::filesystem::path& base_directory) {
+std::unique_ptr<Loaded> load_source(const std::filesystem::path& mesh,
+                                    const std::filesystem::path& base_directory) {
   if (mesh.empty()) return nullptr;
   auto loaded = std::make_unique<Loaded>();
   loaded->mesh = read_mesh(base_directory / mesh);
@@ -20,7 +20,7 @@ std::unique_ptr<Loaded> load(const std::filesystem::path& mesh,
 SourceSide::SourceSide(const CoatSource& source, const std::filesystem::path& base_directory,
                        const Mesh& target, const Topology& target_topology)
     : source_(source),
-      loaded_(load<Loaded>(source.mesh, base_directory)),
+      loaded_(load_source<Loaded>(source.mesh, base_directory)),
       mesh_(loaded_ ? loaded_->mesh : target),
       topology_(loaded_ ? loaded_->topology : target_topology) {}
 

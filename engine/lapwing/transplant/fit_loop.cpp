@@ -7,9 +7,11 @@
 #include <numbers>
 #include <vector>
 
-#include <Eigen/SVD>
+#include <Eigen/LU>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/laplacian/decompositions.h"
+#include "lapwing/laplacian/rotation.h"
 #include "lapwing/transplant/loop_curve.h"
 
 namespace lapwing {
@@ -19,7 +21,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Points spread over each loop. Starts are tried at their distance and refined from there.
-constexpr std::size_t kPoints = 256;
+constexpr std::size_t kCurvePoints = 256;
 // So many of the best starts, and of those nearest to the least rotation, are refined.
 constexpr std::size_t kRefined = 8;
 // Steps of a golden section: 0.618^46 of two points' distance is 1e-12 of the loop's length.
@@ -38,11 +40,10 @@ struct Rotation {
 };
 
 Rotation best_rotation(const Matrix3d& moments) {
-  const Eigen::JacobiSVD<Matrix3d> svd(moments, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const auto [U, sigma, V] = singular_values(moments);
   Vector3d signs = Vector3d::Ones();
-  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0) signs[2] = -1.0;
-  return {svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose(),
-          svd.singularValues().dot(signs)};
+  if (U.determinant() * V.determinant() < 0.0) signs[2] = -1.0;
+  return {U * signs.asDiagonal() * V.transpose(), sigma.dot(signs)};
 }
 
 // One way of laying the part's loop along the host's.
@@ -56,7 +57,7 @@ class StartSearch {
  public:
   // `host` runs as the part does.
   StartSearch(const LoopCurve& part, const LoopCurve& host)
-      : host_(host), host_frame_(loop_frame(host)), host_points_(kPoints), part_points_(kPoints) {
+      : host_(host), host_frame_(loop_frame(host)), host_points_(kCurvePoints), part_points_(kCurvePoints) {
     const LoopFrame frame = loop_frame(part);
     part.spread(0.0, part_points_);
     for (Vector3d& p : part_points_) p = (p - frame.center) / frame.radius;
@@ -66,14 +67,14 @@ class StartSearch {
     host_.spread(at, host_points_);
     Matrix3d moments = Matrix3d::Zero();
     double squares = 0.0;
-    for (std::size_t k = 0; k < kPoints; ++k) {
+    for (std::size_t k = 0; k < kCurvePoints; ++k) {
       const Vector3d q = (host_points_[k] - host_frame_.center) / host_frame_.radius;
       moments += q * part_points_[k].transpose();
       squares += q.squaredNorm() + part_points_[k].squaredNorm();
     }
     const Rotation best = best_rotation(moments);
     const double left = std::max(0.0, squares - 2.0 * best.agreement);
-    return {at, std::sqrt(left / static_cast<double>(kPoints)), best.matrix};
+    return {at, std::sqrt(left / static_cast<double>(kCurvePoints)), best.matrix};
   }
 
   // The best start between `from` and `to`, where there is one valley between them.
@@ -117,9 +118,9 @@ Matrix3d fitted_rotation(const LoopCurve& part, const LoopCurve& host) {
   const Matrix3d least = least_rotation(loop_frame(part).normal, loop_frame(host).normal);
   const auto turn = [&](const Start& s) { return -least.cwiseProduct(s.rotation).sum(); };
   StartSearch search(part, host);
-  constexpr double kStep = 1.0 / static_cast<double>(kPoints);
+  constexpr double kStep = 1.0 / static_cast<double>(kCurvePoints);
   std::vector<Start> tried;
-  for (std::size_t k = 0; k < kPoints; ++k) {
+  for (std::size_t k = 0; k < kCurvePoints; ++k) {
     tried.push_back(search.try_at(kStep * static_cast<double>(k)));
   }
   std::vector<Start> valleys = valleys_of(tried);

@@ -1,12 +1,11 @@
 #include "lapwing/transplant/loop_curve.h"
 
 #include <cmath>
-#include <numbers>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/laplacian/decompositions.h"
 
 namespace lapwing {
 namespace {
@@ -18,8 +17,6 @@ using Eigen::Vector3d;
 constexpr double kThinnest = 1e-6;
 // A loop around less than this share of the disk of its radius has no area vector to go by.
 constexpr double kLeastArea = 1e-3;
-// Radians from opposite directions within which rounding decides about the axis between them.
-constexpr double kOpposite = 1e-9;
 
 // Exact, whatever the lengths of the edges.
 struct Moments {
@@ -69,9 +66,8 @@ LoopCurve::LoopCurve(std::span<const Vector3d> points, const std::string& where)
     lengths_.push_back(lengths_.back() + (points_[k + 1] - points_[k]).norm());
   }
   if (length() > 0.0) {
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(moments_of(points_).covariance,
-                                                       Eigen::EigenvaluesOnly);
-    if (axes.eigenvalues()[1] > kThinnest * kThinnest * length() * length()) return;
+    const Eigenvectors3 axes = symmetric_eigenvectors(moments_of(points_).covariance);
+    if (axes.values[1] > kThinnest * kThinnest * length() * length()) return;
   }
   throw InputError(where +
                    ": its points are on a line, which leaves open how the part is to stand; choose "
@@ -109,17 +105,9 @@ LoopFrame loop_frame(const LoopCurve& curve) {
     frame.normal = area.normalized();
     return frame;
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(moments.covariance);
-  frame.normal = axes.eigenvectors().col(0);
+  frame.normal = symmetric_eigenvectors(moments.covariance).vectors.col(0);
   if (frame.normal.dot(area) < 0.0) frame.normal = -frame.normal;
   return frame;
-}
-
-Matrix3d least_rotation(const Vector3d& from, const Vector3d& to) {
-  const Vector3d axis = from.cross(to);  // times twice sine and cosine of half the angle
-  Eigen::Quaterniond turn(1.0 + from.dot(to), axis.x(), axis.y(), axis.z());
-  if (turn.norm() < kOpposite) turn = Eigen::AngleAxisd(std::numbers::pi, from.unitOrthogonal());
-  return turn.normalized().toRotationMatrix();
 }
 
 std::vector<Vector3d> loop_points(const BoundaryLoop& loop, std::span<const Vector3d> positions) {

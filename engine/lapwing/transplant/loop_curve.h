@@ -43,10 +43,6 @@ struct LoopFrame {
 };
 LoopFrame loop_frame(const LoopCurve& curve);
 
-/// The rotation by the least angle that takes `from`, of length 1, to `to`, of length 1. For
-/// opposite ones about an axis that depends on `from` alone.
-Eigen::Matrix3d least_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
-
 /// The positions along a boundary loop.
 std::vector<Eigen::Vector3d> loop_points(const BoundaryLoop& loop,
                                          std::span<const Eigen::Vector3d> positions);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/laplacian/rotation.h"
 #include "lapwing/transplant/loop_curve.h"
 
 namespace lapwing {

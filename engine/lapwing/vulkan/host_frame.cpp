@@ -8,7 +8,7 @@
 namespace lapwing {
 namespace {
 
-constexpr std::size_t kVerticesPerTask = 4096;
+constexpr std::size_t kVerticesPerHostTask = 4096;
 
 // A Vec4 in a register. Device memory is aligned for it.
 typedef float Lanes __attribute__((vector_size(sizeof(Vec4)), may_alias));
@@ -50,7 +50,7 @@ Lanes area_around(const Vec4& here, std::span<const Index> fan, std::span<const 
 void blend_on_host(const BlendRange& range, std::span<const BlendGroup> groups,
                    std::span<Vec4> positions) {
   const std::size_t count = range.moving.size();
-  parallel_for(count, kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, kVerticesPerHostTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; ++m) {
       Lanes x{};
       Lanes y{};
@@ -70,7 +70,7 @@ void blend_on_host(const BlendRange& range, std::span<const BlendGroup> groups,
 
 void normals_on_host(std::span<const Index> which, const FanLists& fans,
                      std::span<const Vec4> positions, std::span<Vec4> normals) {
-  parallel_for(which.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
+  parallel_for(which.size(), kVerticesPerHostTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; ++m) {
       const Index v = which[m];
       const auto fan = fans.corners.subspan(fans.starts[v], fans.starts[v + 1] - fans.starts[v]);

@@ -8,7 +8,7 @@
 namespace lapwing::bench {
 namespace {
 
-constexpr double kTitle = 26;
+constexpr double kBarTitle = 26;
 constexpr double kHeading = 22;
 constexpr double kRow = 19;
 constexpr double kBar = 12;
@@ -17,7 +17,7 @@ constexpr double kWidestLabel = 0.4;  // of the picture
 constexpr double kGap = 8;
 
 double height_of(const std::vector<BarGroup>& groups) {
-  double height = kTitle + kAxis;
+  double height = kBarTitle + kAxis;
   for (const BarGroup& group : groups) {
     height += kHeading + kRow * static_cast<double>(group.bars.size());
   }
@@ -60,12 +60,12 @@ Svg bar_chart(const std::string& title, const std::vector<BarGroup>& groups, con
   const double bottom = svg.height() - kAxis;
   svg.text({0, 13}, title, "heading", Anchor::start);
   for (const double tick : x.ticks(56)) {
-    svg.line({x(tick), kTitle}, {x(tick), bottom}, "grid");
+    svg.line({x(tick), kBarTitle}, {x(tick), bottom}, "grid");
     svg.text({x(tick), bottom + 15}, axis.tick(tick), "quiet", Anchor::middle);
   }
   svg.text({left, bottom + 31}, axis.low, "quiet", Anchor::start);
   svg.text({end, bottom + 31}, axis.high, "quiet", Anchor::end);
-  double y = kTitle;
+  double y = kBarTitle;
   for (const BarGroup& group : groups) {
     svg.text({0, y + 15}, group.heading, "quiet", Anchor::start);
     y += kHeading;
@@ -76,7 +76,7 @@ Svg bar_chart(const std::string& title, const std::vector<BarGroup>& groups, con
       y += kRow;
     }
   }
-  svg.line({x(axis.reference), kTitle}, {x(axis.reference), bottom}, "mark");
+  svg.line({x(axis.reference), kBarTitle}, {x(axis.reference), bottom}, "mark");
   return svg;
 }
 

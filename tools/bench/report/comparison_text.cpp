@@ -8,13 +8,12 @@ namespace lapwing::bench {
 namespace {
 
 // Widths in characters.
-constexpr std::size_t kLine = 100;
 constexpr std::size_t kVerdict = 8;
-constexpr std::size_t kStage = 31;
+constexpr std::size_t kRow = 31;
 constexpr std::size_t kWhat = 14;
 constexpr std::size_t kNumbers = 36;  // two of a hundred thousand million
 constexpr std::size_t kPercent = 8;
-static_assert(2 + kVerdict + kStage + kWhat + kNumbers + kPercent <= kLine);
+static_assert(2 + kVerdict + kRow + kWhat + kNumbers + kPercent <= kTerminalLine);
 
 bool is_time(const Change& change) {
   return change.what == "wall ms" || change.what == "device ms";
@@ -30,7 +29,7 @@ std::string row_name(const RowKey& row) {
 }
 
 std::string heading(const RowKey& row) {
-  return clipped(row.mesh + ", " + grouped(row.vertices) + " vertices, on " + row.device, kLine) +
+  return clipped(row.mesh + ", " + grouped(row.vertices) + " vertices, on " + row.device, kTerminalLine) +
          "\n";
 }
 
@@ -45,7 +44,7 @@ std::string number(const Change& change, double value) {
 // What ends up in a row's cells, without the spaces that empty ones leave at its end.
 std::string line_of(const char* word, const RowKey& row, const std::string& rest) {
   std::string line = "  " + padded_right(word, kVerdict) +
-                     padded_right(clipped(row_name(row), kStage - 2), kStage) + rest;
+                     padded_right(clipped(row_name(row), kRow - 2), kRow) + rest;
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
@@ -64,7 +63,7 @@ std::string line_of(const Missing& missing) {
 }
 
 template <class Item>
-std::string lines(const std::vector<Item>& items) {
+std::string lines_of(const std::vector<Item>& items) {
   std::string text;
   const RowKey* block = nullptr;
   for (const Item& item : items) {
@@ -75,14 +74,14 @@ std::string lines(const std::vector<Item>& items) {
   return text;
 }
 
-// At most kLine wide, broken between words.
+// At most kTerminalLine wide, broken between words.
 std::string wrapped(const std::string& sentence) {
   std::string text;
   std::size_t column = 0;
   for (std::size_t at = 0; at < sentence.size();) {
     const std::size_t end = std::min(sentence.find(' ', at), sentence.size());
     const std::string next = sentence.substr(at, end - at);
-    const bool fits = column + 1 + character_count(next) <= kLine;
+    const bool fits = column + 1 + character_count(next) <= kTerminalLine;
     text += (column == 0 ? "" : fits ? " " : "\n  ") + next;
     column =
         fits ? column + (column > 0 ? 1 : 0) + character_count(next) : 2 + character_count(next);
@@ -109,7 +108,7 @@ std::string verdict_line(const Comparison& comparison) {
 }  // namespace
 
 std::string text_of(const Comparison& comparison) {
-  std::string text = lines(comparison.changes) + lines(comparison.missing);
+  std::string text = lines_of(comparison.changes) + lines_of(comparison.missing);
   if (!text.empty()) text += "\n";
   for (const std::string& note : comparison.notes) text += wrapped(note);
   text += "Unchanged: " + grouped(comparison.same_counts) + " counts, " +

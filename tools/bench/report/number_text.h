@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace lapwing::bench {
+
+/// Characters in a line of the reports for a terminal.
+inline constexpr std::size_t kTerminalLine = 100;
 
 /// Three digits that count, never an exponent, thousands apart: "0.0123", "12.3", "1,230".
 std::string short_number(double value);

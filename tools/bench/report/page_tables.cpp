@@ -54,7 +54,7 @@ std::string limits_table(const Report& report) {
                rows);
 }
 
-std::string median_cell(const std::vector<double>& ms) {
+std::string median_number_cell(const std::vector<double>& ms) {
   return number_cell(ms.empty() ? "-" : short_number(spread_of(ms).median));
 }
 
@@ -71,10 +71,10 @@ std::string measurement_row(const Report& report, const Measurement& m) {
   const Spread spread = spread_of(runs);
   const double share = share_of_limit(report, m);
   return "<tr>" + cell(m.mesh) + number_cell(grouped(m.vertices)) + cell(m.device) + cell(m.stage) +
-         cell(m.by) + number_cell(grouped(runs.size())) + median_cell(m.wall_ms) +
+         cell(m.by) + number_cell(grouped(runs.size())) + median_number_cell(m.wall_ms) +
          number_cell(short_number(spread.low) + " to " + short_number(spread.high)) +
          number_cell(short_number(spread.least) + " to " + short_number(spread.most)) +
-         median_cell(m.cpu_ms) + median_cell(m.device_ms) +
+         median_number_cell(m.cpu_ms) + median_number_cell(m.device_ms) +
          number_cell(m.peak_bytes > 0 ? grouped((m.peak_bytes + 500'000) / 1'000'000) : "-") +
          number_cell(share > 0.0 ? percent(share) : "-") + cell(counts_text(m.counts)) + "</tr>\n";
 }

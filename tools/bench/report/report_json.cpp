@@ -103,7 +103,7 @@ Host host_of(const JsonNode& node) {
           node.at("compiler").string()};
 }
 
-Limits limits_of(const JsonNode& node) {
+Limits read_limits(const JsonNode& node) {
   node.require_keys({"device", "type", "driver", "copy_gb_per_s", "matmul_gflops_float32",
                      "matmul_gflops_float64"});
   return {node.at("device").string(),
@@ -171,7 +171,7 @@ Report parse_report(std::string_view json, const std::string& name) {
   report.command = root.at("command").string();
   report.host = host_of(root.at("host"));
   for (const JsonNode& node : root.at("limits").elements()) {
-    report.limits.push_back(limits_of(node));
+    report.limits.push_back(read_limits(node));
   }
   for (const JsonNode& node : root.at("measurements").elements()) {
     report.measurements.push_back(measurement_of(node));

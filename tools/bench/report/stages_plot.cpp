@@ -13,7 +13,7 @@ constexpr double kBarHeight = 19;
 constexpr double kRowHeight = 25;
 constexpr double kLegendHeight = 18;
 constexpr double kSwatch = 10;
-constexpr double kTitle = 24;
+constexpr double kStagesTitle = 24;
 
 // One preparation.
 struct Preparation {
@@ -61,7 +61,7 @@ std::vector<Preparation> preparations_of(const Report& report, const std::string
 
 // Returns where the legend ends.
 double draw_legend(const std::vector<Preparation>& preparations, Svg& svg) {
-  Point at{0, kTitle};
+  Point at{0, kStagesTitle};
   for (std::size_t k = 0; k < kPreparationStages.size(); ++k) {
     const bool is_used = std::any_of(preparations.begin(), preparations.end(),
                                      [&](const Preparation& p) { return p.ms[k] > 0.0; });

@@ -10,12 +10,11 @@ namespace lapwing::bench {
 namespace {
 
 // Widths in characters.
-constexpr std::size_t kLine = 100;
 constexpr std::size_t kStage = 30;
 constexpr std::size_t kNumber = 8;
 constexpr std::size_t kSpread = 8;
 constexpr std::size_t kLimit = 6;
-constexpr std::size_t kRatio = kLine - 2 - kStage - 4 * kNumber - kSpread - kLimit;
+constexpr std::size_t kRatio = kTerminalLine - 2 - kStage - 4 * kNumber - kSpread - kLimit;
 
 std::string median_cell(const std::vector<double>& ms) {
   return padded_left(ms.empty() ? "-" : short_number(spread_of(ms).median), kNumber);
@@ -64,7 +63,7 @@ std::string block(const Report& report, const Measurement& subject, const std::s
   if (rows.empty()) return "";
   const std::string heading =
       subject.mesh + ", " + grouped(subject.vertices) + " vertices, on " + device;
-  return clipped(heading, kLine) + "\n  " + padded_right("ms", kStage) +
+  return clipped(heading, kTerminalLine) + "\n  " + padded_right("ms", kStage) +
          padded_left("median", kNumber) + padded_left("spread", kSpread) +
          padded_left("cpu", kNumber) + padded_left("device", kNumber) +
          padded_left("peak MB", kNumber) + padded_left("limit", kLimit) + "  ratio\n" + rows + "\n";
@@ -87,7 +86,7 @@ std::string grouped_lines(const std::vector<Item>& items, std::string Item::*hea
   for (const Item& first : items) {
     if (std::find(done.begin(), done.end(), first.*heading) != done.end()) continue;
     done.push_back(first.*heading);
-    text += "  " + clipped(first.*heading, kLine - 2) + "\n";
+    text += "  " + clipped(first.*heading, kTerminalLine - 2) + "\n";
     for (const Item& item : items) {
       if (item.*heading == first.*heading) text += line(item);
     }
