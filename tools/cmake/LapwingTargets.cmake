@@ -10,6 +10,11 @@ target_compile_options(lapwing_warnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wal
   -Wno-missing-field-initializers
   $<$<BOOL:${LAPWING_FOLDER_UNITS}>:-Wno-subobject-linkage>>)
 
+# One rounding per operation on every platform: results do not hang on what the compiler fuses.
+add_compile_options(-ffp-contract=off)
+# Libraries share precompiled headers, which fit only code that is compiled the same way.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
 add_library(lapwing_sanitizers INTERFACE)
 if(LAPWING_SANITIZE)
   target_compile_options(lapwing_sanitizers INTERFACE
@@ -43,15 +48,13 @@ function(lapwing_add_library name export_name)
   add_library(${name} STATIC)
   add_library(lapwing::${export_name} ALIAS ${name})
   target_compile_features(${name} PUBLIC cxx_std_20)
-  # One rounding per operation on every platform: results do not hang on what the compiler fuses.
-  target_compile_options(${name} PRIVATE -ffp-contract=off)
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${name} PRIVATE
     $<BUILD_INTERFACE:lapwing_warnings> $<BUILD_INTERFACE:lapwing_sanitizers>)
   set_target_properties(${name} PROPERTIES
-    EXPORT_NAME ${export_name} POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
+    EXPORT_NAME ${export_name} CXX_EXTENSIONS OFF)
   install(TARGETS ${name} EXPORT lapwing ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()
 
