@@ -38,12 +38,6 @@ Mesh bald(const PatchedMesh& source, const Coating& coating) {
   return mesh;
 }
 
-std::vector<SurfacePoint> each_to_itself(const Patch& patch) {
-  std::vector<SurfacePoint> points;
-  for (Index own = 0; own < patch.size(); ++own) points.push_back(SurfacePoint::at_vertex(own));
-  return points;
-}
-
 // The patch of the potato, its coating and the mesh without it.
 struct Scene {
   Scene()

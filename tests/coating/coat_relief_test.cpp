@@ -8,10 +8,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kHeight = 0.006;
+constexpr double kReliefHeight = 0.006;
 constexpr double kWaves = 6.0;
-constexpr double kDetail = 3.0 / kWaves;
-constexpr Index kSourceCells = 100;
+constexpr double kReliefDetail = 3.0 / kWaves;
+constexpr Index kReliefCells = 100;
 
 /// A surface over the unit square around (0.5, 0.5).
 struct Shape {
@@ -67,14 +67,14 @@ Correspondence corner_to_corner(const Coating& source, Index source_cells,
 // A relief of known height carried to a shape: heights along its normals against the ideal, away
 // from the border.
 Match carry(const Shape& shape, Index cells, const CoatOptions& options) {
-  const PatchedMesh source(relief(kSourceCells, kWaves, kHeight));
+  const PatchedMesh source(relief(kReliefCells, kWaves, kReliefHeight));
   const PatchedMesh target(make(shape, cells));
   CpuKernels kernels;
   CoaterOptions coater_options;
-  coater_options.hold_length = kDetail;
+  coater_options.hold_length = kReliefDetail;
   coater_options.transition.width = 0.08;
-  const Coating coating = peel_cotangent(source, kDetail);
-  const auto map = corner_to_corner(coating, kSourceCells, target, cells);
+  const Coating coating = peel_cotangent(source, kReliefDetail);
+  const auto map = corner_to_corner(coating, kReliefCells, target, cells);
   Coater coater({target.mesh.positions}, target.topology, target.patch, coater_options, kernels);
   coater.take(coating, map.points, options);
   const Positions coated = coater.coat(1.0);
@@ -89,7 +89,7 @@ Match carry(const Shape& shape, Index cells, const CoatOptions& options) {
     const Vector3d from = map.points[own].of<Vector3d>(coating.positions);
     if ((from.head<2>() - Vector2d(0.5, 0.5)).cwiseAbs().maxCoeff() > 0.35) continue;
     const double k = 2.0 * std::numbers::pi * kWaves;
-    ideal.push_back(kHeight * std::sin(k * from.x()) * std::sin(k * from.y()));
+    ideal.push_back(kReliefHeight * std::sin(k * from.x()) * std::sin(k * from.y()));
     measured.push_back((coated[v] - target.mesh.positions[v]).dot(normals[v]));
   }
   return match(ideal, measured);

@@ -76,4 +76,11 @@ inline std::vector<Index> corners(Index cells) {
   return {0, cells, row * row - 1, cells * row};
 }
 
+/// Every vertex of a patch as the place where it comes to lie.
+inline std::vector<SurfacePoint> each_to_itself(const Patch& patch) {
+  std::vector<SurfacePoint> points;
+  for (Index own = 0; own < patch.size(); ++own) points.push_back(SurfacePoint::at_vertex(own));
+  return points;
+}
+
 }  // namespace lapwing::test

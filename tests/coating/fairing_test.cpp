@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHeight = 1e-3;
+constexpr double kWaveHeight = 1e-3;
 
 // The unit square with waves along x, `count` of them.
 Mesh waves(Index cells, double count) {
   Mesh mesh = grid(cells, cells);
   for (Vector3d& p : mesh.positions) {
-    p.z() = kHeight * std::sin(2.0 * std::numbers::pi * count * p.x());
+    p.z() = kWaveHeight * std::sin(2.0 * std::numbers::pi * count * p.x());
   }
   return mesh;
 }

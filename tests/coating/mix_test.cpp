@@ -23,12 +23,6 @@ Mesh dune() {
   return mesh;
 }
 
-std::vector<SurfacePoint> each_to_itself(const Patch& patch) {
-  std::vector<SurfacePoint> points;
-  for (Index own = 0; own < patch.size(); ++own) points.push_back(SurfacePoint::at_vertex(own));
-  return points;
-}
-
 Coating whole(const PatchedMesh& source) {
   CpuKernels kernels;
   return whole_shape(source.patch, source.mesh.positions, source.topology, kFrameSize,

@@ -3,6 +3,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "lapwing/doctor/check.h"
 #include "lapwing/mesh/mesh.h"
 
 // Small meshes with one defect each.
@@ -53,6 +54,10 @@ inline Mesh moebius_strip() {
   }
   add_polygon(mesh, {8, 1, 0, 9});
   return mesh;
+}
+
+inline CheckReport check(const Mesh& mesh) {
+  return check(mesh, build_topology(mesh));
 }
 
 }  // namespace lapwing

@@ -17,10 +17,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-CheckReport check(const Mesh& mesh) {
-  return check(mesh, build_topology(mesh));
-}
-
 // Expects `mesh` to have this defect, `count` times, listed as `first`.
 void expect_defect(const Mesh& mesh, DefectKind kind, std::size_t count,
                    const std::vector<Index>& first) {

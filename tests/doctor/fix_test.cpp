@@ -18,10 +18,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-CheckReport check(const Mesh& mesh) {
-  return check(mesh, build_topology(mesh));
-}
-
 double signed_volume(const Mesh& mesh) {
   double volume = 0.0;
   for (const Triangle& t : build_topology(mesh).triangles) {

@@ -13,10 +13,6 @@ using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-CheckReport check(const Mesh& mesh) {
-  return check(mesh, build_topology(mesh));
-}
-
 TEST(Format, CleanMeshSaysSo) {
   EXPECT_EQ(format(check(icosphere(1))), "no defects\n");
 }

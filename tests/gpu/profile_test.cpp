@@ -11,7 +11,7 @@
 namespace lapwing::gpu {
 namespace {
 
-constexpr std::uint32_t kCount = 1000;
+constexpr std::uint32_t kProfiledCount = 1000;
 
 ContextOptions profiled() {
   ContextOptions options;
@@ -23,12 +23,13 @@ ContextOptions profiled() {
 struct Adding {
   Adding(Context& context, int dispatches)
       : add_one(context, "add_one", shaders::add_one(), 4),
-        a(context, "a", kCount * sizeof(std::uint32_t)),
-        b(context, "b", kCount * sizeof(std::uint32_t)),
+        a(context, "a", kProfiledCount * sizeof(std::uint32_t)),
+        b(context, "b", kProfiledCount * sizeof(std::uint32_t)),
         list(context, "adding") {
     Recorder recorder(list);
     for (int d = 0; d < dispatches; ++d) {
-      recorder.dispatch(add_one, kCount, {d % 2 == 0 ? a : b, d % 2 == 0 ? b : a}, kCount);
+      recorder.dispatch(add_one, kProfiledCount, {d % 2 == 0 ? a : b, d % 2 == 0 ? b : a},
+                        kProfiledCount);
     }
     recorder.finish();
   }

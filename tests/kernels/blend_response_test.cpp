@@ -7,6 +7,7 @@
 #include "kernels/awkward_meshes.h"
 #include "kernels/twins.h"
 #include "lapwing/base/errors.h"
+#include "support/largest_distance.h"
 
 namespace lapwing {
 namespace {
@@ -41,12 +42,6 @@ struct Drag {
   std::vector<double> parameters;
 };
 
-double largest_distance(const Positions& a, const Positions& b) {
-  double largest = a.size() == b.size() ? 0.0 : 1e300;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
-  return largest;
-}
-
 class BlendResponseKernel : public test::KernelTest {};
 
 TEST_P(BlendResponseKernel, AgreesWithTheCpuTwin) {
@@ -61,7 +56,7 @@ TEST_P(BlendResponseKernel, AgreesWithTheCpuTwin) {
       surface->blend(drag.parameters);
       const double size =
           bounds_of(sample.mesh.positions).diagonal() + static_cast<double>(columns);
-      EXPECT_LE(largest_distance(surface->positions(), expected->positions()),
+      EXPECT_LE(test::largest_distance(surface->positions(), expected->positions()),
                 surface_tolerance() * size)
           << sample.name << " columns " << columns;
     }
@@ -73,9 +68,9 @@ TEST_P(BlendResponseKernel, StillHandleBringsTheRestShapeBack) {
   Drag drag(sample, 12, 13);
   const auto surface = kernels->make_surface(drag.input());
   const Positions rest = surface->positions();
-  EXPECT_LE(largest_distance(rest, sample.mesh.positions), surface_tolerance());
+  EXPECT_LE(test::largest_distance(rest, sample.mesh.positions), surface_tolerance());
   surface->blend(drag.parameters);
-  EXPECT_GT(largest_distance(rest, surface->positions()), 0.1);
+  EXPECT_GT(test::largest_distance(rest, surface->positions()), 0.1);
   surface->blend(std::vector(12, 0.0));
   EXPECT_EQ(surface->positions(), rest);
 }
@@ -91,7 +86,7 @@ TEST_P(BlendResponseKernel, SkippedColumnsAddNothing) {
     parameters[only] = 0.7;
     expected->blend(parameters);
     surface->blend(parameters);
-    EXPECT_LE(largest_distance(surface->positions(), expected->positions()),
+    EXPECT_LE(test::largest_distance(surface->positions(), expected->positions()),
               4 * surface_tolerance())
         << "column " << only;
   }

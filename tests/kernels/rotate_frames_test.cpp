@@ -14,7 +14,6 @@ namespace {
 
 using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using test::MappedSample;
 using test::Sample;
@@ -241,8 +240,9 @@ TEST_P(RotateFrames, CarryANormalToItsOpposite) {
 }
 
 TEST_P(RotateFrames, AreTheSmallestTurnWhereEdgesTellNothing) {
-  const Matrix3d expected =
-      Quaterniond::FromTwoVectors(kSomeNormal, kOtherNormal).toRotationMatrix();
+  const Matrix3d expected = Eigen::AngleAxisd(std::acos(kSomeNormal.dot(kOtherNormal)),
+                                              kSomeNormal.cross(kOtherNormal).normalized())
+                                .toRotationMatrix();
   const Vector3d across = kSomeNormal.unitOrthogonal();
   const Vector3d target_across = kOtherNormal.unitOrthogonal();
   const std::vector<std::vector<EdgePair>> silent{

@@ -9,15 +9,15 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Recipe parse(const std::string& text) {
+Recipe parse_coat(const std::string& text) {
   return parse_recipe(text, "/data", "coat.json");
 }
 
 // A recipe of one coat step; `keys` begins with a comma.
 CoatStep coat_of(const std::string& keys) {
-  const Recipe recipe = parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "coat",
+  const Recipe recipe = parse_coat(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "coat",
       "source_patch": {"all": true}, "target_patch": {"vertices": [1, 2, 3]}, "detail_size": 2)" +
-                              keys + "}]}");
+                                   keys + "}]}");
   return std::get<CoatStep>(recipe.steps.at(0));
 }
 
@@ -26,7 +26,7 @@ Recipe recipe_of(CoatStep step) {
 }
 
 // Every key away from its default.
-CoatStep full_step() {
+CoatStep full_coat_step() {
   CoatStep step;
   step.source.mesh = "../meshes/lizard.ply";
   step.source.patch = {DiskInRegion{{{GeodesicDisk{Index{7}, 0.25}}}}};
@@ -46,7 +46,7 @@ CoatStep full_step() {
 }
 
 TEST(CoatStep, ReadsEveryKey) {
-  CoatStep expected = full_step();
+  CoatStep expected = full_coat_step();
   expected.source.patch = {AllVertices{}};
   expected.target_patch = {ListedVertices{{1, 2, 3}}};
   expected.source.detail_size = 2.0;
@@ -106,22 +106,22 @@ TEST(CoatStep, KnowsWhereItWasWritten) {
 }
 
 TEST(CoatStep, IsReadBackAsItWasWritten) {
-  for (const CoatStep& step : {full_step(), coat_of("")}) {
+  for (const CoatStep& step : {full_coat_step(), coat_of("")}) {
     const std::string text = to_json(recipe_of(step));
-    EXPECT_EQ(std::get<CoatStep>(parse(text).steps.at(0)), step) << text;
-    EXPECT_EQ(to_json(parse(text)), text);
+    EXPECT_EQ(std::get<CoatStep>(parse_coat(text).steps.at(0)), step) << text;
+    EXPECT_EQ(to_json(parse_coat(text)), text);
   }
 }
 
 TEST(CoatStep, StandsBesideADeform) {
   DeformStep deform;
   deform.handles.push_back({{ListedVertices{{4}}}, SimilarityMove{}});
-  const Recipe recipe{"a.obj", {full_step(), deform, full_step()}, "out.ply", "/data"};
-  EXPECT_EQ(parse(to_json(recipe)), recipe);
+  const Recipe recipe{"a.obj", {full_coat_step(), deform, full_coat_step()}, "out.ply", "/data"};
+  EXPECT_EQ(parse_coat(to_json(recipe)), recipe);
 }
 
 TEST(CoatStep, IsWrittenForReaders) {
-  EXPECT_EQ(to_json(recipe_of(full_step())), R"({
+  EXPECT_EQ(to_json(recipe_of(full_coat_step())), R"({
   "lapwing": 1,
   "mesh": "target.ply",
   "steps": [

@@ -9,17 +9,17 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Recipe parse(const std::string& text) {
+Recipe parse_mix(const std::string& text) {
   return parse_recipe(text, "/data", "mix.json");
 }
 
 // A recipe of one mix step; `keys` begins with a comma.
 MixStep mix_of(const std::string& keys) {
-  const Recipe recipe = parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "mix",
+  const Recipe recipe = parse_mix(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "mix",
       "target_patch": {"vertices": [1, 2, 3]},
       "sources": [{"mesh": "b.obj", "patch": {"all": true}, "detail_size": 2},
                   {"patch": {"vertices": [4, 5, 6]}, "detail_size": 3}])" +
-                              keys + "}]}");
+                                  keys + "}]}");
   return std::get<MixStep>(recipe.steps.at(0));
 }
 
@@ -43,7 +43,7 @@ MixStep short_step() {
 }
 
 // Every key away from its default.
-MixStep full_step() {
+MixStep full_mix_step() {
   MixStep step = short_step();
   CoatSource& first = step.sources[0];
   first.boundary_pairs = {{1, 10}, {2, 20}, {3, 30}, {4, 40}};
@@ -85,10 +85,10 @@ TEST(MixStep, ReadsEveryFormOfTheWeight) {
 TEST(MixStep, IsReadBackAsItWasWritten) {
   MixStep painted = short_step();
   painted.weight = {PaintedWeight{{0.0, 0.1, 1.0}}};
-  for (const MixStep& step : {full_step(), short_step(), painted}) {
+  for (const MixStep& step : {full_mix_step(), short_step(), painted}) {
     const std::string text = to_json(recipe_of(step));
-    EXPECT_EQ(std::get<MixStep>(parse(text).steps.at(0)), step) << text;
-    EXPECT_EQ(to_json(parse(text)), text);
+    EXPECT_EQ(std::get<MixStep>(parse_mix(text).steps.at(0)), step) << text;
+    EXPECT_EQ(to_json(parse_mix(text)), text);
   }
 }
 
@@ -102,7 +102,7 @@ TEST(MixStep, KnowsWhereItWasWritten) {
 }
 
 TEST(MixStep, IsWrittenForReaders) {
-  EXPECT_EQ(to_json(recipe_of(full_step())), R"({
+  EXPECT_EQ(to_json(recipe_of(full_mix_step())), R"({
   "lapwing": 1,
   "mesh": "target.ply",
   "steps": [

@@ -11,12 +11,13 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-Recipe parse(const std::string& text) {
+Recipe parse_graft(const std::string& text) {
   return parse_recipe(text, "/data", "graft.json");
 }
 
 Recipe parse_step(const std::string& keys) {
-  return parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "transplant", )" + keys + "}]}");
+  return parse_graft(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "transplant", )" + keys +
+                     "}]}");
 }
 
 const std::string kTarget = R"("target_region": {"vertices": [1, 2, 3]})";
@@ -32,7 +33,7 @@ std::string refusal(const std::string& keys) {
 }
 
 // Every key away from its default.
-TransplantStep full_step() {
+TransplantStep full_transplant_step() {
   TransplantStep step;
   step.part = "../parts/dragon.ply";
   step.part_region = {GeodesicDisk{Index{7}, 0.25}};
@@ -63,7 +64,7 @@ TEST(TransplantStep, ShortestFormHasTheDefaults) {
 }
 
 TEST(TransplantStep, ReadsEveryKey) {
-  TransplantStep expected = full_step();
+  TransplantStep expected = full_transplant_step();
   expected.part_region = {AllVertices{}};
   expected.target_region = {ListedVertices{{1, 2, 3}}};
   expected.parameters.transition->width = 2.0;
@@ -97,18 +98,18 @@ TEST(TransplantStep, TakesAPartOfTheMeshItself) {
 TEST(TransplantStep, IsReadBackAsItWasWritten) {
   TransplantStep fitted = step_of("");
   fitted.place = LoopFit{12.5, 0.5, true};
-  TransplantStep own = full_step();
+  TransplantStep own = full_transplant_step();
   own.part.clear();
   own.place = Move{MatrixMove{}};
-  for (const TransplantStep& step : {full_step(), step_of(""), fitted, own}) {
+  for (const TransplantStep& step : {full_transplant_step(), step_of(""), fitted, own}) {
     const std::string text = to_json({"host.ply", {step}, "", "/data"});
-    EXPECT_EQ(std::get<TransplantStep>(parse(text).steps.at(0)), step) << text;
-    EXPECT_EQ(to_json(parse(text)), text);
+    EXPECT_EQ(std::get<TransplantStep>(parse_graft(text).steps.at(0)), step) << text;
+    EXPECT_EQ(to_json(parse_graft(text)), text);
   }
 }
 
 TEST(TransplantStep, IsWrittenForReaders) {
-  EXPECT_EQ(to_json({"host.ply", {full_step()}, "", "/data"}), R"({
+  EXPECT_EQ(to_json({"host.ply", {full_transplant_step()}, "", "/data"}), R"({
   "lapwing": 1,
   "mesh": "host.ply",
   "steps": [

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 // Larger files take longer and show nothing else.
 constexpr std::uintmax_t kLargestFile = 500'000;
-constexpr double kHeight = 0.02;
+constexpr double kCorpusHeight = 0.02;
 
 // The largest disk within a quarter of the mesh's diagonal of a corner of its bounds: often a horn.
 RegionSpec disk_at_corner(const Bounds& bounds) {
@@ -25,7 +25,7 @@ RegionSpec disk_at_corner(const Bounds& bounds) {
 
 class CoatCorpus : public CoatRuns, public ::testing::WithParamInterface<const char*> {
  protected:
-  void SetUp() override { write(relief(24, 4.0, kHeight), "bumps.ply"); }
+  void SetUp() override { write(relief(24, 4.0, kCorpusHeight), "bumps.ply"); }
 
   // Of the target's diagonal. Throws `Error` when the step is refused.
   double displacement(const fs::path& target, const CoatStep& step) {

@@ -16,12 +16,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr Index kCells = 16;
-constexpr double kHeight = 0.01;
+constexpr Index kInputCells = 16;
+constexpr double kInputHeight = 0.01;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-const std::string kFrom = R"(, "source": "source.ply")";
-const std::string kKeep = R"(, "remesh": "none")";
 const std::string kAtSource = "test: /steps/0/source_patch";
 const std::string kAtTarget = "test: /steps/0/target_patch";
 const std::string kRing = R"({"minus": [{"disk": {"near": [0.5, 0.5, 0], "radius": 0.45}},
@@ -33,23 +31,24 @@ enum class Side { source, target };
 class CoatInput : public CoatRuns {
  protected:
   void SetUp() override {
-    write(relief(kCells, 3.0, kHeight), "source.ply");
-    write(grid(kCells, kCells), "target.ply");
+    write(relief(kInputCells, 3.0, kInputHeight), "source.ply");
+    write(grid(kInputCells, kInputCells), "target.ply");
   }
   void write(const Mesh& mesh, const std::string& name) const { CoatRuns::write(mesh, name); }
   void write(const Mesh& mesh, Side side) const {
     write(mesh, side == Side::source ? "source.ply" : "target.ply");
   }
   static Mesh sound(Side side) {
-    return side == Side::source ? relief(kCells, 3.0, kHeight) : grid(kCells, kCells);
+    return side == Side::source ? relief(kInputCells, 3.0, kInputHeight)
+                                : grid(kInputCells, kInputCells);
   }
   // The result of coating is finite, moves the patch and no more than sensible.
   void expect_a_sound_result(const std::string& step) {
     const auto result = run(step);
     EXPECT_TRUE(all_finite(result->mesh.positions));
     const double moved = result->report.steps[0].coat->largest_displacement;
-    EXPECT_GT(moved, 0.1 * kHeight);
-    EXPECT_LT(moved, 10.0 * kHeight);
+    EXPECT_GT(moved, 0.1 * kInputHeight);
+    EXPECT_LT(moved, 10.0 * kInputHeight);
   }
 };
 
@@ -138,7 +137,7 @@ TEST_F(CoatInput, VertexThatIsNotFiniteIsNamedInAPatchAndDoesNoHarmBesideIt) {
     write(mesh, side);
     const auto result = run(coat(kMiddle, kMiddle, kFrom + R"(, "smooth_target": 0.3)"));
     for (const Index v : result->region.roi) EXPECT_TRUE(result->mesh.positions[v].allFinite());
-    EXPECT_GT(result->report.steps[0].coat->largest_displacement, 0.1 * kHeight);
+    EXPECT_GT(result->report.steps[0].coat->largest_displacement, 0.1 * kInputHeight);
     write(sound(side), side);
   }
 }
@@ -148,11 +147,11 @@ TEST_F(CoatInput, VertexThatIsNotFiniteRightBesideAPatchDoesNoHarm) {
   const std::string box = R"({"box": {"min": [0.24, 0.24, -1], "max": [0.76, 0.76, 1]}})";
   for (const Side side : {Side::source, Side::target}) {
     Mesh mesh = sound(side);
-    mesh.positions[3 * (kCells + 1) + 8] = Vector3d(kNan, kNan, kNan);
+    mesh.positions[3 * (kInputCells + 1) + 8] = Vector3d(kNan, kNan, kNan);
     write(mesh, side);
     const auto result = run(coat(box, box, kFrom));
     for (const Index v : result->region.roi) EXPECT_TRUE(result->mesh.positions[v].allFinite());
-    EXPECT_GT(result->report.steps[0].coat->largest_displacement, 0.1 * kHeight);
+    EXPECT_GT(result->report.steps[0].coat->largest_displacement, 0.1 * kInputHeight);
     write(sound(side), side);
   }
 }
@@ -208,12 +207,12 @@ TEST_F(CoatInput, RegionOfAVertexThatTheMeshDoesNotHaveIsNamedByItsPlace) {
 TEST_F(CoatInput, SmallerDetailThanAnyEdgeLeavesNextToNothing) {
   const auto result = run(coat(kAll, kMiddle, kFrom + kKeep, 1e-5));
   EXPECT_TRUE(all_finite(result->mesh.positions));
-  EXPECT_LT(result->report.steps[0].coat->largest_displacement, kHeight);
+  EXPECT_LT(result->report.steps[0].coat->largest_displacement, kInputHeight);
 }
 
 TEST_F(CoatInput, CoatingOnAHornIsHeldToASensibleSizeWithANote) {
   // A disk whose middle is drawn out to a needle: its tip is laid on next to nothing.
-  Mesh horn = grid(kCells, kCells);
+  Mesh horn = grid(kInputCells, kInputCells);
   for (Vector3d& p : horn.positions) {
     const double x = std::max(std::abs(p.x() - 0.5), std::abs(p.y() - 0.5)) / 0.5;
     const double share = std::clamp(2.5 * x, 0.05, 1.0);
@@ -222,7 +221,7 @@ TEST_F(CoatInput, CoatingOnAHornIsHeldToASensibleSizeWithANote) {
   write(horn, Side::target);
   const auto result = run(coat(kAll, kAll, kFrom + kKeep));
   const StepReport& step = result->report.steps[0];
-  EXPECT_LT(step.coat->largest_displacement, 30.0 * kHeight);
+  EXPECT_LT(step.coat->largest_displacement, 30.0 * kInputHeight);
   EXPECT_THAT(result->report.warnings, ::testing::Contains(HasSubstr("horns")));
   const auto scaled = run(coat(kAll, kAll, kFrom + kKeep + R"(, "scale": 1)"));
   EXPECT_THAT(scaled->report.warnings, Not(::testing::Contains(HasSubstr("horns"))));

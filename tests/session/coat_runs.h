@@ -19,6 +19,10 @@ inline const std::string kAll = R"({"all": true})";
 /// A patch well inside the unit square.
 inline const std::string kMiddle = R"({"disk": {"near": [0.5, 0.5, 0], "radius": 0.3}})";
 
+/// Keys of a step, each with its comma: another mesh as the source, and the triangles as they are.
+inline const std::string kFrom = R"(, "source": "source.ply")";
+inline const std::string kKeep = R"(, "remesh": "none")";
+
 /// Runs recipes with coat steps on meshes in a folder of its own.
 class CoatRuns : public ::testing::Test {
  protected:

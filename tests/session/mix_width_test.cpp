@@ -16,10 +16,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr Index kCells = 120;
+constexpr Index kWidthCells = 120;
 constexpr double kRidges = 20.0;  // along x
-constexpr double kHeight = 0.004;
-constexpr double kDetail = 0.2;
+constexpr double kWidthHeight = 0.004;
+constexpr double kWidthDetail = 0.2;
 
 // Where the profiles pass 10% and 90%, in widths.
 constexpr double kBetweenOfLinear = 0.8;
@@ -28,19 +28,20 @@ constexpr double kBetweenOfSmooth = 0.6084;
 class MixWidth : public CoatRuns {
  protected:
   void SetUp() override {
-    Mesh ridges = grid(kCells, kCells);
-    for (Vector3d& p : ridges.positions) p.z() = kHeight * wave(p.x());
+    Mesh ridges = grid(kWidthCells, kWidthCells);
+    for (Vector3d& p : ridges.positions) p.z() = kWidthHeight * wave(p.x());
     write(ridges, "ridges.ply");
-    write(grid(kCells, kCells), "target.ply");
+    write(grid(kWidthCells, kWidthCells), "target.ply");
   }
   static double wave(double x) { return std::sin(2.0 * std::numbers::pi * kRidges * x); }
 
   // The target itself, which is flat, mixed with the ridges; `keys` begins with a comma.
   std::unique_ptr<RunResult> mixed(const std::string& keys) {
     nlohmann::json pins = nlohmann::json::array();
-    for (const Index v : corners(kCells)) pins.push_back({v, v});
+    for (const Index v : corners(kWidthCells)) pins.push_back({v, v});
     const std::string common = R"("patch": {"all": true}, "detail_size": )" +
-                               std::to_string(kDetail) + R"(, "boundary_pairs": )" + pins.dump();
+                               std::to_string(kWidthDetail) + R"(, "boundary_pairs": )" +
+                               pins.dump();
     return run(R"({"op": "mix", "target_patch": {"all": true}, "domain": "square",
                    "remesh": "none", "transition": {"width": 0}, "sources": [{)" +
                common + R"(}, {"mesh": "ridges.ply", )" + common + "}]" + keys + "}");
@@ -50,7 +51,7 @@ class MixWidth : public CoatRuns {
   static std::map<double, double> heights(const Positions& positions) {
     std::map<double, double> products;
     std::map<double, double> squares;
-    const Mesh flat = grid(kCells, kCells);
+    const Mesh flat = grid(kWidthCells, kWidthCells);
     for (std::size_t v = 0; v < positions.size(); ++v) {
       const Vector3d& p = flat.positions[v];
       if (p.x() < 0.2 || p.x() > 0.8 || p.y() < 0.08 || p.y() > 0.92) continue;
@@ -62,7 +63,7 @@ class MixWidth : public CoatRuns {
       height /= squares[y];
       highest = std::max(highest, height);
     }
-    EXPECT_GT(highest, 0.8 * kHeight);
+    EXPECT_GT(highest, 0.8 * kWidthHeight);
     for (auto& [y, height] : products) height /= highest;
     return products;
   }

@@ -17,12 +17,9 @@ namespace {
 using Eigen::Vector3d;
 using ::testing::Contains;
 
-constexpr Index kCells = 24;
-constexpr double kHeight = 0.01;
+constexpr Index kCoatCells = 24;
+constexpr double kCoatHeight = 0.01;
 constexpr double kTiny = 1e-6;
-
-const std::string kFrom = R"(, "source": "source.ply")";
-const std::string kKeep = R"(, "remesh": "none")";
 
 // A sheet with a fold in it, for the relief to come to.
 Mesh folded_sheet(Index cells) {
@@ -34,8 +31,8 @@ Mesh folded_sheet(Index cells) {
 class RunCoat : public CoatRuns {
  protected:
   void SetUp() override {
-    write(relief(kCells, 4.0, kHeight), "source.ply");
-    write(folded_sheet(kCells), "target.ply");
+    write(relief(kCoatCells, 4.0, kCoatHeight), "source.ply");
+    write(folded_sheet(kCoatCells), "target.ply");
   }
   static std::string lift() {
     return R"({"op": "deform", "roi": {"all": true},
@@ -46,7 +43,7 @@ class RunCoat : public CoatRuns {
 };
 
 TEST_F(RunCoat, PutsAMeshOntoItselfAndReturnsIt) {
-  write(relief(kCells, 4.0, kHeight), "target.ply");
+  write(relief(kCoatCells, 4.0, kCoatHeight), "target.ply");
   const Mesh before = read("target.ply");
   // Linear sampling takes a density over from the whole source, so that its border does not cancel.
   const std::map<std::string, double> tolerances{{"one_ring", 0.01}, {"linear", 0.2}};
@@ -55,7 +52,7 @@ TEST_F(RunCoat, PutsAMeshOntoItselfAndReturnsIt) {
                                  R"(, "source": "target.ply", "smooth_target": 0.5,
                                     "transition": {"width": 0}, "sampling": ")" +
                                      sampling + '"' + kKeep));
-    EXPECT_LT(largest_distance(result->mesh.positions, before.positions), tolerance * kHeight);
+    EXPECT_LT(largest_distance(result->mesh.positions, before.positions), tolerance * kCoatHeight);
     const auto inside = vertex_mask(before.vertex_count(), result->region.roi);
     for (Index v = 0; v < before.vertex_count(); ++v) {
       if (inside[v] != 0) continue;
@@ -67,7 +64,7 @@ TEST_F(RunCoat, PutsAMeshOntoItselfAndReturnsIt) {
 TEST_F(RunCoat, ReliefOnAFoldIsAsHighAsOnItsSource) {
   const auto result = run(coat(kAll, kMiddle, kFrom + kKeep + R"(, "scale": 1)"));
   const CoatReport& report = *result->report.steps[0].coat;
-  EXPECT_NEAR(report.largest_displacement, kHeight, 0.5 * kHeight);
+  EXPECT_NEAR(report.largest_displacement, kCoatHeight, 0.5 * kCoatHeight);
   EXPECT_NEAR(report.sources[0].mean_scale, 1.0, 1e-9);
   EXPECT_LT(report.relative_residual, 1e-9);
   EXPECT_TRUE(all_finite(result->mesh.positions));
@@ -81,17 +78,17 @@ TEST_F(RunCoat, OfNoAmplitudeLeavesTheTargetBitForBit) {
 TEST_F(RunCoat, WithoutASourceTakesFromTheMeshItself) {
   const std::string left = R"({"disk": {"near": [0.25, 0.5, 0], "radius": 0.2}})";
   const std::string right = R"({"disk": {"near": [0.75, 0.5, 0], "radius": 0.2}})";
-  write(relief(kCells, 4.0, kHeight), "target.ply");
+  write(relief(kCoatCells, 4.0, kCoatHeight), "target.ply");
   const std::string keys = R"(, "transition": {"width": 0.1})" + kKeep;
   const auto itself = run(coat(left, right, keys));
   const auto named = run(coat(left, right, keys + R"(, "source": "target.ply")"));
-  EXPECT_GT(largest_distance(itself->mesh.positions, itself->original), 0.1 * kHeight);
+  EXPECT_GT(largest_distance(itself->mesh.positions, itself->original), 0.1 * kCoatHeight);
   EXPECT_EQ(itself->mesh.positions, named->mesh.positions);
 }
 
 TEST_F(RunCoat, StepsBeforeAndAfterAreThoseOfRunsOneAfterTheOther) {
   const std::string step = coat(kMiddle, kMiddle, R"(, "amplitude": 2)" + kKeep);
-  write(relief(kCells, 4.0, kHeight), "target.ply");
+  write(relief(kCoatCells, 4.0, kCoatHeight), "target.ply");
   const std::array<std::array<std::string, 2>, 2> orders{{{step, lift()}, {lift(), step}}};
   for (const auto& [first, second] : orders) {
     const auto both = run(first + ", " + second);
@@ -124,7 +121,7 @@ TEST_F(RunCoat, ReportSaysWhatTheStepDid) {
   EXPECT_EQ(step.at("free").get<std::size_t>() + step.at("belt").get<std::size_t>(),
             result->region.roi.size());
   const auto& report = step.at("coat");
-  EXPECT_EQ(report.at("source_vertices"), (kCells + 1) * (kCells + 1));
+  EXPECT_EQ(report.at("source_vertices"), (kCoatCells + 1) * (kCoatCells + 1));
   EXPECT_EQ(report.at("vertices_before_remeshing"), 0);
   EXPECT_EQ(report.at("pins").size(), 4U);
   EXPECT_EQ(report.at("flipped_source"), 0);
@@ -166,16 +163,16 @@ TEST_F(RunCoat, SaysWhereTheTransitionLetsLittleThrough) {
 
 TEST_F(RunCoat, PairsSayWhatComesWhere) {
   // The bump in the source's middle goes to vertex `to`, off the target's middle.
-  Mesh bump = grid(kCells, kCells);
+  Mesh bump = grid(kCoatCells, kCoatCells);
   const Vector3d top(0.5, 0.5, 0.0);
   for (Vector3d& p : bump.positions) p.z() = 0.05 * std::exp(-(p - top).squaredNorm() / 0.004);
   write(bump, "source.ply");
-  write(grid(kCells, kCells), "target.ply");
-  constexpr Index kRow = kCells + 1;
-  constexpr Index kFromVertex = kRow * (kCells / 2) + kCells / 2;
-  constexpr Index kTo = kRow * (kCells / 2 + 4) + kCells / 2 + 2;
+  write(grid(kCoatCells, kCoatCells), "target.ply");
+  constexpr Index kRow = kCoatCells + 1;
+  constexpr Index kFromVertex = kRow * (kCoatCells / 2) + kCoatCells / 2;
+  constexpr Index kTo = kRow * (kCoatCells / 2 + 4) + kCoatCells / 2 + 2;
   nlohmann::json pins = nlohmann::json::array();
-  for (const Index v : corners(kCells)) pins.push_back({v, v});
+  for (const Index v : corners(kCoatCells)) pins.push_back({v, v});
   const auto result =
       run(coat(kAll, kAll,
                kFrom + kKeep + R"(, "domain": "square", "boundary_pairs": )" + pins.dump() +
@@ -184,14 +181,14 @@ TEST_F(RunCoat, PairsSayWhatComesWhere) {
   const auto highest =
       std::max_element(result->mesh.positions.begin(), result->mesh.positions.end(),
                        [](const Vector3d& a, const Vector3d& b) { return a.z() < b.z(); });
-  EXPECT_LT((*highest - result->original[kTo]).norm(), 2.0 / kCells);
+  EXPECT_LT((*highest - result->original[kTo]).norm(), 2.0 / kCoatCells);
 }
 
 // A coarse target with the source's fine relief on it: what "auto" remeshes.
 class RunCoatOnACoarseTarget : public CoatRuns {
  protected:
   void SetUp() override {
-    write(relief(kCells, 4.0, kHeight), "source.ply");
+    write(relief(kCoatCells, 4.0, kCoatHeight), "source.ply");
     Mesh mesh = grid(10, 10);
     for (const Vector3d& p : mesh.positions) {
       mesh.attributes.uvs.emplace_back(p.x(), p.y());
@@ -241,7 +238,7 @@ TEST_F(RunCoatOnACoarseTarget, CarriesTextureCoordinatesAndColours) {
 }
 
 TEST_F(RunCoatOnACoarseTarget, PairsNameVerticesOfTheMeshAsItWasRead) {
-  const std::vector<Index> source_corners = corners(kCells);
+  const std::vector<Index> source_corners = corners(kCoatCells);
   const std::vector<Index> target_corners = corners(10);
   nlohmann::json pins = nlohmann::json::array();
   for (std::size_t k = 0; k < 4; ++k) pins.push_back({source_corners[k], target_corners[k]});
@@ -282,7 +279,7 @@ TEST_F(RunCoat, OnTheDeviceGivesWhatTheProcessorGives) {
         coat(kAll, kMiddle, kFrom + kKeep + R"(, "sampling": ")" + sampling + '"');
     const auto there = run(step, device);
     const auto here = run(step);
-    EXPECT_GT(largest_distance(here->mesh.positions, here->original), 0.1 * kHeight);
+    EXPECT_GT(largest_distance(here->mesh.positions, here->original), 0.1 * kCoatHeight);
     EXPECT_LT(largest_distance(there->mesh.positions, here->mesh.positions),
               1e-6 * bounds_of(here->original).diagonal());
   }

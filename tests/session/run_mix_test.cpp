@@ -19,11 +19,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr Index kCells = 24;
-constexpr double kHeight = 0.01;
-constexpr double kDetail = 0.5;
+constexpr Index kMixCells = 24;
+constexpr double kMixHeight = 0.01;
+constexpr double kMixDetail = 0.5;
 
-const std::string kKeep = R"(, "remesh": "none")";
 const std::string kByDistance =
     R"(, "weight": {"distance_to": {"disk": {"near": [0.5, 0.5, 0], "radius": 0.1}}, "width": 0.2})";
 
@@ -31,16 +30,16 @@ const std::string kByDistance =
 class RunMix : public CoatRuns {
  protected:
   void SetUp() override {
-    write(relief(kCells, 4.0, kHeight), "fine.ply");
-    write(relief(kCells, 2.0, 2.0 * kHeight), "coarse.ply");
-    Mesh mesh = grid(kCells, kCells);
+    write(relief(kMixCells, 4.0, kMixHeight), "fine.ply");
+    write(relief(kMixCells, 2.0, 2.0 * kMixHeight), "coarse.ply");
+    Mesh mesh = grid(kMixCells, kMixCells);
     for (Vector3d& p : mesh.positions) p.z() = 0.1 * p.x() * p.x();
     write(mesh, "target.ply");
   }
 
   // `file` empty: the target itself. `keys` begins with a comma.
   static std::string source(const std::string& file, const std::string& patch,
-                            double detail = kDetail, const std::string& keys = "") {
+                            double detail = kMixDetail, const std::string& keys = "") {
     const std::string mesh = file.empty() ? "" : R"("mesh": ")" + file + R"(", )";
     return "{" + mesh + R"("patch": )" + patch + R"(, "detail_size": )" + std::to_string(detail) +
            keys + "}";
@@ -53,11 +52,11 @@ class RunMix : public CoatRuns {
   static std::string field(std::size_t count, double w) {
     return R"(, "weight": {"field": )" + nlohmann::json(std::vector<double>(count, w)).dump() + "}";
   }
-  static std::size_t all_vertices() { return (kCells + 1) * (kCells + 1); }
+  static std::size_t all_vertices() { return (kMixCells + 1) * (kMixCells + 1); }
 };
 
 TEST_F(RunMix, OfASurfaceWithItselfReturnsIt) {
-  write(relief(kCells, 4.0, kHeight), "target.ply");
+  write(relief(kMixCells, 4.0, kMixHeight), "target.ply");
   const Mesh before = read("target.ply");
   const double diagonal = bounds_of(before.positions).diagonal();
   const std::string own = source("", kAll);
@@ -83,7 +82,7 @@ TEST_F(RunMix, WithAllOfOneSourceIsACoatWithIt) {
   };
   EXPECT_LT(largest_distance(mixed(0.0), coated("fine.ply", 0.3, 2.0)), 1e-9);
   EXPECT_LT(largest_distance(mixed(1.0), coated("coarse.ply", 0.6, 1.0)), 1e-9);
-  EXPECT_GT(largest_distance(mixed(0.0), mixed(1.0)), 0.5 * kHeight);
+  EXPECT_GT(largest_distance(mixed(0.0), mixed(1.0)), 0.5 * kMixHeight);
 }
 
 TEST_F(RunMix, IsTheSameWithSourcesAndWeightExchanged) {
@@ -98,7 +97,7 @@ TEST_F(RunMix, IsTheSameWithSourcesAndWeightExchanged) {
   };
   const auto one = run(mix(fine, coarse, kMiddle, weighed(w)));
   const auto other = run(mix(coarse, fine, kMiddle, weighed(complement)));
-  EXPECT_GT(largest_distance(one->mesh.positions, one->original), 0.2 * kHeight);
+  EXPECT_GT(largest_distance(one->mesh.positions, one->original), 0.2 * kMixHeight);
   EXPECT_LT(largest_distance(one->mesh.positions, other->mesh.positions), 1e-9);
 }
 
@@ -121,7 +120,7 @@ TEST_F(RunMix, HandlesTakeTheSurfaceAlongWhateverIsMixed) {
       EXPECT_NEAR(way.z(), 0.2, 0.02) << take << ", vertex " << v;
     }
     // Between it and the border the surface has come a part of the way.
-    const Index half = (kCells + 1) * (kCells / 2) + kCells / 2 + 5;
+    const Index half = (kMixCells + 1) * (kMixCells / 2) + kMixCells / 2 + 5;
     const double followed = moved->mesh.positions[half].z() - still->mesh.positions[half].z();
     EXPECT_GT(followed, 0.03) << take;
     EXPECT_LT(followed, 0.15) << take;
@@ -147,7 +146,7 @@ TEST_F(RunMix, PaintedFieldAndHandleAreCarriedThroughARemeshing) {
   // All of the fine source on the left, of none on the right.
   std::vector<double> w;
   for (const Vector3d& p : coarse_target.positions) w.push_back(p.x() < 0.5 ? 0.0 : 1.0);
-  const std::string flat = source("fine.ply", kAll, kDetail, R"(, "amplitude": 0)");
+  const std::string flat = source("fine.ply", kAll, kMixDetail, R"(, "amplitude": 0)");
   const std::string keys =
       R"(, "transition": {"width": 0.05}, "weight": {"field": )" + nlohmann::json(w).dump() + "}";
   const auto result = run(mix(source("fine.ply", kAll), flat, kAll, keys));
@@ -160,7 +159,7 @@ TEST_F(RunMix, PaintedFieldAndHandleAreCarriedThroughARemeshing) {
     if (p.x() < 0.3) left = std::max(left, std::abs(p.z()));
     if (p.x() > 0.7) right = std::max(right, std::abs(p.z()));
   }
-  EXPECT_GT(left, 0.5 * kHeight);
+  EXPECT_GT(left, 0.5 * kMixHeight);
   EXPECT_LT(right, 0.1 * left);
   const auto moved = run(mix(source("fine.ply", kAll), flat, kAll,
                              keys + R"(, "handles": [{"region": {"vertices": [40]},
@@ -215,7 +214,7 @@ TEST_F(RunMix, OnTheDeviceGivesWhatTheProcessorGives) {
                                  kByDistance + kKeep + R"(, "take": ")" + take + '"');
     const auto there = run(step, device);
     const auto here = run(step);
-    EXPECT_GT(largest_distance(here->mesh.positions, here->original), 0.1 * kHeight);
+    EXPECT_GT(largest_distance(here->mesh.positions, here->original), 0.1 * kMixHeight);
     EXPECT_LT(largest_distance(there->mesh.positions, here->mesh.positions),
               1e-6 * bounds_of(here->original).diagonal());
   }
@@ -235,13 +234,13 @@ class APreparedCoat : public RunMix {
 
 TEST_F(APreparedCoat, GivesForEveryAmplitudeWhatTheStepGives) {
   for (const std::string& keys : {kKeep, std::string()}) {
-    write(grid(keys.empty() ? 8 : kCells, keys.empty() ? 8 : kCells), "target.ply");
+    write(grid(keys.empty() ? 8 : kMixCells, keys.empty() ? 8 : kMixCells), "target.ply");
     const Mesh mesh = read("target.ply");
     const Topology topology = build_topology(mesh);
-    const PreparedCoat prepared(step(kDetail, 1.0, keys), mesh, topology, folder_.path(), cpu_);
+    const PreparedCoat prepared(step(kMixDetail, 1.0, keys), mesh, topology, folder_.path(), cpu_);
     EXPECT_EQ(prepared.layers().remeshed() != nullptr, keys.empty());
     for (const double amplitude : {1.0, 0.0, -0.5}) {
-      const CoatStep whole = step(kDetail, amplitude, keys);
+      const CoatStep whole = step(kMixDetail, amplitude, keys);
       const auto result = run_recipe({"target.ply", {whole}, "", folder_.path()}, cpu_);
       EXPECT_EQ(prepared.positions(amplitude), result->mesh.positions);
     }
@@ -258,7 +257,7 @@ TEST_F(APreparedCoat, TakesAnotherDetailSizeWithoutPreparingAnew) {
   prepared.set_detail_size(0.2);
   const Positions smaller = prepared.positions(1.0);
   const PreparedCoat anew(step(0.2, 1.0, keys), mesh, topology, folder_.path(), cpu_);
-  EXPECT_GT(largest_distance(before, smaller), 0.1 * kHeight);
+  EXPECT_GT(largest_distance(before, smaller), 0.1 * kMixHeight);
   EXPECT_LT(largest_distance(smaller, anew.positions(1.0)),
             0.25 * largest_distance(before, smaller));
   prepared.set_detail_size(0.5);
@@ -269,7 +268,7 @@ TEST_F(APreparedCoat, TakesAnotherDetailSizeWithoutPreparingAnew) {
 TEST_F(APreparedCoat, ShowsBothPatchesInTheDomain) {
   const Mesh mesh = read("target.ply");
   const Topology topology = build_topology(mesh);
-  const PreparedCoat prepared(step(kDetail, 1.0, kKeep), mesh, topology, folder_.path(), cpu_);
+  const PreparedCoat prepared(step(kMixDetail, 1.0, kKeep), mesh, topology, folder_.path(), cpu_);
   const LayeredCoat& layers = prepared.layers();
   EXPECT_EQ(layers.map(0).source.points.size(), layers.source_patch(0).size());
   EXPECT_EQ(layers.map(0).target.points.size(), layers.target_patch().size());

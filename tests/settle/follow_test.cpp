@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr int kFrames = 10;
 
 // A handle and how far it goes.
-struct Edit {
+struct FollowedEdit {
   Mesh mesh;
   EditRegion region;
   Affine3d motion;
@@ -33,12 +33,12 @@ struct Edit {
   }
 };
 
-Edit bent_tube() {
+FollowedEdit bent_tube() {
   const Mesh mesh = test::bumpy_tube();
   return {mesh, test::foot_and_head(mesh), test::bend(), AngleAxisd(0.6, Vector3d::UnitY())};
 }
 
-Edit twisted_cylinder() {
+FollowedEdit twisted_cylinder() {
   const Mesh mesh = test::rippled_cylinder();
   return {mesh, test::ends_of_cylinder(mesh),
           test::turn_and_move(60, Vector3d::UnitZ(), Vector3d(0.3, 0, 0)),
@@ -57,7 +57,7 @@ SettleOptions resisting(double tolerance = 1e-4) {
 // A settler and where its surface is.
 class Drag {
  public:
-  Drag(Edit edit, const SettleOptions& options, bool hard = false)
+  Drag(FollowedEdit edit, const SettleOptions& options, bool hard = false)
       : edit_(std::move(edit)),
         topology_(build_topology(edit_.mesh)),
         constraints_(constraints_of(edit_.region, topology_, 1.0, hard)),
@@ -103,7 +103,7 @@ class Drag {
   }
 
   Settler& settler() { return settler_; }
-  const Edit& edit() const { return edit_; }
+  const FollowedEdit& edit() const { return edit_; }
   std::vector<Vector3d>& displacement() { return u_; }
   double mean_edge() const {
     double sum = 0.0;
@@ -123,7 +123,7 @@ class Drag {
     return u;
   }
 
-  Edit edit_;
+  FollowedEdit edit_;
   Topology topology_;
   Constraints constraints_;
   SystemPattern pattern_;
@@ -136,7 +136,7 @@ class Drag {
   Affine3d last_ = Affine3d::Identity();
 };
 
-class FollowedDrag : public ::testing::TestWithParam<Edit (*)()> {};
+class FollowedDrag : public ::testing::TestWithParam<FollowedEdit (*)()> {};
 
 TEST_P(FollowedDrag, StaysWhereItIsWhileTheHandleIsStill) {
   Drag drag(GetParam()(), resisting());

@@ -19,8 +19,6 @@ using namespace test;
 using ::testing::HasSubstr;
 using ::testing::Lt;
 
-constexpr double kBackwardError = 1e-14;
-
 BlockCholeskyOptions with(unsigned threads, InstructionSet set = InstructionSet::automatic) {
   BlockCholeskyOptions options;
   options.threads = threads;

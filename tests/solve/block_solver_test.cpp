@@ -19,8 +19,6 @@ namespace {
 using namespace test;
 using ::testing::Lt;
 
-constexpr double kBackwardError = 1e-14;
-
 std::vector<SolverKind> kinds() {
   std::vector<SolverKind> built_in;
   for (const SolverKind kind : {SolverKind::block, SolverKind::cholmod, SolverKind::eigen}) {

@@ -19,8 +19,6 @@ namespace {
 using namespace test;
 using ::testing::Lt;
 
-constexpr double kBackwardError = 1e-14;
-
 // The references take most of the time.
 constexpr std::size_t kLargestForCholmod = 10'000;
 constexpr std::size_t kLargestForEigen = 2'500;

@@ -14,6 +14,9 @@
 
 namespace lapwing::test {
 
+/// What the residual of a solution may be, against matrix and solution.
+inline constexpr double kBackwardError = 1e-14;
+
 /// A block matrix together with the pattern that it needs.
 struct OwnedMatrix {
   std::unique_ptr<BlockPattern> pattern;

@@ -7,6 +7,7 @@
 
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/region/edit_region.h"
+#include "support/largest_distance.h"
 
 namespace lapwing::test {
 
@@ -33,12 +34,6 @@ inline EditRegion foot_and_head(const Mesh& mesh) {
 inline Eigen::Affine3d bend() {
   return Eigen::Translation3d(0.5, 0.0, -0.3) * Eigen::Translation3d(0, 0, 3) *
          Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitY()) * Eigen::Translation3d(0, 0, -3);
-}
-
-inline double largest_distance(const Positions& a, const Positions& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
-  return largest;
 }
 
 }  // namespace lapwing::test

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Affine3d;
 using Eigen::Vector3d;
-using test::circle;
+using test::circle_points;
 using test::difference;
 using test::moved;
 using test::similarity;
@@ -143,15 +143,16 @@ TEST(FitLoop, RoundPartTurnsNoMoreThanItMust) {
   const Affine3d tilt = similarity(30.0, {1, 1, 0}, 2.0, {5, 0, 0});
   for (const std::size_t count : {24U, 60U, 333U}) {
     // Where the points on the circles are says little, and nothing for other counts.
-    const Points part = moved(tilt, circle(count, 0.02));
-    const Affine3d placed = fit_loop(part, reversed(circle(60, 0.02)), {}, "fit");
+    const Points part = moved(tilt, circle_points(count, 0.02));
+    const Affine3d placed = fit_loop(part, reversed(circle_points(60, 0.02)), {}, "fit");
     EXPECT_LT((placed.rotation() - tilt.rotation().transpose()).norm(), 1e-6) << count;
   }
 }
 
 TEST(FitLoop, CornersMeetCornersByTheLeastTurn) {
   const Affine3d motion = similarity(20.0, {0, 0, 1}, 1.0, {1, 2, 3});
-  const Affine3d placed = fit_loop(moved(motion, circle(6)), reversed(circle(6)), {}, "fit");
+  const Affine3d placed =
+      fit_loop(moved(motion, circle_points(6)), reversed(circle_points(6)), {}, "fit");
   EXPECT_LT(difference(placed * motion, Affine3d::Identity()), 1e-6);
 }
 
@@ -174,7 +175,7 @@ TEST(FitLoop, TurnAndScaleAreAboutTheHolesNormalAndCentre) {
 }
 
 TEST(FitLoop, WhatCannotBePlacedIsNamed) {
-  const Points good = circle(12);
+  const Points good = circle_points(12);
   const auto message = [](const Points& part, const Points& host, const LoopFit& fit = {}) {
     return error_message<InputError>([&] { fit_loop(part, host, fit, "place"); });
   };

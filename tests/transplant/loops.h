@@ -32,7 +32,7 @@ inline Eigen::Affine3d similarity(double degrees, const Eigen::Vector3d& axis, d
 }
 
 /// Of radius 1 around the z axis, counter-clockwise.
-inline std::vector<Eigen::Vector3d> circle(std::size_t count, double phase = 0.0) {
+inline std::vector<Eigen::Vector3d> circle_points(std::size_t count, double phase = 0.0) {
   std::vector<Eigen::Vector3d> points;
   for (std::size_t k = 0; k < count; ++k) {
     const double a =

@@ -36,7 +36,7 @@ std::set<Triangle> triangles_of(const Mesh& mesh, std::span<const Index> numbers
   return triangles;
 }
 
-std::vector<BoundaryLoop> loops_of(const Mesh& mesh) {
+std::vector<BoundaryLoop> piece_loops(const Mesh& mesh) {
   return boundary_loops(build_topology(mesh).triangles, "piece");
 }
 
@@ -45,8 +45,8 @@ void expect_exact_return(const Mesh& mesh, const VertexSet& region) {
   const CutPiece host = cut_away(mesh, region, "host");
   const Topology part_topology = build_topology(part.mesh);
   const Topology host_topology = build_topology(host.mesh);
-  const auto part_loops = loops_of(part.mesh);
-  const auto host_loops = loops_of(host.mesh);
+  const auto part_loops = piece_loops(part.mesh);
+  const auto host_loops = piece_loops(host.mesh);
   ASSERT_THAT(part_loops, SizeIs(1));
   ASSERT_THAT(host_loops, SizeIs(1));
   const Zip zip =
@@ -78,7 +78,7 @@ TEST(PutBack, ACapOfASphereIsTheSphereAgain) {
 // Without some of the triangles at its boundary, as long as that stays one loop.
 Mesh nibbled(Mesh mesh, std::mt19937& random, int bites) {
   for (int bite = 0; bite < bites; ++bite) {
-    const BoundaryLoop loop = loops_of(mesh).at(0);
+    const BoundaryLoop loop = piece_loops(mesh).at(0);
     const Topology topology = build_topology(mesh);
     const auto around = topology.vertex_triangles[loop[random() % loop.size()]];
     KeepMask keep(mesh.face_count(), 1);
@@ -106,11 +106,11 @@ TEST(PutBack, APartThatFitsInPlacesStillGivesAManifold) {
     const Mesh part = nibbled(cut_out(mesh, region, "part").mesh, random, 8);
     const Mesh host = nibbled(cut_away(mesh, region, "host").mesh, random, 8);
     Mesh moved = part;
-    const BoundaryLoop loop = loops_of(part).at(0);
+    const BoundaryLoop loop = piece_loops(part).at(0);
     for (unsigned k = 0; k < seed % 4; ++k) {
       moved.positions[loop[random() % loop.size()]] *= 1.0 + 0.05 * static_cast<double>(k);
     }
-    const BoundaryLoop hole = loops_of(host).at(0);
+    const BoundaryLoop hole = piece_loops(host).at(0);
     const Zip zip =
         zip_loops(zip_loop(build_topology(host).triangles, host.positions, hole),
                   zip_loop(build_topology(moved).triangles, moved.positions, loop), "zip");
@@ -131,7 +131,7 @@ TEST(PutBack, ABumpOfAModelIsTheModelAgain) {
     int tried = 0;
     for (Index center = 0; center < mesh.vertex_count() && tried < 3; center += 50) {
       const VertexSet region = around(mesh, center, 4);
-      if (loops_of(cut_out(mesh, region, "part").mesh).size() != 1) continue;
+      if (piece_loops(cut_out(mesh, region, "part").mesh).size() != 1) continue;
       expect_exact_return(mesh, region);
       ++tried;
     }

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Affine3d;
 using Eigen::Vector3d;
-using test::circle;
+using test::circle_points;
 using test::difference;
 using test::first_loop;
 using test::moved;
@@ -24,7 +24,7 @@ using test::similarity;
 using Points = std::vector<Vector3d>;
 
 Points small_circle() {
-  return moved(similarity(0, {0, 0, 1}, 0.2, {0.4, 0.6, 0}), circle(30));
+  return moved(similarity(0, {0, 0, 1}, 0.2, {0.4, 0.6, 0}), circle_points(30));
 }
 
 SurfaceSnap snap_to(const Mesh& mesh) {

@@ -15,8 +15,6 @@ using Eigen::Affine3d;
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr double kPi = std::numbers::pi;
-
 AppState settled_tube() {
   AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
   return apply(state, Settle{handles_alone(state)});
@@ -133,7 +131,7 @@ TEST(Command, StepsHaveNames) {
 
 TEST(ToMove, SimilarityKeepsWholeTurns) {
   const Vector3d centroid(1, 2, 3);
-  const AngleAxisd turn(500.0 * kPi / 180.0, Vector3d(1, 2, 2) / 3.0);
+  const AngleAxisd turn(500.0 * std::numbers::pi / 180.0, Vector3d(1, 2, 2) / 3.0);
   const Affine3d motion = Eigen::Translation3d(0.5, 0, 0) * Eigen::Translation3d(centroid) * turn *
                           Eigen::Scaling(1.5) * Eigen::Translation3d(-centroid);
   const Move move = to_move(motion, turn, centroid);
@@ -144,7 +142,7 @@ TEST(ToMove, SimilarityKeepsWholeTurns) {
 TEST(ToMove, TurnThatIsNotTheMotionsIsNotBelieved) {
   const Affine3d motion(AngleAxisd(1.0, Vector3d::UnitX()));
   const Move move = to_move(motion, AngleAxisd(2.0, Vector3d::UnitX()), Vector3d::Zero());
-  EXPECT_NEAR(turn_of(move).degrees, 180.0 / kPi, 1e-9);
+  EXPECT_NEAR(turn_of(move).degrees, 180.0 / std::numbers::pi, 1e-9);
 }
 
 TEST(ToMove, StretchAlongOneAxisIsAMatrix) {

@@ -12,8 +12,6 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::AngleAxisd;
 
-constexpr double kPi = std::numbers::pi;
-
 // Pixels of a point that the gizmo's axes reach in `arms`.
 Vector2d pixel_at(const Gizmo& gizmo, const Projection& view, const Vector3d& arms) {
   const double arm = kArmPixels * view.length_of_pixel(gizmo.center);
@@ -84,14 +82,14 @@ TEST_P(AGizmo, ViewMovesAcrossTheView) {
 TEST_P(AGizmo, RingTurnsByTheAngleDraggedOverManyTurns) {
   gizmo_.mode = GizmoMode::rotate;
   const auto on_ring = [&](double degrees) {
-    const double a = degrees * kPi / 180.0;
+    const double a = degrees * std::numbers::pi / 180.0;
     return pixel({0, std::cos(a), std::sin(a)});
   };
   GizmoDrag drag(gizmo_, GizmoPart::x, view_, on_ring(10.0));
   for (double degrees = 20.0; degrees <= 810.0; degrees += 10.0) drag.move_to(on_ring(degrees));
   EXPECT_NEAR(drag.amount().degrees, 800.0, 1e-6);
   EXPECT_LT((drag.motion(drag.amount()).linear() -
-             AngleAxisd(800.0 * kPi / 180.0, Vector3d::UnitX()).toRotationMatrix())
+             AngleAxisd(800.0 * std::numbers::pi / 180.0, Vector3d::UnitX()).toRotationMatrix())
                 .norm(),
             1e-9);
 }
@@ -117,7 +115,7 @@ TEST_P(AGizmo, RingSeenFromItsEdgeFollowsTheHand) {
   const Projection side = perspective({5.5, 0.2, 0.1}, gizmo_.center);
   const Vector2d center = *side.to_pixel(gizmo_.center);
   GizmoDrag drag(gizmo_, GizmoPart::y, side, center);
-  drag.move_to(center + Vector2d(0.5 * kPi * kArmPixels, 0));
+  drag.move_to(center + Vector2d(0.5 * std::numbers::pi * kArmPixels, 0));
   EXPECT_NEAR(std::abs(drag.amount().degrees), 90.0, 1.0);
   const Vector3d front = gizmo_.center + Vector3d(0.5, 0, 0);
   EXPECT_GT(side.to_pixel(drag.motion(drag.amount()) * front)->x(), center.x());

@@ -16,10 +16,6 @@ using ::testing::HasSubstr;
 using Phase = PreparationStatus::Phase;
 using lapwing::test::largest_distance;
 
-std::unique_ptr<Kernels> cpu_kernels() {
-  return std::make_unique<CpuKernels>();
-}
-
 // Holds the worker at each new set of kernels until it is let through.
 class Gate {
  public:

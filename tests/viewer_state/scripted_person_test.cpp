@@ -20,10 +20,6 @@ namespace {
 
 using lapwing::test::largest_distance;
 
-std::unique_ptr<Kernels> cpu_kernels() {
-  return std::make_unique<CpuKernels>();
-}
-
 // Clicks and types; the view looks at the whole mesh along z.
 class Person {
  public:

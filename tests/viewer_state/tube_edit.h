@@ -13,6 +13,10 @@ inline const Part kBelt{Part::Role::belt};
 inline const Part kHandle{Part::Role::handle, 0};
 inline const Part kSecondHandle{Part::Role::handle, 1};
 
+inline std::unique_ptr<Kernels> cpu_kernels() {
+  return std::make_unique<CpuKernels>();
+}
+
 inline RegionSpec box(double from_z, double to_z) {
   return {Box{{-2.0, -2.0, from_z}, {2.0, 2.0, to_z}}};
 }

@@ -14,6 +14,7 @@
 #include "lapwing/session/run_recipe.h"
 #include "state/journal.h"
 #include "support/gpu.h"
+#include "support/largest_distance.h"
 #include "support/models.h"
 #include "viewer_state/sheet_edit.h"
 #include "viewer_window/person.h"
@@ -30,12 +31,6 @@ using ::testing::IsEmpty;
 using viewer::Draft;
 using viewer::GizmoMode;
 using viewer::GizmoPart;
-
-double largest_distance(const Positions& a, const Positions& b) {
-  double largest = 0.0;
-  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - b[v]).norm());
-  return largest;
-}
 
 template <typename Form>
 bool is(const RegionSpec& region) {
@@ -266,7 +261,7 @@ TEST_F(Editing, ClosingAsksWhetherToSave) {
   person_->open_dialog("ctrl+q");
   person_->keys("Return");
   EXPECT_EQ(person_->wait(), 0);
-  EXPECT_GT(largest_distance(read_mesh(tube()).positions, mesh_.positions), 0.1) << "saved";
+  EXPECT_GT(test::largest_distance(read_mesh(tube()).positions, mesh_.positions), 0.1) << "saved";
   EXPECT_FALSE(person_->draft()) << "nothing is left to restore";
 }
 
@@ -408,8 +403,8 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
   const auto replayed = run_recipe(read_recipe(folder_ / "arm.json"), kernels);
   EXPECT_TRUE(replayed->report.steps.at(0).certificate.settled);
   const Positions saved = read_mesh(folder_ / "arm.ply").positions;
-  EXPECT_LT(largest_distance(saved, replayed->mesh.positions), 1e-5 * size);
-  EXPECT_GT(largest_distance(saved, mesh_.positions), 0.02 * size);
+  EXPECT_LT(test::largest_distance(saved, replayed->mesh.positions), 1e-5 * size);
+  EXPECT_GT(test::largest_distance(saved, mesh_.positions), 0.02 * size);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/gpu.h"
+#include "support/largest_distance.h"
 #include "viewer_state/sheet_edit.h"
 #include "viewer_window/person.h"
 
@@ -18,14 +19,8 @@ using test::Person;
 using viewer::Draft;
 
 // The source takes the left half of the window once the panels are hidden.
-constexpr double kWidth = 640.0;
-constexpr double kHeight = 800.0;
-
-double largest_distance(const Positions& a, const Positions& b) {
-  double largest = 0.0;
-  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - b[v]).norm());
-  return largest;
-}
+constexpr double kSourceWidth = 640.0;
+constexpr double kSourceHeight = 800.0;
 
 class Layers : public ::testing::Test {
  protected:
@@ -73,9 +68,11 @@ class Layers : public ::testing::Test {
 
   // Where a place of the source shows.
   static Vector2d source_pixel(const Mesh& source, const Vector3d& place) {
-    const Camera camera = fit(source.positions, view_axes(View::three_quarter), kWidth / kHeight);
-    const viewer::Projection projection{camera.projection(kWidth / kHeight) * camera.view(),
-                                        {kWidth, kHeight}};
+    const Camera camera =
+        fit(source.positions, view_axes(View::three_quarter), kSourceWidth / kSourceHeight);
+    const viewer::Projection projection{
+        camera.projection(kSourceWidth / kSourceHeight) * camera.view(),
+        {kSourceWidth, kSourceHeight}};
     return projection.to_pixel(place).value();
   }
 
@@ -121,7 +118,7 @@ class Layers : public ::testing::Test {
     const Mesh saved = read_mesh(mesh);
     ASSERT_EQ(saved.vertex_count(), replayed.vertex_count());
     EXPECT_EQ(saved.face_vertices, replayed.face_vertices);
-    EXPECT_LT(largest_distance(saved.positions, replayed.positions), 1e-5);
+    EXPECT_LT(test::largest_distance(saved.positions, replayed.positions), 1e-5);
     EXPECT_NE(saved.positions, sheet_.positions);
   }
 

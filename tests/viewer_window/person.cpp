@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 constexpr double kWidth = 1280.0;
 constexpr double kHeight = 800.0;
 // Steps on a software device and a busy machine.
-constexpr double kPatience = 90.0;
+constexpr double kPersonPatience = 90.0;
 
 std::string at(const Eigen::Vector2d& pixel) {
   return "mousemove " + std::to_string(static_cast<int>(pixel.x())) + " " +
@@ -55,7 +55,7 @@ void Person::open(const fs::path& mesh) {
 
 bool Person::waits_for_window() {
   std::string window;
-  const bool shown = eventually(kPatience, [&] {
+  const bool shown = eventually(kPersonPatience, [&] {
     window = desktop_.xdotool("search --onlyvisible --name Lapwing");
     return !window.empty() || !viewer_->running();
   });
@@ -64,7 +64,7 @@ bool Person::waits_for_window() {
 
 void Person::kill() {
   viewer_->send(SIGKILL);
-  viewer_->wait(kPatience);
+  viewer_->wait(kPersonPatience);
 }
 
 int Person::quit() {
@@ -81,12 +81,12 @@ int Person::discard_and_quit() {
 void Person::open_dialog(const std::string& names) const {
   const Image before = desktop_.settled_picture();
   keys(names);
-  eventually(kPatience, [&] { return mean_difference(desktop_.picture(), before) > 1.0; });
+  eventually(kPersonPatience, [&] { return mean_difference(desktop_.picture(), before) > 1.0; });
   desktop_.settled_picture();
 }
 
 int Person::wait() {
-  return viewer_->wait(kPatience);
+  return viewer_->wait(kPersonPatience);
 }
 
 std::string Person::errors() const {
@@ -156,7 +156,7 @@ std::optional<viewer::Draft> Person::draft() const {
 }
 
 bool Person::eventually_is(const std::function<bool(const viewer::Draft&)>& wanted) const {
-  return eventually(kPatience, [&] {
+  return eventually(kPersonPatience, [&] {
     const auto now = draft();
     return now && wanted(*now);
   });

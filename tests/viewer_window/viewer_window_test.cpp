@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 // Frames of a software device on a busy machine.
-constexpr double kPatience = 60.0;
+constexpr double kWindowPatience = 60.0;
 
 class ViewerWindow : public ::testing::Test {
  protected:
@@ -58,14 +58,14 @@ class ViewerWindow : public ::testing::Test {
   Image open_tube() {
     start({tube()});
     window_ = "";
-    EXPECT_TRUE(eventually(kPatience, [&] {
+    EXPECT_TRUE(eventually(kWindowPatience, [&] {
       window_ = desktop_->xdotool("search --onlyvisible --name Lapwing");
       return !window_.empty() || !viewer_->running();
     }));
     EXPECT_TRUE(viewer_->running()) << viewer_->errors();
     if (!window_.empty()) window_.pop_back();
     // The mesh hides the background in the middle of what the panels leave free.
-    EXPECT_TRUE(eventually(kPatience, [&] { return shows_the_tube(desktop_->picture()); }));
+    EXPECT_TRUE(eventually(kWindowPatience, [&] { return shows_the_tube(desktop_->picture()); }));
     return desktop_->settled_picture();
   }
 
@@ -90,7 +90,7 @@ class ViewerWindow : public ::testing::Test {
 
   void expect_quits_silently() {
     desktop_->xdotool("key ctrl+q");
-    EXPECT_EQ(viewer_->wait(kPatience), 0);
+    EXPECT_EQ(viewer_->wait(kWindowPatience), 0);
     EXPECT_THAT(viewer_->errors(), IsEmpty());
   }
 
@@ -103,19 +103,19 @@ class ViewerWindow : public ::testing::Test {
 TEST_F(ViewerWindow, MouseAndKeysMoveTheView) {
   const Image first = open_tube();
   desktop_->xdotool("mousemove 790 300 mousedown 2 mousemove 700 340 mousemove 600 380 mouseup 2");
-  EXPECT_TRUE(eventually(kPatience, [&] {
+  EXPECT_TRUE(eventually(kWindowPatience, [&] {
     return test::mean_difference(desktop_->picture(), first) > 1.0;
   })) << "a drag of the middle button orbits";
   const Image orbited = desktop_->settled_picture();
 
   desktop_->xdotool("mousemove 790 400 click 4 click 4");
-  EXPECT_TRUE(eventually(kPatience, [&] {
+  EXPECT_TRUE(eventually(kWindowPatience, [&] {
     return test::mean_difference(desktop_->picture(), orbited) > 1.0;
   })) << "the wheel zooms";
   const Image zoomed = desktop_->settled_picture();
 
   desktop_->xdotool("key 0 key Home");
-  EXPECT_TRUE(eventually(kPatience, [&] {
+  EXPECT_TRUE(eventually(kWindowPatience, [&] {
     return test::mean_difference(desktop_->picture(), first) < 0.5;
   })) << "the first view is back";
   expect_quits_silently();
@@ -124,10 +124,10 @@ TEST_F(ViewerWindow, MouseAndKeysMoveTheView) {
 TEST_F(ViewerWindow, QuestionMarkListsTheControls) {
   const Image first = open_tube();
   desktop_->xdotool("key question");
-  EXPECT_TRUE(eventually(kPatience,
+  EXPECT_TRUE(eventually(kWindowPatience,
                          [&] { return test::mean_difference(desktop_->picture(), first) > 10.0; }));
   desktop_->xdotool("key Escape");
-  EXPECT_TRUE(eventually(kPatience,
+  EXPECT_TRUE(eventually(kWindowPatience,
                          [&] { return test::mean_difference(desktop_->picture(), first) < 0.5; }));
   expect_quits_silently();
 }
@@ -157,7 +157,7 @@ TEST_F(ViewerWindow, ComesBackAfterItWasMinimized) {
     desktop_->xdotool("windowmap --sync " + window_);
     ASSERT_TRUE(viewer_->running()) << viewer_->errors();
   }
-  EXPECT_TRUE(eventually(kPatience, [&] { return shows_the_tube(desktop_->picture()); }));
+  EXPECT_TRUE(eventually(kWindowPatience, [&] { return shows_the_tube(desktop_->picture()); }));
   expect_quits_silently();
 }
 
@@ -165,7 +165,7 @@ TEST_F(ViewerWindow, OpensAFileThatIsDroppedOnIt) {
   open_tube();
   write_mesh(icosphere(2), folder_ / "ball.obj");
   EXPECT_TRUE(test::drop_file(desktop_->name(), window_, folder_ / "ball.obj"));
-  EXPECT_TRUE(eventually(kPatience, [&] {
+  EXPECT_TRUE(eventually(kWindowPatience, [&] {
     return desktop_->xdotool("getwindowname " + window_).starts_with("ball.obj");
   }));
   expect_quits_silently();
@@ -185,7 +185,7 @@ TEST_F(ViewerWindow, SurvivesAResizeStorm) {
   ASSERT_TRUE(viewer_->running()) << viewer_->errors();
   desktop_->xdotool("windowsize " + window_ + " 1280 800 windowmove " + window_ + " 0 0");
   desktop_->xdotool("key Home");
-  EXPECT_TRUE(eventually(kPatience, [&] { return shows_the_tube(desktop_->picture()); }));
+  EXPECT_TRUE(eventually(kWindowPatience, [&] { return shows_the_tube(desktop_->picture()); }));
   expect_quits_silently();
 }
 
@@ -207,14 +207,14 @@ TEST_F(ViewerWindow, ShowsWhatARecipeMakesInTheColoursOfItsRegions) {
   };
   const auto yellow = [](const auto& p) { return p[0] > 150 && p[1] > 110 && p[2] < 80; };
   const auto red = [](const auto& p) { return p[0] > 120 && p[1] < 70 && p[2] < 70; };
-  EXPECT_TRUE(eventually(kPatience, [&] { return shows(yellow) && shows(red); }));
+  EXPECT_TRUE(eventually(kWindowPatience, [&] { return shows(yellow) && shows(red); }));
   expect_quits_silently();
 }
 
 TEST_F(ViewerWindow, SavesAPictureOfAnySizeAndQuits) {
   const fs::path picture = folder_ / "tube.png";
   start({tube(), "--screenshot", picture, "--size", "333x222"});
-  EXPECT_EQ(viewer_->wait(kPatience), 0);
+  EXPECT_EQ(viewer_->wait(kWindowPatience), 0);
   EXPECT_THAT(viewer_->errors(), IsEmpty());
   std::ifstream file(picture, std::ios::binary);
   std::string bytes(24, '\0');
@@ -225,7 +225,7 @@ TEST_F(ViewerWindow, SavesAPictureOfAnySizeAndQuits) {
 TEST_F(ViewerWindow, SaysWhatIsWrongWithAFile) {
   std::ofstream(tube()) << "v 1 2\n";
   start({tube(), "--screenshot", folder_ / "tube.png"});
-  EXPECT_EQ(viewer_->wait(kPatience), 3);
+  EXPECT_EQ(viewer_->wait(kWindowPatience), 3);
   EXPECT_THAT(viewer_->errors(), HasSubstr("tube.obj:1"));
 }
 
@@ -233,14 +233,14 @@ TEST_F(ViewerWindow, WithoutDisplaySaysSo) {
   viewer_ = std::make_unique<Process>(std::vector<std::string>{LAPWING_VIEWER},
                                       std::vector<std::string>{"DISPLAY=", "WAYLAND_DISPLAY="},
                                       folder_ / "errors");
-  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
   EXPECT_THAT(viewer_->errors(), HasSubstr("DISPLAY"));
 }
 
 TEST_F(ViewerWindow, SaysThatTheDisplayWentAway) {
   open_tube();
   desktop_->vanish();
-  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
   EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
 }
 
@@ -248,7 +248,7 @@ TEST_F(ViewerWindow, SaysThatTheDisplayWentAwayInTheMiddleOfADrag) {
   open_tube();
   desktop_->xdotool("mousemove 790 300 mousedown 2 mousemove 700 340 mousemove 600 380");
   desktop_->vanish();
-  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
   EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
 }
 
@@ -257,7 +257,7 @@ TEST_F(ViewerWindow, WithoutVulkanSaysSo) {
       std::vector<std::string>{LAPWING_VIEWER},
       std::vector{desktop_->display(), std::string("LAPWING_VULKAN_LOADER=/nowhere.so")},
       folder_ / "errors");
-  EXPECT_EQ(viewer_->wait(kPatience), 5);
+  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
   EXPECT_THAT(viewer_->errors(), HasSubstr("no Vulkan loader"));
 }
 

@@ -6,7 +6,7 @@ add_library(lapwing_warnings INTERFACE)
 # and of unset numbers in Eigen's fixed-size decompositions, whose loops it does not follow;
 # Vulkan's structures are given their type and filled in by name.
 target_compile_options(lapwing_warnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow
-  -Wconversion -Wno-restrict -Wno-stringop-overflow -Wno-maybe-uninitialized
+  -Wconversion -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
   -Wno-missing-field-initializers
   $<$<BOOL:${LAPWING_FOLDER_UNITS}>:-Wno-subobject-linkage>>)
 
@@ -67,7 +67,7 @@ function(lapwing_add_program name)
     target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tools/cmake/keep_modules_loaded.cpp)
     target_link_options(${name} PRIVATE -Wl,--export-dynamic-symbol=dlclose)
   endif()
-  set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF
+  set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE OFF
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()
 

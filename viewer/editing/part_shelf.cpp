@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-PartShelf::Item item_of(const Part& part, Kernels& kernels) {
+PartShelf::Item item_of(const lapwing::Part& part, Kernels& kernels) {
   PartShelf::Item item;
   item.file = part.mesh_path;
   item.name = part.name;

@@ -1,13 +1,13 @@
 #pragma once
 
+#include <imgui.h>
 #include <initializer_list>
 #include <utility>
 
-#include <imgui.h>
-
 namespace lapwing::viewer {
 
-/// One of several on a line behind `label`; `value` becomes the one that is clicked. Whether one was.
+/// One of several on a line behind `label`; `value` becomes the one that is clicked. Whether one
+/// was.
 template <typename Value>
 bool choose(const char* label, Value& value,
             std::initializer_list<std::pair<const char*, Value>> choices) {

@@ -44,7 +44,7 @@ void draw_legend(const SurfaceStyle& style) {
 
 template <typename Value, std::size_t count>
 void choose_in_pairs(const char* label, Value& value,
-            const std::array<std::pair<const char*, Value>, count>& choices) {
+                     const std::array<std::pair<const char*, Value>, count>& choices) {
   ImGui::TextDisabled("%s", label);
   for (std::size_t c = 0; c < count; ++c) {
     // Two in a row.
@@ -90,12 +90,13 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   ImGui::SameLine();
   bool before = editor.shown().shows_before();
   if (ImGui::Checkbox("Before", &before)) editor.show_before(before);
-  choose_in_pairs("Colour", choices.coloring,
-         std::array{std::pair{"plain", Coloring::plain}, std::pair{"regions", Coloring::regions},
-                    std::pair{"displacement", Coloring::displacement},
-                    std::pair{"rotation", Coloring::rotation},
-                    std::pair{"detail error", Coloring::detail},
-                    std::pair{"stretch", Coloring::stretch}});
+  choose_in_pairs(
+      "Colour", choices.coloring,
+      std::array{std::pair{"plain", Coloring::plain}, std::pair{"regions", Coloring::regions},
+                 std::pair{"displacement", Coloring::displacement},
+                 std::pair{"rotation", Coloring::rotation},
+                 std::pair{"detail error", Coloring::detail},
+                 std::pair{"stretch", Coloring::stretch}});
   const auto measure = measure_of(choices.coloring);
   editor.shown().color_by(measure);
   if (measure && !editor.shown().is_comparable()) {

@@ -14,7 +14,7 @@ constexpr ImU32 kPin = IM_COL32(255, 90, 90, 255);
 constexpr std::size_t kMostEdges = 12'000;
 
 // Where a point of the domain shows.
-struct Window {
+struct DomainWindow {
   ImVec2 corner;
   float width;
   Domain domain;
@@ -28,8 +28,8 @@ struct Window {
 };
 
 // Each inner edge once, but for those of midpoints; some of them where there are too many.
-void draw_edges(ImDrawList& list, const Window& window, const Patch& patch, const DomainMap& map,
-                ImU32 color) {
+void draw_edges(ImDrawList& list, const DomainWindow& window, const Patch& patch,
+                const DomainMap& map, ImU32 color) {
   const std::size_t every = patch.triangles.size() * 3 / 2 / kMostEdges + 1;
   std::size_t number = 0;
   for (const Triangle& triangle : patch.triangles) {
@@ -55,7 +55,7 @@ void draw_domain(const LayeredCoat* layers, std::size_t source) {
   ImGui::Dummy({width, width});
   if (layers == nullptr || source >= layers->source_count()) return;
   const Correspondence& map = layers->map(source);
-  const Window window{corner, width, map.target.domain};
+  const DomainWindow window{corner, width, map.target.domain};
   draw_edges(list, window, layers->source_patch(source), map.source, kSource);
   draw_edges(list, window, layers->target_patch(), map.target, kTarget);
   for (const VertexPair& pin : map.pins) {

@@ -35,22 +35,22 @@ void append(std::string& text, const char* format, auto... values) {
 
 // For the status line: what the worker does, and what a drag shows.
 void append_state(std::string& text, const Editor& editor) {
-  using Phase = PreparationStatus::Phase;
+  using At = PreparationStatus::Phase;
   const PreparationStatus status = editor.session().preparation().status();
   const double percent = 100.0 * status.fraction;
   switch (status.phase) {
-    case Phase::previewing:
-    case Phase::solving:
+    case At::previewing:
+    case At::solving:
       append(text, "  |  preparing: %s %.0f%%", status.stage.c_str(), percent);
       break;
-    case Phase::settling:
+    case At::settling:
       append(text, "  |  settling %.0f%%", percent);
       break;
-    case Phase::failed:
+    case At::failed:
       text.append("  |  ").append(status.message);
       break;
-    case Phase::idle:
-    case Phase::ready:
+    case At::idle:
+    case At::ready:
       break;
   }
   const WorkStatus step = editor.session().step_status();

@@ -4,8 +4,8 @@
 #include "lapwing/io/binary_numbers.h"
 #include "lapwing/io/formats.h"
 #include "lapwing/io/reading.h"
-#include "lapwing/io/text_scanner.h"
 #include "lapwing/io/stl_layout.h"
+#include "lapwing/io/text_scanner.h"
 #include "lapwing/io/welder.h"
 
 namespace lapwing {
@@ -19,7 +19,8 @@ std::string lower_word(TextScanner& scan) {
 }
 
 std::size_t binary_count(std::string_view bytes) {
-  return static_cast<std::size_t>(load_number(bytes.data() + kStlTextSize, Scalar::uint32, kStlOrder));
+  return static_cast<std::size_t>(
+      load_number(bytes.data() + kStlTextSize, Scalar::uint32, kStlOrder));
 }
 
 // Binary headers often begin with "solid" too: the size decides, then the words that follow.

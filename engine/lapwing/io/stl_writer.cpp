@@ -102,8 +102,8 @@ void report_losses(const Mesh& mesh, const Facets& facets, bool ascii, WriteRepo
   report_loss(report, MeshFormat::stl, "polygons, which were cut into triangles,", polygons);
   report_loss(report, MeshFormat::stl, "vertices without a face", loose);
   if (!ascii && narrowest_type(numbers_of(mesh.positions)) != Scalar::float32) {
-    report_loss(report, MeshFormat::stl, "positions beyond 32-bit floats, to which they were rounded,",
-                mesh.vertex_count());
+    report_loss(report, MeshFormat::stl,
+                "positions beyond 32-bit floats, to which they were rounded,", mesh.vertex_count());
   }
   report_loss(report, MeshFormat::stl, "texture coordinates", a.uvs.size());
   if (a.normals.size() != mesh.face_count()) {

@@ -57,7 +57,10 @@ class StartSearch {
  public:
   // `host` runs as the part does.
   StartSearch(const LoopCurve& part, const LoopCurve& host)
-      : host_(host), host_frame_(loop_frame(host)), host_points_(kCurvePoints), part_points_(kCurvePoints) {
+      : host_(host),
+        host_frame_(loop_frame(host)),
+        host_points_(kCurvePoints),
+        part_points_(kCurvePoints) {
     const LoopFrame frame = loop_frame(part);
     part.spread(0.0, part_points_);
     for (Vector3d& p : part_points_) p = (p - frame.center) / frame.radius;

@@ -9,11 +9,11 @@ namespace {
 
 // Widths in characters.
 constexpr std::size_t kVerdict = 8;
-constexpr std::size_t kRow = 31;
+constexpr std::size_t kRowName = 31;
 constexpr std::size_t kWhat = 14;
 constexpr std::size_t kNumbers = 36;  // two of a hundred thousand million
 constexpr std::size_t kPercent = 8;
-static_assert(2 + kVerdict + kRow + kWhat + kNumbers + kPercent <= kTerminalLine);
+static_assert(2 + kVerdict + kRowName + kWhat + kNumbers + kPercent <= kTerminalLine);
 
 bool is_time(const Change& change) {
   return change.what == "wall ms" || change.what == "device ms";
@@ -29,7 +29,8 @@ std::string row_name(const RowKey& row) {
 }
 
 std::string heading(const RowKey& row) {
-  return clipped(row.mesh + ", " + grouped(row.vertices) + " vertices, on " + row.device, kTerminalLine) +
+  return clipped(row.mesh + ", " + grouped(row.vertices) + " vertices, on " + row.device,
+                 kTerminalLine) +
          "\n";
 }
 
@@ -44,7 +45,7 @@ std::string number(const Change& change, double value) {
 // What ends up in a row's cells, without the spaces that empty ones leave at its end.
 std::string line_of(const char* word, const RowKey& row, const std::string& rest) {
   std::string line = "  " + padded_right(word, kVerdict) +
-                     padded_right(clipped(row_name(row), kRow - 2), kRow) + rest;
+                     padded_right(clipped(row_name(row), kRowName - 2), kRowName) + rest;
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }

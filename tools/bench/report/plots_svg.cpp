@@ -11,18 +11,18 @@ constexpr double kMargin = 20;
 
 // Of one device, side by side below its name.
 std::optional<Svg> row_of(const Report& report, const std::string& device) {
-  constexpr double kHeading = 26;
+  constexpr double kDeviceHeading = 26;
   std::vector<Svg> pictures;
   if (auto plot = scaling_plot(report, device, Lines::waits, kColumn)) pictures.push_back(*plot);
   if (auto plot = stages_plot(report, device, kColumn)) pictures.push_back(*plot);
   if (pictures.empty()) return std::nullopt;
   double height = 0.0;
   for (const Svg& picture : pictures) height = std::max(height, picture.height());
-  Svg row(2 * kColumn + kMargin, kHeading + height);
+  Svg row(2 * kColumn + kMargin, kDeviceHeading + height);
   row.text({0, 13}, "On " + device, "quiet", Anchor::start);
   double x = 0.0;
   for (const Svg& picture : pictures) {
-    row.place(picture, {x, kHeading});
+    row.place(picture, {x, kDeviceHeading});
     x += kColumn + kMargin;
   }
   return row;

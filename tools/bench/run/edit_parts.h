@@ -11,6 +11,9 @@
 
 namespace lapwing::bench {
 
+/// Right-hand sides of a response to one handle.
+inline constexpr std::size_t kResponseColumns = 12;
+
 /// What the parts of a preparation start from, for a subject's region with soft constraints of
 /// weight 1 and uniform Laplacian weights.
 struct EditParts {

@@ -19,8 +19,6 @@ constexpr std::size_t kMostForEigenProduct = 120'000;
 [[maybe_unused]] constexpr std::size_t kMostForCholmod = 120'000;
 [[maybe_unused]] constexpr std::size_t kMostForArap = 120'000;
 
-constexpr std::size_t kColumns = 12;
-
 using Sparse = Eigen::SparseMatrix<double>;
 
 Sparse as_sparse(const BlockRows& M, std::size_t vertex_count) {
@@ -58,9 +56,9 @@ void measure_factorization(BenchRun& run, const Subject& subject, const EditPart
   const auto analyze = [&] { solver->analyze(parts.pattern->blocks(), 3, parts.pattern->order()); };
   if (run.measure("analyze", by, subject, analyze) == nullptr) analyze();
   if (run.measure("factor", by, subject, [&] { solver->factor(N); }) == nullptr) solver->factor(N);
-  std::vector<double> x(kColumns * N.scalar_size(), 1.0);
+  std::vector<double> x(kResponseColumns * N.scalar_size(), 1.0);
   run.measure(
-      "response", by, subject, [&] { solver->solve(x, x, kColumns); },
+      "response", by, subject, [&] { solver->solve(x, x, kResponseColumns); },
       [&] { std::fill(x.begin(), x.end(), 1.0); });
   const auto one = std::span(x).first(N.scalar_size());
   run.measure(

@@ -142,12 +142,12 @@ EditRegion with_other_handle(const Subject& subject) {
   EditRegion region = subject.region;
   const Positions& positions = subject.mesh.positions;
   VertexSet& handle = region.handles[0];
-  const std::size_t count = handle.size();
+  const std::size_t size = handle.size();
   std::vector<Index> by_height(region.roi);
   std::stable_sort(by_height.begin(), by_height.end(),
                    [&](Index a, Index b) { return positions[a].y() > positions[b].y(); });
-  handle.assign(by_height.begin() + static_cast<std::ptrdiff_t>(count),
-                by_height.begin() + static_cast<std::ptrdiff_t>(2 * count));
+  handle.assign(by_height.begin() + static_cast<std::ptrdiff_t>(size),
+                by_height.begin() + static_cast<std::ptrdiff_t>(2 * size));
   std::sort(handle.begin(), handle.end());
   return region;
 }

@@ -13,8 +13,6 @@
 namespace lapwing::bench {
 namespace {
 
-constexpr std::size_t kColumns = 12;
-
 void count_factor(Measurement* row, const SolverStatistics& statistics) {
   if (row == nullptr) return;
   row->counts["flops"] = static_cast<std::uint64_t>(statistics.flops);
@@ -83,11 +81,11 @@ void measure_coupled(BenchRun& run, const Subject& subject, const EditParts& par
   if (!solves) return;
   solver->factor(N);
   const std::size_t size = N.scalar_size();
-  std::vector<double> x(kColumns * size, 1.0);
+  std::vector<double> x(kResponseColumns * size, 1.0);
   row = run.measure(
-      "response", kLapwing, subject, [&] { solver->solve(x, x, kColumns); },
+      "response", kLapwing, subject, [&] { solver->solve(x, x, kResponseColumns); },
       [&] { std::fill(x.begin(), x.end(), 1.0); });
-  count_solve(row, statistics, size, kColumns);
+  count_solve(row, statistics, size, kResponseColumns);
   row = run.measure(
       "back-substitution", kLapwing, subject,
       [&] { solver->solve(std::span(x).first(size), std::span(x).first(size), 1); },

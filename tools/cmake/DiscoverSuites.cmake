@@ -1,0 +1,41 @@
+# Writes FILE with one CTest test per suite of the GoogleTest program PROGRAM, named FOLDER.SUITE; all
+# tests of a suite run in one process, whose results go to RESULTS/FOLDER.SUITE.xml. SLOW is a regular
+# expression: suites that match start first and have the label "slow", the others "fast". With
+# ONE_BY_ONE each test is a CTest test of its own, labelled "window". ENVIRONMENT is set in all.
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests
+  OUTPUT_VARIABLE listing RESULT_VARIABLE result ERROR_VARIABLE errors TIMEOUT 120)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${PROGRAM} cannot list its tests: ${result}\n${errors}")
+endif()
+
+set(script "# Written by tools/cmake/DiscoverSuites.cmake.\n")
+# add(NAME FILTER LABEL COST)
+function(add name filter label cost)
+  string(REPLACE "/" "-" file ${name})
+  string(APPEND script "add_test([==[${name}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${filter}]==])\n"
+    "set_tests_properties([==[${name}]==] PROPERTIES LABELS ${label} COST ${cost} TIMEOUT ${TIMEOUT}\n"
+    "  ENVIRONMENT [==[GTEST_OUTPUT=xml:${RESULTS}/${file}.xml;${ENVIRONMENT}]==])\n")
+  set(script "${script}" PARENT_SCOPE)
+endfunction()
+
+string(REPLACE ";" "," listing "${listing}")
+string(REPLACE "\n" ";" lines "${listing}")
+foreach(line IN LISTS lines)
+  string(REGEX REPLACE " *#.*" "" line "${line}")
+  if(line MATCHES "^([^ ]+)\\.$")
+    set(suite ${CMAKE_MATCH_1})
+    if(ONE_BY_ONE)
+      continue()
+    endif()
+    set(label fast)
+    set(cost 1)
+    if(SLOW AND suite MATCHES "${SLOW}")
+      set(label slow)
+      set(cost 100)
+    endif()
+    add(${FOLDER}.${suite} "${suite}.*" ${label} ${cost})
+  elseif(ONE_BY_ONE AND line MATCHES "^  ([^ ]+)$")
+    add(${FOLDER}.${suite}.${CMAKE_MATCH_1} ${suite}.${CMAKE_MATCH_1} window 1)
+  endif()
+endforeach()
+file(WRITE ${FILE} "${script}")
