@@ -18,10 +18,10 @@ function(add name filter label cost)
   set(script "${script}" PARENT_SCOPE)
 endfunction()
 
-string(REPLACE ";" "," listing "${listing}")
+# What stands behind a # is the test's parameter, in which brackets and semicolons would break lists.
+string(REGEX REPLACE " *#[^\n]*" "" listing "${listing}")
 string(REPLACE "\n" ";" lines "${listing}")
 foreach(line IN LISTS lines)
-  string(REGEX REPLACE " *#.*" "" line "${line}")
   if(line MATCHES "^([^ ]+)\\.$")
     set(suite ${CMAKE_MATCH_1})
     if(ONE_BY_ONE)
