@@ -103,8 +103,9 @@ void replace_file(const fs::path& path, std::string_view bytes) {
     throw IoError("cannot write " + path.string() + ": not a regular file; name another");
   }
   // A rename needs only the directory's permission; a file marked read-only is to stay.
-  if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+  if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
     fail_to_write(path, errno);
+  }
 
   Temporary temporary(target);
   if (exists) temporary.set_permissions(old.st_mode);

@@ -9,8 +9,8 @@ namespace lapwing {
 /// that carries the line; the identity for H = 0 or not finite. About 0.2 microseconds.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& H);
 
-/// The rotation by the smallest angle from the unit vector `from` to the unit vector `to`; half a
-/// turn about any axis across them where they are opposite.
+/// The rotation by the least angle that takes `from`, of length 1, to `to`, of length 1. For
+/// opposite ones about an axis that depends on `from` alone.
 Eigen::Matrix3d least_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 }  // namespace lapwing
