@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "coating/coating_scenes.h"
+#include "lapwing/coating/fairing.h"
 
 namespace lapwing::test {
 namespace {
@@ -30,8 +31,15 @@ Vector3d on_saddle(double x, double y) {
   return {x, y, 0.6 * (x * x - y * y)};
 }
 
-constexpr std::array<Shape, 3> kShapes{
-    {{"cylinder", on_cylinder}, {"sphere", on_sphere}, {"saddle", on_saddle}}};
+// Twice as long one way: what is round on the source is not round here.
+Vector3d on_stretched(double x, double y) {
+  return {2.0 * x, y, 0.0};
+}
+
+constexpr std::array<Shape, 4> kShapes{{{"cylinder", on_cylinder},
+                                        {"sphere", on_sphere},
+                                        {"saddle", on_saddle},
+                                        {"stretched", on_stretched}}};
 
 Mesh make(const Shape& shape, Index cells) {
   Mesh mesh = grid(cells, cells);
@@ -117,6 +125,37 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::ValuesIn(kShapes), testing::Values(70U, 100U, 150U),
                      testing::Values(MappedSampling::one_ring, MappedSampling::linear)),
     name_of_relief);
+
+TEST(Coat, IsAsHighInPlaceOfOtherDetailOnTrianglesTwiceAsFine) {
+  constexpr Index kCells = 60;
+  const PatchedMesh source(relief(kCells, 4.0, 0.01));
+  const PatchedMesh target(uneven_relief(2 * kCells, 17.0, 0.003, 5));
+  const Coating coating = peel_cotangent(source, 0.75);
+  const Positions smooth =
+      smooth_around(target.patch.vertices, 0.75, target.mesh.positions, target.topology,
+                    LaplacianWeights::cotangent, "smooth_target");
+  const auto map = corner_to_corner(coating, kCells, target, 2 * kCells);
+  CpuKernels kernels;
+  CoaterOptions options;
+  options.hold_length = 0.75;
+  options.transition.width = 0.1;
+  Coater coater({target.mesh.positions, smooth}, target.topology, target.patch, options, kernels);
+  for (const auto sampling : {MappedSampling::one_ring, MappedSampling::linear}) {
+    coater.take(coating, map.points, {sampling, 1.0});
+    const Positions coated = coater.coat(1.0);
+    std::vector<double> ideal;
+    std::vector<double> measured;
+    for (Index own = 0; own < target.patch.vertices.size(); ++own) {
+      const Vector3d from = map.points[own].of<Vector3d>(coating.positions);
+      if ((from.head<2>() - Vector2d(0.5, 0.5)).cwiseAbs().maxCoeff() > 0.35) continue;
+      ideal.push_back(from.z());
+      measured.push_back(coated[target.patch.vertices[own]].z());
+    }
+    const Match result = match(ideal, measured);
+    EXPECT_GT(result.correlation, 0.99);
+    EXPECT_NEAR(result.amplitude, 1.0, 0.05);
+  }
+}
 
 TEST(Coat, GrowsWithTheSurfaceItComesToUnlessToldNotTo) {
   // The same plane, three times as large.

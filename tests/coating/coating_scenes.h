@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <random>
 
 #include <Eigen/Geometry>
 
@@ -44,6 +47,34 @@ inline Mesh relief(Index cells, double waves, double height) {
   const double k = 2.0 * std::numbers::pi * waves;
   for (Eigen::Vector3d& p : mesh.positions) {
     p.z() = height * std::sin(k * p.x()) * std::sin(k * p.y());
+  }
+  return mesh;
+}
+
+/// The same on triangles that are no two alike: vertices moved within their cells by up to a fifth
+/// of one, and diagonals that go either way.
+inline Mesh uneven_relief(Index cells, double waves, double height, unsigned seed) {
+  Mesh mesh = relief(cells, waves, height);
+  std::mt19937 generator(seed);
+  const double k = 2.0 * std::numbers::pi * waves;
+  for (Eigen::Vector3d& p : mesh.positions) {
+    const auto moved = [&](double x) {
+      const double by = (0.4 * 0x1p-32 * static_cast<double>(generator()) - 0.2) / cells;
+      return x > 0.0 && x < 1.0 ? x + by : x;
+    };
+    p.x() = moved(p.x());
+    p.y() = moved(p.y());
+    p.z() = height * std::sin(k * p.x()) * std::sin(k * p.y());
+  }
+  for (Index c = 0; c < cells * cells; ++c) {
+    const Index a = c / cells * (cells + 1) + c % cells;
+    const Index b = a + 1;
+    const Index d = a + cells + 1;
+    const Index e = d + 1;
+    const std::array<Index, 6> rising{a, b, e, a, e, d};
+    const std::array<Index, 6> falling{a, b, d, b, e, d};
+    const auto& corners = generator() % 2 == 0 ? rising : falling;
+    std::copy(corners.begin(), corners.end(), mesh.face_vertices.begin() + 6 * c);
   }
   return mesh;
 }

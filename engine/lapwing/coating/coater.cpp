@@ -8,6 +8,7 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/coating/ring_areas.h"
 #include "lapwing/coating/ring_columns.h"
+#include "lapwing/coating/sample_coating.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
 #include "lapwing/region/submesh.h"
@@ -24,24 +25,6 @@ struct Samples {
   std::vector<Vector3d> xi;
   std::vector<Vector3d> displacement;
 };
-
-Samples sample(const MappedRings& mapped, const Coating& coating, MappedSampling sampling,
-               std::span<const double> squares, std::span<const double> ratios, Kernels& kernels) {
-  const std::size_t rows = mapped.target.row_count();
-  Samples samples{std::vector<Vector3d>(rows), std::vector<Vector3d>(rows)};
-  kernels.sample_mapped_laplacians(mapped, MappedSampling::linear, coating.displacement,
-                                   samples.displacement);
-  if (sampling == MappedSampling::one_ring) {
-    kernels.sample_mapped_laplacians(mapped, sampling, coating.displacement, samples.xi);
-    return samples;
-  }
-  // From the density on the source to the Laplacian of a ring as large as this one is there.
-  kernels.sample_mapped_laplacians(mapped, sampling, coating.curvature, samples.xi);
-  for (std::size_t r = 0; r < rows; ++r) {
-    samples.xi[r] *= 0.25 * squares[r] / (ratios[r] * ratios[r]);
-  }
-  return samples;
-}
 
 }  // namespace
 
@@ -102,7 +85,6 @@ struct Coater::State {
   std::unique_ptr<SystemPattern> pattern;
   std::unique_ptr<LaplacianSystem> system;
   std::vector<double> shares;       // f, per row of the rings
-  std::vector<double> squares;      // squared radius, per row
   std::vector<double> holds;        // W, per unknown in the order of elimination
   std::vector<Vector3d> positions;  // of the smooth target, per vertex of the rings
   std::vector<Vector3d> normals;
@@ -175,12 +157,6 @@ void Coater::State::make_frames() {
     // Where all of the target goes, its border still keeps to what is outside.
     const bool stays = whole && r >= unknown_count();
     shares.push_back(stays ? 0.0 : by_own[patch.own_number(rings().vertices[r])]);
-  }
-  squares.assign(row_count, 0.0);
-  for (std::size_t r = 0; r < row_count; ++r) {
-    for (std::size_t e = rings().starts[r]; e < rings().starts[r + 1]; ++e) {
-      squares[r] += rings().weights[e] * rings().edges[e].squaredNorm();
-    }
   }
   std::vector<Vector3d> all(rest.size(), Vector3d::Zero());
   vertex_normals(smooth, part.topology.triangles, part.topology.vertex_triangles, rings().vertices,
@@ -306,18 +282,16 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
   std::vector<Matrix3d> T(rows);
   kernels.rotate_frames(mapped, {layer.coating.smooth, layer.coating.normals}, {positions, normals},
                         T);
-  std::vector<double> ratios(rows);
   const double largest = kLargestLocalScale * whole_ratio(layer.coating);
   LayerScales reached;
-  for (std::size_t r = 0; r < rows; ++r) {
-    ratios[r] = T[r].col(0).norm();
-    if (ratios[r] == 0.0) {
-      // The target's ring is a point, on which nothing has room.
-      ratios[r] = 1.0;
-    } else if (layer.options.scale) {
-      T[r] *= *layer.options.scale / ratios[r];
-    } else if (ratios[r] > largest) {
-      T[r] *= largest / ratios[r];
+  for (Matrix3d& t : T) {
+    const double ratio = t.col(0).norm();
+    // The target's ring is a point, on which nothing has room.
+    if (ratio == 0.0) continue;
+    if (layer.options.scale) {
+      t *= *layer.options.scale / ratio;
+    } else if (ratio > largest) {
+      t *= largest / ratio;
       ++reached.held;
     }
   }
@@ -325,8 +299,11 @@ void Coater::State::add_layer(const CoatLayer& layer, const Progress& progress, 
 
   report_progress(progress, "sample", 0.0);
   watch.restart();
-  const Samples samples =
-      sample(mapped, layer.coating, layer.options.sampling, squares, ratios, kernels);
+  Samples samples{sample_coating(mapped, layer.coating, layer.options.sampling, part.topology,
+                                 options.weights, kernels),
+                  std::vector<Vector3d>(rows)};
+  kernels.sample_mapped_laplacians(mapped, MappedSampling::linear, layer.coating.displacement,
+                                   samples.displacement);
   for (std::size_t r = 0; r < rows; ++r) {
     const double weight =
         layer.weights.empty() ? 1.0 : layer.weights[patch.own_number(rings().vertices[r])];

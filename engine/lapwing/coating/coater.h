@@ -51,6 +51,7 @@ inline constexpr double kLargestLocalScale = 4.0;
 
 /// How a coating is taken over.
 struct CoatOptions {
+  /// See sample_coating; with both a surface gets its own coating back.
   MappedSampling sampling = MappedSampling::one_ring;
   /// Its size on the target over that on the source; none: the local ratio of edge lengths, held to
   /// kLargestLocalScale times that of the patches as wholes.
@@ -74,8 +75,8 @@ struct LayerScales {
 };
 
 /// Puts coatings on a target patch (paper sections 5.1 and 5.2). With u the displacement of the
-/// target U, f the transition's share, xi the coating's Laplacians sampled at the target's
-/// vertices, T = s R from the source's frame to that of U smooth, and
+/// target U, f the transition's share, xi the coating's Laplacians at the target's vertices (see
+/// sample_coating), T = s R from the source's frame to that of U smooth, and
 /// xi_U = delta(U) - delta(U smooth):
 ///     (L'L + W) u = L' f (a T xi - xi_U) + W f (a T d - (U - U smooth))
 /// on one n x n factor, a the amplitude. The boundary loop is held exactly; nothing outside the

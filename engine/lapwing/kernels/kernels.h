@@ -114,7 +114,7 @@ struct MappedRings {
 /// How Laplacians are taken from a source surface.
 enum class MappedSampling {
   one_ring,  ///< the target's ring is laid onto the source and its Laplacian taken there
-  linear,    ///< the Laplacians of the three corners are interpolated
+  linear,    ///< those of the three corners, as densities, are interpolated
 };
 
 /// A surface with its unit normals, one of each per vertex; a normal may be 0.
@@ -146,8 +146,9 @@ class Kernels {
   /// Laplacian coordinates of a source at the rows of a target, before they are turned. `source`
   /// has one vector per source vertex: with one_ring a field f (positions, say, or what coats a
   /// smooth surface), of which each row gets f(p_i) - sum_j w_ij f(p_j); with linear Laplacians, of
-  /// which each row gets the one at p_i. 0 for a row that lies nowhere and, with one_ring, for one
-  /// without ring.
+  /// which each row gets the one at p_i. Laplacians grow with the square of their ring's radius r:
+  /// `source` has these as densities, 4 / r^2 as large, and who samples takes r^2 / 4 of the
+  /// target's ring. 0 for a row that lies nowhere and, with one_ring, for one without ring.
   virtual void sample_mapped_laplacians(const MappedRings& rings, MappedSampling sampling,
                                         std::span<const Eigen::Vector3d> source,
                                         std::span<Eigen::Vector3d> laplacians) = 0;
