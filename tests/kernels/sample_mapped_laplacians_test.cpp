@@ -4,6 +4,7 @@
 
 #include "kernels/mapped_sample.h"
 #include "kernels/twins.h"
+#include "lapwing/coating/ring_areas.h"
 #include "lapwing/mesh/shapes.h"
 
 namespace lapwing {
@@ -140,6 +141,26 @@ TEST_P(SampleMappedLaplacians, LinearOnesAreTheCornersOwnAtCorners) {
   const auto laplacians = sample_on(mapped, MappedSampling::linear, sample.mesh.positions);
   for (std::size_t r = 0; r < laplacians.size(); ++r) {
     EXPECT_LE((laplacians[r] - sample.mesh.positions[r]).norm(), tolerance()) << "row " << r;
+  }
+}
+
+// A density is interpolated, and the ring that it comes to says how much of it that is.
+TEST_P(SampleMappedLaplacians, LinearDensitiesTimesRingsAreThoseOfASurfaceMappedOntoItself) {
+  for (const Sample& sample : test::awkward_meshes()) {
+    const MappedSample mapped = test::identity_map(sample);
+    const Positions& positions = sample.mesh.positions;
+    const auto squares =
+        squared_rings(sample.topology.rings, sample.weights, positions, sample.vertices);
+    Positions densities(sample.vertices.size());
+    kernels->sample_laplacians(sample.problem(), densities);
+    for (std::size_t i = 0; i < densities.size(); ++i) densities[i] *= 4.0 / squares[i];
+    const auto linear = sample_on(mapped, MappedSampling::linear, densities);
+    const auto own = sample_on(mapped, MappedSampling::one_ring, positions);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      EXPECT_LE((0.25 * squares[i] * linear[i] - own[i]).norm(),
+                2.0 * tolerance() * extent_of(mapped, i, positions))
+          << sample.name << " vertex " << i;
+    }
   }
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -41,25 +40,6 @@ class RunCoat : public CoatRuns {
                    "move": {"translate": [0, 0, 0.1]}}], "settle": false})";
   }
 };
-
-TEST_F(RunCoat, PutsAMeshOntoItselfAndReturnsIt) {
-  write(relief(kCoatCells, 4.0, kCoatHeight), "target.ply");
-  const Mesh before = read("target.ply");
-  // Linear sampling takes a density over from the whole source, so that its border does not cancel.
-  const std::map<std::string, double> tolerances{{"one_ring", 0.01}, {"linear", 0.2}};
-  for (const auto& [sampling, tolerance] : tolerances) {
-    const auto result = run(coat(kMiddle, kMiddle,
-                                 R"(, "source": "target.ply", "smooth_target": 0.5,
-                                    "transition": {"width": 0}, "sampling": ")" +
-                                     sampling + '"' + kKeep));
-    EXPECT_LT(largest_distance(result->mesh.positions, before.positions), tolerance * kCoatHeight);
-    const auto inside = vertex_mask(before.vertex_count(), result->region.roi);
-    for (Index v = 0; v < before.vertex_count(); ++v) {
-      if (inside[v] != 0) continue;
-      EXPECT_EQ(result->mesh.positions[v], before.positions[v]) << v;
-    }
-  }
-}
 
 TEST_F(RunCoat, ReliefOnAFoldIsAsHighAsOnItsSource) {
   const auto result = run(coat(kAll, kMiddle, kFrom + kKeep + R"(, "scale": 1)"));
