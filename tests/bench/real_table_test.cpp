@@ -38,12 +38,19 @@ TEST(RealTable, NamesExceptionsBelowTheirFigure) {
   RealReport report;
   report.runs = {good_run("cow.off"), good_run("knot.off")};
   report.runs[1].ours.largest_edge = 7.0;
-  report.passed_over = {{"box.obj", "8 vertices"}};
   const std::string text = text_of(report);
   EXPECT_THAT(text, HasSubstr("NOT met  largest edge within 1.3 times ARAP's: 1 of 2 (50%), at "
                               "least 95%\n      knot.off lift: 7.00, ARAP 1.25\n"));
   EXPECT_THAT(text, HasSubstr("met      settled: 2 of 2 (100%), at least 98%\n"));
-  EXPECT_THAT(text, HasSubstr("box.obj: 8 vertices"));
+}
+
+TEST(RealTable, CountsFilesThatArePassedOverForTheSameReason) {
+  RealReport report;
+  report.passed_over = {
+      {"box.obj", "too small"}, {"dust.ply", "no triangles"}, {"u.off", "too small"}};
+  const std::string text = text_of(report);
+  EXPECT_THAT(text, HasSubstr("dust.ply: no triangles"));
+  EXPECT_THAT(text, HasSubstr("2 files: too small"));
 }
 
 TEST(RealTable, InMarkdownHasEveryRun) {

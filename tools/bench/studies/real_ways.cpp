@@ -106,9 +106,9 @@ void try_to(const Work& work, RealOutcome& outcome) {
 std::string why_passed_over(const Mesh& mesh, const Topology& topology, std::size_t most_vertices) {
   const std::size_t n = mesh.vertex_count();
   if (topology.triangles.empty()) return "no triangles";
-  if (n < kLeastVertices || (most_vertices > 0 && n > most_vertices)) {
-    return grouped(n) + " vertices";
-  }
+  if (n < kLeastVertices) return "fewer than " + grouped(kLeastVertices) + " vertices";
+  if (most_vertices > 0 && n > most_vertices)
+    return "more than " + grouped(most_vertices) + " vertices";
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdio>
+#include <map>
 
 #include "report/number_text.h"
 
@@ -103,10 +104,17 @@ std::string counted_runs(const RealSummary& summary) {
          std::to_string(summary.arap) + ", both " + std::to_string(summary.compared);
 }
 
+// By name, but for those that are passed over for the same reason as others: so many of them.
 std::string passed_over_lines(const std::vector<PassedOver>& files) {
   if (files.empty()) return "";
+  std::map<std::string, std::vector<std::string>> by_reason;
+  for (const PassedOver& file : files) by_reason[file.reason].push_back(file.mesh);
   std::string text = "\n  files that are no subjects (" + std::to_string(files.size()) + ")\n";
-  for (const PassedOver& file : files) text += "      " + file.mesh + ": " + file.reason + "\n";
+  for (const auto& [reason, meshes] : by_reason) {
+    const std::size_t count = meshes.size();
+    text += "      " + (count > 1 ? std::to_string(count) + " files" : meshes.front()) + ": " +
+            reason + "\n";
+  }
   return text;
 }
 
