@@ -16,6 +16,7 @@ struct Studies {
   int repeats = 7;
   SolveBench solve;
   SettleBench settle;
+  RealBench real;
   CoatBench coat;
 #ifdef LAPWING_HAVE_VIEWER
   FrameBench frame;
@@ -60,6 +61,23 @@ void add_studies(CLI::App& app, Studies& studies) {
     studies.settle.repeats = studies.repeats;
     bench_settle(studies.settle);
   });
+
+  auto* real = app.add_subcommand(
+      "real", "two edits of every real mesh, settled and linear, beside CGAL's ARAP");
+  real->add_option("PATH", studies.real.paths, "mesh files, and folders to search for them")
+      ->capture_default_str();
+  real->add_option("--only", studies.real.only, "only meshes with this in their names");
+  real->add_option("--most-vertices", studies.real.most_vertices, "pass over larger meshes");
+  real->add_option("--arap-iterations", studies.real.arap_iterations, "of CGAL's, at most")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  real->add_option("--seconds", studies.real.seconds, "that a mesh may take")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
+  real->add_option("--show", studies.real.show, "what --json wrote: nothing is measured");
+  real->add_option("--json", studies.real.json, "write all runs and the summary here");
+  real->add_option("--markdown", studies.real.markdown, "write the table of all runs here");
+  real->callback([&] { bench_real(studies.real); });
 
   auto* coat = app.add_subcommand("coat", "a coat step by stages, and what sliders of it cost");
   add_repeats(coat);

@@ -1,7 +1,6 @@
 #include "run_command.h"
 
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <regex>
@@ -17,6 +16,7 @@
 #include "run/bench_run.h"
 #include "run/host.h"
 #include "run/targets.h"
+#include "text_file.h"
 
 namespace lapwing::bench {
 namespace {
@@ -29,22 +29,6 @@ constexpr Repeats kQuick{3, 21, 100.0, 3};
 
 // Of counts that the last bits of a number can change, which other processors round otherwise.
 const std::map<std::string, double> kTolerances{{"iterations", 0.5}, {"allocations", 0.02}};
-
-void require_good(const std::ofstream& file, const std::string& path) {
-  if (!file) throw IoError("cannot write " + path + "; is its folder there and writable?");
-}
-
-// What is there stays until there is something to put in its place.
-void require_writable(const std::string& path) {
-  require_good(std::ofstream(path, std::ios::app), path);
-}
-
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  require_good(file, path);
-}
 
 std::optional<std::regex> as_regex(const std::string& text) {
   if (text.empty()) return std::nullopt;

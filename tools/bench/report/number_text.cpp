@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace lapwing::bench {
 namespace {
@@ -66,6 +67,12 @@ std::string change_in_percent(double before, double after) {
   constexpr double kSeen = 0.0005;  // what would not be printed as 0.0%
   if (before == 0.0 || std::abs(after - before) < kSeen * std::abs(before)) return {};
   return (after >= before ? "+" : "") + percent((after - before) / before);
+}
+
+double six_digits(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return std::strtod(text, nullptr);
 }
 
 std::size_t character_count(std::string_view text) {

@@ -22,6 +22,9 @@ std::string brief_count(double value);
 /// Of a share: "12%", "0.3%".
 std::string percent(double share);
 
+/// The nearest number of six digits that count: more than any clock is good for.
+double six_digits(double value);
+
 /// How a value changed: "+17%", "-3.2%"; "" from 0, and for less than 0.05%.
 std::string change_in_percent(double before, double after);
 

@@ -1,13 +1,12 @@
 #include "report/report_json.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include <nlohmann/json.hpp>
 
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/recipe/json_node.h"
+#include "report/number_text.h"
 
 namespace lapwing::bench {
 namespace {
@@ -16,13 +15,7 @@ using Json = nlohmann::ordered_json;
 
 const char* const kFormat = "lapwing-bench 1";
 
-double six_digits(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return std::strtod(text, nullptr);
-}
-
-Json six_digits(const std::vector<double>& values) {
+Json list_of(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(six_digits(value));
   return list;
@@ -53,9 +46,9 @@ Json as_json(const Measurement& m) {
           {"device", m.device},
           {"mesh", m.mesh},
           {"vertices", m.vertices},
-          {"wall_ms", six_digits(m.wall_ms)},
-          {"cpu_ms", six_digits(m.cpu_ms)},
-          {"device_ms", six_digits(m.device_ms)},
+          {"wall_ms", list_of(m.wall_ms)},
+          {"cpu_ms", list_of(m.cpu_ms)},
+          {"device_ms", list_of(m.device_ms)},
           {"peak_bytes", m.peak_bytes},
           {"counts", std::move(counts)}};
 }

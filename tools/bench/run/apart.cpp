@@ -1,10 +1,17 @@
 #include "run/apart.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <limits>
+#include <optional>
+#include <poll.h>
 #include <string>
 #include <string_view>
 #include <sys/prctl.h>
@@ -12,14 +19,17 @@
 #include <unistd.h>
 
 #include "lapwing/base/errors.h"
+#include "report/number_text.h"
 #include "report/report_json.h"
 
 namespace lapwing::bench {
 namespace {
 
-// The first letter of what comes back.
-constexpr char kReport = 'r';
-constexpr char kFailure = 'f';
+using Clock = std::chrono::steady_clock;
+using Work = std::function<void(const std::function<void(std::string_view)>& tell)>;
+
+// Ends what is told; the words of an exception follow, or nothing. Who dies does not come to it.
+constexpr char kEnd = '\0';
 
 [[noreturn]] void fail(const std::string& what) {
   throw Error(what + ": " + std::strerror(errno));
@@ -35,43 +45,61 @@ void send(int pipe, std::string_view text) {
 }
 
 // Without what runs at a program's end: that is for the process that this is a copy of.
-[[noreturn]] void work_and_exit(const std::function<Report()>& work, int pipe) {
+[[noreturn]] void work_and_exit(const Work& work, int pipe) {
   // Who stops this program means that, too.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::string answer;
+  std::string end(1, kEnd);
   try {
-    answer = kReport + to_json(work());
+    work([pipe](std::string_view text) { send(pipe, text); });
   } catch (const std::exception& error) {
-    answer = std::string(1, kFailure) + error.what();
+    end += error.what();
   }
-  send(pipe, answer);
+  send(pipe, end);
   _exit(0);
 }
 
-std::string receive(int pipe) {
-  std::string text;
+// For poll: as long as it takes without a deadline.
+int milliseconds_left(const std::optional<Clock::time_point>& deadline) {
+  if (!deadline) return -1;
+  const auto left =
+      std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - Clock::now()).count();
+  return static_cast<int>(std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max()));
+}
+
+// Appends to `text` until the other end is closed; false when the time is up first.
+bool receive(int pipe, const std::optional<Clock::time_point>& deadline, std::string& text) {
   std::array<char, 4096> part;
   for (;;) {
+    pollfd waiting{pipe, POLLIN, 0};
+    const int ready = poll(&waiting, 1, milliseconds_left(deadline));
+    if (ready == 0) return false;
+    if (ready < 0 && errno != EINTR) return true;
+    if (ready < 0) continue;
     const ssize_t got = read(pipe, part.data(), part.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return text;
+    if (got <= 0) return true;
     text.append(part.data(), static_cast<std::size_t>(got));
   }
 }
 
-// How a process ended that said nothing.
+// How a process ended that did not come to kEnd.
 std::string end_of(int status) {
-  if (!WIFSIGNALED(status)) return "ended with status " + std::to_string(WEXITSTATUS(status));
+  const std::string who = "the process that measured ";
+  if (!WIFSIGNALED(status)) return who + "ended with status " + std::to_string(WEXITSTATUS(status));
   const int signal = WTERMSIG(status);
   const std::string name = strsignal(signal);
-  return "was ended by signal " + std::to_string(signal) + " (" + name + ")" +
+  return who + "was ended by signal " + std::to_string(signal) + " (" + name + ")" +
          (signal == SIGKILL ? "; was there memory enough? --memory and --vertices ask for less"
                             : "");
 }
 
 }  // namespace
 
-Report made_apart(const std::function<Report()>& work) {
+Told told_apart(const Work& work, double most_seconds) {
+  std::optional<Clock::time_point> deadline;
+  if (most_seconds > 0.0) {
+    deadline = Clock::now() + std::chrono::milliseconds(std::llround(1e3 * most_seconds));
+  }
   std::array<int, 2> ends;
   if (pipe(ends.data()) != 0) fail("cannot open a pipe");
   std::fflush(stdout);
@@ -82,15 +110,27 @@ Report made_apart(const std::function<Report()>& work) {
     work_and_exit(work, ends[1]);
   }
   close(ends[1]);
-  const std::string answer = receive(ends[0]);
+  Told told;
+  const bool in_time = receive(ends[0], deadline, told.text);
+  if (!in_time) kill(child, SIGKILL);
   close(ends[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (answer.empty()) throw Error("the process that measured " + end_of(status));
-  const std::string_view text = std::string_view(answer).substr(1);
-  if (answer.front() == kFailure) throw Error(std::string(text));
-  return parse_report(text, "what was measured");
+  const std::size_t end = told.text.find(kEnd);
+  if (end != std::string::npos) {
+    told.failure = told.text.substr(end + 1);
+    told.text.resize(end);
+  } else {
+    told.failure = in_time ? end_of(status) : "not done in " + short_number(most_seconds) + " s";
+  }
+  return told;
+}
+
+Report made_apart(const std::function<Report()>& work) {
+  const Told told = told_apart([&](const auto& tell) { tell(to_json(work())); });
+  if (!told.failure.empty()) throw Error(told.failure);
+  return parse_report(told.text, "what was measured");
 }
 
 }  // namespace lapwing::bench

@@ -2,12 +2,13 @@
 
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_deformation.h>
+
+#include "lapwing/base/errors.h"
 
 namespace lapwing::bench {
 namespace {
@@ -35,8 +36,10 @@ SurfaceMesh as_surface_mesh(const Mesh& mesh, const Topology& topology) {
   SurfaceMesh surface;
   for (const Eigen::Vector3d& p : mesh.positions) surface.add_vertex({p.x(), p.y(), p.z()});
   for (const Triangle& t : topology.triangles) {
-    surface.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+    const auto face = surface.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+    if (face == SurfaceMesh::null_face()) throw InputError("not a manifold");
   }
+  if (!surface.is_valid(false)) throw InputError("not a manifold");
   return surface;
 }
 
@@ -68,7 +71,7 @@ struct CgalArap::StateOf final : CgalArap::State {
     for (const VertexSet& handle : region.handles) {
       for (const Index v : handle) deformation->insert_control_vertex(Vertex(v));
     }
-    if (!deformation->preprocess()) throw std::runtime_error("CGAL could not factor its system");
+    if (!deformation->preprocess()) throw SolverError("CGAL could not factor its system");
   }
   void reset() override { deformation->reset(); }
   void set_target(Vertex v, const Kernel::Point_3& place) override {

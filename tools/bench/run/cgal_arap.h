@@ -16,14 +16,16 @@ namespace lapwing::bench {
 enum class ArapVariant { spokes_and_rims, original, smooth_rotations };
 
 /// CGAL's as-rigid-as-possible deformation of a region; belt and handles are where they should be
-/// exactly. The mesh must be a manifold.
+/// exactly.
 class CgalArap {
  public:
+  /// Throws InputError unless the triangles are a manifold, turned one way.
   CgalArap(const Mesh& mesh, const Topology& topology, const EditRegion& region,
            ArapVariant variant = ArapVariant::spokes_and_rims);
   ~CgalArap();
 
-  /// Weights, assembly and factorization with Eigen: its preprocess(), from anew.
+  /// Weights, assembly and factorization with Eigen: its preprocess(), from anew. Throws
+  /// SolverError when that fails.
   void prepare();
   /// Back to the rest pose, prepared as it is.
   void reset();

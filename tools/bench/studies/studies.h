@@ -31,6 +31,23 @@ struct SettleBench {
 /// as-rigid-as-possible deformation; and on the four test motions of tools/classics.
 void bench_settle(const SettleBench& settings);
 
+struct RealBench {
+  std::vector<std::string> paths{"build/models"};  ///< mesh files, and folders to search for them
+  std::string only;                                ///< a part of the name of those wanted, or empty
+  std::size_t most_vertices = 0;                   ///< larger meshes are passed over; 0: none
+  int arap_iterations = 300;                       ///< at most, of CGAL's
+  double seconds = 120.0;                          ///< that a mesh may take
+  std::string show;                                ///< a file of --json: nothing is measured
+  std::string json;      ///< write all runs and the summary here, or empty
+  std::string markdown;  ///< write the table here, or empty
+};
+
+/// Moves one end of every mesh of at least 100 vertices in two ways (`studies/real/ends_motion.h`)
+/// and measures by the same measures what the recipe's defaults, the linear response alone and
+/// CGAL's as-rigid-as-possible deformation make of it; then counts what the engine is held to, and
+/// names the exceptions. Each mesh has a process of its own.
+void bench_real(const RealBench& settings);
+
 struct CoatBench {
   std::size_t vertices = 10'000;       ///< of each patch, about
   std::size_t mesh_vertices = 30'000;  ///< of the generated mesh that holds both

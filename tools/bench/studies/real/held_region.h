@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "lapwing/mesh/topology.h"
+#include "lapwing/region/edit_region.h"
+#include "studies/real/ends_motion.h"
+
+namespace lapwing::bench {
+
+/// As much of a mesh as its two ends hold.
+struct HeldRegion {
+  EditRegion region;         ///< with one handle
+  std::size_t left_out = 0;  ///< vertices of the mesh that are not in it
+};
+
+/// The whole mesh, less loose vertices and components that `check_anchors` refuses: those of which
+/// belt and handle hold no three vertices off one line. Throws InputError when no vertex of the
+/// belt or none of the handle is left.
+HeldRegion held_region(const MovedEnds& ends, std::span<const Eigen::Vector3d> positions,
+                       const Topology& topology);
+
+}  // namespace lapwing::bench

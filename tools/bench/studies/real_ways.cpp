@@ -1,0 +1,187 @@
+#include "studies/real_ways.h"
+
+#include <array>
+#include <cmath>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/deformer.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/recipe/deform_parameters.h"
+#include "report/number_text.h"
+#include "run/cgal_arap.h"
+#include "studies/real/edge_ratio.h"
+#include "studies/real/ends_motion.h"
+#include "studies/real/held_region.h"
+
+namespace lapwing::bench {
+namespace {
+
+using Eigen::Affine3d;
+
+constexpr std::size_t kLeastVertices = 100;
+
+// Change of the energy in an iteration, relative to itself.
+[[maybe_unused]] constexpr double kArapTolerance = 1e-6;
+
+// One motion of one mesh, ready to be done.
+struct RealEdit {
+  const Mesh& mesh;
+  const Topology& topology;
+  const std::vector<double>& weights;  // of the detail error
+  EditRegion region;
+  Affine3d map;
+};
+
+DeformOptions default_options() {
+  return deform_options(DeformParameters{});
+}
+
+// The response that drags use, alone.
+DeformOptions linear_options() {
+  DeformOptions options = default_options();
+  options.settle.reset();
+  return options;
+}
+
+// Fills in what the shape says. Throws SolverError when that is not finite.
+void measure_outcome(const RealEdit& edit, const Positions& positions, RealOutcome& outcome) {
+  const Positions& rest = edit.mesh.positions;
+  Certificate measures;
+  measure_region(edit.region, edit.topology, edit.weights, rest, positions, measures);
+  outcome.flipped_triangles = measures.flipped_triangles;
+  outcome.detail_error = measures.detail_error;
+  outcome.edge_stretch = measures.edge_stretch;
+  outcome.largest_edge = largest_edge_ratio(edit.region.roi, edit.topology, rest, positions);
+  outcome.measured = measures.all_finite && std::isfinite(outcome.detail_error) &&
+                     std::isfinite(outcome.edge_stretch) && std::isfinite(outcome.largest_edge);
+  if (!outcome.measured) throw SolverError("not finite");
+}
+
+void deform_by_ours(const RealEdit& edit, const DeformOptions& options, RealOutcome& outcome) {
+  CpuKernels kernels;
+  const Stopwatch preparing;
+  const Deformer deformer(edit.mesh.positions, edit.topology, edit.region, options, kernels);
+  outcome.prepare_ms = preparing.elapsed_ms();
+  const Stopwatch solving;
+  const DeformResult result = deformer.solve(std::array{edit.map});
+  outcome.solve_ms = solving.elapsed_ms();
+  outcome.settled = result.certificate.settled;
+  outcome.iterations = result.certificate.settle_iterations;
+  measure_outcome(edit, result.positions, outcome);
+}
+
+void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int most_iterations,
+                    [[maybe_unused]] RealOutcome& outcome) {
+#ifdef LAPWING_HAVE_CGAL
+  const Stopwatch preparing;
+  CgalArap arap(edit.mesh, edit.topology, edit.region, ArapVariant::original);
+  arap.prepare();
+  outcome.prepare_ms = preparing.elapsed_ms();
+  const Stopwatch solving;
+  arap.move(std::array{edit.map});
+  outcome.iterations = arap.iterate(most_iterations, kArapTolerance);
+  outcome.solve_ms = solving.elapsed_ms();
+  outcome.settled = outcome.iterations < most_iterations;
+  measure_outcome(edit, arap.positions(), outcome);
+#else
+  throw Error("not built with CGAL");
+#endif
+}
+
+// What is thrown becomes the outcome's failure.
+template <class Work>
+void try_to(const Work& work, RealOutcome& outcome) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    outcome.measured = false;
+    outcome.failure = shortened(error.what());
+  }
+}
+
+// Why a mesh is no subject of the study; empty if it is.
+std::string why_passed_over(const Mesh& mesh, const Topology& topology, std::size_t most_vertices) {
+  const std::size_t n = mesh.vertex_count();
+  if (topology.triangles.empty()) return "no triangles";
+  if (n < kLeastVertices) return "fewer than " + grouped(kLeastVertices) + " vertices";
+  if (most_vertices > 0 && n > most_vertices)
+    return "more than " + grouped(most_vertices) + " vertices";
+  return {};
+}
+
+// The edits of `all.runs` that there is something to deform in, and where their runs are.
+struct ReadyEdit {
+  RealEdit edit;
+  std::size_t run;
+};
+std::vector<ReadyEdit> ready_edits(const Mesh& mesh, const Topology& topology,
+                                   const std::vector<double>& weights, const std::string& name,
+                                   RealMesh& all) {
+  std::vector<ReadyEdit> ready;
+  for (const EndsMotion motion : kEndsMotions) {
+    RealRun& run = all.runs.emplace_back();
+    run.mesh = name;
+    run.motion = name_of(motion);
+    run.vertices = mesh.vertex_count();
+    run.triangles = topology.triangles.size();
+    try {
+      const MovedEnds ends = moved_ends(motion, mesh.positions);
+      HeldRegion held = held_region(ends, mesh.positions, topology);
+      run.left_out = held.left_out;
+      ready.push_back(
+          {{mesh, topology, weights, std::move(held.region), ends.map}, all.runs.size() - 1});
+    } catch (const InputError& error) {
+      run.failure = shortened(error.what());
+    }
+  }
+  return ready;
+}
+
+}  // namespace
+
+std::string shortened(const std::string& message) {
+  constexpr std::size_t kMostCharacters = 90;
+  return clipped(std::string_view(message).substr(0, message.find(';')), kMostCharacters);
+}
+
+void run_real_mesh(const std::filesystem::path& path, const std::string& name,
+                   const RealLimits& limits, const std::function<void(const RealMesh&)>& done) {
+  RealMesh all;
+  Mesh mesh;
+  Topology topology;
+  try {
+    mesh = read_mesh(path);
+    topology = build_topology(mesh);
+    all.passed_over = why_passed_over(mesh, topology, limits.most_vertices);
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    const std::string place = path.string();
+    all.passed_over =
+        shortened(message.starts_with(place) ? "not read" + message.substr(place.size()) : message);
+  }
+  if (!all.passed_over.empty()) {
+    done(all);
+    return;
+  }
+  // The measure's own, whatever weights the engine prefers.
+  const std::vector<double> weights =
+      laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
+  const std::vector<ReadyEdit> ready = ready_edits(mesh, topology, weights, name, all);
+  done(all);
+  for (const auto& [edit, r] : ready) {
+    RealRun& run = all.runs[r];
+    try_to([&] { deform_by_ours(edit, default_options(), run.ours); }, run.ours);
+    done(all);
+    try_to([&] { deform_by_ours(edit, linear_options(), run.linear); }, run.linear);
+    done(all);
+  }
+  for (const auto& [edit, r] : ready) {
+    try_to([&] { deform_by_cgal(edit, limits.arap_iterations, all.runs[r].arap); },
+           all.runs[r].arap);
+    done(all);
+  }
+}
+
+}  // namespace lapwing::bench
