@@ -131,3 +131,9 @@ real4 nearest_rotation(real3x3 given) {
 real3 turn(real4 q, real3 v) {
   return (q.x * q.x - dot(q.yzw, q.yzw)) * v + 2 * dot(q.yzw, v) * q.yzw + 2 * q.x * cross(q.yzw, v);
 }
+
+// T(q) v - v, without the digits that the difference of the two would lose.
+real3 turn_change(real4 q, real3 v) {
+  return (q.x * q.x - dot(q.yzw, q.yzw) - 1) * v + 2 * dot(q.yzw, v) * q.yzw +
+         2 * q.x * cross(q.yzw, v);
+}

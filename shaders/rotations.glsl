@@ -1,4 +1,4 @@
-// What the kernels fit_rotations and rotate_laplacians share. Included once Edges is declared.
+// What the kernels fit_rotations and energy_gradient share. Included once Edges is declared.
 
 layout(push_constant) uniform Push {
   uint row_count;  // of the range
@@ -7,8 +7,7 @@ layout(push_constant) uniform Push {
   uint unknown_count;
   uint flags;
 };
-const uint kSimilarity = 1;
-const uint kStiffness = 2;
+const uint kStiffness = 1;
 
 bool has(uint flag) { return (flags & flag) != 0; }
 

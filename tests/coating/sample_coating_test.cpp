@@ -23,7 +23,7 @@ struct OnItself {
         weights(scheme),
         coating(peel(surface.patch, mesh.positions, surface.topology, kItsDetail, scheme, kernels)),
         rings(region_rings(surface.topology, mesh.positions,
-                           laplacian_weights(surface.topology, mesh.positions, scheme), {}, 0.0,
+                           {laplacian_weights(surface.topology, mesh.positions, scheme), {}, {}},
                            surface.patch.vertices, {})) {
     for (const Index v : rings.vertices) {
       const Index own = surface.patch.own_number(v);
@@ -74,7 +74,7 @@ TEST(SampleCoating, InterpolatedBetweenVerticesIsCurvedAsTheSourceIsThere) {
   const Topology topology = build_topology(target);
   const auto weights = laplacian_weights(topology, target.positions, LaplacianWeights::cotangent);
   const RegionRings rings =
-      region_rings(topology, target.positions, weights, {}, 0.0, every_vertex(target), {});
+      region_rings(topology, target.positions, {weights, {}, {}}, every_vertex(target), {});
   CpuKernels kernels;
   const auto sampled = [&](MappedSampling sampling) {
     return sample_coating({rings, points}, coating, sampling, topology, LaplacianWeights::cotangent,

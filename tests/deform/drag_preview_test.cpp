@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/handle_motion.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/bent_tube.h"
 
@@ -45,6 +47,32 @@ TEST(DragPreview, TranslatingAllThatHoldsTranslatesTheRegion) {
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     EXPECT_LT((positions[i] - shift * mesh.positions[i]).norm(), 1e-9);
   }
+}
+
+TEST(DragPreview, FromAPoseItIsThatPoseUntilTheHandleMovesOn) {
+  const Mesh mesh = test::bumpy_tube();
+  const Topology topology = build_topology(mesh);
+  const EditRegion region = test::foot_and_head(mesh);
+  CpuKernels kernels;
+  DragPreview preview(mesh.positions, topology, region, {}, kernels);
+  const Deformer deformer(preview, kernels);
+  const std::array motions{test::bend()};
+  const std::array turns{shortest_turn(motions[0])};
+  const Positions settled = deformer.solve(motions).positions;
+  const SettledPose pose = preview.pose_at(settled, motions, turns);
+  EXPECT_EQ(pose.parameters, deformer.pose_at(settled, motions, turns).parameters);
+  EXPECT_EQ(pose.displacement, deformer.pose_at(settled, motions, turns).displacement);
+
+  preview.drag_from(pose);
+  preview.drag(motions);
+  EXPECT_LT(test::largest_distance(preview.surface().positions(), settled), 1e-12);
+  const Eigen::Translation3d shift(0.1, 0.0, 0.0);
+  preview.drag(std::array{Affine3d(shift * motions[0])});
+  const Positions moved = preview.surface().positions();
+  EXPECT_NEAR(test::largest_distance(moved, settled), 0.1, 0.01) << "the handle is in front";
+  preview.drag_from({});
+  preview.drag(std::array{Affine3d::Identity()});
+  EXPECT_LT(test::largest_distance(preview.surface().positions(), mesh.positions), 1e-12);
 }
 
 }  // namespace

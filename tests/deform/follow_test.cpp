@@ -10,6 +10,7 @@
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/bent_tube.h"
 #include "support/error_message.h"
+#include "support/linear_options.h"
 #include "support/rippled_cylinder.h"
 
 namespace lapwing {
@@ -19,12 +20,6 @@ using Eigen::Affine3d;
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 using test::largest_distance;
-
-DeformOptions settling() {
-  DeformOptions options;
-  options.settle.emplace();
-  return options;
-}
 
 std::array<Affine3d, 1> twist(double degrees) {
   return {test::turn_and_move(degrees, Vector3d::UnitZ(), Vector3d::Zero())};
@@ -53,8 +48,7 @@ class FollowedCylinder : public ::testing::Test {
   Mesh mesh_ = test::rippled_cylinder();
   Topology topology_ = build_topology(mesh_);
   CpuKernels kernels_;
-  Deformer deformer_{mesh_.positions, topology_, test::ends_of_cylinder(mesh_), settling(),
-                     kernels_};
+  Deformer deformer_{mesh_.positions, topology_, test::ends_of_cylinder(mesh_), {}, kernels_};
 };
 
 TEST_F(FollowedCylinder, StillHandleKeepsTheRestPositions) {
@@ -109,10 +103,66 @@ TEST_F(FollowedCylinder, CancellingLeavesThePoseAsItWas) {
   const SettledPose before = pose;
   int calls = 0;
   const auto third = [&calls](std::string_view, double) { return ++calls < 3; };
-  EXPECT_THROW(deformer_.follow(twist(20.0), pose, third), Cancelled);
+  EXPECT_THROW(deformer_.follow(twist(20.0), pose, {}, third), Cancelled);
   EXPECT_TRUE(same(pose, before));
   deformer_.follow(twist(20.0), pose);
   EXPECT_LT(distance_from_solution(pose, 20.0), 1e-3);
+}
+
+// Grabbing what has settled, and not moving it.
+TEST_F(FollowedCylinder, TheSameMotionAgainMovesNothing) {
+  SettledPose pose;
+  deformer_.follow(twist(40.0), pose);
+  ASSERT_TRUE(pose.settled.settled);
+  const SettledPose before = pose;
+  deformer_.follow(twist(40.0), pose);
+  EXPECT_TRUE(same(pose, before));
+}
+
+TEST_F(FollowedCylinder, FramesWithoutTimeEndWhereSettlingDoes) {
+  SettledPose pose;
+  int frames = 0;
+  do {
+    int left = 3;
+    deformer_.follow(twist(30.0), pose, [&left] { return left-- > 0; });
+  } while (!pose.settled.settled && ++frames < 100);
+  EXPECT_GT(frames, 1);
+  EXPECT_LT(distance_from_solution(pose, 30.0), 1e-3);
+}
+
+TEST_F(FollowedCylinder, ADragFromAPoseBeginsThere) {
+  const DeformResult settled = deformer_.solve(twist(40.0), turn_of(40.0));
+  const SettledPose pose = deformer_.pose_at(settled.positions, twist(40.0), turn_of(40.0));
+  deformer_.drag_from(pose);
+  deformer_.drag(twist(40.0));
+  EXPECT_LT(largest_distance(deformer_.surface().positions(), settled.positions), 1e-12);
+  deformer_.drag(twist(41.0));
+  const double moved = largest_distance(deformer_.surface().positions(), settled.positions);
+  EXPECT_GT(moved, 1e-3);
+  EXPECT_LT(moved, 2e-2);
+  deformer_.drag_from({});
+  deformer_.drag(twist(0.0));
+  EXPECT_LT(largest_distance(deformer_.surface().positions(), mesh_.positions), 1e-12);
+}
+
+// A second step, on what the first one made.
+TEST_F(FollowedCylinder, TwoStepsOf130DegreesTurnTheMiddleBy130) {
+  Positions rest = mesh_.positions;
+  std::vector<Vector3d> start = rest;
+  for (int step = 0; step < 2; ++step) {
+    const Deformer deformer(rest, topology_, test::ends_of_cylinder(mesh_), {}, kernels_);
+    rest = deformer.solve(twist(130.0), turn_of(130.0)).positions;
+  }
+  double wound = 0.0;
+  double middle = 0.0;
+  for (Index v = 0; v < rest.size(); v += 60) {
+    const double turn =
+        std::atan2(rest[v].y(), rest[v].x()) - std::atan2(start[v].y(), start[v].x());
+    wound += std::remainder(turn - wound, 2.0 * std::numbers::pi);
+    if (v / 60 == 60) middle = wound;
+  }
+  EXPECT_NEAR(wound * 180.0 / std::numbers::pi, 260.0, 2.0);
+  EXPECT_NEAR(middle * 180.0 / std::numbers::pi, 130.0, 2.0);
 }
 
 TEST_F(FollowedCylinder, MotionThatIsNotFiniteLeavesThePoseAsItWas) {
@@ -134,7 +184,8 @@ TEST_F(FollowedCylinder, WrongNumberOfMotionsIsRefused) {
 }
 
 TEST_F(FollowedCylinder, WithoutSettlingInTheOptionsADragCannotBeFollowed) {
-  const Deformer linear(mesh_.positions, topology_, test::ends_of_cylinder(mesh_), {}, kernels_);
+  const Deformer linear(mesh_.positions, topology_, test::ends_of_cylinder(mesh_),
+                        test::linear_options(), kernels_);
   SettledPose pose;
   EXPECT_THAT(error_message<InputError>([&] { linear.follow(twist(10.0), pose); }),
               ::testing::HasSubstr("settling in the deform options"));

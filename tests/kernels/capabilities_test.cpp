@@ -4,10 +4,11 @@
 #include "lapwing/gpu/spirv.h"
 #include "lapwing/shaders/assemble_rsi_float32.h"
 #include "lapwing/shaders/assemble_rsi_float64.h"
+#include "lapwing/shaders/assemble_tangent_float32.h"
 #include "lapwing/shaders/blend_response.h"
+#include "lapwing/shaders/energy_gradient_float32.h"
 #include "lapwing/shaders/fit_rotations_float32.h"
 #include "lapwing/shaders/rotate_frames_float32.h"
-#include "lapwing/shaders/rotate_laplacians_float32.h"
 #include "lapwing/shaders/sample_laplacians_float32.h"
 #include "lapwing/shaders/sample_mapped_laplacians_float32.h"
 #include "lapwing/shaders/vertex_normals.h"
@@ -26,11 +27,11 @@ constexpr std::uint32_t kFloat64 = 10;
 
 // So no Float64, Int64 or Geometry, which some devices lack.
 TEST(Capabilities, Float32ModulesNeedWhatEveryDeviceHas) {
-  for (const auto module :
-       {shaders::assemble_rsi_float32(), shaders::fit_rotations_float32(),
-        shaders::rotate_frames_float32(), shaders::rotate_laplacians_float32(),
-        shaders::sample_laplacians_float32(), shaders::sample_mapped_laplacians_float32(),
-        shaders::blend_response(), shaders::vertex_normals()}) {
+  for (const auto module : {shaders::assemble_rsi_float32(), shaders::assemble_tangent_float32(),
+                            shaders::energy_gradient_float32(), shaders::fit_rotations_float32(),
+                            shaders::rotate_frames_float32(), shaders::sample_laplacians_float32(),
+                            shaders::sample_mapped_laplacians_float32(), shaders::blend_response(),
+                            shaders::vertex_normals()}) {
     EXPECT_THAT(gpu::read_interface(module).capabilities, Each(AnyOf(kShader, kSampledBuffer)));
   }
 }

@@ -26,9 +26,9 @@ struct Fitted {
 
 class FitRotations : public test::KernelTest {
  protected:
-  static Fitted fit(Kernels& on, const TurnedRings& turned,
-                    RingMotion motion = RingMotion::rotation) {
-    const auto rotations = on.make_ring_rotations(turned.rings, motion);
+  static Fitted fit(Kernels& on, const TurnedRings& turned, std::span<const double> scales = {}) {
+    const auto rotations = on.make_ring_rotations(turned.rings);
+    if (!scales.empty()) rotations->set_scales(scales);
     Fitted fitted;
     fitted.energies.resize(turned.rings.row_count());
     rotations->fit_rotations(turned.displacement, fitted.energies);
@@ -49,16 +49,18 @@ double firmness(const Matrix3d& H) {
 TEST_P(FitRotations, AreProperAndTheBestThereAre) {
   for (const Sample& sample : test::awkward_meshes()) {
     for (const double noise : {0.0, 0.3, 3.0}) {
-      const TurnedRings turned = test::turned_rings(sample, 130, noise, 0.0, 1);
+      const TurnedRings turned = test::turned_rings(sample, 130, noise, 0.5, 1);
       const Fitted fitted = fit(*kernels, turned);
       for (std::size_t r = 0; r < turned.rings.row_count(); ++r) {
         const Matrix3d& R = fitted.transforms[r];
         EXPECT_LE((R.transpose() * R - Matrix3d::Identity()).norm(), tolerance())
             << sample.name << " row " << r;
         EXPECT_GT(R.determinant(), 0.0) << sample.name << " row " << r;
-        const Matrix3d H = turned.moment(r);
+        const Matrix3d H = turned.covariance(r);
         const Matrix3d best = nearest_rotation(H);
-        EXPECT_GE(R.cwiseProduct(H).sum(), best.cwiseProduct(H).sum() - tolerance() * H.norm())
+        // Where the rotation is nearly free, half of the digits decide about it.
+        const double share = firmness(H) > 0.1 ? 10.0 * tolerance() : std::sqrt(tolerance());
+        EXPECT_GE(R.cwiseProduct(H).sum(), best.cwiseProduct(H).sum() - share * H.norm())
             << sample.name << " row " << r << " noise " << noise;
         if (firmness(H) > 0.1) {
           EXPECT_LE((R - best).norm(), 10.0 * tolerance()) << sample.name << " row " << r;
@@ -84,7 +86,7 @@ TEST_P(FitRotations, FindTheRotationOfARigidMotionAndLeaveNoEnergy) {
         const double rounding = 1e-22 * bounds_of(sample.mesh.positions).max.squaredNorm();
         EXPECT_LE(fitted.energies[r], tolerance() * tolerance() * size + rounding)
             << sample.name << " row " << r;
-        if (firmness(turned.moment(r)) < 0.1) continue;
+        if (firmness(turned.covariance(r)) < 0.1) continue;
         EXPECT_LE((fitted.transforms[r] - R).norm(), 10.0 * tolerance() + 1e-9)
             << sample.name << " row " << r << " at " << degrees;
       }
@@ -92,35 +94,40 @@ TEST_P(FitRotations, FindTheRotationOfARigidMotionAndLeaveNoEnergy) {
   }
 }
 
-TEST_P(FitRotations, EnergyIsWhatTheRotationLeaves) {
+TEST_P(FitRotations, EnergyIsWhatTheScaledRotationLeaves) {
   const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 3));
   for (const double mu : {0.0, 0.7}) {
-    for (const auto motion : {RingMotion::rotation, RingMotion::similarity}) {
-      const TurnedRings turned = test::turned_rings(sample, 70, 0.4, mu, 4);
-      const Fitted fitted = fit(*kernels, turned, motion);
-      for (std::size_t r = 0; r < turned.rings.row_count(); ++r) {
-        const Matrix3d& T = fitted.transforms[r];
-        double energy = (turned.moved_laplacian(r) - T * turned.rest_laplacian(r)).squaredNorm();
-        for (std::size_t e = turned.rings.starts[r]; mu > 0.0 && e < turned.rings.starts[r + 1];
-             ++e) {
-          energy += turned.rings.stiffness[e] *
-                    (turned.moved_edge(r, e) - T * turned.rings.edges[e]).squaredNorm();
-        }
-        EXPECT_NEAR(fitted.energies[r], energy, tolerance() * (energy + 1.0));
+    const TurnedRings turned = test::turned_rings(sample, 70, 0.4, mu, 4);
+    std::vector<double> scales(turned.rings.row_count());
+    for (std::size_t r = 0; r < scales.size(); ++r)
+      scales[r] = 0.5 + 0.3 * static_cast<double>(r % 5);
+    const Fitted fitted = fit(*kernels, turned, scales);
+    for (std::size_t r = 0; r < turned.rings.row_count(); ++r) {
+      const Matrix3d& T = fitted.transforms[r];
+      EXPECT_NEAR(std::cbrt(T.determinant()), scales[r], 10.0 * tolerance());
+      double energy = turned.rings.row_weights[r] *
+                      (turned.moved_laplacian(r) - T * turned.rest_laplacian(r)).squaredNorm();
+      for (std::size_t e = turned.rings.starts[r]; mu > 0.0 && e < turned.rings.starts[r + 1];
+           ++e) {
+        energy += turned.rings.stiffness[e] *
+                  (turned.moved_edge(r, e) - T * turned.rings.edges[e]).squaredNorm();
       }
+      EXPECT_NEAR(fitted.energies[r], energy, tolerance() * (energy + 1.0));
     }
   }
 }
 
-TEST_P(FitRotations, SimilarityScalesWithItsRing) {
+TEST_P(FitRotations, ASimilarityOfThatScaleLeavesNoEnergy) {
   const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 5));
-  TurnedRings turned = test::turned_rings(sample, 0, 0.0, 0.0, 6);
+  TurnedRings turned = test::turned_rings(sample, 0, 0.0, 0.5, 6);
   for (std::size_t v = 0; v < turned.displacement.size(); ++v) {
     turned.displacement[v] = 1.5 * sample.mesh.positions[turned.rings.vertices[v]];
   }
-  const Fitted fitted = fit(*kernels, turned, RingMotion::similarity);
-  for (const Matrix3d& T : fitted.transforms) {
-    EXPECT_LE((T - 2.5 * Matrix3d::Identity()).norm(), 10.0 * tolerance());
+  const std::vector<double> scales(turned.rings.row_count(), 2.5);
+  const Fitted fitted = fit(*kernels, turned, scales);
+  for (std::size_t r = 0; r < scales.size(); ++r) {
+    EXPECT_LE((fitted.transforms[r] - 2.5 * Matrix3d::Identity()).norm(), 10.0 * tolerance());
+    EXPECT_LE(fitted.energies[r], tolerance() * tolerance());
   }
 }
 
@@ -141,11 +148,11 @@ TEST(FitRotationsInRanges, GiveTheSameBits) {
   const TurnedRings turned = test::turned_rings(sample, 100, 0.3, 0.1, 10);
   const auto state = std::make_shared<VulkanState>(std::make_shared<gpu::Context>(), false);
   const auto run = [&](std::size_t most_entries) {
-    VulkanRingRotations rotations(state, turned.rings, RingMotion::rotation, most_entries);
+    VulkanRingRotations rotations(state, turned.rings, most_entries);
     std::vector<double> numbers(turned.rings.row_count());
     rotations.fit_rotations(turned.displacement, numbers);
     std::vector<double> b(3 * turned.rings.unknown_rows.size());
-    rotations.rotate_laplacians(b);
+    rotations.energy_gradient(b);
     numbers.insert(numbers.end(), b.begin(), b.end());
     return numbers;
   };

@@ -7,7 +7,7 @@ namespace lapwing::test {
 namespace {
 
 RegionRings rings_of(const Sample& sample, std::span<const Index> rows) {
-  return region_rings(sample.topology, sample.mesh.positions, sample.weights, {}, 0.0, rows, {});
+  return region_rings(sample.topology, sample.mesh.positions, {sample.weights, {}, {}}, rows, {});
 }
 
 SurfacePoint point_around(const Sample& sample, Index v, std::mt19937& generator) {

@@ -14,18 +14,14 @@ Vector3d TurnedRings::moved_edge(std::size_t row, std::size_t entry) const {
   return rings.edges[entry] + displacement[rings.neighbours[entry]] - displacement[row];
 }
 
-Matrix3d TurnedRings::moment(std::size_t row) const {
-  const auto count = static_cast<Eigen::Index>(rings.starts[row + 1] - rings.starts[row]);
-  Eigen::Matrix3Xd rest = Eigen::Matrix3Xd::Zero(3, count + 1);
-  Eigen::Matrix3Xd moved = rest;
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const std::size_t entry = rings.starts[row] + static_cast<std::size_t>(k);
-    rest.col(k + 1) = rings.edges[entry];
-    moved.col(k + 1) = moved_edge(row, entry);
+Matrix3d TurnedRings::covariance(std::size_t row) const {
+  Matrix3d C = rings.row_weights[row] * moved_laplacian(row) * rest_laplacian(row).transpose();
+  for (std::size_t e = rings.starts[row]; e < rings.starts[row + 1]; ++e) {
+    if (!rings.stiffness.empty()) {
+      C += rings.stiffness[e] * moved_edge(row, e) * rings.edges[e].transpose();
+    }
   }
-  rest.colwise() -= rest.rowwise().mean().eval();
-  moved.colwise() -= moved.rowwise().mean().eval();
-  return moved * rest.transpose();
+  return C;
 }
 
 Vector3d TurnedRings::rest_laplacian(std::size_t row) const {
@@ -51,8 +47,13 @@ Vector3d turning_axis() {
 TurnedRings turned_rings(const Sample& sample, double degrees, double noise, double mu,
                          unsigned seed) {
   const Positions& rest = sample.mesh.positions;
-  const auto weights = laplacian_weights(sample.topology, rest, LaplacianWeights::cotangent);
-  const auto stiffness = mu > 0.0 ? edge_weights(sample.topology, rest) : std::vector<double>();
+  EnergyWeights weights;
+  weights.laplacian = laplacian_weights(sample.topology, rest, LaplacianWeights::cotangent);
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    weights.rows.push_back(0.5 + 0.2 * static_cast<double>(v % 7));
+  }
+  if (mu > 0.0) weights.stiffness = edge_weights(sample.topology, rest);
+  for (double& k : weights.stiffness) k *= 0.5 * mu;
   const std::size_t row_count = (2 * rest.size() + 2) / 3;
   const auto rows = std::span(sample.vertices).first(row_count);
   std::vector<Index> unknowns;
@@ -60,7 +61,7 @@ TurnedRings turned_rings(const Sample& sample, double degrees, double noise, dou
     if (v % 5 != 3) unknowns.push_back(v);
   }
   TurnedRings result;
-  result.rings = region_rings(sample.topology, rest, weights, stiffness, mu, rows, unknowns);
+  result.rings = region_rings(sample.topology, rest, weights, rows, unknowns);
 
   std::mt19937 generator(seed);
   const double edge = mean_edge_length(sample.topology.rings, rest);

@@ -14,15 +14,16 @@ struct TurnedRings {
   RegionRings rings;
   std::vector<Eigen::Vector3d> displacement;  ///< as RingRotations::fit_rotations takes it
 
-  /// sum_k d_k x_k' over K_i of row `row`, both centred on their means.
-  Eigen::Matrix3d moment(std::size_t row) const;
+  /// C_i of RingRotations::fit_rotations.
+  Eigen::Matrix3d covariance(std::size_t row) const;
   Eigen::Vector3d rest_laplacian(std::size_t row) const;
   Eigen::Vector3d moved_laplacian(std::size_t row) const;
   Eigen::Vector3d moved_edge(std::size_t row, std::size_t entry) const;
 };
 
 /// Two thirds of the vertices are rows, most of those unknowns; weights are cotangent ones, so that
-/// w_ij and w_ji differ. Turned by `degrees` about a tilted axis, moved far, and every vertex moved
+/// w_ij and w_ji differ, rows weigh differently, and edges have mu / 2 times their edge_weights as
+/// stiffness, none where mu is 0. Turned by `degrees` about a tilted axis, moved far, and every vertex moved
 /// at random by up to `noise` of the mean edge.
 TurnedRings turned_rings(const Sample& sample, double degrees, double noise, double mu,
                          unsigned seed);

@@ -130,8 +130,8 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/settle/tolerance: expected a number above 0, got 0"},
         Mistake{"SettleIterations", with_option(R"("settle": {"max_iterations": 1.5})"),
                 ": /steps/0/settle/max_iterations: expected a whole number from 1 to 1000000"},
-        Mistake{"SettleResistance", with_option(R"("settle": {"stretch_resistance": -1})"),
-                ": /steps/0/settle/stretch_resistance: expected 0 or more, got -1"},
+        Mistake{"DetailLength", with_option(R"("detail_length": 0)"),
+                ": /steps/0/detail_length: expected a number above 0, got 0"},
         Mistake{"CommitsOfNothing", with_option(R"("commit_every": 0)"),
                 ": /steps/0/commit_every: expected a number above 0, got 0"},
         Mistake{"CommitsTooFarApart", with_option(R"("commit_every": 180.5)"),
@@ -142,9 +142,9 @@ INSTANTIATE_TEST_SUITE_P(
                 {"vertices": [1]}, "move": {"matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0]}}])"),
                 ": /steps/0/handles/0/move/matrix: a matrix that mirrors cannot be carried out in "
                 "parts; leave out \"commit_every\""},
-        Mistake{"SettleDetails", with_option(R"("settle": {"details": "folow"})"),
-                ": /steps/0/settle/details: unknown details \"folow\"; did you mean \"follow\"? "
-                "Known here: \"preserve\", \"follow\""}),
+        Mistake{"UnknownResponse", with_option(R"("response": "tangnt")"),
+                ": /steps/0/response: unknown response \"tangnt\"; did you mean \"tangent\"? Known "
+                "here: \"tangent\", \"rsi\""}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(

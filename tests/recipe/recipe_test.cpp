@@ -73,13 +73,11 @@ TEST(Recipe, SettlesByDefaultOrAsTold) {
         .parameters.settle;
   };
   SettleOptions expected;
-  expected.weights = LaplacianWeights::cotangent;
   EXPECT_EQ(settle_of(""), expected);
   EXPECT_EQ(settle_of(R"(, "settle": true)"), expected);
   EXPECT_EQ(settle_of(R"(, "settle": false)"), std::nullopt);
-  expected = {LaplacianWeights::uniform, Details::follow, 0.25, 1e-6, 7};
-  const auto told = settle_of(R"(, "settle": {"weights": "uniform", "details": "follow",
-      "stretch_resistance": 0.25, "tolerance": 1e-6, "max_iterations": 7})");
+  expected = {1e-6, 7};
+  const auto told = settle_of(R"(, "settle": {"tolerance": 1e-6, "max_iterations": 7})");
   EXPECT_EQ(told, expected);
 }
 
@@ -95,16 +93,31 @@ TEST(Recipe, CommitsOnTheWayOnlyAsTold) {
   EXPECT_EQ(commit_every(R"(, "commit_every": 180)"), 180.0);
 }
 
-TEST(Recipe, DefaultsAreThoseOfThePaper) {
+TEST(Recipe, DetailLengthAndResponseAreAsTold) {
+  const auto parameters = [](const std::string& keys) {
+    return first_step(parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
+        "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}])" +
+                            keys + "}]}"))
+        .parameters;
+  };
+  EXPECT_EQ(parameters(R"(, "detail_length": 0.2)").detail_length, 0.2);
+  EXPECT_EQ(parameters(R"(, "response": "rsi")").response, LinearResponse::rsi);
+  EXPECT_EQ(parameters(R"(, "response": "tangent")").response, LinearResponse::tangent);
+}
+
+TEST(Recipe, DefaultsAreThoseOfTheEngine) {
   const Recipe recipe = parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
       "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}]}]})");
   const DeformStep& step = first_step(recipe);
   EXPECT_EQ(step.belt, BeltSpec(BorderBelt{0.1, ""}));
   EXPECT_EQ(step.handles[0].move, Move(SimilarityMove{}));
-  EXPECT_EQ(step.parameters.weights, LaplacianWeights::uniform);
-  EXPECT_EQ(step.parameters.constraint_weight, 1.0);
-  EXPECT_FALSE(step.parameters.hard);
-  EXPECT_EQ(step.parameters.settle, SettleOptions{});
+  const DeformOptions options;
+  EXPECT_EQ(step.parameters.weights, options.weights);
+  EXPECT_EQ(step.parameters.detail_length, options.detail_length);
+  EXPECT_EQ(step.parameters.response, options.response);
+  EXPECT_EQ(step.parameters.constraint_weight, options.constraint_weight);
+  EXPECT_EQ(step.parameters.hard, options.hard);
+  EXPECT_EQ(step.parameters.settle, options.settle);
   EXPECT_TRUE(recipe.save_path().empty());
 }
 
@@ -207,6 +220,8 @@ TEST(Recipe, IsWrittenForReaders) {
         }
       ],
       "weights": "cotangent",
+      "detail_length": 0.033,
+      "response": "tangent",
       "constraint_weight": 2,
       "hard": true,
       "settle": false

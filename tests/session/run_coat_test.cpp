@@ -253,7 +253,7 @@ TEST_F(RunCoatOnACoarseTarget, GivesTheSameBitsEachTime) {
 
 TEST_F(RunCoat, OnTheDeviceGivesWhatTheProcessorGives) {
   LAPWING_NEEDS_GPU();
-  VulkanKernels device;
+  VulkanKernels device(VulkanOptions{.frames_on_device = true});
   for (const char* sampling : {"one_ring", "linear"}) {
     const std::string step =
         coat(kAll, kMiddle, kFrom + kKeep + R"(, "sampling": ")" + sampling + '"');
@@ -261,7 +261,28 @@ TEST_F(RunCoat, OnTheDeviceGivesWhatTheProcessorGives) {
     const auto here = run(step);
     EXPECT_GT(largest_distance(here->mesh.positions, here->original), 0.1 * kCoatHeight);
     EXPECT_LT(largest_distance(there->mesh.positions, here->mesh.positions),
-              1e-6 * bounds_of(here->original).diagonal());
+              1e-9 * bounds_of(here->original).diagonal());
+  }
+}
+
+// Drag and settle shaders too.
+TEST_F(RunCoat, ADeformStepOnTheDeviceGivesWhatTheProcessorGives) {
+  LAPWING_NEEDS_GPU();
+  VulkanKernels device(VulkanOptions{.frames_on_device = true});
+  EXPECT_TRUE(device.device().frames);
+  for (const std::string settle : {"true", "false"}) {
+    const std::string step = R"({"op": "deform", "roi": {"all": true},
+      "belt": {"box": {"min": [-1, -1, -1], "max": [0.2, 2, 1]}},
+      "handles": [{"region": {"box": {"min": [0.9, -1, -1], "max": [2, 2, 1]}},
+                   "move": {"translate": [-0.2, 0, 0.3],
+                            "rotate": {"axis": [0, 1, 0], "degrees": -50}}}], "settle": )" +
+                             settle + "}";
+    const auto there = run(step, device);
+    const auto here = run(step);
+    EXPECT_TRUE(there->report.steps[0].certificate.settled);
+    EXPECT_GT(largest_distance(here->mesh.positions, here->original), 0.1);
+    EXPECT_LT(largest_distance(there->mesh.positions, here->mesh.positions),
+              1e-9 * bounds_of(here->original).diagonal());
   }
 }
 

@@ -10,6 +10,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/session/run_recipe.h"
+#include "lapwing/session/winding.h"
 #include "lapwing/settle/settle.h"
 #include "support/error_message.h"
 #include "support/rippled_cylinder.h"
@@ -51,7 +52,7 @@ class Winding : public ::testing::Test {
 };
 
 const char* const kCommits = R"(, "commit_every": 130)";
-const char* const kResist = R"(, "commit_every": 180, "settle": {"stretch_resistance": 0.001})";
+const char* const kResist = R"(, "commit_every": 180, "detail_length": 0.02)";
 
 double angle(const Vector3d& p) {
   return std::atan2(p.y(), p.x()) * 180.0 / std::numbers::pi;
@@ -88,7 +89,7 @@ TEST_F(Winding, TwistOf260DegreesInTwoCommitsOf130IsKept) {
   EXPECT_NEAR(turns[turns.size() / 2], 130.0, 5.0);
   EXPECT_NEAR(turns.back(), 260.0, 1.0);
   EXPECT_LT(half->report.steps[0].certificate.detail_error, 0.06);
-  EXPECT_LT(detail_error_between(*half, *whole), 0.04);
+  EXPECT_LT(detail_error_between(*half, *whole), 0.12);
 
   const StepReport& step = whole->report.steps[0];
   EXPECT_EQ(step.commits, 2U);
@@ -108,11 +109,16 @@ TEST_F(Winding, WithoutCommitsTheSurfaceHoldsWhatItCanAndTheUserIsTold) {
                           "may unwind, and this one did not. To be sure: add \"commit_every\": 130 "
                           "(or --commit-every 130)"));
 
-  const auto lost = run(twist(300));
+  const auto wound = run(twist(300));
+  EXPECT_NEAR(turns_of_circles(*wound).back(), 300.0, 1.0);
+
+  // Details alone hold less.
+  const auto lost = run(twist(300, R"(, "detail_length": 2)"));
   EXPECT_NEAR(turns_of_circles(*lost).back(), -60.0, 1.0);
   EXPECT_NEAR(lost->report.steps[0].wound_degrees.value(), -60.0, 1.0);
-  EXPECT_THAT(lost->report.warnings,
-              ElementsAre("handle 1 of step 1 turns by 300 degrees, but the surface came out wound "
+  EXPECT_THAT(
+      lost->report.warnings,
+      ::testing::Contains("handle 1 of step 1 turns by 300 degrees, but the surface came out wound "
                           "by -60: add \"commit_every\": 150 (or --commit-every 150)"));
 }
 
@@ -137,20 +143,25 @@ TEST_F(Winding, TurnNearHalfATurnGoesTheWayItIsWritten) {
   }
 }
 
-TEST_F(Winding, ResistanceToStretchKeepsAWholeTurn) {
+TEST_F(Winding, ASmallDetailLengthKeepsAWholeTurn) {
   const auto result = run(twist(360, kResist));
   EXPECT_NEAR(turns_of_circles(*result).back(), 360.0, 1.0);
   EXPECT_NEAR(result->report.steps[0].wound_degrees.value(), 360.0, 1.0);
   EXPECT_THAT(result->report.warnings, IsEmpty());
 }
 
-TEST_F(Winding, TurnThatIsLostAllTheSameIsToldWithWhatToChange) {
-  const auto result = run(twist(360, kCommits));
-  EXPECT_NEAR(turns_of_circles(*result).back(), 0.0, 1.0);
-  ASSERT_EQ(result->report.warnings.size(), 1U);
-  EXPECT_THAT(result->report.warnings[0],
+TEST(WindingWarning, TurnThatIsLostAllTheSameIsToldWithWhatToChange) {
+  DeformStep step;
+  SimilarityMove move;
+  move.rotate = {Vector3d::UnitZ(), 360.0};
+  step.handles.push_back({{}, move});
+  step.parameters.commit_every = 180.0;
+  step.parameters.detail_length = 0.1;
+  EXPECT_THAT(winding_warning(step, 1, 0.0),
               HasSubstr("turns by 360 degrees, but the surface came out wound by 0: set "
-                        "\"stretch_resistance\" of \"settle\" to 0.001"));
+                        "\"detail_length\" to 0.05 (or --detail-length 0.05)"));
+  step.parameters.detail_length = 0.02;
+  EXPECT_THAT(winding_warning(step, 1, 0.0), HasSubstr("turn less, or give the turn"));
 }
 
 TEST_F(Winding, LinearSolutionInSmallPartsKeepsItToo) {

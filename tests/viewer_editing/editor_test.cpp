@@ -1,6 +1,8 @@
 #include "editing/editor.h"
 
+#include <atomic>
 #include <chrono>
+#include <semaphore>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -19,6 +21,10 @@ using Phase = PreparationStatus::Phase;
 
 // Beyond what rounding to float32 does.
 constexpr double kVisible = 1e-5;
+// Of the mesh's diagonal: what "nothing moves" means, and what settling to its tolerance leaves
+// open.
+constexpr double kNothing = 1e-6;
+constexpr double kSettled = 1e-3;
 const Vector2d kRight(150.0, 0.0);
 const Vector2d kLeft(-150.0, 0.0);
 
@@ -34,9 +40,15 @@ class AnEditor : public ::testing::Test {
     kernels_.emplace(std::make_shared<gpu::Context>(), Precision::automatic);
     editor_.emplace(
         EditStart{History(state), {state.rest, state.topology}, {}, {}, folder_.path()}, *kernels_,
-        [](const std::string& said) { EXPECT_EQ(said, ""); }, std::function<void()>());
+        [](const std::string& said) { EXPECT_EQ(said, ""); },
+        [this] {
+          if (!by_steps_) return;
+          waits_ = true;
+          steps_.acquire();
+        });
     wait_until_ready();
   }
+  void TearDown() override { let_worker_go(); }
 
   void send(const InputEvent& event) { editor_->handle(event, view_); }
   // By the mouse alone, from the middle of the window.
@@ -60,8 +72,41 @@ class AnEditor : public ::testing::Test {
     do {
       editor_->update();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    } while (!editor_->shown().follows() || editor_->surface().source() != SurfaceSource::still);
+    } while (!editor_->shows_live_result());
   }
+
+  // The worker prepares anew and is held where the preview is ready, and nothing more.
+  void prepare_the_preview_alone() {
+    by_steps_ = true;
+    editor_->session().cancel_preparation();
+    editor_->session().prepare();
+    while (!editor_->session().preparation().preview()) {
+      if (waits_.exchange(false)) steps_.release();
+      std::this_thread::yield();
+    }
+  }
+  void let_worker_go() {
+    by_steps_ = false;
+    steps_.release();
+  }
+  // The handle is turned, and the surface has settled.
+  void turn_and_settle(double degrees) {
+    editor_->perform(MoveHandle{0, twisted(degrees)});
+    wait_until_ready();
+    ASSERT_NE(editor_->state().settled, nullptr);
+  }
+  // Until the drag is settled on the screen and the worker rests.
+  void wait_until_drag_is_settled() {
+    wait_for_live_result();
+    for (int same = 0; same < 20;) {
+      const std::uint64_t version = editor_->surface().version();
+      editor_->update();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      const bool rests = editor_->session().preparation().status().phase == Phase::ready;
+      same = rests && editor_->surface().version() == version ? same + 1 : 0;
+    }
+  }
+  double diagonal() const { return bounds_of(rest()).diagonal(); }
 
   Positions on_screen() const { return editor_->surface().shown().positions(); }
   const Positions& rest() const { return editor_->state().rest->positions; }
@@ -73,6 +118,9 @@ class AnEditor : public ::testing::Test {
 
   TemporaryFolder folder_;
   ViewFrame view_;
+  std::atomic<bool> by_steps_ = false;
+  std::atomic<bool> waits_ = false;
+  std::counting_semaphore<> steps_{0};
   std::optional<VulkanKernels> kernels_;
   std::optional<Editor> editor_;
 };
@@ -93,7 +141,6 @@ TEST_F(AnEditor, DragThatIsGivenUpLeavesNothing) {
 }
 
 TEST_F(AnEditor, WhatSettledOfADragThatIsGivenUpNeverShows) {
-  editor_->set_settles_while_dragging(true);
   begin_drag(kRight);
   wait_for_live_result();
   EXPECT_GT(head_moved(), 0.2);
@@ -104,7 +151,7 @@ TEST_F(AnEditor, WhatSettledOfADragThatIsGivenUpNeverShows) {
   EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
   wait_until_ready();
   EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
-  EXPECT_EQ(editor_->session().take_live_result(), nullptr);
+  EXPECT_FALSE(editor_->session().take_live_result().has_value());
   begin_drag(kLeft);
   editor_->update();
   EXPECT_LT(head_moved(), -0.2) << "of this drag";
@@ -136,6 +183,82 @@ TEST_F(AnEditor, ResultOnItsWayComesThoughAnotherDragWasGivenUp) {
   wait_until_ready();
   EXPECT_FALSE(needs_settling(editor_->state()));
   EXPECT_GT(head_moved(), 0.2);
+}
+
+TEST_F(AnEditor, ASettledHandleTakenHoldOfAgainMovesNothing) {
+  turn_and_settle(80.0);
+  const Positions before = on_screen();
+  for (const bool live : {true, false}) {
+    editor_->set_settles_while_dragging(live);
+    for (const char mode : {'G', 'R', 'S'}) {
+      send(move_to(0.5 * kWindow));
+      send(key(mode));
+      editor_->update();
+      EXPECT_EQ(editor_->surface().source(), SurfaceSource::exact);
+      EXPECT_LT(largest_distance(on_screen(), before), kNothing * diagonal()) << mode;
+      wait_until_ready();
+      EXPECT_LT(largest_distance(on_screen(), before), kNothing * diagonal()) << mode;
+      send(key(kEnter));
+      editor_->update();
+      EXPECT_EQ(on_screen(), before) << mode;
+    }
+  }
+}
+
+TEST_F(AnEditor, NorDoesItInThePreview) {
+  turn_and_settle(80.0);
+  const Positions before = on_screen();
+  prepare_the_preview_alone();
+  begin_drag({0.0, 0.0});
+  editor_->update();
+  EXPECT_EQ(editor_->surface().source(), SurfaceSource::preview);
+  EXPECT_LT(largest_distance(on_screen(), before), kNothing * diagonal());
+  send(move_to(0.5 * kWindow + 0.1 * kRight));
+  editor_->update();
+  const double moved = largest_distance(on_screen(), before);
+  EXPECT_GT(moved, 0.01);
+  EXPECT_LT(moved, 0.2) << "from there on";
+}
+
+TEST_F(AnEditor, WhatADragShowsIsWhatItComesTo) {
+  turn_and_settle(60.0);
+  begin_drag(0.3 * kRight);
+  for (const double share : {0.5, 0.8, 1.0}) {
+    editor_->update();
+    send(move_to(0.5 * kWindow + share * kRight));
+  }
+  wait_until_drag_is_settled();
+  EXPECT_TRUE(editor_->shows_live_result());
+  const Positions seen = on_screen();
+  send(key(kEnter));
+  editor_->update();
+  EXPECT_LT(largest_distance(on_screen(), seen), kNothing * diagonal()) << "until it comes";
+  wait_until_ready();
+  EXPECT_EQ(editor_->surface().source(), SurfaceSource::still);
+  EXPECT_LT(largest_distance(on_screen(), seen), kSettled * diagonal());
+  EXPECT_EQ(editor_->session().history().done(), 4U) << "two moves and their results";
+}
+
+TEST_F(AnEditor, ATypedMoveGoesOnFromTheSurfaceAsItStands) {
+  turn_and_settle(80.0);
+  const Positions before = on_screen();
+  prepare_the_preview_alone();
+  editor_->perform(MoveHandle{0, twisted(81.0)});
+  editor_->update();
+  EXPECT_LT(largest_distance(on_screen(), before), 0.05);
+}
+
+TEST_F(AnEditor, WithoutSettlingADragIsTheLinearResponse) {
+  editor_->perform(SetParameters{{.settle = std::nullopt}});
+  wait_until_ready();
+  EXPECT_FALSE(editor_->settles_while_dragging());
+  begin_drag(kRight);
+  editor_->update();
+  EXPECT_EQ(editor_->surface().source(), SurfaceSource::exact);
+  const Positions seen = on_screen();
+  send(key(kEnter));
+  wait_until_ready();
+  EXPECT_LT(largest_distance(on_screen(), seen), kVisible);
 }
 
 }  // namespace

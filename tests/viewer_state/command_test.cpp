@@ -72,6 +72,16 @@ TEST(Command, NewParametersAskForAResult) {
   EXPECT_TRUE(needs_settling(apply(settled_tube(), SetParameters{parameters})));
 }
 
+TEST(Command, ParametersThatNoRecipeCouldSayAreRefused) {
+  const AppState state = settled_tube();
+  for (const EditParameters& parameters :
+       {EditParameters{.detail_length = 0.0}, EditParameters{.detail_length = -0.1},
+        EditParameters{.constraint_weight = 0.0},
+        EditParameters{.settle = SettleOptions{.max_iterations = 0}}}) {
+    EXPECT_THROW(apply(state, SetParameters{parameters}), InputError);
+  }
+}
+
 TEST(Command, ABeltOfAnotherWidthAsksForAResultOfTheSameMove) {
   const AppState before = settled_tube();
   const AppState after = apply(before, SetBeltWidth{0.3});

@@ -37,11 +37,22 @@ class ASession : public ::testing::Test {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
-  std::shared_ptr<const MovedVertices> wait_for_live_result() {
+  // Where a drag to `moves` comes to rest.
+  Positions follow_to_the_end(const std::vector<Move>& moves,
+                              std::shared_ptr<const SettledPose> from) {
     for (;;) {
-      if (auto result = session_->take_live_result()) return result;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      wait_for(PreparationStatus::Phase::ready);
+      session_->settle_live(moves, from);
+      wait_for(PreparationStatus::Phase::ready);
+      const LiveResult result = session_->take_live_result().value();
+      from = result.pose;
+      if (result.is_done) return positions_at(*from);
     }
+  }
+  Positions positions_at(const SettledPose& pose) const {
+    Positions positions = session_->state().rest->positions;
+    for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
+    return positions;
   }
   // A crash, which closes nothing; the next start restores the edit and discards the old journal.
   InterruptedEdit crash_and_restore() {
@@ -82,7 +93,7 @@ TEST_F(ASession, ADragSettlesByItself) {
 TEST_F(ASession, NewParametersSettleAnew) {
   drag(twisted(90.0));
   const Positions before = positions();
-  session_->perform(SetParameters{{.settle = SettleOptions{.stretch_resistance = 0.5}}});
+  session_->perform(SetParameters{{.detail_length = 0.5}});
   wait_for_result();
   EXPECT_GT(largest_distance(positions(), before), 1e-3);
 }
@@ -132,29 +143,48 @@ TEST_F(ASession, ResultGivenUpWithThePreparationComesWithTheNext) {
 }
 
 TEST_F(ASession, LiveResultIsNoStep) {
-  wait_for(PreparationStatus::Phase::ready);
-  const std::vector<Move> dragged{bent()};
-  session_->settle_live(dragged);
-  const auto live = wait_for_live_result();
+  const Positions live = follow_to_the_end({bent()}, {});
   EXPECT_FALSE(session_->take_result());
   EXPECT_EQ(session_->history().done(), 2U);
   EXPECT_FALSE(is_moved(session_->state()));
   drag(bent());
-  const Positions result = positions();
-  Positions seen = session_->state().rest->positions;
-  for (std::size_t k = 0; k < live->vertices.size(); ++k) {
-    seen[live->vertices[k]] = live->positions[k];
-  }
-  EXPECT_LT(largest_distance(seen, result), 1e-3) << "what was seen is what comes";
+  EXPECT_LT(largest_distance(live, positions()), 1e-3) << "what was seen is what comes";
+}
+
+TEST_F(ASession, StandsAtAPoseWhereItIsSettledAlone) {
+  wait_for(PreparationStatus::Phase::ready);
+  EXPECT_EQ(session_->pose(), nullptr) << "at rest";
+  session_->perform(MoveHandle{0, bent()});
+  EXPECT_EQ(session_->pose(), nullptr) << "the result is on its way";
+  wait_for_result();
+  ASSERT_NE(session_->pose(), nullptr);
+  EXPECT_LT(largest_distance(positions_at(*session_->pose()), positions()), 1e-12);
+}
+
+TEST_F(ASession, ASettledHandleTakenHoldOfAgainMovesNothing) {
+  drag(twisted(70.0));
+  const Positions before = positions();
+  const Positions again = follow_to_the_end(session_->state().moves, session_->pose());
+  EXPECT_LT(largest_distance(again, before), 1e-12);
+}
+
+TEST_F(ASession, ADragOfASettledHandleGoesOnFromThere) {
+  drag(twisted(70.0));
+  const Positions before = positions();
+  const std::vector<Move> moves{twisted(71.0)};
+  const Positions live = follow_to_the_end(moves, session_->pose());
+  EXPECT_LT(largest_distance(live, before), 0.05);
+  drag(moves[0]);
+  EXPECT_LT(largest_distance(live, positions()), 1e-3) << "what was seen is what comes";
 }
 
 TEST_F(ASession, AMoveWinsOverALiveResult) {
   session_->perform(SetParameters{{.settle = SettleOptions{.tolerance = 1e-9}}});
   wait_for(PreparationStatus::Phase::ready);
   const std::vector<Move> dragged{twisted(170.0)};
-  session_->settle_live(dragged);
+  session_->settle_live(dragged, {});
   drag(bent());
-  EXPECT_EQ(session_->take_live_result(), nullptr);
+  EXPECT_FALSE(session_->take_live_result().has_value());
   EXPECT_EQ(session_->state().moves[0], bent());
 }
 

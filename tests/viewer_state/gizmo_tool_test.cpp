@@ -131,6 +131,20 @@ TEST_F(AGizmoTool, WithoutAMoveNothingIsPerformed) {
   EXPECT_FALSE(send(key(kEnter)).command.has_value());
 }
 
+// What rounding makes of a move would be another step of the history.
+TEST_F(AGizmoTool, TakenHoldOfAgainTheMoveIsTheSameBitForBit) {
+  SimilarityMove before;
+  before.translate = {0.1, -1.0 / 3.0, 0.7};
+  before.rotate = {Vector3d(1.0, 2.0, 3.0), 400.0};
+  before.scale = 1.1;
+  state_ = apply(state_, MoveHandle{0, before});
+  for (const char mode : {'G', 'R', 'S'}) {
+    send(key(mode));
+    EXPECT_EQ(*tool_.live(), state_.moves[0]);
+    EXPECT_FALSE(send(key(kEnter)).command.has_value());
+  }
+}
+
 TEST_F(AGizmoTool, ControlSnaps) {
   send(move_to(middle_ + Vector2d(100, 0)));
   send(key('R'));

@@ -42,6 +42,9 @@ VertexSet resolved(const RegionSpec& region, const Mesh& mesh) {
   return resolve(region, mesh, build_topology(mesh));
 }
 
+// Mean difference of pictures that show the same: what moves is drawn without antialiasing.
+constexpr double kSamePicture = 0.25;
+
 class Editing : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -97,6 +100,21 @@ class Editing : public ::testing::Test {
   void drag_part(GizmoMode mode, GizmoPart part, const Vector2d& by) {
     const Vector2d from = test::middle_of(gizmo(mode), part, person_->projection());
     person_->drag({from, from + 0.3 * by, from + 0.7 * by, from + by});
+  }
+
+  // The picture where the tube is between belt and handle, beside the gizmo.
+  Image free_part() const {
+    const Image screen = desktop_->settled_picture();
+    const auto corner = person_->pixel_of({0.5, 1.5, 4.4}).cast<std::uint32_t>().eval();
+    const auto opposite = person_->pixel_of({0.5, -0.7, 1.0}).cast<std::uint32_t>().eval();
+    Image part{opposite.x() - corner.x(), opposite.y() - corner.y(), {}};
+    for (std::uint32_t y = corner.y(); y < opposite.y(); ++y) {
+      for (std::uint32_t x = corner.x(); x < opposite.x(); ++x) {
+        const auto pixel = screen.pixel(x, y);
+        part.rgba.insert(part.rgba.end(), pixel.begin(), pixel.end());
+      }
+    }
+    return part;
   }
 
   SimilarityMove move() const {
@@ -243,6 +261,44 @@ TEST_F(Editing, EachGizmoModeMovesTheHandle) {
   EXPECT_TRUE(after("s", "", "1.5",
                     [](const SimilarityMove& m) { return std::abs(m.scale - 1.5) < 1e-9; }));
   EXPECT_TRUE(settles());
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
+}
+
+TEST_F(Editing, ASettledHandleTakenHoldOfAgainMovesNothing) {
+  open_tube();
+  choose_parts();
+  drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -120.0});
+  ASSERT_TRUE(settles());
+  const Image before = free_part();
+  const Draft draft = person_->draft().value();
+  const Vector2d arm =
+      test::middle_of(gizmo(GizmoMode::translate), GizmoPart::y, person_->projection());
+  person_->hold({arm});
+  EXPECT_LT(test::mean_difference(free_part(), before), kSamePicture);
+  person_->let_go();
+  EXPECT_LT(test::mean_difference(free_part(), before), 0.01);
+  EXPECT_EQ(person_->draft(), draft) << "no step";
+  person_->hold({arm, arm + Vector2d(0.0, 3.0), arm});
+  EXPECT_LT(test::mean_difference(free_part(), before), kSamePicture) << "there and back";
+  person_->let_go();
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
+}
+
+TEST_F(Editing, WhatADragShowsIsWhatItComesTo) {
+  open_tube();
+  choose_parts();
+  const Image still = free_part();
+  const Vector2d arm =
+      test::middle_of(gizmo(GizmoMode::translate), GizmoPart::y, person_->projection());
+  const Vector2d up(0.0, -260.0);
+  person_->hold({arm, arm + 0.3 * up, arm + 0.7 * up, arm + up});
+  const Image held = free_part();
+  EXPECT_GT(test::mean_difference(held, still), 2.0 * kSamePicture);
+  person_->let_go();
+  ASSERT_TRUE(settles());
+  EXPECT_LT(test::mean_difference(free_part(), held), kSamePicture);
   EXPECT_EQ(person_->discard_and_quit(), 0);
   EXPECT_THAT(person_->errors(), IsEmpty());
 }

@@ -21,6 +21,12 @@ std::string at(const Eigen::Vector2d& pixel) {
          std::to_string(static_cast<int>(pixel.y())) + " ";
 }
 
+std::string pressed_along(const std::vector<Eigen::Vector2d>& pixels) {
+  std::string gesture = at(pixels.front()) + "mousedown 1 ";
+  for (std::size_t k = 1; k < pixels.size(); ++k) gesture += at(pixels[k]) + "sleep 0.05 ";
+  return gesture;
+}
+
 const char* key_of(View view) {
   switch (view) {
     case View::front:
@@ -135,11 +141,17 @@ void Person::scroll(const Vector2d& pixel, int notches) const {
 
 void Person::drag(const std::vector<Vector2d>& pixels, const std::string& held) const {
   std::string gesture = held.empty() ? "" : "keydown " + held + " ";
-  gesture += at(pixels.front()) + "mousedown 1 ";
-  for (std::size_t k = 1; k < pixels.size(); ++k) gesture += at(pixels[k]) + "sleep 0.05 ";
-  gesture += "mouseup 1";
+  gesture += pressed_along(pixels) + "mouseup 1";
   if (!held.empty()) gesture += " keyup " + held;
   desktop_.xdotool(gesture);
+}
+
+void Person::hold(const std::vector<Vector2d>& pixels) const {
+  desktop_.xdotool(pressed_along(pixels));
+}
+
+void Person::let_go() const {
+  desktop_.xdotool("mouseup 1");
 }
 
 void Person::move_to(const Vector2d& pixel) const {

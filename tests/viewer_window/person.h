@@ -56,6 +56,9 @@ class Person {
   void scroll(const Vector2d& pixel, int notches) const;
   /// Presses the left button at the first pixel and lets go at the last; `held` is a key.
   void drag(const std::vector<Vector2d>& pixels, const std::string& held = "") const;
+  /// The same, but keeps the button pressed, until `let_go`.
+  void hold(const std::vector<Vector2d>& pixels) const;
+  void let_go() const;
 
   /// The edit as the journal of the running viewer has it; nothing before the first step.
   std::optional<viewer::Draft> draft() const;

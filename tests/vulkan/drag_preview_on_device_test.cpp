@@ -4,8 +4,9 @@
 #include "kernels/twins.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag_preview.h"
-#include "lapwing/laplacian/constraints.h"
+#include "lapwing/laplacian/laplacian_system.h"
 #include "support/bent_tube.h"
+#include "support/linear_options.h"
 
 namespace lapwing {
 namespace {
@@ -32,21 +33,21 @@ TEST_P(DragPreviewOnDevice, StillHandleLeavesTheSurfaceAtRest) {
             surface_tolerance() * diagonal);
 }
 
-// Free vertices are the mean of their neighbours' displacement twice over: L'L u = 0.
+// Free vertices follow (L'Om L + K) u = 0.
 TEST_P(DragPreviewOnDevice, KeepsLaplacianCoordinatesAsTheyAre) {
   DragPreview dragged = preview();
   dragged.drag(bend);
   const Positions positions = dragged.surface().positions();
   std::vector<Vector3d> u(positions.size());
   for (std::size_t v = 0; v < u.size(); ++v) u[v] = positions[v] - mesh.positions[v];
-  const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
   const EditRegion region = test::foot_and_head(mesh);
-  const BlockRows L = laplacian_rows(topology.rings, weights, region.roi);
   const Constraints free = constraints_of(region, topology, 1.0, true);
-  std::vector<double> rows(3 * L.size());
-  multiply(L, u, rows);
+  const SystemPattern pattern(topology, region.roi, free.unknowns);
+  const DeformOptions options;
+  LaplacianSystem laplacian(topology, region.roi, free.unknowns, pattern);
+  laplacian.assemble(mesh.positions, {options.weights, options.detail_length});
   std::vector<double> residual(3 * free.unknowns.size());
-  NormalPattern(L, free.unknowns).multiply_transposed(L, rows, residual);
+  laplacian.multiply(u, residual);
   for (const double r : residual) EXPECT_LT(std::abs(r), 100.0 * surface_tolerance() * diagonal);
 }
 
@@ -65,8 +66,7 @@ TEST_P(DragPreviewOnDevice, HandleGoesAboutWhereItIsDragged) {
 }
 
 TEST_P(DragPreviewOnDevice, DeformerMadeFromItIsTheOneMadeAlone) {
-  DeformOptions options;
-  options.settle.emplace();
+  const DeformOptions options;
   DragPreview first = preview(options);
   const Deformer after(first, *kernels);
   const Deformer alone(mesh.positions, topology, test::foot_and_head(mesh), options, *kernels);
@@ -74,7 +74,7 @@ TEST_P(DragPreviewOnDevice, DeformerMadeFromItIsTheOneMadeAlone) {
 }
 
 TEST_P(DragPreviewOnDevice, FollowsTheHandleWhileAnotherThreadPreparesTheExactOne) {
-  DragPreview first = preview();
+  DragPreview first = preview(test::linear_options());
   std::unique_ptr<Kernels> own = std::make_unique<CpuKernels>();
   if (auto* vulkan = dynamic_cast<VulkanKernels*>(kernels.get())) {
     own = std::make_unique<VulkanKernels>(vulkan->context(), GetParam().precision);

@@ -20,12 +20,13 @@ struct DeformArguments {
   std::string roi = "all";
   std::string belt = "fraction:0.1";
   HandleFlags handle;
-  std::string weights = "uniform";
-  double constraint_weight = 1.0;
+  std::string weights = "cotangent";
+  double detail_length = DeformParameters{}.detail_length;
+  std::string response = "tangent";
+  double constraint_weight = DeformParameters{}.constraint_weight;
   bool hard = false;
   bool no_settle = false;
-  double stretch_resistance = 0.0;
-  std::string details = "preserve";
+  int max_iterations = SettleOptions{}.max_iterations;
   std::optional<double> commit_every;
   std::string recipe;
   EditOutput output;
@@ -33,7 +34,7 @@ struct DeformArguments {
 
 Json settle_json(const DeformArguments& a) {
   if (a.no_settle) return false;
-  return {{"stretch_resistance", a.stretch_resistance}, {"details", a.details}};
+  return {{"max_iterations", a.max_iterations}};
 }
 
 Json step_json(const DeformArguments& a) {
@@ -42,6 +43,8 @@ Json step_json(const DeformArguments& a) {
                {"belt", region_json("--belt", a.belt)},
                {"handles", Json::array({a.handle.json()})},
                {"weights", a.weights},
+               {"detail_length", a.detail_length},
+               {"response", a.response},
                {"constraint_weight", a.constraint_weight},
                {"hard", a.hard},
                {"settle", settle_json(a)}};
@@ -71,17 +74,22 @@ void add_deform(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--constraint-weight", a->constraint_weight)->capture_default_str();
   command->add_flag("--hard", a->hard, "hold belt and handle exactly");
-  auto* no_settle = command->add_flag("--no-settle", a->no_settle,
-                                      "leave the linear solution, right for small angles only");
   command
-      ->add_option("--stretch-resistance", a->stretch_resistance,
-                   "0 keeps details, 1 and more keeps lengths as rigidly as possible")
+      ->add_option(
+          "--detail-length", a->detail_length,
+          "below it details are kept as they are, above it the surface is elastic: a share "
+          "of the square root of the region's area")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber)
-      ->excludes(no_settle);
-  command->add_option("--details", a->details, "keep their size, or follow the surface's scale")
-      ->check(CLI::IsMember({"preserve", "follow"}))
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--response", a->response, "the linear response: of the energy, or the paper's")
+      ->check(CLI::IsMember({"tangent", "rsi"}))
+      ->capture_default_str();
+  auto* no_settle = command->add_flag("--no-settle", a->no_settle,
+                                      "leave the linear response, right for small angles only");
+  command->add_option("--max-iterations", a->max_iterations, "of settling")
       ->capture_default_str()
+      ->check(CLI::PositiveNumber)
       ->excludes(no_settle);
   command->add_option("--commit-every", a->commit_every,
                       "DEGREES up to 180: make a larger turn in parts, each the rest of the next");

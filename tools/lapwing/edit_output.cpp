@@ -1,9 +1,12 @@
 #include "edit_output.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
 
+#include "commands.h"
+#include "exit_code.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/render/render_image.h"
 #include "lapwing/vulkan/open_device.h"
@@ -17,12 +20,13 @@ namespace {
 
 void print_certificate(const Certificate& c, double diagonal) {
   std::printf(
-      "  residual %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
+      "  %s %.1e, handle error %.2g of the diagonal, scale %.3f to %.3f,\n"
       "  largest rotation %.1f degrees, %zu flipped triangles,\n"
       "  detail error %.3f, edge stretch %.3f",
-      c.relative_residual, diagonal > 0.0 ? c.handle_error / diagonal : 0.0, c.smallest_scale,
-      c.largest_scale, c.largest_rotation_degrees, c.flipped_triangles, c.detail_error,
-      c.edge_stretch);
+      c.settle_iterations > 0 ? "balance" : "residual",
+      c.settle_iterations > 0 ? c.relative_gradient : c.relative_residual,
+      diagonal > 0.0 ? c.handle_error / diagonal : 0.0, c.smallest_scale, c.largest_scale,
+      c.largest_rotation_degrees, c.flipped_triangles, c.detail_error, c.edge_stretch);
   const auto& [a, b] = c.largest_edge_stretch_vertices;
   if (a != kNoIndex) {
     std::printf(", at most %.3f between vertices %u and %u", c.largest_edge_stretch, a, b);
@@ -110,6 +114,15 @@ void EditOutput::add_to(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--device", device, "auto, cpu, an index or a part of a name (lapwing info)")
       ->capture_default_str();
+  command
+      .add_option(
+          "--frames", frames,
+          "where drag frames and settling run: auto takes the processor for a software device")
+      ->check(CLI::IsMember({"auto", "device"}))
+      ->capture_default_str();
+  command.add_flag("--strict", strict,
+                   "exit 4 if a step is not settled, flips triangles or stretches an edge far; "
+                   "files are written all the same");
   command.add_flag("--quiet", quiet, "print errors only");
   picture.add_to(command);
 }
@@ -117,7 +130,7 @@ void EditOutput::add_to(CLI::App& command) {
 void EditOutput::run(const Recipe& recipe) const {
   // A picture's options are checked before the work, not after.
   picture.render_options();
-  const auto kernels = open_device(device);
+  const auto kernels = open_device(device, frames == "device");
   ProgressDisplay display(quiet);
   display.note("device: " + kernels->device().name);
   const auto result = run_recipe(recipe, *kernels, display.callback(), {report_vertices});
@@ -129,6 +142,13 @@ void EditOutput::run(const Recipe& recipe) const {
   if (!quiet) {
     print_summary(result->report);
     if (!target.empty()) std::printf("wrote %s\n", target.lexically_normal().c_str());
+  }
+  const auto& steps = result->report.steps;
+  if (strict && std::any_of(steps.begin(), steps.end(), [](const StepReport& step) {
+        return !warnings_of(step.certificate).empty();
+      })) {
+    std::fprintf(stderr, "lapwing: --strict: the result has warnings, see above\n");
+    throw ExitWith{kSolver};
   }
 }
 

@@ -18,6 +18,8 @@ struct EditOutput {
   std::string render_before;
   std::string color = "regions";
   std::string device = "auto";
+  std::string frames = "auto";
+  bool strict = false;
   bool quiet = false;
   PictureOptions picture;
 

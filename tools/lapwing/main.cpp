@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", LAPWING_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done, 2 usage, 3 mesh or recipe, 4 solver, 5 device, 6 file.\n"
+      "Exit codes: 0 done, 2 usage, 3 mesh or recipe, 4 solver (or --strict), 5 device, 6 file.\n"
       "`lapwing COMMAND --help` tells what a command takes.");
   lapwing::cli::add_run(app);
   lapwing::cli::add_deform(app);

@@ -8,9 +8,9 @@
 #include "coat_flags.h"
 #include "commands.h"
 #include "edit_output.h"
+#include "handle_flags.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
-#include "handle_flags.h"
 #include "region_text.h"
 #include "step_flags.h"
 

@@ -1,6 +1,7 @@
 #include "editing/edit_surface.h"
 
 #include <numeric>
+#include <utility>
 
 namespace lapwing::viewer {
 namespace {
@@ -42,22 +43,31 @@ void EditSurface::show(DeformedSurface& surface, SurfaceSource source) {
 void EditSurface::place(std::span<const Eigen::Vector3d> positions) {
   still_->place(positions);
   show(*still_, SurfaceSource::still);
-  preview_.reset();
-  exact_.reset();
+  pose_.reset();
+  preview_ = {};
+  exact_ = {};
+}
+
+template <typename Response>
+void EditSurface::drag(std::shared_ptr<Response> response, std::span<const Eigen::Affine3d> motions,
+                       SurfaceSource source, Dragged<Response>& dragged) {
+  if (response != dragged.response || pose_ != dragged.pose) {
+    response->drag_from(pose_ ? *pose_ : SettledPose());
+  }
+  response->drag(motions);
+  show(response->surface(), source);
+  dragged = {std::move(response), pose_};
 }
 
 bool EditSurface::drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions) {
   const bool is_free = preparation.status().phase == PreparationStatus::Phase::ready;
   if (auto exact = preparation.exact(); exact && is_free) {
-    exact->drag(motions);
-    show(exact->surface(), exact->is_exact() ? SurfaceSource::exact : SurfaceSource::preview);
-    exact_ = std::move(exact);
+    const auto source = exact->is_exact() ? SurfaceSource::exact : SurfaceSource::preview;
+    drag(std::move(exact), motions, source, exact_);
     return true;
   }
   if (auto preview = preparation.preview()) {
-    preview->drag(motions);
-    show(preview->surface(), SurfaceSource::preview);
-    preview_ = std::move(preview);
+    drag(std::move(preview), motions, SurfaceSource::preview, preview_);
     return true;
   }
   return false;

@@ -29,9 +29,14 @@ class EditSurface {
   /// Puts the surface where `positions` says: one upload.
   void place(std::span<const Eigen::Vector3d> positions);
 
-  /// Lets the surface follow the handles' motions, by the exact response if the worker leaves it
-  /// free, else by the preview. False, and nothing changes, while neither is ready. No vertex is
-  /// uploaded.
+  /// From the next drag on: begins where `pose` is, null for the rest shape, until another pose or
+  /// `place`.
+  void drag_from(std::shared_ptr<const SettledPose> pose) { pose_ = std::move(pose); }
+  const std::shared_ptr<const SettledPose>& pose() const { return pose_; }
+
+  /// Lets the surface follow the handles' motions from its pose on, by the exact response if the
+  /// worker leaves it free, else by the preview. False, and nothing changes, while neither is
+  /// ready. No vertex is uploaded but for the first time from a pose.
   bool drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
 
   /// What to draw. Valid until the next call of `place` or `drag`.
@@ -44,12 +49,22 @@ class EditSurface {
   const SurfacePaint& paint() const { return paint_; }
 
  private:
+  // What drags, and from where. What is drawn must live even if the worker lets go of it.
+  template <typename Response>
+  struct Dragged {
+    std::shared_ptr<Response> response;
+    std::shared_ptr<const SettledPose> pose;
+  };
+
   void show(DeformedSurface& surface, SurfaceSource source);
+  template <typename Response>
+  void drag(std::shared_ptr<Response> response, std::span<const Eigen::Affine3d> motions,
+            SurfaceSource source, Dragged<Response>& dragged);
 
   std::unique_ptr<DeformedSurface> still_;
-  // What is drawn must live even if the worker lets go of it.
-  std::shared_ptr<DragPreview> preview_;
-  std::shared_ptr<Deformer> exact_;
+  std::shared_ptr<const SettledPose> pose_;
+  Dragged<DragPreview> preview_;
+  Dragged<Deformer> exact_;
   VulkanSurface* shown_ = nullptr;
   SurfaceSource source_ = SurfaceSource::still;
   std::uint64_t version_ = 0;

@@ -129,10 +129,15 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
     pointed_at_.clear();
     // What settles now is of no use any more, and keeps the exact response from following.
     session_->cancel_settling();
+    live_.reset();
+    dragged_from_ = shown_.pose();
   }
   // Then it is of use again: nothing has come in its place.
   const bool given_up = was_dragging && !gizmo_.is_dragging() && !answer.command;
-  if (given_up && needs_settling(state())) settle();
+  if (given_up && needs_settling(state())) {
+    shown_.follow_from(dragged_from_);
+    settle();
+  }
   return answer;
 }
 
@@ -200,23 +205,31 @@ void Editor::attempt(const std::function<void()>& change) {
 }
 
 void Editor::perform(const Command& command) {
+  hold_pose();
   attempt([&] { session_->perform(command); });
 }
 
+// What is shown of a state that waits for its result does not hang on how one came to it.
+void Editor::step_through_history(const std::function<void()>& change) {
+  if (is_dragging()) return;
+  shown_.follow_from(nullptr);
+  attempt(change);
+}
+
 void Editor::undo() {
-  if (!is_dragging()) attempt([&] { session_->undo(); });
+  step_through_history([&] { session_->undo(); });
 }
 
 void Editor::redo() {
-  if (!is_dragging()) attempt([&] { session_->redo(); });
+  step_through_history([&] { session_->redo(); });
 }
 
 void Editor::go_to(std::size_t steps) {
-  if (!is_dragging()) attempt([&] { session_->go_to(steps); });
+  step_through_history([&] { session_->go_to(steps); });
 }
 
 void Editor::continue_with(History history) {
-  if (!is_dragging()) attempt([&] { session_->continue_with(std::move(history)); });
+  step_through_history([&] { session_->continue_with(std::move(history)); });
 }
 
 void Editor::settle() {

@@ -110,8 +110,12 @@ class Editor {
   /// What is not as it should be with the result that is shown.
   const std::vector<CertificateWarning>& warnings() const { return warnings_; }
 
-  bool settles_while_dragging() const { return continuous_; }
+  /// Whether a drag shows what it will come to, settled on the way as far as there is time; by
+  /// default. Without settling in the parameters there is nothing to settle.
+  bool settles_while_dragging() const { return continuous_ && state().parameters.settle; }
   void set_settles_while_dragging(bool on) { continuous_ = on; }
+  /// Whether the surface goes on from what has settled of a drag.
+  bool shows_live_result() const;
 
   const ShownSurface& shown() const { return shown_; }
   ShownSurface& shown() { return shown_; }
@@ -140,8 +144,10 @@ class Editor {
   std::size_t handle_count() const { return state().selection.handles.size(); }
 
   void take_step();
+  void step_through_history(const std::function<void()>& change);
   void follow_hand();
-  bool follow_settled();
+  void hold_pose();
+  void settle_live();
   void show_classes();  ///< where they have changed
   VertexSet live() const;
 
@@ -162,8 +168,10 @@ class Editor {
   std::vector<CertificateWarning> warnings_;
   std::vector<Eigen::Affine3d> motions_;
   std::vector<Move> live_moves_;
+  std::optional<LiveResult> live_;                   // the last one of a drag
+  std::shared_ptr<const SettledPose> dragged_from_;  // before any
   bool classes_are_old_ = true;
-  bool continuous_ = false;
+  bool continuous_ = true;
   std::vector<Index> pointed_at_;
 };
 

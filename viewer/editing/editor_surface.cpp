@@ -22,7 +22,14 @@ void Editor::state_changed() {
     warnings_ = warnings_of(*certificate, *now.topology, shown_.opened_bounds().diagonal());
   }
   classes_are_old_ = true;
-  if (!needs_settling(now) || !shown_.has_triangles_of_state()) shown_.show_still();
+  if (!needs_settling(now) || !shown_.has_triangles_of_state()) {
+    shown_.show_still();
+    live_.reset();
+  }
+}
+
+bool Editor::shows_live_result() const {
+  return live_ && shown_.follows() && shown_.pose() == live_->pose;
 }
 
 void Editor::show_before(bool before) {
@@ -67,24 +74,30 @@ void Editor::follow_hand() {
     }
     return;
   }
-  if (dragging && continuous_ && follow_settled()) return;
+  if (dragging) hold_pose();
+  if (dragging && settles_while_dragging()) settle_live();
   motions_of(state(), handle_, dragging ? *gizmo_.live() : state().moves[handle_], motions_);
   shown_.follow(session_->preparation(), motions_);
 }
 
-// What has settled last of this drag stays until the next one has. False before the first.
-bool Editor::follow_settled() {
+// What is going to move moves on from the surface as it stands.
+void Editor::hold_pose() {
+  if (!shown_.has_triangles_of_state() || shown_.pose()) return;
+  if (auto pose = session_->pose()) shown_.follow_from(std::move(pose));
+}
+
+// Takes what has settled of the drag, and asks for more where the hand has gone on or something is
+// left to settle.
+void Editor::settle_live() {
   live_moves_.assign(state().moves.begin(), state().moves.end());
   live_moves_[handle_] = *gizmo_.live();
-  session_->settle_live(live_moves_);
-  if (const auto result = session_->take_live_result()) {
-    Positions positions = state().rest->positions;
-    for (std::size_t k = 0; k < result->vertices.size(); ++k) {
-      positions[result->vertices[k]] = result->positions[k];
-    }
-    shown_.follow(positions);
+  if (auto result = session_->take_live_result()) {
+    shown_.follow_from(result->pose);
+    live_ = std::move(result);
   }
-  return shown_.follows() && shown_.device().source() == SurfaceSource::still;
+  const bool is_there = live_ ? live_->is_done && live_->moves == live_moves_
+                              : !needs_settling(state()) && state().moves == live_moves_;
+  if (!is_there) session_->settle_live(live_moves_, shown_.pose());
 }
 
 void Editor::show_classes() {

@@ -26,6 +26,7 @@ bool ShownSurface::take(const AppState& state) {
   preview_ = {};
   preview_classes_.clear();
   if (now_.mesh == state.rest && settled_ == state.settled) return false;
+  if (device_ && now_.mesh != state.rest) device_->surface.drag_from(nullptr);
   now_ = {state.rest, state.topology};
   settled_ = state.settled;
   positions_ = positions_of(state);
@@ -66,10 +67,9 @@ void ShownSurface::follow(const Preparation& preparation,
   followed_.assign(motions.begin(), motions.end());
 }
 
-void ShownSurface::follow(const Positions& positions) {
-  device_->surface.place(positions);
-  follows_ = true;
-  followed_.clear();
+void ShownSurface::follow_from(std::shared_ptr<const SettledPose> pose) {
+  device_->surface.drag_from(std::move(pose));
+  followed_.clear();  // to be drawn anew
 }
 
 void ShownSurface::show_preview(TriangulatedMesh preview, std::vector<VertexClass> classes) {

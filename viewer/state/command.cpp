@@ -1,6 +1,7 @@
 #include "state/command.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "lapwing/base/errors.h"
@@ -25,17 +26,17 @@ void require_valid(const EditParameters& parameters) {
   if (!(parameters.constraint_weight > 0.0)) {
     throw InputError("the weight of the constraints must be above 0");
   }
+  if (!(parameters.detail_length > 0.0 && std::isfinite(parameters.detail_length))) {
+    throw InputError("the detail length is a share of the ROI's size; choose a number above 0");
+  }
   if (parameters.commit_every &&
       !(*parameters.commit_every > 0.0 && *parameters.commit_every <= kLargestSettledTurnDegrees)) {
     throw InputError("parts of a turn are above 0 and at most 180 degrees");
   }
   if (!parameters.settle) return;
   const SettleOptions& settle = *parameters.settle;
-  if (!(settle.tolerance > 0.0) || settle.max_iterations < 1 ||
-      !(settle.stretch_resistance >= 0.0)) {
-    throw InputError(
-        "settling takes a tolerance above 0, at least one iteration and no negative stretch "
-        "resistance");
+  if (!(settle.tolerance > 0.0) || settle.max_iterations < 1) {
+    throw InputError("settling takes a tolerance above 0 and at least one iteration");
   }
 }
 

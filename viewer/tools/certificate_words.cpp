@@ -31,7 +31,7 @@ std::vector<Index> corners_of(std::span<const Index> triangles, const Topology& 
 CertificateWarning not_settled(const Certificate& certificate) {
   return {"Not settled after " + std::to_string(certificate.settle_iterations) +
               formatted(" iterations: one more would move a vertex by %.2g mean edges. Allow more "
-                        "iterations, or add a little stretch resistance.",
+                        "iterations, widen the ROI, or move the handle in smaller parts.",
                         certificate.settle_last_step),
           {}};
 }
@@ -40,7 +40,7 @@ CertificateWarning folded(const Certificate& certificate, const Topology& topolo
   const std::size_t count = certificate.flipped_triangles;
   return {(count == 1 ? std::string("A triangle is folded over.")
                       : std::to_string(count) + " triangles are folded over.") +
-              " Move the handle less, or widen the ROI.",
+              " Widen the ROI, or move the handle in smaller parts.",
           corners_of(certificate.first_flipped_triangles, topology)};
 }
 
@@ -69,10 +69,11 @@ std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
     warnings.push_back(handle_missed(certificate, mesh_diagonal));
   }
   if (certificate.detail_error > kMostDetailLost) {
-    warnings.push_back({formatted("%.0f%% of the details are lost. Move the handle less at a time, "
-                                  "or widen the ROI.",
-                                  100.0 * certificate.detail_error),
-                        {}});
+    warnings.push_back(
+        {formatted("%.0f%% of the details are lost. Widen the ROI, or move the handle "
+                   "in smaller parts.",
+                   100.0 * certificate.detail_error),
+         {}});
   }
   if (certificate.largest_scale > kMostRingScale) {
     warnings.push_back(
@@ -86,12 +87,12 @@ std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
                    100.0 * certificate.smallest_scale),
          with_ring(certificate.smallest_scale_vertex, topology)});
   }
-  if (certificate.largest_edge_stretch > kMostEdgeChange) {
+  if (1.0 + certificate.largest_edge_stretch > kLongEdge) {
     auto ends = certificate.largest_edge_stretch_vertices;
     std::sort(ends.begin(), ends.end());
     warnings.push_back(
-        {formatted("An edge became %.1f times as long. Widen the ROI, or add a little stretch "
-                   "resistance.",
+        {formatted("An edge became %.1f times as long. Widen the ROI, or move the handle in "
+                   "smaller parts.",
                    1.0 + certificate.largest_edge_stretch),
          {ends.begin(), ends.end()}});
   }

@@ -13,21 +13,18 @@ struct CertificateWarning {
   std::vector<Index> vertices;  ///< to frame, ascending; empty where all of the edit is meant
 };
 
-/// A ring that grew or shrank by more than this factor: beyond it details show larger or smaller
-/// than at rest (Details::follow), or are crowded or pulled apart (Details::preserve).
+/// A ring that grew or shrank by more than this factor: beyond it details are crowded or pulled
+/// apart.
 inline constexpr double kMostRingScale = 2.0;
 /// Above this part of the details lost the difference shows beside the rest shape.
 inline constexpr double kMostDetailLost = 0.25;
-/// An edge that changed by more than this part of its length; only longer ones can, by more than
-/// twice, where triangles become slivers that shade badly.
-inline constexpr double kMostEdgeChange = 1.0;
 /// A handle that misses its place by more than this part of the mesh's diagonal: about 8 pixels of
 /// a window that shows all of it.
 inline constexpr double kMostHandleMiss = 0.01;
 
-/// What the certificate says that is not as it should be, the gravest first; empty when all is
-/// well. `mesh_diagonal` is that of the rest shape's bounds; 0 for none, and then no handle is
-/// judged.
+/// What the certificate says that is not as it should be, the gravest first, an edge longer than
+/// lapwing's kLongEdge included; empty when all is well. `mesh_diagonal` is that of the rest
+/// shape's bounds; 0 for none, and then no handle is judged.
 std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
                                             const Topology& topology, double mesh_diagonal);
 

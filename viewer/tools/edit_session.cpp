@@ -187,16 +187,27 @@ std::optional<StepTaken> EditSession::take_step() {
   return StepTaken{before != state().topology, std::move(result->warnings)};
 }
 
-void EditSession::settle_live(std::span<const Move> moves) {
+std::shared_ptr<const SettledPose> EditSession::pose() const {
+  const auto preview = preparation_.preview();
+  if (!state().settled || !preview) return nullptr;
+  auto pose = std::make_shared<SettledPose>(
+      preview->pose_at(positions_of(state()), motions_of(state()), turns_of(state())));
+  // Where nothing moves the handles nothing is to move.
+  pose->settled.settled = true;
+  return pose;
+}
+
+void EditSession::settle_live(std::span<const Move> moves,
+                              std::shared_ptr<const SettledPose> from) {
   // A copy of the state costs the selection: only where it is going to be used.
   if (preparation_.status().phase != PreparationStatus::Phase::ready) return;
   AppState dragged = state();
   dragged.moves.assign(moves.begin(), moves.end());
   dragged.settled.reset();
-  preparation_.settle_live(dragged);
+  preparation_.settle_live(dragged, std::move(from));
 }
 
-std::shared_ptr<const MovedVertices> EditSession::take_live_result() {
+std::optional<LiveResult> EditSession::take_live_result() {
   return preparation_.take_live_result();
 }
 

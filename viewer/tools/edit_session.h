@@ -68,13 +68,17 @@ class EditSession {
   /// Performs the result that has come, if one has. Call it when woken.
   bool take_result();
 
+  /// Where the surface stands for a drag to begin from: at the result that the state has. Null for
+  /// the rest shape, where the state waits for its result, and while no preview is ready.
+  std::shared_ptr<const SettledPose> pose() const;
+
   /// Asks for the result of `moves`, one per handle, which are not in the state: those of a drag
-  /// under way, followed from its last result on. Only if nothing else settles; does nothing
-  /// otherwise, so call it as often as they change. Every step, undo and redo wins over it and ends
-  /// the drag, as `cancel_settling` does where it is given up.
-  void settle_live(std::span<const Move> moves);
-  /// Where that result puts the vertices, once; null if none has come. Never a step of the history.
-  std::shared_ptr<const MovedVertices> take_live_result();
+  /// under way, brought on from the pose `from` (Preparation::settle_live). Only if nothing else
+  /// settles; does nothing otherwise, so call it as often as they change. Every step, undo and redo
+  /// wins over it, as `cancel_settling` does where it is given up.
+  void settle_live(std::span<const Move> moves, std::shared_ptr<const SettledPose> from);
+  /// That result, once. Never a step of the history.
+  std::optional<LiveResult> take_live_result();
 
   /// Carries `step` out beside the window, on the surface as it is; its result becomes one step of
   /// the history by `take_step`. Takes the place of what is being carried out. Files that it names

@@ -175,6 +175,7 @@ Affine3d GizmoDrag::motion(const GizmoAmount& amount) const {
 
 Move GizmoDrag::move_after(const Move& before, const Vector3d& handle_centroid,
                            const GizmoAmount& amount) const {
+  if (amount == GizmoAmount{}) return before;
   TurnTracker tracker;
   // Both parts again from the start, in steps that leave no doubt about the sense: what comes out
   // does not hang on how the hand went.

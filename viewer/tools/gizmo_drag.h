@@ -24,6 +24,8 @@ struct GizmoAmount {
   Eigen::Vector3d lengths = Eigen::Vector3d::Zero();  ///< along the gizmo's axes
   double degrees = 0.0;                               ///< whole turns included
   Eigen::Vector3d factors = Eigen::Vector3d::Ones();  ///< along the gizmo's axes; above 0
+
+  bool operator==(const GizmoAmount&) const = default;
 };
 
 /// A part of a gizmo taken hold of. The camera stays while it is dragged.
@@ -48,7 +50,7 @@ class GizmoDrag {
   Eigen::Affine3d motion(const GizmoAmount& amount) const;
 
   /// The move of a handle at rest that was moved by `before` and is dragged by `amount` now, with
-  /// the whole turn by which that comes about.
+  /// the whole turn by which that comes about. Bit for bit `before` where it is dragged by nothing.
   Move move_after(const Move& before, const Eigen::Vector3d& handle_centroid,
                   const GizmoAmount& amount) const;
 

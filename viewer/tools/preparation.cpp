@@ -65,7 +65,6 @@ Preparation::~Preparation() {
 Preparation::Ready Preparation::let_go() {
   ++ticket_;
   ++settle_ticket_;
-  ++drag_;
   to_prepare_.reset();
   to_settle_.reset();
   result_.reset();
@@ -94,8 +93,7 @@ void Preparation::settle(const AppState& state) {
     const std::lock_guard lock(mutex_);
     result_.reset();
     live_result_.reset();
-    to_settle_ = Request{state, ++settle_ticket_, std::nullopt};
-    ++drag_;
+    to_settle_ = Request{state, ++settle_ticket_, false, nullptr};
     // From now on: the caller must not drag what the worker is about to use.
     if (status_.phase == Phase::ready) status_.phase = Phase::settling;
   }
@@ -107,26 +105,25 @@ std::optional<SettledResult> Preparation::take_result() {
   return std::exchange(result_, std::nullopt);
 }
 
-bool Preparation::settle_live(const AppState& state) {
+bool Preparation::settle_live(const AppState& state, std::shared_ptr<const SettledPose> from) {
   {
     const std::lock_guard lock(mutex_);
     if (status_.phase != Phase::ready || result_ || live_result_) return false;
-    to_settle_ = Request{state, ++settle_ticket_, drag_};
+    to_settle_ = Request{state, ++settle_ticket_, true, std::move(from)};
     status_.phase = Phase::settling;
   }
   asked_.notify_one();
   return true;
 }
 
-std::shared_ptr<const MovedVertices> Preparation::take_live_result() {
+std::optional<LiveResult> Preparation::take_live_result() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(live_result_, nullptr);
+  return std::exchange(live_result_, std::nullopt);
 }
 
 void Preparation::cancel_settling() {
   const std::lock_guard lock(mutex_);
   ++settle_ticket_;
-  ++drag_;
   result_.reset();
   live_result_.reset();
   // The worker passes over one that it was given to, and says when it is done with it.
@@ -206,6 +203,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
     wake();
     return true;
   };
+  last_live_.reset();
   try {
     Ready ready;
     ready.preview = make_preview(state, ticket, progress);
@@ -265,58 +263,72 @@ void Preparation::fail(std::uint64_t ticket, Phase phase, const std::string& mes
 }
 
 void Preparation::settle_now(const Request& request, const Ready& ready) {
-  const Progress progress = [this, ticket = request.ticket](std::string_view stage,
-                                                            double fraction) {
+  const Progress progress = [this, ticket = request.ticket, is_live = request.is_live](
+                                std::string_view stage, double fraction) {
     {
       const std::lock_guard lock(mutex_);
       if (settle_ticket_ != ticket) return false;
       status_.stage = stage;
       status_.fraction = fraction;
     }
-    wake();
+    // A live result comes sooner than anybody could read how far it is.
+    if (!is_live) wake();
     return true;
   };
   const AppState& state = request.state;
-  const bool follows =
-      request.drag && state.parameters.settle.has_value() && !state.parameters.commit_every;
   std::optional<SettledResult> result;
-  std::shared_ptr<const MovedVertices> live;
+  std::optional<LiveResult> live;
   std::string message;
   try {
-    if (follows) {
-      live = follow_drag(request, *ready.exact, progress);
+    if (request.is_live) {
+      live = live_result(request, ready, progress);
     } else {
       result = settled_result(state, *ready.exact, *ready.exact_kernels, progress);
-      live = result->moved;
     }
   } catch (const Cancelled&) {
     // Whoever cancelled wants nothing.
   } catch (const std::exception& error) {
     message = error.what();
+    // Asked for again it would fail again.
+    if (request.is_live) live = LiveResult{state.moves, request.from, true};
   }
   const std::lock_guard lock(mutex_);
   if (ready_.exact != ready.exact) return;  // another preparation has begun
   status_.phase = to_settle_ ? Phase::settling : Phase::ready;
   if (settle_ticket_ != request.ticket) return;
   status_.message = message;
-  if (request.drag) {
-    live_result_ = std::move(live);
-  } else {
-    result_ = std::move(result);
-  }
+  live_result_ = std::move(live);
+  result_ = std::move(result);
 }
 
-std::shared_ptr<const MovedVertices> Preparation::follow_drag(const Request& request,
-                                                              const Deformer& exact,
-                                                              const Progress& progress) {
-  if (dragged_.drag != *request.drag) dragged_ = {*request.drag, {}};
-  exact.follow(motions_of(request.state), turns_of(request.state), dragged_.pose, progress);
-  const Positions& rest = request.state.rest->positions;
-  Positions positions = rest;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    positions[v] += dragged_.pose.displacement[v];
+LiveResult Preparation::live_result(const Request& request, const Ready& ready,
+                                    const Progress& progress) {
+  AppState state = request.state;
+  if (state.parameters.settle && !state.parameters.commit_every) {
+    return follow_drag(request, *ready.exact, progress);
   }
-  return std::make_shared<const MovedVertices>(moved_vertices(rest, positions));
+  state.settled = settled_result(state, *ready.exact, *ready.exact_kernels, progress).moved;
+  return {state.moves,
+          std::make_shared<const SettledPose>(
+              ready.exact->pose_at(positions_of(state), motions_of(state), turns_of(state))),
+          true};
+}
+
+LiveResult Preparation::follow_drag(const Request& request, const Deformer& exact,
+                                    const Progress& progress) {
+  // What the steps of another drag have told is of no use here.
+  if (request.from == nullptr || request.from != last_live_) exact.begin_drag();
+  SettledPose pose = request.from ? *request.from : SettledPose();
+  const Stopwatch watch;
+  bool is_first = true;
+  const auto go_on = [&] {
+    return std::exchange(is_first, false) || watch.elapsed_ms() < kLiveBudgetMs;
+  };
+  exact.follow(motions_of(request.state), turns_of(request.state), pose, go_on, progress);
+  // Without a step and not settled, rounding is all that is left.
+  const bool is_done = pose.settled.settled || pose.settled.iterations == 0;
+  last_live_ = std::make_shared<const SettledPose>(std::move(pose));
+  return {request.state.moves, last_live_, is_done};
 }
 
 }  // namespace lapwing::viewer

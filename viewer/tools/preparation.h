@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag_preview.h"
@@ -39,6 +40,19 @@ struct SettledResult {
   Certificate certificate;  ///< of all parts as one where the step commits on the way
 };
 
+/// Where a drag under way has been brought.
+struct LiveResult {
+  std::vector<Move> moves;  ///< those of the state that asked
+  /// What to go on from: the surface at those moves. Null, which is the rest shape, only where
+  /// nothing could be computed from there.
+  std::shared_ptr<const SettledPose> pose;
+  bool is_done = false;  ///< asked for again, nothing would move
+};
+
+/// What a live result may take, but for its first iteration: of the 16.7 ms of a frame what the
+/// upload of the pose and the drawing leave.
+inline constexpr double kLiveBudgetMs = 12.0;
+
 /// Prepares an edit on a thread of its own, so that the window never waits: first the preview of a
 /// drag, then the exact one; and settles. All members may be called from one other thread, the
 /// window's, and return at once, but for the destructor, which waits for the end of a stage.
@@ -67,17 +81,16 @@ class Preparation {
   std::optional<SettledResult> take_result();
 
   /// Follows a drag under way, whose moves `state` holds for once: a result to look at, which comes
-  /// by `take_live_result`. It goes on from the last one of the same drag, in a few iterations, and
-  /// is within the tolerance what `settle` gives (Deformer::follow). Only if nothing settles and no
-  /// result waits to be taken; false otherwise, and nothing is asked for. A later `settle` takes
-  /// its place at once. A drag ends with all that may come between two of its results: `settle`,
-  /// `cancel_settling`, another preparation.
-  bool settle_live(const AppState& state);
-  /// Once; null without.
-  std::shared_ptr<const MovedVertices> take_live_result();
+  /// by `take_live_result`. It goes on from the pose `from`, the last live one or that of a settled
+  /// state, as far as kLiveBudgetMs allows (Deformer::follow); from none it begins where `settle`
+  /// does. Asked for again until it is done it is within the tolerance what `settle` gives. Only if
+  /// nothing settles and no result waits to be taken; false otherwise, and nothing is asked for. A
+  /// later `settle` takes its place at once.
+  bool settle_live(const AppState& state, std::shared_ptr<const SettledPose> from);
+  /// Once.
+  std::optional<LiveResult> take_live_result();
 
-  /// Gives up what is under way and what waits to be taken, live or not. The next live result is
-  /// the first of another drag.
+  /// Gives up what is under way and what waits to be taken, live or not.
   void cancel_settling();
 
   /// Cancels everything, and makes what follows with other kernels: the device was lost.
@@ -113,20 +126,15 @@ class Preparation {
   struct Request {
     AppState state;
     std::uint64_t ticket = 0;
-    std::optional<std::uint64_t> drag;  ///< with one it is live
-  };
-
-  // Where the worker has brought a drag.
-  struct Dragged {
-    std::uint64_t drag = 0;
-    SettledPose pose;
+    bool is_live = false;
+    std::shared_ptr<const SettledPose> from;  ///< of a live one
   };
 
   void run();
   void prepare(const AppState& state, std::uint64_t ticket);
   void settle_now(const Request& request, const Ready& ready);
-  std::shared_ptr<const MovedVertices> follow_drag(const Request& request, const Deformer& exact,
-                                                   const Progress& progress);
+  LiveResult live_result(const Request& request, const Ready& ready, const Progress& progress);
+  LiveResult follow_drag(const Request& request, const Deformer& exact, const Progress& progress);
   std::shared_ptr<DragPreview> make_preview(const AppState& state, std::uint64_t ticket,
                                             const Progress& progress);
   std::shared_ptr<Kept> kept_for(const AppState& state, std::uint64_t ticket);
@@ -144,19 +152,18 @@ class Preparation {
   MakeKernels make_kernels_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
-  std::uint64_t drag_ = 1;  ///< the one under way, or the next
   bool stop_ = false;
   std::optional<AppState> followed_;
   std::optional<AppState> to_prepare_;
   std::optional<Request> to_settle_;
   std::optional<SettledResult> result_;
-  std::shared_ptr<const MovedVertices> live_result_;
+  std::optional<LiveResult> live_result_;
   PreparationStatus status_;
   std::shared_ptr<Kept> kept_;
   Ready ready_;
 
-  Dragged dragged_;     // the worker's alone
-  std::thread worker_;  // last: it uses all the others
+  std::shared_ptr<const SettledPose> last_live_;  // the worker's alone
+  std::thread worker_;                            // last: it uses all the others
 };
 
 }  // namespace lapwing::viewer

@@ -28,8 +28,9 @@ const char* words(Phase phase, bool is_exact) {
   return "";
 }
 
-const char* words(SurfaceSource source) {
-  switch (source) {
+const char* words_of_surface(const Editor& editor) {
+  if (editor.shows_live_result()) return "on screen: what the drag comes to, settled on the way";
+  switch (editor.surface().source()) {
     case SurfaceSource::still:
       return "on screen: the surface as it is";
     case SurfaceSource::preview:
@@ -42,7 +43,9 @@ const char* words(SurfaceSource source) {
 
 void draw_progress(Editor& editor) {
   EditSession& session = editor.session();
-  const PreparationStatus status = session.preparation().status();
+  PreparationStatus status = session.preparation().status();
+  // What settles as it is dragged comes and goes with every frame.
+  if (status.phase == Phase::settling && editor.is_dragging()) status.phase = Phase::ready;
   const auto exact = session.preparation().exact();
   ImGui::TextWrapped("%s", words(status.phase, exact == nullptr || exact->is_exact()));
   if (!status.message.empty()) ImGui::TextWrapped("%s", status.message.c_str());
@@ -61,7 +64,7 @@ void draw_progress(Editor& editor) {
   } else if (status.phase == Phase::idle && !editor.state().selection.handles.empty()) {
     if (ImGui::Button("Prepare")) session.prepare();
   }
-  ImGui::TextDisabled("%s", words(editor.surface().source()));
+  ImGui::TextDisabled("%s", words_of_surface(editor));
 }
 
 bool draw_vector(const char* label, Eigen::Vector3d& vector, bool& let_go) {
@@ -120,19 +123,37 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   if (move.rotate.axis.norm() > 0.0 && move.scale > 0.0) editor.perform(MoveHandle{handle, move});
 }
 
-void draw_settling(SettleOptions& settle, bool& chosen, bool& edited) {
-  float mu = static_cast<float>(settle.stretch_resistance);
-  if (ImGui::SliderFloat("stretch resistance", &mu, 0.0F, 1.0F, "%.4f",
-                         ImGuiSliderFlags_Logarithmic)) {
-    settle.stretch_resistance = static_cast<double>(mu);
+// Shares of the ROI's size: below the smallest hardly a mesh has a detail, above the largest the
+// surface is no more elastic in any part.
+constexpr float kSmallestDetailLength = 0.005F;
+constexpr float kLargestDetailLength = 0.5F;
+
+void draw_energy(EditParameters& parameters, bool& chosen, bool& edited) {
+  float length = static_cast<float>(parameters.detail_length);
+  if (ImGui::SliderFloat("detail length", &length, kSmallestDetailLength, kLargestDetailLength,
+                         "%.3f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
+    parameters.detail_length = static_cast<double>(length);
     edited = true;
   }
   chosen |= ImGui::IsItemDeactivatedAfterEdit();
-  chosen |= choose("details", settle.details,
-                   {{"keep size", Details::preserve}, {"follow scale", Details::follow}});
-  ImGui::InputInt("iterations", &settle.max_iterations, 0);
-  edited |= ImGui::IsItemEdited();
-  chosen |= ImGui::IsItemDeactivatedAfterEdit();
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::SetTooltip(
+      "Smaller details keep their shape, larger ones bend with the surface:\n"
+      "a share of the square root of the ROI's area");
+}
+
+// What there is to choose of the system that a result comes from.
+void draw_system(EditParameters& parameters, bool& chosen, bool& edited) {
+  if (parameters.settle) {
+    draw_energy(parameters, chosen, edited);
+    ImGui::InputInt("iterations", &parameters.settle->max_iterations, 0);
+    edited |= ImGui::IsItemEdited();
+    chosen |= ImGui::IsItemDeactivatedAfterEdit();
+    return;
+  }
+  chosen |= choose("response", parameters.response,
+                   {{"tangent", LinearResponse::tangent}, {"RSI (paper)", LinearResponse::rsi}});
+  if (parameters.response == LinearResponse::tangent) draw_energy(parameters, chosen, edited);
 }
 
 void draw_parameters(Editor& editor, PanelDrafts& drafts) {
@@ -141,10 +162,11 @@ void draw_parameters(Editor& editor, PanelDrafts& drafts) {
   bool edited = false;  // under way
   bool chosen = false;  // done
   bool settles = parameters.settle.has_value();
-  if (ImGui::Checkbox("settle on release", &settles)) {
+  if (ImGui::Checkbox("settle", &settles)) {
     parameters.settle = settles ? std::optional(SettleOptions{}) : std::nullopt;
     chosen = true;
   }
+  draw_system(parameters, chosen, edited);
   bool commits = parameters.commit_every.has_value();
   if (ImGui::Checkbox("commit on the way, every", &commits)) {
     parameters.commit_every = commits ? std::optional(90.0) : std::nullopt;
@@ -153,10 +175,9 @@ void draw_parameters(Editor& editor, PanelDrafts& drafts) {
   if (parameters.commit_every) {
     edited |= draw_number("degrees each", *parameters.commit_every, chosen);
   }
-  if (parameters.settle) draw_settling(*parameters.settle, chosen, edited);
   chosen |=
       choose("weights", parameters.weights,
-             {{"uniform", LaplacianWeights::uniform}, {"cotangent", LaplacianWeights::cotangent}});
+             {{"cotangent", LaplacianWeights::cotangent}, {"uniform", LaplacianWeights::uniform}});
   chosen |= ImGui::Checkbox("hard constraints", &parameters.hard);
   ImGui::TreePop();
   if (edited) drafts.parameters = parameters;
@@ -179,10 +200,12 @@ std::optional<std::vector<Index>> draw_certificate(const Editor& editor) {
   const Certificate* certificate = editor.session().certificate();
   if (certificate == nullptr) return shown;
   ImGui::Separator();
-  if (certificate->why_not_exact.empty()) {
+  if (editor.state().parameters.settle) {
+    draw_number_line("balance", "%.1e", certificate->relative_gradient);
+    draw_number_line("iterations", "%.0f", certificate->settle_iterations);
+  } else {
     draw_number_line("residual", "%.1e", certificate->relative_residual);
   }
-  draw_number_line("iterations", "%.0f", certificate->settle_iterations);
   draw_number_line("largest turn", "%.1f degrees", certificate->largest_rotation_degrees);
   draw_number_line("detail error", "%.3f", certificate->detail_error);
   draw_number_line("edge stretch", "%.3f", certificate->edge_stretch);
@@ -203,9 +226,11 @@ std::optional<std::vector<Index>> draw_certificate(const Editor& editor) {
 std::optional<std::vector<Index>> draw_deform_panel(Editor& editor, PanelDrafts& drafts) {
   ImGui::PushItemWidth(11.0F * ImGui::GetFontSize());
   draw_progress(editor);
-  bool continuous = editor.settles_while_dragging();
-  if (ImGui::Checkbox("settle while dragging", &continuous)) {
-    editor.set_settles_while_dragging(continuous);
+  if (editor.state().parameters.settle) {
+    bool continuous = editor.settles_while_dragging();
+    if (ImGui::Checkbox("settle while dragging", &continuous)) {
+      editor.set_settles_while_dragging(continuous);
+    }
   }
   draw_move(editor, drafts);
   auto shown = draw_certificate(editor);

@@ -44,7 +44,8 @@ void append_state(std::string& text, const Editor& editor) {
       append(text, "  |  preparing: %s %.0f%%", status.stage.c_str(), percent);
       break;
     case At::settling:
-      append(text, "  |  settling %.0f%%", percent);
+      // What settles as it is dragged comes and goes with every frame.
+      if (!editor.is_dragging()) append(text, "  |  settling %.0f%%", percent);
       break;
     case At::failed:
       text.append("  |  ").append(status.message);
@@ -57,8 +58,13 @@ void append_state(std::string& text, const Editor& editor) {
   if (step.busy) {
     append(text, "  |  carrying out: %s %.0f%%", step.stage.c_str(), 100.0 * step.fraction);
   }
-  if (editor.surface().source() == SurfaceSource::preview) text += "  |  preview";
-  if (editor.surface().source() == SurfaceSource::exact) text += "  |  exact";
+  if (editor.shows_live_result()) {
+    text += "  |  live";
+  } else if (editor.surface().source() == SurfaceSource::preview) {
+    text += "  |  preview";
+  } else if (editor.surface().source() == SurfaceSource::exact) {
+    text += "  |  exact";
+  }
   if (editor.shown().shows_before()) text += "  |  before";
 }
 
@@ -310,7 +316,9 @@ const std::string& ViewerApp::status_text(const FrameTimings& last) {
     append(text, "  |  %zu vertices  |  %.1f ms", editor.positions().size(),
            last.draw_ms + last.ui_ms);
     const Certificate* certificate = editor.session().certificate();
-    if (certificate != nullptr && certificate->why_not_exact.empty()) {
+    if (certificate != nullptr && editor.state().parameters.settle) {
+      append(text, "  |  balance %.0e", certificate->relative_gradient);
+    } else if (certificate != nullptr) {
       append(text, "  |  residual %.0e", certificate->relative_residual);
     }
     append_state(text, editor);

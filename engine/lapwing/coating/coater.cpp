@@ -141,7 +141,7 @@ void Coater::State::make_system(const Progress& progress) {
   report_progress(progress, "laplacian", 0.0);
   try {
     system = std::make_unique<LaplacianSystem>(rest, part.topology, region.roi, constraints,
-                                               *pattern, options.weights, 0.0, timings);
+                                               *pattern, EnergyTerms{options.weights, 0.0}, timings);
   } catch (const SolverError&) {  // names a vertex of the part
     throw SolverError("the system of the target patch around vertex " +
                       std::to_string(free.front()) +
@@ -204,7 +204,7 @@ std::vector<Vector3d> Coater::State::handle_field() {
     if (held_at(handles.unknowns.vertices[k]) == nullptr) handles.W[k] = 0.0;
   }
   const LaplacianSystem followed(rest, part.topology, patch.vertices, handles, *pattern,
-                                 options.weights, 0.0, timings);
+                                 {options.weights, 0.0}, timings);
   const auto anchored = holds_in_order(handles.W);
   Columns u(3 * n, 0.0);
   for (std::size_t k = 0; k < n; ++k) {

@@ -61,7 +61,7 @@ std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_co
 
 void measure_shape(std::span<const Index> roi, const Topology& topology,
                    std::span<const Vector3d> rest, std::span<const Vector3d> current,
-                   Certificate& certificate) {
+                   Certificate& certificate, std::span<const double> asked) {
   for (const Index v : roi) {
     certificate.all_finite = certificate.all_finite && current[v].allFinite();
   }
@@ -98,7 +98,7 @@ void measure_shape(std::span<const Index> roi, const Topology& topology,
     }
   }
   certificate.largest_rotation_degrees = largest_angle * 180.0 / std::numbers::pi;
-  const StretchedEdge edge = most_stretched_edge(roi, topology, rest, current);
+  const StretchedEdge edge = most_stretched_edge(roi, topology, rest, current, asked);
   certificate.largest_edge_stretch = edge.stretch;
   certificate.largest_edge_stretch_vertices = edge.vertices;
   count_flipped(in_roi, rotations, topology, rest, current, certificate);
@@ -106,11 +106,42 @@ void measure_shape(std::span<const Index> roi, const Topology& topology,
 
 void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> weights, std::span<const Vector3d> rest,
-                    std::span<const Vector3d> current, Certificate& certificate) {
-  measure_shape(region.roi, topology, rest, current, certificate);
+                    std::span<const Vector3d> current, Certificate& certificate,
+                    std::span<const double> asked) {
+  measure_shape(region.roi, topology, rest, current, certificate, asked);
   certificate.detail_error =
-      detail_error(free_vertices(region, rest.size()), topology, weights, rest, current);
-  certificate.edge_stretch = edge_stretch(region.roi, topology, rest, current);
+      detail_error(free_vertices(region, rest.size()), topology, weights, rest, current, asked);
+  certificate.edge_stretch = edge_stretch(region.roi, topology, rest, current, asked);
+}
+
+std::vector<std::string> warnings_of(const Certificate& c) {
+  std::vector<std::string> warnings;
+  if (!c.settled) {
+    std::ostringstream text;
+    text << "not settled after " << c.settle_iterations << " iterations, a vertex would still move "
+         << c.settle_last_step
+         << " mean edge lengths: raise \"max_iterations\" of \"settle\", or make the motion in "
+            "smaller parts";
+    warnings.push_back(text.str());
+  }
+  if (c.flipped_triangles > 0) {
+    std::ostringstream text;
+    text << c.flipped_triangles
+         << (c.flipped_triangles == 1 ? " triangle is flipped, "
+                                      : " triangles are flipped, the first ")
+         << c.first_flipped_triangles.front()
+         << ": move the handle less, widen the region, or remesh thin triangles there";
+    warnings.push_back(text.str());
+  }
+  const double ratio = c.largest_edge_stretch + 1.0;
+  if (ratio > kLongEdge) {
+    std::ostringstream text;
+    text << "the edge from vertex " << c.largest_edge_stretch_vertices[0] << " to "
+         << c.largest_edge_stretch_vertices[1] << " became " << ratio
+         << " times as long: move the handle less, or widen the region";
+    warnings.push_back(text.str());
+  }
+  return warnings;
 }
 
 void require_valid(const Certificate& certificate) {

@@ -12,9 +12,12 @@ namespace lapwing {
 
 /// What a result promises, measured on the result itself. Every deformation carries one.
 struct Certificate {
-  /// |N u - b| / |b| of the normal equations (2-norms), from whose solution settling starts; 0 when
-  /// nothing moves, and where there is no such solution.
+  /// Of the linear response, where nothing settles: |N u - b| / |b| of its equations (2-norms); 0
+  /// when nothing moves, and of a settled surface.
   double relative_residual = 0.0;
+  /// Of a settled surface: SettleResult::relative_gradient, what of the energy's pull is not in
+  /// balance, over the force of the handles.
+  double relative_gradient = 0.0;
   /// Why settling started without one (Deformer::why_not_exact); empty otherwise.
   std::string why_not_exact;
   /// Largest distance between where a handle vertex is and where the motion wants it, mesh units.
@@ -32,10 +35,11 @@ struct Certificate {
   /// Triangles that face against the turned rest normal of their corners. First few by number.
   std::size_t flipped_triangles = 0;
   std::vector<Index> first_flipped_triangles;
-  /// How far details are from their rest shapes turned with their rings, relative to their size,
-  /// over the free vertices (`detail_error`); 0 is none lost, 1 all.
+  /// How far details are from their rest shapes turned with their rings and scaled as the handles
+  /// ask, relative to their size, over the free vertices (`detail_error`); 0 is none lost, 1 all.
   double detail_error = 0.0;
-  /// Root mean square of the relative change of edge lengths in the region (`edge_stretch`).
+  /// Root mean square of the relative change of edge lengths in the region, beyond what the handles
+  /// ask for (`edge_stretch`).
   double edge_stretch = 0.0;
   /// The largest such change, and the ends of its edge; none where all lengths are kept.
   double largest_edge_stretch = 0.0;
@@ -52,18 +56,26 @@ inline constexpr double kLargestResidual = 1e-6;
 /// At this many flipped triangles the list stops.
 inline constexpr std::size_t kListedTriangles = 8;
 
+/// An edge that became longer than this, times what the handles ask for, is worth a warning.
+inline constexpr double kLongEdge = 3.0;
+
 /// Fills in what can be measured from the shapes alone: scales, rotations, flips, the edge
 /// stretched most, finiteness. `roi` are the vertices measured; triangles count when they touch it.
-/// Linear time.
+/// `asked` are the scales that the handles ask for, as in `detail_error`. Linear time.
 void measure_shape(std::span<const Index> roi, const Topology& topology,
                    std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
-                   Certificate& certificate);
+                   Certificate& certificate, std::span<const double> asked = {});
 
 /// The same for an edit's region, with the detail error over its free vertices (`weights` are those
 /// of the Laplacians) and the edge stretch.
 void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
-                    std::span<const Eigen::Vector3d> current, Certificate& certificate);
+                    std::span<const Eigen::Vector3d> current, Certificate& certificate,
+                    std::span<const double> asked = {});
+
+/// What whoever gets this surface should know, each with its place and what to do: not settled,
+/// flipped triangles, an edge longer than kLongEdge times its length. Nothing for a good one.
+std::vector<std::string> warnings_of(const Certificate& certificate);
 
 /// Throws SolverError, saying what is wrong and what to try, unless the certificate holds: finite,
 /// and residual at most kLargestResidual.

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "lapwing/laplacian/weights.h"
+#include "lapwing/laplacian/energy_weights.h"
 #include "lapwing/settle/settle_options.h"
 #include "lapwing/solve/block_solver.h"
 
@@ -12,8 +12,26 @@ namespace lapwing {
 /// The rest is for the response, the device's copy of it, and whoever else runs.
 inline constexpr double kMemoryShare = 0.75;
 
+/// What a system may take of `limit_bytes`, or with 0 of what is there now; as much as it likes
+/// where that is not known.
+std::size_t allowed_memory(std::size_t limit_bytes);
+
+/// Of a region's size, the square root of its area (EnergyTerms::detail_length). Measured over
+/// whole scans and a rippled tube: smaller loses detail where the surface bends much, larger lets
+/// limbs buckle.
+inline constexpr double kDefaultDetailLength = 0.033;
+
+/// The linear system that a drag's response comes from.
+enum class LinearResponse {
+  tangent,  ///< the energy to second order at rest, its rotations eliminated
+  rsi,      ///< the paper's, equation 10: every ring turns and scales as it likes
+};
+
 struct DeformOptions {
-  LaplacianWeights weights = LaplacianWeights::uniform;
+  LaplacianWeights weights = LaplacianWeights::cotangent;
+  /// As EnergyTerms::detail_length. Positive. Has no effect on the RSI system.
+  double detail_length = kDefaultDetailLength;
+  LinearResponse response = LinearResponse::tangent;
   /// How strongly handle and belt hold (eq. 5 has 1). Positive. Has no effect on hard constraints.
   double constraint_weight = 1.0;
   /// Handle and belt vertices go exactly where they should, rather than in the least squares.
@@ -22,9 +40,9 @@ struct DeformOptions {
   /// The 3n x 3n system may take this much memory; 0: kMemoryShare of what is there when it is
   /// prepared. Where it needs more, settling does without it, from where a DragPreview is.
   std::size_t memory_limit_bytes = 0;
-  /// Settle what `solve` returns, so that details survive large rotations; without it the result is
-  /// right for small angles only.
-  std::optional<SettleOptions> settle;
+  /// Makes the energy of what `solve` returns least, so that details survive large rotations; none:
+  /// the linear response as it is, right for small angles only.
+  std::optional<SettleOptions> settle = SettleOptions{};
 };
 
 }  // namespace lapwing

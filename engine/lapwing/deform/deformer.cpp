@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/edit_system.h"
+#include "lapwing/deform/handle_shares.h"
+#include "lapwing/deform/pose_tangent.h"
 #include "lapwing/deform/turn_tracker.h"
-#include "lapwing/deform/turned_start.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
 
@@ -28,39 +28,35 @@ std::shared_ptr<const EditSystem> edit_of(const Topology& topology, std::span<co
                                           EditRegion region, const DeformOptions& options,
                                           const Progress& progress) {
   PreparedRegion prepared(topology);
-  return std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
-                                            options.settle.has_value(), progress);
+  return std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress);
+}
+
+// From here on the way round counts, which a linear response does not know.
+constexpr double kFarTurnDegrees = 90.0;
+
+bool is_far(const Vector3d& turn) {
+  return turn.norm() > kFarTurnDegrees * std::numbers::pi / 180.0;
 }
 
 bool any_far(std::span<const Eigen::AngleAxisd> turns) {
-  constexpr double kLimit = kLargestLinearTurnDegrees * std::numbers::pi / 180.0;
-  return std::any_of(turns.begin(), turns.end(),
-                     [](const Eigen::AngleAxisd& turn) { return std::abs(turn.angle()) > kLimit; });
+  return std::any_of(turns.begin(), turns.end(), [](const Eigen::AngleAxisd& turn) {
+    return is_far(turn.angle() * turn.axis());
+  });
 }
 
 // Whether a handle has turned too far from the last frame to this one to go on from there.
 bool any_far(std::span<const Eigen::AngleAxisd> turns, std::span<const Eigen::AngleAxisd> last) {
-  std::vector<Eigen::AngleAxisd> since;
   for (std::size_t h = 0; h < last.size(); ++h) {
-    const Vector3d change = turns[h].angle() * turns[h].axis() - last[h].angle() * last[h].axis();
-    since.emplace_back(change.norm(), Vector3d::UnitX());
+    const Vector3d now = turns[h].angle() * turns[h].axis();
+    if (is_far(now - last[h].angle() * last[h].axis())) return true;
   }
-  return any_far(since);
+  return false;
 }
 
 // A result is in double precision whatever the device; and a device that is the processor in
 // disguise takes about three times as long as the CPU twins (measured on lavapipe).
 bool settles_on(const DeviceInfo& device) {
-  return device.float64 && device.type != "software";
-}
-
-// How many times `last` a change goes in that direction, within what a last frame can foretell.
-double share_along(std::span<const double> change, std::span<const double> last) {
-  constexpr double kMost = 2.0;
-  const double size = std::inner_product(last.begin(), last.end(), last.begin(), 0.0);
-  if (size == 0.0) return 0.0;
-  const double along = std::inner_product(change.begin(), change.end(), last.begin(), 0.0);
-  return std::clamp(along / size, -kMost, kMost);
+  return device.float64 && device.frames;
 }
 
 }  // namespace
@@ -69,26 +65,31 @@ struct Deformer::State {
   std::shared_ptr<const EditSystem> system;
   StageTimings timings;
   Kernels* kernels = nullptr;
-  std::unique_ptr<Settler> settler;  ///< null without settling, as the next
-  std::unique_ptr<TurnedStart> turned_start;
-  std::vector<double> weights;  ///< of the Laplacians that certificates measure
-  Numbers response;             ///< columns as in SurfaceInput::basis, or axis_response
+  std::unique_ptr<PoseTangent> tangent;  ///< null without settling, as the next
+  std::unique_ptr<Settler> settler;
+  std::unique_ptr<HandleShares> shares;
+  std::vector<double> weights;        ///< of the Laplacians that certificates measure
+  Numbers response;                   ///< columns as in SurfaceInput::basis, or axis_response
+  std::vector<Numbers> scale_forces;  ///< per handle, as in ResponseSystem; none of the RSI system
   std::string why_not_exact;
-  std::vector<double> parameters;
+  std::vector<double> parameters;  ///< of the frame at hand
+  std::vector<double> base;        ///< parameters of the pose that drags begin from
   std::unique_ptr<DeformedSurface> surface;
 
-  bool hold_rsi(const Progress& progress);
+  bool hold_response(const Progress& progress);
+  void find_scale_forces();
   void compute_response(const Progress& progress);
   void make_surface();
   void make_settler(Kernels& on);
   std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
-  Positions moved_on(const SettledPose& pose, std::vector<double>& change) const;
+  Numbers forces(std::span<const double> q) const;
+  std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
 };
 
 // False where it does not fit and settling can do without.
-bool Deformer::State::hold_rsi(const Progress& progress) {
+bool Deformer::State::hold_response(const Progress& progress) {
   try {
-    system->hold_rsi(weights, *kernels, progress, timings);
+    system->hold_response(*kernels, progress, timings);
   } catch (const DoesNotFit& reason) {
     if (!system->options.settle) throw;
     why_not_exact = reason.need();
@@ -97,10 +98,63 @@ bool Deformer::State::hold_rsi(const Progress& progress) {
   return true;
 }
 
+// What pulls at the unknowns at rest where the scale that a handle asks for grows: of s_h = 1 + t,
+// t times minus half of the gradient of E.
+void Deformer::State::find_scale_forces() {
+  const EditSystem& s = *system;
+  const EnergyWeights& energy = s.systems->laplacian().weights();
+  const Adjacency& rings = s.topology.rings;
+  const Positions& rest = *s.rest;
+  const Unknowns& unknowns = s.constraints.unknowns;
+  for (std::size_t h = 0; h < s.frames.size(); ++h) {
+    const auto shares_of_handle = shares->of_handle(h);
+    std::vector<Vector3d> force(rest.size(), Vector3d::Zero());
+    for (std::size_t r = 0; r < s.region.roi.size(); ++r) {
+      const Index i = s.region.roi[r];
+      const double share = shares_of_handle[r];
+      if (share == 0.0) continue;
+      Vector3d delta = Vector3d::Zero();
+      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+        delta += energy.laplacian[e] * (rest[i] - rest[rings.values[e]]);
+      }
+      const Vector3d pull = share * energy.rows[i] * delta;
+      force[i] += pull;
+      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+        const Index j = rings.values[e];
+        const Vector3d of_edge = share * energy.stiffness[e] * (rest[i] - rest[j]);
+        force[i] += of_edge;
+        force[j] -= energy.laplacian[e] * pull + of_edge;
+      }
+    }
+    Numbers& of_unknowns = scale_forces.emplace_back(3 * unknowns.size());
+    for (std::size_t u = 0; u < unknowns.size(); ++u) {
+      Eigen::Map<Vector3d>(of_unknowns.data() + 3 * u) = force[unknowns.vertices[u]];
+    }
+  }
+}
+
+// Of a motion with parameters q: to first order its scale is the mean of the diagonal.
+Numbers Deformer::State::forces(std::span<const double> q) const {
+  Numbers sum;
+  for (std::size_t h = 0; h < scale_forces.size(); ++h) {
+    sum.resize(scale_forces[h].size(), 0.0);
+    const double* own = q.data() + h * kMotionParameters;
+    const double growth = (own[0] + own[5] + own[10]) / (3.0 * system->frames[h].radius);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += growth * scale_forces[h][i];
+  }
+  return sum;
+}
+
+std::vector<double> Deformer::State::asked_scales(std::span<const Eigen::Affine3d> motions) const {
+  std::vector<double> scales;
+  for (const Eigen::Affine3d& motion : motions) scales.push_back(scale_of(motion));
+  return shares->scales(scales);
+}
+
 void Deformer::State::compute_response(const Progress& progress) {
   const EditSystem& s = *system;
   const Unknowns& unknowns = s.constraints.unknowns;
-  const RsiSolution& rsi = s.systems->rsi();
+  const ResponseSystem& system_of_response = s.systems->response();
   const std::size_t column = 3 * s.moving.size();
   const std::size_t n = 3 * unknowns.size();
   response.resize(column * s.column_count());
@@ -115,10 +169,15 @@ void Deformer::State::compute_response(const Progress& progress) {
     };
     parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        rsi.right_hand_side(unit_motion(k), std::span(x).subspan(k * n, n));
+        const auto b = std::span(x).subspan(k * n, n);
+        std::vector<double> q(s.column_count(), 0.0);
+        q[h * kMotionParameters + k] = 1.0;
+        system_of_response.right_hand_side(s.wanted_displacement(q), b);
+        const Numbers f = forces(q);
+        for (std::size_t i = 0; i < f.size(); ++i) b[i] += f[i];
       }
     });
-    rsi.solve_in_place(x, kMotionParameters);
+    system_of_response.solve_in_place(x, kMotionParameters);
     parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         // Vertices that move but are not solved for are handles with hard constraints.
@@ -147,9 +206,11 @@ void Deformer::State::make_surface() {
 
 void Deformer::State::make_settler(Kernels& on) {
   if (!system->options.settle) return;
-  settler = std::make_unique<Settler>(on, system->systems->laplacian_with_rings(),
-                                      *system->options.settle);
-  turned_start = std::make_unique<TurnedStart>(*system);
+  const LaplacianSystem& laplacian = system->systems->laplacian_with_rings();
+  tangent = std::make_unique<PoseTangent>(system->topology, system->region.roi,
+                                          system->systems->pattern(), laplacian, *system->rest,
+                                          system->options, *kernels);
+  settler = std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get());
 }
 
 // The displacement of every vertex, in double precision.
@@ -163,24 +224,15 @@ std::vector<Vector3d> Deformer::State::blended_displacement(std::span<const doub
   return u;
 }
 
-// Where the linear response takes a drag from its last frame; `change` are the parameters and
-// becomes what has changed of them.
-Positions Deformer::State::moved_on(const SettledPose& pose, std::vector<double>& change) const {
-  for (std::size_t k = 0; k < change.size(); ++k) change[k] -= pose.parameters[k];
-  Positions u = blended_displacement(change);
-  for (const Index v : system->moving) u[v] += pose.displacement[v];
-  return u;
-}
-
 Deformer::Deformer(std::span<const Vector3d> rest, const Topology& topology, EditRegion region,
                    const DeformOptions& options, Kernels& kernels, const Progress& progress)
     : Deformer(edit_of(topology, rest, std::move(region), options, progress), kernels, progress) {}
 
 Deformer::Deformer(PreparedRegion& prepared, std::span<const Vector3d> rest, EditRegion region,
                    const DeformOptions& options, Kernels& kernels, const Progress& progress)
-    : Deformer(std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
-                                                  options.settle.has_value(), progress),
-               kernels, progress) {}
+    : Deformer(
+          std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress),
+          kernels, progress) {}
 
 Deformer::Deformer(const DragPreview& preview, Kernels& kernels, const Progress& progress)
     : Deformer(preview.system(), kernels, progress) {}
@@ -194,11 +246,16 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   const EditSystem& edit = *s.system;
   s.timings = edit.timings;
   s.parameters.resize(edit.column_count());
+  s.base.resize(edit.column_count(), 0.0);
   s.weights = laplacian_weights(edit.topology, *edit.rest, edit.options.weights);
   const auto lock = edit.systems->lock();
-  const bool exact = s.hold_rsi(progress);
-  if (edit.options.settle) edit.hold_laplacian();
+  const bool exact = s.hold_response(progress);
+  edit.hold_laplacian();
   Stopwatch watch;
+  if (edit.options.settle || edit.options.response == LinearResponse::tangent) {
+    s.shares = std::make_unique<HandleShares>(edit);
+  }
+  if (exact && edit.options.response == LinearResponse::tangent) s.find_scale_forces();
   if (exact) {
     s.compute_response(progress);
   } else {
@@ -224,13 +281,13 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
 void Deformer::hold(const Progress& progress) const {
   const State& s = *state_;
   StageTimings untold;
-  if (is_exact()) s.system->hold_rsi(s.weights, *s.kernels, progress, untold);
-  if (s.settler != nullptr) hold_for_settling();
+  if (is_exact()) s.system->hold_response(*s.kernels, progress, untold);
+  hold_for_settling();
 }
 
 void Deformer::hold_for_settling() const {
   state_->system->hold_laplacian();
-  state_->system->systems->laplacian_with_rings();
+  if (state_->settler != nullptr) state_->system->systems->laplacian_with_rings();
 }
 
 Deformer::~Deformer() = default;
@@ -238,8 +295,34 @@ Deformer::Deformer(Deformer&&) noexcept = default;
 Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 
 void Deformer::drag(std::span<const Eigen::Affine3d> motions) {
-  state_->system->set_parameters(motions, state_->parameters);
-  state_->surface->blend(state_->parameters);
+  State& s = *state_;
+  s.system->set_parameters(motions, s.parameters);
+  for (std::size_t k = 0; k < s.parameters.size(); ++k) s.parameters[k] -= s.base[k];
+  s.surface->blend(s.parameters);
+}
+
+void Deformer::drag_from(const SettledPose& pose) {
+  State& s = *state_;
+  s.base.assign(s.parameters.size(), 0.0);
+  std::copy(pose.parameters.begin(), pose.parameters.end(), s.base.begin());
+  Positions from = *s.system->rest;
+  if (!pose.displacement.empty()) {
+    for (const Index v : s.system->moving) from[v] += pose.displacement[v];
+  }
+  s.surface->set_rest(from);
+}
+
+SettledPose Deformer::pose_at(std::span<const Vector3d> positions,
+                              std::span<const Eigen::Affine3d> motions,
+                              std::span<const Eigen::AngleAxisd> turns) const {
+  const EditSystem& edit = *state_->system;
+  SettledPose pose;
+  pose.parameters.resize(edit.column_count());
+  edit.set_parameters(motions, pose.parameters);
+  pose.turns.assign(turns.begin(), turns.end());
+  pose.displacement.assign(edit.rest->size(), Vector3d::Zero());
+  for (const Index v : edit.moving) pose.displacement[v] = positions[v] - (*edit.rest)[v];
+  return pose;
 }
 
 void Deformer::show(std::span<const Vector3d> positions) {
@@ -257,17 +340,15 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   return solve(motions, turns, progress);
 }
 
-// Settles u, the linear solution, from there or from the turned start.
-void Deformer::settle(std::span<const Eigen::Affine3d> motions,
-                      std::span<const Eigen::AngleAxisd> turns, std::span<const Vector3d> wanted,
-                      std::vector<Vector3d>& u, Certificate& certificate,
-                      const Progress& progress) const {
+// u is where the linear response ends; becomes where to settle from.
+void Deformer::choose_start(std::span<const Eigen::Affine3d> motions,
+                            std::span<const Eigen::AngleAxisd> turns, const SettleTarget& target,
+                            std::vector<Vector3d>& u) const {
   const State& s = *state_;
-  if (any_far(turns)) u = s.turned_start->displacement(motions, turns);
-  const SettleResult settled = s.settler->settle(wanted, u, progress);
-  certificate.settle_iterations = settled.iterations;
-  certificate.settled = settled.settled;
-  certificate.settle_last_step = settled.last_step;
+  std::vector<Vector3d> turned = s.shares->turned(motions, turns);
+  if (any_far(turns) || s.settler->energy(target, turned) < s.settler->energy(target, u)) {
+    u = std::move(turned);
+  }
 }
 
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
@@ -281,14 +362,26 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   edit.set_parameters(motions, q);
   const std::vector<Vector3d> wanted = edit.wanted_displacement(q);
   std::vector<Vector3d> u = s.blended_displacement(q);
+  std::vector<double> scales;
+  if (s.shares != nullptr) scales = s.asked_scales(motions);
 
   DeformResult result;
-  result.certificate.why_not_exact = s.why_not_exact;
-  if (is_exact()) result.certificate.relative_residual = edit.systems->rsi().refine(wanted, u);
+  Certificate& certificate = result.certificate;
+  certificate.why_not_exact = s.why_not_exact;
+  double residual = 0.0;
+  if (is_exact()) residual = edit.systems->response().refine(wanted, s.forces(q), u);
   const bool still =
       std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.isZero(0.0); });
-  if (s.settler != nullptr && (!still || any_far(turns))) {
-    settle(motions, turns, wanted, u, result.certificate, progress);
+  if (s.settler == nullptr) {
+    certificate.relative_residual = residual;
+  } else if (!still || any_far(turns)) {
+    const SettleTarget target{wanted, scales};
+    choose_start(motions, turns, target, u);
+    const SettleResult settled = s.settler->settle(target, u, progress);
+    certificate.settle_iterations = settled.iterations;
+    certificate.settled = settled.settled;
+    certificate.settle_last_step = settled.last_step;
+    certificate.relative_gradient = settled.relative_gradient;
   }
   result.positions = *edit.rest;
   for (const Index v : edit.moving) {
@@ -297,64 +390,64 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   }
   for (const auto& handle : edit.region.handles) {
     for (const Index v : handle) {
-      result.certificate.handle_error =
-          std::max(result.certificate.handle_error, (u[v] - wanted[v]).norm());
+      certificate.handle_error = std::max(certificate.handle_error, (u[v] - wanted[v]).norm());
     }
   }
-  measure_region(edit.region, edit.topology, s.weights, *edit.rest, result.positions,
-                 result.certificate);
-  require_valid(result.certificate);
+  measure_region(edit.region, edit.topology, s.weights, *edit.rest, result.positions, certificate,
+                 scales);
+  require_valid(certificate);
   return result;
 }
 
 void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
-                      const Progress& progress) const {
+                      const std::function<bool()>& go_on, const Progress& progress) const {
   std::vector<Eigen::AngleAxisd> turns;
   for (std::size_t h = 0; h < motions.size(); ++h) {
     TurnTracker tracker = h < pose.turns.size() ? TurnTracker(pose.turns[h]) : TurnTracker();
     tracker.follow(motions[h]);
     turns.push_back(tracker.turn());
   }
-  follow(motions, turns, pose, progress);
+  follow(motions, turns, pose, go_on, progress);
 }
 
 void Deformer::follow(std::span<const Eigen::Affine3d> motions,
                       std::span<const Eigen::AngleAxisd> turns, SettledPose& pose,
-                      const Progress& progress) const {
+                      const std::function<bool()>& go_on, const Progress& progress) const {
   const State& s = *state_;
   const EditSystem& edit = *s.system;
   if (s.settler == nullptr) {
     throw InputError("a drag can follow settled only with settling in the deform options");
   }
-  const auto lock = edit.systems->lock();
-  hold_for_settling();
   SettledPose next;
   next.parameters.resize(edit.column_count());
   next.turns.assign(turns.begin(), turns.end());
   edit.set_parameters(motions, next.parameters);
-  next.change = next.parameters;
-  const bool anew = pose.parameters.empty() || any_far(turns, pose.turns);
-  if (anew) s.settler->begin_drag();
-  const Positions linear = !anew            ? s.moved_on(pose, next.change)
-                           : any_far(turns) ? s.turned_start->displacement(motions, turns)
-                                            : s.blended_displacement(next.parameters);
-  Positions u = linear;
-  if (!anew && !pose.correction.empty()) {
-    // What the linear response does not know changes with the motion as it did in the last frame.
-    const double share = share_along(next.change, pose.change);
-    for (const Index v : edit.moving) u[v] += share * pose.correction[v];
+  if (pose.settled.settled && next.parameters == pose.parameters) return;
+  const auto lock = edit.systems->lock();
+  hold_for_settling();
+  const std::vector<Vector3d> wanted = edit.wanted_displacement(next.parameters);
+  const std::vector<double> scales = s.asked_scales(motions);
+  const SettleTarget target{wanted, scales};
+  if (pose.parameters.empty() || any_far(turns, pose.turns)) {
+    s.settler->begin_drag();
+    next.displacement = s.blended_displacement(next.parameters);
+    choose_start(motions, turns, target, next.displacement);
+  } else {
+    std::vector<double> change = next.parameters;
+    for (std::size_t k = 0; k < change.size(); ++k) change[k] -= pose.parameters[k];
+    next.displacement = s.blended_displacement(change);
+    for (const Index v : edit.moving) next.displacement[v] += pose.displacement[v];
   }
-  next.settled = s.settler->follow(edit.wanted_displacement(next.parameters), u, progress);
+  next.settled = s.settler->follow(target, next.displacement, go_on, progress);
   Certificate certificate;
-  certificate.all_finite =
-      std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.allFinite(); });
+  certificate.all_finite = std::all_of(next.displacement.begin(), next.displacement.end(),
+                                       [](const Vector3d& v) { return v.allFinite(); });
   require_valid(certificate);
-  if (!anew) {
-    next.correction = u;
-    for (const Index v : edit.moving) next.correction[v] -= linear[v];
-  }
-  next.displacement = std::move(u);
   pose = std::move(next);
+}
+
+void Deformer::begin_drag() const {
+  if (state_->settler != nullptr) state_->settler->begin_drag();
 }
 
 bool Deformer::is_exact() const {
@@ -371,7 +464,7 @@ const StageTimings& Deformer::timings() const {
 }
 std::string_view Deformer::solver_name() const {
   const RegionSystem& systems = *state_->system->systems;
-  return is_exact() ? systems.rsi().solver_name() : systems.laplacian().solver_name();
+  return is_exact() ? systems.response().solver_name() : systems.laplacian().solver_name();
 }
 std::size_t Deformer::unknown_count() const {
   return state_->system->constraints.unknowns.size();
@@ -388,7 +481,7 @@ void Deformer::back_substitute(std::span<double> x) const {
   const auto lock = state_->system->systems->lock();
   hold({});
   if (is_exact()) {
-    state_->system->systems->rsi().solve_in_place(x, 1);
+    state_->system->systems->response().solve_in_place(x, 1);
   } else {
     state_->system->systems->laplacian().solve_in_place(x, 3);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -26,21 +27,19 @@ struct DeformResult {
   Certificate certificate;
 };
 
-/// Where a settled drag is: what its next frame begins with. Empty before the first.
+/// Where a settled drag is: what its next frame begins with. Empty where it begins at rest.
 struct SettledPose {
   std::vector<double> parameters;        ///< of the handles' motions
   std::vector<Eigen::AngleAxisd> turns;  ///< by which those came about, one per handle
   Positions displacement;                ///< of the whole mesh
-  std::vector<double> change;            ///< of the parameters in the last frame
-  Positions
-      correction;  ///< what that changed beyond the linear response; empty after a first frame
-  SettleResult settled;  ///< how the last frame ended
+  SettleResult settled;                  ///< how the last frame ended
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
-/// and 4). Construction prepares: it assembles the RSI system over the region, factors it, and
-/// solves for the response of the surface to each of a handle's 12 degrees of freedom. After that a
-/// motion is a product with those columns:
+/// and 4; DESIGN section 3). Construction prepares: it assembles the tangent of the energy over the
+/// region (or the RSI system, see LinearResponse), factors it, and solves for the response of the
+/// surface to each of a handle's 12 degrees of freedom. After that a motion is a product with those
+/// columns, and what it leaves is settled:
 ///
 ///     Deformer deformer(mesh.positions, topology, region, {}, kernels);
 ///     deformer.drag(motions);                       // every frame, on the device
@@ -75,9 +74,20 @@ class Deformer {
   Deformer& operator=(Deformer&&) noexcept;
 
   /// One frame: the surface follows the handles' motions, one per handle, each a map of space that
-  /// acts on the rest position of the handle's vertices. On the device, in its precision; allocates
-  /// nothing.
+  /// acts on the rest position of the handle's vertices, by the linear response. On the device, in
+  /// its precision; allocates nothing.
   void drag(std::span<const Eigen::Affine3d> motions);
+
+  /// From now on `drag` begins where `pose` is, and not at rest: the surface is that pose and the
+  /// linear response to what the motions have changed since, so that at its motions it is that
+  /// pose. One upload.
+  void drag_from(const SettledPose& pose);
+
+  /// A pose of this region: the surface at `positions`, of the whole mesh, for handles moved by
+  /// `motions` that came about by `turns`.
+  SettledPose pose_at(std::span<const Eigen::Vector3d> positions,
+                      std::span<const Eigen::Affine3d> motions,
+                      std::span<const Eigen::AngleAxisd> turns) const;
 
   /// Puts the surface on the device where `positions` (of the whole mesh) says, so that what is
   /// drawn is what `solve` returned.
@@ -98,24 +108,28 @@ class Deformer {
                      std::span<const Eigen::AngleAxisd> turns, const Progress& progress = {}) const;
 
   /// One settled frame of a drag: moves `pose` on to where the handles' motions take it, from where
-  /// the last frame left it and by the linear response to what the handles did since. A few
-  /// iterations in place of many. `turns` are those of `solve`. The first frame settles from where
-  /// `solve` does, and so does one in which a handle has turned by more than 15 degrees since the
-  /// last: from the old pose that takes as long, and may end wound otherwise. Within the tolerance
-  /// the surface is the one that `solve` gives where that does not depend on the start; `solve` is
-  /// what counts when the handle is let go. One drag at a time. Throws InputError without settling
-  /// in the options, SolverError when the result is not finite, Cancelled when `progress` asks for
-  /// it, each time with `pose` as it was.
+  /// the last frame left it and by the linear response to what the handles did since. Every frame
+  /// is a better surface than that, and as good as `go_on` (Settler::follow) leaves time for; with
+  /// the same motions again it goes on, and once settled nothing moves. `turns` are those of
+  /// `solve`. From an empty pose it begins where `solve` does, and so does a frame in which a
+  /// handle has turned by more than 90 degrees since the last, for which the old pose tells too
+  /// little. One drag at a time; another one begins with `begin_drag`. Throws InputError without
+  /// settling in the options, SolverError when the result is not finite, Cancelled when `progress`
+  /// asks for it, each time with `pose` as it was.
   void follow(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
-              SettledPose& pose, const Progress& progress = {}) const;
+              SettledPose& pose, const std::function<bool()>& go_on = {},
+              const Progress& progress = {}) const;
 
   /// The same with turns that add up from frame to frame, as TurnTracker follows them.
   void follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
-              const Progress& progress = {}) const;
+              const std::function<bool()>& go_on = {}, const Progress& progress = {}) const;
 
-  /// Whether the RSI system is there. Without it (the region was too large for the memory limit)
-  /// `drag` is a DragPreview's, which is where settling then starts; what it settles to is the same
-  /// within its tolerance, and the certificate's residual is 0.
+  /// Forgets what the frames of the last drag have told.
+  void begin_drag() const;
+
+  /// Whether the 3n x 3n system is there. Without it (the region was too large for the memory
+  /// limit) `drag` is a DragPreview's, which is where settling then starts; what it settles to is
+  /// the same within its tolerance.
   bool is_exact() const;
   /// What the system would need, and may take, in words; empty where it is there.
   std::string_view why_not_exact() const;
@@ -135,9 +149,9 @@ class Deformer {
   Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, const Progress& progress);
   void hold(const Progress& progress) const;
   void hold_for_settling() const;
-  void settle(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
-              std::span<const Eigen::Vector3d> wanted, std::vector<Eigen::Vector3d>& u,
-              Certificate& certificate, const Progress& progress) const;
+  void choose_start(std::span<const Eigen::Affine3d> motions,
+                    std::span<const Eigen::AngleAxisd> turns, const SettleTarget& target,
+                    std::vector<Eigen::Vector3d>& u) const;
 
   std::unique_ptr<State> state_;
 };

@@ -16,6 +16,7 @@
 namespace lapwing {
 
 struct EditSystem;
+struct SettledPose;
 
 /// A drag that is ready long before the exact one: Laplacian coordinates are kept as they are, not
 /// turned with the handle, which takes the n x n system (L'L + W) u = W d and four columns a handle
@@ -41,6 +42,13 @@ class DragPreview {
 
   /// One frame, as Deformer::drag.
   void drag(std::span<const Eigen::Affine3d> motions);
+
+  /// As Deformer's of that name. The poses of a preview and of a deformer made from it are the
+  /// same.
+  void drag_from(const SettledPose& pose);
+  SettledPose pose_at(std::span<const Eigen::Vector3d> positions,
+                      std::span<const Eigen::Affine3d> motions,
+                      std::span<const Eigen::AngleAxisd> turns) const;
 
   /// The surface that `drag` moves, for drawing.
   DeformedSurface& surface();

@@ -13,6 +13,10 @@ namespace {
 using Eigen::Vector3d;
 
 void check(const DeformOptions& options) {
+  if (!(options.detail_length > 0.0) || !std::isfinite(options.detail_length)) {
+    throw InputError("the detail length must be a positive number, not " +
+                     std::to_string(options.detail_length));
+  }
   if (!(options.constraint_weight > 0.0) || !std::isfinite(options.constraint_weight)) {
     throw InputError("the constraint weight must be a positive number, not " +
                      std::to_string(options.constraint_weight));
@@ -34,7 +38,7 @@ std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unk
 
 EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_positions,
                        EditRegion edit_region, const DeformOptions& deform_options,
-                       bool with_laplacian, const Progress& progress,
+                       const Progress& progress,
                        const std::function<void(const EditSystem&)>& meanwhile)
     : topology(prepared.topology()), region(std::move(edit_region)), options(deform_options) {
   check(options);
@@ -57,18 +61,11 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   parallel_invoke(
       [&] {
         check_and_frame();
-        if (with_laplacian) systems->assemble_laplacian(laplacian_terms());
+        systems->assemble_laplacian(terms());
         if (meanwhile) meanwhile(*this);
       },
-      [&] {
-        if (with_laplacian) {
-          systems->analyze_laplacian();
-        } else {
-          systems->find_order();
-        }
-      });
+      [&] { systems->analyze_laplacian(); });
   timings.add(stage, watch.elapsed_ms());
-  if (!with_laplacian) return;
   watch.restart();
   begin("laplacian");
   hold_laplacian();
@@ -81,19 +78,17 @@ void EditSystem::check_and_frame() {
   moving = moving_vertices(region, constraints.unknowns);
 }
 
-SystemTerms EditSystem::laplacian_terms() const {
-  const SettleOptions settle = options.settle.value_or(SettleOptions{.weights = options.weights});
-  return {rest, settle.weights, settle.stretch_resistance};
+SystemTerms EditSystem::terms() const {
+  return {rest, {options.weights, options.detail_length}};
 }
 
 void EditSystem::hold_laplacian() const {
-  systems->hold_laplacian(laplacian_terms(), constraints.W);
+  systems->hold_laplacian(terms(), constraints.W);
 }
 
-void EditSystem::hold_rsi(std::span<const double> weights, Kernels& kernels,
-                          const Progress& progress, StageTimings& stages) const {
-  systems->hold_rsi({rest, options.weights}, weights, constraints.W, options, kernels, progress,
-                    stages);
+void EditSystem::hold_response(Kernels& kernels, const Progress& progress,
+                               StageTimings& stages) const {
+  systems->hold_response(terms(), constraints.W, options, kernels, progress, stages);
 }
 
 void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,

@@ -22,12 +22,11 @@ namespace lapwing {
 /// construction, so both may use it from threads of their own; the systems are another matter, see
 /// RegionSystem.
 struct EditSystem {
-  /// Stages "pattern" and "order", or "constraints" where `prepared` has both, and with the n x n
-  /// system "laplacian". `meanwhile` is called on this thread while another finds the order: then
+  /// Stages "pattern" and "order", or "constraints" where `prepared` has both, and "laplacian", the
+  /// n x n system. `meanwhile` is called on this thread while another finds the order: then
   /// all but the systems is there. Throws what Deformer does.
   EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
-             EditRegion edit_region, const DeformOptions& deform_options, bool with_laplacian,
-             const Progress& progress,
+             EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress,
              const std::function<void(const EditSystem&)>& meanwhile = {});
 
   std::shared_ptr<const Positions> rest;
@@ -44,10 +43,8 @@ struct EditSystem {
 
   /// Makes the n x n system that of this edit, for previews and settling.
   void hold_laplacian() const;
-  /// Makes the 3n x 3n one that of this edit; `weights` are those of its Laplacians, per ring
-  /// entry.
-  void hold_rsi(std::span<const double> weights, Kernels& kernels, const Progress& progress,
-                StageTimings& stages) const;
+  /// Makes the 3n x 3n one that of this edit.
+  void hold_response(Kernels& kernels, const Progress& progress, StageTimings& stages) const;
 
   std::size_t column_count() const { return kMotionParameters * region.handles.size(); }
 
@@ -58,7 +55,7 @@ struct EditSystem {
   std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;
 
  private:
-  SystemTerms laplacian_terms() const;
+  SystemTerms terms() const;
   void check_and_frame();
 };
 

@@ -1,11 +1,19 @@
 #include "lapwing/deform/region_system.h"
 
+#include <limits>
 #include <string>
 
 #include "lapwing/base/memory_use.h"
 #include "lapwing/solve/ordering.h"
 
 namespace lapwing {
+
+std::size_t allowed_memory(std::size_t limit_bytes) {
+  if (limit_bytes > 0) return limit_bytes;
+  const std::size_t available = available_memory_bytes();
+  if (available == 0) return std::numeric_limits<std::size_t>::max();
+  return static_cast<std::size_t>(kMemoryShare * static_cast<double>(available));
+}
 
 RegionSystem::RegionSystem(const Topology& topology, const VertexSet& roi, const Unknowns& unknowns)
     : topology_(topology),
@@ -21,7 +29,7 @@ bool RegionSystem::serves(const VertexSet& roi, const Unknowns& unknowns) const 
 void RegionSystem::assemble_laplacian(const SystemTerms& terms) {
   if (terms == laplacian_terms_) return;
   laplacian_terms_ = {};
-  laplacian_.assemble(*terms.rest, terms.weights, terms.stretch_resistance);
+  laplacian_.assemble(*terms.rest, terms.energy);
   laplacian_terms_ = terms;
 }
 
@@ -36,51 +44,51 @@ const LaplacianSystem& RegionSystem::laplacian_with_rings() {
   return laplacian_;
 }
 
-void RegionSystem::hold_rsi(const SystemTerms& terms, std::span<const double> weights,
-                            std::span<const double> W, const DeformOptions& options,
-                            Kernels& kernels, const Progress& progress, StageTimings& timings) {
-  if (options.solver != rsi_solver_) {
-    rsi_.reset();
-    rsi_bytes_ = 0;
-    rsi_solver_ = options.solver;
+void RegionSystem::hold_response(const SystemTerms& terms, std::span<const double> W,
+                                 const DeformOptions& options, Kernels& kernels,
+                                 const Progress& progress, StageTimings& timings) {
+  if (options.solver != response_solver_ || options.response != response_kind_) {
+    response_.reset();
+    response_bytes_ = 0;
+    response_solver_ = options.solver;
+    response_kind_ = options.response;
   }
-  if (rsi_bytes_ > 0) require_memory(options.memory_limit_bytes);
-  if (rsi_ == nullptr) {
-    rsi_ = std::make_unique<RsiSolution>(topology_, roi_, unknowns_, pattern_, rsi_solver_);
-    rsi_terms_ = {};
-    rsi_has_memory_ = false;
+  if (response_bytes_ > 0) require_memory(options.memory_limit_bytes);
+  if (response_ == nullptr) {
+    response_ = std::make_unique<ResponseSystem>(topology_, roi_, unknowns_, pattern_, laplacian_,
+                                                 response_kind_, response_solver_);
+    response_terms_ = {};
+    response_has_memory_ = false;
   }
   // Elsewhere that goes beside the assembly, which takes little.
   if (unknowns_.size() > kMinimumDegreeLimit) {
-    rsi_->analyze(progress, timings);
+    response_->analyze(progress, timings);
     require_memory(options.memory_limit_bytes);
   }
-  if (terms != rsi_terms_) {
-    rsi_terms_ = {};
-    rsi_->assemble(*terms.rest, weights, kernels, progress, timings);
-    rsi_terms_ = terms;
+  if (terms != response_terms_) {
+    response_terms_ = {};
+    assemble_laplacian(terms);
+    response_->assemble(*terms.rest, kernels, progress, timings);
+    response_terms_ = terms;
   }
   require_memory(options.memory_limit_bytes);
-  rsi_has_memory_ = true;
-  rsi_->factor(W, progress, timings);
+  response_has_memory_ = true;
+  response_->factor(W, progress, timings);
 }
 
 // Of a system that has its memory none is required.
 void RegionSystem::require_memory(std::size_t limit_bytes) {
-  if (rsi_ != nullptr && rsi_has_memory_) return;
-  if (rsi_ != nullptr) rsi_bytes_ = rsi_->memory_bytes();
-  if (limit_bytes == 0) {
-    const auto available = static_cast<double>(available_memory_bytes());
-    if (available == 0.0) return;
-    limit_bytes = static_cast<std::size_t>(kMemoryShare * available);
-  }
-  if (rsi_bytes_ <= limit_bytes) return;
-  rsi_.reset();
+  if (response_ != nullptr && response_has_memory_) return;
+  if (response_ != nullptr) response_bytes_ = response_->memory_bytes();
+  limit_bytes = allowed_memory(limit_bytes);
+  if (response_bytes_ <= limit_bytes) return;
+  response_.reset();
   const auto megabytes = [](std::size_t bytes) {
     return std::to_string(bytes / 1'000'000 + 1) + " MB";
   };
   throw DoesNotFit("the exact system of " + std::to_string(unknowns_.size()) + " vertices needs " +
-                   megabytes(rsi_bytes_) + " of memory, and may take " + megabytes(limit_bytes));
+                   megabytes(response_bytes_) + " of memory, and may take " +
+                   megabytes(limit_bytes));
 }
 
 }  // namespace lapwing

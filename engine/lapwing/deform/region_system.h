@@ -10,7 +10,7 @@
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deform_options.h"
-#include "lapwing/deform/rsi_solution.h"
+#include "lapwing/deform/response_system.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/laplacian_system.h"
 
@@ -32,8 +32,7 @@ class DoesNotFit : public SolverError {
 /// What the numbers of a system depend on besides region and constraints.
 struct SystemTerms {
   std::shared_ptr<const Positions> rest;  ///< the same pointer for the same positions
-  LaplacianWeights weights = LaplacianWeights::uniform;
-  double stretch_resistance = 0.0;  ///< of the n x n system
+  EnergyTerms energy;
 
   bool operator==(const SystemTerms&) const = default;
 };
@@ -50,10 +49,11 @@ class RegionSystem {
 
   [[nodiscard]] std::unique_lock<std::mutex> lock() { return std::unique_lock(mutex_); }
 
-  /// L and L'L + mu K, for which neither order nor constraints are needed.
+  /// L and L'Om L + K, for which neither order nor constraints are needed.
   void assemble_laplacian(const SystemTerms& terms);
   /// The order; once.
   void find_order() { pattern_.order(); }
+  const SystemPattern& pattern() const { return pattern_; }
   bool is_ordered() const { return pattern_.is_ordered(); }
   /// The order and the symbolic factorization of the n x n system; once. May run beside
   /// `assemble_laplacian`.
@@ -64,15 +64,15 @@ class RegionSystem {
   const LaplacianSystem& laplacian() const { return laplacian_; }
   const LaplacianSystem& laplacian_with_rings();
 
-  /// The 3n x 3n system under `W`, by the solver and within the memory that `options` say; stages
-  /// "assemble", "analyze", "normal_matrix" and "factor" as far as they are to be done. `weights`
-  /// are those of `terms`, per ring entry. Throws DoesNotFit, of a large region before its memory
-  /// is taken, and keeps nothing of the system then.
-  void hold_rsi(const SystemTerms& terms, std::span<const double> weights,
-                std::span<const double> W, const DeformOptions& options, Kernels& kernels,
-                const Progress& progress, StageTimings& timings);
+  /// The 3n x 3n system under `W`, of the kind, by the solver and within the memory that `options`
+  /// say; stages "assemble", "analyze", "normal_matrix" and "factor" as far as they are to be done.
+  /// The n x n one is assembled for it. Throws DoesNotFit, of a large region before its memory is
+  /// taken, and keeps nothing of the system then.
+  void hold_response(const SystemTerms& terms, std::span<const double> W,
+                     const DeformOptions& options, Kernels& kernels, const Progress& progress,
+                     StageTimings& timings);
   /// As held last.
-  const RsiSolution& rsi() const { return *rsi_; }
+  const ResponseSystem& response() const { return *response_; }
 
  private:
   void require_memory(std::size_t limit_bytes);
@@ -84,11 +84,12 @@ class RegionSystem {
   std::mutex mutex_;
   LaplacianSystem laplacian_;
   SystemTerms laplacian_terms_;  ///< no positions where it is not assembled
-  std::unique_ptr<RsiSolution> rsi_;
-  SolverKind rsi_solver_ = SolverKind::automatic;
-  SystemTerms rsi_terms_;
-  bool rsi_has_memory_ = false;
-  std::size_t rsi_bytes_ = 0;  ///< that it needs, once known
+  std::unique_ptr<ResponseSystem> response_;
+  SolverKind response_solver_ = SolverKind::automatic;
+  LinearResponse response_kind_ = LinearResponse::tangent;
+  SystemTerms response_terms_;
+  bool response_has_memory_ = false;
+  std::size_t response_bytes_ = 0;  ///< that it needs, once known
 };
 
 }  // namespace lapwing

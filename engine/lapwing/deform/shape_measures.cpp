@@ -16,10 +16,14 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kRowsPerTask = 256;
 
-// |length' / length - 1| of an edge; below 0 for one without length.
+double scale_at(std::span<const double> scales, Index i) {
+  return scales.empty() ? 1.0 : scales[i];
+}
+
+// |length' / (s length) - 1| of an edge; below 0 for one without length.
 double stretch_of(Index i, Index j, std::span<const Vector3d> rest,
-                  std::span<const Vector3d> current) {
-  const double was = (rest[i] - rest[j]).norm();
+                  std::span<const Vector3d> current, std::span<const double> scales) {
+  const double was = 0.5 * (scale_at(scales, i) + scale_at(scales, j)) * (rest[i] - rest[j]).norm();
   return was > 0.0 ? std::abs((current[i] - current[j]).norm() / was - 1.0) : -1.0;
 }
 
@@ -44,25 +48,27 @@ Laplacians laplacians_of(Index i, const Topology& topology, std::span<const doub
 
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Vector3d> rest,
-                    std::span<const Vector3d> current) {
+                    std::span<const Vector3d> current, std::span<const double> scales) {
   double off = 0.0;
   double size = 0.0;
   for (const Index i : rows) {
     const Laplacians L = laplacians_of(i, topology, weights, rest, current);
     const Matrix3d R = fit_rotation(i, topology.rings[i], rest, current);
-    off += (L.is - R * L.was).squaredNorm();
-    size += L.was.squaredNorm();
+    const Vector3d wanted = scale_at(scales, i) * L.was;
+    off += (L.is - R * wanted).squaredNorm();
+    size += wanted.squaredNorm();
   }
   return size > 0.0 ? std::sqrt(off / size) : 0.0;
 }
 
 double edge_stretch(std::span<const Index> rows, const Topology& topology,
-                    std::span<const Vector3d> rest, std::span<const Vector3d> current) {
+                    std::span<const Vector3d> rest, std::span<const Vector3d> current,
+                    std::span<const double> scales) {
   double sum = 0.0;
   std::size_t count = 0;
   for (const Index i : rows) {
     for (const Index j : topology.rings[i]) {
-      const double stretch = stretch_of(i, j, rest, current);
+      const double stretch = stretch_of(i, j, rest, current, scales);
       if (stretch < 0.0) continue;
       sum += stretch * stretch;
       ++count;
@@ -72,12 +78,12 @@ double edge_stretch(std::span<const Index> rows, const Topology& topology,
 }
 
 StretchedEdge most_stretched_edge(std::span<const Index> rows, const Topology& topology,
-                                  std::span<const Vector3d> rest,
-                                  std::span<const Vector3d> current) {
+                                  std::span<const Vector3d> rest, std::span<const Vector3d> current,
+                                  std::span<const double> scales) {
   StretchedEdge most;
   for (const Index i : rows) {
     for (const Index j : topology.rings[i]) {
-      const double stretch = stretch_of(i, j, rest, current);
+      const double stretch = stretch_of(i, j, rest, current, scales);
       if (stretch > most.stretch) most = {{std::min(i, j), std::max(i, j)}, stretch};
     }
   }

@@ -12,22 +12,23 @@ namespace lapwing {
 
 /// How one pose of a mesh differs from its rest pose. `rows` are the vertices measured, each with
 /// its whole ring; `weights` those of the Laplacians, as laplacian_weights gives them; R_i the best
-/// rotation of ring i from rest to current. All in linear time.
+/// rotation of ring i from rest to current; `scales` the s_i that are asked for, one per vertex of
+/// the mesh, or empty for 1. All in linear time.
 
 /// How far details are from their rest shapes, turned with their rings:
-/// sqrt(sum |L(v'_i) - R_i delta_i|^2 / sum |delta_i|^2) over `rows`. 0 for a rigid motion, 1 for
-/// details that are lost; 0 where there are none.
+/// sqrt(sum |L(v'_i) - s_i R_i delta_i|^2 / sum |s_i delta_i|^2) over `rows`. 0 for a rigid motion,
+/// 1 for details that are lost; 0 where there are none.
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
-                    std::span<const Eigen::Vector3d> current);
+                    std::span<const Eigen::Vector3d> current, std::span<const double> scales = {});
 
-/// Root mean square over the ring edges of `rows` of |length' / length - 1|. Edges without length
-/// do not count.
+/// Root mean square over the ring edges of `rows` of |length' / (s length) - 1|, s the mean of s_i
+/// over both ends. Edges without length do not count.
 double edge_stretch(std::span<const Index> rows, const Topology& topology,
-                    std::span<const Eigen::Vector3d> rest,
-                    std::span<const Eigen::Vector3d> current);
+                    std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
+                    std::span<const double> scales = {});
 
-/// An edge and its |length' / length - 1|.
+/// An edge and its |length' / (s length) - 1|.
 struct StretchedEdge {
   std::array<Index, 2> vertices{kNoIndex, kNoIndex};  ///< the lower first
   double stretch = 0.0;
@@ -37,7 +38,8 @@ struct StretchedEdge {
 /// No vertices where every edge keeps its length.
 StretchedEdge most_stretched_edge(std::span<const Index> rows, const Topology& topology,
                                   std::span<const Eigen::Vector3d> rest,
-                                  std::span<const Eigen::Vector3d> current);
+                                  std::span<const Eigen::Vector3d> current,
+                                  std::span<const double> scales = {});
 
 /// What became of each vertex's ring; all lists as long as `vertices`.
 struct VertexMeasures {

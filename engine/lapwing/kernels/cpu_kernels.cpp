@@ -63,6 +63,9 @@ class CpuSurface final : public DeformedSurface {
       for (std::size_t m = 0; m < n; ++m) to[3 * m] = from[m];
     }
   }
+  void set_rest(std::span<const Eigen::Vector3d> positions) override {
+    for (const Index v : moving_) rest_[v] = positions[v];
+  }
   void blend(std::span<const double> parameters) override {
     blend_response(rest_, moving_, basis_, parameters, positions_);
     renew_normals();
@@ -100,9 +103,8 @@ CpuKernels::CpuKernels() {
   device_.type = "cpu";
 }
 
-std::unique_ptr<RingRotations> CpuKernels::make_ring_rotations(const RegionRings& rings,
-                                                               RingMotion motion) {
-  return std::make_unique<CpuRingRotations>(rings, motion);
+std::unique_ptr<RingRotations> CpuKernels::make_ring_rotations(const RegionRings& rings) {
+  return std::make_unique<CpuRingRotations>(rings);
 }
 
 std::unique_ptr<DeformedSurface> CpuKernels::make_surface(const SurfaceInput& input) {

@@ -11,6 +11,7 @@ class CpuKernels final : public Kernels {
   CpuKernels();
   const DeviceInfo& device() const override { return device_; }
   void assemble_rsi(const RingProblem& problem, std::span<double> blocks) override;
+  void assemble_tangent(const EnergyProblem& problem, std::span<double> blocks) override;
   void sample_laplacians(const RingProblem& problem,
                          std::span<Eigen::Vector3d> laplacians) override;
   void sample_mapped_laplacians(const MappedRings& rings, MappedSampling sampling,
@@ -18,8 +19,7 @@ class CpuKernels final : public Kernels {
                                 std::span<Eigen::Vector3d> laplacians) override;
   void rotate_frames(const MappedRings& rings, const FramedSurface& source,
                      const FramedSurface& target, std::span<Eigen::Matrix3d> transforms) override;
-  std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings,
-                                                     RingMotion motion) override;
+  std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings) override;
   std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) override;
 
  private:

@@ -8,18 +8,19 @@ namespace lapwing {
 /// Rows that fit_rotations works on at once, one in each lane.
 inline constexpr int kFitLanes = 8;
 
-/// What kFitLanes rows keep from rest, lane after lane. x_k = v_k - c, c the mean over K_i.
+/// What kFitLanes rows keep from rest, lane after lane.
 struct alignas(64) FitRest {
-  double center[3][kFitLanes];  ///< c - v_i
-  double delta[3][kFitLanes];   ///< L(v)_i
-  double spread[kFitLanes];     ///< S = sum_k |x_k|^2
+  double delta[3][kFitLanes];  ///< L(v)_i
+  double weight[kFitLanes];    ///< om_i
+  double scale[kFitLanes];     ///< s_i
 };
 
 /// One ring entry of each of kFitLanes rows. A row whose ring has no more points to itself, with 0
 /// for the numbers.
 struct alignas(64) FitEntries {
-  double arm[3][kFitLanes];  ///< x_j
-  double weight[kFitLanes];  ///< w_ij
+  double edge[3][kFitLanes];    ///< v_j - v_i
+  double weight[kFitLanes];     ///< w_ij
+  double stiffness[kFitLanes];  ///< k_ij
   std::uint32_t neighbour[kFitLanes];
 };
 
@@ -32,20 +33,28 @@ struct FitRings {
   const double* displacement;  ///< per vertex: x, y, z, 0
 };
 
-/// kFitLanes rows, lane after lane. With x_k as above and d_k = v'_k - v'_i:
+/// kFitLanes rows, lane after lane.
 struct alignas(64) FitBatch {
-  double H[9][kFitLanes];       ///< sum_k d_k x_k', column after column
-  double moved[3][kFitLanes];   ///< L(v')_i
-  double T[9][kFitLanes];       ///< nearest_rotation(H), or the best similarity; as H
-  double turned[3][kFitLanes];  ///< T delta - delta
-  double energy[kFitLanes];     ///< |moved - T delta|^2
+  double C[9][kFitLanes];         ///< as in RingRotations::fit_rotations, column after column
+  double moved[3][kFitLanes];     ///< L(v')_i
+  double T[9][kFitLanes];         ///< s_i R_i; as C
+  double residual[3][kFitLanes];  ///< om_i (moved - T delta)
+  double energy[kFitLanes];
 };
 
 /// Fills `batch`. Returns a bit for every lane whose T, and what follows from it, is not to be
-/// used, since its H has rank one or none or leaves the rotation nearly free.
-using FitBatchFunction = unsigned (*)(const FitRings& rings, bool similarity, FitBatch& batch);
+/// used, since its C has rank one or none or leaves the rotation nearly free.
+using FitBatchFunction = unsigned (*)(const FitRings& rings, FitBatch& batch);
 
-/// The fastest one that this processor runs.
-FitBatchFunction fit_batch_function();
+/// The same for lanes whose T is given: residual and energy.
+using FinishBatchFunction = void (*)(const FitRings& rings, FitBatch& batch);
+
+struct FitBatchFunctions {
+  FitBatchFunction fit;
+  FinishBatchFunction finish;
+};
+
+/// The fastest ones that this processor runs.
+const FitBatchFunctions& fit_batch_functions();
 
 }  // namespace lapwing

@@ -49,35 +49,31 @@ LAPWING_INLINE Lanes gather(const double* displacement, const std::uint32_t* ver
   return Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
 }
 
-// H and `moved`.
-LAPWING_INLINE void sum_rings(const FitRings& rings, FitBatch& batch) {
-  std::uint32_t rows[kFitLanes];
-  for (int lane = 0; lane < kFitLanes; ++lane) {
-    rows[lane] = rings.first_row + static_cast<std::uint32_t>(lane);
-  }
-  // The x_k sum to 0 over K_i, so the d_k may be measured from any point: from i moved by c - v_i
-  // that of i itself is v_i - c.
+// C and `moved`.
+LAPWING_INLINE void sum_rings(const FitRings& rings, const std::uint32_t* rows, FitBatch& batch) {
   Lanes here[3];
-  Lanes H[9];
+  Lanes C[9] = {};
   Lanes moved[3];
   for (int a = 0; a < 3; ++a) {
     here[a] = gather(rings.displacement, rows, a);
     moved[a] = lanes_at(rings.rest.delta[a]);
-    for (int c = 0; c < 3; ++c) {
-      H[3 * c + a] = lanes_at(rings.rest.center[a]) * lanes_at(rings.rest.center[c]);
-    }
   }
   for (std::size_t k = 0; k < rings.entry_count; ++k) {
     const FitEntries& entry = rings.entries[k];
     for (int a = 0; a < 3; ++a) {
       const Lanes shift = gather(rings.displacement, entry.neighbour, a) - here[a];
-      const Lanes d = lanes_at(entry.arm[a]) + shift;
+      const Lanes pull = lanes_at(entry.stiffness) * (lanes_at(entry.edge[a]) + shift);
       moved[a] -= shift * lanes_at(entry.weight);
-      for (int c = 0; c < 3; ++c) H[3 * c + a] += d * lanes_at(entry.arm[c]);
+      for (int c = 0; c < 3; ++c) C[3 * c + a] += pull * lanes_at(entry.edge[c]);
     }
   }
-  for (int k = 0; k < 9; ++k) lanes_at(batch.H[k]) = H[k];
-  for (int a = 0; a < 3; ++a) lanes_at(batch.moved[a]) = moved[a];
+  for (int a = 0; a < 3; ++a) {
+    const Lanes pull = lanes_at(rings.rest.weight) * moved[a];
+    lanes_at(batch.moved[a]) = moved[a];
+    for (int c = 0; c < 3; ++c) {
+      lanes_at(batch.C[3 * c + a]) = C[3 * c + a] + pull * lanes_at(rings.rest.delta[c]);
+    }
+  }
 }
 
 struct Root {
@@ -119,12 +115,12 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
   return {l, (slope > kSmallestGap) & (absolute(down) <= kConverged)};
 }
 
-// R from H, both column after column; a bit for every lane where it is not sure.
+// R from C, both column after column; a bit for every lane where it is not sure.
 LAPWING_INLINE unsigned rotate(const FitBatch& batch, Lanes* R) {
   Lanes H[9];
   Lanes square = {};
   for (int k = 0; k < 9; ++k) {
-    H[k] = lanes_at(batch.H[k]);
+    H[k] = lanes_at(batch.C[k]);
     square += H[k] * H[k];
   }
   const LaneBits usable = (square > 0.0) & (square < 1e300);
@@ -201,30 +197,57 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, Lanes* R) {
   return unsure;
 }
 
-// What follows from T.
-LAPWING_INLINE void finish(bool similarity, const FitRest& rest, FitBatch& batch) {
-  if (similarity) {
-    Lanes along = {};
-    for (int k = 0; k < 9; ++k) along += lanes_at(batch.T[k]) * lanes_at(batch.H[k]);
-    const Lanes spread = lanes_at(rest.spread);
-    const Lanes scale = spread > 0.0 ? along / spread : Lanes{} + 1.0;
-    for (int k = 0; k < 9; ++k) lanes_at(batch.T[k]) *= scale;
-  }
+// What follows from T. Differences of edges come from displacements and T - I, so that small ones
+// keep their digits.
+LAPWING_INLINE void finish(const FitRings& rings, const std::uint32_t* rows, FitBatch& batch) {
+  Lanes change[9];  // T - I
+  for (int k = 0; k < 9; ++k) change[k] = lanes_at(batch.T[k]) - (k % 4 == 0 ? 1.0 : 0.0);
   Lanes energy = {};
   for (int a = 0; a < 3; ++a) {
-    const Lanes wish = lanes_at(batch.T[a]) * lanes_at(rest.delta[0]) +
-                       lanes_at(batch.T[3 + a]) * lanes_at(rest.delta[1]) +
-                       lanes_at(batch.T[6 + a]) * lanes_at(rest.delta[2]);
-    lanes_at(batch.turned[a]) = wish - lanes_at(rest.delta[a]);
+    const Lanes wish = lanes_at(batch.T[a]) * lanes_at(rings.rest.delta[0]) +
+                       lanes_at(batch.T[3 + a]) * lanes_at(rings.rest.delta[1]) +
+                       lanes_at(batch.T[6 + a]) * lanes_at(rings.rest.delta[2]);
     const Lanes off = lanes_at(batch.moved[a]) - wish;
-    energy += off * off;
+    const Lanes weighted = lanes_at(rings.rest.weight) * off;
+    lanes_at(batch.residual[a]) = weighted;
+    energy += weighted * off;
+  }
+  Lanes here[3];
+  for (int a = 0; a < 3; ++a) here[a] = gather(rings.displacement, rows, a);
+  for (std::size_t k = 0; k < rings.entry_count; ++k) {
+    const FitEntries& entry = rings.entries[k];
+    Lanes square = {};
+    for (int a = 0; a < 3; ++a) {
+      const Lanes off = gather(rings.displacement, entry.neighbour, a) - here[a] -
+                        (change[a] * lanes_at(entry.edge[0]) +
+                         change[3 + a] * lanes_at(entry.edge[1]) +
+                         change[6 + a] * lanes_at(entry.edge[2]));
+      square += off * off;
+    }
+    energy += lanes_at(entry.stiffness) * square;
   }
   lanes_at(batch.energy) = energy;
 }
 
-unsigned fit_batch(const FitRings& rings, bool similarity, FitBatch& batch) {
-  sum_rings(rings, batch);
-  const unsigned unsure = rotate(batch, reinterpret_cast<Lanes*>(batch.T));
-  finish(similarity, rings.rest, batch);
+LAPWING_INLINE void number_rows(const FitRings& rings, std::uint32_t* rows) {
+  for (int lane = 0; lane < kFitLanes; ++lane) {
+    rows[lane] = rings.first_row + static_cast<std::uint32_t>(lane);
+  }
+}
+
+unsigned fit_batch(const FitRings& rings, FitBatch& batch) {
+  std::uint32_t rows[kFitLanes];
+  number_rows(rings, rows);
+  sum_rings(rings, rows, batch);
+  Lanes R[9];
+  const unsigned unsure = rotate(batch, R);
+  for (int k = 0; k < 9; ++k) lanes_at(batch.T[k]) = lanes_at(rings.rest.scale) * R[k];
+  finish(rings, rows, batch);
   return unsure;
+}
+
+void finish_batch(const FitRings& rings, FitBatch& batch) {
+  std::uint32_t rows[kFitLanes];
+  number_rows(rings, rows);
+  finish(rings, rows, batch);
 }

@@ -7,7 +7,7 @@ namespace {
 
 }  // namespace
 
-extern const FitBatchFunction kFitBatchAvx2;
-const FitBatchFunction kFitBatchAvx2 = fit_batch;
+extern const FitBatchFunctions kFitBatchAvx2;
+const FitBatchFunctions kFitBatchAvx2 = {fit_batch, finish_batch};
 
 }  // namespace lapwing

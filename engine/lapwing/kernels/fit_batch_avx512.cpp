@@ -7,7 +7,7 @@ namespace {
 
 }  // namespace
 
-extern const FitBatchFunction kFitBatchAvx512;
-const FitBatchFunction kFitBatchAvx512 = fit_batch;
+extern const FitBatchFunctions kFitBatchAvx512;
+const FitBatchFunctions kFitBatchAvx512 = {fit_batch, finish_batch};
 
 }  // namespace lapwing

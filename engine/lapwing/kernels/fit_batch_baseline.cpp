@@ -7,7 +7,7 @@ namespace {
 
 }  // namespace
 
-extern const FitBatchFunction kFitBatchBaseline;
-const FitBatchFunction kFitBatchBaseline = fit_batch;
+extern const FitBatchFunctions kFitBatchBaseline;
+const FitBatchFunctions kFitBatchBaseline = {fit_batch, finish_batch};
 
 }  // namespace lapwing

@@ -18,7 +18,10 @@ struct DeviceInfo {
   std::string name;     ///< "llvmpipe (LLVM 15.0.6, 256 bits)", "CPU"
   std::string type;     ///< "discrete GPU", "integrated GPU", "software", "cpu"
   std::string driver;   ///< driver name and version; empty for the CPU twins
-  bool float64 = true;  ///< whether `assemble_rsi` runs in float64
+  bool float64 = true;  ///< whether all but surfaces runs in float64
+  /// Whether drag frames and settling run on it. The processor does them sooner than a device that
+  /// is the processor in disguise.
+  bool frames = true;
 };
 
 /// The one-rings a kernel gathers over. `rows` names the vertices that get a result, in order.
@@ -27,6 +30,13 @@ struct RingProblem {
   const Adjacency& rings;                      ///< of the whole mesh
   std::span<const double> weights;             ///< one per ring entry, rows summing to 1
   std::span<const Index> rows;
+};
+
+/// The one-rings of an energy (EnergyWeights), whose `laplacian` are the weights of `rings`.
+struct EnergyProblem {
+  RingProblem rings;
+  std::span<const double> row_weights;  ///< om_i, per vertex of the mesh
+  std::span<const double> stiffness;    ///< k_ij, per ring entry
 };
 
 /// What a deformed surface is made from: the rest shape and a linear basis of displacements.
@@ -56,6 +66,10 @@ class DeformedSurface {
   /// columns. `columns` is a multiple of 12.
   virtual void set_axis_basis(std::span<const double> numbers) = 0;
 
+  /// Other rest positions of the moving vertices, of the whole mesh: what the next `blend` begins
+  /// from.
+  virtual void set_rest(std::span<const Eigen::Vector3d> positions) = 0;
+
   /// One drag frame: positions of the moving vertices, then the normals of those and of their
   /// neighbours. `parameters` has one number per basis column. Returns when the device is done.
   /// Allocates nothing.
@@ -72,34 +86,32 @@ class DeformedSurface {
   virtual std::vector<Eigen::Vector3d> normals() const = 0;
 };
 
-/// The local step of settling, and the right-hand side of its global one (DESIGN section 3): the
-/// rings of a region, turned to where a displacement has taken them.
+/// The energy of an edit (EnergyWeights) as its rings see it, in the position u of the surface:
+///     E(u) = sum_i min over rotations R_i of om_i |L(v'_i) - s_i R_i delta_i|^2
+///                                        + sum_j k_ij |(v'_i - v'_j) - s_i R_i (v_i - v_j)|^2.
 class RingRotations {
  public:
   virtual ~RingRotations() = default;
 
-  /// T_i of every row: the best rotation R_i of K_i from rest to rest + `displacement` (eq. 6
-  /// restricted to rotations; see fit_rotation), or s_i R_i, the best similarity, as
-  /// `make_ring_rotations` was told. `displacement` has one vector for each of
-  /// RegionRings::vertices. `energies` gets, per row, |L(v + u)_i - T_i delta_i|^2 + sum_j
-  /// stiffness_ij |(v'_i - v'_j) - T_i (v_i - v_j)|^2.
+  /// s_i of each row, above 0; all 1 until it is called.
+  virtual void set_scales(std::span<const double> scales) = 0;
+
+  /// R_i of every row: the nearest rotation to C_i = om_i L(v'_i) delta_i' + sum_j k_ij (v'_i -
+  /// v'_j) (v_i - v_j)', which makes the energy least. `displacement` has one vector for each of
+  /// RegionRings::vertices. `energies` gets what row i adds to E.
   virtual void fit_rotations(std::span<const Eigen::Vector3d> displacement,
                              std::span<double> energies) = 0;
 
-  /// What the rotations of the last `fit_rotations` ask of every unknown k, a gather over its ring:
-  ///     b_k = sum_i L_ik (T_i delta_i - delta_i) + sum_j stiffness_kj (T_k + T_j - 2) (v_k - v_j),
+  /// Half of the gradient of E by every unknown k, at the displacement of the last `fit_rotations`,
+  /// with the rotations found there (which are the best, so it is that of E): a gather over rings,
+  ///     g_k = sum_i L_ik om_i (L(v'_i) - T_i delta_i)
+  ///         + sum_j k_kj (2 (v'_k - v'_j) - (T_k + T_j) (v_k - v_j)),     T_i = s_i R_i,
   /// T_j left out, and one 1 of the 2, for a neighbour that is no row. x of all unknowns, then y,
   /// then z.
-  virtual void rotate_laplacians(std::span<double> b) = 0;
+  virtual void energy_gradient(std::span<double> g) = 0;
 
   /// T_i of every row, as last fitted. For tests and reports.
   virtual std::vector<Eigen::Matrix3d> transforms() const = 0;
-};
-
-/// What T_i of a ring may be.
-enum class RingMotion {
-  rotation,    ///< R_i
-  similarity,  ///< s_i R_i
 };
 
 /// The one-rings of a target region, laid onto a source surface through a common domain (paper
@@ -139,6 +151,15 @@ class Kernels {
   /// vertex without ring has the block 0.
   virtual void assemble_rsi(const RingProblem& problem, std::span<double> blocks) = 0;
 
+  /// The 3 x 3 blocks of the rows G of the energy's tangent at rest (DESIGN section 3): to second
+  /// order E(u) = sum of the energy with rotations held - |G u|^2, where the rotations follow u:
+  ///     a_i(u) = sum_j k_ij [e_ij]x (u_i - u_j) + om_i [delta_i]x L(u)_i,   e_ij = v_i - v_j,
+  ///     G_i = F_i^-1 a_i,   F_i F_i' = K_i = tr(C_i) I - C_i,
+  ///     C_i = om_i delta_i delta_i' + sum_j k_ij e_ij e_ij',
+  /// F_i the lower Cholesky factor; where K_i is singular (all edges on a line) the direction in
+  /// which nothing turns is left out. Layout of `blocks` as in `assemble_rsi`.
+  virtual void assemble_tangent(const EnergyProblem& problem, std::span<double> blocks) = 0;
+
   /// delta_i = sum_j w_ij (v_i - v_j) for each row (eq. 1); 0 for a vertex without ring.
   virtual void sample_laplacians(const RingProblem& problem,
                                  std::span<Eigen::Vector3d> laplacians) = 0;
@@ -167,8 +188,7 @@ class Kernels {
                              std::span<Eigen::Matrix3d> transforms) = 0;
 
   /// The rings of a region, not turned yet. `rings` need not outlive it.
-  virtual std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings,
-                                                             RingMotion motion) = 0;
+  virtual std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings) = 0;
 
   /// A surface at rest with its normals. `topology` need not outlive it.
   virtual std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) = 0;

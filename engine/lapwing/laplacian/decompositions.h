@@ -4,8 +4,8 @@
 
 namespace lapwing {
 
-// Eigen's decompositions of 3 x 3 matrices, compiled once: each file that used Eigen's own would take
-// seconds longer.
+// Eigen's decompositions of 3 x 3 matrices, compiled once: each file that used Eigen's own would
+// take seconds longer.
 
 struct SingularValues3 {
   Eigen::Matrix3d U;

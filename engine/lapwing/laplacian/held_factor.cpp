@@ -44,6 +44,16 @@ void HeldFactor::set_matrix(BlockMatrix A) {
   }
 }
 
+BlockMatrix HeldFactor::unheld_matrix() const {
+  BlockMatrix A = A_;
+  const auto b = static_cast<std::size_t>(A.block_size);
+  for (std::size_t u = 0; u < W_.size(); ++u) {
+    double* block = A.values.data() + b * b * A.pattern->starts[u];
+    for (std::size_t k = 0; k < b; ++k) block[(b + 1) * k] = diagonal_[b * u + k];
+  }
+  return A;
+}
+
 Numbers HeldFactor::take_memory() {
   factored_ = false;
   return std::exchange(A_.values, {});

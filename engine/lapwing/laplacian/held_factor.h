@@ -26,6 +26,8 @@ class HeldFactor {
 
   /// A, without W.
   void set_matrix(BlockMatrix A);
+  /// A as set last.
+  BlockMatrix unheld_matrix() const;
   /// What the last A lay in, for the next. There is no A then.
   Numbers take_memory();
 

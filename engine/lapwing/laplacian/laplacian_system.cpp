@@ -1,6 +1,7 @@
 #include "lapwing/laplacian/laplacian_system.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "lapwing/base/errors.h"
@@ -16,17 +17,20 @@ LaplacianSystem::LaplacianSystem(const Topology& topology, std::span<const Index
       pattern_(pattern),
       roi_(roi.begin(), roi.end()),
       constraints_{unknowns, {}},
-      factor_(pattern, 1, SolverKind::automatic) {}
+      is_row_(topology.rings.row_count(), 0),
+      factor_(pattern, 1, SolverKind::automatic) {
+  for (const Index v : roi_) is_row_[v] = 1;
+}
 
 LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology& topology,
                                  std::span<const Index> roi, const Constraints& constraints,
-                                 const SystemPattern& pattern, LaplacianWeights weights,
-                                 double stretch_resistance, StageTimings& timings)
+                                 const SystemPattern& pattern, const EnergyTerms& terms,
+                                 StageTimings& timings)
     : LaplacianSystem(topology, roi, constraints.unknowns, pattern) {
   const Stopwatch watch;
   parallel_invoke(
       [&] {
-        assemble(rest, weights, stretch_resistance);
+        assemble(rest, terms);
         make_rings(rest);
       },
       [&] { analyze(); });
@@ -34,16 +38,18 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
   timings.add("laplacian", watch.elapsed_ms());
 }
 
-void LaplacianSystem::assemble(std::span<const Vector3d> rest, LaplacianWeights weights,
-                               double stretch_resistance) {
+void LaplacianSystem::assemble(std::span<const Vector3d> rest, const EnergyTerms& terms) {
   has_rings_ = false;
-  stretch_resistance_ = stretch_resistance;
-  weights_ = laplacian_weights(topology_, rest, weights);
-  edge_weights_.clear();
-  if (stretch_resistance > 0.0) edge_weights_ = edge_weights(topology_, rest);
-  L_ = laplacian_rows(topology_.rings, weights_, roi_);
-  BlockMatrix A = pattern_.normal().normal_matrix(L_);
-  if (!edge_weights_.empty()) add_edge_terms(A);
+  weights_ = energy_weights(topology_, rest, roi_, terms);
+  L_ = laplacian_rows(topology_.rings, weights_.laplacian, roi_);
+  if (!weights_.rows.empty()) {
+    for (std::size_t r = 0; r < L_.size(); ++r) {
+      const double root = std::sqrt(weights_.rows[roi_[r]]);
+      for (std::size_t b = L_.starts[r]; b < L_.starts[r + 1]; ++b) L_.values[b] *= root;
+    }
+  }
+  BlockMatrix A = pattern_.normal().normal_matrix(L_, {}, factor_.take_memory());
+  if (!weights_.stiffness.empty()) add_edge_terms(A);
   factor_.set_matrix(std::move(A));
 }
 
@@ -66,8 +72,7 @@ void LaplacianSystem::factor(std::span<const double> W) {
 void LaplacianSystem::make_rings(std::span<const Vector3d> rest) {
   if (has_rings_) return;
   const std::vector<Index> rows = rows_by_elimination();
-  rings_ = region_rings(topology_, rest, weights_, edge_weights_, stretch_resistance_, rows,
-                        std::span(rows).first(size()));
+  rings_ = region_rings(topology_, rest, weights_, rows, std::span(rows).first(size()));
   has_rings_ = true;
 }
 
@@ -87,43 +92,42 @@ std::vector<Index> LaplacianSystem::rows_by_elimination() {
   return rows;
 }
 
-// Every row holds the edges of its ring by half, so an edge between two rows counts in full.
+// An edge between two rows counts from both ends.
 void LaplacianSystem::add_edge_terms(BlockMatrix& A) const {
   const BlockPattern& blocks = *A.pattern;
   const Adjacency& rings = topology_.rings;
-  std::vector<char> is_row(rings.row_count(), 0);
-  for (const Index v : roi_) is_row[v] = 1;
   for (std::size_t c = 0; c < size(); ++c) {
     const Index v = constraints_.unknowns.vertices[c];
     for (std::size_t e = rings.starts[v]; e < rings.starts[v + 1]; ++e) {
       const Index j = rings.values[e];
-      const double w = (is_row[j] != 0 ? 1.0 : 0.5) * stretch_resistance_ * edge_weights_[e];
-      A.values[blocks.starts[c]] += w;
+      const double k = (is_row_[j] != 0 ? 2.0 : 1.0) * weights_.stiffness[e];
+      A.values[blocks.starts[c]] += k;
       const Index r = constraints_.unknowns.of_vertex[j];
       if (r == kNoIndex || r < c) continue;
       const auto column = blocks.column(c);
       const auto at = std::lower_bound(column.begin(), column.end(), r) - column.begin();
-      A.values[blocks.starts[c] + static_cast<std::size_t>(at)] -= w;
+      A.values[blocks.starts[c] + static_cast<std::size_t>(at)] -= k;
     }
   }
 }
 
-// (L'L + mu K) u over the unknowns, u on vertices that are none: 3 numbers per unknown.
-std::vector<double> LaplacianSystem::from_given(std::span<const Vector3d> given) const {
+void LaplacianSystem::multiply(std::span<const Vector3d> u, std::span<double> y) const {
+  constexpr std::size_t kUnknownsPerTask = 2048;
   std::vector<double> rows(3 * L_.size());
-  multiply(L_, given, rows);
-  std::vector<double> result(3 * size());
-  pattern_.normal().multiply_transposed(L_, rows, result);
-  if (edge_weights_.empty()) return result;
+  lapwing::multiply(L_, u, rows);
+  pattern_.normal().multiply_transposed(L_, rows, y);
+  if (weights_.stiffness.empty()) return;
   const Adjacency& rings = topology_.rings;
-  for (std::size_t k = 0; k < size(); ++k) {
-    const Index v = constraints_.unknowns.vertices[k];
-    for (std::size_t e = rings.starts[v]; e < rings.starts[v + 1]; ++e) {
-      Eigen::Map<Vector3d>(result.data() + 3 * k) -=
-          stretch_resistance_ * edge_weights_[e] * given[rings.values[e]];
+  parallel_for(size(), kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index v = constraints_.unknowns.vertices[k];
+      for (std::size_t e = rings.starts[v]; e < rings.starts[v + 1]; ++e) {
+        const Index j = rings.values[e];
+        Eigen::Map<Vector3d>(y.data() + 3 * k) +=
+            (is_row_[j] != 0 ? 2.0 : 1.0) * weights_.stiffness[e] * (u[v] - u[j]);
+      }
     }
-  }
-  return result;
+  });
 }
 
 void LaplacianSystem::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
@@ -136,7 +140,8 @@ void LaplacianSystem::right_hand_side(std::span<const Vector3d> wanted, std::spa
     given[v] = wanted[v];
     any_given = true;
   }
-  const std::vector<double> moved = any_given ? from_given(given) : std::vector<double>(3 * n, 0.0);
+  std::vector<double> moved(3 * n, 0.0);
+  if (any_given) multiply(given, moved);
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double d = wanted[unknowns.vertices[k]][static_cast<Eigen::Index>(axis)];

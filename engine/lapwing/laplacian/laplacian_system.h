@@ -6,26 +6,25 @@
 
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/laplacian/constraints.h"
+#include "lapwing/laplacian/energy_weights.h"
 #include "lapwing/laplacian/held_factor.h"
 #include "lapwing/laplacian/region_rings.h"
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/laplacian/system_pattern.h"
-#include "lapwing/laplacian/weights.h"
 
 namespace lapwing {
 
-/// The factored n x n system (L'L + W + mu K) u = b of one region, the same for x, y and z (DESIGN
-/// sections 3 and 4). K is the matrix of the edge energy sum_ij w_ij |u_i - u_j|^2 / 2, each row
-/// counting the edges of its ring, w as edge_weights gives them.
+/// The factored n x n system (L'Om L + K + W) u = b of one region, the same for x, y and z (DESIGN
+/// sections 3 and 4). Om are the weights of the rows and K the matrix of the edge energy
+/// sum_ij k_ij |u_i - u_j|^2, each row counting the edges of its ring (EnergyWeights); without a
+/// detail length this is L'L + W.
 class LaplacianSystem {
  public:
-  /// Assembles and factors; stage "laplacian". `topology` and `pattern` must outlive the object;
-  /// `stretch_resistance` is mu. Throws SolverError, naming the vertex, where a component is not
-  /// held.
+  /// Assembles and factors; stage "laplacian". `topology` and `pattern` must outlive the object.
+  /// Throws SolverError, naming the vertex, where a component is not held.
   LaplacianSystem(std::span<const Eigen::Vector3d> rest, const Topology& topology,
                   std::span<const Index> roi, const Constraints& constraints,
-                  const SystemPattern& pattern, LaplacianWeights weights, double stretch_resistance,
-                  StageTimings& timings);
+                  const SystemPattern& pattern, const EnergyTerms& terms, StageTimings& timings);
 
   /// The same, not ready for anything yet: for who makes it ready step by step, and again when
   /// positions, weights or constraints have become others. Its steps are `assemble`, `analyze` (in
@@ -33,9 +32,15 @@ class LaplacianSystem {
   LaplacianSystem(const Topology& topology, std::span<const Index> roi, const Unknowns& unknowns,
                   const SystemPattern& pattern);
 
-  /// L and L'L + mu K, for which neither order nor constraints are needed.
-  void assemble(std::span<const Eigen::Vector3d> rest, LaplacianWeights weights,
-                double stretch_resistance);
+  /// L and L'Om L + K, for which neither order nor constraints are needed.
+  void assemble(std::span<const Eigen::Vector3d> rest, const EnergyTerms& terms);
+  /// As last assembled.
+  const EnergyWeights& weights() const { return weights_; }
+  /// L'Om L + K, without W.
+  BlockMatrix unheld_matrix() const { return factor_.unheld_matrix(); }
+  /// (L'Om L + K) u over the unknowns, u given for the whole mesh and 0 outside the region: 3
+  /// numbers per unknown.
+  void multiply(std::span<const Eigen::Vector3d> u, std::span<double> y) const;
   /// Order and symbolic factorization, for which the pattern is enough. Nothing the second time.
   void analyze();
   bool is_analyzed() const { return factor_.is_analyzed(); }
@@ -53,7 +58,7 @@ class LaplacianSystem {
   std::string_view solver_name() const { return factor_.solver().name(); }
   std::size_t size() const { return constraints_.unknowns.size(); }
 
-  /// b = W d - (L'L + mu K) d', d what `wanted` (one vector for each vertex of the mesh) says for
+  /// b = W d - (L'Om L + K) d', d what `wanted` (one vector for each vertex of the mesh) says for
   /// unknowns that are held, d' for vertices of the region whose motion is given. x of all
   /// unknowns, then y, then z.
   void right_hand_side(std::span<const Eigen::Vector3d> wanted, std::span<double> b) const;
@@ -67,16 +72,14 @@ class LaplacianSystem {
  private:
   std::vector<Index> rows_by_elimination();
   void add_edge_terms(BlockMatrix& A) const;
-  std::vector<double> from_given(std::span<const Eigen::Vector3d> given) const;
 
   const Topology& topology_;
   const SystemPattern& pattern_;
   VertexSet roi_;
   Constraints constraints_;
-  double stretch_resistance_ = 0.0;
-  BlockRows L_;
-  std::vector<double> weights_;       ///< per entry of the mesh's rings, as the next
-  std::vector<double> edge_weights_;  ///< or empty for mu = 0
+  std::vector<char> is_row_;  ///< per vertex of the mesh
+  BlockRows L_;               ///< each row times the root of its weight
+  EnergyWeights weights_;
   bool has_rings_ = false;
   RegionRings rings_;
   std::vector<Index> places_;  ///< unknown -> where it stands in the order of elimination

@@ -8,12 +8,13 @@ namespace {
 
 constexpr std::size_t kColumnsPerTask = 1024;
 
-// out += A' B for 3 x 3 blocks, column after column.
+// out += kSign A' B for 3 x 3 blocks, column after column.
+template <int kSign>
 void add_transposed_product(const double* A, const double* B, double* out) {
   for (int c = 0; c < 3; ++c) {
     for (int r = 0; r < 3; ++r) {
       out[3 * c + r] +=
-          A[3 * r] * B[3 * c] + A[3 * r + 1] * B[3 * c + 1] + A[3 * r + 2] * B[3 * c + 2];
+          kSign * (A[3 * r] * B[3 * c] + A[3 * r + 1] * B[3 * c + 1] + A[3 * r + 2] * B[3 * c + 2]);
     }
   }
 }
@@ -81,13 +82,12 @@ void NormalPattern::find_blocks(const BlockRows& M) {
   });
 }
 
-BlockMatrix NormalPattern::normal_matrix(const BlockRows& M, std::span<const double> W,
-                                         Numbers memory) const {
+template <int kSign, typename Begin>
+void NormalPattern::add_products(const BlockRows& M, BlockMatrix& N,
+                                 const Begin& begin_column) const {
   const std::size_t n = blocks_.size();
   const auto size = static_cast<std::size_t>(M.block_size);
   const std::size_t numbers = size * size;
-  memory.resize(numbers * blocks_.rows.size());
-  BlockMatrix N{&blocks_, M.block_size, std::move(memory)};
   parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
     // Where in the column at hand each row lies. Only entries of that column are read.
     std::vector<std::size_t> place(n);
@@ -95,8 +95,7 @@ BlockMatrix NormalPattern::normal_matrix(const BlockRows& M, std::span<const dou
       for (std::size_t e = blocks_.starts[c]; e < blocks_.starts[c + 1]; ++e) {
         place[blocks_.rows[e]] = e;
       }
-      std::fill(N.values.data() + numbers * blocks_.starts[c],
-                N.values.data() + numbers * blocks_.starts[c + 1], 0.0);
+      begin_column(c);
       for (const Entry& entry : entries(c)) {
         const double* B_c = M.values.data() + numbers * entry.block;
         for (std::size_t b = M.starts[entry.row]; b < M.starts[entry.row + 1]; ++b) {
@@ -105,15 +104,41 @@ BlockMatrix NormalPattern::normal_matrix(const BlockRows& M, std::span<const dou
           const double* B_r = M.values.data() + numbers * b;
           double* out = N.values.data() + numbers * place[r];
           if (size == 1) {
-            *out += *B_r * *B_c;
+            *out += kSign * *B_r * *B_c;
           } else {
-            add_transposed_product(B_r, B_c, out);
+            add_transposed_product<kSign>(B_r, B_c, out);
           }
         }
       }
-      if (W.empty()) continue;
-      double* diagonal = N.values.data() + numbers * blocks_.starts[c];
-      for (std::size_t k = 0; k < size; ++k) diagonal[(size + 1) * k] += W[c];
+    }
+  });
+}
+
+BlockMatrix NormalPattern::normal_matrix(const BlockRows& M, std::span<const double> W,
+                                         Numbers memory) const {
+  const auto size = static_cast<std::size_t>(M.block_size);
+  const std::size_t numbers = size * size;
+  memory.resize(numbers * blocks_.rows.size());
+  BlockMatrix N{&blocks_, M.block_size, std::move(memory)};
+  add_products<1>(M, N, [&](std::size_t c) {
+    double* diagonal = N.values.data() + numbers * blocks_.starts[c];
+    std::fill(diagonal, N.values.data() + numbers * blocks_.starts[c + 1], 0.0);
+    if (W.empty()) return;
+    for (std::size_t k = 0; k < size; ++k) diagonal[(size + 1) * k] = W[c];
+  });
+  return N;
+}
+
+BlockMatrix NormalPattern::reduced_matrix(const BlockMatrix& A, const BlockRows& G,
+                                          Numbers memory) const {
+  constexpr std::size_t kNumbers = 9;
+  memory.resize(kNumbers * blocks_.rows.size());
+  BlockMatrix N{&blocks_, 3, std::move(memory)};
+  add_products<-1>(G, N, [&](std::size_t c) {
+    for (std::size_t e = blocks_.starts[c]; e < blocks_.starts[c + 1]; ++e) {
+      double* block = N.values.data() + kNumbers * e;
+      std::fill(block, block + kNumbers, 0.0);
+      for (std::size_t k = 0; k < 3; ++k) block[4 * k] = A.values[e];
     }
   });
   return N;

@@ -17,8 +17,7 @@ std::size_t entry_of(const Adjacency& rings, Index i, Index j) {
 }  // namespace
 
 RegionRings region_rings(const Topology& topology, std::span<const Eigen::Vector3d> rest,
-                         std::span<const double> weights, std::span<const double> edge_weights,
-                         double stretch_resistance, std::span<const Index> rows,
+                         const EnergyWeights& weights, std::span<const Index> rows,
                          std::span<const Index> unknowns) {
   constexpr std::size_t kRowsPerTask = 1024;
   const Adjacency& rings = topology.rings;
@@ -39,22 +38,21 @@ RegionRings region_rings(const Topology& topology, std::span<const Eigen::Vector
   result.edges.resize(entries);
   result.weights.resize(entries);
   result.reverse_weights.resize(entries);
-  if (!edge_weights.empty()) result.stiffness.resize(entries);
+  if (!weights.stiffness.empty()) result.stiffness.resize(entries);
+  result.row_weights.resize(rows.size(), 1.0);
   parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const Index i = rows[r];
+      if (!weights.rows.empty()) result.row_weights[r] = weights.rows[i];
       std::size_t to = result.starts[r];
       for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e, ++to) {
         const Index j = rings.values[e];
         const bool row = own_number[j] < rows.size();
         result.neighbours[to] = own_number[j];
         result.edges[to] = rest[j] - rest[i];
-        result.weights[to] = weights[e];
-        result.reverse_weights[to] = row ? weights[entry_of(rings, j, i)] : 0.0;
-        // Each end of an edge holds it by half.
-        if (!edge_weights.empty()) {
-          result.stiffness[to] = 0.5 * stretch_resistance * edge_weights[e];
-        }
+        result.weights[to] = weights.laplacian[e];
+        result.reverse_weights[to] = row ? weights.laplacian[entry_of(rings, j, i)] : 0.0;
+        if (!weights.stiffness.empty()) result.stiffness[to] = weights.stiffness[e];
       }
     }
   });

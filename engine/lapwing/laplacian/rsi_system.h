@@ -55,6 +55,10 @@ class NormalPattern {
   BlockMatrix normal_matrix(const BlockRows& M, std::span<const double> W = {},
                             Numbers memory = {}) const;
 
+  /// A x I - G'G: what is left of a scalar matrix over the same unknowns where the rows G (3 x 3
+  /// blocks, laid out as those of M) may follow freely. `memory` as above.
+  BlockMatrix reduced_matrix(const BlockMatrix& A, const BlockRows& G, Numbers memory = {}) const;
+
   /// y = M' r over the unknowns: 3 numbers per row in, 3 per unknown out. A 1 x 1 block acts on x,
   /// y and z alike.
   void multiply_transposed(const BlockRows& M, std::span<const double> r,
@@ -71,6 +75,9 @@ class NormalPattern {
   }
   void find_entries(const BlockRows& M, const Unknowns& unknowns);
   void find_blocks(const BlockRows& M);
+  // Adds kSign M'M to the columns of N, which `begin_column` has filled.
+  template <int kSign, typename Begin>
+  void add_products(const BlockRows& M, BlockMatrix& N, const Begin& begin_column) const;
 
   std::vector<Index> unknown_of_block_;  ///< per block of M, or kNoIndex
   std::vector<std::size_t> entry_starts_;

@@ -16,11 +16,12 @@ void set_uniform(std::span<double> row) {
   std::fill(row.begin(), row.end(), 1.0 / static_cast<double>(row.size()));
 }
 
-// Cotangent of the angle at `apex`; not finite for a triangle without area.
+// Cotangent of the angle at `apex`, within the limits; not finite for a triangle without area.
 double cotangent(const Vector3d& apex, const Vector3d& a, const Vector3d& b) {
   const Vector3d u = a - apex;
   const Vector3d v = b - apex;
-  return u.dot(v) / u.cross(v).norm();
+  const double c = u.dot(v) / u.cross(v).norm();
+  return std::isfinite(c) ? std::clamp(c, -kLargestCotangent, kLargestCotangent) : c;
 }
 
 // Adds the cotangents opposite to the edges i-j and i-k of one triangle to row i.
@@ -87,14 +88,22 @@ std::vector<double> laplacian_weights(const Topology& topology, std::span<const 
   return weights;
 }
 
-std::vector<double> edge_weights(const Topology& topology, std::span<const Vector3d> positions) {
+std::vector<double> cotangent_sums(const Topology& topology, std::span<const Vector3d> positions) {
+  constexpr std::size_t kRowsPerTask = 2048;
   const Adjacency& rings = topology.rings;
-  std::vector<double> weights(rings.values.size(), 0.0);
+  std::vector<double> sums(rings.values.size(), 0.0);
+  parallel_for(rings.row_count(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      add_cotangents(topology, static_cast<Index>(i), positions,
+                     std::span(sums.data() + rings.starts[i], rings.size(i)));
+    }
+  });
+  return sums;
+}
+
+std::vector<double> edge_weights(const Topology& topology, std::span<const Vector3d> positions) {
+  std::vector<double> weights = cotangent_sums(topology, positions);
   if (weights.empty()) return weights;
-  for (std::size_t i = 0; i < rings.row_count(); ++i) {
-    add_cotangents(topology, static_cast<Index>(i), positions,
-                   std::span(weights.data() + rings.starts[i], rings.size(i)));
-  }
   if (!make_positive(weights)) {
     std::fill(weights.begin(), weights.end(), 1.0);
     return weights;

@@ -8,10 +8,13 @@ namespace lapwing {
 
 /// How a deform step is computed, whatever it moves.
 struct DeformParameters {
-  LaplacianWeights weights = LaplacianWeights::uniform;
-  double constraint_weight = 1.0;  ///< above 0
-  bool hard = false;               ///< belt and handles held exactly, not by weight
-  std::optional<SettleOptions> settle = SettleOptions{};  ///< none: the linear solution as it is
+  // As the options of that name.
+  LaplacianWeights weights = DeformOptions{}.weights;
+  double detail_length = DeformOptions{}.detail_length;  ///< above 0
+  LinearResponse response = DeformOptions{}.response;
+  double constraint_weight = DeformOptions{}.constraint_weight;  ///< above 0
+  bool hard = DeformOptions{}.hard;
+  std::optional<SettleOptions> settle = DeformOptions{}.settle;
   /// A larger turn of a handle is made in equal parts of at most this many degrees, each committed:
   /// its result is the rest shape of the next. Above 0, at most kLargestSettledTurnDegrees.
   std::optional<double> commit_every = {};
@@ -22,6 +25,8 @@ struct DeformParameters {
 inline DeformOptions deform_options(const DeformParameters& parameters) {
   DeformOptions options;
   options.weights = parameters.weights;
+  options.detail_length = parameters.detail_length;
+  options.response = parameters.response;
   options.constraint_weight = parameters.constraint_weight;
   options.hard = parameters.hard;
   options.settle = parameters.settle;

@@ -36,16 +36,11 @@ MatrixMove read_matrix(const JsonNode& node) {
   return {matrix.topRows<3>()};
 }
 
-Details read_details(const JsonNode& node) {
-  return node.one_of("details", {"preserve", "follow"}) == 0 ? Details::preserve : Details::follow;
-}
-
-// true, false, or an object of options; `weights` are the step's.
-std::optional<SettleOptions> read_settle(const JsonNode& node, LaplacianWeights weights) {
+// true, false, or an object of options.
+std::optional<SettleOptions> read_settle(const JsonNode& node) {
   SettleOptions options;
-  options.weights = weights;
   if (!node.is_object()) return node.boolean() ? std::optional(options) : std::nullopt;
-  node.require_keys({"tolerance", "max_iterations", "stretch_resistance", "details", "weights"});
+  node.require_keys({"tolerance", "max_iterations"});
   if (const auto tolerance = node.find("tolerance"))
     options.tolerance = tolerance->positive_number();
   if (const auto iterations = node.find("max_iterations")) {
@@ -56,11 +51,6 @@ std::optional<SettleOptions> read_settle(const JsonNode& node, LaplacianWeights 
     }
     options.max_iterations = static_cast<int>(count);
   }
-  if (const auto resistance = node.find("stretch_resistance")) {
-    options.stretch_resistance = resistance->number_from_zero();
-  }
-  if (const auto details = node.find("details")) options.details = read_details(*details);
-  if (const auto own = node.find("weights")) options.weights = read_weights(*own);
   return options;
 }
 
@@ -86,10 +76,15 @@ DeformParameters read_deform_parameters(const JsonNode& step) {
     parameters.constraint_weight = weight->positive_number();
   }
   if (const auto hard = step.find("hard")) parameters.hard = hard->boolean();
-  parameters.settle->weights = parameters.weights;
-  if (const auto settle = step.find("settle")) {
-    parameters.settle = read_settle(*settle, parameters.weights);
+  if (const auto length = step.find("detail_length")) {
+    parameters.detail_length = length->positive_number();
   }
+  if (const auto response = step.find("response")) {
+    parameters.response = response->one_of("response", {"tangent", "rsi"}) == 0
+                              ? LinearResponse::tangent
+                              : LinearResponse::rsi;
+  }
+  if (const auto settle = step.find("settle")) parameters.settle = read_settle(*settle);
   if (const auto degrees = step.find("commit_every")) {
     parameters.commit_every = read_commit_every(*degrees);
   }
@@ -97,8 +92,8 @@ DeformParameters read_deform_parameters(const JsonNode& step) {
 }
 
 Step read_deform(const JsonNode& node) {
-  node.require_keys({"op", "roi", "belt", "handles", "weights", "constraint_weight", "hard",
-                     "settle", "commit_every"});
+  node.require_keys({"op", "roi", "belt", "handles", "weights", "detail_length", "response",
+                     "constraint_weight", "hard", "settle", "commit_every"});
   DeformStep step;
   step.roi = read_region(node.at("roi"));
   step.belt = BorderBelt{.where = node.where() + "/belt"};

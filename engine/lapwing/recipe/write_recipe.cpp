@@ -105,6 +105,10 @@ const char* name_of(LaplacianWeights weights) {
   return weights == LaplacianWeights::uniform ? "uniform" : "cotangent";
 }
 
+const char* name_of(LinearResponse response) {
+  return response == LinearResponse::tangent ? "tangent" : "rsi";
+}
+
 const char* name_of(MappedSampling sampling) {
   return sampling == MappedSampling::linear ? "linear" : "one_ring";
 }
@@ -113,15 +117,10 @@ const char* name_of(Remeshing remeshing) {
 }
 
 Json json_of_settle(const DeformStep& step) {
-  SettleOptions defaults;
-  defaults.weights = step.parameters.weights;
-  if (!step.parameters.settle || *step.parameters.settle == defaults)
+  if (!step.parameters.settle || *step.parameters.settle == SettleOptions{})
     return step.parameters.settle.has_value();
   return {{"tolerance", step.parameters.settle->tolerance},
-          {"max_iterations", step.parameters.settle->max_iterations},
-          {"stretch_resistance", step.parameters.settle->stretch_resistance},
-          {"details", step.parameters.settle->details == Details::preserve ? "preserve" : "follow"},
-          {"weights", name_of(step.parameters.settle->weights)}};
+          {"max_iterations", step.parameters.settle->max_iterations}};
 }
 
 Json json_of(const std::vector<MovedHandle>& handles) {
@@ -138,6 +137,8 @@ Json json_of(const DeformStep& step) {
             {"belt", json_of_any(step.belt)},
             {"handles", json_of(step.handles)},
             {"weights", name_of(step.parameters.weights)},
+            {"detail_length", step.parameters.detail_length},
+            {"response", name_of(step.parameters.response)},
             {"constraint_weight", step.parameters.constraint_weight},
             {"hard", step.parameters.hard},
             {"settle", json_of_settle(step)}};

@@ -37,6 +37,7 @@ Certificate certify(const BoundStep& bound, std::span<const Vector3d> start,
   Certificate certificate;
   for (const Certificate& part : parts) {
     certificate.relative_residual = std::max(certificate.relative_residual, part.relative_residual);
+    certificate.relative_gradient = std::max(certificate.relative_gradient, part.relative_gradient);
     if (!part.why_not_exact.empty()) certificate.why_not_exact = part.why_not_exact;
     certificate.settle_iterations += part.settle_iterations;
     certificate.settled = certificate.settled && part.settled;

@@ -35,6 +35,7 @@ Json as_json(const StageTimings& timings) {
 
 Json as_json(const Certificate& c) {
   return {{"relative_residual", number(c.relative_residual)},
+          {"relative_gradient", number(c.relative_gradient)},
           {"handle_error", number(c.handle_error)},
           {"smallest_scale", number(c.smallest_scale)},
           {"smallest_scale_vertex", vertex(c.smallest_scale_vertex)},

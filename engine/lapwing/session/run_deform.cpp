@@ -77,6 +77,9 @@ StepReport run_step(const DeformStep& step, std::size_t number, Kernels& kernels
   if (std::string warning = winding_warning(step, number, report.wound_degrees); !warning.empty()) {
     result.report.warnings.push_back(std::move(warning));
   }
+  for (const std::string& warning : warnings_of(report.certificate)) {
+    result.report.warnings.push_back("step " + std::to_string(number) + ": " + warning);
+  }
   report.roi = region.roi.size();
   report.belt = region.belt.size();
   for (const VertexSet& handle : region.handles) report.handles.push_back(handle.size());

@@ -14,9 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSmallestMeasured = 90.0;
-// Stretch resistances between which more of it keeps more winding, at little cost in details.
-constexpr double kLittleResistance = 0.001;
-constexpr double kMuchResistance = 0.1;
+// Down to this a smaller detail length keeps more winding, at little cost in details.
+constexpr double kSmallDetailLength = 0.02;
 
 // Whole degrees in equal parts below the limit, with room left at exact multiples of it.
 double suggested_commit_every(double degrees) {
@@ -55,12 +54,9 @@ std::string advice(const DeformStep& step, double degrees) {
     const double every = suggested_commit_every(degrees);
     text << (step.parameters.settle ? "" : ", and ") << "add \"commit_every\": " << every
          << " (or --commit-every " << every << ")";
-  } else if (step.parameters.settle &&
-             step.parameters.settle->stretch_resistance < kMuchResistance) {
-    const double more =
-        std::max(kLittleResistance, 10.0 * step.parameters.settle->stretch_resistance);
-    text << "set \"stretch_resistance\" of \"settle\" to " << more << " (or --stretch-resistance "
-         << more << ")";
+  } else if (step.parameters.settle && step.parameters.detail_length > kSmallDetailLength) {
+    const double less = std::max(kSmallDetailLength, 0.5 * step.parameters.detail_length);
+    text << "set \"detail_length\" to " << less << " (or --detail-length " << less << ")";
   } else if (step.parameters.settle) {
     text << "turn less, or give the turn a longer region";
   }

@@ -1,27 +1,36 @@
 // Based on: Sorkine, Cohen-Or, Lipman, Alexa, Roessl, Seidel, "Laplacian Surface Editing", SGP
-// 2004, section 3.1, alternated as in Sorkine, Alexa, "As-Rigid-As-Possible Surface Modeling", SGP
-// 2007; accelerated after Peng et al., "Anderson Acceleration for Geometry Optimization", 2018.
+// 2004, section 3.1; Sorkine, Alexa, "As-Rigid-As-Possible Surface Modeling", SGP 2007; minimized
+// after Liu, Bouaziz, Kavan, "Quasi-Newton Methods for Real-Time Simulation of Hyperelastic
+// Materials", 2017.
 #include "lapwing/settle/settle.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <string>
+#include <utility>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/settle/anderson.h"
+#include "lapwing/settle/lbfgs.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
 
-// The harder the motion, the more a longer memory saves.
-constexpr int kWindow = 8;
-constexpr int kFollowingWindow = 24;
+// More saves few iterations and takes as much time as it saves.
+constexpr int kWindow = 10;
 constexpr std::size_t kUnknownsPerTask = 4096;
+// Iterations by the n x n factor before the tangent is worth its factorization, and by one tangent
+// before the surface has turned on from it. Measured over the meshes of lapwing-bench real.
+constexpr int kPlainIterations = 10;
+constexpr int kTangentIterations = 5;
+// A step is taken where E falls by this share of what its slope promises (Armijo 1966), or rounding
+// hides whether it does.
+constexpr double kShareOfSlope = 1e-4;
+constexpr double kRounding = 1e-13;
+// Steps this much shorter than asked for are none.
+constexpr double kShortestStep = 1e-3;
 
 void check(const SettleOptions& options) {
   const auto require = [](bool holds, const char* what, double value) {
@@ -29,8 +38,6 @@ void check(const SettleOptions& options) {
   };
   require(options.tolerance > 0.0 && std::isfinite(options.tolerance),
           "the tolerance of settling must be a positive number", options.tolerance);
-  require(options.stretch_resistance >= 0.0 && std::isfinite(options.stretch_resistance),
-          "the stretch resistance must be 0 or more", options.stretch_resistance);
   require(options.max_iterations >= 1, "settling needs at least one iteration",
           options.max_iterations);
 }
@@ -49,198 +56,280 @@ struct Settler::State {
   SettleOptions options;
   double mean_edge;
   std::unique_ptr<RingRotations> rotations;
-  Anderson anderson;
-  std::optional<Anderson> following;  ///< from the first frame on
+  TurnedTangent* tangent;
+  bool by_tangent = false;  ///< whether directions come from it
+  int next_turn = 0;        ///< the iteration before which it is renewed
+  Lbfgs history;
 
-  // Of one iteration. Vectors over the unknowns, which come in the order of elimination, hold x of
-  // all, then y, then z.
+  // Vectors over the unknowns, which come in the order of elimination, hold x of all, then y, then
+  // z.
   std::vector<Vector3d> displacement;  ///< of RegionRings::vertices
   std::vector<double> energies;        ///< per row
+  std::vector<double> scales;          ///< per row
   std::vector<double> weights;         ///< W of each unknown
-  std::vector<double> wanted;          ///< over the unknowns
-  std::vector<double> constant;        ///< what wanted positions add to the right-hand side
-  std::vector<double> x;               ///< where the unknowns are
-  std::vector<double> g;               ///< right-hand side, then where one global step takes them
+  std::vector<double> wanted;
+  std::vector<double> direction;
 
-  struct Measures {
-    double residual = 0.0;      ///< |g - x|
-    double largest_step = 0.0;  ///< of a vertex, in mean edge lengths
+  // A surface, E there, and half of its gradient.
+  struct Point {
+    std::vector<double> x;
+    std::vector<double> gradient;
     double energy = 0.0;
+    double force = 0.0;  ///< |W (x - wanted)|
   };
-  std::vector<Measures> partial;  ///< per task, of squares
+  Point at;
+  Point next;
 
-  State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o)
+  struct Sums {
+    double energy = 0.0;
+    double force = 0.0;
+    double slope = 0.0;
+    double gradient = 0.0;
+    double step = 0.0;  ///< the largest
+  };
+  std::vector<Sums> partial;  ///< per task
+
+  State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
+        TurnedTangent* turned)
       : system(laplacian),
         rings(laplacian.rings()),
         options(o),
         mean_edge(mean_length(rings.edges)),
-        rotations(kernels.make_ring_rotations(
-            rings, o.details == Details::follow ? RingMotion::similarity : RingMotion::rotation)),
-        anderson(3 * laplacian.size(), kWindow),
+        rotations(kernels.make_ring_rotations(rings)),
+        tangent(turned),
+        history(3 * laplacian.size(), kWindow),
         displacement(rings.vertices.size(), Vector3d::Zero()),
         energies(rings.row_count()),
+        scales(rings.row_count(), 1.0),
         partial((laplacian.size() + kUnknownsPerTask - 1) / kUnknownsPerTask) {
-    for (auto* vector : {&wanted, &constant, &x, &g}) vector->resize(3 * system.size());
-    for (const int k : system.elimination_order()) {
-      weights.push_back(system.constraints().W[static_cast<std::size_t>(k)]);
+    for (auto* vector : {&wanted, &direction, &at.x, &at.gradient, &next.x, &next.gradient}) {
+      vector->resize(3 * system.size());
     }
   }
 
-  void begin(std::span<const Vector3d> handles, std::span<const Vector3d> u);
-  void finish(std::span<const double> from, std::span<Vector3d> u) const;
-  void fit_rotations(std::span<const double> from);
-  void global_step();
-  Measures measure();
+  void begin(const SettleTarget& target, std::span<const Vector3d> u);
+  void finish(std::span<Vector3d> u) const;
+  void evaluate(Point& point);
+  void turn_tangent(int iteration);
+  void leave_tangent(int iteration);
+  Sums find_direction();
+  bool step(double slope);
 
   Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
   Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
     const std::size_t n = system.size();
     return {numbers[k], numbers[n + k], numbers[2 * n + k]};
   }
+  // Adds up `add(k, sums)` of every unknown; task by task, so that the result does not depend on
+  // the number of threads.
+  template <typename Add>
+  Sums sum_over_unknowns(const Add& add) {
+    parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t task = begin; task < end; ++task) {
+        Sums& sum = partial[task] = {};
+        const std::size_t last = std::min((task + 1) * kUnknownsPerTask, system.size());
+        for (std::size_t k = task * kUnknownsPerTask; k < last; ++k) add(k, sum);
+      }
+    });
+    Sums all;
+    for (const Sums& sum : partial) {
+      all.energy += sum.energy;
+      all.force += sum.force;
+      all.slope += sum.slope;
+      all.gradient += sum.gradient;
+      all.step = std::max(all.step, sum.step);
+    }
+    return all;
+  }
 };
 
-void Settler::State::begin(std::span<const Vector3d> handles, std::span<const Vector3d> u) {
+void Settler::State::begin(const SettleTarget& target, std::span<const Vector3d> u) {
   const std::vector<int>& order = system.elimination_order();
   const std::size_t n = system.size();
-  system.right_hand_side(handles, g);
-  for (std::size_t r = 0; r < rings.row_count(); ++r) displacement[r] = handles[rings.vertices[r]];
+  weights.clear();
+  for (const int k : order) {
+    weights.push_back(system.constraints().W[static_cast<std::size_t>(k)]);
+  }
+  for (std::size_t r = 0; r < rings.row_count(); ++r) {
+    displacement[r] = target.wanted[rings.vertices[r]];
+    scales[r] = target.scales[rings.vertices[r]];
+  }
+  rotations->set_scales(scales);
   for (std::size_t k = 0; k < n; ++k) {
     const Index v = vertex(k);
-    const auto own = static_cast<std::size_t>(order[k]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      wanted[axis * n + k] = handles[v][static_cast<Eigen::Index>(axis)];
-      x[axis * n + k] = u[v][static_cast<Eigen::Index>(axis)];
-      constant[axis * n + k] = g[axis * n + own];
+      wanted[axis * n + k] = target.wanted[v][static_cast<Eigen::Index>(axis)];
+      at.x[axis * n + k] = u[v][static_cast<Eigen::Index>(axis)];
     }
   }
+  evaluate(at);
 }
 
-void Settler::State::finish(std::span<const double> from, std::span<Vector3d> u) const {
+void Settler::State::finish(std::span<Vector3d> u) const {
   for (std::size_t r = 0; r < rings.row_count(); ++r) u[rings.vertices[r]] = displacement[r];
-  for (std::size_t k = 0; k < system.size(); ++k) u[vertex(k)] = of_unknown(from, k);
+  for (std::size_t k = 0; k < system.size(); ++k) u[vertex(k)] = of_unknown(at.x, k);
 }
 
-void Settler::State::fit_rotations(std::span<const double> from) {
-  parallel_for(system.size(), kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+// Energy and gradient at point.x, with the rotations that are best there.
+void Settler::State::evaluate(Point& point) {
+  const std::size_t n = system.size();
+  parallel_for(n, kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      displacement[rings.unknown_rows[k]] = of_unknown(from, k);
+      displacement[rings.unknown_rows[k]] = of_unknown(point.x, k);
     }
   });
   rotations->fit_rotations(displacement, energies);
-}
-
-// g = argmin over u with the rotations fixed.
-void Settler::State::global_step() {
-  rotations->rotate_laplacians(g);
-  parallel_for(g.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) g[i] += constant[i];
-  });
-  system.solve_in_elimination_order(g, 3);
-}
-
-// Of x with the rotations last fitted, and of the step from x to g. Sums go task by task, so that
-// they do not depend on the number of threads.
-Settler::State::Measures Settler::State::measure() {
-  parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t task = begin; task < end; ++task) {
-      Measures& sum = partial[task] = {};
-      const std::size_t last = std::min((task + 1) * kUnknownsPerTask, system.size());
-      for (std::size_t k = task * kUnknownsPerTask; k < last; ++k) {
-        const Vector3d at = of_unknown(x, k);
-        const double step = (of_unknown(g, k) - at).squaredNorm();
-        sum.residual += step;
-        sum.largest_step = std::max(sum.largest_step, step);
-        if (weights[k] > 0.0) {
-          sum.energy += weights[k] * (at - of_unknown(wanted, k)).squaredNorm();
-        }
-      }
+  rotations->energy_gradient(point.gradient);
+  const Sums held = sum_over_unknowns([&](std::size_t k, Sums& sum) {
+    if (!(weights[k] > 0.0)) return;
+    const Vector3d off = of_unknown(point.x, k) - of_unknown(wanted, k);
+    const Vector3d force = weights[k] * off;
+    sum.energy += force.dot(off);
+    sum.force += force.squaredNorm();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point.gradient[axis * n + k] += force[static_cast<Eigen::Index>(axis)];
     }
   });
-  Measures all;
-  for (const Measures& sum : partial) {
-    all.residual += sum.residual;
-    all.largest_step = std::max(all.largest_step, sum.largest_step);
-    all.energy += sum.energy;
-  }
-  all.residual = std::sqrt(all.residual);
-  all.largest_step = std::sqrt(all.largest_step) / mean_edge;
-  all.energy +=
-      Eigen::Map<const Eigen::ArrayXd>(energies.data(), static_cast<Eigen::Index>(energies.size()))
-          .sum();
-  return all;
+  point.force = std::sqrt(held.force);
+  point.energy = held.energy + Eigen::Map<const Eigen::ArrayXd>(
+                                   energies.data(), static_cast<Eigen::Index>(energies.size()))
+                                   .sum();
 }
 
-Settler::Settler(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options) {
+// The history tells what another first Hessian does not: it begins anew with each.
+void Settler::State::turn_tangent(int iteration) {
+  evaluate(at);  // a step that was not taken may have been looked at since
+  by_tangent = tangent->turn(rotations->transforms());
+  if (!by_tangent) tangent = nullptr;
+  next_turn = iteration + kTangentIterations;
+  history.forget();
+}
+
+// Where the surface is crushed the tangent promises what does not hold.
+void Settler::State::leave_tangent(int iteration) {
+  by_tangent = false;
+  next_turn = iteration + kPlainIterations;
+  history.forget();
+}
+
+// -direction is where to go; its slope is half that of E, and `step` in mean edge lengths.
+Settler::State::Sums Settler::State::find_direction() {
+  history.take_changes(at.gradient, direction);
+  if (by_tangent) {
+    tangent->solve_in_place(direction);
+  } else {
+    system.solve_in_elimination_order(direction, 3);
+  }
+  history.add_steps(direction);
+  Sums sums = sum_over_unknowns([&](std::size_t k, Sums& sum) {
+    const Vector3d g = of_unknown(at.gradient, k);
+    const Vector3d p = of_unknown(direction, k);
+    sum.slope -= g.dot(p);
+    sum.gradient += g.squaredNorm();
+    sum.step = std::max(sum.step, p.squaredNorm());
+  });
+  sums.step = std::sqrt(sums.step) / mean_edge;
+  sums.gradient = std::sqrt(sums.gradient);
+  return sums;
+}
+
+// Goes from `at` to `next` by as much of the direction as lowers E; false where no
+// part does.
+bool Settler::State::step(double slope) {
+  for (double length = 1.0; length >= kShortestStep;) {
+    parallel_for(at.x.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) next.x[i] = at.x[i] - length * direction[i];
+    });
+    evaluate(next);
+    const double promised = 2.0 * length * slope;  // below 0
+    const double fall = next.energy - at.energy;
+    if (fall <= kShareOfSlope * promised + kRounding * at.energy) return true;
+    // The least point of the parabola through what is known.
+    const double least = std::isfinite(fall) ? -0.5 * promised / (fall - promised) : 0.0;
+    length *= std::clamp(least, 0.1, 0.5);
+  }
+  return false;
+}
+
+Settler::Settler(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options,
+                 TurnedTangent* tangent) {
   check(options);
-  state_ = std::make_unique<State>(kernels, system, options);
+  state_ = std::make_unique<State>(kernels, system, options, tangent);
 }
 
 Settler::~Settler() = default;
 Settler::Settler(Settler&&) noexcept = default;
 Settler& Settler::operator=(Settler&&) noexcept = default;
 
-SettleResult Settler::settle(std::span<const Vector3d> wanted, std::span<Vector3d> u,
-                             const Progress& progress) {
-  state_->begin(wanted, u);
-  state_->anderson.restart();
-  return iterate(state_->anderson, u, progress);
+double Settler::energy(const SettleTarget& target, std::span<const Vector3d> u) {
+  state_->begin(target, u);
+  return state_->at.energy;
 }
 
-SettleResult Settler::follow(std::span<const Vector3d> wanted, std::span<Vector3d> u,
+SettleResult Settler::settle(const SettleTarget& target, std::span<Vector3d> u,
                              const Progress& progress) {
-  State& s = *state_;
-  if (!s.following) s.following.emplace(3 * s.system.size(), kFollowingWindow);
-  s.begin(wanted, u);
-  s.following->carry_on();
-  return iterate(*s.following, u, progress);
+  state_->history.forget();
+  state_->begin(target, u);
+  return iterate(u, {}, progress);
+}
+
+SettleResult Settler::follow(const SettleTarget& target, std::span<Vector3d> u,
+                             const std::function<bool()>& go_on, const Progress& progress) {
+  state_->begin(target, u);
+  return iterate(u, go_on, progress);
 }
 
 void Settler::begin_drag() {
-  if (state_->following) state_->following->restart();
+  state_->history.forget();
 }
 
 // From where `begin` has put the unknowns.
-SettleResult Settler::iterate(Anderson& anderson, std::span<Vector3d> u, const Progress& progress) {
+SettleResult Settler::iterate(std::span<Vector3d> u, const std::function<bool()>& go_on,
+                              const Progress& progress) {
   State& s = *state_;
+  Lbfgs& history = s.history;
   SettleResult result;
-  if (s.system.size() == 0) {
-    s.finish(s.x, u);
-    result.settled = true;
-    return result;
-  }
-  // Neither the residual nor the energy falls with every step, but an accelerated step after which
-  // both have risen has led away, and is undone.
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  double last_residual = kNone;
-  double last_energy = kNone;
+  result.settled = s.system.size() == 0;
+  if (s.by_tangent) s.history.forget();
+  s.by_tangent = false;
+  s.next_turn = kPlainIterations;
   try {
-    while (!result.settled && result.iterations < s.options.max_iterations) {
+    while (!result.settled && (!go_on || go_on())) {
       report_progress(progress, "settle",
                       static_cast<double>(result.iterations) / s.options.max_iterations);
-      s.fit_rotations(s.x);
-      s.global_step();
-      ++result.iterations;
-      const auto [residual, largest_step, energy] = s.measure();
-      result.last_step = largest_step;
-      result.settled = largest_step <= s.options.tolerance;
-      if (result.settled || !s.options.accelerate) {
-        std::copy(s.g.begin(), s.g.end(), s.x.begin());
-      } else if (residual > last_residual && energy > last_energy) {
-        anderson.step_back(s.x);
-        last_residual = last_energy = kNone;
-      } else {
-        anderson.advance(s.x, s.g);
-        last_residual = residual;
-        last_energy = energy;
+      if (s.tangent != nullptr && result.iterations == s.next_turn) {
+        s.turn_tangent(result.iterations);
       }
+      State::Sums sums = s.find_direction();
+      if (!(sums.slope < 0.0) && !history.is_empty()) {
+        history.forget();
+        sums = s.find_direction();
+      }
+      result.last_step = sums.step;
+      result.relative_gradient = s.at.force > 0.0 ? sums.gradient / s.at.force : 0.0;
+      result.settled = sums.step <= s.options.tolerance;
+      if (result.settled || result.iterations == s.options.max_iterations) break;
+
+      if (!s.step(sums.slope)) {
+        if (!history.is_empty()) {
+          history.forget();
+        } else if (s.by_tangent) {
+          s.leave_tangent(result.iterations);
+        } else {
+          break;  // rounding is all that is left
+        }
+        continue;
+      }
+      history.add(s.at.x, s.next.x, s.at.gradient, s.next.gradient);
+      std::swap(s.at, s.next);
+      ++result.iterations;
     }
   } catch (const Cancelled&) {
-    s.finish(s.x, u);
+    s.finish(u);
     throw;
   }
-  s.finish(s.x, u);
-  s.fit_rotations(s.x);
-  result.energy = s.measure().energy;
+  s.finish(u);
+  result.energy = s.at.energy;
   return result;
 }
 

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
-#include <string_view>
-#include <vector>
 
 #include "lapwing/base/progress.h"
 #include "lapwing/kernels/kernels.h"
@@ -12,59 +11,89 @@
 
 namespace lapwing {
 
-class Anderson;
-
 struct SettleResult {
-  int iterations = 0;      ///< global steps taken
+  int iterations = 0;      ///< steps taken, each by one solve
   double last_step = 0.0;  ///< how far a vertex would still move, in mean edge lengths
   bool settled = false;    ///< last_step is within the tolerance
-  double energy = 0.0;     ///< the sum below, of the result, in squared mesh units
+  double energy = 0.0;     ///< E of the result, in squared mesh units
+  /// |grad E| over |force of the handles|: the gradient of E by the unknowns, over that of its last
+  /// sum alone; 0 where nothing pulls.
+  double relative_gradient = 0.0;
 };
 
-/// Finds the displacements u of the region for which u is the best, in the sense of
+/// What handles ask of a surface.
+struct SettleTarget {
+  /// d: per vertex of the mesh; 0 off the handles. A vertex of the region that is not solved for
+  /// goes there.
+  std::span<const Eigen::Vector3d> wanted;
+  /// s_i: per vertex of the mesh, above 0.
+  std::span<const double> scales;
+};
+
+/// The second derivatives of the energy where its rings have turned: a solver that knows how limbs
+/// bend, where the n x n factor holds every ring in its turn. Costs a factorization of the 3n x 3n
+/// system for every pose, and saves most of the iterations where these are many.
+class TurnedTangent {
+ public:
+  virtual ~TurnedTangent() = default;
+
+  /// Makes it that of the pose whose rings have turned by T_i, per row of the rings as
+  /// RingRotations::transforms gives them. False, and nothing to solve with, where it does not fit
+  /// in memory or cannot be factored.
+  virtual bool turn(std::span<const Eigen::Matrix3d> transforms) = 0;
+
+  /// Replaces a right-hand side by its solution, in the order of elimination of the n x n system: x
+  /// of all unknowns, then y, then z.
+  virtual void solve_in_place(std::span<double> b) = 0;
+};
+
+/// Finds displacements u of a region, v' = v + u, that make least, at least in their surroundings,
 ///
-///     sum_i |L(v_i + u_i) - T_i delta_i|^2  +  sum_held w^2 |u - d|^2
-///       + mu/2 sum_i sum_j w_ij |(v_i + u_i) - (v_j + u_j) - T_i (v_i - v_j)|^2,
+///     E(u) = sum_i min over R_i of om_i |L(v'_i) - s_i R_i delta_i|^2
+///                                + sum_j k_ij |(v'_i - v'_j) - s_i R_i (v_i - v_j)|^2
+///          + sum_held w^2 |u - d|^2
 ///
-/// and T_i the rotation (or similarity, see Details) that fits the ring K_i in u best (eq. 6
-/// restricted to rotations). Alternates the two: T for u (kernel fit_rotations), u for T (kernel
-/// rotate_laplacians, then one solve with the one n x n factor that serves x, y, z and every
-/// iteration), accelerated. Where the linear solution is right only for small angles, this is right
-/// for any; it wants a start that is not too far, for which the linear solution serves.
+/// (EnergyWeights, DESIGN section 3), by L-BFGS: each step takes the rotations (kernel
+/// fit_rotations), the gradient (kernel energy_gradient) and one solve, at first with the one n x n
+/// factor that serves x, y, z and every iteration; where that goes slowly with the tangent of the
+/// pose reached, renewed on the way. E falls with every step, so that what is there at any moment
+/// is the best surface so far.
 ///
 /// One object serves one thread at a time.
 class Settler {
  public:
-  /// `system` must outlive the object and have been made with the weights and mu of `options`.
-  /// Throws InputError for options out of range, GpuError when the device fails.
-  Settler(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options);
+  /// `system` must outlive the object and have been assembled with a detail length; so must
+  /// `tangent`, of the same region, which may be null. Throws InputError for options out of range,
+  /// GpuError when the device fails.
+  Settler(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options,
+          TurnedTangent* tangent = nullptr);
   ~Settler();
   Settler(Settler&&) noexcept;
   Settler& operator=(Settler&&) noexcept;
 
-  /// Settles `u`, displacements of the whole mesh, from where they are. `wanted` holds what handles
-  /// ask for and 0 elsewhere; a vertex of the region that is not solved for goes there. Allocates
-  /// nothing per iteration. Throws Cancelled, with `u` as far as it got, when `progress` (stage
-  /// "settle") asks for it.
-  SettleResult settle(std::span<const Eigen::Vector3d> wanted, std::span<Eigen::Vector3d> u,
+  /// E of `u` for `target`, without moving it.
+  double energy(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
+
+  /// Settles `u`, displacements of the whole mesh, from where they are. Allocates nothing per
+  /// iteration. Throws Cancelled, with `u` as far as it got, when `progress` (stage "settle") asks
+  /// for it.
+  SettleResult settle(const SettleTarget& target, std::span<Eigen::Vector3d> u,
                       const Progress& progress = {});
 
-  /// One frame of a drag: the same for a `wanted` a little farther on than in the last call, with
-  /// `u` where that one ended and moved on by the linear response to what `wanted` did since
-  /// (without that it can take longer than settling anew, and end elsewhere). What its iterations
-  /// told of the slow ways to move is kept from frame to frame, more of it than `settle` keeps: a
-  /// third of the iterations. The first call takes the memory for it, 600 bytes an unknown vertex;
-  /// later ones allocate nothing per iteration. The result depends, within the tolerance, on the
-  /// frames since `begin_drag`.
-  SettleResult follow(std::span<const Eigen::Vector3d> wanted, std::span<Eigen::Vector3d> u,
-                      const Progress& progress = {});
+  /// One frame of a drag: the same for a `target` a little farther on than in the last call, with
+  /// `u` where that one ended and moved on by the response to what the target did since. What its
+  /// steps told of the energy is kept from frame to frame. `go_on`, if given, is asked before each
+  /// iteration how long to go on; when it says no the result is what is there, settled or not.
+  SettleResult follow(const SettleTarget& target, std::span<Eigen::Vector3d> u,
+                      const std::function<bool()>& go_on = {}, const Progress& progress = {});
 
   /// Forgets the frames so far: the next one is the first of another drag.
   void begin_drag();
 
  private:
   struct State;
-  SettleResult iterate(Anderson& anderson, std::span<Eigen::Vector3d> u, const Progress& progress);
+  SettleResult iterate(std::span<Eigen::Vector3d> u, const std::function<bool()>& go_on,
+                       const Progress& progress);
 
   std::unique_ptr<State> state_;
 };

@@ -175,7 +175,7 @@ void SeamReconstruction::make_system() {
   pattern_->order();
   system_ =
       std::make_unique<LaplacianSystem>(joined_.geometry, joined_.topology, zone_.region.roi,
-                                        constraints_, *pattern_, options_.weights, 0.0, timings_);
+                                        constraints_, *pattern_, EnergyTerms{options_.weights, 0.0}, timings_);
   for (const Index v : rings().vertices) {
     on_host_.push_back(points_[v]);
     on_itself_.push_back(SurfacePoint::at_vertex(v));

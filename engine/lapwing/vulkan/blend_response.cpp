@@ -31,15 +31,17 @@ BlendResponse::BlendResponse(VulkanState& state, const SurfaceInput& input,
                              const Eigen::Vector3d& origin, std::size_t most_texels)
     : state_(state),
       columns_(input.columns),
-      moving_count_(input.moving.size()),
+      moving_(input.moving.begin(), input.moving.end()),
+      origin_(origin),
       groups_(*state.context, "blend parameters",
               sizeof(GroupHeader) + groups_of(columns_) * sizeof(BlendGroup), gpu::Memory::upload) {
   if (most_texels == 0) most_texels = state.context->limits().maxTexelBufferElements;
   const std::size_t texels_per_vertex = std::max<std::size_t>(1, 3 * groups_of(columns_));
   const std::size_t most = std::max<std::size_t>(1, most_texels / texels_per_vertex);
   for (std::size_t first = 0; first < input.moving.size(); first += most) {
-    add_range(input, origin, first, std::min(most, input.moving.size() - first));
+    add_range(first, std::min(most, input.moving.size() - first));
   }
+  set_rest(input.rest);
   if (!input.basis.empty()) set_basis(input.basis);
   set_parameters(std::vector<double>(columns_, 0.0));
 }
@@ -70,7 +72,7 @@ void BlendResponse::set_basis(std::span<const double> basis) {
       for (std::size_t axis = 0; axis < 3; ++axis, out += stride) {
         *out = {};
         for (std::size_t k = first; k < std::min(columns_, first + kColumnsPerGroup); ++k) {
-          (*out)[k - first] = static_cast<float>(basis[3 * (k * moving_count_ + vertex) + axis]);
+          (*out)[k - first] = static_cast<float>(basis[3 * (k * moving_.size() + vertex) + axis]);
         }
       }
     }
@@ -85,30 +87,33 @@ void BlendResponse::set_axis_basis(std::span<const double> numbers) {
         if (axis != group % 3) continue;
         for (std::size_t k = 0; k < kColumnsPerGroup; ++k) {
           const std::size_t column = kColumnsPerGroup * (group / 3) + k;
-          (*out)[k] = static_cast<float>(numbers[column * moving_count_ + vertex]);
+          (*out)[k] = static_cast<float>(numbers[column * moving_.size() + vertex]);
         }
       }
     }
   });
 }
 
-void BlendResponse::add_range(const SurfaceInput& input, const Eigen::Vector3d& origin,
-                              std::size_t first, std::size_t count) {
-  const auto moving = input.moving.subspan(first, count);
-  std::vector<Vec4> rests;
-  rests.reserve(count);
-  for (const Index vertex : moving) {
-    const Eigen::Vector3f place = (input.rest[vertex] - origin).cast<float>();
-    rests.push_back({place.x(), place.y(), place.z(), 1.0F});
-  }
+void BlendResponse::add_range(std::size_t first, std::size_t count) {
   const gpu::Context& context = *state_.context;
   ranges_.push_back(
       {first, count, gpu::TexelBuffer(context, "moving vertices", Format::uint, count),
        gpu::TexelBuffer(context, "rest positions", Format::vec4, count),
        gpu::TexelBuffer(context, "response basis", Format::vec4, 3 * groups_of(columns_) * count)});
-  const Range& range = ranges_.back();
-  state_.transfer.upload(range.moving.buffer(), moving);
-  state_.transfer.upload(range.rests.buffer(), std::span<const Vec4>(rests));
+  state_.transfer.upload(ranges_.back().moving.buffer(),
+                         std::span<const Index>(moving_).subspan(first, count));
+}
+
+void BlendResponse::set_rest(std::span<const Eigen::Vector3d> positions) {
+  for (const Range& range : ranges_) {
+    std::vector<Vec4> rests;
+    rests.reserve(range.count);
+    for (std::size_t m = range.first; m < range.first + range.count; ++m) {
+      const Eigen::Vector3f place = (positions[moving_[m]] - origin_).cast<float>();
+      rests.push_back({place.x(), place.y(), place.z(), 1.0F});
+    }
+    state_.transfer.upload(range.rests.buffer(), std::span<const Vec4>(rests));
+  }
 }
 
 void BlendResponse::record(gpu::Recorder& recorder, const gpu::Buffer& positions) const {

@@ -23,6 +23,7 @@ class BlendResponse {
   /// As DeformedSurface. The device must be done with the recorded commands.
   void set_basis(std::span<const double> basis);
   void set_axis_basis(std::span<const double> numbers);
+  void set_rest(std::span<const Eigen::Vector3d> positions);
 
   /// Records the blend into `positions`, one vec4 per vertex of the mesh, whose w stays: 1.
   void record(gpu::Recorder& recorder, const gpu::Buffer& positions) const;
@@ -42,12 +43,12 @@ class BlendResponse {
   };
   template <typename Pack>
   void fill(const Pack& pack);
-  void add_range(const SurfaceInput& input, const Eigen::Vector3d& origin, std::size_t first,
-                 std::size_t count);
+  void add_range(std::size_t first, std::size_t count);
 
   VulkanState& state_;
   std::size_t columns_;
-  std::size_t moving_count_;
+  std::vector<Index> moving_;
+  Eigen::Vector3d origin_;
   gpu::Buffer groups_;
   std::vector<Range> ranges_;
 };

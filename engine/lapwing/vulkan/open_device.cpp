@@ -6,11 +6,12 @@
 
 namespace lapwing {
 
-std::unique_ptr<Kernels> open_device(const std::string& name) {
+std::unique_ptr<Kernels> open_device(const std::string& name, bool frames_on_device) {
   if (name == "cpu") return std::make_unique<CpuKernels>();
   try {
     VulkanOptions options;
     options.device = name;
+    options.frames_on_device = frames_on_device;
     return std::make_unique<VulkanKernels>(options);
   } catch (const GpuError& error) {
     throw GpuError(std::string(error.what()) +

@@ -55,6 +55,29 @@ RingBatches::RingBatches(VulkanState& state, const RingProblem& problem)
   if (!batches_.empty()) upload_places(state_, positions_, problem.positions);
 }
 
+RingBatches::RingBatches(VulkanState& state, const EnergyProblem& problem)
+    : RingBatches(state, problem.rings) {
+  energy_ = &problem;
+  energy_buffers_.emplace_back(*state.context, "weights of rows",
+                               real_bytes(state, largest_.row_count));
+  energy_buffers_.emplace_back(*state.context, "stiffness",
+                               real_bytes(state, largest_.entry_count));
+}
+
+void RingBatches::upload_energy(const RingBatch& batch) {
+  std::vector<double> row_weights;
+  std::vector<double> stiffness;
+  row_weights.reserve(batch.row_count);
+  stiffness.reserve(batch.entry_count);
+  for (const Index i : problem_.rows.subspan(batch.first_row, batch.row_count)) {
+    row_weights.push_back(energy_->row_weights[i]);
+    const auto own = energy_->stiffness.subspan(problem_.rings.starts[i], problem_.rings.size(i));
+    stiffness.insert(stiffness.end(), own.begin(), own.end());
+  }
+  upload_reals(state_, energy_buffers_[0], row_weights);
+  upload_reals(state_, energy_buffers_[1], stiffness);
+}
+
 void RingBatches::upload_rows(const RingBatch& batch) {
   const auto rows = problem_.rows.subspan(batch.first_row, batch.row_count);
   std::vector<std::uint32_t> starts{0};
@@ -80,9 +103,17 @@ void RingBatches::run(const RingBatch& batch, const gpu::Kernel& kernel,
                       const gpu::Buffer& output) {
   upload_rows(batch);
   gpu::Recorder recorder(commands_);
-  recorder.dispatch(kernel, batch.row_count,
-                    {positions_, rows_, starts_, neighbours_, weights_, output},
-                    static_cast<std::uint32_t>(batch.row_count));
+  const auto count = static_cast<std::uint32_t>(batch.row_count);
+  if (energy_ == nullptr) {
+    recorder.dispatch(kernel, batch.row_count,
+                      {positions_, rows_, starts_, neighbours_, weights_, output}, count);
+  } else {
+    upload_energy(batch);
+    recorder.dispatch(kernel, batch.row_count,
+                      {positions_, rows_, starts_, neighbours_, weights_, output,
+                       energy_buffers_[0], energy_buffers_[1]},
+                      count);
+  }
   recorder.finish();
   commands_.run();
 }

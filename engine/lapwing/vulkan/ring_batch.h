@@ -35,6 +35,8 @@ RingBatch largest_of(std::span<const RingBatch> batches);
 class RingBatches {
  public:
   RingBatches(VulkanState& state, const RingProblem& problem);
+  /// With row weights and stiffness as buffers after the output.
+  RingBatches(VulkanState& state, const EnergyProblem& problem);
 
   const std::vector<RingBatch>& batches() const { return batches_; }
   const RingBatch& largest() const { return largest_; }
@@ -44,9 +46,11 @@ class RingBatches {
 
  private:
   void upload_rows(const RingBatch& batch);
+  void upload_energy(const RingBatch& batch);
 
   VulkanState& state_;
   const RingProblem& problem_;
+  const EnergyProblem* energy_ = nullptr;
   std::vector<RingBatch> batches_;
   RingBatch largest_;
   gpu::Buffer positions_;
@@ -54,6 +58,7 @@ class RingBatches {
   gpu::Buffer starts_;
   gpu::Buffer neighbours_;
   gpu::Buffer weights_;
+  std::vector<gpu::Buffer> energy_buffers_;  ///< weights of rows, stiffness of entries; or none
   gpu::CommandList commands_;
 };
 

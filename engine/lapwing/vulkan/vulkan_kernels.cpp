@@ -6,13 +6,15 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/shaders/assemble_rsi_float32.h"
 #include "lapwing/shaders/assemble_rsi_float64.h"
+#include "lapwing/shaders/assemble_tangent_float32.h"
+#include "lapwing/shaders/assemble_tangent_float64.h"
 #include "lapwing/shaders/blend_response.h"
+#include "lapwing/shaders/energy_gradient_float32.h"
+#include "lapwing/shaders/energy_gradient_float64.h"
 #include "lapwing/shaders/fit_rotations_float32.h"
 #include "lapwing/shaders/fit_rotations_float64.h"
 #include "lapwing/shaders/rotate_frames_float32.h"
 #include "lapwing/shaders/rotate_frames_float64.h"
-#include "lapwing/shaders/rotate_laplacians_float32.h"
-#include "lapwing/shaders/rotate_laplacians_float64.h"
 #include "lapwing/shaders/sample_laplacians_float32.h"
 #include "lapwing/shaders/sample_laplacians_float64.h"
 #include "lapwing/shaders/sample_mapped_laplacians_float32.h"
@@ -51,28 +53,34 @@ bool choose_float64(const gpu::Context& context, Precision precision) {
 
 DeviceInfo describe(const VulkanState& state) {
   const gpu::DeviceDescription& device = state.context->description();
-  return {device.name, device.type, device.driver, state.float64};
+  return {device.name, device.type, device.driver, state.float64, state.frames};
 }
 
 }  // namespace
 
-VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64)
+VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64,
+                         bool frames_on_device)
     : context(std::move(shared_context)),
       float64(in_float64),
+      frames(frames_on_device || context->description().type != "software"),
       transfer(*context),
       assemble_rsi(*context, "assemble_rsi",
                    float64 ? shaders::assemble_rsi_float64() : shaders::assemble_rsi_float32(),
                    kCountBytes),
+      assemble_tangent(
+          *context, "assemble_tangent",
+          float64 ? shaders::assemble_tangent_float64() : shaders::assemble_tangent_float32(),
+          kCountBytes),
+      energy_gradient(
+          *context, "energy_gradient",
+          float64 ? shaders::energy_gradient_float64() : shaders::energy_gradient_float32(),
+          kRotationsBytes),
       fit_rotations(*context, "fit_rotations",
                     float64 ? shaders::fit_rotations_float64() : shaders::fit_rotations_float32(),
                     kRotationsBytes),
       rotate_frames(*context, "rotate_frames",
                     float64 ? shaders::rotate_frames_float64() : shaders::rotate_frames_float32(),
                     kMappedRingBytes),
-      rotate_laplacians(
-          *context, "rotate_laplacians",
-          float64 ? shaders::rotate_laplacians_float64() : shaders::rotate_laplacians_float32(),
-          kRotationsBytes),
       sample_laplacians(
           *context, "sample_laplacians",
           float64 ? shaders::sample_laplacians_float64() : shaders::sample_laplacians_float32(),
@@ -85,17 +93,18 @@ VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_f
       vertex_normals(*context, "vertex_normals", shaders::vertex_normals(), kCountBytes) {}
 
 VulkanKernels::VulkanKernels(const VulkanOptions& options)
-    : VulkanKernels(make_context(options), options.precision) {}
+    : VulkanKernels(make_context(options), options.precision, options.frames_on_device) {}
 
-VulkanKernels::VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision)
-    : state_(std::make_shared<VulkanState>(context, choose_float64(*context, precision))),
+VulkanKernels::VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision,
+                             bool frames_on_device)
+    : state_(std::make_shared<VulkanState>(context, choose_float64(*context, precision),
+                                           frames_on_device)),
       device_(describe(*state_)) {}
 
 VulkanKernels::~VulkanKernels() = default;
 
-std::unique_ptr<RingRotations> VulkanKernels::make_ring_rotations(const RegionRings& rings,
-                                                                  RingMotion motion) {
-  return std::make_unique<VulkanRingRotations>(state_, rings, motion);
+std::unique_ptr<RingRotations> VulkanKernels::make_ring_rotations(const RegionRings& rings) {
+  return std::make_unique<VulkanRingRotations>(state_, rings);
 }
 
 std::unique_ptr<DeformedSurface> VulkanKernels::make_surface(const SurfaceInput& input) {

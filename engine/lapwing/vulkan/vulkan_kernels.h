@@ -23,6 +23,8 @@ struct VulkanOptions {
   std::string device = "auto";  ///< as in gpu::ContextOptions
   Precision precision = Precision::automatic;
   bool validation = false;  ///< as in gpu::ContextOptions
+  /// Drag frames and settling by shaders on a software device, too (DeviceInfo::frames).
+  bool frames_on_device = false;
 };
 
 /// The kernels as Vulkan compute shaders. Not for use from several threads at once. Surfaces that
@@ -32,11 +34,13 @@ class VulkanKernels final : public Kernels {
   /// Throws GpuError saying what was tried and what to install when no device fits.
   explicit VulkanKernels(const VulkanOptions& options = {});
   /// On a context that something else, a window say, uses too.
-  VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision);
+  VulkanKernels(std::shared_ptr<gpu::Context> context, Precision precision,
+                bool frames_on_device = false);
   ~VulkanKernels() override;
 
   const DeviceInfo& device() const override { return device_; }
   void assemble_rsi(const RingProblem& problem, std::span<double> blocks) override;
+  void assemble_tangent(const EnergyProblem& problem, std::span<double> blocks) override;
   void sample_laplacians(const RingProblem& problem,
                          std::span<Eigen::Vector3d> laplacians) override;
   void sample_mapped_laplacians(const MappedRings& rings, MappedSampling sampling,
@@ -44,8 +48,7 @@ class VulkanKernels final : public Kernels {
                                 std::span<Eigen::Vector3d> laplacians) override;
   void rotate_frames(const MappedRings& rings, const FramedSurface& source,
                      const FramedSurface& target, std::span<Eigen::Matrix3d> transforms) override;
-  std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings,
-                                                     RingMotion motion) override;
+  std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings) override;
   std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) override;
 
   const std::shared_ptr<gpu::Context>& context() const;

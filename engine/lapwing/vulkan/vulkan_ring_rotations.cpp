@@ -11,9 +11,8 @@
 namespace lapwing {
 namespace {
 
-// Flags of shaders/rotations.glsl.
-constexpr std::uint32_t kSimilarity = 1;
-constexpr std::uint32_t kStiffness = 2;
+// Flag of shaders/rotations.glsl.
+constexpr std::uint32_t kStiffness = 1;
 
 std::vector<Index> unknowns_of_rows(const RegionRings& rings) {
   std::vector<Index> unknown_of_row(rings.row_count(), kNoIndex);
@@ -33,31 +32,37 @@ std::size_t end_of_range(const RegionRings& rings, std::size_t first, std::size_
 }  // namespace
 
 VulkanRingRotations::VulkanRingRotations(std::shared_ptr<VulkanState> state,
-                                         const RegionRings& rings, RingMotion motion,
-                                         std::size_t most_entries)
+                                         const RegionRings& rings, std::size_t most_entries)
     : state_(std::move(state)),
       row_count_(rings.row_count()),
+      row_terms_(*state_->context, "weights and scales of rows",
+                 real_bytes(*state_, 2 * row_count_)),
       displacement_(*state_->context, "displacements", place_bytes(rings.vertices.size())),
       turns_(*state_->context, "rotations of rings", real_bytes(*state_, 4 * row_count_)),
-      turned_(*state_->context, "rotated Laplacians", real_bytes(*state_, 3 * row_count_)),
+      residuals_(*state_->context, "residuals of Laplacians", real_bytes(*state_, 3 * row_count_)),
       energies_(*state_->context, "energies of rings", real_bytes(*state_, row_count_)),
-      result_(*state_->context, "right-hand side",
-              real_bytes(*state_, 3 * rings.unknown_rows.size())),
+      result_(*state_->context, "gradient", real_bytes(*state_, 3 * rings.unknown_rows.size())),
       fit_rotations_(*state_->context, "fit rotations"),
-      rotate_laplacians_(*state_->context, "rotate Laplacians") {
+      energy_gradient_(*state_->context, "energy gradient") {
   if (most_entries == 0) {
     most_entries = state_->context->limits().maxStorageBufferRange / real_bytes(*state_, 3);
   }
-  const std::uint32_t flags = (motion == RingMotion::similarity ? kSimilarity : 0) |
-                              (rings.stiffness.empty() ? 0 : kStiffness);
+  const std::uint32_t flags = rings.stiffness.empty() ? 0 : kStiffness;
   const std::vector<Index> unknown_of_row = unknowns_of_rows(rings);
   for (std::size_t first = 0; first < row_count_;) {
     const std::size_t last = end_of_range(rings, first, most_entries);
     add_range(rings, first, last, unknown_of_row, flags);
     first = last;
   }
+  for (const double weight : rings.row_weights) terms_.insert(terms_.end(), {weight, 1.0});
+  if (row_count_ > 0) upload_reals(*state_, row_terms_, terms_);
   record_fit_rotations();
-  record_rotate_laplacians();
+  record_energy_gradient();
+}
+
+void VulkanRingRotations::set_scales(std::span<const double> scales) {
+  for (std::size_t r = 0; r < scales.size(); ++r) terms_[2 * r + 1] = scales[r];
+  if (row_count_ > 0) upload_reals(*state_, row_terms_, terms_);
 }
 
 void VulkanRingRotations::add_range(const RegionRings& rings, std::size_t first, std::size_t last,

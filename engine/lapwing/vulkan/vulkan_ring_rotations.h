@@ -12,18 +12,19 @@
 namespace lapwing {
 
 /// RingRotations on the device, in the precision of its kernels. What goes to and fro in one
-/// iteration are displacements, energies and right-hand side; the rings stay there. Rows are split
+/// iteration are displacements, energies and gradient; the rings stay there. Rows are split
 /// into ranges, each with buffers of its own, where their edges exceed what one buffer may hold.
 class VulkanRingRotations final : public RingRotations {
  public:
   /// `most_entries` of the rings in one buffer; the device's limit if 0. Throws GpuError when the
   /// rings do not fit in the device's memory.
   VulkanRingRotations(std::shared_ptr<VulkanState> state, const RegionRings& rings,
-                      RingMotion motion, std::size_t most_entries = 0);
+                      std::size_t most_entries = 0);
 
+  void set_scales(std::span<const double> scales) override;
   void fit_rotations(std::span<const Eigen::Vector3d> displacement,
                      std::span<double> energies) override;
-  void rotate_laplacians(std::span<double> b) override;
+  void energy_gradient(std::span<double> g) override;
   std::vector<Eigen::Matrix3d> transforms() const override;
 
  private:
@@ -48,18 +49,20 @@ class VulkanRingRotations final : public RingRotations {
   void add_range(const RegionRings& rings, std::size_t first, std::size_t last,
                  std::span<const Index> unknown_of_row, std::uint32_t flags);
   void record_fit_rotations();
-  void record_rotate_laplacians();
+  void record_energy_gradient();
 
   std::shared_ptr<VulkanState> state_;
   std::size_t row_count_;
   std::vector<Range> ranges_;
+  std::vector<double> terms_;  ///< per row: om_i, s_i
+  gpu::Buffer row_terms_;
   gpu::Buffer displacement_;
-  gpu::Buffer turns_;   ///< T_i as quaternions
-  gpu::Buffer turned_;  ///< T_i delta_i - delta_i
+  gpu::Buffer turns_;  ///< T_i as quaternions
+  gpu::Buffer residuals_;
   gpu::Buffer energies_;
   gpu::Buffer result_;
   gpu::CommandList fit_rotations_;
-  gpu::CommandList rotate_laplacians_;
+  gpu::CommandList energy_gradient_;
 };
 
 }  // namespace lapwing

@@ -11,15 +11,18 @@ namespace lapwing {
 /// What VulkanKernels and the surfaces made by it share.
 class VulkanState {
  public:
-  VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64);
+  VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64,
+              bool frames_on_device = false);
 
   std::shared_ptr<gpu::Context> context;
   bool float64;  ///< all but surfaces are in float64
+  bool frames;   ///< as DeviceInfo::frames
   gpu::Transfer transfer;
   gpu::Kernel assemble_rsi;
+  gpu::Kernel assemble_tangent;
+  gpu::Kernel energy_gradient;
   gpu::Kernel fit_rotations;
   gpu::Kernel rotate_frames;
-  gpu::Kernel rotate_laplacians;
   gpu::Kernel sample_laplacians;
   gpu::Kernel sample_mapped_laplacians;
   gpu::Kernel blend_response;

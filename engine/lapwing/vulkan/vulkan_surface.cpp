@@ -52,8 +52,7 @@ VulkanSurface::VulkanSurface(std::shared_ptr<VulkanState> state, const SurfaceIn
       triangle_count_(input.topology.triangles.size()),
       origin_(bounds_of(input.rest).center()),
       buffers_(std::make_unique<Buffers>(*state_, input, origin_)),
-      on_host_(state_->context->description().type == "software" &&
-               !buffers_->normals.mapped().empty()) {
+      on_host_(!state_->frames && !buffers_->normals.mapped().empty()) {
   upload_rest(input);
   if (on_host_) return;
   record_frame();
@@ -119,6 +118,11 @@ void VulkanSurface::set_basis(std::span<const double> basis) {
 
 void VulkanSurface::set_axis_basis(std::span<const double> numbers) {
   buffers_->blend_response.set_axis_basis(numbers);
+}
+
+void VulkanSurface::set_rest(std::span<const Eigen::Vector3d> positions) {
+  state_->context->wait_for_submitted();
+  buffers_->blend_response.set_rest(positions);
 }
 
 void VulkanSurface::blend(std::span<const double> parameters) {

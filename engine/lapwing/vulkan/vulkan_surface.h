@@ -27,6 +27,7 @@ class VulkanSurface final : public DeformedSurface {
 
   void set_basis(std::span<const double> basis) override;
   void set_axis_basis(std::span<const double> numbers) override;
+  void set_rest(std::span<const Eigen::Vector3d> positions) override;
   void blend(std::span<const double> parameters) override;
   void place(std::span<const Eigen::Vector3d> positions) override;
   Positions positions() const override;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "lapwing/deform/deform_options.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/constraints.h"
 #include "lapwing/laplacian/laplacian_system.h"
@@ -34,8 +35,7 @@ struct EditParts {
             subject.region.roi,
             constraints,
             *pattern,
-            LaplacianWeights::uniform,
-            0.0,
+            EnergyTerms{DeformOptions{}.weights, DeformOptions{}.detail_length},
             timings};
   }
 

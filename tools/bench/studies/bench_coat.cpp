@@ -241,7 +241,7 @@ void CoatBenchRun::factor_system() const {
   pattern.order();
   StageTimings timings;
   const LaplacianSystem factored(pair_.target.mesh.positions, topology, region.roi, constraints,
-                                 pattern, LaplacianWeights::cotangent, 0.0, timings);
+                                 pattern, {LaplacianWeights::cotangent, 0.0}, timings);
 }
 
 void CoatBenchRun::solve_maps() const {

@@ -101,9 +101,7 @@ Row measured(const std::string& name, const Cylinder& cylinder, Positions positi
 }
 
 Row solve_ours(const std::string& name, const Cylinder& cylinder, const Affine3d& motion,
-               const std::optional<SettleOptions>& settle, Kernels& kernels, int repeats) {
-  DeformOptions options;
-  options.settle = settle;
+               const DeformOptions& options, Kernels& kernels, int repeats) {
   const Deformer deformer(cylinder.mesh.positions, cylinder.topology, cylinder.region, options,
                           kernels);
   DeformResult result;
@@ -115,13 +113,18 @@ Row solve_ours(const std::string& name, const Cylinder& cylinder, const Affine3d
 
 std::vector<Row> solve_ours(const Cylinder& cylinder, const Affine3d& motion, Kernels& kernels,
                             int repeats) {
-  SettleOptions settle;
-  settle.max_iterations = kMaxIterations;
-  SettleOptions resisting = settle;
-  resisting.stretch_resistance = 0.001;
-  return {solve_ours("linear alone", cylinder, motion, std::nullopt, kernels, repeats),
-          solve_ours("settled", cylinder, motion, settle, kernels, repeats),
-          solve_ours("settled, mu 0.001", cylinder, motion, resisting, kernels, repeats)};
+  DeformOptions rsi;
+  rsi.response = LinearResponse::rsi;
+  rsi.weights = LaplacianWeights::uniform;
+  rsi.settle.reset();
+  DeformOptions tangent;
+  tangent.settle.reset();
+  DeformOptions stiffer;
+  stiffer.detail_length *= 0.5;
+  return {solve_ours("RSI alone", cylinder, motion, rsi, kernels, repeats),
+          solve_ours("tangent alone", cylinder, motion, tangent, kernels, repeats),
+          solve_ours("settled", cylinder, motion, {}, kernels, repeats),
+          solve_ours("settled, half the length", cylinder, motion, stiffer, kernels, repeats)};
 }
 
 std::vector<Row> solve_by_cgal([[maybe_unused]] const Cylinder& cylinder,
@@ -164,8 +167,8 @@ void bench_cylinder(Kernels& kernels, PictureMaker* pictures, int repeats) {
     for (const Row& row : theirs) print(row);
     for (const Row& row : theirs) {
       std::printf(" %s divided by\n", row.name.c_str());
-      print_ratios(row, ours[1]);
       print_ratios(row, ours[2]);
+      print_ratios(row, ours[3]);
     }
     if (pictures == nullptr) continue;
     draw(motion, cylinder, ours, *pictures);

@@ -167,7 +167,7 @@ void run_real_mesh(const std::filesystem::path& path, const std::string& name,
   }
   // The measure's own, whatever weights the engine prefers.
   const std::vector<double> weights =
-      laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
+      laplacian_weights(topology, mesh.positions, default_options().weights);
   const std::vector<ReadyEdit> ready = ready_edits(mesh, topology, weights, name, all);
   done(all);
   for (const auto& [edit, r] : ready) {

@@ -1,4 +1,4 @@
-// The inner loops of Anderson (settle/anderson.cpp). Included by anderson_loops_*.cpp inside an
+// The inner loops of Lbfgs (settle/lbfgs.cpp). Included by history_loops_*.cpp inside an
 // unnamed namespace. Calls nothing that has external linkage: the linker would be free to take
 // another instruction set's copy.
 
@@ -19,26 +19,27 @@ LAPWING_INLINE double sum_of(Lanes v) {
   return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
 }
 
-void multiply(const float* difference, const float* newest, const double* residual,
-              std::size_t count, double& with_newest, double& with_residual) {
-  Lanes newest_sum[2] = {};
-  Lanes residual_sum[2] = {};
+template <typename Number>
+LAPWING_INLINE double sum_of_products(const float* a, const Number* b, std::size_t count) {
+  Lanes sums[2] = {};
   std::size_t k = 0;
   for (; k + 2 * kLanes <= count; k += 2 * kLanes) {
     for (std::size_t part = 0; part < 2; ++part) {
       const std::size_t at = k + part * kLanes;
-      const Lanes d = lanes_at(difference + at);
-      newest_sum[part] += d * lanes_at(newest + at);
-      residual_sum[part] += d * lanes_at(residual + at);
+      sums[part] += lanes_at(a + at) * lanes_at(b + at);
     }
   }
-  with_newest = sum_of(newest_sum[0] + newest_sum[1]);
-  with_residual = sum_of(residual_sum[0] + residual_sum[1]);
-  for (; k < count; ++k) {
-    const double d = difference[k];
-    with_newest += d * newest[k];
-    with_residual += d * residual[k];
-  }
+  double sum = sum_of(sums[0] + sums[1]);
+  for (; k < count; ++k) sum += static_cast<double>(a[k]) * static_cast<double>(b[k]);
+  return sum;
+}
+
+double multiply(const float* difference, const double* x, std::size_t count) {
+  return sum_of_products(difference, x, count);
+}
+
+double dot(const float* a, const float* b, std::size_t count) {
+  return sum_of_products(a, b, count);
 }
 
 void subtract(double factor, const float* difference, double* x, std::size_t count) {

@@ -1,0 +1,98 @@
+#include "lapwing/deform/pose_tangent.h"
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "lapwing/base/parallel.h"
+#include "lapwing/deform/response_system.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// beta: at least this share of A stays, so that no direction asks for a step of more than its
+// inverse times that of the n x n factor. What is crushed has rings that resist next to nothing.
+const double kRootOfShare = std::sqrt(1.0 - 1e-3);
+
+}  // namespace
+
+PoseTangent::PoseTangent(const Topology& topology, std::span<const Index> roi,
+                         const SystemPattern& pattern, const LaplacianSystem& laplacian,
+                         std::span<const Vector3d> rest, const DeformOptions& options,
+                         Kernels& kernels)
+    : topology_(topology),
+      pattern_(pattern),
+      laplacian_(laplacian),
+      rest_(rest),
+      kernels_(kernels),
+      memory_limit_(options.memory_limit_bytes),
+      roi_(roi.begin(), roi.end()),
+      b_(3 * laplacian.size()) {}
+
+// False where there is not enough.
+bool PoseTangent::take_memory() {
+  if (factor_ != nullptr) return true;
+  auto factor = std::make_unique<HeldFactor>(pattern_, 3, SolverKind::automatic);
+  factor->analyze();
+  const std::size_t blocks = pattern_.blocks().rows.size() + 2 * turned_.columns.size();
+  const std::size_t bytes = 9 * sizeof(double) * blocks + factor->solver().statistics().peak_bytes;
+  if (bytes > allowed_memory(memory_limit_)) return false;
+  factor_ = std::move(factor);
+  const RegionRings& rings = laplacian_.rings();
+  std::vector<Index> row_of_vertex(rest_.size(), kNoIndex);
+  for (std::size_t r = 0; r < rings.row_count(); ++r) {
+    row_of_vertex[rings.vertices[r]] = static_cast<Index>(r);
+  }
+  for (const Index v : roi_) row_of_.push_back(row_of_vertex[v]);
+  const EnergyWeights& weights = laplacian_.weights();
+  at_rest_ = rsi_rows(topology_.rings, roi_);
+  kernels_.assemble_tangent(
+      {{rest_, topology_.rings, weights.laplacian, roi_}, weights.rows, weights.stiffness},
+      at_rest_.values);
+  turned_ = at_rest_;
+  return true;
+}
+
+bool PoseTangent::turn(std::span<const Matrix3d> transforms) {
+  constexpr std::size_t kRowsPerTask = 512;
+  if (!take_memory()) return false;
+  parallel_for(roi_.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const Matrix3d& T = transforms[row_of_[r]];
+      const double scale = std::cbrt(T.determinant());
+      const Matrix3d back = kRootOfShare / scale * T.transpose();
+      for (std::size_t b = at_rest_.starts[r]; b < at_rest_.starts[r + 1]; ++b) {
+        Eigen::Map<Matrix3d>(turned_.values.data() + 9 * b).noalias() =
+            Eigen::Map<const Matrix3d>(at_rest_.values.data() + 9 * b) * back;
+      }
+    }
+  });
+  factor_->set_matrix(tangent_matrix(pattern_, laplacian_, turned_, factor_->take_memory()));
+  try {
+    factor_->factor(laplacian_.constraints().W);
+  } catch (const NotPositiveDefinite&) {
+    return false;
+  }
+  return true;
+}
+
+void PoseTangent::solve_in_place(std::span<double> b) {
+  const std::vector<int>& order = laplacian_.elimination_order();
+  const std::size_t n = order.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      b_[3 * static_cast<std::size_t>(order[k]) + axis] = b[axis * n + k];
+    }
+  }
+  factor_->solver().solve(b_, b_, 1);
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      b[axis * n + k] = b_[3 * static_cast<std::size_t>(order[k]) + axis];
+    }
+  }
+}
+
+}  // namespace lapwing

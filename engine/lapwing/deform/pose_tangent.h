@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "lapwing/deform/deform_options.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/laplacian/held_factor.h"
+#include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/settle/settle.h"
+
+namespace lapwing {
+
+/// The energy's tangent in a pose, as settling uses it: A x I - beta G'G, each block of a row G_i
+/// turned back by the R_i of its ring (DESIGN section 3: K_i and a_i of a ring that has turned are
+/// those at rest, turned; what the residual adds to them is left out, so that the matrix stays
+/// positive semidefinite in every pose). Takes its memory, that of another 3n x 3n factor, when it
+/// is first turned.
+class PoseTangent final : public TurnedTangent {
+ public:
+  /// `topology`, `pattern`, `laplacian` and `kernels` must outlive the object; `laplacian` is the
+  /// n x n system with its rings, in whose order transforms come.
+  PoseTangent(const Topology& topology, std::span<const Index> roi, const SystemPattern& pattern,
+              const LaplacianSystem& laplacian, std::span<const Eigen::Vector3d> rest,
+              const DeformOptions& options, Kernels& kernels);
+
+  bool turn(std::span<const Eigen::Matrix3d> transforms) override;
+  void solve_in_place(std::span<double> b) override;
+
+ private:
+  bool take_memory();
+
+  const Topology& topology_;
+  const SystemPattern& pattern_;
+  const LaplacianSystem& laplacian_;
+  std::span<const Eigen::Vector3d> rest_;
+  Kernels& kernels_;
+  std::size_t memory_limit_;
+  std::vector<Index> roi_;
+  std::vector<Index> row_of_;  ///< place in roi_ -> row of the rings
+  BlockRows at_rest_;          ///< G
+  BlockRows turned_;
+  std::unique_ptr<HeldFactor> factor_;
+  std::vector<double> b_;
+};
+
+}  // namespace lapwing

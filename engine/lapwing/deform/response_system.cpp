@@ -1,0 +1,210 @@
+#include "lapwing/deform/response_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
+#include "lapwing/laplacian/rsi_system.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// Refinement stops below this: rounding in the blended columns leaves about as much.
+constexpr double kGoodResidual = 1e-10;
+constexpr int kMostRefinements = 2;
+
+double norm(std::span<const double> v) {
+  return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+}
+
+std::string component_of(Index vertex, const Topology& topology, const Unknowns& unknowns) {
+  const Components components = connected_components(topology.rings);
+  std::size_t size = 0;
+  Index first = kNoIndex;
+  for (const Index v : unknowns.vertices) {
+    if (components.of_vertex[v] != components.of_vertex[vertex]) continue;
+    ++size;
+    first = std::min(first, v);
+  }
+  return "the component of " + std::to_string(size) + " vertices that begins at vertex " +
+         std::to_string(first);
+}
+
+// What rounding leaves of directions in which nothing resists, such as a hinge of two triangles
+// that share one edge alone, must not make the matrix indefinite.
+void brace(BlockMatrix& N) {
+  constexpr double kShare = 1e-12;
+  const BlockPattern& blocks = *N.pattern;
+  double trace = 0.0;
+  for (std::size_t c = 0; c < blocks.size(); ++c) {
+    for (std::size_t k = 0; k < 3; ++k) trace += N.block(blocks.starts[c])[4 * k];
+  }
+  const double more =
+      kShare * trace / (3.0 * static_cast<double>(std::max<std::size_t>(1, blocks.size())));
+  for (std::size_t c = 0; c < blocks.size(); ++c) {
+    double* block = N.values.data() + 9 * blocks.starts[c];
+    for (std::size_t k = 0; k < 3; ++k) block[4 * k] += more;
+  }
+}
+
+}  // namespace
+
+BlockMatrix tangent_matrix(const SystemPattern& pattern, const LaplacianSystem& laplacian,
+                           const BlockRows& G, Numbers memory) {
+  BlockMatrix N = pattern.normal().reduced_matrix(laplacian.unheld_matrix(), G, std::move(memory));
+  brace(N);
+  return N;
+}
+
+ResponseSystem::ResponseSystem(const Topology& topology, std::span<const Index> roi,
+                               const Unknowns& unknowns, const SystemPattern& pattern,
+                               const LaplacianSystem& laplacian, LinearResponse kind,
+                               SolverKind solver)
+    : topology_(topology),
+      pattern_(pattern),
+      laplacian_(laplacian),
+      kind_(kind),
+      roi_(roi.begin(), roi.end()),
+      constraints_{unknowns, {}},
+      factor_(pattern, 3, solver) {}
+
+void ResponseSystem::analyze(const Progress& progress, StageTimings& timings) {
+  if (is_analyzed()) return;
+  const Stopwatch watch;
+  report_progress(progress, "analyze", 0.0);
+  factor_.analyze();
+  timings.add("analyze", watch.elapsed_ms());
+}
+
+std::size_t ResponseSystem::memory_bytes() const {
+  std::size_t blocks = pattern_.blocks().rows.size();  // of N
+  for (const Index v : roi_) blocks += 1 + topology_.rings.size(v);
+  return 9 * sizeof(double) * blocks + factor_.solver().statistics().peak_bytes;
+}
+
+void ResponseSystem::assemble(std::span<const Vector3d> rest, Kernels& kernels,
+                              const Progress& progress, StageTimings& timings) {
+  Stopwatch watch;
+  const auto stage_is_done = [&](const char* stage) {
+    timings.add(stage, watch.elapsed_ms());
+    watch.restart();
+  };
+  const auto make_rows = [&] {
+    report_progress(progress, "assemble", 0.0);
+    if (rows_.values.empty()) rows_ = rsi_rows(topology_.rings, roi_);
+    const EnergyWeights& weights = laplacian_.weights();
+    const RingProblem rings{rest, topology_.rings, weights.laplacian, roi_};
+    if (kind_ == LinearResponse::tangent) {
+      kernels.assemble_tangent({rings, weights.rows, weights.stiffness}, rows_.values);
+    } else {
+      kernels.assemble_rsi(rings, rows_.values);
+    }
+    stage_is_done("assemble");
+  };
+  if (is_analyzed()) {
+    make_rows();
+  } else {
+    // The symbolic work needs the pattern alone and is one thread's, as the rows are meanwhile.
+    // N, which takes longer, has all threads to itself.
+    parallel_invoke(
+        [&] {
+          make_rows();
+          report_progress(progress, "analyze", 0.0);
+        },
+        [&] { factor_.analyze(); });
+    stage_is_done("analyze");
+  }
+  report_progress(progress, "normal_matrix", 0.0);
+  Numbers memory = factor_.take_memory();
+  if (kind_ == LinearResponse::tangent) {
+    factor_.set_matrix(tangent_matrix(pattern_, laplacian_, rows_, std::move(memory)));
+  } else {
+    factor_.set_matrix(pattern_.normal().normal_matrix(rows_, {}, std::move(memory)));
+  }
+  stage_is_done("normal_matrix");
+}
+
+void ResponseSystem::factor(std::span<const double> W, const Progress& progress,
+                            StageTimings& timings) {
+  if (factor_.holds(W)) return;
+  const Stopwatch watch;
+  report_progress(progress, "factor", 0.0);
+  constraints_.W.assign(W.begin(), W.end());
+  try {
+    factor_.factor(W, progress);
+  } catch (const NotPositiveDefinite& error) {
+    const Index vertex = constraints_.unknowns.vertices[error.block];
+    throw SolverError("the system is singular at vertex " + std::to_string(vertex) + ", in " +
+                      component_of(vertex, topology_, constraints_.unknowns) +
+                      ": its belt and handle do not hold it. Add belt vertices there, leave it out "
+                      "of the region, or run `lapwing check` to find degenerate triangles");
+  }
+  timings.add("factor", watch.elapsed_ms());
+}
+
+// y = N u over the unknowns.
+void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) const {
+  std::vector<double> rows(3 * rows_.size());
+  lapwing::multiply(rows_, u, rows);
+  pattern_.normal().multiply_transposed(rows_, rows, y);
+  if (kind_ == LinearResponse::rsi) return;
+  std::vector<double> held(y.size());
+  laplacian_.multiply(u, held);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = held[i] - y[i];
+}
+
+void ResponseSystem::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
+  // Hard constraints: what is given moves to the right. Soft ones: wanted is 0 but on unknowns, on
+  // which N acts from the left.
+  bool given_elsewhere = false;
+  std::vector<Vector3d> given(wanted.begin(), wanted.end());
+  for (const Index v : constraints_.unknowns.vertices) given[v].setZero();
+  for (const Vector3d& g : given) given_elsewhere = given_elsewhere || !g.isZero(0.0);
+  std::fill(b.begin(), b.end(), 0.0);
+  if (given_elsewhere) {
+    multiply(given, b);
+    for (double& number : b) number = -number;
+  }
+  for (std::size_t u = 0; u < constraints_.unknowns.size(); ++u) {
+    if (!(constraints_.W[u] > 0.0)) continue;
+    Eigen::Map<Vector3d>(b.data() + 3 * u) +=
+        constraints_.W[u] * wanted[constraints_.unknowns.vertices[u]];
+  }
+}
+
+void ResponseSystem::solve_in_place(std::span<double> columns_of_b, std::size_t columns) const {
+  if (constraints_.unknowns.size() > 0) factor_.solver().solve(columns_of_b, columns_of_b, columns);
+}
+
+double ResponseSystem::refine(std::span<const Vector3d> wanted, std::span<const double> forces,
+                              std::vector<Vector3d>& u) const {
+  std::vector<double> r(3 * constraints_.unknowns.size());
+  right_hand_side(wanted, r);
+  for (std::size_t i = 0; i < forces.size(); ++i) r[i] += forces[i];
+  const double size = norm(r);
+  if (size == 0.0) return 0.0;
+  double relative = 0.0;
+  for (int step = 0;; ++step) {
+    // W (wanted - u) + f - N u over the unknowns, which is the residual for either constraint.
+    multiply(u, r);
+    for (std::size_t k = 0; k < constraints_.unknowns.size(); ++k) {
+      const Index v = constraints_.unknowns.vertices[k];
+      Eigen::Map<Vector3d> r_k(r.data() + 3 * k);
+      r_k = constraints_.W[k] * (wanted[v] - u[v]) - r_k;
+      if (!forces.empty()) r_k += Eigen::Map<const Vector3d>(forces.data() + 3 * k);
+    }
+    relative = norm(r) / size;
+    if (!(relative > kGoodResidual) || step == kMostRefinements) return relative;
+    solve_in_place(r, 1);
+    for (std::size_t k = 0; k < constraints_.unknowns.size(); ++k) {
+      u[constraints_.unknowns.vertices[k]] += Eigen::Map<const Vector3d>(r.data() + 3 * k);
+    }
+  }
+}
+
+}  // namespace lapwing

@@ -1,0 +1,69 @@
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "lapwing/base/parallel.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/laplacian/ring_fit.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// F^-1 for the lower Cholesky factor F of K, positive semidefinite. A pivot of next to nothing, as
+// a ring on a line has, leaves a row of zeros.
+Matrix3d inverse_cholesky_factor(const Matrix3d& K) {
+  const double least = kCollinearShare * K.trace();
+  Matrix3d F = Matrix3d::Zero();
+  Matrix3d inverse = Matrix3d::Zero();
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    const double pivot = K(c, c) - F.row(c).head(c).squaredNorm();
+    if (!(pivot > least)) continue;
+    F(c, c) = std::sqrt(pivot);
+    for (Eigen::Index r = c + 1; r < 3; ++r) {
+      F(r, c) = (K(r, c) - F.row(r).head(c).dot(F.row(c).head(c))) / F(c, c);
+    }
+    inverse(c, c) = 1.0 / F(c, c);
+    inverse.row(c).head(c) = -F.row(c).head(c) * inverse.topLeftCorner(c, c) / F(c, c);
+  }
+  return inverse;
+}
+
+void assemble_row(const EnergyProblem& problem, Index i, double* out) {
+  const auto& [v, rings, weights, rows] = problem.rings;
+  const auto ring = rings[i];
+  const double om = problem.row_weights[i];
+  const double* w = weights.data() + rings.starts[i];
+  const double* k = problem.stiffness.data() + rings.starts[i];
+  Vector3d delta = Vector3d::Zero();
+  for (std::size_t n = 0; n < ring.size(); ++n) delta += w[n] * (v[i] - v[ring[n]]);
+  Matrix3d C = om * delta * delta.transpose();
+  for (std::size_t n = 0; n < ring.size(); ++n) {
+    const Vector3d e = v[i] - v[ring[n]];
+    C += k[n] * e * e.transpose();
+  }
+  const Matrix3d inverse_F = inverse_cholesky_factor(C.trace() * Matrix3d::Identity() - C);
+  Vector3d sum = Vector3d::Zero();  // of what stands in the brackets of the ring's blocks
+  for (std::size_t n = 0; n < ring.size(); ++n) {
+    const Vector3d arm = k[n] * (v[i] - v[ring[n]]) + om * w[n] * delta;
+    Eigen::Map<Matrix3d>(out + 9 * (n + 1)).noalias() = -inverse_F * cross_matrix(arm);
+    sum += arm;
+  }
+  Eigen::Map<Matrix3d>(out).noalias() = inverse_F * cross_matrix(sum);
+}
+
+}  // namespace
+
+void CpuKernels::assemble_tangent(const EnergyProblem& problem, std::span<double> blocks) {
+  const auto starts = rsi_block_starts(problem.rings);
+  constexpr std::size_t kRowsPerTask = 512;
+  parallel_for(problem.rings.rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      assemble_row(problem, problem.rings.rows[r], blocks.data() + 9 * starts[r]);
+    }
+  });
+}
+
+}  // namespace lapwing

@@ -1,0 +1,78 @@
+#include "lapwing/laplacian/energy_weights.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/parallel.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// A region of triangles this much smaller than usual, or without area, counts as that: the weight
+// of a row must stay a number that sums with others.
+constexpr double kSmallestAreaShare = 1e-3;
+
+// The weight of an edge between equilateral triangles, and the sum of six around a vertex.
+constexpr double kRegularWeight = std::numbers::inv_sqrt3;
+constexpr double kRegularSum = 6.0 * kRegularWeight;
+
+double ring_area(Index i, const Topology& topology, std::span<const Vector3d> positions) {
+  double area = 0.0;
+  for (const Index t : topology.vertex_triangles[i]) {
+    const Triangle& c = topology.triangles[t];
+    area += (positions[c[1]] - positions[c[0]]).cross(positions[c[2]] - positions[c[0]]).norm();
+  }
+  return area / 6.0;
+}
+
+// Of i or of its neighbours on average, whichever is larger.
+double area_around(Index i, const Adjacency& rings, std::span<const double> areas) {
+  const auto ring = rings[i];
+  double sum = 0.0;
+  for (const Index j : ring) sum += areas[j];
+  return ring.empty() ? areas[i] : std::max(areas[i], sum / static_cast<double>(ring.size()));
+}
+
+std::vector<double> row_weights(const Topology& topology, std::span<const Vector3d> rest,
+                                std::span<const Index> roi) {
+  constexpr std::size_t kRowsPerTask = 2048;
+  std::vector<double> areas(rest.size());
+  parallel_for(rest.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      areas[i] = ring_area(static_cast<Index>(i), topology, rest);
+    }
+  });
+  double sum = 0.0;
+  for (const Index i : roi) sum += areas[i];
+  const double mean = sum / static_cast<double>(roi.size());
+  std::vector<double> rows(rest.size(), 1.0);
+  if (!(mean > 0.0)) return rows;
+  for (const Index i : roi) {
+    rows[i] = mean / std::max(area_around(i, topology.rings, areas), kSmallestAreaShare * mean);
+  }
+  return rows;
+}
+
+}  // namespace
+
+EnergyWeights energy_weights(const Topology& topology, std::span<const Vector3d> rest,
+                             std::span<const Index> roi, const EnergyTerms& terms) {
+  EnergyWeights weights;
+  weights.laplacian = laplacian_weights(topology, rest, terms.weights);
+  if (!(terms.detail_length > 0.0)) return weights;
+  weights.rows = row_weights(topology, rest, roi);
+  weights.stiffness = cotangent_sums(topology, rest);
+  const double mu = 1.0 / (static_cast<double>(roi.size()) * kRegularSum * terms.detail_length *
+                           terms.detail_length);
+  for (double& k : weights.stiffness) {
+    const double weight = std::max(0.5 * k, kSmallestCotangentShare * kRegularWeight);
+    k = mu / (2.0 * kRegularSum) * weight;
+  }
+  return weights;
+}
+
+}  // namespace lapwing

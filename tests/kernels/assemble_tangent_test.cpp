@@ -1,0 +1,150 @@
+#include <random>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "kernels/awkward_meshes.h"
+#include "kernels/twins.h"
+#include "lapwing/laplacian/energy_weights.h"
+#include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using test::Sample;
+
+struct Weighted {
+  explicit Weighted(const Sample& of)
+      : sample(of),
+        weights(energy_weights(of.topology, of.mesh.positions, of.vertices,
+                               {LaplacianWeights::cotangent, 0.1})) {}
+  EnergyProblem problem() const {
+    return {{sample.mesh.positions, sample.topology.rings, weights.laplacian, sample.vertices},
+            weights.rows,
+            weights.stiffness};
+  }
+  const Sample& sample;
+  EnergyWeights weights;
+};
+
+class AssembleTangent : public test::KernelTest {
+ protected:
+  static std::vector<double> assemble(Kernels& on, const EnergyProblem& problem) {
+    std::vector<double> blocks(9 * rsi_block_starts(problem.rings).back());
+    on.assemble_tangent(problem, blocks);
+    return blocks;
+  }
+};
+
+// Of what the blocks do, which the sign and turn of a Cholesky factor do not change: G'G row by
+// row, each against its own size.
+TEST_P(AssembleTangent, AgreesWithTheCpuTwin) {
+  CpuKernels cpu;
+  for (const Sample& sample : test::awkward_meshes()) {
+    if (sample.vertices.empty()) continue;
+    const Weighted weighted(sample);
+    const EnergyProblem problem = weighted.problem();
+    const auto starts = rsi_block_starts(problem.rings);
+    const auto expected = assemble(cpu, problem);
+    const auto got = assemble(*kernels, problem);
+    for (std::size_t r = 0; r + 1 < starts.size(); ++r) {
+      const auto columns = static_cast<Eigen::Index>(3 * (starts[r + 1] - starts[r]));
+      const Eigen::Map<const MatrixXd> a(expected.data() + 9 * starts[r], 3, columns);
+      const Eigen::Map<const MatrixXd> b(got.data() + 9 * starts[r], 3, columns);
+      const MatrixXd square = a.transpose() * a;
+      EXPECT_TRUE(b.allFinite()) << sample.name << " row " << r;
+      EXPECT_LE((b.transpose() * b - square).norm(), 300.0 * GetParam().tolerance * square.norm())
+          << sample.name << " row " << r;
+    }
+  }
+}
+
+TEST_P(AssembleTangent, RepeatsBitForBit) {
+  const Sample sample("rough sphere", test::rough_sphere(3, 0.2, 13));
+  const Weighted weighted(sample);
+  EXPECT_EQ(assemble(*kernels, weighted.problem()), assemble(*kernels, weighted.problem()));
+}
+
+LAPWING_ON_ALL_TWINS(AssembleTangent);
+
+// The tangent of a whole sphere, dense.
+class TangentOfASphere : public ::testing::Test {
+ protected:
+  TangentOfASphere() {
+    const Unknowns unknowns(sample_.vertices, sample_.vertices.size());
+    const SystemPattern pattern(sample_.topology, sample_.vertices, unknowns);
+    LaplacianSystem laplacian(sample_.topology, sample_.vertices, unknowns, pattern);
+    laplacian.assemble(sample_.mesh.positions, {LaplacianWeights::cotangent, 0.1});
+    laplacian.analyze();
+    laplacian.make_rings(sample_.mesh.positions);
+    rings_ = laplacian.rings();
+    const Weighted weighted(sample_);
+    BlockRows G = rsi_rows(sample_.topology.rings, sample_.vertices);
+    CpuKernels kernels;
+    kernels.assemble_tangent(weighted.problem(), G.values);
+    const BlockMatrix H = pattern.normal().reduced_matrix(laplacian.unheld_matrix(), G);
+    const auto n = static_cast<Eigen::Index>(3 * sample_.vertices.size());
+    dense_ = MatrixXd::Zero(n, n);
+    for (std::size_t c = 0; c < H.pattern->size(); ++c) {
+      for (std::size_t e = H.pattern->starts[c]; e < H.pattern->starts[c + 1]; ++e) {
+        const auto r = static_cast<Eigen::Index>(3 * H.pattern->rows[e]);
+        const auto column = static_cast<Eigen::Index>(3 * c);
+        const Eigen::Map<const Eigen::Matrix3d> block(H.block(e).data());
+        dense_.block<3, 3>(r, column) = block;
+        dense_.block<3, 3>(column, r) = block.transpose();
+      }
+    }
+  }
+
+  Sample sample_{"rough sphere", test::rough_sphere(2, 0.1, 21)};
+  RegionRings rings_;
+  MatrixXd dense_;
+};
+
+TEST_F(TangentOfASphere, IsPositiveSemidefiniteAndKnowsRigidMotionsAlone) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(dense_, Eigen::EigenvaluesOnly);
+  const VectorXd values = eigen.eigenvalues();
+  const double largest = values[values.size() - 1];
+  EXPECT_GE(values[0], -1e-13 * largest);
+  EXPECT_LE(values[5], 1e-13 * largest);
+  EXPECT_GE(values[6], 1e-9 * largest);
+  for (int k = 0; k < 6; ++k) {
+    VectorXd u(dense_.rows());
+    for (std::size_t v = 0; v < sample_.mesh.vertex_count(); ++v) {
+      const Vector3d axis = Vector3d::Unit(k % 3);
+      u.segment<3>(static_cast<Eigen::Index>(3 * v)) =
+          k < 3 ? axis : Vector3d(axis.cross(sample_.mesh.positions[v]));
+    }
+    EXPECT_LE((dense_ * u).norm(), 1e-12 * largest * u.norm());
+  }
+}
+
+// Rotations follow: what settling sees of a small displacement is what the tangent says of it.
+TEST_F(TangentOfASphere, IsTheEnergyToSecondOrder) {
+  CpuKernels kernels;
+  const auto rotations = kernels.make_ring_rotations(rings_);
+  std::vector<double> energies(rings_.row_count());
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  VectorXd u(dense_.rows());
+  for (double& number : u) number = uniform(generator);
+  const double expected = u.dot(dense_ * u);
+  for (const double size : {1e-3, 1e-4}) {
+    std::vector<Vector3d> displacement;
+    for (const Index v : rings_.vertices) {
+      displacement.emplace_back(size * u.segment<3>(static_cast<Eigen::Index>(3 * v)));
+    }
+    rotations->fit_rotations(displacement, energies);
+    double energy = 0.0;
+    for (const double e : energies) energy += e;
+    EXPECT_NEAR(energy / (size * size), expected, 20.0 * size * expected);
+  }
+}
+
+}  // namespace
+}  // namespace lapwing

@@ -1,0 +1,142 @@
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "kernels/turned_rings.h"
+#include "kernels/twins.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using test::Sample;
+using test::TurnedRings;
+
+struct Gradient {
+  std::vector<Matrix3d> transforms;
+  double energy = 0.0;
+  std::vector<double> g;
+};
+
+class EnergyGradient : public test::KernelTest {
+ protected:
+  static Gradient gradient(Kernels& on, const TurnedRings& turned) {
+    const auto rotations = on.make_ring_rotations(turned.rings);
+    std::vector<double> scales(turned.rings.row_count());
+    for (std::size_t r = 0; r < scales.size(); ++r)
+      scales[r] = 1.0 + 0.1 * static_cast<double>(r % 3);
+    rotations->set_scales(scales);
+    std::vector<double> energies(turned.rings.row_count());
+    rotations->fit_rotations(turned.displacement, energies);
+    Gradient result{rotations->transforms(), std::accumulate(energies.begin(), energies.end(), 0.0),
+                    std::vector<double>(3 * turned.rings.unknown_rows.size())};
+    rotations->energy_gradient(result.g);
+    return result;
+  }
+};
+
+// As the energy reads, row by row in place of unknown by unknown: what each row's terms add is
+// scattered to the vertices of its ring.
+std::vector<double> scattered(const TurnedRings& turned, const std::vector<Matrix3d>& T) {
+  const RegionRings& rings = turned.rings;
+  std::vector<Vector3d> sum(rings.vertices.size(), Vector3d::Zero());
+  for (std::size_t r = 0; r < rings.row_count(); ++r) {
+    const Vector3d row =
+        rings.row_weights[r] * (turned.moved_laplacian(r) - T[r] * turned.rest_laplacian(r));
+    sum[r] += row;
+    for (std::size_t e = rings.starts[r]; e < rings.starts[r + 1]; ++e) {
+      const Index j = rings.neighbours[e];
+      sum[j] -= rings.weights[e] * row;
+      if (rings.stiffness.empty()) continue;
+      const Vector3d pull = rings.stiffness[e] * (T[r] * rings.edges[e] - turned.moved_edge(r, e));
+      sum[r] += pull;
+      sum[j] -= pull;
+    }
+  }
+  const std::size_t n = rings.unknown_rows.size();
+  std::vector<double> g(3 * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      g[axis * n + k] = sum[rings.unknown_rows[k]][static_cast<Eigen::Index>(axis)];
+    }
+  }
+  return g;
+}
+
+double longest_edge(const TurnedRings& turned) {
+  double size = 1e-300;
+  for (const Vector3d& edge : turned.rings.edges) size = std::max(size, edge.norm());
+  return size;
+}
+
+TEST_P(EnergyGradient, GathersWhatEveryRowScatters) {
+  for (const Sample& sample : test::awkward_meshes()) {
+    for (const double mu : {0.0, 0.7}) {
+      const TurnedRings turned = test::turned_rings(sample, 100, 0.2, mu, 11);
+      const Gradient result = gradient(*kernels, turned);
+      const std::vector<double> expected = scattered(turned, result.transforms);
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        EXPECT_NEAR(result.g[k], expected[k], 100.0 * GetParam().tolerance * longest_edge(turned))
+            << sample.name << " mu " << mu;
+      }
+    }
+  }
+}
+
+// The rotations are the best ones, so that they may be held.
+TEST(EnergyGradientOnTheCpu, IsHalfOfTheChangeOfTheEnergy) {
+  CpuKernels kernels;
+  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 15));
+  TurnedRings turned = test::turned_rings(sample, 40, 0.3, 0.3, 16);
+  const auto rotations = kernels.make_ring_rotations(turned.rings);
+  std::vector<double> energies(turned.rings.row_count());
+  const auto energy = [&] {
+    rotations->fit_rotations(turned.displacement, energies);
+    return std::accumulate(energies.begin(), energies.end(), 0.0);
+  };
+  energy();
+  const std::size_t n = turned.rings.unknown_rows.size();
+  std::vector<double> g(3 * n);
+  rotations->energy_gradient(g);
+  constexpr double kStep = 1e-5;
+  for (std::size_t k = 0; k < n; k += 5) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double& coordinate =
+          turned.displacement[turned.rings.unknown_rows[k]][static_cast<Eigen::Index>(axis)];
+      const double at = coordinate;
+      coordinate = at + kStep;
+      const double above = energy();
+      coordinate = at - kStep;
+      const double below = energy();
+      coordinate = at;
+      EXPECT_NEAR(2.0 * g[axis * n + k], (above - below) / (2.0 * kStep), 1e-7);
+    }
+  }
+}
+
+TEST_P(EnergyGradient, IsNothingAtRest) {
+  for (const Sample& sample : test::awkward_meshes()) {
+    TurnedRings turned = test::turned_rings(sample, 0, 0.0, 0.5, 12);
+    for (Vector3d& u : turned.displacement) u.setZero();
+    const auto rotations = kernels->make_ring_rotations(turned.rings);
+    std::vector<double> energies(turned.rings.row_count());
+    rotations->fit_rotations(turned.displacement, energies);
+    std::vector<double> gradient(3 * turned.rings.unknown_rows.size());
+    rotations->energy_gradient(gradient);
+    for (const double g : gradient) {
+      EXPECT_LE(std::abs(g), 20.0 * GetParam().tolerance * longest_edge(turned)) << sample.name;
+    }
+  }
+}
+
+TEST_P(EnergyGradient, RepeatsBitForBit) {
+  const Sample sample("rough sphere", test::rough_sphere(3, 0.2, 13));
+  const TurnedRings turned = test::turned_rings(sample, 100, 0.3, 0.1, 14);
+  EXPECT_EQ(gradient(*kernels, turned).g, gradient(*kernels, turned).g);
+}
+
+LAPWING_ON_ALL_TWINS(EnergyGradient);
+
+}  // namespace
+}  // namespace lapwing
