@@ -41,6 +41,22 @@ TEST_F(CommandLine, LargeTurnIsWarnedAboutOrCommittedOnTheWay) {
   EXPECT_EQ(lapwing(turn + "--commit-every 200").exit_code, 3);
 }
 
+TEST_F(CommandLine, StrictTellsTheShellOfAResultWithWarningsAndWritesItAllTheSame) {
+  const std::string good = std::string(kLiftFlags) + "--device cpu --strict ";
+  EXPECT_EQ(lapwing(good + "--save a.obj").exit_code, 0);
+  const std::string cut_short = std::string(kLiftFlags) +
+                                "--rotate 1,0,0,80 --max-iterations 1 --device cpu --save b.obj "
+                                "--report b.json ";
+  const Outcome told = lapwing(cut_short);
+  EXPECT_EQ(told.exit_code, 0) << told.output;
+  EXPECT_THAT(told.output, HasSubstr("not settled after 1 iterations"));
+  EXPECT_THAT(read("b.json"), HasSubstr("not settled after 1 iterations"));
+  const std::string written = read("b.obj");
+  const Outcome strict = lapwing(cut_short + "--strict");
+  EXPECT_EQ(strict.exit_code, 4) << strict.output;
+  EXPECT_EQ(read("b.obj"), written);
+}
+
 TEST_F(CommandLine, ReportHoldsEveryVertexWhenAsked) {
   const std::string report = std::string(kLiftFlags) + "--device cpu --report a.json ";
   ASSERT_EQ(lapwing(report).exit_code, 0);

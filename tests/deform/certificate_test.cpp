@@ -63,6 +63,36 @@ TEST(Certificate, NamesTheEdgeThatIsStretchedMost) {
               ::testing::ElementsAre(std::min(7U, end), std::max(7U, end)));
 }
 
+TEST(Certificate, WhatTheHandlesAskForIsNoStretch) {
+  const Sphere sphere;
+  Positions grown = sphere.mesh.positions;
+  for (auto& p : grown) p *= 4.0;
+  const std::vector<double> asked(grown.size(), 4.0);
+  Certificate c;
+  measure_shape(sphere.all, sphere.topology, sphere.mesh.positions, grown, c, asked);
+  EXPECT_LT(c.largest_edge_stretch, 1e-12);
+  EXPECT_NEAR(c.largest_scale, 4.0, 1e-12);
+  EXPECT_THAT(warnings_of(c), ::testing::IsEmpty());
+}
+
+TEST(Certificate, WarnsOfWhatIsNotSettledFlippedOrFarTooLong) {
+  EXPECT_THAT(warnings_of({}), ::testing::IsEmpty());
+  Certificate c;
+  c.settled = false;
+  c.settle_iterations = 200;
+  c.flipped_triangles = 2;
+  c.first_flipped_triangles = {7, 9};
+  c.largest_edge_stretch = 2.5;
+  c.largest_edge_stretch_vertices = {3, 8};
+  using ::testing::HasSubstr;
+  EXPECT_THAT(warnings_of(c),
+              ::testing::ElementsAre(HasSubstr("not settled after 200 iterations"),
+                                     HasSubstr("2 triangles are flipped, the first 7"),
+                                     HasSubstr("from vertex 3 to 8 became 3.5 times as long")));
+  c.largest_edge_stretch = 1.9;
+  EXPECT_EQ(warnings_of(c).size(), 2U);
+}
+
 TEST(Certificate, FailsOnWhatIsNotFiniteAndOnALargeResidual) {
   const Sphere sphere;
   Positions broken = sphere.mesh.positions;

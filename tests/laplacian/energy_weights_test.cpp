@@ -1,0 +1,100 @@
+#include "lapwing/laplacian/energy_weights.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "lapwing/laplacian/laplacian_system.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/subdivide.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr EnergyTerms kTerms{LaplacianWeights::cotangent, 0.1};
+
+std::vector<Index> all_vertices(const Mesh& mesh) {
+  std::vector<Index> all(mesh.vertex_count());
+  for (Index v = 0; v < all.size(); ++v) all[v] = v;
+  return all;
+}
+
+// The energy of a smooth field over a whole mesh, per vertex: rows and edges.
+struct Energies {
+  double rows = 0.0;
+  double edges = 0.0;
+};
+template <typename Field>
+Energies energies_of(const Mesh& mesh, const Field& field) {
+  const Topology topology = build_topology(mesh);
+  const EnergyWeights weights =
+      energy_weights(topology, mesh.positions, all_vertices(mesh), kTerms);
+  Energies sum;
+  for (Index i = 0; i < mesh.vertex_count(); ++i) {
+    Vector3d L = Vector3d::Zero();
+    for (std::size_t e = topology.rings.starts[i]; e < topology.rings.starts[i + 1]; ++e) {
+      const Vector3d difference =
+          field(mesh.positions[i]) - field(mesh.positions[topology.rings.values[e]]);
+      L += weights.laplacian[e] * difference;
+      sum.edges += weights.stiffness[e] * difference.squaredNorm();
+    }
+    sum.rows += weights.rows[i] * L.squaredNorm();
+  }
+  return sum;
+}
+
+// Of a field whose Laplacian is not 0 on a sphere.
+Vector3d wave(const Vector3d& p) {
+  return {std::sin(2.0 * p.x()), std::cos(2.0 * p.y()), 0.0};
+}
+
+// Both terms are integrals, over the same number for every mesh of the surface.
+TEST(EnergyWeights, RefiningTheMeshKeepsTheRatioOfRowsAndEdges) {
+  const Energies coarse = energies_of(icosphere(3), wave);
+  const Energies fine = energies_of(icosphere(4), wave);
+  EXPECT_NEAR(coarse.rows / coarse.edges, fine.rows / fine.edges, 0.05 * fine.rows / fine.edges);
+}
+
+TEST(EnergyWeights, StiffnessIsTheSameFromBothEndsAndPositive) {
+  const Mesh mesh = rippled_cylinder(24, 31);
+  const Topology topology = build_topology(mesh);
+  const EnergyWeights weights =
+      energy_weights(topology, mesh.positions, all_vertices(mesh), kTerms);
+  const Adjacency& rings = topology.rings;
+  for (Index i = 0; i < mesh.vertex_count(); ++i) {
+    for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+      const Index j = rings.values[e];
+      const auto back = std::lower_bound(rings[j].begin(), rings[j].end(), i) - rings[j].begin();
+      EXPECT_GT(weights.stiffness[e], 0.0);
+      EXPECT_DOUBLE_EQ(weights.stiffness[e],
+                       weights.stiffness[rings.starts[j] + static_cast<std::size_t>(back)]);
+    }
+  }
+}
+
+TEST(EnergyWeights, WithoutADetailLengthTheyAreLaplaciansAlone) {
+  const Mesh mesh = icosphere(1);
+  const Topology topology = build_topology(mesh);
+  const EnergyWeights weights = energy_weights(topology, mesh.positions, all_vertices(mesh),
+                                               {LaplacianWeights::uniform, 0.0});
+  EXPECT_TRUE(weights.rows.empty());
+  EXPECT_TRUE(weights.stiffness.empty());
+  EXPECT_EQ(weights.laplacian,
+            laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform));
+}
+
+TEST(EnergyWeights, OfTrianglesWithoutAreaAreFinite) {
+  Mesh mesh = grid(4, 4);
+  for (Vector3d& p : mesh.positions) p.y() = 0.0;
+  const Topology topology = build_topology(mesh);
+  const EnergyWeights weights =
+      energy_weights(topology, mesh.positions, all_vertices(mesh), kTerms);
+  for (const double w : weights.rows) EXPECT_TRUE(std::isfinite(w));
+  for (const double w : weights.stiffness) EXPECT_TRUE(std::isfinite(w) && w > 0.0);
+}
+
+}  // namespace
+}  // namespace lapwing
