@@ -37,7 +37,8 @@ bool PoseTangent::take_memory() {
   if (factor_ != nullptr) return true;
   auto factor = std::make_unique<HeldFactor>(pattern_, 3, SolverKind::automatic);
   factor->analyze();
-  const std::size_t blocks = pattern_.blocks().rows.size() + 2 * turned_.columns.size();
+  std::size_t blocks = pattern_.blocks().rows.size();  // of the matrix, and of G at rest and turned
+  for (const Index v : roi_) blocks += 2 * (1 + topology_.rings.size(v));
   const std::size_t bytes = 9 * sizeof(double) * blocks + factor->solver().statistics().peak_bytes;
   if (bytes > allowed_memory(memory_limit_)) return false;
   factor_ = std::move(factor);
