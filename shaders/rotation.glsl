@@ -95,7 +95,9 @@ real4 nearest_rotation(real3x3 given) {
   if (cofactors <= kRankOneShare * kRankOneShare) return rotation_of_line(H);
 
   // Newton's method goes down to the largest root of the characteristic polynomial.
-  const int kMostSteps = 12;
+  // As kMostNewtonSteps of the twin: where two roots are close, as a ring that is nearly a line has
+  // them, every step halves the way, and 20 of them lead to kSmallestGap.
+  const int kMostSteps = 40;
   const real b = -8 * dot(H[0], u);
   const real c = 1 - 4 * cofactors;
   real l = sqrt(real(3));

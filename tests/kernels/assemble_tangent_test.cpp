@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include "kernels/awkward_meshes.h"
@@ -13,6 +14,7 @@
 namespace lapwing {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
@@ -60,6 +62,55 @@ TEST_P(AssembleTangent, AgreesWithTheCpuTwin) {
       EXPECT_TRUE(b.allFinite()) << sample.name << " row " << r;
       EXPECT_LE((b.transpose() * b - square).norm(), 300.0 * GetParam().tolerance * square.norm())
           << sample.name << " row " << r;
+    }
+  }
+}
+
+// |G_i u|^2 = a_i' K_i^-1 a_i, for rings on a line with the pseudo-inverse.
+TEST_P(AssembleTangent, RowsTakeAwayWhatTurningTheRingSaves) {
+  std::mt19937 generator(6);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const Sample& sample : test::awkward_meshes()) {
+    if (sample.vertices.empty()) continue;
+    const Weighted weighted(sample);
+    const EnergyProblem problem = weighted.problem();
+    const auto starts = rsi_block_starts(problem.rings);
+    const auto blocks = assemble(*kernels, problem);
+    const Adjacency& rings = sample.topology.rings;
+    const Positions& v = sample.mesh.positions;
+    std::vector<Vector3d> u(v.size());
+    for (Vector3d& vector : u) vector = Vector3d::NullaryExpr([&] { return uniform(generator); });
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const auto ring = rings[static_cast<Index>(i)];
+      const double om = problem.row_weights[i];
+      const double* w = problem.rings.weights.data() + rings.starts[i];
+      const double* k = problem.stiffness.data() + rings.starts[i];
+      const Eigen::Map<const Matrix3d> own(blocks.data() + 9 * starts[i]);
+      Vector3d row = own * u[i];
+      Vector3d delta = Vector3d::Zero();
+      Vector3d moved = Vector3d::Zero();
+      for (std::size_t n = 0; n < ring.size(); ++n) {
+        delta += w[n] * (v[i] - v[ring[n]]);
+        moved += w[n] * (u[i] - u[ring[n]]);
+      }
+      Matrix3d C = om * delta * delta.transpose();
+      Vector3d a = om * delta.cross(moved);
+      double held = om * moved.squaredNorm();  // the energy with the rotation held
+      for (std::size_t n = 0; n < ring.size(); ++n) {
+        const Vector3d e = v[i] - v[ring[n]];
+        const Vector3d difference = u[i] - u[ring[n]];
+        C += k[n] * e * e.transpose();
+        a += k[n] * e.cross(difference);
+        held += k[n] * difference.squaredNorm();
+        row += Eigen::Map<const Matrix3d>(own.data() + 9 * (n + 1)) * u[ring[n]];
+      }
+      Eigen::CompleteOrthogonalDecomposition<Matrix3d> K;
+      K.setThreshold(1e-9);
+      K.compute(C.trace() * Matrix3d::Identity() - C);
+      const double saved = C.trace() > 0.0 ? a.dot(K.solve(a)) : 0.0;
+      EXPECT_LE(saved, held * (1.0 + 1e-12)) << sample.name << " row " << i;
+      EXPECT_NEAR(row.squaredNorm(), saved, 300.0 * GetParam().tolerance * held)
+          << sample.name << " row " << i;
     }
   }
 }

@@ -1,5 +1,7 @@
+#include <numbers>
 #include <numeric>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "kernels/turned_rings.h"
@@ -126,6 +128,52 @@ TEST_P(EnergyGradient, IsNothingAtRest) {
     rotations->energy_gradient(gradient);
     for (const double g : gradient) {
       EXPECT_LE(std::abs(g), 20.0 * GetParam().tolerance * longest_edge(turned)) << sample.name;
+    }
+  }
+}
+
+// v' = s R v + t, the scale s asked for.
+TEST_P(EnergyGradient, IsNothingWithTheEnergyForRigidMotionsAndSimilaritiesOfThatScale) {
+  for (const Sample& sample : test::awkward_meshes()) {
+    for (const double scale : {1.0, 0.4, 2.5}) {
+      TurnedRings turned = test::turned_rings(sample, 0, 0.0, 0.5, 17);
+      const Vector3d center = bounds_of(sample.mesh.positions).center();
+      const double size = longest_edge(turned);
+      const Matrix3d T =
+          scale *
+          Eigen::AngleAxisd(0.6 * std::numbers::pi, test::turning_axis()).toRotationMatrix();
+      for (std::size_t v = 0; v < turned.displacement.size(); ++v) {
+        const Vector3d arm = sample.mesh.positions[turned.rings.vertices[v]] - center;
+        turned.displacement[v] = T * arm - arm + size * Vector3d(2, -1, 3);
+      }
+      const auto rotations = kernels->make_ring_rotations(turned.rings);
+      rotations->set_scales(std::vector<double>(turned.rings.row_count(), scale));
+      std::vector<double> energies(turned.rings.row_count());
+      rotations->fit_rotations(turned.displacement, energies);
+      const double tolerance = 100.0 * GetParam().tolerance * size;
+      for (const double energy : energies) {
+        EXPECT_GE(energy, 0.0);
+        EXPECT_LE(energy, tolerance * tolerance) << sample.name << " scale " << scale;
+      }
+      std::vector<double> gradient(3 * turned.rings.unknown_rows.size());
+      rotations->energy_gradient(gradient);
+      for (const double g : gradient) {
+        EXPECT_LE(std::abs(g), tolerance) << sample.name << " scale " << scale;
+      }
+    }
+  }
+}
+
+// Where every ring holds its rotation.
+TEST_P(EnergyGradient, AgreesWithTheCpuTwin) {
+  CpuKernels cpu;
+  for (const unsigned seed : {18U, 19U}) {
+    const Sample sample("rough sphere", test::rough_sphere(3, 0.05, seed));
+    const TurnedRings turned = test::turned_rings(sample, 100, 0.2, 0.7, seed);
+    const Gradient expected = gradient(cpu, turned);
+    const Gradient got = gradient(*kernels, turned);
+    for (std::size_t k = 0; k < expected.g.size(); ++k) {
+      EXPECT_NEAR(got.g[k], expected.g[k], 10.0 * GetParam().tolerance * longest_edge(turned));
     }
   }
 }

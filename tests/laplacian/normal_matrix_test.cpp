@@ -61,13 +61,15 @@ System half_of_a_torus() {
 
 Eigen::MatrixXd dense(const BlockMatrix& N) {
   const auto n = static_cast<Eigen::Index>(N.scalar_size());
+  const Eigen::Index size = N.block_size;
   Eigen::MatrixXd D = Eigen::MatrixXd::Zero(n, n);
   for (std::size_t c = 0; c < N.pattern->size(); ++c) {
     for (std::size_t e = N.pattern->starts[c]; e < N.pattern->starts[c + 1]; ++e) {
       const auto r = static_cast<Eigen::Index>(N.pattern->rows[e]);
-      const Eigen::Map<const Eigen::Matrix3d> block(N.values.data() + 9 * e);
-      D.block<3, 3>(3 * r, 3 * static_cast<Eigen::Index>(c)) = block;
-      D.block<3, 3>(3 * static_cast<Eigen::Index>(c), 3 * r) = block.transpose();
+      const auto column = static_cast<Eigen::Index>(c);
+      const Eigen::Map<const Eigen::MatrixXd> block(N.block(e).data(), size, size);
+      D.block(size * r, size * column, size, size) = block;
+      D.block(size * column, size * r, size, size) = block.transpose();
     }
   }
   return D;
@@ -98,6 +100,27 @@ TEST(NormalMatrix, IsTheSameInMemoryThatHeldAnother) {
     const BlockMatrix N = pattern.normal_matrix(system.M, {}, Numbers(size, 7.0));
     EXPECT_EQ(N.values, expected.values) << size;
   }
+}
+
+TEST(NormalMatrix, ReducedMatrixIsTheScalarOneForEachAxisLessTheSparseProduct) {
+  const System system = half_of_a_torus();
+  const NormalPattern pattern(system.M, system.unknowns);
+  const auto weights =
+      laplacian_weights(system.topology, system.mesh.positions, LaplacianWeights::cotangent);
+  const BlockRows L = laplacian_rows(system.topology.rings, weights, system.rows);
+  const BlockMatrix A = pattern.normal_matrix(L);
+  const Sparse S = system.sparse();
+  Eigen::MatrixXd expected = -Eigen::MatrixXd(S.transpose() * S);
+  const Eigen::MatrixXd scalar = dense(A);
+  for (Eigen::Index c = 0; c < scalar.cols(); ++c) {
+    for (Eigen::Index r = 0; r < scalar.rows(); ++r) {
+      expected.block<3, 3>(3 * r, 3 * c).diagonal().array() += scalar(r, c);
+    }
+  }
+  const BlockMatrix N = pattern.reduced_matrix(A, system.M);
+  EXPECT_LT((dense(N) - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
+  EXPECT_EQ(pattern.reduced_matrix(A, system.M, Numbers(2 * N.values.size(), 7.0)).values,
+            N.values);
 }
 
 TEST(NormalMatrix, ProductsWithMAndItsTransposeMatchTheSparseOnes) {

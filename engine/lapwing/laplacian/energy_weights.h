@@ -37,8 +37,8 @@ struct EnergyWeights {
 ///     k_ij = mu c_ij / (2 * 2 sqrt(3)),   mu = 1 / (n * 2 sqrt(3) * detail_length^2),
 /// n the vertices of the region, c_ij half of cotangent_sums made positive (kSmallestCotangentShare
 /// of a regular triangulation's 1 / sqrt(3), whose 6 around a vertex sum to 2 sqrt(3)). A ring
-/// smaller than the mean does not count for more: where triangles are tiny and thin, Laplacians so
-/// firm would fold them. Linear time.
+/// smaller than those around it counts as one of their size: Laplacians as firm as a single tiny
+/// ring would have fold its triangles. Linear time.
 EnergyWeights energy_weights(const Topology& topology, std::span<const Eigen::Vector3d> rest,
                              std::span<const Index> roi, const EnergyTerms& terms);
 
