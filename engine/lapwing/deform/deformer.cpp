@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/drag_preview.h"
+#include "lapwing/deform/dragged_surface.h"
 #include "lapwing/deform/edit_system.h"
 #include "lapwing/deform/handle_shares.h"
 #include "lapwing/deform/pose_tangent.h"
+#include "lapwing/deform/response_basis.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -68,21 +71,16 @@ struct Deformer::State {
   std::unique_ptr<PoseTangent> tangent;  ///< null without settling, as the next
   std::unique_ptr<Settler> settler;
   std::unique_ptr<HandleShares> shares;
-  std::vector<double> weights;        ///< of the Laplacians that certificates measure
-  Numbers response;                   ///< columns as in SurfaceInput::basis, or axis_response
-  std::vector<Numbers> scale_forces;  ///< per handle, as in ResponseSystem; none of the RSI system
+  std::vector<double> weights;  ///< of the Laplacians that certificates measure
+  Numbers response;             ///< columns as in SurfaceInput::basis, or axis_response
+  ScaleForces scale_forces;     ///< none of the RSI system
   std::string why_not_exact;
-  std::vector<double> parameters;  ///< of the frame at hand
-  std::vector<double> base;        ///< parameters of the pose that drags begin from
-  std::unique_ptr<DeformedSurface> surface;
+  std::optional<DraggedSurface> surface;  ///< from the end of the preparation on
 
   bool hold_response(const Progress& progress);
-  void find_scale_forces();
-  void compute_response(const Progress& progress);
   void make_surface();
   void make_settler(Kernels& on);
   std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
-  Numbers forces(std::span<const double> q) const;
   std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
 };
 
@@ -98,110 +96,21 @@ bool Deformer::State::hold_response(const Progress& progress) {
   return true;
 }
 
-// What pulls at the unknowns at rest where the scale that a handle asks for grows: of s_h = 1 + t,
-// t times minus half of the gradient of E.
-void Deformer::State::find_scale_forces() {
-  const EditSystem& s = *system;
-  const EnergyWeights& energy = s.systems->laplacian().weights();
-  const Adjacency& rings = s.topology.rings;
-  const Positions& rest = *s.rest;
-  const Unknowns& unknowns = s.constraints.unknowns;
-  for (std::size_t h = 0; h < s.frames.size(); ++h) {
-    const auto shares_of_handle = shares->of_handle(h);
-    std::vector<Vector3d> force(rest.size(), Vector3d::Zero());
-    for (std::size_t r = 0; r < s.region.roi.size(); ++r) {
-      const Index i = s.region.roi[r];
-      const double share = shares_of_handle[r];
-      if (share == 0.0) continue;
-      Vector3d delta = Vector3d::Zero();
-      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
-        delta += energy.laplacian[e] * (rest[i] - rest[rings.values[e]]);
-      }
-      const Vector3d pull = share * energy.rows[i] * delta;
-      force[i] += pull;
-      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
-        const Index j = rings.values[e];
-        const Vector3d of_edge = share * energy.stiffness[e] * (rest[i] - rest[j]);
-        force[i] += of_edge;
-        force[j] -= energy.laplacian[e] * pull + of_edge;
-      }
-    }
-    Numbers& of_unknowns = scale_forces.emplace_back(3 * unknowns.size());
-    for (std::size_t u = 0; u < unknowns.size(); ++u) {
-      Eigen::Map<Vector3d>(of_unknowns.data() + 3 * u) = force[unknowns.vertices[u]];
-    }
-  }
-}
-
-// Of a motion with parameters q: to first order its scale is the mean of the diagonal.
-Numbers Deformer::State::forces(std::span<const double> q) const {
-  Numbers sum;
-  for (std::size_t h = 0; h < scale_forces.size(); ++h) {
-    sum.resize(scale_forces[h].size(), 0.0);
-    const double* own = q.data() + h * kMotionParameters;
-    const double growth = (own[0] + own[5] + own[10]) / (3.0 * system->frames[h].radius);
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += growth * scale_forces[h][i];
-  }
-  return sum;
-}
-
 std::vector<double> Deformer::State::asked_scales(std::span<const Eigen::Affine3d> motions) const {
   std::vector<double> scales;
   for (const Eigen::Affine3d& motion : motions) scales.push_back(scale_of(motion));
   return shares->scales(scales);
 }
 
-void Deformer::State::compute_response(const Progress& progress) {
-  const EditSystem& s = *system;
-  const Unknowns& unknowns = s.constraints.unknowns;
-  const ResponseSystem& system_of_response = s.systems->response();
-  const std::size_t column = 3 * s.moving.size();
-  const std::size_t n = 3 * unknowns.size();
-  response.resize(column * s.column_count());
-  Numbers x(kMotionParameters * n);
-  for (std::size_t h = 0; h < s.frames.size(); ++h) {
-    report_progress(progress, "response",
-                    static_cast<double>(h) / static_cast<double>(s.frames.size()));
-    const auto unit_motion = [&](std::size_t k) {
-      std::vector<double> q(s.column_count(), 0.0);
-      q[h * kMotionParameters + k] = 1.0;
-      return s.wanted_displacement(q);
-    };
-    parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        const auto b = std::span(x).subspan(k * n, n);
-        std::vector<double> q(s.column_count(), 0.0);
-        q[h * kMotionParameters + k] = 1.0;
-        system_of_response.right_hand_side(s.wanted_displacement(q), b);
-        const Numbers f = forces(q);
-        for (std::size_t i = 0; i < f.size(); ++i) b[i] += f[i];
-      }
-    });
-    system_of_response.solve_in_place(x, kMotionParameters);
-    parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        // Vertices that move but are not solved for are handles with hard constraints.
-        const std::vector<Vector3d> given = unit_motion(k);
-        double* out = response.data() + (h * kMotionParameters + k) * column;
-        for (std::size_t m = 0; m < s.moving.size(); ++m) {
-          const Index u = unknowns.of_vertex[s.moving[m]];
-          Eigen::Map<Vector3d>(out + 3 * m) =
-              u == kNoIndex ? given[s.moving[m]]
-                            : Vector3d(Eigen::Map<const Vector3d>(x.data() + k * n + 3 * u));
-        }
-      }
-    });
-  }
-}
-
 void Deformer::State::make_surface() {
   const EditSystem& s = *system;
-  surface = kernels->make_surface({*s.rest, s.topology, s.moving, {}, s.column_count()});
+  auto made = kernels->make_surface({*s.rest, s.topology, s.moving, {}, s.column_count()});
   if (why_not_exact.empty()) {
-    surface->set_basis(response);
+    made->set_basis(response);
   } else {
-    surface->set_axis_basis(response);
+    made->set_axis_basis(response);
   }
+  surface.emplace(system, std::move(made));
 }
 
 void Deformer::State::make_settler(Kernels& on) {
@@ -245,19 +154,17 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   s.kernels = &kernels;
   const EditSystem& edit = *s.system;
   s.timings = edit.timings;
-  s.parameters.resize(edit.column_count());
-  s.base.resize(edit.column_count(), 0.0);
-  s.weights = laplacian_weights(edit.topology, *edit.rest, edit.options.weights);
   const auto lock = edit.systems->lock();
   const bool exact = s.hold_response(progress);
   edit.hold_laplacian();
+  s.weights = edit.systems->laplacian().weights().laplacian;
   Stopwatch watch;
   if (edit.options.settle || edit.options.response == LinearResponse::tangent) {
     s.shares = std::make_unique<HandleShares>(edit);
   }
-  if (exact && edit.options.response == LinearResponse::tangent) s.find_scale_forces();
   if (exact) {
-    s.compute_response(progress);
+    if (edit.options.response == LinearResponse::tangent) s.scale_forces = {edit, *s.shares};
+    s.response = response_basis(edit, s.scale_forces, progress);
   } else {
     report_progress(progress, "response", 0.0);
     s.response = axis_response(edit);
@@ -295,42 +202,25 @@ Deformer::Deformer(Deformer&&) noexcept = default;
 Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 
 void Deformer::drag(std::span<const Eigen::Affine3d> motions) {
-  State& s = *state_;
-  s.system->set_parameters(motions, s.parameters);
-  for (std::size_t k = 0; k < s.parameters.size(); ++k) s.parameters[k] -= s.base[k];
-  s.surface->blend(s.parameters);
+  state_->surface->drag(motions);
 }
 
 void Deformer::drag_from(const SettledPose& pose) {
-  State& s = *state_;
-  s.base.assign(s.parameters.size(), 0.0);
-  std::copy(pose.parameters.begin(), pose.parameters.end(), s.base.begin());
-  Positions from = *s.system->rest;
-  if (!pose.displacement.empty()) {
-    for (const Index v : s.system->moving) from[v] += pose.displacement[v];
-  }
-  s.surface->set_rest(from);
+  state_->surface->drag_from(pose);
 }
 
 SettledPose Deformer::pose_at(std::span<const Vector3d> positions,
                               std::span<const Eigen::Affine3d> motions,
                               std::span<const Eigen::AngleAxisd> turns) const {
-  const EditSystem& edit = *state_->system;
-  SettledPose pose;
-  pose.parameters.resize(edit.column_count());
-  edit.set_parameters(motions, pose.parameters);
-  pose.turns.assign(turns.begin(), turns.end());
-  pose.displacement.assign(edit.rest->size(), Vector3d::Zero());
-  for (const Index v : edit.moving) pose.displacement[v] = positions[v] - (*edit.rest)[v];
-  return pose;
+  return lapwing::pose_at(*state_->system, positions, motions, turns);
 }
 
 void Deformer::show(std::span<const Vector3d> positions) {
-  state_->surface->place(positions);
+  surface().place(positions);
 }
 
 DeformedSurface& Deformer::surface() {
-  return *state_->surface;
+  return state_->surface->surface();
 }
 
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
@@ -357,7 +247,11 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   const State& s = *state_;
   const EditSystem& edit = *s.system;
   const auto lock = edit.systems->lock();
-  hold(progress);
+  if (s.settler != nullptr) {
+    hold_for_settling();
+  } else {
+    hold(progress);
+  }
   std::vector<double> q(edit.column_count());
   edit.set_parameters(motions, q);
   const std::vector<Vector3d> wanted = edit.wanted_displacement(q);
@@ -368,12 +262,11 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   DeformResult result;
   Certificate& certificate = result.certificate;
   certificate.why_not_exact = s.why_not_exact;
-  double residual = 0.0;
-  if (is_exact()) residual = edit.systems->response().refine(wanted, s.forces(q), u);
   const bool still =
       std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.isZero(0.0); });
   if (s.settler == nullptr) {
-    certificate.relative_residual = residual;
+    certificate.relative_residual =
+        edit.systems->response().refine(wanted, s.scale_forces.of(q), u);
   } else if (!still || any_far(turns)) {
     const SettleTarget target{wanted, scales};
     choose_start(motions, turns, target, u);

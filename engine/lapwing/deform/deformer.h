@@ -12,6 +12,7 @@
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/deform_options.h"
 #include "lapwing/deform/prepared_region.h"
+#include "lapwing/deform/settled_pose.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
@@ -25,14 +26,6 @@ struct EditSystem;
 struct DeformResult {
   Positions positions;  ///< of the whole mesh; vertices that do not move keep their bits
   Certificate certificate;
-};
-
-/// Where a settled drag is: what its next frame begins with. Empty where it begins at rest.
-struct SettledPose {
-  std::vector<double> parameters;        ///< of the handles' motions
-  std::vector<Eigen::AngleAxisd> turns;  ///< by which those came about, one per handle
-  Positions displacement;                ///< of the whole mesh
-  SettleResult settled;                  ///< how the last frame ended
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3

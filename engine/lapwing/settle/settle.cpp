@@ -196,9 +196,9 @@ void Settler::State::evaluate(Point& point) {
                                    .sum();
 }
 
-// The history tells what another first Hessian does not: it begins anew with each.
+// At `at`, where the rotations were fitted last. The history tells what another first Hessian does
+// not: it begins anew with each.
 void Settler::State::turn_tangent(int iteration) {
-  evaluate(at);  // a step that was not taken may have been looked at since
   by_tangent = tangent->turn(rotations->transforms());
   if (!by_tangent) tangent = nullptr;
   next_turn = iteration + kTangentIterations;

@@ -4,18 +4,7 @@
 namespace lapwing {
 
 void VulkanKernels::assemble_tangent(const EnergyProblem& problem, std::span<double> blocks) {
-  constexpr std::size_t kNumbersPerBlock = 9;
-  VulkanState& state = *state_;
-  RingBatches rings(state, problem);
-  const gpu::Buffer output(*state.context, "tangent blocks",
-                           real_bytes(state, kNumbersPerBlock * rings.largest().block_count()));
-  std::size_t written = 0;
-  for (const RingBatch& batch : rings.batches()) {
-    rings.run(batch, state.assemble_tangent, output);
-    const std::size_t numbers = kNumbersPerBlock * batch.block_count();
-    download_reals(state, output, blocks.subspan(written, numbers));
-    written += numbers;
-  }
+  RingBatches(*state_, problem).assemble(state_->assemble_tangent, "tangent blocks", blocks);
 }
 
 }  // namespace lapwing

@@ -99,6 +99,19 @@ void RingBatches::upload_rows(const RingBatch& batch) {
   upload_reals(state_, weights_, weights);
 }
 
+void RingBatches::assemble(const gpu::Kernel& kernel, const char* name, std::span<double> blocks) {
+  constexpr std::size_t kNumbersPerBlock = 9;
+  const gpu::Buffer output(*state_.context, name,
+                           real_bytes(state_, kNumbersPerBlock * largest_.block_count()));
+  std::size_t written = 0;
+  for (const RingBatch& batch : batches_) {
+    run(batch, kernel, output);
+    const std::size_t numbers = kNumbersPerBlock * batch.block_count();
+    download_reals(state_, output, blocks.subspan(written, numbers));
+    written += numbers;
+  }
+}
+
 void RingBatches::run(const RingBatch& batch, const gpu::Kernel& kernel,
                       const gpu::Buffer& output) {
   upload_rows(batch);

@@ -41,7 +41,12 @@ class RingBatches {
   const std::vector<RingBatch>& batches() const { return batches_; }
   const RingBatch& largest() const { return largest_; }
 
-  /// Uploads `batch`, runs `kernel` on it with `output` as the last buffer, and waits.
+  /// Runs `kernel`, which writes a 3 x 3 block for each row and each ring entry, on all batches:
+  /// what Kernels::assemble_rsi and assemble_tangent do.
+  void assemble(const gpu::Kernel& kernel, const char* name, std::span<double> blocks);
+
+  /// Uploads `batch`, runs `kernel` on it with `output` as the last buffer but those of the energy,
+  /// and waits.
   void run(const RingBatch& batch, const gpu::Kernel& kernel, const gpu::Buffer& output);
 
  private:

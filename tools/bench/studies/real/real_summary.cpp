@@ -71,30 +71,28 @@ RealFigure flips_figure(const std::vector<RealRun>& runs) {
   return figure;
 }
 
-RealFigure edges_figure(const std::vector<RealRun>& runs) {
-  RealFigure figure =
-      at_least(kLeastComparable, "largest edge within 1.3 times ARAP's", "at least 95%");
+// One measure beside ARAP's: at most `factor` times that and `more`.
+RealFigure comparable_figure(const std::vector<RealRun>& runs, std::string name,
+                             double RealOutcome::*measure, double factor, double more) {
+  RealFigure figure = at_least(kLeastComparable, std::move(name), "at least 95%");
   for (const RealRun& run : runs) {
     if (!both_measured(run)) continue;
-    const double ours = run.ours.largest_edge;
-    const double arap = run.arap.largest_edge;
-    count(figure, run, ours <= kEdgeAllowance * arap, ours_and_arap(ours, arap));
+    const double ours = run.ours.*measure;
+    const double arap = run.arap.*measure;
+    count(figure, run, ours <= factor * arap + more, ours_and_arap(ours, arap));
   }
   figure.bound *= static_cast<double>(figure.of);
   return figure;
 }
 
+RealFigure edges_figure(const std::vector<RealRun>& runs) {
+  return comparable_figure(runs, "largest edge within 1.3 times ARAP's", &RealOutcome::largest_edge,
+                           kEdgeAllowance, 0.0);
+}
+
 RealFigure details_figure(const std::vector<RealRun>& runs) {
-  RealFigure figure =
-      at_least(kLeastComparable, "detail error no worse than ARAP's", "at least 95%");
-  for (const RealRun& run : runs) {
-    if (!both_measured(run)) continue;
-    const double ours = run.ours.detail_error;
-    const double arap = run.arap.detail_error;
-    count(figure, run, ours <= arap + kSameDetail, ours_and_arap(ours, arap));
-  }
-  figure.bound *= static_cast<double>(figure.of);
-  return figure;
+  return comparable_figure(runs, "detail error no worse than ARAP's", &RealOutcome::detail_error,
+                           1.0, kSameDetail);
 }
 
 RealFigure dragged_edges_figure(const std::vector<RealRun>& runs) {

@@ -1,0 +1,97 @@
+#include "lapwing/deform/response_basis.h"
+
+#include "lapwing/base/parallel.h"
+
+namespace lapwing {
+
+using Eigen::Vector3d;
+
+ScaleForces::ScaleForces(const EditSystem& system, const HandleShares& shares) {
+  const EnergyWeights& weights = system.systems->laplacian().weights();
+  const Adjacency& rings = system.topology.rings;
+  const Positions& rest = *system.rest;
+  const Unknowns& unknowns = system.constraints.unknowns;
+  for (std::size_t h = 0; h < system.frames.size(); ++h) {
+    // Minus half of the gradient of E by the unknowns, for s_i that grow by the handle's shares.
+    const auto shares_of_handle = shares.of_handle(h);
+    std::vector<Vector3d> force(rest.size(), Vector3d::Zero());
+    for (std::size_t r = 0; r < system.region.roi.size(); ++r) {
+      const Index i = system.region.roi[r];
+      const double share = shares_of_handle[r];
+      if (share == 0.0) continue;
+      Vector3d delta = Vector3d::Zero();
+      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+        delta += weights.laplacian[e] * (rest[i] - rest[rings.values[e]]);
+      }
+      const Vector3d pull = share * weights.rows[i] * delta;
+      force[i] += pull;
+      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+        const Index j = rings.values[e];
+        const Vector3d of_edge = share * weights.stiffness[e] * (rest[i] - rest[j]);
+        force[i] += of_edge;
+        force[j] -= weights.laplacian[e] * pull + of_edge;
+      }
+    }
+    Numbers& of_unknowns = per_scale_.emplace_back(3 * unknowns.size());
+    for (std::size_t u = 0; u < unknowns.size(); ++u) {
+      Eigen::Map<Vector3d>(of_unknowns.data() + 3 * u) = force[unknowns.vertices[u]];
+    }
+    radii_.push_back(system.frames[h].radius);
+  }
+}
+
+Numbers ScaleForces::of(std::span<const double> q) const {
+  Numbers sum;
+  for (std::size_t h = 0; h < per_scale_.size(); ++h) {
+    sum.resize(per_scale_[h].size(), 0.0);
+    const double* own = q.data() + h * kMotionParameters;
+    const double growth = (own[0] + own[5] + own[10]) / (3.0 * radii_[h]);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += growth * per_scale_[h][i];
+  }
+  return sum;
+}
+
+Numbers response_basis(const EditSystem& system, const ScaleForces& forces,
+                       const Progress& progress) {
+  const Unknowns& unknowns = system.constraints.unknowns;
+  const ResponseSystem& response = system.systems->response();
+  const std::size_t column = 3 * system.moving.size();
+  const std::size_t n = 3 * unknowns.size();
+  Numbers basis(column * system.column_count());
+  Numbers x(kMotionParameters * n);
+  for (std::size_t h = 0; h < system.frames.size(); ++h) {
+    report_progress(progress, "response",
+                    static_cast<double>(h) / static_cast<double>(system.frames.size()));
+    const auto unit = [&](std::size_t k) {
+      std::vector<double> q(system.column_count(), 0.0);
+      q[h * kMotionParameters + k] = 1.0;
+      return q;
+    };
+    parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto b = std::span(x).subspan(k * n, n);
+        const std::vector<double> q = unit(k);
+        response.right_hand_side(system.wanted_displacement(q), b);
+        const Numbers f = forces.of(q);
+        for (std::size_t i = 0; i < f.size(); ++i) b[i] += f[i];
+      }
+    });
+    response.solve_in_place(x, kMotionParameters);
+    parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        // Vertices that move but are not solved for are handles with hard constraints.
+        const std::vector<Vector3d> given = system.wanted_displacement(unit(k));
+        double* out = basis.data() + (h * kMotionParameters + k) * column;
+        for (std::size_t m = 0; m < system.moving.size(); ++m) {
+          const Index u = unknowns.of_vertex[system.moving[m]];
+          Eigen::Map<Vector3d>(out + 3 * m) =
+              u == kNoIndex ? given[system.moving[m]]
+                            : Vector3d(Eigen::Map<const Vector3d>(x.data() + k * n + 3 * u));
+        }
+      }
+    });
+  }
+  return basis;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/mesh/mesh.h"
+#include "lapwing/settle/settle.h"
+
+namespace lapwing {
+
+/// Where a settled drag is: what its next frame begins with. Empty where it begins at rest.
+struct SettledPose {
+  std::vector<double> parameters;        ///< of the handles' motions
+  std::vector<Eigen::AngleAxisd> turns;  ///< by which those came about, one per handle
+  Positions displacement;                ///< of the whole mesh
+  SettleResult settled;                  ///< how the last frame ended
+};
+
+}  // namespace lapwing
