@@ -189,6 +189,16 @@ TEST(Settle, EveryIterationLowersTheEnergy) {
   }
 }
 
+// Moved as a whole the surface has no energy but what rounding leaves.
+TEST(Settle, WhereNoStepLowersTheEnergyItSaysSo) {
+  const Affine3d moved(Eigen::Translation3d(1.0 / 3.0, 0.7, -0.1));
+  const Settled settled =
+      free_tube().settle(moved, {.tolerance = 1e-300, .max_iterations = 2000}, Start::rest);
+  EXPECT_TRUE(settled.result.exhausted);
+  EXPECT_FALSE(settled.result.settled);
+  EXPECT_FALSE(free_tube().settle(moved).result.exhausted);
+}
+
 TEST(Settle, NoSmallChangeOfASettledSurfaceLowersTheEnergy) {
   const Edit edit = bumpy_tube();
   const Constraints constraints = constraints_of(edit.region(), edit.topology(), 1.0, false);

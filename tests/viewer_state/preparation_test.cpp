@@ -305,9 +305,12 @@ TEST(Preparation, ADragBeginsFromThePoseItIsGiven) {
             0.05);
 }
 
-// A second drag of a handle that is turned by more than half a turn already.
+// A second drag of a handle that is turned by more than half a turn already. Pulled, too: a tube
+// that is only wound so far buckles, to a side that the frames decide.
 TEST(Preparation, LiveResultIsWoundTheWayTheHandleWent) {
-  const AppState dragged = apply(chosen_tube(), MoveHandle{0, twisted(200.0)});
+  SimilarityMove wound = std::get<SimilarityMove>(twisted(200.0));
+  wound.translate = {0.0, 0.0, 1.0};
+  const AppState dragged = apply(chosen_tube(), MoveHandle{0, wound});
   Preparation preparation(cpu_kernels);
   preparation.follow(dragged);
   const Pose pose = follow_to_the_end(preparation, dragged);

@@ -325,8 +325,7 @@ LiveResult Preparation::follow_drag(const Request& request, const Deformer& exac
     return std::exchange(is_first, false) || watch.elapsed_ms() < kLiveBudgetMs;
   };
   exact.follow(motions_of(request.state), turns_of(request.state), pose, go_on, progress);
-  // Without a step and not settled, rounding is all that is left.
-  const bool is_done = pose.settled.settled || pose.settled.iterations == 0;
+  const bool is_done = pose.settled.settled || pose.settled.exhausted;
   last_live_ = std::make_shared<const SettledPose>(std::move(pose));
   return {request.state.moves, last_live_, is_done};
 }

@@ -316,7 +316,8 @@ SettleResult Settler::iterate(std::span<Vector3d> u, const std::function<bool()>
         } else if (s.by_tangent) {
           s.leave_tangent(result.iterations);
         } else {
-          break;  // rounding is all that is left
+          result.exhausted = true;
+          break;
         }
         continue;
       }

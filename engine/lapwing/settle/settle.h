@@ -15,6 +15,7 @@ struct SettleResult {
   int iterations = 0;      ///< steps taken, each by one solve
   double last_step = 0.0;  ///< how far a vertex would still move, in mean edge lengths
   bool settled = false;    ///< last_step is within the tolerance
+  bool exhausted = false;  ///< no step lowers E by more than rounding
   double energy = 0.0;     ///< E of the result, in squared mesh units
   /// |grad E| over |force of the handles|: the gradient of E by the unknowns, over that of its last
   /// sum alone; 0 where nothing pulls.
