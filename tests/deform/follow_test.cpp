@@ -130,6 +130,26 @@ TEST_F(FollowedCylinder, FramesWithoutTimeEndWhereSettlingDoes) {
   EXPECT_LT(distance_from_solution(pose, 30.0), 1e-3);
 }
 
+// Of a frame that has no time at all: where it begins.
+TEST_F(FollowedCylinder, AFrameBeginsNearWhereAHandleThatGoesOnTakesTheSurface) {
+  const auto no_time = [] { return false; };
+  SettledPose pose;
+  for (double degrees = 0.0; degrees <= 40.0; degrees += 2.0) {
+    deformer_.follow(twist(degrees), pose);
+  }
+  ASSERT_TRUE(pose.settled.settled);
+  SettledPose alone =
+      deformer_.pose_at(positions(pose), twist(40.0), turn_of(40.0));  // from nowhere
+  deformer_.follow(twist(42.0), alone, no_time);
+  SettledPose on = pose;
+  deformer_.follow(twist(42.0), on, no_time);
+  EXPECT_LT(3.0 * distance_from_solution(on, 42.0), distance_from_solution(alone, 42.0));
+  // Back the linear response alone takes it.
+  SettledPose back = pose;
+  deformer_.follow(twist(38.0), back, no_time);
+  EXPECT_LT(distance_from_solution(back, 38.0), 1.5 * distance_from_solution(alone, 42.0));
+}
+
 TEST_F(FollowedCylinder, ADragFromAPoseBeginsThere) {
   const DeformResult settled = deformer_.solve(twist(40.0), turn_of(40.0));
   const SettledPose pose = deformer_.pose_at(settled.positions, twist(40.0), turn_of(40.0));

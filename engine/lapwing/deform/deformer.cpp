@@ -56,6 +56,29 @@ bool any_far(std::span<const Eigen::AngleAxisd> turns, std::span<const Eigen::An
   return false;
 }
 
+// recent = share recent + (to - from), where nothing is 0.
+template <typename T>
+void add_change(std::vector<T>& recent, double share, const std::vector<T>& from,
+                const std::vector<T>& to) {
+  const bool is_first = recent.empty();
+  recent.resize(to.size());
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    const T change = to[k] - from[k];
+    recent[k] = is_first ? change : T(share * recent[k] + change);
+  }
+}
+
+// What the handles made of the surface from one frame to the next. While they rest it settles,
+// which says nothing of where it goes with them.
+void remember_change(SettledPose& last, SettledPose& next) {
+  constexpr double kShareOfOlder = 0.5;
+  next.recent_parameters = std::move(last.recent_parameters);
+  next.recent_displacement = std::move(last.recent_displacement);
+  if (last.parameters == next.parameters) return;
+  add_change(next.recent_parameters, kShareOfOlder, last.parameters, next.parameters);
+  add_change(next.recent_displacement, kShareOfOlder, last.displacement, next.displacement);
+}
+
 // A result is in double precision whatever the device; and a device that is the processor in
 // disguise takes about three times as long as the CPU twins (measured on lavapipe).
 bool settles_on(const DeviceInfo& device) {
@@ -82,6 +105,8 @@ struct Deformer::State {
   void make_settler(Kernels& on);
   std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
   std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
+  double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
+  Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
 };
 
 // False where it does not fit and settling can do without.
@@ -129,6 +154,47 @@ std::vector<Vector3d> Deformer::State::blended_displacement(std::span<const doub
     blend_response(u, system->moving, response, q, u);
   } else {
     blend_axis_response(system->moving, response, q, u);
+  }
+  return u;
+}
+
+// How much of the recent change of a pose handles go through again whose parameters change by
+// `change`, by the way that their vertices go.
+double Deformer::State::share_of_recent(const SettledPose& pose,
+                                        std::span<const double> change) const {
+  if (pose.recent_parameters.empty()) return 0.0;
+  const std::vector<Vector3d> now = system->wanted_displacement(change);
+  const std::vector<Vector3d> recent = system->wanted_displacement(pose.recent_parameters);
+  double along = 0.0;
+  double square = 0.0;
+  for (const auto& handle : system->region.handles) {
+    for (const Index v : handle) {
+      along += now[v].dot(recent[v]);
+      square += recent[v].squaredNorm();
+    }
+  }
+  return square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+}
+
+// Where the surface of a pose is at other parameters. As far as the handles go on as they did
+// recently, so does the surface; the rest of the way is the linear response, which knows nothing of
+// the pose.
+Positions Deformer::State::gone_on(const SettledPose& pose,
+                                   std::span<const double> parameters) const {
+  // Less than all of it: what recent frames have left to settle is in their change, too.
+  constexpr double kTrust = 0.75;
+  std::vector<double> change(parameters.begin(), parameters.end());
+  for (std::size_t k = 0; k < change.size(); ++k) change[k] -= pose.parameters[k];
+  const double share = kTrust * share_of_recent(pose, change);
+  if (share == 0.0) {
+    Positions u = blended_displacement(change);
+    for (const Index v : system->moving) u[v] += pose.displacement[v];
+    return u;
+  }
+  for (std::size_t k = 0; k < change.size(); ++k) change[k] -= share * pose.recent_parameters[k];
+  Positions u = blended_displacement(change);
+  for (const Index v : system->moving) {
+    u[v] += pose.displacement[v] + share * pose.recent_displacement[v];
   }
   return u;
 }
@@ -321,21 +387,20 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   const std::vector<Vector3d> wanted = edit.wanted_displacement(next.parameters);
   const std::vector<double> scales = s.asked_scales(motions);
   const SettleTarget target{wanted, scales};
-  if (pose.parameters.empty() || any_far(turns, pose.turns)) {
+  const bool begins = pose.parameters.empty() || any_far(turns, pose.turns);
+  if (begins) {
     s.settler->begin_drag();
     next.displacement = s.blended_displacement(next.parameters);
     choose_start(motions, turns, target, next.displacement);
   } else {
-    std::vector<double> change = next.parameters;
-    for (std::size_t k = 0; k < change.size(); ++k) change[k] -= pose.parameters[k];
-    next.displacement = s.blended_displacement(change);
-    for (const Index v : edit.moving) next.displacement[v] += pose.displacement[v];
+    next.displacement = s.gone_on(pose, next.parameters);
   }
   next.settled = s.settler->follow(target, next.displacement, go_on, progress);
   Certificate certificate;
   certificate.all_finite = std::all_of(next.displacement.begin(), next.displacement.end(),
                                        [](const Vector3d& v) { return v.allFinite(); });
   require_valid(certificate);
+  if (!begins) remember_change(pose, next);
   pose = std::move(next);
 }
 

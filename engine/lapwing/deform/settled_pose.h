@@ -15,6 +15,10 @@ struct SettledPose {
   std::vector<Eigen::AngleAxisd> turns;  ///< by which those came about, one per handle
   Positions displacement;                ///< of the whole mesh
   SettleResult settled;                  ///< how the last frame ended
+  /// What the last frames changed in parameters and displacement, each counted by half of the next:
+  /// how the surface goes on when the handles do. Empty where the last frame was the first.
+  std::vector<double> recent_parameters;
+  Positions recent_displacement;
 };
 
 }  // namespace lapwing

@@ -25,6 +25,8 @@ constexpr std::size_t kUnknownsPerTask = 4096;
 // before the surface has turned on from it. Chosen on ten scans.
 constexpr int kPlainIterations = 10;
 constexpr int kTangentIterations = 5;
+// Plain ones of a frame, whose history already tells of the pose.
+constexpr int kPlainIterationsOfFrame = 50;
 // A step is taken where E falls by this share of what its slope promises (Armijo 1966), or rounding
 // hides whether it does.
 constexpr double kShareOfSlope = 1e-4;
@@ -270,12 +272,14 @@ SettleResult Settler::settle(const SettleTarget& target, std::span<Vector3d> u,
                              const Progress& progress) {
   state_->history.forget();
   state_->begin(target, u);
+  state_->next_turn = kPlainIterations;
   return iterate(u, {}, progress);
 }
 
 SettleResult Settler::follow(const SettleTarget& target, std::span<Vector3d> u,
                              const std::function<bool()>& go_on, const Progress& progress) {
   state_->begin(target, u);
+  state_->next_turn = kPlainIterationsOfFrame;
   return iterate(u, go_on, progress);
 }
 
@@ -283,16 +287,14 @@ void Settler::begin_drag() {
   state_->history.forget();
 }
 
-// From where `begin` has put the unknowns.
+// From where `begin` has put the unknowns; by the n x n factor before `next_turn`.
 SettleResult Settler::iterate(std::span<Vector3d> u, const std::function<bool()>& go_on,
                               const Progress& progress) {
   State& s = *state_;
   Lbfgs& history = s.history;
   SettleResult result;
   result.settled = s.system.size() == 0;
-  if (s.by_tangent) s.history.forget();
-  s.by_tangent = false;
-  s.next_turn = kPlainIterations;
+  if (std::exchange(s.by_tangent, false)) s.history.forget();
   try {
     while (!result.settled && (!go_on || go_on())) {
       report_progress(progress, "settle",
