@@ -24,9 +24,12 @@ struct Scan {
   int subdivisions;
 };
 constexpr std::array kScans{
+    Scan{"cow", "cow.off", 2904, 0},
     Scan{"homer", "homer.off", 4930, 0},
+    Scan{"lion-head", "lion-head.off", 8356, 0},
     Scan{"camel", "camel.off", 9770, 0},
     Scan{"armadillo", "armadillo.off", 26002, 0},
+    Scan{"bunny", "bunny00.off", 37706, 0},
     Scan{"elephant", "refined_elephant.off", 44460, 0},
     Scan{"armadillo x 4", "armadillo.off", 104002, 1},
     Scan{"armadillo x 16", "armadillo.off", 416002, 2},
