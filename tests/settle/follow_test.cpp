@@ -40,7 +40,7 @@ FollowedEdit bent_tube() {
 }
 
 FollowedEdit twisted_cylinder() {
-  const Mesh mesh = test::rippled_cylinder();
+  const Mesh mesh = test::rippled_cylinder(30, 61);
   return {mesh, test::ends_of_cylinder(mesh),
           test::turn_and_move(60, Vector3d::UnitZ(), Vector3d(0.3, 0, 0)),
           AngleAxisd(std::numbers::pi / 3.0, Vector3d::UnitZ())};

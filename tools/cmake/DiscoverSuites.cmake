@@ -1,7 +1,8 @@
 # Writes FILE with one CTest test per suite of the GoogleTest program PROGRAM, named FOLDER.SUITE; all
 # tests of a suite run in one process, whose results go to RESULTS/FOLDER.SUITE.xml. SLOW is a regular
 # expression: suites that match start first and have the label "slow", the others "fast". With
-# ONE_BY_ONE each test is a CTest test of its own, labelled "window". ENVIRONMENT is set in all.
+# ONE_BY_ONE each test is a CTest test of its own, SUITE.TEST is what SLOW is matched with, and all
+# have the label "window". ENVIRONMENT is set in all.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests
   OUTPUT_VARIABLE listing RESULT_VARIABLE result ERROR_VARIABLE errors TIMEOUT 120)
 if(NOT result EQUAL 0)
@@ -35,7 +36,12 @@ foreach(line IN LISTS lines)
     endif()
     add(${FOLDER}.${suite} "${suite}.*" ${label} ${cost})
   elseif(ONE_BY_ONE AND line MATCHES "^  ([^ ]+)$")
-    add(${FOLDER}.${suite}.${CMAKE_MATCH_1} ${suite}.${CMAKE_MATCH_1} window 1)
+    set(test ${suite}.${CMAKE_MATCH_1})
+    set(cost 1)
+    if(SLOW AND test MATCHES "${SLOW}")
+      set(cost 100)
+    endif()
+    add(${FOLDER}.${test} ${test} window ${cost})
   endif()
 endforeach()
 file(WRITE ${FILE} "${script}")
