@@ -75,6 +75,19 @@ TEST(EnergyWeights, StiffnessIsTheSameFromBothEndsAndPositive) {
   }
 }
 
+// Of where the vertices of a sphere of radius R are: the gradients' squares sum to 2 per area,
+// those of the Laplacian, 2 / R along the normal, to 4 / R^2.
+TEST(EnergyWeights, TheLengthIsAShareOfTheRadius) {
+  for (const double radius : {1.0, 5.0}) {
+    Mesh mesh = icosphere(4);
+    for (Vector3d& p : mesh.positions) p *= radius;
+    const Energies sums = energies_of(mesh, [](const Vector3d& p) { return p; });
+    const double length = kTerms.detail_length * radius;
+    const double expected = 2.0 / (length * length * 4.0 / (radius * radius));
+    EXPECT_NEAR(sums.edges / sums.rows, expected, 0.02 * expected);
+  }
+}
+
 TEST(EnergyWeights, WithoutADetailLengthTheyAreLaplaciansAlone) {
   const Mesh mesh = icosphere(1);
   const Topology topology = build_topology(mesh);

@@ -220,7 +220,7 @@ TEST(Recipe, IsWrittenForReaders) {
         }
       ],
       "weights": "cotangent",
-      "detail_length": 0.033,
+      "detail_length": 0.077,
       "response": "tangent",
       "constraint_weight": 2,
       "hard": true,

@@ -52,7 +52,7 @@ class Winding : public ::testing::Test {
 };
 
 const char* const kCommits = R"(, "commit_every": 130)";
-const char* const kResist = R"(, "commit_every": 180, "detail_length": 0.02)";
+const char* const kResist = R"(, "commit_every": 180, "detail_length": 0.045)";
 
 double angle(const Vector3d& p) {
   return std::atan2(p.y(), p.x()) * 180.0 / std::numbers::pi;

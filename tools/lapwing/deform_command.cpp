@@ -78,7 +78,7 @@ void add_deform(CLI::App& app) {
       ->add_option(
           "--detail-length", a->detail_length,
           "below it details are kept as they are, above it the surface is elastic: a share "
-          "of the square root of the region's area")
+          "of the region's radius, the root mean square distance of its surface from its centroid")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   command

@@ -125,8 +125,8 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
 
 // Shares of the ROI's size: below the smallest hardly a mesh has a detail, above the largest the
 // surface is no more elastic in any part.
-constexpr float kSmallestDetailLength = 0.005F;
-constexpr float kLargestDetailLength = 0.5F;
+constexpr float kSmallestDetailLength = 0.01F;
+constexpr float kLargestDetailLength = 1.0F;
 
 void draw_energy(EditParameters& parameters, bool& chosen, bool& edited) {
   float length = static_cast<float>(parameters.detail_length);
@@ -139,7 +139,8 @@ void draw_energy(EditParameters& parameters, bool& chosen, bool& edited) {
   if (!ImGui::IsItemHovered()) return;
   ImGui::SetTooltip(
       "Smaller details keep their shape, larger ones bend with the surface:\n"
-      "a share of the square root of the ROI's area");
+      "a share of the ROI's radius, the root mean square distance\n"
+      "of its surface from its centroid");
 }
 
 // What there is to choose of the system that a result comes from.

@@ -16,10 +16,10 @@ inline constexpr double kMemoryShare = 0.75;
 /// where that is not known.
 std::size_t allowed_memory(std::size_t limit_bytes);
 
-/// Of a region's size, the square root of its area (EnergyTerms::detail_length). Chosen on the
-/// meshes of `lapwing-bench real` and a rippled tube: smaller loses more detail on the tube, larger
-/// flips more triangles on the meshes.
-inline constexpr double kDefaultDetailLength = 0.033;
+/// Of a region's radius of gyration (EnergyTerms::detail_length). Chosen on the meshes of
+/// `lapwing-bench real` and a rippled tube: smaller loses more detail on the tube, larger loses more
+/// and flips more triangles on the meshes.
+inline constexpr double kDefaultDetailLength = 0.077;
 
 /// The linear system that a drag's response comes from.
 enum class LinearResponse {

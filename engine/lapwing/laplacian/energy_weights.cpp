@@ -37,8 +37,7 @@ double area_around(Index i, const Adjacency& rings, std::span<const double> area
   return ring.empty() ? areas[i] : std::max(areas[i], sum / static_cast<double>(ring.size()));
 }
 
-std::vector<double> row_weights(const Topology& topology, std::span<const Vector3d> rest,
-                                std::span<const Index> roi) {
+std::vector<double> ring_areas(const Topology& topology, std::span<const Vector3d> rest) {
   constexpr std::size_t kRowsPerTask = 2048;
   std::vector<double> areas(rest.size());
   parallel_for(rest.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
@@ -46,10 +45,33 @@ std::vector<double> row_weights(const Topology& topology, std::span<const Vector
       areas[i] = ring_area(static_cast<Index>(i), topology, rest);
     }
   });
+  return areas;
+}
+
+// A / r^2 of a region of area A and radius of gyration r: 4 pi of a sphere, 2 pi of a disc, 12 over
+// its aspect of a narrow strip.
+double area_over_square_of_radius(std::span<const Vector3d> rest, std::span<const Index> roi,
+                                  std::span<const double> areas) {
+  constexpr double kNarrowest = 12.0 / 100.0;
+  double area = 0.0;
+  Vector3d centroid = Vector3d::Zero();
+  for (const Index i : roi) {
+    area += areas[i];
+    centroid += areas[i] * (rest[i] - rest[roi[0]]);
+  }
+  if (!(area > 0.0)) return kNarrowest;
+  centroid = rest[roi[0]] + centroid / area;
+  double moment = 0.0;
+  for (const Index i : roi) moment += areas[i] * (rest[i] - centroid).squaredNorm();
+  return std::max(area * (area / moment), kNarrowest);
+}
+
+std::vector<double> row_weights(const Topology& topology, std::span<const Index> roi,
+                                std::span<const double> areas) {
   double sum = 0.0;
   for (const Index i : roi) sum += areas[i];
   const double mean = sum / static_cast<double>(roi.size());
-  std::vector<double> rows(rest.size(), 1.0);
+  std::vector<double> rows(areas.size(), 1.0);
   if (!(mean > 0.0)) return rows;
   for (const Index i : roi) {
     rows[i] = mean / std::max(area_around(i, topology.rings, areas), kSmallestAreaShare * mean);
@@ -64,10 +86,12 @@ EnergyWeights energy_weights(const Topology& topology, std::span<const Vector3d>
   EnergyWeights weights;
   weights.laplacian = laplacian_weights(topology, rest, terms.weights);
   if (!(terms.detail_length > 0.0)) return weights;
-  weights.rows = row_weights(topology, rest, roi);
+  const std::vector<double> areas = ring_areas(topology, rest);
+  weights.rows = row_weights(topology, roi, areas);
   weights.stiffness = cotangent_sums(topology, rest);
-  const double mu = 1.0 / (static_cast<double>(roi.size()) * kRegularSum * terms.detail_length *
-                           terms.detail_length);
+  const double mu =
+      area_over_square_of_radius(rest, roi, areas) /
+      (static_cast<double>(roi.size()) * kRegularSum * terms.detail_length * terms.detail_length);
   for (double& k : weights.stiffness) {
     const double weight = std::max(0.5 * k, kSmallestCotangentShare * kRegularWeight);
     k = mu / (2.0 * kRegularSum) * weight;

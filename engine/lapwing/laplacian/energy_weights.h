@@ -12,8 +12,9 @@ namespace lapwing {
 struct EnergyTerms {
   LaplacianWeights weights = LaplacianWeights::cotangent;
   /// l: features much smaller are carried as they are, shapes much larger bend and stretch as
-  /// elastic ones. As a share of the square root of the region's area; 0: Laplacians alone, each
-  /// row counting the same, as equation 5 has them.
+  /// elastic ones. As a share of the region's radius of gyration, the root mean square distance of
+  /// its surface from its centroid; 0: Laplacians alone, each row counting the same, as equation 5
+  /// has them.
   double detail_length = 0.0;
 
   bool operator==(const EnergyTerms&) const = default;
@@ -34,8 +35,9 @@ struct EnergyWeights {
 
 /// For the region `roi`, not empty; entries of other vertices are there and mean nothing.
 ///     om_i = mean ring area of the region / the larger of that of i and its neighbours' mean;
-///     k_ij = mu c_ij / (2 * 2 sqrt(3)),   mu = 1 / (n * 2 sqrt(3) * detail_length^2),
-/// n the vertices of the region, c_ij half of cotangent_sums made positive (kSmallestCotangentShare
+///     k_ij = mu c_ij / (2 * 2 sqrt(3)),   mu = A / (n * 2 sqrt(3) * (detail_length r)^2),
+/// n the vertices of the region, A its area, r its radius of gyration (A / r^2 no less than that of
+/// a strip 100 times as long as wide, whose triangles may have no area at all), c_ij half of cotangent_sums made positive (kSmallestCotangentShare
 /// of a regular triangulation's 1 / sqrt(3), whose 6 around a vertex sum to 2 sqrt(3)). A ring
 /// smaller than those around it counts as one of their size: Laplacians as firm as a single tiny
 /// ring would have fold its triangles. Linear time.

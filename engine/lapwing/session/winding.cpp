@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double kSmallestMeasured = 90.0;
 // Down to this a smaller detail length keeps more winding, at little cost in details.
-constexpr double kSmallDetailLength = 0.02;
+constexpr double kSmallDetailLength = 0.045;
 
 // Whole degrees in equal parts below the limit, with room left at exact multiples of it.
 double suggested_commit_every(double degrees) {
