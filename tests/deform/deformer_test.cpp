@@ -266,6 +266,7 @@ Mesh refined(const Mesh& mesh, std::span<const char> chosen) {
 }
 
 // A finer mesh of the same surface is bent alike, and so is one that is finer on one half.
+// Where the coarse mesh shows what the energy is made of: the detail length spans an edge.
 TEST(Deformer, RefiningTheMeshKeepsTheResult) {
   const auto result_at = [](const Mesh& mesh, std::size_t count) {
     EditRegion region;
@@ -277,7 +278,9 @@ TEST(Deformer, RefiningTheMeshKeepsTheResult) {
     }
     const Topology topology = build_topology(mesh);
     CpuKernels kernels;
-    const Deformer deformer(mesh.positions, topology, region, {}, kernels);
+    DeformOptions options;
+    options.detail_length = 0.1;
+    const Deformer deformer(mesh.positions, topology, region, options, kernels);
     Positions result = deformer.solve(std::array{bend()}).positions;
     result.resize(count);
     return result;

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Classic{"BentCylinder", "bend-cylinder.json",
                               [] { return cylinder(32, 66, 0.5, 6.0); }, 120.0, 0.3, 0.1},
                       Classic{"TwistedBar", "twist-bar.json", [] { return bar(8, 48, 1.0, 6.0); },
-                              135.0, 0.06, 0.1}),
+                              135.0, 0.065, 0.1}),
     [](const auto& test) { return std::string(test.param.name); });
 
 // Only its foot is held: the trunk and the other limb go where the bent limb takes them.
