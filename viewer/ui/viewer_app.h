@@ -98,7 +98,7 @@ class ViewerApp final : public App {
   void draw_sidebar(const FrameTimings& last);
   void draw_operations(Editor& editor);
   void draw_status(const FrameTimings& last);
-  const std::string& status_text(const FrameTimings& last);
+  const std::string& status_text();
   void draw_dialogs();
   void draw_start();
   void draw_interrupted();

@@ -307,14 +307,13 @@ void ViewerApp::draw_sidebar(const FrameTimings& last) {
   ImGui::End();
 }
 
-// Device and size, how long a frame takes, what is on the screen, and what to do.
-const std::string& ViewerApp::status_text(const FrameTimings& last) {
+// Device and size, what is on the screen, and what to do.
+const std::string& ViewerApp::status_text() {
   std::string& text = status_line_;
   text = context_->description().name;
   if (document_) {
     const Editor& editor = document_->editor;
-    append(text, "  |  %zu vertices  |  %.1f ms", editor.positions().size(),
-           last.draw_ms + last.ui_ms);
+    append(text, "  |  %zu vertices", editor.positions().size());
     const Certificate* certificate = editor.session().certificate();
     if (certificate != nullptr && editor.state().parameters.settle) {
       append(text, "  |  balance %.0e", certificate->relative_gradient);
@@ -344,7 +343,21 @@ void ViewerApp::draw_status(const FrameTimings& last) {
                       ImVec2(style.WindowPadding.x, style.FramePadding.y));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
   if (ImGui::Begin("Status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar)) {
-    ImGui::TextUnformatted(status_text(last).c_str());
+    // How long a frame takes changes its width with every frame: it stands at the right end, where
+    // it moves no other word.
+    std::array<char, 32> drawn{};
+    std::snprintf(drawn.data(), drawn.size(), "%.1f ms", last.draw_ms + last.ui_ms);
+    const float at =
+        viewport.WorkSize.x - style.WindowPadding.x - ImGui::CalcTextSize(drawn.data()).x;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::PushClipRect(
+        corner,
+        {viewport.WorkPos.x + at - style.ItemSpacing.x, corner.y + ImGui::GetTextLineHeight()},
+        true);
+    ImGui::TextUnformatted(status_text().c_str());
+    ImGui::PopClipRect();
+    ImGui::SameLine(at);
+    ImGui::TextUnformatted(drawn.data());
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
