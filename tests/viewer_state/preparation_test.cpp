@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <semaphore>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -248,16 +249,22 @@ TEST(Preparation, TheLastResultAskedForComes) {
 
 TEST(Preparation, LiveResultComesByItself) {
   const AppState still = chosen_tube();
-  std::atomic<bool> held = false;  // the worker, at what it says next
-  Preparation preparation(cpu_kernels, [&held] { held.wait(true); });
+  // The worker stops wherever it has something to say, until it may go on.
+  std::counting_semaphore said(0);
+  std::counting_semaphore may_go_on(0);
+  Preparation preparation(cpu_kernels, [&] {
+    said.release();
+    may_go_on.acquire();
+  });
   preparation.follow(still);
-  wait_for(preparation, Phase::ready);
+  for (said.acquire(); preparation.status().phase != Phase::ready; said.acquire()) {
+    may_go_on.release();
+  }
   const AppState dragged = apply(still, MoveHandle{0, bent()});
-  held = true;
   EXPECT_TRUE(preparation.settle_live(dragged, {}));
   EXPECT_EQ(preparation.status().phase, Phase::settling) << "the exact one may not be dragged now";
-  held = false;
-  held.notify_all();
+  constexpr int kAlways = 1000;
+  may_go_on.release(kAlways);
   wait_for(preparation, Phase::ready);
   EXPECT_FALSE(preparation.take_result().has_value());
   const auto live = preparation.take_live_result();
