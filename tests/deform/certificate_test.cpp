@@ -1,5 +1,6 @@
 #include "lapwing/deform/certificate.h"
 
+#include <array>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -49,6 +50,25 @@ TEST(Certificate, NamesTheTrianglesThatFaceTheOtherWay) {
   const Certificate c = sphere.measure(dented);
   EXPECT_GT(c.flipped_triangles, 0U);
   EXPECT_THAT(c.first_flipped_triangles, ::testing::Not(::testing::IsEmpty()));
+}
+
+// Two triangles on one long side, the second a thousandth or so as high as it is long.
+TEST(Certificate, ATriangleThatIsOnlyALineHasNoSideToFlip) {
+  const auto flips_at = [](double height) {
+    Mesh mesh;
+    mesh.positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, 1.0, 0.0}, {0.5, -height, 0.0}};
+    mesh.add_face(std::array<Index, 3>{0, 1, 2});
+    mesh.add_face(std::array<Index, 3>{1, 0, 3});
+    Positions turned_over = mesh.positions;
+    turned_over[3].y() = height;
+    Certificate c;
+    const std::vector<Index> all{0, 1, 2, 3};
+    measure_shape(all, build_topology(mesh), mesh.positions, turned_over, c);
+    return c.flipped_triangles;
+  };
+  EXPECT_EQ(flips_at(1.1 * kThinnestTriangle), 1U);
+  EXPECT_EQ(flips_at(0.9 * kThinnestTriangle), 0U);
+  EXPECT_EQ(flips_at(0.0), 0U);
 }
 
 TEST(Certificate, NamesTheEdgeThatIsStretchedMost) {

@@ -23,6 +23,14 @@ Vector3d area_normal(const Triangle& t, std::span<const Vector3d> p) {
   return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
 }
 
+// Twice the area over the square of the longest side: how high it is, relative to its length.
+bool has_a_side(const Triangle& t, std::span<const Vector3d> p) {
+  const double longest =
+      std::max({(p[t[1]] - p[t[0]]).squaredNorm(), (p[t[2]] - p[t[1]]).squaredNorm(),
+                (p[t[0]] - p[t[2]]).squaredNorm()});
+  return area_normal(t, p).norm() > kThinnestTriangle * longest;
+}
+
 void count_flipped(std::span<const char> in_roi, std::span<const Matrix3d> rotation_of,
                    const Topology& topology, std::span<const Vector3d> rest,
                    std::span<const Vector3d> current, Certificate& certificate) {
@@ -34,7 +42,7 @@ void count_flipped(std::span<const char> in_roi, std::span<const Matrix3d> rotat
       touched = touched || in_roi[v] != 0;
       turn += in_roi[v] != 0 ? rotation_of[v] : Matrix3d(Matrix3d::Identity());
     }
-    if (!touched) continue;
+    if (!touched || !has_a_side(corners, rest)) continue;
     const Vector3d expected = turn * area_normal(corners, rest);
     if (expected.dot(area_normal(corners, current)) < 0.0) {
       if (certificate.first_flipped_triangles.size() < kListedTriangles) {

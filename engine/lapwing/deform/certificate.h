@@ -32,7 +32,8 @@ struct Certificate {
   /// Largest angle by which a ring has turned, in degrees, 0 to 180.
   double largest_rotation_degrees = 0.0;
   Index largest_rotation_vertex = kNoIndex;
-  /// Triangles that face against the turned rest normal of their corners. First few by number.
+  /// Triangles that face against the turned rest normal of their corners; those thinner than
+  /// kThinnestTriangle at rest have no side to face to. First few by number.
   std::size_t flipped_triangles = 0;
   std::vector<Index> first_flipped_triangles;
   /// How far details are from their rest shapes turned with their rings and scaled as the handles
@@ -52,6 +53,9 @@ struct Certificate {
 
 /// A residual above this is not a solution of the system; the result is then refused.
 inline constexpr double kLargestResidual = 1e-6;
+
+/// A triangle less high than this, relative to its longest side, is turned over by any bend.
+inline constexpr double kThinnestTriangle = 1e-3;
 
 /// At this many flipped triangles the list stops.
 inline constexpr std::size_t kListedTriangles = 8;
