@@ -114,7 +114,7 @@ TEST(CoatStep, IsReadBackAsItWasWritten) {
 }
 
 TEST(CoatStep, StandsBesideADeform) {
-  DeformStep deform;
+  DeformRequest deform;
   deform.handles.push_back({{ListedVertices{{4}}}, SimilarityMove{}});
   const Recipe recipe{"a.obj", {full_coat_step(), deform, full_coat_step()}, "out.ply", "/data"};
   EXPECT_EQ(parse_coat(to_json(recipe)), recipe);

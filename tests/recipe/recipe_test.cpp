@@ -32,8 +32,8 @@ Recipe parse(const std::string& text) {
   return parse_recipe(text, "/data", "bend.json");
 }
 
-const DeformStep& first_step(const Recipe& recipe) {
-  return std::get<DeformStep>(recipe.steps[0]);
+const DeformRequest& first_step(const Recipe& recipe) {
+  return std::get<DeformRequest>(recipe.steps[0]);
 }
 
 // A recipe of one step with these regions.
@@ -50,7 +50,7 @@ TEST(Recipe, ReadsTheExample) {
   const Recipe recipe = parse(kExample);
   EXPECT_EQ(recipe.mesh_path(), "/data/armadillo.off");
   EXPECT_EQ(recipe.save_path(), "/data/out.obj");
-  const DeformStep& step = first_step(recipe);
+  const DeformRequest& step = first_step(recipe);
   EXPECT_EQ(step.roi, RegionSpec{AllVertices{}});
   EXPECT_EQ(std::get<RegionSpec>(step.belt), (RegionSpec{ListedVertices{{0, 1, 2}}}));
   ASSERT_EQ(step.handles.size(), 1U);
@@ -108,7 +108,7 @@ TEST(Recipe, DetailLengthAndResponseAreAsTold) {
 TEST(Recipe, DefaultsAreThoseOfTheEngine) {
   const Recipe recipe = parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
       "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}]}]})");
-  const DeformStep& step = first_step(recipe);
+  const DeformRequest& step = first_step(recipe);
   EXPECT_EQ(step.belt, BeltSpec(BorderBelt{0.1, ""}));
   EXPECT_EQ(step.handles[0].move, Move(SimilarityMove{}));
   const DeformOptions options;
@@ -141,7 +141,7 @@ TEST(Recipe, ReadsEveryFormOfRegion) {
 TEST(Recipe, RegionsKnowWhereTheyWereWritten) {
   const Recipe recipe = parse(
       with_regions(R"({"union": [{"all": true}, {"vertices": [2]}]})", R"({"fraction": 0.2})"));
-  const DeformStep& step = first_step(recipe);
+  const DeformRequest& step = first_step(recipe);
   EXPECT_EQ(step.roi.where, "bend.json: /steps/0/roi");
   EXPECT_EQ(std::get<UnionRegion>(step.roi.form).parts[1].where, "bend.json: /steps/0/roi/union/1");
   EXPECT_EQ(std::get<BorderBelt>(step.belt).where, "bend.json: /steps/0/belt");
@@ -165,7 +165,7 @@ TEST(Recipe, MatrixOfTwelveOrSixteenNumbersIsRowByRow) {
 
 // A recipe that uses every form with numbers that are hard to print.
 Recipe full_recipe() {
-  DeformStep step;
+  DeformRequest step;
   std::vector<Index> many(300);
   for (Index k = 0; k < 300; ++k) many[k] = 7 * k;
   const RegionSpec disk{GeodesicDisk{Vector3d(0.1, -1e-300, 1.0 / 3.0), 1e22}};
@@ -185,7 +185,7 @@ Recipe full_recipe() {
   step.parameters.constraint_weight = 10.0;
   step.parameters.hard = true;
   step.parameters.commit_every = 0.1;
-  DeformStep other;
+  DeformRequest other;
   other.belt = RegionSpec{ListedVertices{{1, 2}}};
   other.handles.push_back({{ListedVertices{{4}}}, SimilarityMove{}});
   return {"meshes/a \"b\".obj", {step, other}, "out.ply", "/data"};

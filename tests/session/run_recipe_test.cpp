@@ -80,8 +80,7 @@ TEST_F(RunRecipe, SecondStepOnTheSameRoiOrdersNothingAnewAndGivesTheSameBits) {
   EXPECT_FALSE(ordered(1));
 
   const auto once = run(kLift);
-  once->prepared.reset();
-  once->last.reset();
+  once->deformed = {};
   const Step alone = parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [)" + other + "]}",
                                   folder_.path(), "test")
                          .steps[0];

@@ -1,4 +1,6 @@
 // Turns of handles past 180 degrees: what a surface makes of them, and what is told about it.
+#include "lapwing/deform/winding.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -10,7 +12,6 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/session/run_recipe.h"
-#include "lapwing/session/winding.h"
 #include "lapwing/settle/settle.h"
 #include "support/error_message.h"
 #include "support/rippled_cylinder.h"
@@ -105,7 +106,7 @@ TEST_F(Winding, WithoutCommitsTheSurfaceHoldsWhatItCanAndTheUserIsTold) {
   EXPECT_NEAR(turns_of_circles(*held).back(), 260.0, 1.0);
   EXPECT_EQ(held->report.steps[0].commits, 1U);
   EXPECT_THAT(held->report.warnings,
-              ElementsAre("handle 1 of step 1 turns by 260 degrees at once; beyond 180 a surface "
+              ElementsAre("step 1: handle 1 turns by 260 degrees at once; beyond 180 a surface "
                           "may unwind, and this one did not. To be sure: add \"commit_every\": 130 "
                           "(or --commit-every 130)"));
 
@@ -118,7 +119,7 @@ TEST_F(Winding, WithoutCommitsTheSurfaceHoldsWhatItCanAndTheUserIsTold) {
   EXPECT_NEAR(lost->report.steps[0].wound_degrees.value(), -60.0, 1.0);
   EXPECT_THAT(
       lost->report.warnings,
-      ::testing::Contains("handle 1 of step 1 turns by 300 degrees, but the surface came out wound "
+      ::testing::Contains("step 1: handle 1 turns by 300 degrees, but the surface came out wound "
                           "by -60: add \"commit_every\": 150 (or --commit-every 150)"));
 }
 
@@ -126,7 +127,7 @@ TEST_F(Winding, LinearSolutionKnowsNoTurns) {
   const auto result = run(twist(260, R"(, "settle": false)"));
   EXPECT_NEAR(turns_of_circles(*result).back(), -100.0, 1.0);
   ASSERT_EQ(result->report.warnings.size(), 1U);
-  EXPECT_THAT(result->report.warnings[0], HasSubstr("wound by -100: let the step settle"));
+  EXPECT_THAT(result->report.warnings[0], HasSubstr("wound by -100: let the surface settle"));
 }
 
 TEST_F(Winding, LeftHandedTurnIsTheMirrorImage) {
@@ -151,17 +152,17 @@ TEST_F(Winding, ASmallDetailLengthKeepsAWholeTurn) {
 }
 
 TEST(WindingWarning, TurnThatIsLostAllTheSameIsToldWithWhatToChange) {
-  DeformStep step;
+  DeformRequest step;
   SimilarityMove move;
   move.rotate = {Vector3d::UnitZ(), 360.0};
   step.handles.push_back({{}, move});
   step.parameters.commit_every = 180.0;
   step.parameters.detail_length = 0.1;
-  EXPECT_THAT(winding_warning(step, 1, 0.0),
+  EXPECT_THAT(winding_warning(step, 0.0),
               HasSubstr("turns by 360 degrees, but the surface came out wound by 0: set "
                         "\"detail_length\" to 0.05 (or --detail-length 0.05)"));
   step.parameters.detail_length = 0.02;
-  EXPECT_THAT(winding_warning(step, 1, 0.0), HasSubstr("turn less, or give the turn"));
+  EXPECT_THAT(winding_warning(step, 0.0), HasSubstr("turn less, or give the turn"));
 }
 
 TEST_F(Winding, LinearSolutionInSmallPartsKeepsItToo) {
@@ -212,7 +213,7 @@ TEST_F(Winding, StillHandleServesInPlaceOfABelt) {
 TEST_F(Winding, TooManyCommitsAreRefused) {
   const std::string message =
       error_message<InputError>([&] { run(twist(1e9, R"(, "commit_every": 1)")); });
-  EXPECT_THAT(message, HasSubstr("step 1 turns by 1e+09 degrees"));
+  EXPECT_THAT(message, HasSubstr("step 1: a handle turns by 1e+09 degrees"));
   EXPECT_THAT(message, HasSubstr("more than 1000 commits"));
 }
 

@@ -43,8 +43,8 @@ class SheetAndRelief {
   }
 
   /// The edge at x = 1 lifted, the other held.
-  static DeformStep lift() {
-    DeformStep step;
+  static DeformRequest lift() {
+    DeformRequest step;
     step.roi = {AllVertices{}};
     step.belt = RegionSpec{Box{{-1.0, -1.0, -1.0}, {0.2, 2.0, 1.0}}};
     SimilarityMove move;

@@ -202,7 +202,7 @@ TEST_F(ARevision, ThatChangesTheTrianglesLetsGoOfWhatIsChosen) {
 }
 
 TEST_F(ARevision, OfADeformOrTheOpenOneIsADeformAgain) {
-  DeformStep higher = SheetAndRelief::lift();
+  DeformRequest higher = SheetAndRelief::lift();
   std::get<SimilarityMove>(higher.handles[0].move).translate.z() = 0.2;
   revise(1, higher);
   EXPECT_TRUE(same_mesh(run_headless(), mesh_of(history_.state())));

@@ -162,7 +162,9 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
     return maker->make_surface({positions, result.topology, {}, {}, 0});
   };
   std::unique_ptr<DeformedSurface> made;
-  auto* after = result.last ? dynamic_cast<VulkanSurface*>(&result.last->surface()) : nullptr;
+  auto* after = result.deformed.last
+                    ? dynamic_cast<VulkanSurface*>(&result.deformed.last->surface())
+                    : nullptr;
   if (after == nullptr) {
     made = still(result.mesh.positions);
     after = dynamic_cast<VulkanSurface*>(made.get());

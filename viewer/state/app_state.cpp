@@ -140,8 +140,8 @@ Move to_move(const Affine3d& motion, const AngleAxisd& turn, const Vector3d& cen
   return move;
 }
 
-DeformStep open_step(const AppState& state) {
-  DeformStep step;
+DeformRequest open_step(const AppState& state) {
+  DeformRequest step;
   step.roi = spec_of(state.selection.roi, "ROI");
   step.belt = belt_spec(state.selection);
   for (const RegionSpec& spec : handle_specs(state.selection)) {

@@ -89,6 +89,6 @@ Move to_move(const Eigen::Affine3d& motion, const Eigen::AngleAxisd& turn,
              const Eigen::Vector3d& centroid);
 
 /// The edit in the making as a step. What is not chosen yet is an empty list.
-DeformStep open_step(const AppState& state);
+DeformRequest open_step(const AppState& state);
 
 }  // namespace lapwing::viewer

@@ -35,7 +35,7 @@ CarriedOut apply_step(const AppState& state, const Step& step,
   out.report =
       run_step(step, committed.steps.size() + 1, base_directory, kernels, progress, result);
   out.warnings = std::move(result.report.warnings);
-  result.last.reset();
+  result.deformed = {};
   out.result = difference(*committed.rest, std::move(result));
   return out;
 }

@@ -27,8 +27,8 @@ void choose_belt(History& history, const BeltSpec& belt) {
 }
 
 // Whether the step's parts are what is chosen already.
-bool is_chosen(const AppState& state, const DeformStep& step) {
-  DeformStep there = open_step(state);
+bool is_chosen(const AppState& state, const DeformRequest& step) {
+  DeformRequest there = open_step(state);
   if (there.roi != step.roi || there.belt != step.belt) return false;
   return std::equal(
       there.handles.begin(), there.handles.end(), step.handles.begin(), step.handles.end(),
@@ -76,7 +76,7 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress) {
           }};
 }
 
-void perform(History& history, const DeformStep& step, const Solve& solve) {
+void perform(History& history, const DeformRequest& step, const Solve& solve) {
   history.perform(Commit{});
   history.perform(SetParameters{step.parameters});
   if (!is_chosen(history.state(), step)) {
@@ -95,7 +95,7 @@ void perform(History& history, const DeformStep& step, const Solve& solve) {
 }
 
 void perform(History& history, const Step& step, const CarryOut& carry_out) {
-  if (const auto* deform = std::get_if<DeformStep>(&step)) {
+  if (const auto* deform = std::get_if<DeformRequest>(&step)) {
     perform(history, *deform, carry_out.solve);
   } else {
     history.perform(Apply{step, carry_out.apply(history.state(), step)});

@@ -16,7 +16,7 @@ namespace lapwing::viewer {
 /// computed again.
 struct Draft {
   std::vector<Step> steps;  ///< committed or applied
-  DeformStep open;          ///< chosen and moved; what is not chosen is an empty list
+  DeformRequest open;       ///< chosen and moved; what is not chosen is an empty list
   bool settled = false;     ///< whether the open step has its result
 
   bool operator==(const Draft&) const = default;
@@ -51,7 +51,7 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress = {});
 
 /// Carries a deform step out by the commands that a person would have used, which can then be
 /// undone one by one. Without `solve` its handles are left moved and not settled.
-void perform(History& history, const DeformStep& step, const Solve& solve);
+void perform(History& history, const DeformRequest& step, const Solve& solve);
 /// Carries any step out: a deform as above, another as one command.
 void perform(History& history, const Step& step, const CarryOut& carry_out);
 

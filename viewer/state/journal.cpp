@@ -43,12 +43,12 @@ std::vector<Step> steps_of(const Json& json) {
 }
 
 // A recipe has no step without a handle; in a journal a handle without vertices stands for none.
-DeformStep with_handle(DeformStep step) {
+DeformRequest with_handle(DeformRequest step) {
   if (step.handles.empty()) step.handles.push_back({RegionSpec{ListedVertices{}}, {}});
   return step;
 }
 
-DeformStep without_empty_handle(DeformStep step) {
+DeformRequest without_empty_handle(DeformRequest step) {
   const MovedHandle none{RegionSpec{ListedVertices{}}, {}};
   if (step.handles.size() == 1 && step.handles.front() == none) step.handles.clear();
   return step;
@@ -72,7 +72,7 @@ void carry_out(const Json& line, Draft& draft) {
   draft.steps.resize(std::min(line.at("keep").get<std::size_t>(), draft.steps.size()));
   for (Step& step : steps_of(line.at("add"))) draft.steps.push_back(std::move(step));
   draft.open =
-      without_empty_handle(std::get<DeformStep>(steps_of(Json::array({line.at("open")})).at(0)));
+      without_empty_handle(std::get<DeformRequest>(steps_of(Json::array({line.at("open")})).at(0)));
   draft.settled = line.at("settled").get<bool>();
 }
 

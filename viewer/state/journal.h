@@ -71,7 +71,7 @@ struct InterruptedEdit {
   Draft draft;                                ///< for `restore`
   std::filesystem::file_time_type last_step;  ///< when it was recorded
 
-  bool is_empty() const { return draft.steps.empty() && draft.open == DeformStep{}; }
+  bool is_empty() const { return draft.steps.empty() && draft.open == DeformRequest{}; }
   /// Whether the file was saved over, and `mesh` is the copy of what it was.
   bool has_copy() const { return mesh.path != opened; }
   /// How many edits the recipe has: those committed, and the open one once a handle is moved.

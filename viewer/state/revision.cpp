@@ -22,8 +22,8 @@ bool leads_to(const AppState& state, const std::vector<Step>& steps, std::size_t
   return done.size() <= most && std::equal(done.begin(), done.end(), steps.begin());
 }
 
-DeformStep as_open(const Step& step) {
-  if (const auto* deform = std::get_if<DeformStep>(&step)) return *deform;
+DeformRequest as_open(const Step& step) {
+  if (const auto* deform = std::get_if<DeformRequest>(&step)) return *deform;
   throw InputError("a deform step can only become another deform; undo it, and apply the other");
 }
 

@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 // One overload per operation.
 struct StepDescriber {
-  std::string operator()(const DeformStep&) const { return "deform"; }
+  std::string operator()(const DeformRequest&) const { return "deform"; }
   std::string operator()(const CoatStep& step) const {
     const fs::path& mesh = step.source.mesh;
     return mesh.empty() ? "coat" : "coat from " + mesh.filename().string();
@@ -32,7 +32,7 @@ struct StepDescriber {
 struct PathChanger {
   std::function<fs::path(const fs::path&)> change;
 
-  void operator()(DeformStep&) const {}
+  void operator()(DeformRequest&) const {}
   void operator()(CoatStep& step) const { renew(step.source.mesh); }
   void operator()(MixStep& step) const {
     for (CoatSource& source : step.sources) renew(source.mesh);

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/recipe/move.h"
+#include "lapwing/deform/move.h"
 #include "tools/gizmo.h"
 
 namespace lapwing::viewer {

@@ -94,7 +94,7 @@ DeformParameters read_deform_parameters(const JsonNode& step) {
 Step read_deform(const JsonNode& node) {
   node.require_keys({"op", "roi", "belt", "handles", "weights", "detail_length", "response",
                      "constraint_weight", "hard", "settle", "commit_every"});
-  DeformStep step;
+  DeformRequest step;
   step.roi = read_region(node.at("roi"));
   step.belt = BorderBelt{.where = node.where() + "/belt"};
   if (const auto belt = node.find("belt")) step.belt = read_belt(*belt);

@@ -9,33 +9,16 @@
 #include <vector>
 
 #include "lapwing/coating/mix_weight.h"
+#include "lapwing/deform/deform_request.h"
 #include "lapwing/recipe/coat_parameters.h"
 #include "lapwing/recipe/coat_source.h"
-#include "lapwing/recipe/deform_parameters.h"
-#include "lapwing/recipe/move.h"
 #include "lapwing/recipe/transplant_parameters.h"
-#include "lapwing/region/border_belt.h"
 #include "lapwing/region/region_spec.h"
 
 namespace lapwing {
 
 /// The version of the format that this program reads and writes, the file's "lapwing".
 inline constexpr int kRecipeVersion = 1;
-
-struct MovedHandle {
-  RegionSpec region;
-  Move move;
-  bool operator==(const MovedHandle&) const = default;
-};
-
-/// {"op": "deform"}: bend the ROI by moving its handles.
-struct DeformStep {
-  RegionSpec roi;
-  BeltSpec belt = BorderBelt{};
-  std::vector<MovedHandle> handles;  ///< at least one
-  DeformParameters parameters;
-  bool operator==(const DeformStep&) const = default;
-};
 
 /// {"op": "coat"}: put the fine detail of a patch of one mesh on a patch of the mesh.
 struct CoatStep {
@@ -93,7 +76,7 @@ struct TransplantStep {
 
 /// One operation of a recipe. A new one is a type here, its reader in read_step.cpp and its writer
 /// in write_recipe.cpp.
-using Step = std::variant<DeformStep, CoatStep, MixStep, TransplantStep>;
+using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep>;
 
 /// A whole edit: a mesh, what is done to it, and where the result goes.
 struct Recipe {

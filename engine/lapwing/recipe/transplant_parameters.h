@@ -4,10 +4,10 @@
 #include <variant>
 
 #include "lapwing/coating/transition.h"
+#include "lapwing/deform/move.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/recipe/coat_parameters.h"
-#include "lapwing/recipe/move.h"
 #include "lapwing/transplant/fit_loop.h"
 
 namespace lapwing {

@@ -20,7 +20,7 @@ Json json_of(const Vector3d& v) {
 Json json_of(const RegionSpec& spec);
 Json json_of(const LoopFit& fit);
 Json json_of(const Move& move);
-Json json_of(const DeformStep& step);
+Json json_of(const DeformRequest& step);
 Json json_of(const CoatStep& step);
 Json json_of(const MixStep& step);
 Json json_of(const TransplantStep& step);
@@ -116,7 +116,7 @@ const char* name_of(Remeshing remeshing) {
   return remeshing == Remeshing::automatic ? "auto" : "none";
 }
 
-Json json_of_settle(const DeformStep& step) {
+Json json_of_settle(const DeformRequest& step) {
   if (!step.parameters.settle || *step.parameters.settle == SettleOptions{})
     return step.parameters.settle.has_value();
   return {{"tolerance", step.parameters.settle->tolerance},
@@ -131,7 +131,7 @@ Json json_of(const std::vector<MovedHandle>& handles) {
   return list;
 }
 
-Json json_of(const DeformStep& step) {
+Json json_of(const DeformRequest& step) {
   Json keys{{"op", "deform"},
             {"roi", json_of(step.roi)},
             {"belt", json_of_any(step.belt)},

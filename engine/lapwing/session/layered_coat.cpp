@@ -9,10 +9,10 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/base/stage.h"
 #include "lapwing/coating/carried_length.h"
 #include "lapwing/coating/ring_areas.h"
 #include "lapwing/deform/certificate.h"
-#include "lapwing/session/stage.h"
 
 namespace lapwing {
 namespace {

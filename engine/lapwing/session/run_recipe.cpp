@@ -3,13 +3,13 @@
 #include <variant>
 
 #include "lapwing/base/memory_use.h"
+#include "lapwing/base/stage.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/session/run_coat.h"
 #include "lapwing/session/run_deform.h"
 #include "lapwing/session/run_mix.h"
 #include "lapwing/session/run_transplant.h"
-#include "lapwing/session/stage.h"
 
 namespace lapwing {
 namespace {
@@ -69,7 +69,7 @@ struct Runner {
   const Progress& progress;
   RunResult& result;
 
-  StepReport operator()(const DeformStep& step) const {
+  StepReport operator()(const DeformRequest& step) const {
     return run_step(step, number, kernels, progress, result);
   }
   StepReport operator()(const CoatStep& step) const { return run_whole(step); }
@@ -80,8 +80,7 @@ struct Runner {
   // A step that leaves no deformer behind, and may change the triangles.
   template <class SomeStep>
   StepReport run_whole(const SomeStep& step) const {
-    result.last.reset();
-    result.prepared.reset();
+    result.deformed = {};
     return run_step(step, base_directory, kernels, progress, result);
   }
 };

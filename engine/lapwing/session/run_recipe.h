@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/session/report.h"
@@ -16,13 +16,10 @@ struct RunResult {
   /// remeshing made is where it was made.
   Positions original;
   Topology topology;  ///< of `mesh`
-  /// What a deform step leaves for one on the same ROI after it; null after any other.
-  std::unique_ptr<PreparedRegion> prepared;
+  /// What the last step leaves if that is a deform; empty after any other.
+  DeformWorkspace deformed;
   /// What the last step concerned; nothing without steps.
   EditRegion region;
-  /// The deformer of the last step if that is a deform or, where that commits on the way, of its
-  /// last part and without settling; its surface on the device in the final pose. Null without it.
-  std::unique_ptr<Deformer> last;
   RunReport report;
 };
 

@@ -10,11 +10,11 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/stage.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/remesh/isotropic.h"
-#include "lapwing/session/stage.h"
 #include "lapwing/session/transplant_parts.h"
 #include "lapwing/transplant/join.h"
 #include "lapwing/transplant/loop_curve.h"

@@ -5,10 +5,10 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/deform_request.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/recipe/deform_parameters.h"
 #include "report/number_text.h"
 #include "run/cgal_arap.h"
 #include "studies/real/edge_ratio.h"

@@ -1,4 +1,4 @@
-#include "lapwing/session/commits.h"
+#include "lapwing/deform/commits.h"
 
 #include <array>
 
@@ -13,10 +13,10 @@ TEST(Commits, StepIsExactOnlyIfEachOfItsPartsIs) {
   const Mesh mesh = test::bumpy_tube();
   const Topology topology = build_topology(mesh);
   const EditRegion region = test::foot_and_head(mesh);
-  DeformStep step;
+  DeformRequest step;
   step.handles = {{RegionSpec{ListedVertices{region.handles[0]}}, SimilarityMove{}}};
   const std::array centroids{Eigen::Vector3d(0.0, 0.0, 3.0)};
-  const BoundStep bound{step, region, topology, centroids};
+  const BoundRequest bound{step, region, topology, centroids};
   std::array<Certificate, 3> parts;
   EXPECT_EQ(certify(bound, mesh.positions, mesh.positions, parts).why_not_exact, "");
   parts[1].why_not_exact = "it does not fit";

@@ -6,32 +6,32 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/deform/deform_request.h"
 #include "lapwing/mesh/topology.h"
-#include "lapwing/recipe/recipe.h"
 #include "lapwing/region/edit_region.h"
 
 namespace lapwing {
 
-/// A step on its mesh. What it refers to must outlive it.
-struct BoundStep {
-  const DeformStep& step;
+/// A request on its mesh. What it refers to must outlive it.
+struct BoundRequest {
+  const DeformRequest& request;
   const EditRegion& region;
   const Topology& topology;
-  /// The handles' centroids before the step.
+  /// The handles' centroids before it is carried out.
   std::span<const Eigen::Vector3d> centroids;
 
-  /// The motion of handle `h` from where it is after share `from` of the step to where it should be
-  /// after share `to`.
+  /// The motion of handle `h` from where it is after share `from` of the request to where it should
+  /// be after share `to`.
   Eigen::Affine3d motion(std::size_t h, double from, double to) const {
-    const Eigen::Affine3d there = to_affine(step.handles[h].move, centroids[h], to);
+    const Eigen::Affine3d there = to_affine(request.handles[h].move, centroids[h], to);
     if (from == 0.0) return there;
-    return there * to_affine(step.handles[h].move, centroids[h], from).inverse();
+    return there * to_affine(request.handles[h].move, centroids[h], from).inverse();
   }
 
   /// By what each handle turns on that way, whole turns included.
   std::vector<Eigen::AngleAxisd> turns(double from, double to) const {
     std::vector<Eigen::AngleAxisd> all;
-    for (const MovedHandle& handle : step.handles) {
+    for (const MovedHandle& handle : request.handles) {
       const AxisRotation whole = turn_of(handle.move);
       all.emplace_back((to - from) * whole.degrees * std::numbers::pi / 180.0, whole.axis);
     }
@@ -41,7 +41,7 @@ struct BoundStep {
   /// Of all handles.
   std::vector<Eigen::Affine3d> motions(double from, double to) const {
     std::vector<Eigen::Affine3d> all;
-    for (std::size_t h = 0; h < step.handles.size(); ++h) all.push_back(motion(h, from, to));
+    for (std::size_t h = 0; h < request.handles.size(); ++h) all.push_back(motion(h, from, to));
     return all;
   }
 };

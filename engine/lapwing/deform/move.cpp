@@ -1,4 +1,4 @@
-#include "lapwing/recipe/move.h"
+#include "lapwing/deform/move.h"
 
 #include <cmath>
 #include <numbers>

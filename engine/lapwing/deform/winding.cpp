@@ -1,4 +1,4 @@
-#include "lapwing/session/winding.h"
+#include "lapwing/deform/winding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,17 +47,17 @@ std::vector<Index> path_from_still(const EditRegion& region, const Topology& top
   return {};
 }
 
-std::string advice(const DeformStep& step, double degrees) {
+std::string advice(const DeformRequest& request, double degrees) {
   std::ostringstream text;
-  if (!step.parameters.settle) text << "let the step settle";
-  if (!step.parameters.commit_every) {
+  if (!request.parameters.settle) text << "let the surface settle";
+  if (!request.parameters.commit_every) {
     const double every = suggested_commit_every(degrees);
-    text << (step.parameters.settle ? "" : ", and ") << "add \"commit_every\": " << every
+    text << (request.parameters.settle ? "" : ", and ") << "add \"commit_every\": " << every
          << " (or --commit-every " << every << ")";
-  } else if (step.parameters.settle && step.parameters.detail_length > kSmallDetailLength) {
-    const double less = std::max(kSmallDetailLength, 0.5 * step.parameters.detail_length);
+  } else if (request.parameters.settle && request.parameters.detail_length > kSmallDetailLength) {
+    const double less = std::max(kSmallDetailLength, 0.5 * request.parameters.detail_length);
     text << "set \"detail_length\" to " << less << " (or --detail-length " << less << ")";
-  } else if (step.parameters.settle) {
+  } else if (request.parameters.settle) {
     text << "turn less, or give the turn a longer region";
   }
   return text.str();
@@ -65,16 +65,16 @@ std::string advice(const DeformStep& step, double degrees) {
 
 }  // namespace
 
-LargestTurn largest_turn(const DeformStep& step) {
+LargestTurn largest_turn(const DeformRequest& request) {
   LargestTurn largest;
-  for (std::size_t h = 0; h < step.handles.size(); ++h) {
-    const AxisRotation turn = turn_of(step.handles[h].move);
+  for (std::size_t h = 0; h < request.handles.size(); ++h) {
+    const AxisRotation turn = turn_of(request.handles[h].move);
     if (turn.degrees > largest.turn.degrees) largest = {h, turn};
   }
   return largest;
 }
 
-std::optional<double> wound_degrees(const BoundStep& bound, const LargestTurn& largest,
+std::optional<double> wound_degrees(const BoundRequest& bound, const LargestTurn& largest,
                                     std::span<const Vector3d> start,
                                     std::span<const Vector3d> end) {
   if (largest.turn.degrees <= kSmallestMeasured) return std::nullopt;
@@ -91,23 +91,21 @@ std::optional<double> wound_degrees(const BoundStep& bound, const LargestTurn& l
   return wound * 180.0 / std::numbers::pi;
 }
 
-std::string winding_warning(const DeformStep& step, std::size_t number,
-                            const std::optional<double>& wound) {
-  const LargestTurn largest = largest_turn(step);
+std::string winding_warning(const DeformRequest& request, const std::optional<double>& wound) {
+  const LargestTurn largest = largest_turn(request);
   const double degrees = largest.turn.degrees;
-  const bool at_once = !step.parameters.commit_every && degrees > kLargestSettledTurnDegrees;
+  const bool at_once = !request.parameters.commit_every && degrees > kLargestSettledTurnDegrees;
   const bool lost = wound && std::abs(*wound - degrees) > 180.0;
   if (!at_once && !lost) return {};
   std::ostringstream text;
-  text << "handle " << largest.handle + 1 << " of step " << number << " turns by " << degrees
-       << " degrees";
+  text << "handle " << largest.handle + 1 << " turns by " << degrees << " degrees";
   if (lost) {
     text << ", but the surface came out wound by " << std::lround(*wound) << ": ";
   } else {
     text << " at once; beyond " << kLargestSettledTurnDegrees
          << " a surface may unwind, and this one did not. To be sure: ";
   }
-  text << advice(step, degrees);
+  text << advice(request, degrees);
   return text.str();
 }
 

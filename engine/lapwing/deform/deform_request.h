@@ -1,12 +1,16 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "lapwing/deform/deform_options.h"
+#include "lapwing/deform/move.h"
+#include "lapwing/region/border_belt.h"
+#include "lapwing/region/region_spec.h"
 
 namespace lapwing {
 
-/// How a deform step is computed, whatever it moves.
+/// How a deformation is computed, whatever it moves.
 struct DeformParameters {
   // As the options of that name.
   LaplacianWeights weights = DeformOptions{}.weights;
@@ -21,7 +25,7 @@ struct DeformParameters {
   bool operator==(const DeformParameters&) const = default;
 };
 
-/// What a Deformer needs of them, for the step or each of its parts.
+/// What a Deformer needs of them, for the whole request or each of its parts.
 inline DeformOptions deform_options(const DeformParameters& parameters) {
   DeformOptions options;
   options.weights = parameters.weights;
@@ -32,5 +36,20 @@ inline DeformOptions deform_options(const DeformParameters& parameters) {
   options.settle = parameters.settle;
   return options;
 }
+
+struct MovedHandle {
+  RegionSpec region;
+  Move move;
+  bool operator==(const MovedHandle&) const = default;
+};
+
+/// Bend the ROI by moving its handles: all of an edit but the mesh. {"op": "deform"} in recipes.
+struct DeformRequest {
+  RegionSpec roi;
+  BeltSpec belt = BorderBelt{};
+  std::vector<MovedHandle> handles;  ///< at least one
+  DeformParameters parameters;
+  bool operator==(const DeformRequest&) const = default;
+};
 
 }  // namespace lapwing

@@ -1,22 +1,22 @@
 #pragma once
 
+#include "lapwing/deform/bound_request.h"
 #include "lapwing/deform/certificate.h"
-#include "lapwing/session/bound_step.h"
 
 namespace lapwing {
 
 /// More commits than this are taken for a mistake: each prepares anew.
 inline constexpr std::size_t kMostCommits = 1000;
 
-/// In how many equal parts `step`, the `number`th of its recipe, is carried out: as few as keep the
-/// turn of every handle within "commit_every", 1 without it. Throws InputError above kMostCommits.
-std::size_t commit_count(const DeformStep& step, std::size_t number);
+/// In how many equal parts `request` is carried out: as few as keep the turn of every handle within
+/// `commit_every`, 1 without it. Throws InputError above kMostCommits.
+std::size_t commit_count(const DeformRequest& request);
 
-/// One certificate for a step carried out in `parts`, from the surface `start` to `end`. Shape,
+/// One certificate for a request carried out in `parts`, from the surface `start` to `end`. Shape,
 /// details, stretch and handles are measured between the two, since what the parts lose adds up; of
 /// the parts come the worst residual and last step, all iterations, and settled and exact only if
 /// each is. Throws SolverError when it does not hold.
-Certificate certify(const BoundStep& bound, std::span<const Eigen::Vector3d> start,
+Certificate certify(const BoundRequest& bound, std::span<const Eigen::Vector3d> start,
                     std::span<const Eigen::Vector3d> end, std::span<const Certificate> parts);
 
 }  // namespace lapwing

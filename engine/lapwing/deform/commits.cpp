@@ -1,11 +1,11 @@
-#include "lapwing/session/commits.h"
+#include "lapwing/deform/commits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/session/winding.h"
+#include "lapwing/deform/winding.h"
 
 namespace lapwing {
 namespace {
@@ -18,21 +18,21 @@ constexpr double kRoundingOfQuotient = 1e-9;
 
 }  // namespace
 
-std::size_t commit_count(const DeformStep& step, std::size_t number) {
-  if (!step.parameters.commit_every) return 1;
-  const double degrees = largest_turn(step).turn.degrees;
-  const double count = std::ceil(degrees / *step.parameters.commit_every - kRoundingOfQuotient);
+std::size_t commit_count(const DeformRequest& request) {
+  if (!request.parameters.commit_every) return 1;
+  const double degrees = largest_turn(request).turn.degrees;
+  const double count = std::ceil(degrees / *request.parameters.commit_every - kRoundingOfQuotient);
   if (!(count <= static_cast<double>(kMostCommits))) {
     std::ostringstream text;
-    text << "step " << number << " turns by " << degrees
-         << " degrees; with \"commit_every\": " << *step.parameters.commit_every
+    text << "a handle turns by " << degrees
+         << " degrees; with \"commit_every\": " << *request.parameters.commit_every
          << " that is more than " << kMostCommits << " commits. Raise it, or turn less";
     throw InputError(text.str());
   }
   return static_cast<std::size_t>(std::max(count, 1.0));
 }
 
-Certificate certify(const BoundStep& bound, std::span<const Vector3d> start,
+Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
                     std::span<const Vector3d> end, std::span<const Certificate> parts) {
   Certificate certificate;
   for (const Certificate& part : parts) {
@@ -51,7 +51,7 @@ Certificate certify(const BoundStep& bound, std::span<const Vector3d> start,
       certificate.handle_error = std::max(certificate.handle_error, error);
     }
   }
-  const auto weights = laplacian_weights(bound.topology, start, bound.step.parameters.weights);
+  const auto weights = laplacian_weights(bound.topology, start, bound.request.parameters.weights);
   measure_region(region, bound.topology, weights, start, end, certificate);
   require_valid(certificate);
   return certificate;

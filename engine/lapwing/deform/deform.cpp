@@ -1,0 +1,111 @@
+#include "lapwing/deform/deform.h"
+
+#include "lapwing/base/stage.h"
+#include "lapwing/deform/bound_request.h"
+#include "lapwing/deform/commits.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/winding.h"
+#include "lapwing/kernels/cpu_kernels.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// A request on its way, whose mesh follows the handles part by part.
+struct Work {
+  const BoundRequest& bound;
+  Kernels& kernels;
+  DeformWorkspace& workspace;
+  const Progress& progress;
+  Deformed& result;
+
+  // From share `from` of the motions to share `to`.
+  Certificate carry_out(double from, double to) const {
+    workspace.last.reset();
+    if (!workspace.prepared) workspace.prepared = std::make_unique<PreparedRegion>(bound.topology);
+    workspace.last =
+        std::make_unique<Deformer>(*workspace.prepared, result.mesh.positions, bound.region,
+                                   deform_options(bound.request.parameters), kernels, progress);
+    Deformer& deformer = *workspace.last;
+    for (const auto& [name, ms] : deformer.timings().stages()) result.timings.add(name, ms);
+    const std::vector<Eigen::Affine3d> motions = bound.motions(from, to);
+    Certificate certificate;
+    stage("drag", result.timings, progress, [&] { deformer.drag(motions); });
+    stage("solve", result.timings, progress, [&] {
+      DeformResult solved = deformer.solve(motions, bound.turns(from, to), progress);
+      result.mesh.positions = std::move(solved.positions);
+      certificate = std::move(solved.certificate);
+      if (bound.request.parameters.settle) deformer.show(result.mesh.positions);
+    });
+    return certificate;
+  }
+
+  Certificate carry_out_in_parts(const Positions& start) const {
+    const auto share = [&](std::size_t parts) {
+      return static_cast<double>(parts) / static_cast<double>(result.commits);
+    };
+    std::vector<Certificate> parts;
+    for (std::size_t k = 0; k < result.commits; ++k) {
+      parts.push_back(carry_out(share(k), share(k + 1)));
+    }
+    Certificate certificate;
+    stage("certify", result.timings, progress,
+          [&] { certificate = certify(bound, start, result.mesh.positions, parts); });
+    return certificate;
+  }
+};
+
+EditRegion region_of(const DeformRequest& request, const Mesh& mesh, const Topology& topology) {
+  std::vector<RegionSpec> handles;
+  for (const MovedHandle& handle : request.handles) handles.push_back(handle.region);
+  return resolve_edit_region(request.roi, request.belt, handles, mesh, topology);
+}
+
+void add_warnings(const DeformRequest& request, Deformed& result) {
+  if (std::string text = winding_warning(request, result.wound_degrees); !text.empty()) {
+    result.warnings.push_back(std::move(text));
+  }
+  for (std::string& text : warnings_of(result.certificate)) {
+    result.warnings.push_back(std::move(text));
+  }
+  if (const std::string& why = result.certificate.why_not_exact; !why.empty()) {
+    result.warnings.push_back(why + "; the surface is settled without");
+  }
+}
+
+}  // namespace
+
+Deformed deform(Mesh mesh, const Topology& topology, const DeformRequest& request, Kernels& kernels,
+                DeformWorkspace& workspace, const Progress& progress) {
+  Deformed result;
+  const LargestTurn largest = largest_turn(request);
+  result.turn_degrees = largest.turn.degrees;
+  result.commits = commit_count(request);
+  result.mesh = std::move(mesh);
+  stage("region", result.timings, progress,
+        [&] { result.region = region_of(request, result.mesh, topology); });
+  const Positions start = result.mesh.positions;
+  std::vector<Vector3d> centroids;
+  for (const VertexSet& handle : result.region.handles) {
+    centroids.push_back(handle_frame(handle, start).centroid);
+  }
+  const BoundRequest bound{request, result.region, topology, centroids};
+  const Work work{bound, kernels, workspace, progress, result};
+  result.certificate =
+      result.commits == 1 ? work.carry_out(0.0, 1.0) : work.carry_out_in_parts(start);
+  result.wound_degrees = wound_degrees(bound, largest, start, result.mesh.positions);
+  result.free = workspace.last->free_count();
+  result.solver = workspace.last->solver_name();
+  add_warnings(request, result);
+  return result;
+}
+
+Deformed deform(Mesh mesh, const DeformRequest& request) {
+  const Topology topology = build_topology(mesh);
+  CpuKernels kernels;
+  DeformWorkspace workspace;
+  return deform(std::move(mesh), topology, request, kernels, workspace);
+}
+
+}  // namespace lapwing

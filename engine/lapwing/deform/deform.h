@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/certificate.h"
+#include "lapwing/deform/deform_request.h"
+#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/prepared_region.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/mesh/mesh.h"
+#include "lapwing/mesh/topology.h"
+#include "lapwing/region/edit_region.h"
+
+namespace lapwing {
+
+/// What `deform` makes of a mesh.
+struct Deformed {
+  Mesh mesh;  ///< the one given, with other positions
+  /// Of all parts as one, from the surface before the request to the one after it; residual and
+  /// settling are the worst of the parts, the iterations those of all.
+  Certificate certificate;
+  /// For a person: what is not as it should be, where, and what to change. Empty when all is well.
+  std::vector<std::string> warnings;
+  EditRegion region;          ///< the vertices that the request's regions chose
+  std::size_t free = 0;       ///< vertices that are neither handle nor belt
+  double turn_degrees = 0.0;  ///< the largest turn of a handle, as written: 260 is 260
+  /// How far the surface came out wound about the same axis (winding.h).
+  std::optional<double> wound_degrees = {};
+  std::size_t commits = 1;  ///< parts it was carried out in, each the rest shape of the next
+  std::string solver;
+  StageTimings timings;  ///< of all parts together
+};
+
+/// Carries `request` out on `mesh`, whatever its faces. The processor computes it; one call
+/// prepares anew, so that whoever edits one region again and again keeps a Deformer. Throws
+/// InputError for a request that does not fit the mesh, and what Deformer throws.
+Deformed deform(Mesh mesh, const DeformRequest& request);
+
+/// What one request leaves for another on the same mesh.
+struct DeformWorkspace {
+  std::unique_ptr<PreparedRegion> prepared;  ///< for the same ROI
+  /// The deformer of the last request or, where that commits on the way, of its last part and
+  /// without settling; its surface on the device is in the final pose. Null without it.
+  std::unique_ptr<Deformer> last;
+};
+
+/// The same on any device. `topology` is that of `mesh`; it and `kernels` must outlive `workspace`.
+/// Stages reported: "region", those of Deformer, "drag", "solve", with several parts "certify".
+Deformed deform(Mesh mesh, const Topology& topology, const DeformRequest& request, Kernels& kernels,
+                DeformWorkspace& workspace, const Progress& progress = {});
+
+}  // namespace lapwing

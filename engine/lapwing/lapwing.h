@@ -1,0 +1,5 @@
+#pragma once
+
+/// Lapwing's operations on meshes in memory, and its mesh files.
+#include "lapwing/deform/deform.h"
+#include "lapwing/io/mesh_file.h"

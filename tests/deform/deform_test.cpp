@@ -1,0 +1,82 @@
+// A deformation as a function of a mesh and a request.
+#include "lapwing/deform/deform.h"
+
+#include <array>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "support/bent_tube.h"
+#include "support/error_message.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class DeformInMemory : public ::testing::Test {
+ protected:
+  // The head of the tube moved, its foot held.
+  DeformRequest request(const Vector3d& translate, double degrees) const {
+    SimilarityMove move;
+    move.translate = translate;
+    move.rotate = {Vector3d::UnitZ(), degrees};
+    DeformRequest request;
+    request.roi = {ListedVertices{region_.roi}};
+    request.belt = RegionSpec{ListedVertices{region_.belt}};
+    request.handles = {{{ListedVertices{region_.handles[0]}}, move}};
+    return request;
+  }
+
+  const Mesh mesh_ = test::bumpy_tube();
+  const EditRegion region_ = test::foot_and_head(mesh_);
+};
+
+TEST_F(DeformInMemory, IsWhatADeformerSolvesFor) {
+  const Vector3d aside(0.5, 0.0, 0.2);
+  const Deformed deformed = deform(mesh_, request(aside, 0.0));
+  const Topology topology = build_topology(mesh_);
+  CpuKernels kernels;
+  const Deformer deformer(mesh_.positions, topology, region_, {}, kernels);
+  const Eigen::Affine3d move(Eigen::Translation3d{aside});
+  EXPECT_EQ(deformed.mesh.positions, deformer.solve(std::array{move}).positions);
+  EXPECT_EQ(deformed.mesh.face_vertices, mesh_.face_vertices);
+  EXPECT_EQ(deformed.region.roi, region_.roi);
+  EXPECT_EQ(deformed.region.handles, region_.handles);
+  EXPECT_EQ(deformed.free, deformer.free_count());
+  EXPECT_TRUE(deformed.certificate.settled);
+  EXPECT_THAT(deformed.warnings, IsEmpty());
+}
+
+TEST_F(DeformInMemory, AWorkspaceServesOneRequestAfterAnother) {
+  const Topology topology = build_topology(mesh_);
+  CpuKernels kernels;
+  DeformWorkspace workspace;
+  const DeformRequest there = request({0.5, 0.0, 0.0}, 0.0);
+  const DeformRequest on = request({0.0, 0.3, 0.0}, 20.0);
+  const Mesh once = deform(mesh_, topology, there, kernels, workspace).mesh;
+  const Mesh twice = deform(once, topology, on, kernels, workspace).mesh;
+  EXPECT_EQ(twice.positions, deform(once, on).mesh.positions);
+}
+
+TEST_F(DeformInMemory, SaysWhatToChangeWithoutAFile) {
+  DeformRequest wound = request(Vector3d::Zero(), 200.0);
+  EXPECT_THAT(deform(mesh_, wound).warnings,
+              ::testing::Contains(HasSubstr("handle 1 turns by 200 degrees")));
+  wound.parameters.commit_every = 100.0;
+  EXPECT_EQ(deform(mesh_, wound).commits, 2U);
+  wound.parameters.commit_every = 0.1;
+  EXPECT_THAT(error_message<InputError>([&] { deform(mesh_, wound); }),
+              HasSubstr("more than 1000 commits"));
+  DeformRequest beyond = request(Vector3d::Zero(), 0.0);
+  beyond.handles[0].region = {ListedVertices{{static_cast<Index>(mesh_.vertex_count())}}};
+  EXPECT_THAT(error_message<InputError>([&] { deform(mesh_, beyond); }),
+              HasSubstr(std::to_string(mesh_.vertex_count())));
+}
+
+}  // namespace
+}  // namespace lapwing
