@@ -1,5 +1,7 @@
 #pragma once
 
 /// Lapwing's operations on meshes in memory, and its mesh files.
+#include "lapwing/coating/coat.h"
 #include "lapwing/deform/deform.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/transplant/transplant.h"

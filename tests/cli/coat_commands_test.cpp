@@ -120,13 +120,13 @@ TEST_F(CoatCommands, EveryFlagOfMixIsInItsRecipe) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   MixStep expected;
   expected.target_patch = {GeodesicDisk{Vector3d(0.5, 0.5, 0.0), 0.35}};
-  CoatSource& first = expected.sources[0];
+  FileSource& first = expected.sources[0];
   first.mesh = "bumps.ply";
   first.detail_size = 0.5;
   first.inner_pairs = {{144, 145}};
   first.sampling = {MappedSampling::linear, 2.0};
   first.amplitude = -0.5;
-  CoatSource& second = expected.sources[1];
+  FileSource& second = expected.sources[1];
   second.mesh = "sheet.ply";
   second.patch = {GeodesicDisk{Vector3d(0.5, 0.5, 0.0), 0.4}};
   second.detail_size = 0.4;

@@ -1,18 +1,77 @@
-// Lifts the middle of a generated sheet, with no file opened.
+// Operations on generated meshes, with no file opened.
+#include <cmath>
 #include <cstdio>
 #include <lapwing/lapwing.h>
 #include <lapwing/mesh/shapes.h>
+#include <lapwing/remesh/isotropic.h>
+
+using namespace lapwing;
+
+namespace {
+
+int failures = 0;
+
+void expect(bool holds, const char* what) {
+  std::printf("%s: %s\n", what, holds ? "yes" : "NO");
+  failures += holds ? 0 : 1;
+}
+
+Mesh bumpy_sheet(double height) {
+  Mesh mesh = grid(24, 24);
+  for (auto& p : mesh.positions) p.z() = height * std::sin(25.0 * p.x()) * std::sin(25.0 * p.y());
+  return mesh;
+}
+
+double highest(const Mesh& mesh) {
+  double z = 0.0;
+  for (const auto& p : mesh.positions) z = std::max(z, p.z());
+  return z;
+}
+
+CoatSource all_of_it() {
+  CoatSource source;
+  source.patch = {AllVertices{}};
+  source.detail_size = 0.5;
+  return source;
+}
+
+}  // namespace
 
 int main() {
-  using namespace lapwing;
-  const Mesh sheet = grid(10, 10);
+  const Mesh sheet = grid(24, 24);
+
   DeformRequest lift;
   lift.roi = {AllVertices{}};
-  lift.handles = {{{ListedVertices{{60}}}, SimilarityMove{.translate = {0.0, 0.0, 0.3}}}};
+  lift.handles = {{{ListedVertices{{312}}}, SimilarityMove{.translate = {0.0, 0.0, 0.3}}}};
   lift.parameters.hard = true;
   const Deformed lifted = deform(sheet, lift);
-  for (const std::string& warning : lifted.warnings) std::printf("%s\n", warning.c_str());
-  const Positions& p = lifted.mesh.positions;
-  std::printf("middle at %.3f\n", p[60].z());
-  return p[60].z() == 0.3 && p[0].z() == 0.0 ? 0 : 1;
+  expect(lifted.mesh.positions[312].z() == 0.3 && lifted.mesh.positions[0].z() == 0.0,
+         "the middle of a sheet is lifted");
+
+  CoatRequest bumps;
+  bumps.source = all_of_it();
+  bumps.target_patch = {AllVertices{}};
+  const Coated coated = coat(sheet, bumpy_sheet(0.01), bumps);
+  expect(highest(coated.mesh) > 0.003, "a sheet has the bumps of another");
+
+  MixRequest half;
+  half.sources = {all_of_it(), all_of_it()};
+  half.target_patch = {AllVertices{}};
+  half.weight.form = PaintedWeight{std::vector<double>(sheet.vertex_count(), 0.5)};
+  const Coated mixed = mix(sheet, bumpy_sheet(0.01), bumpy_sheet(-0.01), half);
+  expect(highest(mixed.mesh) < 0.001, "bumps and dents make half of nothing");
+
+  const Mesh ball = icosphere(4);
+  TransplantRequest horn;
+  horn.part_region = {Box{{-2.0, -2.0, 0.5}, {2.0, 2.0, 2.0}}};
+  horn.target_region = {Box{{0.8, -2.0, -2.0}, {2.0, 2.0, 2.0}}};
+  const Transplanted joined = transplant(ball, ball, horn);
+  expect(joined.report.part_vertices > 0 && joined.mesh.face_count() > 0,
+         "the cap of a ball is on its side");
+
+  const VertexSet all = resolve({AllVertices{}}, sheet, build_topology(sheet));
+  const auto fine = [](const Eigen::Vector3d&) { return 0.02; };
+  expect(remesh_isotropic(sheet, all, fine).mesh.vertex_count() > 2 * sheet.vertex_count(),
+         "a sheet gets finer triangles");
+  return failures;
 }

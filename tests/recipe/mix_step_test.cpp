@@ -45,7 +45,7 @@ MixStep short_step() {
 // Every key away from its default.
 MixStep full_mix_step() {
   MixStep step = short_step();
-  CoatSource& first = step.sources[0];
+  FileSource& first = step.sources[0];
   first.boundary_pairs = {{1, 10}, {2, 20}, {3, 30}, {4, 40}};
   first.inner_pairs = {{5, 50}, {6, 60}};
   first.sampling = {MappedSampling::linear, 0.1 + 0.2};

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/session/prepared_coat.h"
+#include "lapwing/session/run_coat.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "session/coat_runs.h"
 #include "support/bent_tube.h"
@@ -230,6 +230,14 @@ class APreparedCoat : public RunMix {
         R"({"lapwing": 1, "mesh": "target.ply", "steps": [)" + text + "]}", folder_.path(), "test");
     return std::get<CoatStep>(recipe.steps.at(0));
   }
+
+  PreparedCoat prepare(const CoatStep& step, const Mesh& mesh, const Topology& topology) {
+    return {{step.source, step.target_patch, step.parameters},
+            mesh,
+            topology,
+            read_source_meshes({&step.source, 1}, folder_.path()).front(),
+            cpu_};
+  }
 };
 
 TEST_F(APreparedCoat, GivesForEveryAmplitudeWhatTheStepGives) {
@@ -237,7 +245,7 @@ TEST_F(APreparedCoat, GivesForEveryAmplitudeWhatTheStepGives) {
     write(grid(keys.empty() ? 8 : kMixCells, keys.empty() ? 8 : kMixCells), "target.ply");
     const Mesh mesh = read("target.ply");
     const Topology topology = build_topology(mesh);
-    const PreparedCoat prepared(step(kMixDetail, 1.0, keys), mesh, topology, folder_.path(), cpu_);
+    const PreparedCoat prepared = prepare(step(kMixDetail, 1.0, keys), mesh, topology);
     EXPECT_EQ(prepared.layers().remeshed() != nullptr, keys.empty());
     for (const double amplitude : {1.0, 0.0, -0.5}) {
       const CoatStep whole = step(kMixDetail, amplitude, keys);
@@ -252,11 +260,11 @@ TEST_F(APreparedCoat, TakesAnotherDetailSizeWithoutPreparingAnew) {
   const Topology topology = build_topology(mesh);
   // A transition of its own, since that of the step's follows the detail size.
   const std::string keys = kKeep + R"(, "transition": {"width": 0.1})";
-  PreparedCoat prepared(step(0.5, 1.0, keys), mesh, topology, folder_.path(), cpu_);
+  PreparedCoat prepared = prepare(step(0.5, 1.0, keys), mesh, topology);
   const Positions before = prepared.positions(1.0);
   prepared.set_detail_size(0.2);
   const Positions smaller = prepared.positions(1.0);
-  const PreparedCoat anew(step(0.2, 1.0, keys), mesh, topology, folder_.path(), cpu_);
+  const PreparedCoat anew = prepare(step(0.2, 1.0, keys), mesh, topology);
   EXPECT_GT(largest_distance(before, smaller), 0.1 * kMixHeight);
   EXPECT_LT(largest_distance(smaller, anew.positions(1.0)),
             0.25 * largest_distance(before, smaller));
@@ -268,7 +276,7 @@ TEST_F(APreparedCoat, TakesAnotherDetailSizeWithoutPreparingAnew) {
 TEST_F(APreparedCoat, ShowsBothPatchesInTheDomain) {
   const Mesh mesh = read("target.ply");
   const Topology topology = build_topology(mesh);
-  const PreparedCoat prepared(step(kMixDetail, 1.0, kKeep), mesh, topology, folder_.path(), cpu_);
+  const PreparedCoat prepared = prepare(step(kMixDetail, 1.0, kKeep), mesh, topology);
   const LayeredCoat& layers = prepared.layers();
   EXPECT_EQ(layers.map(0).source.points.size(), layers.source_patch(0).size());
   EXPECT_EQ(layers.map(0).target.points.size(), layers.target_patch().size());

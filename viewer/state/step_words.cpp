@@ -16,7 +16,7 @@ struct StepDescriber {
   }
   std::string operator()(const MixStep& step) const {
     std::string words = "mix";
-    for (const CoatSource& source : step.sources) {
+    for (const FileSource& source : step.sources) {
       words += words == "mix" ? " " : " and ";
       words += source.mesh.empty() ? "the mesh itself" : source.mesh.filename().string();
     }
@@ -35,7 +35,7 @@ struct PathChanger {
   void operator()(DeformRequest&) const {}
   void operator()(CoatStep& step) const { renew(step.source.mesh); }
   void operator()(MixStep& step) const {
-    for (CoatSource& source : step.sources) renew(source.mesh);
+    for (FileSource& source : step.sources) renew(source.mesh);
   }
   void operator()(TransplantStep& step) const { renew(step.part); }
 

@@ -18,7 +18,7 @@ bool is_chosen(const RegionSpec& region) {
 
 void require_complete(const LayerDraft& draft) {
   for (std::size_t k = 0; k < draft.source_count(); ++k) {
-    const CoatSource& source = draft.sources[k];
+    const FileSource& source = draft.sources[k];
     const std::string which = draft.source_count() == 1 ? "the source"
                               : k == 0                  ? "the first source"
                                                         : "the second source";
@@ -36,8 +36,8 @@ void require_complete(const LayerDraft& draft) {
 
 }  // namespace
 
-CoatSource LayerDraft::nothing() {
-  CoatSource source;
+FileSource LayerDraft::nothing() {
+  FileSource source;
   source.patch = {ListedVertices{}, "source patch"};
   return source;
 }

@@ -16,7 +16,7 @@ struct LayerDraft {
   enum class Operation { coat, mix };
 
   Operation operation = Operation::coat;
-  std::array<CoatSource, 2> sources{nothing(), nothing()};  ///< a coat has the first one alone
+  std::array<FileSource, 2> sources{nothing(), nothing()};  ///< a coat has the first one alone
   RegionSpec target_patch{ListedVertices{}, "target patch"};
   CoatParameters parameters;
   // Of a mix:
@@ -27,10 +27,10 @@ struct LayerDraft {
   bool operator==(const LayerDraft&) const = default;
 
   std::size_t source_count() const { return operation == Operation::coat ? 1 : 2; }
-  std::span<const CoatSource> all_sources() const { return {sources.data(), source_count()}; }
+  std::span<const FileSource> all_sources() const { return {sources.data(), source_count()}; }
 
   /// A source without patch, whose detail size is not known before there is one.
-  static CoatSource nothing();
+  static FileSource nothing();
 };
 
 /// The step that it says. Throws InputError, in words that say what is still missing.

@@ -1,21 +1,22 @@
 #include "tools/layer_preview.h"
 
 #include "lapwing/base/errors.h"
+#include "lapwing/session/run_coat.h"
 #include "state/command.h"
 
 namespace lapwing::viewer {
 namespace {
 
-// What is prepared refers to the draft, which lives beside it.
-LayeredStep layered(const LayerDraft& draft) {
-  static const std::string kWhere = "preview";
-  return {.sources = draft.all_sources(),
-          .target_patch = draft.target_patch,
-          .parameters = draft.parameters,
-          .where = kWhere,
-          .taken = draft.taken,
-          .weight = draft.operation == LayerDraft::Operation::mix ? &draft.weight : nullptr,
-          .handles = draft.handles};
+LayeredRequest layered(const LayerDraft& draft) {
+  LayeredRequest request{.sources = {},
+                         .target_patch = draft.target_patch,
+                         .parameters = draft.parameters,
+                         .where = "preview",
+                         .taken = draft.taken,
+                         .handles = draft.handles};
+  for (const FileSource& source : draft.all_sources()) request.sources.push_back(source);
+  if (draft.operation == LayerDraft::Operation::mix) request.weight = draft.weight;
+  return request;
 }
 
 bool same_sizes(const LayerDraft& a, const LayerDraft& b) {
@@ -137,8 +138,10 @@ LayerPreview::Result LayerPreview::prepared(const Wanted& wanted,
                                             const Progress& progress) {
   step_of(wanted.draft);  // says what is missing
   auto result = std::make_shared<Prepared>(Prepared{kernels, wanted.target, wanted.draft, nullptr});
-  result->layers = std::make_unique<LayeredCoat>(layered(result->draft), *result->target.rest,
-                                                 *result->target.topology, "", *kernels, progress);
+  report_progress(progress, "source", 0.0);
+  result->layers = std::make_unique<LayeredCoat>(
+      layered(result->draft), *result->target.rest, *result->target.topology,
+      read_source_meshes(result->draft.all_sources(), ""), *kernels, progress);
   return result;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "lapwing/session/layered_coat.h"
+#include "lapwing/coating/layered_coat.h"
 #include "state/app_state.h"
 #include "tools/job.h"
 #include "tools/layer_draft.h"
@@ -49,7 +49,7 @@ class LayerPreview {
   const LayeredCoat* layers() const;
 
  private:
-  // The step, all that it refers to, and what came of it.
+  // The request, what its result refers to, and what came of it.
   struct Prepared {
     std::shared_ptr<Kernels> kernels;
     AppState target;

@@ -6,8 +6,9 @@
 #include "lapwing/mesh/transform.h"
 #include "lapwing/parts/part_library.h"
 #include "lapwing/region/geodesic.h"
-#include "lapwing/session/transplant_parts.h"
+#include "lapwing/session/run_transplant.h"
 #include "lapwing/transplant/place_at.h"
+#include "lapwing/transplant/placed_part.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -81,7 +82,8 @@ TransplantDraft draft_with(std::shared_ptr<const TransplantPart> part, double di
 
 TransplantDraft taken_up(const TransplantStep& step, const AppState& host) {
   const Hole hole = cut_hole(step.target_region, *host.rest, *host.topology);
-  PlacedPart placed = place_part(step, {}, *host.rest, *host.topology, hole);
+  PlacedPart placed =
+      place_part(step, part_mesh(step, {}, *host.rest), *host.rest, *host.topology, hole);
   if (placed.motion.linear().determinant() < 0.0) {
     std::reverse(placed.loop.begin(), placed.loop.end());
   }

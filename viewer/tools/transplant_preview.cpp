@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/session/transplant_parts.h"
 #include "lapwing/transplant/loop_curve.h"
+#include "lapwing/transplant/placed_part.h"
 #include "state/command.h"
 
 namespace lapwing::viewer {

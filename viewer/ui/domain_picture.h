@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "lapwing/session/layered_coat.h"
+#include "lapwing/coating/layered_coat.h"
 
 namespace lapwing::viewer {
 

@@ -71,8 +71,8 @@ Transition::Profile read_profile(const JsonNode& node) {
                                                            : Transition::Profile::linear;
 }
 
-CoatSource read_source_keys(const JsonNode& node, Domain domain) {
-  CoatSource source;
+FileSource read_source_keys(const JsonNode& node, Domain domain) {
+  FileSource source;
   source.where = node.where();
   source.detail_size = node.at("detail_size").positive_number();
   if (const auto pairs = node.find("boundary_pairs")) {

@@ -13,7 +13,7 @@ Transition read_transition(const JsonNode& node);
 
 /// What coat and mix steps share. Of `node` a source's detail size, pairs, sampling, scale and
 /// amplitude; `domain` is that of the step.
-CoatSource read_source_keys(const JsonNode& node, Domain domain);
+FileSource read_source_keys(const JsonNode& node, Domain domain);
 /// Of a step how its target is treated: "smooth_target", "weights", "domain", "transition" and
 /// "remesh".
 CoatParameters read_coat_parameters(const JsonNode& node);

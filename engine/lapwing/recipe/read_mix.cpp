@@ -7,16 +7,16 @@
 namespace lapwing {
 namespace {
 
-CoatSource read_source(const JsonNode& node, Domain domain) {
+FileSource read_source(const JsonNode& node, Domain domain) {
   node.require_keys({"mesh", "patch", "detail_size", "boundary_pairs", "inner_pairs", "sampling",
                      "scale", "amplitude"});
-  CoatSource source = read_source_keys(node, domain);
+  FileSource source = read_source_keys(node, domain);
   if (const auto mesh = node.find("mesh")) source.mesh = mesh->file_name();
   source.patch = read_region(node.at("patch"));
   return source;
 }
 
-std::array<CoatSource, 2> read_sources(const JsonNode& node, Domain domain) {
+std::array<FileSource, 2> read_sources(const JsonNode& node, Domain domain) {
   const std::vector<JsonNode> sources = node.elements();
   if (sources.size() != 2) {
     node.fail("expected two sources, got " + std::to_string(sources.size()) +

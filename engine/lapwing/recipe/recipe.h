@@ -8,21 +8,26 @@
 #include <variant>
 #include <vector>
 
-#include "lapwing/coating/mix_weight.h"
+#include "lapwing/coating/coat.h"
 #include "lapwing/deform/deform_request.h"
-#include "lapwing/recipe/coat_parameters.h"
-#include "lapwing/recipe/coat_source.h"
-#include "lapwing/recipe/transplant_parameters.h"
 #include "lapwing/region/region_spec.h"
+#include "lapwing/transplant/transplant_request.h"
 
 namespace lapwing {
 
 /// The version of the format that this program reads and writes, the file's "lapwing".
 inline constexpr int kRecipeVersion = 1;
 
+/// A source with its file.
+struct FileSource : CoatSource {
+  /// As written; empty: the mesh that the step is carried out on, as it is before the step.
+  std::filesystem::path mesh;
+  bool operator==(const FileSource&) const = default;
+};
+
 /// {"op": "coat"}: put the fine detail of a patch of one mesh on a patch of the mesh.
 struct CoatStep {
-  CoatSource source;
+  FileSource source;
   RegionSpec target_patch;
   CoatParameters parameters;
   std::string where = "coat";  ///< as in RegionSpec; no part of the value
@@ -32,17 +37,11 @@ struct CoatStep {
   }
 };
 
-/// What a mix step takes of its sources, and replaces of its target.
-enum class Taken {
-  coating,  ///< the detail below each source's detail size, which lies over the target
-  shape,    ///< all of it: full Laplacians; detail sizes say what frames are free of
-};
-
 /// {"op": "mix"}: mix two surfaces on a patch of the mesh, (1 - w) of the first and w of the second
 /// (paper section 5.3).
 struct MixStep {
   RegionSpec target_patch;
-  std::array<CoatSource, 2> sources;
+  std::array<FileSource, 2> sources;
   MixWeight weight;
   Taken taken = Taken::coating;
   std::vector<MovedHandle> handles;  ///< in the patch, moved in the same solve
@@ -58,20 +57,9 @@ struct MixStep {
 };
 
 /// {"op": "transplant"}: put a part of another mesh in the place of a region of the mesh.
-struct TransplantStep {
-  std::filesystem::path part;             ///< as written; empty: the mesh itself, before the step
-  std::optional<RegionSpec> part_region;  ///< what is cut from it; all of it if not given
-  std::optional<std::size_t> loop;        ///< which boundary loop is sewn on; the longest
-  PartPlace place;
-  bool snap = false;  ///< after a move: its loop is brought onto the mesh, by the least motion
-  RegionSpec target_region;
-  TransplantParameters parameters;
-  std::string where = "transplant";  ///< as in RegionSpec; no part of the value
-  bool operator==(const TransplantStep& other) const {
-    return part == other.part && part_region == other.part_region && loop == other.loop &&
-           place == other.place && snap == other.snap && target_region == other.target_region &&
-           parameters == other.parameters;
-  }
+struct TransplantStep : TransplantRequest {
+  std::filesystem::path part;  ///< as written; empty: the mesh itself, before the step
+  bool operator==(const TransplantStep&) const = default;
 };
 
 /// One operation of a recipe. A new one is a type here, its reader in read_step.cpp and its writer

@@ -190,7 +190,7 @@ Json json_of(const CoatStep& step) {
   return keys;
 }
 
-Json json_of(const CoatSource& source) {
+Json json_of(const FileSource& source) {
   Json keys = Json::object();
   if (!source.mesh.empty()) keys["mesh"] = source.mesh.string();
   keys["patch"] = json_of(source.patch);

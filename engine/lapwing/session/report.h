@@ -7,55 +7,13 @@
 #include <vector>
 
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/coating/correspondence.h"
+#include "lapwing/coating/coat_report.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/kernels.h"
+#include "lapwing/transplant/transplant.h"
 
 namespace lapwing {
-
-/// How one source came to the target of a coat or mix step.
-struct CoatSourceReport {
-  std::size_t vertices = 0;        ///< of the source patch
-  std::vector<VertexPair> pins;    ///< the boundary pairs, given or chosen
-  std::size_t flipped_source = 0;  ///< triangles that a map turned over or flattened
-  std::size_t flipped_target = 0;
-  int warp_steps = 0;  ///< to meet the inner pairs
-  int constrained_steps = 0;
-  double mean_scale = 1.0;  ///< of the coating on the target over that on the source
-};
-
-/// What a coat or mix step did.
-struct CoatReport {
-  std::vector<CoatSourceReport> sources;      ///< one; two of a mix
-  std::size_t vertices_before_remeshing = 0;  ///< of the target patch; 0 where it was fine enough
-  double transition_width = 0.0;
-  double relative_residual = 0.0;
-  double largest_displacement = 0.0;
-  Index largest_displacement_vertex = kNoIndex;
-};
-
-/// What a transplant step did. Lengths are on the mesh that the part was put on.
-struct TransplantReport {
-  std::size_t part_vertices = 0;
-  std::size_t host_loop = 0;  ///< vertices
-  std::size_t part_loop = 0;
-  std::size_t welded = 0;  ///< pairs of them that became one
-  std::size_t strip_triangles = 0;
-  std::size_t remeshed_vertices = 0;  ///< of the transition afterwards; 0 where it was even enough
-  bool turned = false;                ///< the part was inside out
-  Eigen::Matrix<double, 3, 4> place = Eigen::Matrix<double, 3, 4>::Zero();  ///< from its file
-  double transition_width = 0.0;
-  double padding = 0.0;
-  double belt = 0.0;
-  std::size_t flipped = 0;  ///< triangles that the maps over the square turned over
-  double relative_residual = 0.0;
-  double last_change = 0.0;           ///< of the last pass, in mean edge lengths
-  /// By how much the surface turns over the edges at the hole's rim: all but a hundredth by less.
-  double seam_degrees = 0.0;
-  double largest_displacement = 0.0;  ///< from where the part was placed
-  Index largest_displacement_vertex = kNoIndex;
-};
 
 /// What one step of a recipe did.
 struct StepReport {

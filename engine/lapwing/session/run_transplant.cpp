@@ -1,330 +1,41 @@
 #include "lapwing/session/run_transplant.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <sstream>
-#include <utility>
-
-#include <Eigen/Geometry>
-
-#include "lapwing/base/errors.h"
 #include "lapwing/base/stage.h"
-#include "lapwing/deform/certificate.h"
-#include "lapwing/mesh/triangle_sides.h"
-#include "lapwing/region/geodesic.h"
-#include "lapwing/remesh/isotropic.h"
-#include "lapwing/session/transplant_parts.h"
-#include "lapwing/transplant/join.h"
-#include "lapwing/transplant/loop_curve.h"
-#include "lapwing/transplant/reconstruct_seam.h"
-#include "lapwing/transplant/seam_lengths.h"
-#include "lapwing/transplant/zip.h"
+#include "lapwing/io/mesh_file.h"
 
 namespace lapwing {
-namespace {
 
-using Eigen::Vector3d;
-
-ZipLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
-  return zip_loop(build_topology(mesh).triangles, mesh.positions, loop);
+Mesh part_mesh(const TransplantStep& step, const std::filesystem::path& base_directory,
+               const Mesh& mesh) {
+  return step.part.empty() ? mesh : read_mesh(base_directory / step.part);
 }
-
-// The joined mesh on its way to the seam's reconstruction.
-struct Assembly {
-  Mesh mesh;
-  Topology topology;
-  Positions geometry;                // smooth around the seam
-  std::vector<Index> host_vertices;  // per vertex: its number in the host, or kNoIndex
-  std::vector<double> depths;        // per vertex: from the part's loop, 0 off the part
-  double gap = 0.0;
-  double depth = 0.0;  // the farthest that the part goes from its loop
-};
-
-// One transplant step on its way.
-class TransplantRun {
- public:
-  TransplantRun(const TransplantStep& step, const std::filesystem::path& base_directory,
-                Kernels& kernels, const Progress& progress, RunResult& result)
-      : step_(step),
-        base_directory_(base_directory),
-        kernels_(kernels),
-        progress_(progress),
-        result_(result) {
-    report_.op = "transplant";
-    report_.transplant.emplace();
-  }
-
-  StepReport run();
-
- private:
-  template <class Body>
-  void timed(const char* name, Body body) {
-    stage(name, report_.timings, progress_, body);
-  }
-  void assemble();
-  void measure_depths(const std::vector<Index>& part_vertices, const PlacedPart& part);
-  void remesh();
-  void take_over(RemeshResult& remeshed);
-  TransplantHost host() const;
-  TransplantJoined joined() const;
-  TransplantOptions options();
-  void reconstruct();
-  void require_valid(const TransplantResult& seam) const;
-  double seam_degrees(const Positions& positions) const;
-  void hand_over(TransplantResult seam);
-
-  const TransplantStep& step_;
-  const std::filesystem::path& base_directory_;
-  Kernels& kernels_;
-  const Progress& progress_;
-  RunResult& result_;
-  Hole hole_;
-  double hole_radius_ = 0.0;
-  bool even_strip_ = true;
-  Assembly joined_;
-  StepReport report_;
-};
-
-void TransplantRun::assemble() {
-  TransplantReport& report = *report_.transplant;
-  PlacedPart part;
-  timed("part", [&] {
-    hole_ = cut_hole(step_.target_region, result_.mesh, result_.topology);
-    part = place_part(step_, base_directory_, result_.mesh, result_.topology, hole_);
-  });
-  for (std::string& note : part.notes) result_.report.warnings.push_back(std::move(note));
-  timed("zip", [&] {
-    const ZipLoop host_loop = zip_loop_of(hole_.rest.mesh, hole_.rest_loop);
-    const ZipLoop part_loop = zip_loop_of(part.mesh, part.loop);
-    const Zip zip = zip_loops(host_loop, part_loop, step_.where);
-    Joined joined = join(hole_.rest.mesh, hole_.rest_loop, part.mesh, part.loop, zip, part.name);
-    for (const std::string& note : joined.notes) {
-      result_.report.warnings.push_back(step_.where + ": " + note);
-    }
-    joined_.mesh = std::move(joined.mesh);
-    joined_.topology = build_topology(joined_.mesh);
-    joined_.host_vertices.assign(joined_.mesh.vertex_count(), kNoIndex);
-    for (Index v = 0; v < hole_.rest.vertices.size(); ++v) {
-      joined_.host_vertices[v] = hole_.rest.vertices[v];
-    }
-    hole_radius_ = LoopCurve(host_loop.points, step_.where).length() / (2.0 * std::numbers::pi);
-    joined_.gap = strip_width(zip, host_loop.points, part_loop.points);
-    even_strip_ = is_even(zip, host_loop.points, part_loop.points);
-    report.strip_triangles = zip.triangles.size();
-    report.welded = zip.welded.size();
-    measure_depths(joined.part_vertices, part);
-  });
-  report.part_vertices = part.mesh.vertex_count();
-  report.host_loop = hole_.rest_loop.size();
-  report.part_loop = part.loop.size();
-  report.turned = part.turned;
-  report.place = part.motion.matrix().topRows<3>();
-}
-
-// On the part as it was placed, so that the strip does not count.
-void TransplantRun::measure_depths(const std::vector<Index>& part_vertices,
-                                   const PlacedPart& part) {
-  const auto distances =
-      geodesic_distances(build_topology(part.mesh), part.mesh.positions, part.loop);
-  joined_.depths.assign(joined_.mesh.vertex_count(), 0.0);
-  for (std::size_t v = 0; v < distances.size(); ++v) {
-    joined_.depths[part_vertices[v]] = distances[v];
-    if (std::isfinite(distances[v])) joined_.depth = std::max(joined_.depth, distances[v]);
-  }
-}
-
-// Lengths as they were asked for or, where they were not, from the size of the hole; all of them
-// shorter where the part is too short to hold itself beyond.
-TransplantOptions TransplantRun::options() {
-  const TransplantParameters& parameters = step_.parameters;
-  TransplantOptions options;
-  options.weights = parameters.weights;
-  options.sampling = parameters.sampling;
-  options.transition =
-      parameters.transition.value_or(Transition{0.5 * hole_radius_, Transition::Profile::smooth});
-  const double edge = mean_edge_length(joined_.topology.rings, joined_.mesh.positions);
-  const double width = std::max(options.transition.width, edge);
-  options.padding = parameters.padding.value_or(0.5 * width);
-  options.belt = parameters.belt.value_or(std::max(0.25 * width, 1.5 * edge));
-
-  constexpr double kMostOfThePart = 0.8;
-  const double needed = options.transition.width + options.padding + options.belt;
-  const double share = kMostOfThePart * joined_.depth / needed;
-  if (share < 1.0) {
-    options.transition.width *= share;
-    options.padding *= share;
-    options.belt *= share;
-    if (parameters.transition) {
-      std::ostringstream text;
-      text << step_.where << ": the part reaches only " << joined_.depth
-           << " from its loop; the transition's width, padding and belt, together " << needed
-           << ", were scaled by " << share << ". Choose a narrower \"transition\"";
-      result_.report.warnings.push_back(text.str());
-    }
-  }
-  return options;
-}
-
-void TransplantRun::remesh() {
-  if (step_.parameters.remesh == Remeshing::none) return;
-  const double width = report_.transplant->transition_width;
-  const SeamLengths lengths(joined_.geometry, joined_.topology, joined_.host_vertices,
-                            joined_.depths, width);
-  if (even_strip_ && !lengths.asks_for_remeshing()) return;
-  timed("remesh", [&] {
-    // The smooth surface is cut anew, and keeps in mind where it was on the joined one.
-    Mesh smooth = joined_.mesh;
-    smooth.positions = joined_.geometry;
-    auto& extras = smooth.attributes.vertex_extras;
-    extras.push_back({"depth", "double", 1, joined_.depths});
-    extras.push_back({"place", "double", 3, {}});
-    for (const Vector3d& p : joined_.mesh.positions) {
-      extras.back().values.insert(extras.back().values.end(), p.begin(), p.end());
-    }
-    RemeshResult remeshed =
-        remesh_isotropic(smooth, lengths.region(), std::cref(lengths), {}, progress_);
-    if (!remeshed.note.empty()) {
-      result_.report.warnings.push_back(step_.where + ": " + remeshed.note);
-    }
-    take_over(remeshed);
-    report_.transplant->remeshed_vertices = remeshed.region.size();
-  });
-}
-
-void TransplantRun::take_over(RemeshResult& remeshed) {
-  std::vector<Index> host_vertices;
-  for (const Index v : remeshed.kept) {
-    host_vertices.push_back(v == kNoIndex ? kNoIndex : joined_.host_vertices[v]);
-  }
-  joined_.host_vertices = std::move(host_vertices);
-  joined_.mesh = std::move(remeshed.mesh);
-  joined_.topology = build_topology(joined_.mesh);
-  joined_.geometry = joined_.mesh.positions;
-  auto& extras = joined_.mesh.attributes.vertex_extras;
-  for (std::size_t v = 0; v < joined_.mesh.vertex_count(); ++v) {
-    joined_.mesh.positions[v] = Vector3d(extras.back().values.data() + 3 * v);
-  }
-  extras.pop_back();
-  joined_.depths = std::move(extras.back().values);
-  extras.pop_back();
-}
-
-void TransplantRun::require_valid(const TransplantResult& seam) const {
-  for (const Index v : seam.region) {
-    if (seam.positions[v].allFinite()) continue;
-    throw SolverError(step_.where + ": the result has positions that are not finite, vertex " +
-                      std::to_string(v) +
-                      " for one, so the mesh was left as it was; run `lapwing check` on the part "
-                      "and on the mesh");
-  }
-  if (seam.relative_residual <= kLargestResidual) return;
-  std::ostringstream text;
-  text << step_.where << ": the solution misses the equations by " << seam.relative_residual
-       << " (at most " << kLargestResidual
-       << " is allowed), so the mesh was left as it was; remesh both meshes around the seam with "
-          "`lapwing remesh`";
-  throw SolverError(text.str());
-}
-
-TransplantHost TransplantRun::host() const {
-  return {result_.mesh.positions, result_.topology, hole_.triangles, hole_.loop};
-}
-
-// Joined and remeshed, the host's faces come first.
-TransplantJoined TransplantRun::joined() const {
-  return {joined_.mesh.positions,       joined_.topology, joined_.geometry, joined_.host_vertices,
-          hole_.rest.mesh.face_count(), joined_.depths,   joined_.gap};
-}
-
-void TransplantRun::reconstruct() {
-  TransplantReport& report = *report_.transplant;
-  const TransplantOptions chosen = options();
-  report.transition_width = chosen.transition.width;
-  report.padding = chosen.padding;
-  report.belt = chosen.belt;
-  timed("smooth", [&] { joined_.geometry = smooth_seam(host(), joined(), chosen); });
-  remesh();
-  TransplantResult seam =
-      reconstruct_seam(host(), joined(), chosen, kernels_, step_.where, report_.timings, progress_);
-  require_valid(seam);
-  if (!seam.sampled_host) {
-    result_.report.warnings.push_back(
-        step_.where +
-        ": the target region or the part has no inside whose detail could be blended, so the seam "
-        "was only made smooth; choose a larger \"target_region\" for more");
-  }
-  hand_over(std::move(seam));
-}
-
-// Over the edges that end on the hole's rim: how much the surface turns, a percentile of it.
-double TransplantRun::seam_degrees(const Positions& positions) const {
-  std::vector<char> on_rim(result_.mesh.vertex_count(), 0);
-  for (const Index v : hole_.loop) on_rim[v] = 1;
-  const auto is_seam = [&](Index v) {
-    const Index host = joined_.host_vertices[v];
-    return host != kNoIndex && on_rim[host] != 0;
-  };
-  std::vector<double> degrees;
-  const auto& triangles = joined_.topology.triangles;
-  const auto normal = [&](Index t) {
-    const auto& [a, b, c] = triangles[t];
-    return (positions[b] - positions[a]).cross(positions[c] - positions[a]).stableNormalized();
-  };
-  const Adjacency edges = sides_by_edge(triangles, positions.size());
-  for (std::size_t e = 0; e < edges.row_count(); ++e) {
-    const auto sides = edges[e];
-    if (sides.size() != 2 ||
-        !(is_seam(side_start(triangles, sides[0])) || is_seam(side_end(triangles, sides[0])))) {
-      continue;
-    }
-    const double cosine = normal(sides[0] / 3).dot(normal(sides[1] / 3));
-    degrees.push_back(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi);
-  }
-  if (degrees.empty()) return 0.0;
-  const auto place = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(degrees.size() - 1));
-  std::nth_element(degrees.begin(), degrees.begin() + place, degrees.end());
-  return degrees[static_cast<std::size_t>(place)];
-}
-
-// The joined mesh takes the place of the host.
-void TransplantRun::hand_over(TransplantResult seam) {
-  TransplantReport& report = *report_.transplant;
-  Positions original = joined_.mesh.positions;
-  for (std::size_t v = 0; v < original.size(); ++v) {
-    const Index host = joined_.host_vertices[v];
-    if (host != kNoIndex) original[v] = result_.original[host];
-    const double distance = (seam.positions[v] - joined_.mesh.positions[v]).norm();
-    if (distance <= report.largest_displacement) continue;
-    report.largest_displacement = distance;
-    report.largest_displacement_vertex = static_cast<Index>(v);
-  }
-  report.seam_degrees = seam_degrees(seam.positions);
-  report.relative_residual = seam.relative_residual;
-  report.last_change = seam.last_change;
-  report.flipped = seam.flipped;
-  report_.roi = seam.region.size();
-  report_.belt = seam.belt.size();
-  report_.free = report_.roi - report_.belt;
-  result_.original = std::move(original);
-  result_.mesh = std::move(joined_.mesh);
-  result_.mesh.positions = std::move(seam.positions);
-  result_.topology = std::move(joined_.topology);
-  result_.region = {std::move(seam.region), std::move(seam.belt), {}};
-}
-
-StepReport TransplantRun::run() {
-  assemble();
-  reconstruct();
-  return std::move(report_);
-}
-
-}  // namespace
 
 StepReport run_step(const TransplantStep& step, const std::filesystem::path& base_directory,
                     Kernels& kernels, const Progress& progress, RunResult& result) {
-  return TransplantRun{step, base_directory, kernels, progress, result}.run();
+  StepReport report;
+  report.op = "transplant";
+  Mesh part;
+  stage("part", report.timings, progress,
+        [&] { part = part_mesh(step, base_directory, result.mesh); });
+  const std::string name = step.part.empty() ? "part" : step.part.stem().string();
+  Transplanted done = transplant(result.mesh, result.topology, part, name, step, kernels, progress);
+  for (const auto& [stage_name, ms] : done.timings.stages()) report.timings.add(stage_name, ms);
+  result.report.warnings.insert(result.report.warnings.end(), done.warnings.begin(),
+                                done.warnings.end());
+  report.roi = done.region.size();
+  report.belt = done.belt.size();
+  report.free = report.roi - report.belt;
+  report.transplant = std::move(done.report);
+  Positions original = std::move(done.placed);
+  for (std::size_t v = 0; v < original.size(); ++v) {
+    const Index host = done.host_vertices[v];
+    if (host != kNoIndex) original[v] = result.original[host];
+  }
+  result.original = std::move(original);
+  result.mesh = std::move(done.mesh);
+  result.topology = std::move(done.topology);
+  result.region = {std::move(done.region), std::move(done.belt), {}};
+  return report;
 }
 
 }  // namespace lapwing

@@ -12,4 +12,9 @@ namespace lapwing {
 StepReport run_step(const TransplantStep& step, const std::filesystem::path& base_directory,
                     Kernels& kernels, const Progress& progress, RunResult& result);
 
+/// The mesh that the part of `step` is or is cut from: the file's, or a copy of `mesh` where the
+/// step names none. Throws what `read_mesh` does.
+Mesh part_mesh(const TransplantStep& step, const std::filesystem::path& base_directory,
+               const Mesh& mesh);
+
 }  // namespace lapwing

@@ -29,8 +29,8 @@ RegionSpec target_patch(const Subject& subject) {
   return square(subject, 0.56, 0.9);
 }
 
-CoatSource coat_source(const Subject& subject) {
-  CoatSource source;
+FileSource coat_source(const Subject& subject) {
+  FileSource source;
   source.patch = source_patch(subject);
   source.detail_size = kDetailSize;
   return source;

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
 
-#include "lapwing/recipe/recipe.h"
 #include "lapwing/transplant/boundary_loops.h"
 #include "lapwing/transplant/cut.h"
+#include "lapwing/transplant/transplant_request.h"
 
 namespace lapwing {
 
@@ -28,15 +27,14 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh, const Topology& topolo
 struct PlacedPart {
   Mesh mesh;
   BoundaryLoop loop;
-  std::string name;                                      ///< for the group of its faces
-  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  ///< from its file
+  Eigen::Affine3d motion = Eigen::Affine3d::Identity();  ///< from where it was given
   bool turned = false;                                   ///< it was inside out
   std::vector<std::string> notes;                        ///< for a person
 };
 
-/// Reads, cuts, turns and places the part of `step`. Throws InputError and IoError, naming the
-/// part: one without boundary loop or without the one that is wanted, a place that flattens it.
-PlacedPart place_part(const TransplantStep& step, const std::filesystem::path& base_directory,
-                      const Mesh& mesh, const Topology& topology, const Hole& hole);
+/// Cuts, turns and places the part of `request`, from `source`. Throws InputError, naming the part:
+/// one without boundary loop or without the one that is wanted, a place that flattens it.
+PlacedPart place_part(const TransplantRequest& request, const Mesh& source, const Mesh& mesh,
+                      const Topology& topology, const Hole& hole);
 
 }  // namespace lapwing

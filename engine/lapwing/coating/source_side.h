@@ -1,22 +1,34 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 
+#include "lapwing/coating/coat_source.h"
 #include "lapwing/coating/correspondence.h"
 #include "lapwing/coating/peel.h"
-#include "lapwing/recipe/recipe.h"
 
 namespace lapwing {
 
-/// One source of a coat or mix step: the patch that it is taken from, and what is taken. Called in
+/// A mesh that detail is taken from, kept by those that use it.
+struct SourceMesh {
+  Mesh mesh;
+  Topology topology;
+};
+using SharedSource = std::shared_ptr<const SourceMesh>;
+
+/// What is taken of a source, and replaced of the target.
+enum class Taken {
+  coating,  ///< the detail below each source's detail size, which lies over the target
+  shape,    ///< all of it: full Laplacians; detail sizes say what frames are free of
+};
+
+/// One source of a coat or mix: the patch that it is taken from, and what is taken. Called in
 /// the order below.
 class SourceSide {
  public:
-  /// Reads the source's mesh; without one it is `target` as it is before the step. All arguments
-  /// must outlive the object. Throws what `read_mesh` does.
-  SourceSide(const CoatSource& source, const std::filesystem::path& base_directory,
-             const Mesh& target, const Topology& target_topology);
+  /// Of `mesh` or, where that is null, of the target as it is before. The other arguments must
+  /// outlive the object.
+  SourceSide(const CoatSource& source, SharedSource mesh, const Mesh& target,
+             const Topology& target_topology);
 
   /// Takes the detail below `size` off, or the whole shape. Throws what `resolve`, `disk_patch`,
   /// `peel` and `whole_shape` do.
@@ -31,12 +43,8 @@ class SourceSide {
   const CoatSource& asked() const { return source_; }
 
  private:
-  struct Loaded {
-    Mesh mesh;
-    Topology topology;
-  };
   const CoatSource& source_;
-  std::unique_ptr<Loaded> loaded_;  ///< null where the target is the source
+  SharedSource shared_;  ///< null where the target is the source
   const Mesh& mesh_;
   const Topology& topology_;
   Coating coating_;

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 
+#include "lapwing/coating/coat_parameters.h"
 #include "lapwing/coating/transition.h"
 #include "lapwing/deform/move.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
-#include "lapwing/recipe/coat_parameters.h"
+#include "lapwing/region/region_spec.h"
 #include "lapwing/transplant/fit_loop.h"
 
 namespace lapwing {
@@ -16,7 +18,7 @@ namespace lapwing {
 /// file, a move without pivot about the centre of the part's loop.
 using PartPlace = std::variant<LoopFit, Move>;
 
-/// How a transplant step is computed. Lengths are on the mesh that the part is put on.
+/// How a transplant is computed. Lengths are on the mesh that the part is put on.
 struct TransplantParameters {
   /// How far over the part the host's detail goes over into the part's; none: half the radius of
   /// the hole, and smooth.
@@ -27,6 +29,23 @@ struct TransplantParameters {
   MappedSampling sampling = MappedSampling::linear;
   Remeshing remesh = Remeshing::automatic;
   bool operator==(const TransplantParameters&) const = default;
+};
+
+/// Put a part of one mesh in the place of a region of another: all of it but the meshes.
+/// {"op": "transplant"} in recipes.
+struct TransplantRequest {
+  std::optional<RegionSpec> part_region;  ///< what is cut from the part's mesh; all if not given
+  std::optional<std::size_t> loop;        ///< which boundary loop is sewn on; the longest
+  PartPlace place;
+  bool snap = false;  ///< after a move: its loop is brought onto the mesh, by the least motion
+  RegionSpec target_region;
+  TransplantParameters parameters;
+  std::string where = "transplant";  ///< as in RegionSpec; no part of the value
+  bool operator==(const TransplantRequest& other) const {
+    return part_region == other.part_region && loop == other.loop && place == other.place &&
+           snap == other.snap && target_region == other.target_region &&
+           parameters == other.parameters;
+  }
 };
 
 }  // namespace lapwing

@@ -7,7 +7,7 @@
 
 #include "lapwing/coating/coater.h"
 #include "lapwing/coating/correspondence.h"
-#include "lapwing/recipe/recipe.h"
+#include "lapwing/deform/deform_request.h"
 #include "lapwing/remesh/isotropic.h"
 
 namespace lapwing {
@@ -18,7 +18,7 @@ struct TargetHandle {
   Eigen::Affine3d motion = Eigen::Affine3d::Identity();
 };
 
-/// The target of a coat or mix step: its patch, on the mesh that was given or, after `remesh`, on a
+/// The target of a coat or mix: its patch, on the mesh that was given or, after `remesh`, on a
 /// finer one of its own.
 class TargetSide {
  public:

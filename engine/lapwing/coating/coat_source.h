@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,11 +9,8 @@
 
 namespace lapwing {
 
-/// What a step takes from one surface, and how that is laid on the target. Lengths are on the
-/// source.
+/// What is taken from one surface, and how that is laid on the target. Lengths are on the source.
 struct CoatSource {
-  /// As written; empty: the mesh that the step is carried out on, as it is before the step.
-  std::filesystem::path mesh;
   RegionSpec patch;
   double detail_size = 0.0;  ///< above 0; what is smaller is coating
   /// As in CorrespondenceOptions; target vertices are those of the mesh before any remeshing.
@@ -28,7 +24,7 @@ struct CoatSource {
     return {domain, boundary_pairs, inner_pairs};
   }
   bool operator==(const CoatSource& other) const {
-    return mesh == other.mesh && patch == other.patch && detail_size == other.detail_size &&
+    return patch == other.patch && detail_size == other.detail_size &&
            boundary_pairs == other.boundary_pairs && inner_pairs == other.inner_pairs &&
            sampling == other.sampling && amplitude == other.amplitude;
   }

@@ -1,4 +1,4 @@
-#include "lapwing/session/target_side.h"
+#include "lapwing/coating/target_side.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "lapwing/session/transplant_parts.h"
+#include "lapwing/transplant/placed_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <Eigen/LU>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/transform.h"
 #include "lapwing/transplant/loop_curve.h"
 #include "lapwing/transplant/surface_snap.h"
@@ -40,7 +39,8 @@ std::string loops_in_words(const std::vector<BoundaryLoop>& loops) {
 }
 
 // Which loop of the part is sewn on.
-BoundaryLoop choose_loop(const TransplantStep& step, const Mesh& part, const std::string& name) {
+BoundaryLoop choose_loop(const TransplantRequest& request, const Mesh& part,
+                         const std::string& name) {
   const Topology topology = build_topology(part);
   const auto loops = boundary_loops(topology.triangles, name);
   if (loops.empty()) {
@@ -48,10 +48,10 @@ BoundaryLoop choose_loop(const TransplantStep& step, const Mesh& part, const std
                      ": the part is closed, it has no boundary loop to be sewn on by; cut one "
                      "with `lapwing cut`, or give a \"region\" of it");
   }
-  if (step.loop) {
-    if (*step.loop < loops.size()) return loops[*step.loop];
-    throw InputError(step.where + "/loop: the part has no boundary loop " +
-                     std::to_string(*step.loop) + "; there are " + loops_in_words(loops));
+  if (request.loop) {
+    if (*request.loop < loops.size()) return loops[*request.loop];
+    throw InputError(request.where + "/loop: the part has no boundary loop " +
+                     std::to_string(*request.loop) + "; there are " + loops_in_words(loops));
   }
   const auto length = [&](const BoundaryLoop& loop) {
     return LoopCurve(points_of(loop, part.positions), name).length();
@@ -84,24 +84,21 @@ bool is_inside_out(const PlacedPart& part, const std::string& where) {
   return volume(part.mesh, loop.center) < -kLeastRise * std::pow(loop.radius, 3);
 }
 
-PlacedPart read_part(const TransplantStep& step, const std::filesystem::path& base_directory,
-                     const Mesh& mesh) {
+PlacedPart cut_part(const TransplantRequest& request, const Mesh& source) {
   PlacedPart part;
-  const std::string where = step.where + "/part";
-  part.name = step.part.empty() ? "part" : step.part.stem().string();
-  const bool whole = !step.part_region;
-  if (!step.part.empty()) part.mesh = read_mesh(base_directory / step.part);
-  if (!whole) {
-    const Mesh& from = step.part.empty() ? mesh : part.mesh;
-    const VertexSet region = resolve(*step.part_region, from, build_topology(from));
-    part.mesh = cut_out(from, region, step.part_region->where).mesh;
+  const std::string where = request.where + "/part";
+  if (request.part_region) {
+    const VertexSet region = resolve(*request.part_region, source, build_topology(source));
+    part.mesh = cut_out(source, region, request.part_region->where).mesh;
+  } else {
+    part.mesh = source;
   }
   for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v) {
     if (part.mesh.positions[v].allFinite()) continue;
     throw InputError(where + ": vertex " + std::to_string(v) +
                      " of the part has no finite position; mend it with `lapwing check --fix`");
   }
-  part.loop = choose_loop(step, part.mesh, where);
+  part.loop = choose_loop(request, part.mesh, where);
   return part;
 }
 
@@ -171,25 +168,25 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh, const Topology& topolo
   return hole;
 }
 
-PlacedPart place_part(const TransplantStep& step, const std::filesystem::path& base_directory,
-                      const Mesh& mesh, const Topology& topology, const Hole& hole) {
-  PlacedPart part = read_part(step, base_directory, mesh);
-  const std::string where = step.where + "/part";
+PlacedPart place_part(const TransplantRequest& request, const Mesh& source, const Mesh& mesh,
+                      const Topology& topology, const Hole& hole) {
+  PlacedPart part = cut_part(request, source);
+  const std::string where = request.where + "/part";
   if (is_inside_out(part, where)) turn(part);
   const auto hole_points = points_of(hole.rest_loop, hole.rest.mesh.positions);
   const auto loop_points = points_of(part.loop, part.mesh.positions);
-  if (const auto* fit = std::get_if<LoopFit>(&step.place)) {
-    part.motion = fit_loop(loop_points, hole_points, *fit, step.where + "/place");
+  if (const auto* fit = std::get_if<LoopFit>(&request.place)) {
+    part.motion = fit_loop(loop_points, hole_points, *fit, request.where + "/place");
   } else {
-    part.motion = to_affine(std::get<Move>(step.place), mean(loop_points));
-    if (step.snap) {
-      const SurfaceSnap surface(topology.triangles, mesh.positions, step.where);
-      part.motion = surface.snap(part.motion, loop_points, step.where + "/place");
+    part.motion = to_affine(std::get<Move>(request.place), mean(loop_points));
+    if (request.snap) {
+      const SurfaceSnap surface(topology.triangles, mesh.positions, request.where);
+      part.motion = surface.snap(part.motion, loop_points, request.where + "/place");
     }
   }
   const double determinant = part.motion.linear().determinant();
   if (!(std::abs(determinant) > 0.0) || !std::isfinite(determinant)) {
-    throw InputError(step.where +
+    throw InputError(request.where +
                      "/place: the matrix flattens the part; give one that can be undone");
   }
   transform(part.mesh, part.motion);
@@ -199,11 +196,11 @@ PlacedPart place_part(const TransplantStep& step, const std::filesystem::path& b
     return loop_frame(LoopCurve(points, name)).normal;
   };
   if (normal(points_of(part.loop, part.mesh.positions), where)
-          .dot(normal(hole_points, step.target_region.where)) > 0.0) {
+          .dot(normal(hole_points, request.target_region.where)) > 0.0) {
     turn(part);
   }
   if (part.turned) {
-    part.notes.push_back(step.where +
+    part.notes.push_back(request.where +
                          ": the part's faces looked inwards where it is placed; they were turned "
                          "over. Where that is not meant, check \"place\", or the part with "
                          "`lapwing check`");

@@ -1,4 +1,4 @@
-#include "lapwing/session/layered_coat.h"
+#include "lapwing/coating/layered_coat.h"
 
 #include <algorithm>
 #include <array>
@@ -56,18 +56,17 @@ void LayeredCoat::timed(const char* name, const Progress& progress, Body body) {
   stage(name, timings_, progress, body);
 }
 
-LayeredCoat::LayeredCoat(const LayeredStep& step, const Mesh& mesh, const Topology& topology,
-                         const std::filesystem::path& base_directory, Kernels& kernels,
+LayeredCoat::LayeredCoat(LayeredRequest request, const Mesh& mesh, const Topology& topology,
+                         const std::vector<SharedSource>& sources, Kernels& kernels,
                          const Progress& progress)
-    : step_(step), mesh_(mesh), topology_(topology), kernels_(kernels) {
-  timed("source", progress, [&] {
-    for (const CoatSource& source : step.sources) {
-      // Of one source the amplitude is `positions`' to say.
-      layers_.push_back({SourceSide(source, base_directory, mesh, topology),
-                         source.correspondence(step.parameters.domain),
-                         step.weight == nullptr ? 1.0 : source.amplitude});
-    }
-  });
+    : request_(std::move(request)), mesh_(mesh), topology_(topology), kernels_(kernels) {
+  for (std::size_t k = 0; k < request_.sources.size(); ++k) {
+    const CoatSource& source = request_.sources[k];
+    // Of one source the amplitude is `positions`' to say.
+    layers_.push_back({SourceSide(source, sources.at(k), mesh, topology),
+                       source.correspondence(request_.parameters.domain),
+                       request_.weight ? source.amplitude : 1.0});
+  }
   make_sides(progress);
   remesh_where_coarse(progress);
   take(progress);
@@ -79,19 +78,19 @@ LayeredCoat::LayeredCoat(const LayeredStep& step, const Mesh& mesh, const Topolo
 void LayeredCoat::make_sides(const Progress& progress) {
   const auto take_sources = [&] {
     for (Layer& layer : layers_) {
-      layer.source.take(step_.taken, layer.source.asked().detail_size, step_.parameters.weights,
-                        kernels_);
+      layer.source.take(request_.taken, layer.source.asked().detail_size,
+                        request_.parameters.weights, kernels_);
     }
   };
   const auto find_target = [&] {
-    target_.emplace(step_.target_patch, mesh_, topology_);
-    target_->choose_handles(step_.handles);
-    if (step_.weight != nullptr) {
-      target_->carry(weight_field(*step_.weight, mesh_, topology_, step_.where + "/weight"));
+    target_.emplace(request_.target_patch, mesh_, topology_);
+    target_->choose_handles(request_.handles);
+    if (request_.weight) {
+      target_->carry(weight_field(*request_.weight, mesh_, topology_, request_.where + "/weight"));
     }
   };
   timed("peel", progress, [&] {
-    if (step_.taken == Taken::coating) {
+    if (request_.taken == Taken::coating) {
       parallel_invoke(take_sources, [&] {
         find_target();
         lay_target();
@@ -113,7 +112,7 @@ void LayeredCoat::make_sides(const Progress& progress) {
 
 // The surfaces below the detail are laid on each other: it has no say in where it comes to.
 void LayeredCoat::lay_target() {
-  target_->smooth(target_size(), step_.parameters.weights);
+  target_->smooth(target_size(), request_.parameters.weights);
   for (Layer& layer : layers_) {
     const Layer& first = layers_.front();
     layer.laid_target =
@@ -121,9 +120,9 @@ void LayeredCoat::lay_target() {
             ? first.laid_target
             : lay(target_->placed(), MapSide::target, layer.pairs, layer.source.asked().where);
   }
-  if (step_.weight != nullptr) {
-    weights_ = mix_weights(*step_.weight, target_->field(), target_->patch(),
-                           layers_.front().laid_target.map, step_.where + "/weight");
+  if (request_.weight) {
+    weights_ = mix_weights(*request_.weight, target_->field(), target_->patch(),
+                           layers_.front().laid_target.map, request_.where + "/weight");
   }
 }
 
@@ -135,7 +134,7 @@ void LayeredCoat::meet() {
 }
 
 void LayeredCoat::remesh_where_coarse(const Progress& progress) {
-  if (step_.parameters.remesh == Remeshing::none) return;
+  if (request_.parameters.remesh == Remeshing::none) return;
   std::vector<CarriedLength> lengths;
   for (const Layer& layer : layers_) {
     CarriedLength length(layer.source.coating(), target_->patch(), target_->own_positions(),
@@ -180,8 +179,8 @@ void LayeredCoat::remesh_where_coarse(const Progress& progress) {
 
 // What the target is made smooth by; 0: nothing.
 double LayeredCoat::target_size() const {
-  if (step_.taken == Taken::coating || step_.parameters.smooth_target > 0.0) {
-    return step_.parameters.smooth_target;
+  if (request_.taken == Taken::coating || request_.parameters.smooth_target > 0.0) {
+    return request_.parameters.smooth_target;
   }
   // Frames of the same frequencies on all sides.
   const double area = surface_area(target_->patch().triangles, target_->own_positions());
@@ -214,9 +213,9 @@ CoaterOptions LayeredCoat::coater_options() const {
     details.push_back(ratio(layer) * layer.source.asked().detail_size);
   }
   CoaterOptions options;
-  options.weights = step_.parameters.weights;
+  options.weights = request_.parameters.weights;
   double width = details.front();
-  if (step_.weight == nullptr) {
+  if (!request_.weight) {
     options.hold_length = details.front();
   } else {
     width = of_both(details.front(), details.back());
@@ -225,7 +224,7 @@ CoaterOptions LayeredCoat::coater_options() const {
     }
   }
   options.transition =
-      step_.parameters.transition.value_or(Transition{width, Transition::Profile::smooth});
+      request_.parameters.transition.value_or(Transition{width, Transition::Profile::smooth});
   return options;
 }
 
@@ -235,13 +234,13 @@ void LayeredCoat::make_coater() {
   const std::vector<HeldVertex> held = target_->held();
   CoatTarget target{.rest = target_->mesh().positions};
   if (target_size() > 0.0) target.smooth = target_->smooth_positions();
-  target.whole = step_.taken == Taken::shape;
+  target.whole = request_.taken == Taken::shape;
   target.held = held;
   options_ = coater_options();
   try {
     coater_.emplace(target, target_->topology(), target_->patch(), options_, kernels_);
   } catch (const InputError& error) {
-    throw InputError(step_.target_patch.where + ": " + error.what());
+    throw InputError(request_.target_patch.where + ": " + error.what());
   }
 }
 
@@ -260,13 +259,13 @@ void LayeredCoat::take(const Progress& progress) {
 }
 
 void LayeredCoat::set_detail_size(std::size_t k, double size, const Progress& progress) {
-  layers_.at(k).source.take(step_.taken, size, step_.parameters.weights, kernels_);
+  layers_.at(k).source.take(request_.taken, size, request_.parameters.weights, kernels_);
   take(progress);
 }
 
 Positions LayeredCoat::positions(double amplitude) const {
   Positions positions = coater_->coat(amplitude);
-  require_valid(target_->patch(), positions, coater_->relative_residual(), step_.where);
+  require_valid(target_->patch(), positions, coater_->relative_residual(), request_.where);
   return positions;
 }
 
@@ -293,63 +292,39 @@ void LayeredCoat::note_wide_transition() {
   const double share = coater_->largest_share();
   if (share >= kMostOfIt) return;
   std::ostringstream text;
-  text << step_.where << ": the transition of " << options_.transition.width
+  text << request_.where << ": the transition of " << options_.transition.width
        << " is wider than the target patch is deep, so that at most " << std::lround(100.0 * share)
        << "% of the coating arrives; choose a larger patch or a narrower \"transition\"";
   warnings_.push_back(text.str());
 }
 
-StepReport LayeredCoat::report(const std::string& op, const Positions& result) const {
-  StepReport report;
-  report.op = op;
-  report.roi = target_->patch().vertices.size();
-  report.belt = target_->patch().loop.size();
-  report.free = coater_->free().size();
-  for (const TargetHandle& handle : handles()) report.handles.push_back(handle.vertices.size());
-  report.timings = timings_;
-  for (const auto& [name, ms] : coater_->timings().stages()) report.timings.add(name, ms);
-  CoatReport& coat = report.coat.emplace();
-  for (std::size_t k = 0; k < layers_.size(); ++k) {
-    const Correspondence& map = layers_[k].map;
-    coat.sources.push_back({.vertices = source_patch(k).vertices.size(),
-                            .pins = map.pins,
-                            .flipped_source = map.flipped_source,
-                            .flipped_target = map.flipped_target,
-                            .warp_steps = map.warp.steps,
-                            .constrained_steps = map.warp.constrained_steps,
-                            .mean_scale = coater_->scales()[k].mean});
-  }
-  coat.vertices_before_remeshing = vertices_before_remeshing_;
-  coat.transition_width = options_.transition.width;
-  coat.relative_residual = coater_->relative_residual();
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    const double distance = (result[v] - mesh().positions[v]).norm();
-    if (!(distance > coat.largest_displacement)) continue;
-    coat.largest_displacement = distance;
-    coat.largest_displacement_vertex = static_cast<Index>(v);
-  }
-  return report;
+StageTimings LayeredCoat::timings() const {
+  StageTimings timings = timings_;
+  for (const auto& [name, ms] : coater_->timings().stages()) timings.add(name, ms);
+  return timings;
 }
 
-StepReport take_over(const LayeredCoat& coat, const std::string& op, Positions positions,
-                     RunResult& result) {
-  StepReport report = coat.report(op, positions);
-  result.region = {coat.target_patch().vertices, border_of(coat.target_patch()), {}};
-  for (const TargetHandle& handle : coat.handles())
-    result.region.handles.push_back(handle.vertices);
-  const auto& warnings = coat.warnings();
-  result.report.warnings.insert(result.report.warnings.end(), warnings.begin(), warnings.end());
-  if (const RemeshResult* remeshed = coat.remeshed()) {
-    // What was read of vertices that are new is where they are.
-    Positions original = remeshed->mesh.positions;
-    for (std::size_t v = 0; v < original.size(); ++v) {
-      if (remeshed->kept[v] != kNoIndex) original[v] = result.original[remeshed->kept[v]];
-    }
-    result.original = std::move(original);
-    result.mesh = remeshed->mesh;
-    result.topology = coat.topology();
+CoatReport LayeredCoat::report(const Positions& result) const {
+  CoatReport report;
+  for (std::size_t k = 0; k < layers_.size(); ++k) {
+    const Correspondence& map = layers_[k].map;
+    report.sources.push_back({.vertices = source_patch(k).vertices.size(),
+                              .pins = map.pins,
+                              .flipped_source = map.flipped_source,
+                              .flipped_target = map.flipped_target,
+                              .warp_steps = map.warp.steps,
+                              .constrained_steps = map.warp.constrained_steps,
+                              .mean_scale = coater_->scales()[k].mean});
   }
-  result.mesh.positions = std::move(positions);
+  report.vertices_before_remeshing = vertices_before_remeshing_;
+  report.transition_width = options_.transition.width;
+  report.relative_residual = coater_->relative_residual();
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    const double distance = (result[v] - mesh().positions[v]).norm();
+    if (!(distance > report.largest_displacement)) continue;
+    report.largest_displacement = distance;
+    report.largest_displacement_vertex = static_cast<Index>(v);
+  }
   return report;
 }
 

@@ -1,39 +1,41 @@
 #pragma once
 
-#include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "lapwing/session/report.h"
-#include "lapwing/session/run_recipe.h"
-#include "lapwing/session/source_side.h"
-#include "lapwing/session/target_side.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/coating/coat_parameters.h"
+#include "lapwing/coating/coat_report.h"
+#include "lapwing/coating/mix_weight.h"
+#include "lapwing/coating/source_side.h"
+#include "lapwing/coating/target_side.h"
 
 namespace lapwing {
 
-/// What coat and mix steps have in common: what comes from one or two sources to one target. What
-/// it refers to must outlive it.
-struct LayeredStep {
-  std::span<const CoatSource> sources;
-  const RegionSpec& target_patch;
-  const CoatParameters& parameters;
-  const std::string& where;
+/// What coats and mixes have in common: what comes from one or two sources to one target.
+struct LayeredRequest {
+  std::vector<CoatSource> sources;
+  RegionSpec target_patch;
+  CoatParameters parameters;
+  std::string where;  ///< as in RegionSpec
   Taken taken = Taken::coating;
-  const MixWeight* weight = nullptr;  ///< of the second of two sources; null for one
-  std::span<const MovedHandle> handles = {};
+  std::optional<MixWeight> weight = {};  ///< of the second of two sources; none for one
+  std::vector<MovedHandle> handles = {};
 };
 
-/// A coat or mix step made ready: sources read and taken off, the target smooth, both laid on each
+/// A coat or mix made ready: sources taken off, the target smooth, both laid on each
 /// other, the target remeshed where it is too coarse, its system factored, and what comes to it
 /// solved for.
 class LayeredCoat {
  public:
-  /// `mesh`, `topology` and `kernels` must outlive the object. Stages "source", "peel", "map",
-  /// "remesh", and those of `Coater`. Throws what these steps throw, and Cancelled.
-  LayeredCoat(const LayeredStep& step, const Mesh& mesh, const Topology& topology,
-              const std::filesystem::path& base_directory, Kernels& kernels,
+  /// `sources` are the meshes of the request's sources; null is the target itself. `mesh`,
+  /// `topology` and `kernels` must outlive the object. Stages "peel", "map", "remesh", and those of
+  /// `Coater`. Throws InputError for what does not fit, SolverError, and Cancelled.
+  LayeredCoat(LayeredRequest request, const Mesh& mesh, const Topology& topology,
+              const std::vector<SharedSource>& sources, Kernels& kernels,
               const Progress& progress = {});
   LayeredCoat(const LayeredCoat&) = delete;
 
@@ -62,8 +64,12 @@ class LayeredCoat {
   const std::vector<double>& weights() const { return weights_; }
   const std::vector<TargetHandle>& handles() const { return target_->handles(); }
 
+  /// Vertices of the patch that are neither border nor handle.
+  std::size_t free_count() const { return coater_->free().size(); }
+  /// Of all stages so far.
+  StageTimings timings() const;
   /// What was done, with the figures of `result`, which `positions` gave.
-  StepReport report(const std::string& op, const Positions& result) const;
+  CoatReport report(const Positions& result) const;
   /// For a person, in the order of the work.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -90,7 +96,7 @@ class LayeredCoat {
   void note_held_scales();
   void note_wide_transition();
 
-  const LayeredStep step_;
+  const LayeredRequest request_;
   const Mesh& mesh_;
   const Topology& topology_;
   Kernels& kernels_;
@@ -103,10 +109,5 @@ class LayeredCoat {
   StageTimings timings_;
   std::vector<std::string> warnings_;
 };
-
-/// Puts what `coat` came to into `result`, the run that its mesh is of: mesh, `original`, region
-/// and warnings. Returns the step's report.
-StepReport take_over(const LayeredCoat& coat, const std::string& op, Positions positions,
-                     RunResult& result);
 
 }  // namespace lapwing

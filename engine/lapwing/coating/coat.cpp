@@ -1,0 +1,48 @@
+#include "lapwing/coating/coat.h"
+
+#include "lapwing/kernels/cpu_kernels.h"
+
+namespace lapwing {
+namespace {
+
+// Null for the target itself, whose connectivity is known.
+SharedSource shared(const Mesh& source, const Mesh& target) {
+  if (&source == &target) return nullptr;
+  return std::make_shared<const SourceMesh>(SourceMesh{source, build_topology(source)});
+}
+
+Coated result_of(const LayeredCoat& layers, double amplitude) {
+  Coated coated;
+  Positions positions = layers.positions(amplitude);
+  coated.report = layers.report(positions);
+  coated.warnings = layers.warnings();
+  coated.mesh = layers.mesh();
+  coated.mesh.positions = std::move(positions);
+  return coated;
+}
+
+}  // namespace
+
+Coated coat(const Mesh& target, const Mesh& source, const CoatRequest& request) {
+  const Topology topology = build_topology(target);
+  CpuKernels kernels;
+  const PreparedCoat prepared(request, target, topology, shared(source, target), kernels);
+  return result_of(prepared.layers(), request.source.amplitude);
+}
+
+Coated mix(const Mesh& target, const Mesh& first, const Mesh& second, const MixRequest& request) {
+  const Topology topology = build_topology(target);
+  CpuKernels kernels;
+  const LayeredCoat layers({.sources = {request.sources[0], request.sources[1]},
+                            .target_patch = request.target_patch,
+                            .parameters = request.parameters,
+                            .where = request.where,
+                            .taken = request.taken,
+                            .weight = request.weight,
+                            .handles = request.handles},
+                           target, topology, {shared(first, target), shared(second, target)},
+                           kernels);
+  return result_of(layers, 1.0);
+}
+
+}  // namespace lapwing

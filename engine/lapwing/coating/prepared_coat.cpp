@@ -1,0 +1,16 @@
+#include "lapwing/coating/prepared_coat.h"
+
+#include <utility>
+
+namespace lapwing {
+
+PreparedCoat::PreparedCoat(const CoatRequest& request, const Mesh& mesh, const Topology& topology,
+                           SharedSource source, Kernels& kernels, const Progress& progress)
+    : layers_(std::make_unique<LayeredCoat>(LayeredRequest{.sources = {request.source},
+                                                           .target_patch = request.target_patch,
+                                                           .parameters = request.parameters,
+                                                           .where = request.where},
+                                            mesh, topology, std::vector{std::move(source)}, kernels,
+                                            progress)) {}
+
+}  // namespace lapwing
