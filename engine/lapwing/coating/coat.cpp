@@ -33,15 +33,8 @@ Coated coat(const Mesh& target, const Mesh& source, const CoatRequest& request) 
 Coated mix(const Mesh& target, const Mesh& first, const Mesh& second, const MixRequest& request) {
   const Topology topology = build_topology(target);
   CpuKernels kernels;
-  const LayeredCoat layers({.sources = {request.sources[0], request.sources[1]},
-                            .target_patch = request.target_patch,
-                            .parameters = request.parameters,
-                            .where = request.where,
-                            .taken = request.taken,
-                            .weight = request.weight,
-                            .handles = request.handles},
-                           target, topology, {shared(first, target), shared(second, target)},
-                           kernels);
+  const LayeredCoat layers(layered(request), target, topology,
+                           {shared(first, target), shared(second, target)}, kernels);
   return result_of(layers, 1.0);
 }
 

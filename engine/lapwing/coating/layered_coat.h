@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/coating/coat_parameters.h"
 #include "lapwing/coating/coat_report.h"
-#include "lapwing/coating/mix_weight.h"
+#include "lapwing/coating/coat_request.h"
 #include "lapwing/coating/source_side.h"
 #include "lapwing/coating/target_side.h"
 
@@ -25,6 +24,25 @@ struct LayeredRequest {
   std::optional<MixWeight> weight = {};  ///< of the second of two sources; none for one
   std::vector<MovedHandle> handles = {};
 };
+
+template <class Source>
+LayeredRequest layered(const CoatOf<Source>& coat) {
+  return {.sources = {coat.source},
+          .target_patch = coat.target_patch,
+          .parameters = coat.parameters,
+          .where = coat.where};
+}
+
+template <class Source>
+LayeredRequest layered(const MixOf<Source>& mix) {
+  return {.sources = {mix.sources[0], mix.sources[1]},
+          .target_patch = mix.target_patch,
+          .parameters = mix.parameters,
+          .where = mix.where,
+          .taken = mix.taken,
+          .weight = mix.weight,
+          .handles = mix.handles};
+}
 
 /// A coat or mix made ready: sources taken off, the target smooth, both laid on each
 /// other, the target remeshed where it is too coarse, its system factored, and what comes to it

@@ -6,11 +6,7 @@ namespace lapwing {
 
 PreparedCoat::PreparedCoat(const CoatRequest& request, const Mesh& mesh, const Topology& topology,
                            SharedSource source, Kernels& kernels, const Progress& progress)
-    : layers_(std::make_unique<LayeredCoat>(LayeredRequest{.sources = {request.source},
-                                                           .target_patch = request.target_patch,
-                                                           .parameters = request.parameters,
-                                                           .where = request.where},
-                                            mesh, topology, std::vector{std::move(source)}, kernels,
-                                            progress)) {}
+    : layers_(std::make_unique<LayeredCoat>(layered(request), mesh, topology,
+                                            std::vector{std::move(source)}, kernels, progress)) {}
 
 }  // namespace lapwing

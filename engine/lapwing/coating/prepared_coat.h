@@ -4,15 +4,6 @@
 
 namespace lapwing {
 
-/// Put the fine detail of a patch of one mesh on a patch of another: all of it but the meshes.
-/// {"op": "coat"} in recipes.
-struct CoatRequest {
-  CoatSource source;
-  RegionSpec target_patch;
-  CoatParameters parameters;
-  std::string where = "coat";  ///< as in RegionSpec; no part of the value
-};
-
 /// A coat in two: making it is slow, then amplitude and detail size are sliders.
 ///
 ///     PreparedCoat coat(request, target, topology, source, kernels, progress);

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "lapwing/coating/coat_source.h"
+#include "lapwing/coating/coat_request.h"
 #include "lapwing/coating/correspondence.h"
 #include "lapwing/coating/peel.h"
 
@@ -14,12 +14,6 @@ struct SourceMesh {
   Topology topology;
 };
 using SharedSource = std::shared_ptr<const SourceMesh>;
-
-/// What is taken of a source, and replaced of the target.
-enum class Taken {
-  coating,  ///< the detail below each source's detail size, which lies over the target
-  shape,    ///< all of it: full Laplacians; detail sizes say what frames are free of
-};
 
 /// One source of a coat or mix: the patch that it is taken from, and what is taken. Called in
 /// the order below.

@@ -435,14 +435,4 @@ std::size_t Deformer::free_count() const {
   return region.roi.size() - constrained;
 }
 
-void Deformer::back_substitute(std::span<double> x) const {
-  const auto lock = state_->system->systems->lock();
-  hold({});
-  if (is_exact()) {
-    state_->system->systems->response().solve_in_place(x, 1);
-  } else {
-    state_->system->systems->laplacian().solve_in_place(x, 3);
-  }
-}
-
 }  // namespace lapwing

@@ -133,10 +133,6 @@ class Deformer {
   std::size_t unknown_count() const;  ///< vertices solved for
   std::size_t free_count() const;     ///< of those, neither handle nor belt
 
-  /// Replaces a right-hand side of 3 unknown_count() numbers by its solution: the unit in which
-  /// benchmarks measure a drag frame. Of the n x n system, for x, y and z, where that is all.
-  void back_substitute(std::span<double> x) const;
-
  private:
   struct State;
   Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, const Progress& progress);

@@ -28,9 +28,8 @@ class RegionSystem;
 /// cancelled or fails loses nothing that was kept before it.
 ///
 /// Earlier deformers stay right. Dragging them costs what it did, also while the next one is being
-/// prepared on another thread. They have one factor in common with the later ones, so `solve`,
-/// `follow` and `back_substitute` of an earlier one wait for a preparation under way and factor
-/// again first.
+/// prepared on another thread. They have one factor in common with the later ones, so `solve`
+/// and `follow` of an earlier one wait for a preparation under way and factor again first.
 ///
 /// Memory: that of one Deformer's factors, while this or a deformer made from it lives. One
 /// preparation at a time.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "lapwing/coating/coat.h"
+#include "lapwing/coating/coat_request.h"
 #include "lapwing/deform/deform_request.h"
 #include "lapwing/region/region_spec.h"
 #include "lapwing/transplant/transplant_request.h"
@@ -26,35 +25,10 @@ struct FileSource : CoatSource {
 };
 
 /// {"op": "coat"}: put the fine detail of a patch of one mesh on a patch of the mesh.
-struct CoatStep {
-  FileSource source;
-  RegionSpec target_patch;
-  CoatParameters parameters;
-  std::string where = "coat";  ///< as in RegionSpec; no part of the value
-  bool operator==(const CoatStep& other) const {
-    return source == other.source && target_patch == other.target_patch &&
-           parameters == other.parameters;
-  }
-};
+using CoatStep = CoatOf<FileSource>;
 
-/// {"op": "mix"}: mix two surfaces on a patch of the mesh, (1 - w) of the first and w of the second
-/// (paper section 5.3).
-struct MixStep {
-  RegionSpec target_patch;
-  std::array<FileSource, 2> sources;
-  MixWeight weight;
-  Taken taken = Taken::coating;
-  std::vector<MovedHandle> handles;  ///< in the patch, moved in the same solve
-  /// With Taken::shape `smooth_target` is what the target's frames are free of; 0: of what the
-  /// sources' are, as large as that is on the target.
-  CoatParameters parameters;
-  std::string where = "mix";  ///< as in RegionSpec; no part of the value
-  bool operator==(const MixStep& other) const {
-    return target_patch == other.target_patch && sources == other.sources &&
-           weight == other.weight && taken == other.taken && handles == other.handles &&
-           parameters == other.parameters;
-  }
-};
+/// {"op": "mix"}: mix two surfaces on a patch of the mesh.
+using MixStep = MixOf<FileSource>;
 
 /// {"op": "transplant"}: put a part of another mesh in the place of a region of the mesh.
 struct TransplantStep : TransplantRequest {

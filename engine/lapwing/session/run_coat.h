@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 
+#include "lapwing/coating/prepared_coat.h"
 #include "lapwing/session/run_recipe.h"
 
 namespace lapwing {

@@ -11,14 +11,7 @@ StepReport run_step(const MixStep& step, const std::filesystem::path& base_direc
   std::vector<SharedSource> sources;
   stage("source", timings, progress,
         [&] { sources = read_source_meshes(step.sources, base_directory); });
-  const LayeredCoat mix({.sources = {step.sources[0], step.sources[1]},
-                         .target_patch = step.target_patch,
-                         .parameters = step.parameters,
-                         .where = step.where,
-                         .taken = step.taken,
-                         .weight = step.weight,
-                         .handles = step.handles},
-                        result.mesh, result.topology, sources, kernels, progress);
+  const LayeredCoat mix(layered(step), result.mesh, result.topology, sources, kernels, progress);
   return take_over(mix, "mix", std::move(timings), mix.positions(1.0), result);
 }
 
