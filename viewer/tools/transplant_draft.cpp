@@ -82,8 +82,8 @@ TransplantDraft draft_with(std::shared_ptr<const TransplantPart> part, double di
 
 TransplantDraft taken_up(const TransplantStep& step, const AppState& host) {
   const Hole hole = cut_hole(step.target_region, *host.rest, *host.topology);
-  PlacedPart placed =
-      place_part(step, part_mesh(step, {}, *host.rest), *host.rest, *host.topology, hole);
+  const std::optional<Mesh> read = read_part_mesh(step, {});
+  PlacedPart placed = place_part(step, read ? *read : *host.rest, *host.rest, *host.topology, hole);
   if (placed.motion.linear().determinant() < 0.0) {
     std::reverse(placed.loop.begin(), placed.loop.end());
   }

@@ -5,19 +5,20 @@
 
 namespace lapwing {
 
-Mesh part_mesh(const TransplantStep& step, const std::filesystem::path& base_directory,
-               const Mesh& mesh) {
-  return step.part.empty() ? mesh : read_mesh(base_directory / step.part);
+std::optional<Mesh> read_part_mesh(const TransplantStep& step,
+                                   const std::filesystem::path& base_directory) {
+  if (step.part.empty()) return std::nullopt;
+  return read_mesh(base_directory / step.part);
 }
 
 StepReport run_step(const TransplantStep& step, const std::filesystem::path& base_directory,
                     Kernels& kernels, const Progress& progress, RunResult& result) {
   StepReport report;
   report.op = "transplant";
-  Mesh part;
-  stage("part", report.timings, progress,
-        [&] { part = part_mesh(step, base_directory, result.mesh); });
-  const std::string name = step.part.empty() ? "part" : step.part.stem().string();
+  std::optional<Mesh> read;
+  stage("part", report.timings, progress, [&] { read = read_part_mesh(step, base_directory); });
+  const Mesh& part = read ? *read : result.mesh;
+  const std::string name = read ? step.part.stem().string() : "part";
   Transplanted done = transplant(result.mesh, result.topology, part, name, step, kernels, progress);
   for (const auto& [stage_name, ms] : done.timings.stages()) report.timings.add(stage_name, ms);
   result.report.warnings.insert(result.report.warnings.end(), done.warnings.begin(),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "lapwing/session/run_recipe.h"
 
@@ -12,9 +13,9 @@ namespace lapwing {
 StepReport run_step(const TransplantStep& step, const std::filesystem::path& base_directory,
                     Kernels& kernels, const Progress& progress, RunResult& result);
 
-/// The mesh that the part of `step` is or is cut from: the file's, or a copy of `mesh` where the
-/// step names none. Throws what `read_mesh` does.
-Mesh part_mesh(const TransplantStep& step, const std::filesystem::path& base_directory,
-               const Mesh& mesh);
+/// The mesh that the part of `step` is or is cut from; none where that is the mesh itself. Throws
+/// what `read_mesh` does.
+std::optional<Mesh> read_part_mesh(const TransplantStep& step,
+                                   const std::filesystem::path& base_directory);
 
 }  // namespace lapwing
