@@ -129,14 +129,16 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"SettleTolerance", with_option(R"("settle": {"tolerance": 0})"),
                 ": /steps/0/settle/tolerance: expected a number above 0, got 0"},
         Mistake{"SettleIterations", with_option(R"("settle": {"max_iterations": 1.5})"),
-                ": /steps/0/settle/max_iterations: expected a whole number from 1 to 1000000"},
+                ": /steps/0/settle/max_iterations: expected a whole number from 1 to 1000000, "
+                "got 1.5"},
         Mistake{"DetailLength", with_option(R"("detail_length": 0)"),
                 ": /steps/0/detail_length: expected a number above 0, got 0"},
         Mistake{"CommitsOfNothing", with_option(R"("commit_every": 0)"),
-                ": /steps/0/commit_every: expected a number above 0, got 0"},
+                ": /steps/0/commit_every: expected a number above 0 and at most 180 (past half a "
+                "turn the other way round is shorter), got 0"},
         Mistake{"CommitsTooFarApart", with_option(R"("commit_every": 180.5)"),
-                ": /steps/0/commit_every: expected at most 180 degrees: past half a turn the other "
-                "way round is shorter"},
+                ": /steps/0/commit_every: expected a number above 0 and at most 180 (past half a "
+                "turn the other way round is shorter), got 180.5"},
         Mistake{"MirrorInParts",
                 step(R"("roi": {"all": true}, "commit_every": 90, "handles": [{"region":
                 {"vertices": [1]}, "move": {"matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0]}}])"),
@@ -358,7 +360,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"PairsThatDoNotFitTheDomain",
                 with_mix(R"("domain": "square", "sources": [)" + kSource +
                          R"(, {"patch": {"all": true}, "detail_size": 1,
-                               "boundary_pairs": [[3, 4]]}])"),
+                               "boundary_pairs": [[3, 4]]}],
+                         "weight": {"domain_v": [0, 1]})"),
                 ": /steps/0/sources/1/boundary_pairs: the square takes four pairs of boundary "
                 "vertices, in order around, got 1"},
         Mistake{"NoWeight", with_mix(kSources),

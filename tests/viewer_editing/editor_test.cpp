@@ -249,7 +249,7 @@ TEST_F(AnEditor, ATypedMoveGoesOnFromTheSurfaceAsItStands) {
 }
 
 TEST_F(AnEditor, WithoutSettlingADragIsTheLinearResponse) {
-  editor_->perform(SetParameters{{.settle = std::nullopt}});
+  editor_->perform(SetParameters{{{.settle = std::nullopt}}});
   wait_until_ready();
   EXPECT_FALSE(editor_->settles_while_dragging());
   begin_drag(kRight);

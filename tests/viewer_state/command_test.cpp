@@ -75,9 +75,9 @@ TEST(Command, NewParametersAskForAResult) {
 TEST(Command, ParametersThatNoRecipeCouldSayAreRefused) {
   const AppState state = settled_tube();
   for (const EditParameters& parameters :
-       {EditParameters{.detail_length = 0.0}, EditParameters{.detail_length = -0.1},
-        EditParameters{.constraint_weight = 0.0},
-        EditParameters{.settle = SettleOptions{.max_iterations = 0}}}) {
+       {EditParameters{{.detail_length = 0.0}}, EditParameters{{.detail_length = -0.1}},
+        EditParameters{{.constraint_weight = 0.0}},
+        EditParameters{{.settle = SettleOptions{.max_iterations = 0}}}}) {
     EXPECT_THROW(apply(state, SetParameters{parameters}), InputError);
   }
 }
@@ -128,7 +128,7 @@ TEST(Command, WhatDoesNotFitIsRefused) {
   EXPECT_THROW(apply(state, Settle{handles_alone(state)}), InputError);
   EXPECT_THROW(apply(state, SetBeltWidth{1.5}), InputError);
   EXPECT_THROW(apply(state, Paint{kRoi, {100000}, {}}), InputError);
-  EXPECT_THROW(apply(state, SetParameters{{.constraint_weight = 0.0}}), InputError);
+  EXPECT_THROW(apply(state, SetParameters{{{.constraint_weight = 0.0}}}), InputError);
 }
 
 TEST(Command, StepsHaveNames) {

@@ -27,7 +27,7 @@ class AnEdit : public ::testing::Test {
   void settle(History& history) {
     const AppState& state = history.state();
     const Deformer deformer(state.rest->positions, *state.topology, edit_region(state),
-                            deform_options(state.parameters), kernels_);
+                            state.parameters, kernels_);
     const auto result = deformer.solve(motions_of(state), turns_of(state));
     history.perform(Settle{std::make_shared<const MovedVertices>(
         moved_vertices(state.rest->positions, result.positions))});
@@ -46,7 +46,7 @@ class AnEdit : public ::testing::Test {
     history.perform(Choose{kRoi, {AllVertices{}}});
     history.perform(Choose{kSecondHandle, {GeodesicDisk{Index{125}, 0.4}}});
     history.perform(Choose{kBelt, box(-1.0, 0.4)});
-    history.perform(SetParameters{{.weights = LaplacianWeights::cotangent, .hard = true}});
+    history.perform(SetParameters{{{.weights = LaplacianWeights::cotangent, .hard = true}}});
     history.perform(MoveHandle{1, bent()});
     settle(history);
     return history;

@@ -93,7 +93,7 @@ TEST_F(ASession, ADragSettlesByItself) {
 TEST_F(ASession, NewParametersSettleAnew) {
   drag(twisted(90.0));
   const Positions before = positions();
-  session_->perform(SetParameters{{.detail_length = 0.5}});
+  session_->perform(SetParameters{{{.detail_length = 0.5}}});
   wait_for_result();
   EXPECT_GT(largest_distance(positions(), before), 1e-3);
 }
@@ -179,7 +179,7 @@ TEST_F(ASession, ADragOfASettledHandleGoesOnFromThere) {
 }
 
 TEST_F(ASession, AMoveWinsOverALiveResult) {
-  session_->perform(SetParameters{{.settle = SettleOptions{.tolerance = 1e-9}}});
+  session_->perform(SetParameters{{{.settle = SettleOptions{.tolerance = 1e-9}}}});
   wait_for(PreparationStatus::Phase::ready);
   const std::vector<Move> dragged{twisted(170.0)};
   session_->settle_live(dragged, {});

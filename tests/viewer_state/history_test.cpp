@@ -42,7 +42,7 @@ Command random_command(const AppState& state, std::mt19937& random) {
     case 5:
       return SetBeltWidth{0.1 * number(5)};
     case 6:
-      return SetParameters{{.constraint_weight = 1.0 + number(3)}};
+      return SetParameters{{{.constraint_weight = 1.0 + number(3)}}};
     case 7:
       return Commit{};
     case 8:

@@ -37,7 +37,7 @@ void do_something(History& history, std::size_t k) {
       history.undo();
       break;
     default:
-      history.perform(SetParameters{{.constraint_weight = 1.0 + static_cast<double>(k)}});
+      history.perform(SetParameters{{{.constraint_weight = 1.0 + static_cast<double>(k)}}});
       history.perform(Settle{handles_alone(history.state())});
       history.perform(Commit{});
   }

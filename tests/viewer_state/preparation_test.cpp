@@ -190,7 +190,7 @@ TEST(Preparation, AnotherHandleOnTheSameRoiOrdersNothingAnew) {
   EXPECT_TRUE(orders(state));
   state = apply(state, Choose{kHandle, box(2.5, 4.0)});
   EXPECT_FALSE(orders(state));
-  state = apply(state, SetParameters{{.constraint_weight = 2.0}});
+  state = apply(state, SetParameters{{{.constraint_weight = 2.0}}});
   EXPECT_FALSE(orders(state));
   EXPECT_TRUE(orders(apply(state, Choose{kRoi, box(0.4, 4.0)})));
   preparation.cancel();
@@ -224,7 +224,7 @@ TEST(Preparation, CancelledHasNothingReady) {
 
 TEST(Preparation, SettlingCanBeCancelledAndAskedForAgain) {
   AppState state =
-      apply(chosen_tube(), SetParameters{{.settle = SettleOptions{.tolerance = 1e-9}}});
+      apply(chosen_tube(), SetParameters{{{.settle = SettleOptions{.tolerance = 1e-9}}}});
   state = apply(state, MoveHandle{0, twisted(170.0)});
   Preparation preparation(cpu_kernels);
   preparation.follow(state);
@@ -325,7 +325,7 @@ TEST(Preparation, LiveResultIsWoundTheWayTheHandleWent) {
 }
 
 TEST(Preparation, LiveResultWithoutSettlingIsTheLinearOne) {
-  AppState state = apply(chosen_tube(), SetParameters{{.settle = std::nullopt}});
+  AppState state = apply(chosen_tube(), SetParameters{{{.settle = std::nullopt}}});
   state = apply(state, MoveHandle{0, bent()});
   Preparation preparation(cpu_kernels);
   preparation.follow(state);
@@ -360,7 +360,7 @@ TEST(Preparation, LiveResultIsNotAskedForWhileAnythingElseIs) {
 
 TEST(Preparation, SettlingTakesThePlaceOfALiveResult) {
   AppState state =
-      apply(chosen_tube(), SetParameters{{.settle = SettleOptions{.tolerance = 1e-9}}});
+      apply(chosen_tube(), SetParameters{{{.settle = SettleOptions{.tolerance = 1e-9}}}});
   Preparation preparation(cpu_kernels);
   preparation.follow(state);
   wait_for(preparation, Phase::ready);

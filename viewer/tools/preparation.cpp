@@ -225,8 +225,8 @@ std::shared_ptr<DragPreview> Preparation::make_preview(const AppState& state, st
                                                        const Progress& progress) {
   const std::shared_ptr<Kernels> kernels = make_kernels();
   const std::shared_ptr<Kept> kept = kept_for(state, ticket);
-  return {new DragPreview(kept->region, state.rest->positions, edit_region(state),
-                          deform_options(state.parameters), *kernels, progress),
+  return {new DragPreview(kept->region, state.rest->positions, edit_region(state), state.parameters,
+                          *kernels, progress),
           [kernels, topology = state.topology](DragPreview* p) { delete p; }};
 }
 

@@ -26,7 +26,7 @@ struct Work {
     if (!workspace.prepared) workspace.prepared = std::make_unique<PreparedRegion>(bound.topology);
     workspace.last =
         std::make_unique<Deformer>(*workspace.prepared, result.mesh.positions, bound.region,
-                                   deform_options(bound.request.parameters), kernels, progress);
+                                   bound.request.parameters, kernels, progress);
     Deformer& deformer = *workspace.last;
     for (const auto& [name, ms] : deformer.timings().stages()) result.timings.add(name, ms);
     const std::vector<Eigen::Affine3d> motions = bound.motions(from, to);

@@ -43,6 +43,7 @@ struct DeformOptions {
   /// Makes the energy of what `solve` returns least, so that details survive large rotations; none:
   /// the linear response as it is, right for small angles only.
   std::optional<SettleOptions> settle = SettleOptions{};
+  bool operator==(const DeformOptions&) const = default;
 };
 
 }  // namespace lapwing

@@ -128,7 +128,7 @@ void JsonNode::require_list(const std::string& what) const {
   if (!value_->json->is_array()) fail_expecting(what);
 }
 
-void JsonNode::require_keys(std::initializer_list<std::string_view> known) const {
+void JsonNode::require_keys(const std::vector<std::string_view>& known) const {
   require_object();
   for (const auto& [key, value] : value_->json->items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
@@ -161,7 +161,7 @@ std::optional<JsonNode> JsonNode::find(std::string_view key) const {
   return child(&*found, pointer_token(key));
 }
 
-std::string_view JsonNode::only_key_of(std::initializer_list<std::string_view> keys,
+std::string_view JsonNode::only_key_of(const std::vector<std::string_view>& keys,
                                        const std::string& what) const {
   std::vector<std::string_view> present;
   std::copy_if(keys.begin(), keys.end(), std::back_inserter(present),
@@ -172,9 +172,9 @@ std::string_view JsonNode::only_key_of(std::initializer_list<std::string_view> k
 }
 
 std::size_t JsonNode::one_of(const std::string& what,
-                             std::initializer_list<std::string_view> names) const {
+                             const std::vector<std::string_view>& names) const {
   const std::string name = string();
-  const auto* found = std::find(names.begin(), names.end(), name);
+  const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) fail("unknown " + what + " \"" + name + "\"; " + suggest(name, names));
   return static_cast<std::size_t>(found - names.begin());
 }
@@ -214,6 +214,11 @@ std::string JsonNode::file_name() const {
 
 double JsonNode::number() const {
   if (!value_->json->is_number()) fail_expecting("a number");
+  return value_->json->get<double>();
+}
+
+std::optional<double> JsonNode::if_number() const {
+  if (!value_->json->is_number()) return std::nullopt;
   return value_->json->get<double>();
 }
 

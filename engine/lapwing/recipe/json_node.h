@@ -1,6 +1,5 @@
 #pragma once
 
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,17 +27,17 @@ class JsonNode {
   [[noreturn]] void fail_expecting(const std::string& what) const;
 
   /// This is an object and has no other keys; an unknown one is answered with the nearest.
-  void require_keys(std::initializer_list<std::string_view> known) const;
+  void require_keys(const std::vector<std::string_view>& known) const;
   std::vector<std::string> keys() const;  ///< of this object, sorted
   bool has(std::string_view key) const;
   JsonNode at(std::string_view key) const;
   std::optional<JsonNode> find(std::string_view key) const;
   /// The one of `keys` that this object has; none and several are errors about `what`.
-  std::string_view only_key_of(std::initializer_list<std::string_view> keys,
+  std::string_view only_key_of(const std::vector<std::string_view>& keys,
                                const std::string& what) const;
 
   /// Which of `names` this string is, from 0; "unknown WHAT ..." and the nearest name otherwise.
-  std::size_t one_of(const std::string& what, std::initializer_list<std::string_view> names) const;
+  std::size_t one_of(const std::string& what, const std::vector<std::string_view>& names) const;
 
   std::vector<JsonNode> elements() const;
   bool is_object() const;
@@ -47,6 +46,7 @@ class JsonNode {
   std::string string() const;
   std::string file_name() const;  ///< a text that is not empty
   double number() const;
+  std::optional<double> if_number() const;  ///< nothing where this is no number
   double positive_number() const;
   double number_from_zero() const;  ///< 0 or more
   Index vertex() const;

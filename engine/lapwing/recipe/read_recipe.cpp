@@ -1,5 +1,5 @@
 #include "lapwing/io/file_bytes.h"
-#include "lapwing/recipe/read_step.h"
+#include "lapwing/recipe/key_reader.h"
 #include "lapwing/recipe/recipe.h"
 
 namespace lapwing {

@@ -36,8 +36,7 @@ struct TransplantStep : TransplantRequest {
   bool operator==(const TransplantStep&) const = default;
 };
 
-/// One operation of a recipe. A new one is a type here, its reader in read_step.cpp and its writer
-/// in write_recipe.cpp.
+/// One operation of a recipe. A new one is a type here, its `describe` and a line in operations.cpp.
 using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep>;
 
 /// A whole edit: a mesh, what is done to it, and where the result goes.

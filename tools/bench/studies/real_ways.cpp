@@ -35,7 +35,7 @@ struct RealEdit {
 };
 
 DeformOptions default_options() {
-  return deform_options(DeformParameters{});
+  return DeformParameters{};
 }
 
 // The response that drags use, alone.

@@ -5,7 +5,7 @@
 
 namespace lapwing {
 
-/// The mix step that `node` describes. Throws InputError with the place.
-MixStep read_mix(const JsonNode& node);
+/// The step that `node` says. Throws InputError with the JSON pointer of what does not fit.
+Step read_step(const JsonNode& node);
 
 }  // namespace lapwing

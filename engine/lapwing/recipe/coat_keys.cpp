@@ -1,0 +1,168 @@
+#include "lapwing/recipe/step_keys.h"
+
+namespace lapwing {
+namespace {
+
+using Profile = Transition::Profile;
+
+constexpr Key kTargetPatch{.name = "target_patch",
+                           .help = "where it is put: a disk",
+                           .required = true,
+                           .flag_default = "all"};
+
+void describe_detail_size(CoatSource& source, KeyVisitor& visitor) {
+  visitor.number({.name = "detail_size",
+                  .help = "a length on the source: what is smaller is its coating. A wave half as "
+                          "long is carried over to 94%, one as long to a half, one twice as long "
+                          "to 6%",
+                  .required = true},
+                 source.detail_size, kAboveZero);
+}
+
+void describe_surface(CoatParameters& parameters, KeyVisitor& visitor) {
+  visitor.number({.name = "smooth_target",
+                  .help = "a length on the target: its own features smaller than this go first; 0 "
+                          "keeps them below the coating"},
+                 parameters.smooth_target, kFromZero);
+  visitor.choice(
+      {.name = "weights", .help = "of the Laplacians"}, parameters.weights,
+      {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
+  visitor.choice({.name = "domain", .help = "what both patches are laid into"}, parameters.domain,
+                 {{Domain::disk, "disk"}, {Domain::square, "square"}});
+}
+
+void describe_laying(CoatSource& source, KeyVisitor& visitor) {
+  visitor.pairs({.name = "boundary_pairs",
+                 .help = "a vertex of the source's border and the one of the target's that it "
+                         "comes to; four in order around for the square. Without them the patches' "
+                         "principal directions are laid on each other, or what inner pairs ask "
+                         "for; the report has the pairs",
+                 .absent = "chosen",
+                 .flag = "boundary-pair"},
+                source.boundary_pairs);
+  visitor.pairs({.name = "inner_pairs",
+                 .help = "inner vertices that come to lie on each other",
+                 .absent = "none",
+                 .flag = "inner-pair"},
+                source.inner_pairs);
+  visitor.choice({.name = "sampling",
+                  .help = "of the coating's Laplacians: each target ring laid on the source, or "
+                          "interpolated between the source's vertices, so that a finer target does "
+                          "not show its triangles"},
+                 source.sampling.sampling,
+                 {{MappedSampling::one_ring, "one_ring"}, {MappedSampling::linear, "linear"}});
+  visitor.number({.name = "scale",
+                  .help = "of the coating on the target over that on the source; by itself the "
+                          "local ratio of lengths, at most four times that of the patches",
+                  .automatic = true},
+                 source.sampling.scale, kAboveZero);
+  visitor.number(
+      {.name = "amplitude", .help = "of the coating; 0 leaves the target, negative engraves"},
+      source.amplitude, kAnyNumber);
+}
+
+void describe_fading(CoatParameters& parameters, KeyVisitor& visitor) {
+  visitor.object({.name = "transition",
+                  .help = "the coating fades in over this width from the patch's border; 0 is a "
+                          "step. Wider than half the patch, it leaves little",
+                  .absent = "the detail size there"},
+                 parameters.transition, ObjectForm::optional);
+  visitor.choice({.name = "remesh",
+                  .help = "makes the patch finer where it is too coarse for what comes to it; "
+                          "nothing outside changes",
+                  .off_flag = "no-remesh"},
+                 parameters.remesh, {{Remeshing::automatic, "auto"}, {Remeshing::none, "none"}});
+}
+
+void require_pairs(const CoatSource& source, Domain domain, const std::string& pointer,
+                   KeyVisitor& visitor) {
+  const std::size_t count = source.boundary_pairs.size();
+  const std::string got = std::to_string(count);
+  visitor.require(
+      count == 0 || count == pin_count(domain), pointer,
+      domain == Domain::disk
+          ? "the disk takes one pair of boundary vertices, got " + got
+          : "the square takes four pairs of boundary vertices, in order around, got " + got);
+}
+
+}  // namespace
+
+void describe(Transition& transition, KeyVisitor& visitor) {
+  visitor.number({.name = "width", .help = "", .required = true, .flag = "transition"},
+                 transition.width, kFromZero);
+  visitor.choice({.name = "profile", .help = "of the transition"}, transition.profile,
+                 {{Profile::smooth, "smooth"}, {Profile::linear, "linear"}});
+}
+
+void describe(CoatStep& step, KeyVisitor& visitor) {
+  visitor.where(step.where);
+  visitor.where(step.source.where);
+  visitor.file({.name = "source",
+                .help = "the file with the detail",
+                .absent = "the mesh itself, as the steps before made it"},
+               step.source.mesh);
+  visitor.region({.name = "source_patch",
+                  .help = "where the detail is taken: a disk",
+                  .required = true,
+                  .flag_default = "all"},
+                 step.source.patch);
+  visitor.region(kTargetPatch, step.target_patch);
+  describe_detail_size(step.source, visitor);
+  describe_surface(step.parameters, visitor);
+  describe_laying(step.source, visitor);
+  describe_fading(step.parameters, visitor);
+  require_pairs(step.source, step.parameters.domain, "boundary_pairs", visitor);
+}
+
+void describe(FileSource& source, KeyVisitor& visitor) {
+  visitor.where(source.where);
+  visitor.file({.name = "mesh", .help = "the file with the detail", .absent = "the mesh itself"},
+               source.mesh);
+  visitor.region({.name = "patch",
+                  .help = "where the detail is taken: a disk",
+                  .required = true,
+                  .flag_default = "all"},
+                 source.patch);
+  describe_detail_size(source, visitor);
+  describe_laying(source, visitor);
+}
+
+void describe(MixStep& step, KeyVisitor& visitor) {
+  static constexpr std::array<std::string_view, 2> kPrefixes{"first", "second"};
+  visitor.where(step.where);
+  visitor.region(kTargetPatch, step.target_patch);
+  visitor.list(
+      {.name = "sources", .help = "two, each with the keys of a coat's source", .required = true},
+      step.sources, {"two sources", "{\"op\": \"coat\"} takes one", kPrefixes});
+  visitor.choice({.name = "take",
+                  .help = "what is mixed: the detail below each detail size, over the target; or "
+                          "all of both surfaces in the target's place, between the borders that "
+                          "stay"},
+                 step.taken, {{Taken::coating, "coating"}, {Taken::shape, "shape"}});
+  visitor.weight({.name = "weight",
+                  .help = "the second source's share: by distance from a region, by the v of the "
+                          "square domain, or painted",
+                  .required = true},
+                 step.weight);
+  visitor.choice({.name = "profile", .help = "of the weight", .flag = "weight-profile"},
+                 step.weight.profile, {{Profile::smooth, "smooth"}, {Profile::linear, "linear"}});
+  visitor.only_when(!std::holds_alternative<PaintedWeight>(step.weight.form), "profile",
+                    "a painted field is taken as it is; remove \"profile\"");
+  visitor.handles({.name = "handles",
+                   .help = "as those of deform, inside the patch: moved in the same solve",
+                   .absent = "none"},
+                  step.handles);
+  describe_surface(step.parameters, visitor);
+  describe_fading(step.parameters, visitor);
+  const Domain domain = step.parameters.domain;
+  visitor.require(
+      domain == Domain::square || !std::holds_alternative<DomainRamp>(step.weight.form),
+      "weight/domain_v",
+      "only the square domain has a v; add \"domain\": \"square\", or weigh by distance");
+  for (std::size_t k = 0; k < step.sources.size(); ++k) {
+    require_pairs(step.sources[k], domain, "sources/" + std::to_string(k) + "/boundary_pairs",
+                  visitor);
+  }
+}
+
+}  // namespace lapwing

@@ -1,0 +1,67 @@
+#include "lapwing/deform/turn_tracker.h"
+#include "lapwing/recipe/step_keys.h"
+
+namespace lapwing {
+
+void describe(SettleOptions& settle, KeyVisitor& visitor) {
+  visitor.number({.name = "tolerance",
+                  .help = "settling ends when no vertex would move farther, in mean edge lengths"},
+                 settle.tolerance, kAboveZero);
+  visitor.whole({.name = "max_iterations", .help = "of settling"}, settle.max_iterations,
+                {.least = 1, .most = 1e6});
+}
+
+void describe(DeformRequest& step, KeyVisitor& visitor) {
+  DeformParameters& parameters = step.parameters;
+  visitor.region({.name = "roi",
+                  .help = "the part that may move; nothing outside it does",
+                  .required = true,
+                  .flag_default = "all"},
+                 step.roi);
+  visitor.belt({.name = "belt",
+                .help = "the part of the ROI that stays; a fraction of its width, or a region"},
+               step.belt);
+  visitor.handles({.name = "handles",
+                   .help = "the parts that are placed: each a region and its move",
+                   .required = true},
+                  step.handles);
+  visitor.choice(
+      {.name = "weights", .help = "of the Laplacians"}, parameters.weights,
+      {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
+  visitor.number({.name = "detail_length",
+                  .help = "details smaller than this keep their shape; beyond it the surface bends "
+                          "and stretches like an elastic sheet. A share of the ROI's radius, the "
+                          "root mean square distance of its surface from its centroid"},
+                 parameters.detail_length, kAboveZero);
+  visitor.choice({.name = "response",
+                  .help = "the linear response that a drag begins with: of the energy, or the "
+                          "paper's; with `settle` off, `rsi` is the paper's equation 10"},
+                 parameters.response,
+                 {{LinearResponse::tangent, "tangent"}, {LinearResponse::rsi, "rsi"}});
+  visitor.number({.name = "constraint_weight",
+                  .help = "how strongly belt and handles hold, in the least squares"},
+                 parameters.constraint_weight, kAboveZero);
+  visitor.boolean({.name = "hard", .help = "hold belt and handles exactly"}, parameters.hard);
+  visitor.object({.name = "settle",
+                  .help = "minimize the energy; off leaves the linear response, which is right for "
+                          "small angles only",
+                  .off_flag = "no-settle"},
+                 parameters.settle, ObjectForm::boolean);
+  visitor.number({.name = "commit_every",
+                  .help = "make a larger turn in equal parts of at most this many degrees, each "
+                          "the rest shape of the next",
+                  .absent = "off"},
+                 parameters.commit_every,
+                 {.least = 0.0,
+                  .most = kLargestSettledTurnDegrees,
+                  .takes_least = false,
+                  .reason = "past half a turn the other way round is shorter"});
+  // Between a handle and its mirror image there is no motion that a part could be.
+  for (std::size_t k = 0; k < step.handles.size() && parameters.commit_every; ++k) {
+    visitor.require(!mirrors(step.handles[k].move), "handles/" + std::to_string(k) + "/move/matrix",
+                    "a matrix that mirrors cannot be carried out in parts; leave out "
+                    "\"commit_every\"");
+  }
+}
+
+}  // namespace lapwing

@@ -1,0 +1,221 @@
+#include "lapwing/recipe/key_reader.h"
+
+#include <cmath>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/recipe/read_region.h"
+#include "lapwing/recipe/read_value.h"
+#include "lapwing/recipe/step_keys.h"
+
+namespace lapwing {
+namespace {
+
+// Finds out the names of an object's keys, so that one that is unknown is answered before any other
+// is read.
+class KeyNames final : public KeyVisitor {
+ public:
+  std::vector<std::string_view> names{};
+
+  void number(const Key& key, double&, const Range&) override { add(key); }
+  void number(const Key& key, std::optional<double>&, const Range&) override { add(key); }
+  void whole(const Key& key, int&, const Range&) override { add(key); }
+  void whole(const Key& key, std::optional<std::size_t>&) override { add(key); }
+  void boolean(const Key& key, bool&) override { add(key); }
+  void region(const Key& key, RegionSpec&) override { add(key); }
+  void belt(const Key& key, BeltSpec&) override { add(key); }
+  void handles(const Key& key, std::vector<MovedHandle>&) override { add(key); }
+  void pairs(const Key& key, std::vector<VertexPair>&) override { add(key); }
+  void weight(const Key& key, MixWeight&) override { add(key); }
+  void file(const Key& key, std::filesystem::path&) override { add(key); }
+  void part(const Key& key, std::filesystem::path&, std::optional<RegionSpec>&) override {
+    add(key);
+  }
+  void place(const Key& key, PartPlace&, const Key& snap_key, bool&) override {
+    add(key);
+    add(snap_key);
+  }
+  void where(std::string&) override {}
+  void only_when(bool, std::string_view, std::string_view) override {}
+  void require(bool, const std::string&, std::string_view) override {}
+
+ protected:
+  void choose(const Key& key, std::size_t&, const std::vector<std::string_view>&) override {
+    add(key);
+  }
+  bool enter(const Key& key, bool&, ObjectForm, bool) override {
+    add(key);
+    return false;
+  }
+  void leave() override {}
+  void begin_list(const Key& key, std::size_t, const ListWords&) override {
+    add(key);
+    ++depth_;
+  }
+  void begin_item(std::size_t, const ListWords&) override {}
+  void end_item() override {}
+  void end_list(const Key&) override { --depth_; }
+
+ private:
+  void add(const Key& key) {
+    if (depth_ == 0) names.push_back(key.name);
+  }
+
+  int depth_ = 0;  // of lists
+};
+
+// Reads what is there and leaves the rest as it is.
+class KeyReader final : public KeyVisitor {
+ public:
+  explicit KeyReader(JsonNode step) { open_.push_back(std::move(step)); }
+
+  void number(const Key& key, double& value, const Range& range) override {
+    if (const auto found = find(key)) value = number_in(*found, range);
+  }
+  void number(const Key& key, std::optional<double>& value, const Range& range) override {
+    const auto found = find(key);
+    if (!found) return;
+    if (key.automatic && found->is_string()) {
+      found->one_of(std::string(key.name), {"auto"});
+    } else {
+      value = number_in(*found, range);
+    }
+  }
+  void whole(const Key& key, int& value, const Range& range) override {
+    const auto found = find(key);
+    if (!found) return;
+    const double number = found->number();
+    if (!range.contains(number) || number != std::floor(number)) {
+      found->fail_expecting(range.words(true));
+    }
+    value = static_cast<int>(number);
+  }
+  void whole(const Key& key, std::optional<std::size_t>& value) override {
+    if (const auto found = find(key)) value = found->vertex();
+  }
+  void boolean(const Key& key, bool& value) override {
+    if (const auto found = find(key)) value = found->boolean();
+  }
+
+  void region(const Key& key, RegionSpec& value) override {
+    if (const auto found = find(key)) value = read_region(*found);
+  }
+  void belt(const Key& key, BeltSpec& value) override {
+    const auto found = find(key);
+    value = found ? read_belt(*found)
+                  : BorderBelt{.where = open_.back().where() + "/" + std::string(key.name)};
+  }
+  void handles(const Key& key, std::vector<MovedHandle>& value) override {
+    const auto found = find(key);
+    if (!found) return;
+    for (const JsonNode& handle : found->elements()) value.push_back(read_handle(handle));
+    if (key.required && value.empty()) found->fail("expected at least one handle");
+  }
+  void pairs(const Key& key, std::vector<VertexPair>& value) override {
+    if (const auto found = find(key)) value = read_pairs(*found);
+  }
+  void weight(const Key& key, MixWeight& value) override {
+    if (const auto found = find(key)) value = read_weight(*found);
+  }
+  void file(const Key& key, std::filesystem::path& value) override {
+    if (const auto found = find(key)) value = found->file_name();
+  }
+  void part(const Key& key, std::filesystem::path& mesh,
+            std::optional<RegionSpec>& region) override {
+    const auto found = find(key);
+    if (!found) return;
+    if (found->is_string()) {
+      mesh = found->file_name();
+      return;
+    }
+    found->require_keys({"mesh", "region"});
+    if (const auto file = found->find("mesh")) {
+      mesh = file->file_name();
+    } else if (!found->has("region")) {
+      found->fail("expected \"mesh\", \"region\" (of the mesh itself) or both");
+    }
+    if (const auto cut = found->find("region")) region = read_region(*cut);
+  }
+  void place(const Key& key, PartPlace& value, const Key& snap_key, bool& snap) override {
+    if (const auto found = find(key)) value = read_place(*found);
+    boolean(snap_key, snap);
+    require(!snap || !std::holds_alternative<LoopFit>(value), std::string(snap_key.name),
+            "a part that is fitted by itself is on the surface already; give its \"place\" as "
+            "a move, or leave \"snap\" out");
+  }
+
+  void where(std::string& name) override { name = open_.back().where(); }
+  void only_when(bool holds, std::string_view key, std::string_view otherwise) override {
+    if (holds) return;
+    if (const auto found = open_.back().find(key)) found->fail(std::string(otherwise));
+  }
+  void require(bool holds, const std::string& pointer, std::string_view otherwise) override {
+    if (holds) return;
+    throw InputError(open_.back().where() + "/" + pointer + ": " + std::string(otherwise));
+  }
+
+ protected:
+  void choose(const Key& key, std::size_t& chosen,
+              const std::vector<std::string_view>& names) override {
+    if (const auto found = find(key)) chosen = found->one_of(std::string(key.name), names);
+  }
+  bool enter(const Key& key, bool& given, ObjectForm form, bool) override {
+    const auto found = find(key);
+    if (!found) return false;
+    if (form == ObjectForm::boolean && !found->is_object()) {
+      given = found->boolean();
+      return false;
+    }
+    given = true;
+    open_.push_back(*found);
+    return true;
+  }
+  void leave() override { open_.pop_back(); }
+  void begin_keys(const std::function<void(KeyVisitor&)>& keys) override {
+    KeyNames known;
+    keys(known);
+    open_.back().require_keys(known.names);
+  }
+  void begin_list(const Key& key, std::size_t count, const ListWords& words) override {
+    items_ = open_.back().at(key.name).elements();
+    if (items_.size() == count) return;
+    open_.back().at(key.name).fail("expected " + std::string(words.items) + ", got " +
+                                   std::to_string(items_.size()) +
+                                   (items_.size() < count ? "; " + std::string(words.fewer) : ""));
+  }
+  void begin_item(std::size_t number, const ListWords&) override {
+    open_.push_back(items_[number]);
+  }
+  void end_item() override { open_.pop_back(); }
+  void end_list(const Key&) override {}
+
+ private:
+  std::optional<JsonNode> find(const Key& key) const {
+    const JsonNode& object = open_.back();
+    return key.required ? object.at(key.name) : object.find(key.name);
+  }
+  static double number_in(const JsonNode& node, const Range& range) {
+    const std::optional<double> number = node.if_number();
+    if (number && range.contains(*number)) return *number;
+    node.fail_expecting(range.words());
+  }
+
+  std::vector<JsonNode> open_;  // objects that are being read
+  std::vector<JsonNode> items_;
+};
+
+}  // namespace
+
+Step read_step(const JsonNode& node) {
+  std::vector<std::string_view> ops;
+  for (const Operation& operation : operations()) ops.push_back(operation.name);
+  Step step = operations()[node.at("op").one_of("op", ops)].step;
+  KeyNames known;
+  known.names.push_back("op");
+  describe(step, known);
+  node.require_keys(known.names);
+  KeyReader reader(node);
+  describe(step, reader);
+  return step;
+}
+
+}  // namespace lapwing

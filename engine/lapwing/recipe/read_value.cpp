@@ -1,0 +1,119 @@
+#include "lapwing/recipe/read_value.h"
+
+#include <algorithm>
+
+#include "lapwing/recipe/read_region.h"
+
+namespace lapwing {
+namespace {
+
+using RowMajor4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
+
+AxisRotation read_rotation(const JsonNode& node) {
+  node.require_keys({"axis", "degrees"});
+  const AxisRotation rotation{node.at("axis").vector3(), node.at("degrees").number()};
+  if (!(rotation.axis.norm() > 0.0))
+    node.at("axis").fail("the axis has no length; name a direction");
+  return rotation;
+}
+
+MatrixMove read_matrix(const JsonNode& node) {
+  const std::vector<double> values = node.numbers();
+  if (values.size() != 12 && values.size() != 16) {
+    node.fail("expected 12 or 16 numbers, row by row, got " + std::to_string(values.size()));
+  }
+  RowMajor4 matrix = RowMajor4::Identity();
+  std::copy(values.begin(), values.end(), matrix.data());
+  if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+    node.fail("expected the last row 0 0 0 1: a handle's motion is affine");
+  }
+  return {matrix.topRows<3>()};
+}
+
+DomainRamp read_domain_ramp(const JsonNode& node) {
+  const std::vector<double> ends = node.numbers();
+  if (ends.size() != 2) {
+    node.fail("expected two numbers, where the mixing begins and where it ends, got " +
+              std::to_string(ends.size()));
+  }
+  if (ends[0] == ends[1]) node.fail("the ramp has no extent; give two different numbers");
+  return {ends[0], ends[1]};
+}
+
+PaintedWeight read_field(const JsonNode& node) {
+  PaintedWeight painted;
+  for (const JsonNode& element : node.elements()) {
+    const double w = element.number();
+    if (!(w >= 0.0 && w <= 1.0)) element.fail("expected 0 to 1, the second source's share");
+    painted.field.push_back(w);
+  }
+  return painted;
+}
+
+LoopFit read_fit(const JsonNode& node) {
+  node.require_keys({"rotate_degrees", "scale", "keep_size"});
+  LoopFit fit;
+  if (const auto degrees = node.find("rotate_degrees")) fit.rotate_degrees = degrees->number();
+  if (const auto scale = node.find("scale")) fit.scale = scale->positive_number();
+  if (const auto keep = node.find("keep_size")) fit.keep_size = keep->boolean();
+  return fit;
+}
+
+}  // namespace
+
+Move read_move(const JsonNode& node) {
+  node.require_keys({"translate", "rotate", "scale", "pivot", "matrix"});
+  if (const auto matrix = node.find("matrix")) {
+    for (const std::string_view other : {"translate", "rotate", "scale", "pivot"}) {
+      if (!node.has(other)) continue;
+      node.at(other).fail("\"matrix\" stands in place of \"" + std::string(other) +
+                          "\"; remove one of the two");
+    }
+    return read_matrix(*matrix);
+  }
+  SimilarityMove move;
+  if (const auto translate = node.find("translate")) move.translate = translate->vector3();
+  if (const auto rotate = node.find("rotate")) move.rotate = read_rotation(*rotate);
+  if (const auto scale = node.find("scale")) move.scale = scale->positive_number();
+  if (const auto pivot = node.find("pivot")) move.pivot = pivot->vector3();
+  return move;
+}
+
+MovedHandle read_handle(const JsonNode& node) {
+  node.require_keys({"region", "move"});
+  return {read_region(node.at("region")), read_move(node.at("move"))};
+}
+
+std::vector<VertexPair> read_pairs(const JsonNode& node) {
+  std::vector<VertexPair> pairs;
+  for (const JsonNode& element : node.elements()) {
+    const std::vector<Index> vertices = element.vertices();
+    if (vertices.size() != 2) {
+      element.fail("expected two vertices, of the source and of the target, got " +
+                   std::to_string(vertices.size()));
+    }
+    pairs.push_back({vertices[0], vertices[1]});
+  }
+  return pairs;
+}
+
+MixWeight read_weight(const JsonNode& node) {
+  node.require_keys({"domain_v", "distance_to", "width", "field"});
+  const std::string_view form = node.only_key_of({"domain_v", "distance_to", "field"}, "a weight");
+  if (form == "distance_to") {
+    return {DistanceRamp{read_region(node.at(form)), node.at("width").number_from_zero()}};
+  }
+  if (const auto width = node.find("width")) {
+    width->fail("a width belongs to \"distance_to\"; remove it");
+  }
+  if (form == "domain_v") return {read_domain_ramp(node.at(form))};
+  return {read_field(node.at(form))};
+}
+
+PartPlace read_place(const JsonNode& node) {
+  if (!node.is_object() || !node.has("auto")) return read_move(node);
+  node.require_keys({"auto"});
+  return read_fit(node.at("auto"));
+}
+
+}  // namespace lapwing

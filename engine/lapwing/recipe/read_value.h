@@ -1,0 +1,16 @@
+#pragma once
+
+#include "lapwing/recipe/json_node.h"
+#include "lapwing/recipe/recipe.h"
+
+namespace lapwing {
+
+// What stands behind a key and is more than a number or a name. Each throws InputError with the
+// JSON pointer of what does not fit.
+Move read_move(const JsonNode& node);
+MovedHandle read_handle(const JsonNode& node);
+std::vector<VertexPair> read_pairs(const JsonNode& node);
+MixWeight read_weight(const JsonNode& node);
+PartPlace read_place(const JsonNode& node);
+
+}  // namespace lapwing

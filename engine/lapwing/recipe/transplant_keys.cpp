@@ -1,0 +1,59 @@
+#include "lapwing/recipe/step_keys.h"
+
+namespace lapwing {
+
+void describe(TransplantStep& step, KeyVisitor& visitor) {
+  TransplantParameters& parameters = step.parameters;
+  visitor.where(step.where);
+  visitor.part({.name = "part",
+                .help = "a mesh with a boundary loop; or a mesh, and the region that is cut from "
+                        "it: without a mesh, from the mesh itself",
+                .required = true},
+               step.part, step.part_region);
+  visitor.whole({.name = "loop",
+                 .help = "which boundary loop is sewn on, numbered by their smallest vertices",
+                 .absent = "the longest"},
+                step.loop);
+  visitor.place({.name = "place",
+                 .help = "fits the part's loop to the hole, turned by `rotate_degrees` about the "
+                         "hole's normal, larger by `scale`, or not scaled at all with `keep_size`; "
+                         "or a move as in deform, from where the part is in its file, its pivot "
+                         "the centre of its loop"},
+                step.place,
+                {.name = "snap",
+                 .help = "after a move, the least motion that brings the loop onto the surface"},
+                step.snap);
+  visitor.region({.name = "target_region",
+                  .help = "what is cut out; its boundary must be one loop",
+                  .required = true},
+                 step.target_region);
+  visitor.object({.name = "transition",
+                  .help = "the detail goes over from the host's to the part's within this geodesic "
+                          "distance of the part's loop; narrow is sharp, wide is soft",
+                  .absent = "half the hole's radius, smooth"},
+                 parameters.transition, ObjectForm::optional);
+  visitor.group({.name = "belt",
+                 .help = "beyond it, on both sides, vertices are free over `padding` and held over "
+                         "`width`; farther away nothing moves, to the last bit",
+                 .absent = "half and a quarter of that"},
+                parameters.padding || parameters.belt, [&](KeyVisitor& inside) {
+                  inside.number({.name = "padding", .help = "free on both sides beyond it"},
+                                parameters.padding, kFromZero);
+                  inside.number({.name = "width", .help = "held beyond that", .flag = "belt"},
+                                parameters.belt, kAboveZero);
+                });
+  visitor.choice(
+      {.name = "weights", .help = "of the Laplacians"}, parameters.weights,
+      {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
+  visitor.choice({.name = "sampling", .help = "of the Laplacians of what was cut out"},
+                 parameters.sampling,
+                 {{MappedSampling::one_ring, "one_ring"}, {MappedSampling::linear, "linear"}});
+  visitor.choice({.name = "remesh",
+                  .help = "makes triangles between the loops and over the transition even where "
+                          "the meshes' scales differ or the strip is wide; none keeps the part's "
+                          "triangles and the strip",
+                  .off_flag = "no-remesh"},
+                 parameters.remesh, {{Remeshing::automatic, "auto"}, {Remeshing::none, "none"}});
+}
+
+}  // namespace lapwing

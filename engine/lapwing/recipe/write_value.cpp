@@ -1,0 +1,117 @@
+#include "lapwing/recipe/write_value.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+Json json_of(const Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Json json_of(const std::vector<RegionSpec>& parts) {
+  Json list = Json::array();
+  for (const RegionSpec& part : parts) list.push_back(json_of(part));
+  return list;
+}
+
+// One overload per form.
+struct FormWriter {
+  Json operator()(const AllVertices&) const { return {{"all", true}}; }
+  Json operator()(const ListedVertices& list) const { return {{"vertices", list.vertices}}; }
+  Json operator()(const GeodesicDisk& disk) const {
+    Json keys;
+    if (const auto* vertex = std::get_if<Index>(&disk.center)) {
+      keys["center"] = *vertex;
+    } else {
+      keys["near"] = json_of(std::get<Vector3d>(disk.center));
+    }
+    keys["radius"] = disk.radius;
+    return {{"disk", std::move(keys)}};
+  }
+  Json operator()(const Box& box) const {
+    return {{"box", {{"min", json_of(box.min)}, {"max", json_of(box.max)}}}};
+  }
+  Json operator()(const LoopRegion& region) const {
+    return {{"loop", region.loop}, {"inside", region.inside}};
+  }
+  Json operator()(const UnionRegion& region) const { return {{"union", json_of(region.parts)}}; }
+  Json operator()(const DifferenceRegion& region) const {
+    return {{"minus", json_of(region.parts)}};
+  }
+  Json operator()(const DiskInRegion& region) const {
+    return {{"disk_in", json_of(region.parts.at(0))}};
+  }
+};
+
+Json json_of(const BorderBelt& belt) {
+  return {{"fraction", belt.fraction}};
+}
+
+Json json_of(const SimilarityMove& move) {
+  Json keys{{"translate", json_of(move.translate)}};
+  if (move.rotate != AxisRotation{}) {
+    keys["rotate"] = {{"axis", json_of(move.rotate.axis)}, {"degrees", move.rotate.degrees}};
+  }
+  if (move.scale != 1.0) keys["scale"] = move.scale;
+  if (move.pivot) keys["pivot"] = json_of(*move.pivot);
+  return keys;
+}
+
+Json json_of(const MatrixMove& move) {
+  Json list = Json::array();
+  for (const auto row : move.matrix.rowwise()) {
+    for (const double value : row) list.push_back(value);
+  }
+  return {{"matrix", std::move(list)}};
+}
+
+Json json_of(const DomainRamp& ramp) {
+  return {{"domain_v", {ramp.from, ramp.to}}};
+}
+Json json_of(const DistanceRamp& ramp) {
+  return {{"distance_to", json_of(ramp.region)}, {"width", ramp.width}};
+}
+Json json_of(const PaintedWeight& painted) {
+  return {{"field", painted.field}};
+}
+
+Json json_of(const LoopFit& fit) {
+  Json keys{{"rotate_degrees", fit.rotate_degrees}};
+  if (fit.scale != 1.0) keys["scale"] = fit.scale;
+  if (fit.keep_size) keys["keep_size"] = true;
+  return {{"auto", std::move(keys)}};
+}
+
+// A belt, move, weight or place by the overload for what it holds.
+template <class... Forms>
+Json json_of_any(const std::variant<Forms...>& any) {
+  return std::visit([](const auto& form) { return json_of(form); }, any);
+}
+
+}  // namespace
+
+Json json_of(const RegionSpec& spec) {
+  return std::visit(FormWriter{}, spec.form);
+}
+Json json_of(const BeltSpec& belt) {
+  return json_of_any(belt);
+}
+Json json_of(const Move& move) {
+  return json_of_any(move);
+}
+Json json_of(const std::vector<MovedHandle>& handles) {
+  Json list = Json::array();
+  for (const MovedHandle& handle : handles) {
+    list.push_back({{"region", json_of(handle.region)}, {"move", json_of_any(handle.move)}});
+  }
+  return list;
+}
+Json json_of(const MixWeight& weight) {
+  return json_of_any(weight.form);
+}
+Json json_of(const PartPlace& place) {
+  return json_of_any(place);
+}
+
+}  // namespace lapwing

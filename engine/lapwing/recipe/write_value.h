@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "lapwing/recipe/recipe.h"
+
+namespace lapwing {
+
+using Json = nlohmann::ordered_json;
+
+// What stands behind a key and is more than a number or a name, as `read_value.h` reads it.
+Json json_of(const RegionSpec& spec);
+Json json_of(const BeltSpec& belt);
+Json json_of(const Move& move);
+Json json_of(const std::vector<MovedHandle>& handles);
+Json json_of(const MixWeight& weight);
+Json json_of(const PartPlace& place);
+
+}  // namespace lapwing
