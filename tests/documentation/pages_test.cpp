@@ -9,10 +9,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lapwing/recipe/key_table.h"
+
 namespace lapwing {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
 using ::testing::SizeIs;
@@ -85,6 +88,18 @@ TEST(Pages, EachIsReachedFromTheFirst) {
 
 TEST(Pages, TheFirstIsReadInAMinute) {
   EXPECT_THAT(lines_of(kRoot / "README.md"), SizeIs(::testing::Le(130U)));
+}
+
+TEST(Pages, TellEveryKeyOfARecipeAsItIsDescribed) {
+  std::string page;
+  for (const std::string& line : lines_of(kRoot / "tools/lapwing/README.md")) page += line + "\n";
+  for (const Operation& operation : operations()) {
+    const auto heading = page.find("\n### " + std::string(operation.name) + "\n");
+    ASSERT_NE(heading, std::string::npos) << operation.name;
+    const auto next = page.find("\n### ", heading + 1);
+    EXPECT_THAT(page.substr(heading, next - heading), HasSubstr("\n" + key_table(operation)))
+        << "put in what `lapwing keys " << operation.name << "` prints";
+  }
 }
 
 }  // namespace

@@ -6,10 +6,9 @@ namespace lapwing::cli {
 
 /// Each adds one subcommand to `app` and runs it when it was chosen; errors leave as exceptions.
 void add_run(CLI::App& app);
-void add_deform(CLI::App& app);
-void add_coat(CLI::App& app);
-void add_mix(CLI::App& app);
-void add_transplant(CLI::App& app);
+/// One command per operation of a recipe: "deform", "coat", ...
+void add_steps(CLI::App& app);
+void add_keys(CLI::App& app);
 void add_peel(CLI::App& app);
 void add_parameterize(CLI::App& app);
 void add_parts(CLI::App& app);

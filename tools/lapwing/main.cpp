@@ -55,10 +55,8 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 2 usage, 3 mesh or recipe, 4 solver (or --strict), 5 device, 6 file.\n"
       "`lapwing COMMAND --help` tells what a command takes.");
   lapwing::cli::add_run(app);
-  lapwing::cli::add_deform(app);
-  lapwing::cli::add_coat(app);
-  lapwing::cli::add_mix(app);
-  lapwing::cli::add_transplant(app);
+  lapwing::cli::add_steps(app);
+  lapwing::cli::add_keys(app);
   lapwing::cli::add_peel(app);
   lapwing::cli::add_cut(app);
   lapwing::cli::add_parts(app);

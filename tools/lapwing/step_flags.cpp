@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "flag_visitor.h"
 #include "lapwing/io/atomic_file.h"
 
 namespace lapwing::cli {
@@ -20,10 +21,12 @@ std::string StepFlags::from_recipe(const std::string& path) const {
   return std::filesystem::proximate(std::filesystem::absolute(path), base_of(recipe)).string();
 }
 
-void StepFlags::run(const nlohmann::ordered_json& step) const {
+void StepFlags::run(const StepDraft& draft) const {
   if (output.save.empty() && output.render.empty() && recipe.empty() && output.report.empty()) {
     throw CLI::RequiredError("one of --save, --render, --report and --recipe");
   }
+  nlohmann::ordered_json step = draft.json;
+  for (const auto& finish : draft.at_end) finish(step, *this);
   nlohmann::ordered_json json = {{"lapwing", kRecipeVersion},
                                  {"mesh", from_recipe(mesh)},
                                  {"steps", nlohmann::ordered_json::array({step})}};

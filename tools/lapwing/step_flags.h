@@ -9,6 +9,8 @@
 
 namespace lapwing::cli {
 
+struct StepDraft;
+
 /// A command that carries out one step given by flags, as the recipe of that one step: one path
 /// from text to edit, and one set of error messages.
 struct StepFlags {
@@ -21,7 +23,7 @@ struct StepFlags {
   std::string from_recipe(const std::string& path) const;
   /// Runs the step, writes what `output` and `recipe` ask for. Throws CLI::RequiredError when
   /// nothing would be written.
-  void run(const nlohmann::ordered_json& step) const;
+  void run(const StepDraft& step) const;
 };
 
 }  // namespace lapwing::cli

@@ -6,7 +6,7 @@ namespace {
 using Profile = Transition::Profile;
 
 constexpr Key kTargetPatch{.name = "target_patch",
-                           .help = "where it is put: a disk",
+                           .help = "where it is put, a disk",
                            .required = true,
                            .flag_default = "all"};
 
@@ -70,7 +70,8 @@ void describe_fading(CoatParameters& parameters, KeyVisitor& visitor) {
   visitor.choice({.name = "remesh",
                   .help = "makes the patch finer where it is too coarse for what comes to it; "
                           "nothing outside changes",
-                  .off_flag = "no-remesh"},
+                  .off_flag = "no-remesh",
+                  .off_help = "keep the target's triangles, however coarse they are"},
                  parameters.remesh, {{Remeshing::automatic, "auto"}, {Remeshing::none, "none"}});
 }
 
@@ -88,8 +89,12 @@ void require_pairs(const CoatSource& source, Domain domain, const std::string& p
 }  // namespace
 
 void describe(Transition& transition, KeyVisitor& visitor) {
-  visitor.number({.name = "width", .help = "", .required = true, .flag = "transition"},
-                 transition.width, kFromZero);
+  visitor.number(
+      {.name = "width",
+       .help = "over which one detail goes over into the other; chosen if there is no transition",
+       .required = true,
+       .flag = "transition"},
+      transition.width, kFromZero);
   visitor.choice({.name = "profile", .help = "of the transition"}, transition.profile,
                  {{Profile::smooth, "smooth"}, {Profile::linear, "linear"}});
 }
@@ -97,12 +102,13 @@ void describe(Transition& transition, KeyVisitor& visitor) {
 void describe(CoatStep& step, KeyVisitor& visitor) {
   visitor.where(step.where);
   visitor.where(step.source.where);
-  visitor.file({.name = "source",
-                .help = "the file with the detail",
-                .absent = "the mesh itself, as the steps before made it"},
-               step.source.mesh);
+  visitor.file(
+      {.name = "source",
+       .help = "the file with the detail; without it, the mesh as the steps before made it",
+       .absent = "the mesh itself"},
+      step.source.mesh);
   visitor.region({.name = "source_patch",
-                  .help = "where the detail is taken: a disk",
+                  .help = "where the detail is taken, a disk",
                   .required = true,
                   .flag_default = "all"},
                  step.source.patch);
@@ -119,7 +125,7 @@ void describe(FileSource& source, KeyVisitor& visitor) {
   visitor.file({.name = "mesh", .help = "the file with the detail", .absent = "the mesh itself"},
                source.mesh);
   visitor.region({.name = "patch",
-                  .help = "where the detail is taken: a disk",
+                  .help = "where the detail is taken, a disk",
                   .required = true,
                   .flag_default = "all"},
                  source.patch);
@@ -131,9 +137,8 @@ void describe(MixStep& step, KeyVisitor& visitor) {
   static constexpr std::array<std::string_view, 2> kPrefixes{"first", "second"};
   visitor.where(step.where);
   visitor.region(kTargetPatch, step.target_patch);
-  visitor.list(
-      {.name = "sources", .help = "two, each with the keys of a coat's source", .required = true},
-      step.sources, {"two sources", "{\"op\": \"coat\"} takes one", kPrefixes});
+  visitor.list({.name = "sources", .help = "two, each with these keys", .required = true},
+               step.sources, {"two sources", "{\"op\": \"coat\"} takes one", kPrefixes});
   visitor.choice({.name = "take",
                   .help = "what is mixed: the detail below each detail size, over the target; or "
                           "all of both surfaces in the target's place, between the borders that "

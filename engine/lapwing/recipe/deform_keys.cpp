@@ -7,8 +7,8 @@ void describe(SettleOptions& settle, KeyVisitor& visitor) {
   visitor.number({.name = "tolerance",
                   .help = "settling ends when no vertex would move farther, in mean edge lengths"},
                  settle.tolerance, kAboveZero);
-  visitor.whole({.name = "max_iterations", .help = "of settling"}, settle.max_iterations,
-                {.least = 1, .most = 1e6});
+  visitor.whole({.name = "max_iterations", .help = "settling ends after so many, settled or not"},
+                settle.max_iterations, {.least = 1, .most = 1e6});
 }
 
 void describe(DeformRequest& step, KeyVisitor& visitor) {
@@ -19,7 +19,7 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                   .flag_default = "all"},
                  step.roi);
   visitor.belt({.name = "belt",
-                .help = "the part of the ROI that stays; a fraction of its width, or a region"},
+                .help = "the part of the ROI that stays: the outer fraction of it, or a region"},
                step.belt);
   visitor.handles({.name = "handles",
                    .help = "the parts that are placed: each a region and its move",
@@ -45,7 +45,8 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
   visitor.object({.name = "settle",
                   .help = "minimize the energy; off leaves the linear response, which is right for "
                           "small angles only",
-                  .off_flag = "no-settle"},
+                  .off_flag = "no-settle",
+                  .off_help = "leave the linear response, which is right for small angles only"},
                  parameters.settle, ObjectForm::boolean);
   visitor.number({.name = "commit_every",
                   .help = "make a larger turn in equal parts of at most this many degrees, each "

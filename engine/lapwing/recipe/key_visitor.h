@@ -26,8 +26,12 @@ struct Key {
   std::string_view flag = "";    ///< without dashes; the name with dashes if empty
   /// A flag without a value, in place of `flag`: it takes the last choice, or switches off.
   std::string_view off_flag = "";
+  std::string_view off_help = "";
   std::string_view flag_default = "";  ///< makes a required key optional as a flag: "all"
 };
+
+/// The fewest digits that say `number`, without an exponent.
+std::string digits(double number);
 
 /// The numbers that a key takes.
 struct Range {

@@ -36,7 +36,8 @@ struct TransplantStep : TransplantRequest {
   bool operator==(const TransplantStep&) const = default;
 };
 
-/// One operation of a recipe. A new one is a type here, its `describe` and a line in operations.cpp.
+/// One operation of a recipe. A new one is a type here, its `describe` and a line in
+/// operations.cpp.
 using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep>;
 
 /// A whole edit: a mesh, what is done to it, and where the result goes.

@@ -5,11 +5,12 @@ namespace lapwing {
 void describe(TransplantStep& step, KeyVisitor& visitor) {
   TransplantParameters& parameters = step.parameters;
   visitor.where(step.where);
-  visitor.part({.name = "part",
-                .help = "a mesh with a boundary loop; or a mesh, and the region that is cut from "
-                        "it: without a mesh, from the mesh itself",
-                .required = true},
-               step.part, step.part_region);
+  visitor.part(
+      {.name = "part",
+       .help = "a mesh with a boundary loop; or what is cut from a mesh, without `mesh` from "
+               "the mesh itself",
+       .required = true},
+      step.part, step.part_region);
   visitor.whole({.name = "loop",
                  .help = "which boundary loop is sewn on, numbered by their smallest vertices",
                  .absent = "the longest"},
@@ -37,9 +38,14 @@ void describe(TransplantStep& step, KeyVisitor& visitor) {
                          "`width`; farther away nothing moves, to the last bit",
                  .absent = "half and a quarter of that"},
                 parameters.padding || parameters.belt, [&](KeyVisitor& inside) {
-                  inside.number({.name = "padding", .help = "free on both sides beyond it"},
+                  inside.number({.name = "padding",
+                                 .help = "free on both sides beyond it",
+                                 .absent = "half the transition"},
                                 parameters.padding, kFromZero);
-                  inside.number({.name = "width", .help = "held beyond that", .flag = "belt"},
+                  inside.number({.name = "width",
+                                 .help = "held beyond that",
+                                 .absent = "a quarter of it",
+                                 .flag = "belt"},
                                 parameters.belt, kAboveZero);
                 });
   visitor.choice(
@@ -52,7 +58,8 @@ void describe(TransplantStep& step, KeyVisitor& visitor) {
                   .help = "makes triangles between the loops and over the transition even where "
                           "the meshes' scales differ or the strip is wide; none keeps the part's "
                           "triangles and the strip",
-                  .off_flag = "no-remesh"},
+                  .off_flag = "no-remesh",
+                  .off_help = "keep the triangles around the seam, however uneven they are"},
                  parameters.remesh, {{Remeshing::automatic, "auto"}, {Remeshing::none, "none"}});
 }
 

@@ -1,0 +1,310 @@
+#include "flag_visitor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "move_flags.h"
+#include "region_text.h"
+
+namespace lapwing::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string help_of(const Key& key) {
+  std::string help(key.help);
+  if (!key.absent.empty()) help.append("; ").append(key.absent).append(" if not given");
+  return help;
+}
+
+CLI::Validator in(const Range& range, bool whole) {
+  return {[range, whole](const std::string& text) {
+            double number = 0.0;
+            const bool read = CLI::detail::lexical_cast(text, number);
+            const bool fits =
+                read && range.contains(number) && (!whole || number == std::floor(number));
+            return fits ? "" : "expected " + range.words(whole) + ", got " + text;
+          },
+          ""};
+}
+
+// The numbers of a vertex property of the mesh, which `lapwing peel` and other programs write.
+std::vector<double> property(const std::string& mesh, const std::string& name) {
+  for (const ExtraAttribute& extra : read_mesh(mesh).attributes.vertex_extras) {
+    if (extra.name == name && extra.components == 1) return extra.values;
+  }
+  throw InputError("--field: " + mesh + " has no vertex property \"" + name +
+                   "\" of one number; PLY files hold such");
+}
+
+// The flags of a mix's weight.
+struct WeightFlags {
+  std::vector<double> domain_v;
+  std::string distance_to;
+  double width = 0.0;
+  std::string field;
+
+  void add_to(CLI::App& command) {
+    auto* ramp = command
+                     .add_option("--domain-v", domain_v,
+                                 "A,B: the second source's share goes from 0 to 1 between these v "
+                                 "of the square domain")
+                     ->delimiter(',')
+                     ->expected(2);
+    auto* distance = command.add_option(
+        "--distance-to", distance_to,
+        std::string("all of the second source here, none --width away: ") + kRegionHelp);
+    command.add_option("--width", width, "length, for --distance-to; 0: a step")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str()
+        ->needs(distance);
+    auto* painted = command.add_option(
+        "--field", field, "vertex property of MESH that is the second source's share, 0 to 1");
+    ramp->excludes(distance)->excludes(painted);
+    distance->excludes(painted);
+  }
+  Json json(const std::string& mesh) const {
+    if (!domain_v.empty()) return {{"domain_v", domain_v}};
+    if (!field.empty()) return {{"field", property(mesh, field)}};
+    if (distance_to.empty()) {
+      throw CLI::RequiredError("one of --domain-v, --distance-to and --field");
+    }
+    return {{"distance_to", region_json("--distance-to", distance_to)}, {"width", width}};
+  }
+};
+
+// The flags of a part's place: fitted, or moved.
+struct PlaceFlags {
+  MoveFlags move;
+  std::optional<double> degrees;
+  std::optional<double> scale;
+  bool keep_size = false;
+
+  void add_to(CLI::App& command) {
+    move.add_to(command, "the part", "the centre of its loop");
+    command.add_option("--fit-rotate", degrees,
+                       "DEGREES about the hole's normal, after the part was fitted to the hole by "
+                       "itself, as it is without a motion");
+    command.add_option("--fit-scale", scale, "likewise, about the hole's centre")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--keep-size", keep_size, "fit the part without scaling it");
+  }
+  Json json(bool snap) const {
+    const bool fitted = degrees || scale || keep_size;
+    const bool moved = move.are_given() || snap;
+    if (moved && fitted) {
+      throw CLI::ExcludesError("--fit-rotate, --fit-scale and --keep-size",
+                               "--translate, --rotate, --scale, --pivot, --matrix and --snap");
+    }
+    if (moved) return move.json();
+    Json fit = Json::object();
+    if (degrees) fit["rotate_degrees"] = *degrees;
+    if (scale) fit["scale"] = *scale;
+    if (keep_size) fit["keep_size"] = true;
+    return {{"auto", fit}};
+  }
+};
+
+}  // namespace
+
+std::string FlagVisitor::flag(const Key& key) const {
+  std::string name(key.flag.empty() ? key.name : key.flag);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return prefix_.empty() ? "--" + name : "--" + prefix_ + "-" + name;
+}
+
+CLI::Option* FlagVisitor::finish(const Key& key, CLI::Option* option, const std::string& fallback) {
+  if (!fallback.empty()) option->default_str(fallback);
+  if (scopes_.empty()) return option->required(key.required && key.flag_default.empty());
+  (key.required ? scopes_.back().required : scopes_.back().others).push_back(option);
+  return option;
+}
+
+void FlagVisitor::add_number(const Key& key, const Range& range, bool whole,
+                             const std::string& fallback) {
+  const auto keep = [draft = draft_, place = place_of(key), whole](const double& number) {
+    draft->json[place] = whole ? Json(static_cast<std::int64_t>(number)) : Json(number);
+  };
+  auto* option = command_.add_option_function<double>(flag(key), keep, help_of(key));
+  option->check(in(range, whole))->type_name(whole ? "INT" : "FLOAT");
+  finish(key, option, key.required ? "" : fallback);
+}
+
+void FlagVisitor::number(const Key& key, double& value, const Range& range) {
+  add_number(key, range, false, digits(value));
+}
+
+void FlagVisitor::number(const Key& key, std::optional<double>&, const Range& range) {
+  add_number(key, range, false, key.automatic ? "auto" : "");
+}
+
+void FlagVisitor::whole(const Key& key, int& value, const Range& range) {
+  add_number(key, range, true, std::to_string(value));
+}
+
+void FlagVisitor::whole(const Key& key, std::optional<std::size_t>&) {
+  add_number(key, kFromZero, true, "");
+}
+
+void FlagVisitor::boolean(const Key& key, bool&) {
+  const auto keep = [draft = draft_, place = place_of(key)] { draft->json[place] = true; };
+  finish(key, command_.add_flag_callback(flag(key), keep, help_of(key)));
+}
+
+void FlagVisitor::choose(const Key& key, std::size_t& chosen,
+                         const std::vector<std::string_view>& names) {
+  if (!key.off_flag.empty()) {
+    add_off(key, names.back());
+    return;
+  }
+  const auto keep = [draft = draft_, place = place_of(key)](const std::string& name) {
+    draft->json[place] = name;
+  };
+  auto* option = command_.add_option_function<std::string>(flag(key), keep, help_of(key));
+  option->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+  finish(key, option, std::string(names[chosen]));
+}
+
+void FlagVisitor::add_off(const Key& key, Json value) {
+  const std::string prefix = prefix_.empty() ? "--" : "--" + prefix_ + "-";
+  const auto keep = [draft = draft_, place = place_of(key), value] { draft->json[place] = value; };
+  auto* option = command_.add_flag_callback(prefix + std::string(key.off_flag), keep,
+                                            std::string(key.off_help));
+  if (!scopes_.empty()) scopes_.back().off = option;
+}
+
+void FlagVisitor::add_region(const Key& key, const std::string& help, const std::string& fallback) {
+  const std::string name = flag(key);
+  const auto keep = [draft = draft_, place = place_of(key), name](const std::string& text) {
+    draft->json[place] = region_json(name, text);
+  };
+  if (!key.flag_default.empty()) keep(std::string(key.flag_default));
+  finish(key, command_.add_option_function<std::string>(name, keep, help), fallback);
+}
+
+void FlagVisitor::region(const Key& key, RegionSpec&) {
+  add_region(key, std::string(key.help) + ": " + kRegionHelp, std::string(key.flag_default));
+}
+
+void FlagVisitor::belt(const Key& key, BeltSpec& value) {
+  const auto* border = std::get_if<BorderBelt>(&value);
+  add_region(key, std::string(key.help) + ": fraction:F | " + kRegionHelp,
+             border == nullptr ? "" : "fraction:" + digits(border->fraction));
+}
+
+void FlagVisitor::handles(const Key& key, std::vector<MovedHandle>&) {
+  struct HandleFlags {
+    std::string region;
+    MoveFlags move;
+  };
+  auto flags = std::make_shared<HandleFlags>();
+  auto* option = command_.add_option("--handle", flags->region,
+                                     std::string("the part that is placed: ") + kRegionHelp);
+  flags->move.add_to(command_, "the handle", "the handle's centroid");
+  finish(key, option);
+  draft_->at_end.emplace_back([flags, place = place_of(key)](Json& step, const StepFlags&) {
+    if (flags->region.empty()) return;
+    step[place] = Json::array(
+        {Json{{"region", region_json("--handle", flags->region)}, {"move", flags->move.json()}}});
+  });
+}
+
+void FlagVisitor::pairs(const Key& key, std::vector<VertexPair>&) {
+  auto pairs = std::make_shared<std::vector<std::vector<Index>>>();
+  command_.add_option(flag(key), *pairs, "S,T: " + help_of(key))
+      ->delimiter(',')
+      ->type_size(2)
+      ->expected(-1);
+  draft_->at_end.emplace_back([pairs, place = place_of(key)](Json& step, const StepFlags&) {
+    if (!pairs->empty()) step[place] = *pairs;
+  });
+}
+
+void FlagVisitor::weight(const Key& key, MixWeight&) {
+  auto flags = std::make_shared<WeightFlags>();
+  flags->add_to(command_);
+  draft_->at_end.emplace_back(
+      [flags, place = place_of(key)](Json& step, const StepFlags& step_flags) {
+        step[place] = flags->json(step_flags.mesh);
+      });
+}
+
+void FlagVisitor::file(const Key& key, std::filesystem::path&) {
+  auto path = std::make_shared<std::string>();
+  // What an item of a list is called is the flag of its file.
+  command_.add_option(prefix_.empty() ? flag(key) : "--" + prefix_, *path, help_of(key));
+  draft_->at_end.emplace_back([path, place = place_of(key)](Json& step, const StepFlags& flags) {
+    if (!path->empty()) step[place] = flags.from_recipe(*path);
+  });
+}
+
+void FlagVisitor::part(const Key& key, std::filesystem::path&, std::optional<RegionSpec>&) {
+  struct PartFlags {
+    std::string mesh;
+    std::string region;
+  };
+  auto part = std::make_shared<PartFlags>();
+  command_.add_option("--part", part->mesh,
+                      "a mesh with a boundary loop; with --part-region any mesh, MESH itself if "
+                      "not given");
+  command_.add_option("--part-region", part->region, kRegionHelp);
+  draft_->at_end.emplace_back([part, place = place_of(key)](Json& step, const StepFlags& flags) {
+    Json json;
+    if (!part->mesh.empty()) json["mesh"] = flags.from_recipe(part->mesh);
+    if (!part->region.empty()) json["region"] = region_json("--part-region", part->region);
+    if (json.empty()) throw CLI::RequiredError("--part or --part-region");
+    step[place] = std::move(json);
+  });
+}
+
+void FlagVisitor::place(const Key& key, PartPlace&, const Key& snap_key, bool& snap) {
+  auto flags = std::make_shared<PlaceFlags>();
+  flags->add_to(command_);
+  boolean(snap_key, snap);
+  draft_->at_end.emplace_back(
+      [flags, place = place_of(key), snaps = place_of(snap_key)](Json& step, const StepFlags&) {
+        step[place] = flags->json(step.contains(snaps));
+      });
+}
+
+bool FlagVisitor::enter(const Key& key, bool&, ObjectForm, bool) {
+  scopes_.emplace_back();
+  if (!key.off_flag.empty()) add_off(key, false);
+  path_ /= std::string(key.name);
+  return true;
+}
+
+void FlagVisitor::leave() {
+  path_.pop_back();
+  const Scope scope = std::move(scopes_.back());
+  scopes_.pop_back();
+  for (CLI::Option* option : scope.others) {
+    if (scope.off != nullptr) option->excludes(scope.off);
+    for (CLI::Option* required : scope.required) option->needs(required);
+  }
+}
+
+void FlagVisitor::begin_list(const Key& key, std::size_t count, const ListWords&) {
+  draft_->json[place_of(key)] = std::vector<Json>(count, Json::object());
+  path_ /= std::string(key.name);
+}
+
+void FlagVisitor::begin_item(std::size_t number, const ListWords& words) {
+  path_ /= number;
+  prefix_ = words.prefix[number];
+}
+
+void FlagVisitor::end_item() {
+  path_.pop_back();
+  prefix_.clear();
+}
+
+void FlagVisitor::end_list(const Key&) {
+  path_.pop_back();
+}
+
+}  // namespace lapwing::cli
