@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string help_of(const Key& key) {
+std::string help_of(const StepKey& key) {
   std::string help(key.help);
   if (!key.absent.empty()) help.append("; ").append(key.absent).append(" if not given");
   return help;
@@ -111,20 +111,21 @@ struct PlaceFlags {
 
 }  // namespace
 
-std::string FlagVisitor::flag(const Key& key) const {
+std::string FlagVisitor::flag(const StepKey& key) const {
   std::string name(key.flag.empty() ? key.name : key.flag);
   std::replace(name.begin(), name.end(), '_', '-');
   return prefix_.empty() ? "--" + name : "--" + prefix_ + "-" + name;
 }
 
-CLI::Option* FlagVisitor::finish(const Key& key, CLI::Option* option, const std::string& fallback) {
+CLI::Option* FlagVisitor::finish(const StepKey& key, CLI::Option* option,
+                                 const std::string& fallback) {
   if (!fallback.empty()) option->default_str(fallback);
   if (scopes_.empty()) return option->required(key.required && key.flag_default.empty());
   (key.required ? scopes_.back().required : scopes_.back().others).push_back(option);
   return option;
 }
 
-void FlagVisitor::add_number(const Key& key, const Range& range, bool whole,
+void FlagVisitor::add_number(const StepKey& key, const Range& range, bool whole,
                              const std::string& fallback) {
   const auto keep = [draft = draft_, place = place_of(key), whole](const double& number) {
     draft->json[place] = whole ? Json(static_cast<std::int64_t>(number)) : Json(number);
@@ -134,28 +135,28 @@ void FlagVisitor::add_number(const Key& key, const Range& range, bool whole,
   finish(key, option, key.required ? "" : fallback);
 }
 
-void FlagVisitor::number(const Key& key, double& value, const Range& range) {
+void FlagVisitor::number(const StepKey& key, double& value, const Range& range) {
   add_number(key, range, false, digits(value));
 }
 
-void FlagVisitor::number(const Key& key, std::optional<double>&, const Range& range) {
+void FlagVisitor::number(const StepKey& key, std::optional<double>&, const Range& range) {
   add_number(key, range, false, key.automatic ? "auto" : "");
 }
 
-void FlagVisitor::whole(const Key& key, int& value, const Range& range) {
+void FlagVisitor::whole(const StepKey& key, int& value, const Range& range) {
   add_number(key, range, true, std::to_string(value));
 }
 
-void FlagVisitor::whole(const Key& key, std::optional<std::size_t>&) {
+void FlagVisitor::whole(const StepKey& key, std::optional<std::size_t>&) {
   add_number(key, kFromZero, true, "");
 }
 
-void FlagVisitor::boolean(const Key& key, bool&) {
+void FlagVisitor::boolean(const StepKey& key, bool&) {
   const auto keep = [draft = draft_, place = place_of(key)] { draft->json[place] = true; };
   finish(key, command_.add_flag_callback(flag(key), keep, help_of(key)));
 }
 
-void FlagVisitor::choose(const Key& key, std::size_t& chosen,
+void FlagVisitor::choose(const StepKey& key, std::size_t& chosen,
                          const std::vector<std::string_view>& names) {
   if (!key.off_flag.empty()) {
     add_off(key, names.back());
@@ -169,7 +170,7 @@ void FlagVisitor::choose(const Key& key, std::size_t& chosen,
   finish(key, option, std::string(names[chosen]));
 }
 
-void FlagVisitor::add_off(const Key& key, Json value) {
+void FlagVisitor::add_off(const StepKey& key, Json value) {
   const std::string prefix = prefix_.empty() ? "--" : "--" + prefix_ + "-";
   const auto keep = [draft = draft_, place = place_of(key), value] { draft->json[place] = value; };
   auto* option = command_.add_flag_callback(prefix + std::string(key.off_flag), keep,
@@ -177,7 +178,8 @@ void FlagVisitor::add_off(const Key& key, Json value) {
   if (!scopes_.empty()) scopes_.back().off = option;
 }
 
-void FlagVisitor::add_region(const Key& key, const std::string& help, const std::string& fallback) {
+void FlagVisitor::add_region(const StepKey& key, const std::string& help,
+                             const std::string& fallback) {
   const std::string name = flag(key);
   const auto keep = [draft = draft_, place = place_of(key), name](const std::string& text) {
     draft->json[place] = region_json(name, text);
@@ -186,17 +188,17 @@ void FlagVisitor::add_region(const Key& key, const std::string& help, const std:
   finish(key, command_.add_option_function<std::string>(name, keep, help), fallback);
 }
 
-void FlagVisitor::region(const Key& key, RegionSpec&) {
+void FlagVisitor::region(const StepKey& key, RegionSpec&) {
   add_region(key, std::string(key.help) + ": " + kRegionHelp, std::string(key.flag_default));
 }
 
-void FlagVisitor::belt(const Key& key, BeltSpec& value) {
+void FlagVisitor::belt(const StepKey& key, BeltSpec& value) {
   const auto* border = std::get_if<BorderBelt>(&value);
   add_region(key, std::string(key.help) + ": fraction:F | " + kRegionHelp,
              border == nullptr ? "" : "fraction:" + digits(border->fraction));
 }
 
-void FlagVisitor::handles(const Key& key, std::vector<MovedHandle>&) {
+void FlagVisitor::handles(const StepKey& key, std::vector<MovedHandle>&) {
   struct HandleFlags {
     std::string region;
     MoveFlags move;
@@ -213,7 +215,7 @@ void FlagVisitor::handles(const Key& key, std::vector<MovedHandle>&) {
   });
 }
 
-void FlagVisitor::pairs(const Key& key, std::vector<VertexPair>&) {
+void FlagVisitor::pairs(const StepKey& key, std::vector<VertexPair>&) {
   auto pairs = std::make_shared<std::vector<std::vector<Index>>>();
   command_.add_option(flag(key), *pairs, "S,T: " + help_of(key))
       ->delimiter(',')
@@ -224,7 +226,7 @@ void FlagVisitor::pairs(const Key& key, std::vector<VertexPair>&) {
   });
 }
 
-void FlagVisitor::weight(const Key& key, MixWeight&) {
+void FlagVisitor::weight(const StepKey& key, MixWeight&) {
   auto flags = std::make_shared<WeightFlags>();
   flags->add_to(command_);
   draft_->at_end.emplace_back(
@@ -233,7 +235,7 @@ void FlagVisitor::weight(const Key& key, MixWeight&) {
       });
 }
 
-void FlagVisitor::file(const Key& key, std::filesystem::path&) {
+void FlagVisitor::file(const StepKey& key, std::filesystem::path&) {
   auto path = std::make_shared<std::string>();
   // What an item of a list is called is the flag of its file.
   command_.add_option(prefix_.empty() ? flag(key) : "--" + prefix_, *path, help_of(key));
@@ -242,7 +244,7 @@ void FlagVisitor::file(const Key& key, std::filesystem::path&) {
   });
 }
 
-void FlagVisitor::part(const Key& key, std::filesystem::path&, std::optional<RegionSpec>&) {
+void FlagVisitor::part(const StepKey& key, std::filesystem::path&, std::optional<RegionSpec>&) {
   struct PartFlags {
     std::string mesh;
     std::string region;
@@ -261,7 +263,7 @@ void FlagVisitor::part(const Key& key, std::filesystem::path&, std::optional<Reg
   });
 }
 
-void FlagVisitor::place(const Key& key, PartPlace&, const Key& snap_key, bool& snap) {
+void FlagVisitor::place(const StepKey& key, PartPlace&, const StepKey& snap_key, bool& snap) {
   auto flags = std::make_shared<PlaceFlags>();
   flags->add_to(command_);
   boolean(snap_key, snap);
@@ -271,7 +273,7 @@ void FlagVisitor::place(const Key& key, PartPlace&, const Key& snap_key, bool& s
       });
 }
 
-bool FlagVisitor::enter(const Key& key, bool&, ObjectForm, bool) {
+bool FlagVisitor::enter(const StepKey& key, bool&, ObjectForm, bool) {
   scopes_.emplace_back();
   if (!key.off_flag.empty()) add_off(key, false);
   path_ /= std::string(key.name);
@@ -288,7 +290,7 @@ void FlagVisitor::leave() {
   }
 }
 
-void FlagVisitor::begin_list(const Key& key, std::size_t count, const ListWords&) {
+void FlagVisitor::begin_list(const StepKey& key, std::size_t count, const ListWords&) {
   draft_->json[place_of(key)] = std::vector<Json>(count, Json::object());
   path_ /= std::string(key.name);
 }
@@ -303,7 +305,7 @@ void FlagVisitor::end_item() {
   prefix_.clear();
 }
 
-void FlagVisitor::end_list(const Key&) {
+void FlagVisitor::end_list(const StepKey&) {
   path_.pop_back();
 }
 

@@ -27,34 +27,30 @@ class FlagVisitor final : public KeyVisitor {
   FlagVisitor(CLI::App& command, std::shared_ptr<StepDraft> draft)
       : command_(command), draft_(std::move(draft)) {}
 
-  void number(const Key& key, double& value, const Range& range) override;
-  void number(const Key& key, std::optional<double>& value, const Range& range) override;
-  void whole(const Key& key, int& value, const Range& range) override;
-  void whole(const Key& key, std::optional<std::size_t>& value) override;
-  void boolean(const Key& key, bool& value) override;
-  void region(const Key& key, RegionSpec& value) override;
-  void belt(const Key& key, BeltSpec& value) override;
-  void handles(const Key& key, std::vector<MovedHandle>& value) override;
-  void pairs(const Key& key, std::vector<VertexPair>& value) override;
-  void weight(const Key& key, MixWeight& value) override;
-  void file(const Key& key, std::filesystem::path& value) override;
-  void part(const Key& key, std::filesystem::path& mesh,
+  void number(const StepKey& key, double& value, const Range& range) override;
+  void number(const StepKey& key, std::optional<double>& value, const Range& range) override;
+  void whole(const StepKey& key, int& value, const Range& range) override;
+  void whole(const StepKey& key, std::optional<std::size_t>& value) override;
+  void boolean(const StepKey& key, bool& value) override;
+  void region(const StepKey& key, RegionSpec& value) override;
+  void belt(const StepKey& key, BeltSpec& value) override;
+  void handles(const StepKey& key, std::vector<MovedHandle>& value) override;
+  void pairs(const StepKey& key, std::vector<VertexPair>& value) override;
+  void weight(const StepKey& key, MixWeight& value) override;
+  void file(const StepKey& key, std::filesystem::path& value) override;
+  void part(const StepKey& key, std::filesystem::path& mesh,
             std::optional<RegionSpec>& region) override;
-  void place(const Key& key, PartPlace& value, const Key& snap_key, bool& snap) override;
-
-  void where(std::string&) override {}
-  void only_when(bool, std::string_view, std::string_view) override {}
-  void require(bool, const std::string&, std::string_view) override {}
+  void place(const StepKey& key, PartPlace& value, const StepKey& snap_key, bool& snap) override;
 
  protected:
-  void choose(const Key& key, std::size_t& chosen,
+  void choose(const StepKey& key, std::size_t& chosen,
               const std::vector<std::string_view>& names) override;
-  bool enter(const Key& key, bool& given, ObjectForm form, bool is_default) override;
+  bool enter(const StepKey& key, bool& given, ObjectForm form, bool is_default) override;
   void leave() override;
-  void begin_list(const Key& key, std::size_t count, const ListWords& words) override;
+  void begin_list(const StepKey& key, std::size_t count, const ListWords& words) override;
   void begin_item(std::size_t number, const ListWords& words) override;
   void end_item() override;
-  void end_list(const Key& key) override;
+  void end_list(const StepKey& key) override;
 
  private:
   using Json = nlohmann::ordered_json;
@@ -67,13 +63,13 @@ class FlagVisitor final : public KeyVisitor {
     std::vector<CLI::Option*> others;
   };
 
-  std::string flag(const Key& key) const;
-  Place place_of(const Key& key) const { return path_ / std::string(key.name); }
+  std::string flag(const StepKey& key) const;
+  Place place_of(const StepKey& key) const { return path_ / std::string(key.name); }
   // Gives `option` what all of them have; `fallback` is what holds without it.
-  CLI::Option* finish(const Key& key, CLI::Option* option, const std::string& fallback = "");
-  void add_number(const Key& key, const Range& range, bool whole, const std::string& fallback);
-  void add_region(const Key& key, const std::string& help, const std::string& fallback);
-  void add_off(const Key& key, Json value);
+  CLI::Option* finish(const StepKey& key, CLI::Option* option, const std::string& fallback = "");
+  void add_number(const StepKey& key, const Range& range, bool whole, const std::string& fallback);
+  void add_region(const StepKey& key, const std::string& help, const std::string& fallback);
+  void add_off(const StepKey& key, Json value);
 
   CLI::App& command_;
   std::shared_ptr<StepDraft> draft_;

@@ -1,11 +1,10 @@
 #include "state/command.h"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/turn_tracker.h"
+#include "lapwing/recipe/step_keys.h"
 #include "state/step_words.h"
 
 namespace lapwing::viewer {
@@ -19,25 +18,6 @@ void require_handle(const AppState& state, std::size_t handle) {
 void require_vertices(const AppState& state, const VertexSet& vertices) {
   if (vertices.empty() || vertices.back() < state.rest->vertex_count()) return;
   throw InputError("vertex " + std::to_string(vertices.back()) + " is not in the mesh");
-}
-
-// What a recipe could not say must not come into the state: it could not be restored.
-void require_valid(const EditParameters& parameters) {
-  if (!(parameters.constraint_weight > 0.0)) {
-    throw InputError("the weight of the constraints must be above 0");
-  }
-  if (!(parameters.detail_length > 0.0 && std::isfinite(parameters.detail_length))) {
-    throw InputError("the detail length is a share of the ROI's size; choose a number above 0");
-  }
-  if (parameters.commit_every &&
-      !(*parameters.commit_every > 0.0 && *parameters.commit_every <= kLargestSettledTurnDegrees)) {
-    throw InputError("parts of a turn are above 0 and at most 180 degrees");
-  }
-  if (!parameters.settle) return;
-  const SettleOptions& settle = *parameters.settle;
-  if (!(settle.tolerance > 0.0) || settle.max_iterations < 1) {
-    throw InputError("settling takes a tolerance above 0 and at least one iteration");
-  }
 }
 
 // The same vertices, on the rest shape as it has come to be.
@@ -152,6 +132,7 @@ struct Applier {
   void operator()(const Commit&) const { commit(state); }
   void operator()(const SetParameters& command) const {
     if (state.parameters == command.parameters) return;
+    // What a recipe could not say must not come into the state: it could not be restored.
     require_valid(command.parameters);
     state.parameters = command.parameters;
     state.settled = nullptr;

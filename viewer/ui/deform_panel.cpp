@@ -2,8 +2,10 @@
 #include <cstdio>
 #include <imgui.h>
 
+#include "lapwing/recipe/step_keys.h"
 #include "ui/choose.h"
 #include "ui/panels.h"
+#include "ui/parameter_panel.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -123,66 +125,14 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   if (move.rotate.axis.norm() > 0.0 && move.scale > 0.0) editor.perform(MoveHandle{handle, move});
 }
 
-// Shares of the ROI's size: below the smallest hardly a mesh has a detail, above the largest the
-// surface is no more elastic in any part.
-constexpr float kSmallestDetailLength = 0.01F;
-constexpr float kLargestDetailLength = 1.0F;
-
-void draw_energy(EditParameters& parameters, bool& chosen, bool& edited) {
-  float length = static_cast<float>(parameters.detail_length);
-  if (ImGui::SliderFloat("detail length", &length, kSmallestDetailLength, kLargestDetailLength,
-                         "%.3f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
-    parameters.detail_length = static_cast<double>(length);
-    edited = true;
-  }
-  chosen |= ImGui::IsItemDeactivatedAfterEdit();
-  if (!ImGui::IsItemHovered()) return;
-  ImGui::SetTooltip(
-      "Smaller details keep their shape, larger ones bend with the surface:\n"
-      "a share of the ROI's radius, the root mean square distance\n"
-      "of its surface from its centroid");
-}
-
-// What there is to choose of the system that a result comes from.
-void draw_system(EditParameters& parameters, bool& chosen, bool& edited) {
-  if (parameters.settle) {
-    draw_energy(parameters, chosen, edited);
-    ImGui::InputInt("iterations", &parameters.settle->max_iterations, 0);
-    edited |= ImGui::IsItemEdited();
-    chosen |= ImGui::IsItemDeactivatedAfterEdit();
-    return;
-  }
-  chosen |= choose("response", parameters.response,
-                   {{"tangent", LinearResponse::tangent}, {"RSI (paper)", LinearResponse::rsi}});
-  if (parameters.response == LinearResponse::tangent) draw_energy(parameters, chosen, edited);
-}
-
 void draw_parameters(Editor& editor, PanelDrafts& drafts) {
   if (!ImGui::TreeNode("How it is computed")) return;
   EditParameters parameters = drafts.parameters.value_or(editor.state().parameters);
-  bool edited = false;  // under way
-  bool chosen = false;  // done
-  bool settles = parameters.settle.has_value();
-  if (ImGui::Checkbox("settle", &settles)) {
-    parameters.settle = settles ? std::optional(SettleOptions{}) : std::nullopt;
-    chosen = true;
-  }
-  draw_system(parameters, chosen, edited);
-  bool commits = parameters.commit_every.has_value();
-  if (ImGui::Checkbox("commit on the way, every", &commits)) {
-    parameters.commit_every = commits ? std::optional(90.0) : std::nullopt;
-    chosen = true;
-  }
-  if (parameters.commit_every) {
-    edited |= draw_number("degrees each", *parameters.commit_every, chosen);
-  }
-  chosen |=
-      choose("weights", parameters.weights,
-             {{"cotangent", LaplacianWeights::cotangent}, {"uniform", LaplacianWeights::uniform}});
-  chosen |= ImGui::Checkbox("hard constraints", &parameters.hard);
+  ParameterPanel panel(editor.bounds().diagonal());
+  describe(parameters, panel);
   ImGui::TreePop();
-  if (edited) drafts.parameters = parameters;
-  if (!chosen) return;
+  if (panel.edited()) drafts.parameters = parameters;
+  if (!panel.chosen()) return;
   drafts.parameters.reset();
   editor.perform(SetParameters{parameters});
 }

@@ -1,10 +1,12 @@
 #include <imgui.h>
 #include <utility>
 
+#include "lapwing/recipe/step_keys.h"
 #include "state/step_words.h"
-#include "ui/domain_picture.h"
 #include "ui/choose.h"
+#include "ui/domain_picture.h"
 #include "ui/panels.h"
+#include "ui/parameter_panel.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -87,41 +89,22 @@ void draw_live_sliders(LayerDesk& desk) {
   draw_slider("amplitude", source.amplitude, -2.0, 2.0, false, "%.2f");
 }
 
-void draw_transition(CoatParameters& parameters, double size) {
-  bool own = parameters.transition.has_value();
-  if (ImGui::Checkbox("own transition", &own)) {
-    parameters.transition =
-        own ? std::optional(Transition{0.05 * size, Transition::Profile::smooth}) : std::nullopt;
-  }
-  if (!parameters.transition) return;
-  draw_slider("width", parameters.transition->width, 0.0, 0.25 * size, false);
-  choose("profile", parameters.transition->profile,
-         {{"smooth", Transition::Profile::smooth}, {"linear", Transition::Profile::linear}});
-}
-
 void draw_parameters(LayerDesk& desk, const Editor& editor) {
   if (!ImGui::TreeNode("How it is computed")) return;
   LayerDraft& draft = desk.draft();
-  CoatParameters& parameters = draft.parameters;
-  CoatSource& source = draft.sources[desk.current()];
   const double size = editor.bounds().diagonal();
-  draw_slider("smooth target", parameters.smooth_target, 0.0, 0.25 * size, false);
-  bool scaled = source.sampling.scale.has_value();
-  if (ImGui::Checkbox("own scale", &scaled)) {
-    source.sampling.scale = scaled ? std::optional(1.0) : std::nullopt;
+  const bool had_transition = draft.parameters.transition.has_value();
+  const Domain before = draft.parameters.domain;
+  ParameterPanel panel(size);
+  describe(draft.sources[desk.current()].sampling, panel);
+  describe(draft.parameters, panel);
+  if (draft.parameters.transition && !had_transition) {
+    draft.parameters.transition->width = 0.05 * size;
   }
-  if (source.sampling.scale) draw_slider("scale", *source.sampling.scale, 0.1, 10.0, true);
-  draw_transition(parameters, size);
-  choose("sampling", source.sampling.sampling,
-         {{"one ring", MappedSampling::one_ring}, {"linear", MappedSampling::linear}});
-  const Domain before = parameters.domain;
-  choose("domain", parameters.domain, {{"disk", Domain::disk}, {"square", Domain::square}});
-  if (parameters.domain != before) {
+  if (draft.parameters.domain != before) {
     // Another number of them.
     for (CoatSource& each : draft.sources) each.boundary_pairs.clear();
   }
-  choose("triangles", parameters.remesh,
-         {{"finer where needed", Remeshing::automatic}, {"kept", Remeshing::none}});
   ImGui::TreePop();
 }
 

@@ -3,9 +3,11 @@
 #include <imgui_stdlib.h>
 #include <optional>
 
+#include "lapwing/recipe/step_keys.h"
 #include "state/step_words.h"
 #include "ui/choose.h"
 #include "ui/panels.h"
+#include "ui/parameter_panel.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -162,33 +164,15 @@ void draw_hole(TransplantDesk& desk, const Editor& editor) {
   }
 }
 
-void draw_transition(TransplantDraft& draft) {
-  std::optional<Transition>& transition = draft.parameters.transition;
-  const double radius = draft.stands ? draft.frame().radius : 0.0;
-  bool automatic = !transition;
-  if (ImGui::Checkbox("transition by itself", &automatic)) {
-    transition = automatic ? std::nullopt
-                           : std::optional(Transition{0.5 * radius, Transition::Profile::smooth});
-  }
-  if (!transition) return;
-  float width = static_cast<float>(transition->width);
-  if (ImGui::SliderFloat("width", &width, 0.0F, static_cast<float>(2.0 * radius), "%.4g")) {
-    transition->width = static_cast<double>(width);
-  }
-  choose("profile", transition->profile,
-         {{"smooth", Transition::Profile::smooth}, {"linear", Transition::Profile::linear}});
-}
-
-void draw_computed(TransplantParameters& parameters) {
+void draw_computed(TransplantDraft& draft) {
   if (!ImGui::TreeNode("How the seam is computed")) return;
-  choose("detail", parameters.sampling,
-         {{"linear", MappedSampling::linear}, {"one ring", MappedSampling::one_ring}});
-  choose("weights", parameters.weights,
-         {{"uniform", LaplacianWeights::uniform}, {"cotangent", LaplacianWeights::cotangent}});
-  bool remeshes = parameters.remesh == Remeshing::automatic;
-  if (ImGui::Checkbox("remesh where it is needed", &remeshes)) {
-    parameters.remesh = remeshes ? Remeshing::automatic : Remeshing::none;
-  }
+  std::optional<Transition>& transition = draft.parameters.transition;
+  const bool had_transition = transition.has_value();
+  const double radius = draft.stands ? draft.frame().radius : 0.0;
+  // Sliders go to a quarter of the size: to twice the radius.
+  ParameterPanel panel(8.0 * radius);
+  describe(draft.parameters, panel);
+  if (transition && !had_transition) transition->width = 0.5 * radius;
   ImGui::TreePop();
 }
 
@@ -221,8 +205,7 @@ void draw_draft(TransplantDesk& desk, Editor& editor) {
   }
   draw_place(desk, editor);
   draw_hole(desk, editor);
-  draw_transition(draft);
-  draw_computed(draft.parameters);
+  draw_computed(draft);
   const bool carries_out = editor.session().is_carrying_out();
   if (desk.tool().stage() == Stage::set_down && !carries_out) {
     if (ImGui::Button("Apply")) return desk.apply(editor);

@@ -5,10 +5,10 @@ namespace {
 
 using Profile = Transition::Profile;
 
-constexpr Key kTargetPatch{.name = "target_patch",
-                           .help = "where it is put, a disk",
-                           .required = true,
-                           .flag_default = "all"};
+constexpr StepKey kTargetPatch{.name = "target_patch",
+                               .help = "where it is put, a disk",
+                               .required = true,
+                               .flag_default = "all"};
 
 void describe_detail_size(CoatSource& source, KeyVisitor& visitor) {
   visitor.number({.name = "detail_size",
@@ -23,7 +23,7 @@ void describe_surface(CoatParameters& parameters, KeyVisitor& visitor) {
   visitor.number({.name = "smooth_target",
                   .help = "a length on the target: its own features smaller than this go first; 0 "
                           "keeps them below the coating"},
-                 parameters.smooth_target, kFromZero);
+                 parameters.smooth_target, {.least = 0.0, .slider_to = 0.25, .of_size = true});
   visitor.choice(
       {.name = "weights", .help = "of the Laplacians"}, parameters.weights,
       {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
@@ -45,17 +45,7 @@ void describe_laying(CoatSource& source, KeyVisitor& visitor) {
                  .absent = "none",
                  .flag = "inner-pair"},
                 source.inner_pairs);
-  visitor.choice({.name = "sampling",
-                  .help = "of the coating's Laplacians: each target ring laid on the source, or "
-                          "interpolated between the source's vertices, so that a finer target does "
-                          "not show its triangles"},
-                 source.sampling.sampling,
-                 {{MappedSampling::one_ring, "one_ring"}, {MappedSampling::linear, "linear"}});
-  visitor.number({.name = "scale",
-                  .help = "of the coating on the target over that on the source; by itself the "
-                          "local ratio of lengths, at most four times that of the patches",
-                  .automatic = true},
-                 source.sampling.scale, kAboveZero);
+  describe(source.sampling, visitor);
   visitor.number(
       {.name = "amplitude", .help = "of the coating; 0 leaves the target, negative engraves"},
       source.amplitude, kAnyNumber);
@@ -88,13 +78,33 @@ void require_pairs(const CoatSource& source, Domain domain, const std::string& p
 
 }  // namespace
 
+void describe(CoatOptions& options, KeyVisitor& visitor) {
+  visitor.choice({.name = "sampling",
+                  .help = "of the coating's Laplacians: each target ring laid on the source, or "
+                          "interpolated between the source's vertices, so that a finer target does "
+                          "not show its triangles"},
+                 options.sampling,
+                 {{MappedSampling::one_ring, "one_ring"}, {MappedSampling::linear, "linear"}});
+  visitor.number({.name = "scale",
+                  .help = "of the coating on the target over that on the source; by itself the "
+                          "local ratio of lengths, at most four times that of the patches",
+                  .automatic = true},
+                 options.scale,
+                 {.least = 0.0, .takes_least = false, .slider_from = 0.1, .slider_to = 10.0});
+}
+
+void describe(CoatParameters& parameters, KeyVisitor& visitor) {
+  describe_surface(parameters, visitor);
+  describe_fading(parameters, visitor);
+}
+
 void describe(Transition& transition, KeyVisitor& visitor) {
   visitor.number(
       {.name = "width",
        .help = "over which one detail goes over into the other; chosen if there is no transition",
        .required = true,
        .flag = "transition"},
-      transition.width, kFromZero);
+      transition.width, {.least = 0.0, .slider_to = 0.25, .of_size = true});
   visitor.choice({.name = "profile", .help = "of the transition"}, transition.profile,
                  {{Profile::smooth, "smooth"}, {Profile::linear, "linear"}});
 }

@@ -11,20 +11,7 @@ void describe(SettleOptions& settle, KeyVisitor& visitor) {
                 settle.max_iterations, {.least = 1, .most = 1e6});
 }
 
-void describe(DeformRequest& step, KeyVisitor& visitor) {
-  DeformParameters& parameters = step.parameters;
-  visitor.region({.name = "roi",
-                  .help = "the part that may move; nothing outside it does",
-                  .required = true,
-                  .flag_default = "all"},
-                 step.roi);
-  visitor.belt({.name = "belt",
-                .help = "the part of the ROI that stays: the outer fraction of it, or a region"},
-               step.belt);
-  visitor.handles({.name = "handles",
-                   .help = "the parts that are placed: each a region and its move",
-                   .required = true},
-                  step.handles);
+void describe(DeformParameters& parameters, KeyVisitor& visitor) {
   visitor.choice(
       {.name = "weights", .help = "of the Laplacians"}, parameters.weights,
       {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
@@ -32,7 +19,8 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                   .help = "details smaller than this keep their shape; beyond it the surface bends "
                           "and stretches like an elastic sheet. A share of the ROI's radius, the "
                           "root mean square distance of its surface from its centroid"},
-                 parameters.detail_length, kAboveZero);
+                 parameters.detail_length,
+                 {.least = 0.0, .takes_least = false, .slider_from = 0.01, .slider_to = 1.0});
   visitor.choice({.name = "response",
                   .help = "the linear response that a drag begins with: of the energy, or the "
                           "paper's; with `settle` off, `rsi` is the paper's equation 10"},
@@ -56,9 +44,26 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                  {.least = 0.0,
                   .most = kLargestSettledTurnDegrees,
                   .takes_least = false,
-                  .reason = "past half a turn the other way round is shorter"});
+                  .reason = "past half a turn the other way round is shorter",
+                  .first = 90.0});
+}
+
+void describe(DeformRequest& step, KeyVisitor& visitor) {
+  visitor.region({.name = "roi",
+                  .help = "the part that may move; nothing outside it does",
+                  .required = true,
+                  .flag_default = "all"},
+                 step.roi);
+  visitor.belt({.name = "belt",
+                .help = "the part of the ROI that stays: the outer fraction of it, or a region"},
+               step.belt);
+  visitor.handles({.name = "handles",
+                   .help = "the parts that are placed: each a region and its move",
+                   .required = true},
+                  step.handles);
+  describe(step.parameters, visitor);
   // Between a handle and its mirror image there is no motion that a part could be.
-  for (std::size_t k = 0; k < step.handles.size() && parameters.commit_every; ++k) {
+  for (std::size_t k = 0; k < step.handles.size() && step.parameters.commit_every; ++k) {
     visitor.require(!mirrors(step.handles[k].move), "handles/" + std::to_string(k) + "/move/matrix",
                     "a matrix that mirrors cannot be carried out in parts; leave out "
                     "\"commit_every\"");

@@ -16,50 +16,17 @@ class KeyNames final : public KeyVisitor {
  public:
   std::vector<std::string_view> names{};
 
-  void number(const Key& key, double&, const Range&) override { add(key); }
-  void number(const Key& key, std::optional<double>&, const Range&) override { add(key); }
-  void whole(const Key& key, int&, const Range&) override { add(key); }
-  void whole(const Key& key, std::optional<std::size_t>&) override { add(key); }
-  void boolean(const Key& key, bool&) override { add(key); }
-  void region(const Key& key, RegionSpec&) override { add(key); }
-  void belt(const Key& key, BeltSpec&) override { add(key); }
-  void handles(const Key& key, std::vector<MovedHandle>&) override { add(key); }
-  void pairs(const Key& key, std::vector<VertexPair>&) override { add(key); }
-  void weight(const Key& key, MixWeight&) override { add(key); }
-  void file(const Key& key, std::filesystem::path&) override { add(key); }
-  void part(const Key& key, std::filesystem::path&, std::optional<RegionSpec>&) override {
-    add(key);
-  }
-  void place(const Key& key, PartPlace&, const Key& snap_key, bool&) override {
-    add(key);
-    add(snap_key);
-  }
-  void where(std::string&) override {}
-  void only_when(bool, std::string_view, std::string_view) override {}
-  void require(bool, const std::string&, std::string_view) override {}
-
  protected:
-  void choose(const Key& key, std::size_t&, const std::vector<std::string_view>&) override {
-    add(key);
-  }
-  bool enter(const Key& key, bool&, ObjectForm, bool) override {
-    add(key);
-    return false;
-  }
-  void leave() override {}
-  void begin_list(const Key& key, std::size_t, const ListWords&) override {
-    add(key);
-    ++depth_;
-  }
-  void begin_item(std::size_t, const ListWords&) override {}
-  void end_item() override {}
-  void end_list(const Key&) override { --depth_; }
-
- private:
-  void add(const Key& key) {
+  void other(const StepKey& key) override {
     if (depth_ == 0) names.push_back(key.name);
   }
+  void begin_list(const StepKey& key, std::size_t, const ListWords&) override {
+    other(key);
+    ++depth_;
+  }
+  void end_list(const StepKey&) override { --depth_; }
 
+ private:
   int depth_ = 0;  // of lists
 };
 
@@ -68,10 +35,10 @@ class KeyReader final : public KeyVisitor {
  public:
   explicit KeyReader(JsonNode step) { open_.push_back(std::move(step)); }
 
-  void number(const Key& key, double& value, const Range& range) override {
+  void number(const StepKey& key, double& value, const Range& range) override {
     if (const auto found = find(key)) value = number_in(*found, range);
   }
-  void number(const Key& key, std::optional<double>& value, const Range& range) override {
+  void number(const StepKey& key, std::optional<double>& value, const Range& range) override {
     const auto found = find(key);
     if (!found) return;
     if (key.automatic && found->is_string()) {
@@ -80,7 +47,7 @@ class KeyReader final : public KeyVisitor {
       value = number_in(*found, range);
     }
   }
-  void whole(const Key& key, int& value, const Range& range) override {
+  void whole(const StepKey& key, int& value, const Range& range) override {
     const auto found = find(key);
     if (!found) return;
     const double number = found->number();
@@ -89,37 +56,37 @@ class KeyReader final : public KeyVisitor {
     }
     value = static_cast<int>(number);
   }
-  void whole(const Key& key, std::optional<std::size_t>& value) override {
+  void whole(const StepKey& key, std::optional<std::size_t>& value) override {
     if (const auto found = find(key)) value = found->vertex();
   }
-  void boolean(const Key& key, bool& value) override {
+  void boolean(const StepKey& key, bool& value) override {
     if (const auto found = find(key)) value = found->boolean();
   }
 
-  void region(const Key& key, RegionSpec& value) override {
+  void region(const StepKey& key, RegionSpec& value) override {
     if (const auto found = find(key)) value = read_region(*found);
   }
-  void belt(const Key& key, BeltSpec& value) override {
+  void belt(const StepKey& key, BeltSpec& value) override {
     const auto found = find(key);
     value = found ? read_belt(*found)
                   : BorderBelt{.where = open_.back().where() + "/" + std::string(key.name)};
   }
-  void handles(const Key& key, std::vector<MovedHandle>& value) override {
+  void handles(const StepKey& key, std::vector<MovedHandle>& value) override {
     const auto found = find(key);
     if (!found) return;
     for (const JsonNode& handle : found->elements()) value.push_back(read_handle(handle));
     if (key.required && value.empty()) found->fail("expected at least one handle");
   }
-  void pairs(const Key& key, std::vector<VertexPair>& value) override {
+  void pairs(const StepKey& key, std::vector<VertexPair>& value) override {
     if (const auto found = find(key)) value = read_pairs(*found);
   }
-  void weight(const Key& key, MixWeight& value) override {
+  void weight(const StepKey& key, MixWeight& value) override {
     if (const auto found = find(key)) value = read_weight(*found);
   }
-  void file(const Key& key, std::filesystem::path& value) override {
+  void file(const StepKey& key, std::filesystem::path& value) override {
     if (const auto found = find(key)) value = found->file_name();
   }
-  void part(const Key& key, std::filesystem::path& mesh,
+  void part(const StepKey& key, std::filesystem::path& mesh,
             std::optional<RegionSpec>& region) override {
     const auto found = find(key);
     if (!found) return;
@@ -135,7 +102,7 @@ class KeyReader final : public KeyVisitor {
     }
     if (const auto cut = found->find("region")) region = read_region(*cut);
   }
-  void place(const Key& key, PartPlace& value, const Key& snap_key, bool& snap) override {
+  void place(const StepKey& key, PartPlace& value, const StepKey& snap_key, bool& snap) override {
     if (const auto found = find(key)) value = read_place(*found);
     boolean(snap_key, snap);
     require(!snap || !std::holds_alternative<LoopFit>(value), std::string(snap_key.name),
@@ -154,11 +121,11 @@ class KeyReader final : public KeyVisitor {
   }
 
  protected:
-  void choose(const Key& key, std::size_t& chosen,
+  void choose(const StepKey& key, std::size_t& chosen,
               const std::vector<std::string_view>& names) override {
     if (const auto found = find(key)) chosen = found->one_of(std::string(key.name), names);
   }
-  bool enter(const Key& key, bool& given, ObjectForm form, bool) override {
+  bool enter(const StepKey& key, bool& given, ObjectForm form, bool) override {
     const auto found = find(key);
     if (!found) return false;
     if (form == ObjectForm::boolean && !found->is_object()) {
@@ -175,7 +142,7 @@ class KeyReader final : public KeyVisitor {
     keys(known);
     open_.back().require_keys(known.names);
   }
-  void begin_list(const Key& key, std::size_t count, const ListWords& words) override {
+  void begin_list(const StepKey& key, std::size_t count, const ListWords& words) override {
     items_ = open_.back().at(key.name).elements();
     if (items_.size() == count) return;
     open_.back().at(key.name).fail("expected " + std::string(words.items) + ", got " +
@@ -186,10 +153,9 @@ class KeyReader final : public KeyVisitor {
     open_.push_back(items_[number]);
   }
   void end_item() override { open_.pop_back(); }
-  void end_list(const Key&) override {}
 
  private:
-  std::optional<JsonNode> find(const Key& key) const {
+  std::optional<JsonNode> find(const StepKey& key) const {
     const JsonNode& object = open_.back();
     return key.required ? object.at(key.name) : object.find(key.name);
   }

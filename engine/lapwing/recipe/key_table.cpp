@@ -11,48 +11,44 @@ class KeyTable final : public KeyVisitor {
  public:
   std::string text = "| key | value | default | |\n|---|---|---|---|\n";
 
-  void number(const Key& key, double& value, const Range& range) override {
+  void number(const StepKey& key, double& value, const Range& range) override {
     add(key, range.words(), digits(value));
   }
-  void number(const Key& key, std::optional<double>&, const Range& range) override {
+  void number(const StepKey& key, std::optional<double>&, const Range& range) override {
     add(key, range.words(), key.automatic ? quoted("auto") : "");
   }
-  void whole(const Key& key, int& value, const Range& range) override {
+  void whole(const StepKey& key, int& value, const Range& range) override {
     add(key, range.words(true), std::to_string(value));
   }
-  void whole(const Key& key, std::optional<std::size_t>&) override {
+  void whole(const StepKey& key, std::optional<std::size_t>&) override {
     add(key, "a whole number from 0");
   }
-  void boolean(const Key& key, bool& value) override {
+  void boolean(const StepKey& key, bool& value) override {
     add(key, "true or false", value ? "true" : "false");
   }
 
-  void region(const Key& key, RegionSpec&) override { add(key, "a region"); }
-  void belt(const Key& key, BeltSpec& value) override {
+  void region(const StepKey& key, RegionSpec&) override { add(key, "a region"); }
+  void belt(const StepKey& key, BeltSpec& value) override {
     const auto* border = std::get_if<BorderBelt>(&value);
     add(key, "a fraction or a region",
         border == nullptr ? "" : "`{\"fraction\": " + digits(border->fraction) + "}`");
   }
-  void handles(const Key& key, std::vector<MovedHandle>&) override {
+  void handles(const StepKey& key, std::vector<MovedHandle>&) override {
     add(key, "a list of `{\"region\": REGION, \"move\": MOVE}`");
   }
-  void pairs(const Key& key, std::vector<VertexPair>&) override { add(key, "`[[s, t], ...]`"); }
-  void weight(const Key& key, MixWeight&) override { add(key, "an object"); }
-  void file(const Key& key, std::filesystem::path&) override { add(key, "a file"); }
-  void part(const Key& key, std::filesystem::path&, std::optional<RegionSpec>&) override {
+  void pairs(const StepKey& key, std::vector<VertexPair>&) override { add(key, "`[[s, t], ...]`"); }
+  void weight(const StepKey& key, MixWeight&) override { add(key, "an object"); }
+  void file(const StepKey& key, std::filesystem::path&) override { add(key, "a file"); }
+  void part(const StepKey& key, std::filesystem::path&, std::optional<RegionSpec>&) override {
     add(key, "a file or `{\"mesh\": FILE, \"region\": REGION}`");
   }
-  void place(const Key& key, PartPlace&, const Key& snap_key, bool& snap) override {
+  void place(const StepKey& key, PartPlace&, const StepKey& snap_key, bool& snap) override {
     add(key, "`{\"auto\": {...}}` or a move", "`{\"auto\": {}}`");
     boolean(snap_key, snap);
   }
 
-  void where(std::string&) override {}
-  void only_when(bool, std::string_view, std::string_view) override {}
-  void require(bool, const std::string&, std::string_view) override {}
-
  protected:
-  void choose(const Key& key, std::size_t& chosen,
+  void choose(const StepKey& key, std::size_t& chosen,
               const std::vector<std::string_view>& names) override {
     std::string choices;
     for (const std::string_view name : names) {
@@ -60,7 +56,7 @@ class KeyTable final : public KeyVisitor {
     }
     add(key, choices, quoted(names[chosen]));
   }
-  bool enter(const Key& key, bool& given, ObjectForm form, bool) override {
+  bool enter(const StepKey& key, bool& given, ObjectForm form, bool) override {
     const bool switches = form == ObjectForm::boolean;
     add(key, switches ? "true, false or an object" : "an object",
         switches ? (given ? "true" : "false") : "");
@@ -68,23 +64,23 @@ class KeyTable final : public KeyVisitor {
     return true;
   }
   void leave() override { close(); }
-  void begin_list(const Key& key, std::size_t, const ListWords&) override {
+  void begin_list(const StepKey& key, std::size_t, const ListWords&) override {
     add(key, "a list");
     open(key);
   }
   // All items have the same keys.
   void begin_item(std::size_t number, const ListWords&) override { told_ = number > 0; }
   void end_item() override { told_ = false; }
-  void end_list(const Key&) override { close(); }
+  void end_list(const StepKey&) override { close(); }
 
  private:
-  void add(const Key& key, const std::string& value, const std::string& fallback = "") {
+  void add(const StepKey& key, const std::string& value, const std::string& fallback = "") {
     if (told_) return;
     const std::string_view other = fallback.empty() ? key.absent : fallback;
     text.append("| `").append(path_).append(key.name).append("` | ").append(value).append(" | ");
     text.append(key.required ? "required" : other).append(" | ").append(key.help).append(" |\n");
   }
-  void open(const Key& key) {
+  void open(const StepKey& key) {
     lengths_.push_back(path_.size());
     path_ += std::string(key.name) + ".";
   }

@@ -28,4 +28,55 @@ std::string Range::words(bool whole) const {
   return reason.empty() ? text : text + " (" + std::string(reason) + ")";
 }
 
+void KeyVisitor::number(const StepKey& key, double&, const Range&) {
+  other(key);
+}
+void KeyVisitor::number(const StepKey& key, std::optional<double>&, const Range&) {
+  other(key);
+}
+void KeyVisitor::whole(const StepKey& key, int&, const Range&) {
+  other(key);
+}
+void KeyVisitor::whole(const StepKey& key, std::optional<std::size_t>&) {
+  other(key);
+}
+void KeyVisitor::boolean(const StepKey& key, bool&) {
+  other(key);
+}
+void KeyVisitor::region(const StepKey& key, RegionSpec&) {
+  other(key);
+}
+void KeyVisitor::belt(const StepKey& key, BeltSpec&) {
+  other(key);
+}
+void KeyVisitor::handles(const StepKey& key, std::vector<MovedHandle>&) {
+  other(key);
+}
+void KeyVisitor::pairs(const StepKey& key, std::vector<VertexPair>&) {
+  other(key);
+}
+void KeyVisitor::weight(const StepKey& key, MixWeight&) {
+  other(key);
+}
+void KeyVisitor::file(const StepKey& key, std::filesystem::path&) {
+  other(key);
+}
+void KeyVisitor::part(const StepKey& key, std::filesystem::path&, std::optional<RegionSpec>&) {
+  other(key);
+}
+void KeyVisitor::place(const StepKey& key, PartPlace&, const StepKey& snap_key, bool&) {
+  other(key);
+  other(snap_key);
+}
+void KeyVisitor::choose(const StepKey& key, std::size_t&, const std::vector<std::string_view>&) {
+  other(key);
+}
+bool KeyVisitor::enter(const StepKey& key, bool&, ObjectForm, bool) {
+  other(key);
+  return false;
+}
+void KeyVisitor::begin_list(const StepKey& key, std::size_t, const ListWords&) {
+  other(key);
+}
+
 }  // namespace lapwing

@@ -17,7 +17,7 @@
 namespace lapwing {
 
 /// One key of a step: what recipes, flags and the reference have in common.
-struct Key {
+struct StepKey {
   std::string_view name;  ///< in recipes: "detail_length"
   std::string_view help;  ///< a sentence without capital and full stop
   bool required = false;
@@ -39,6 +39,11 @@ struct Range {
   double most = std::numeric_limits<double>::infinity();
   bool takes_least = true;
   std::string_view reason = "";  ///< why not more, in words
+  /// What a slider goes through, with `of_size` as shares of the mesh's; 0 to 0: it is typed in.
+  double slider_from = 0.0;  ///< above 0: by its logarithm
+  double slider_to = 0.0;
+  bool of_size = false;
+  double first = 1.0;  ///< of an optional number that a person switches on
 
   bool contains(double number) const;
   /// "a number above 0", "0 or more"; with `whole` "a whole number from 1 to 1000".
@@ -73,13 +78,13 @@ class KeyVisitor {
  public:
   virtual ~KeyVisitor() = default;
 
-  virtual void number(const Key& key, double& value, const Range& range) = 0;
-  virtual void number(const Key& key, std::optional<double>& value, const Range& range) = 0;
-  virtual void whole(const Key& key, int& value, const Range& range) = 0;
-  virtual void whole(const Key& key, std::optional<std::size_t>& value) = 0;
-  virtual void boolean(const Key& key, bool& value) = 0;
+  virtual void number(const StepKey& key, double& value, const Range& range);
+  virtual void number(const StepKey& key, std::optional<double>& value, const Range& range);
+  virtual void whole(const StepKey& key, int& value, const Range& range);
+  virtual void whole(const StepKey& key, std::optional<std::size_t>& value);
+  virtual void boolean(const StepKey& key, bool& value);
   template <class Enum>
-  void choice(const Key& key, Enum& value,
+  void choice(const StepKey& key, Enum& value,
               std::initializer_list<Choice<std::type_identity_t<Enum>>> choices) {
     std::vector<std::string_view> names;
     std::size_t chosen = 0;
@@ -91,21 +96,21 @@ class KeyVisitor {
     value = choices.begin()[chosen].value;
   }
 
-  virtual void region(const Key& key, RegionSpec& value) = 0;
-  virtual void belt(const Key& key, BeltSpec& value) = 0;
-  virtual void handles(const Key& key, std::vector<MovedHandle>& value) = 0;
-  virtual void pairs(const Key& key, std::vector<VertexPair>& value) = 0;
-  virtual void weight(const Key& key, MixWeight& value) = 0;
-  virtual void file(const Key& key, std::filesystem::path& value) = 0;
+  virtual void region(const StepKey& key, RegionSpec& value);
+  virtual void belt(const StepKey& key, BeltSpec& value);
+  virtual void handles(const StepKey& key, std::vector<MovedHandle>& value);
+  virtual void pairs(const StepKey& key, std::vector<VertexPair>& value);
+  virtual void weight(const StepKey& key, MixWeight& value);
+  virtual void file(const StepKey& key, std::filesystem::path& value);
   /// A mesh file, or what is cut of one.
-  virtual void part(const Key& key, std::filesystem::path& mesh,
-                    std::optional<RegionSpec>& region) = 0;
+  virtual void part(const StepKey& key, std::filesystem::path& mesh,
+                    std::optional<RegionSpec>& region);
   /// Where a part comes to; with a move, whether it is brought onto the surface (`snap`).
-  virtual void place(const Key& key, PartPlace& value, const Key& snap_key, bool& snap) = 0;
+  virtual void place(const StepKey& key, PartPlace& value, const StepKey& snap_key, bool& snap);
 
   /// An object with keys of its own, by `describe(value, visitor)`.
   template <class Value>
-  void object(const Key& key, std::optional<Value>& value, ObjectForm form) {
+  void object(const StepKey& key, std::optional<Value>& value, ObjectForm form) {
     Value inside = value.value_or(Value{});
     bool given = value.has_value();
     if (enter(key, given, form, inside == Value{})) {
@@ -117,14 +122,14 @@ class KeyVisitor {
   }
   /// An object that groups the keys that `members(visitor)` visits; left out where none is `given`.
   template <class Members>
-  void group(const Key& key, bool given, const Members& members) {
+  void group(const StepKey& key, bool given, const Members& members) {
     if (!enter(key, given, ObjectForm::optional, false)) return;
     begin_keys([&](KeyVisitor& visitor) { members(visitor); });
     members(*this);
     leave();
   }
   template <class Value, std::size_t N>
-  void list(const Key& key, std::array<Value, N>& values, const ListWords& words) {
+  void list(const StepKey& key, std::array<Value, N>& values, const ListWords& words) {
     begin_list(key, N, words);
     for (std::size_t k = 0; k < N; ++k) {
       begin_item(k, words);
@@ -136,24 +141,28 @@ class KeyVisitor {
   }
 
   /// What errors name the step or source by.
-  virtual void where(std::string& name) = 0;
+  virtual void where(std::string&) {}
   /// The key, visited before, has a meaning only where `holds`.
-  virtual void only_when(bool holds, std::string_view key, std::string_view otherwise) = 0;
+  virtual void only_when(bool /*holds*/, std::string_view /*key*/, std::string_view /*otherwise*/) {
+  }
   /// What must hold between keys; `pointer` is the one at fault, from the step.
-  virtual void require(bool holds, const std::string& pointer, std::string_view otherwise) = 0;
+  virtual void require(bool /*holds*/, const std::string& /*pointer*/,
+                       std::string_view /*otherwise*/) {}
 
  protected:
-  virtual void choose(const Key& key, std::size_t& chosen,
-                      const std::vector<std::string_view>& names) = 0;
+  /// Any key whose own function is not overridden.
+  virtual void other(const StepKey&) {}
+  virtual void choose(const StepKey& key, std::size_t& chosen,
+                      const std::vector<std::string_view>& names);
   /// Whether the keys inside are to be visited; `given`: whether there is one.
-  virtual bool enter(const Key& key, bool& given, ObjectForm form, bool is_default) = 0;
-  virtual void leave() = 0;
+  virtual bool enter(const StepKey& key, bool& given, ObjectForm form, bool is_default);
+  virtual void leave() {}
   /// An object that was entered has the keys that `keys` visits.
   virtual void begin_keys(const std::function<void(KeyVisitor&)>&) {}
-  virtual void begin_list(const Key& key, std::size_t count, const ListWords& words) = 0;
-  virtual void begin_item(std::size_t number, const ListWords& words) = 0;
-  virtual void end_item() = 0;
-  virtual void end_list(const Key& key) = 0;
+  virtual void begin_list(const StepKey& key, std::size_t count, const ListWords& words);
+  virtual void begin_item(std::size_t /*number*/, const ListWords&) {}
+  virtual void end_item() {}
+  virtual void end_list(const StepKey&) {}
 };
 
 }  // namespace lapwing

@@ -12,30 +12,30 @@ class KeyWriter final : public KeyVisitor {
 
   Json take() { return std::move(open_.front()); }
 
-  void number(const Key& key, double& value, const Range&) override { put(key, value); }
-  void number(const Key& key, std::optional<double>& value, const Range&) override {
+  void number(const StepKey& key, double& value, const Range&) override { put(key, value); }
+  void number(const StepKey& key, std::optional<double>& value, const Range&) override {
     if (value) return put(key, *value);
     if (key.automatic) put(key, "auto");
   }
-  void whole(const Key& key, int& value, const Range&) override { put(key, value); }
-  void whole(const Key& key, std::optional<std::size_t>& value) override {
+  void whole(const StepKey& key, int& value, const Range&) override { put(key, value); }
+  void whole(const StepKey& key, std::optional<std::size_t>& value) override {
     if (value) put(key, *value);
   }
-  void boolean(const Key& key, bool& value) override { put(key, value); }
+  void boolean(const StepKey& key, bool& value) override { put(key, value); }
 
-  void region(const Key& key, RegionSpec& value) override { put(key, json_of(value)); }
-  void belt(const Key& key, BeltSpec& value) override { put(key, json_of(value)); }
-  void handles(const Key& key, std::vector<MovedHandle>& value) override {
+  void region(const StepKey& key, RegionSpec& value) override { put(key, json_of(value)); }
+  void belt(const StepKey& key, BeltSpec& value) override { put(key, json_of(value)); }
+  void handles(const StepKey& key, std::vector<MovedHandle>& value) override {
     if (key.required || !value.empty()) put(key, json_of(value));
   }
-  void pairs(const Key& key, std::vector<VertexPair>& value) override {
+  void pairs(const StepKey& key, std::vector<VertexPair>& value) override {
     if (!value.empty()) put(key, value);
   }
-  void weight(const Key& key, MixWeight& value) override { put(key, json_of(value)); }
-  void file(const Key& key, std::filesystem::path& value) override {
+  void weight(const StepKey& key, MixWeight& value) override { put(key, json_of(value)); }
+  void file(const StepKey& key, std::filesystem::path& value) override {
     if (!value.empty()) put(key, value.string());
   }
-  void part(const Key& key, std::filesystem::path& mesh,
+  void part(const StepKey& key, std::filesystem::path& mesh,
             std::optional<RegionSpec>& region) override {
     if (!region) return put(key, mesh.string());
     Json part;
@@ -43,23 +43,21 @@ class KeyWriter final : public KeyVisitor {
     part["region"] = json_of(*region);
     put(key, std::move(part));
   }
-  void place(const Key& key, PartPlace& value, const Key& snap_key, bool& snap) override {
+  void place(const StepKey& key, PartPlace& value, const StepKey& snap_key, bool& snap) override {
     put(key, json_of(value));
     if (snap) put(snap_key, true);
   }
 
-  void where(std::string&) override {}
   void only_when(bool holds, std::string_view key, std::string_view) override {
     if (!holds) open_.back().erase(std::string(key));
   }
-  void require(bool, const std::string&, std::string_view) override {}
 
  protected:
-  void choose(const Key& key, std::size_t& chosen,
+  void choose(const StepKey& key, std::size_t& chosen,
               const std::vector<std::string_view>& names) override {
     put(key, names[chosen]);
   }
-  bool enter(const Key& key, bool& given, ObjectForm form, bool is_default) override {
+  bool enter(const StepKey& key, bool& given, ObjectForm form, bool is_default) override {
     if (form == ObjectForm::boolean && (!given || is_default)) {
       put(key, given);
       return false;
@@ -68,7 +66,7 @@ class KeyWriter final : public KeyVisitor {
     return given;
   }
   void leave() override { close(); }
-  void begin_list(const Key& key, std::size_t, const ListWords&) override {
+  void begin_list(const StepKey& key, std::size_t, const ListWords&) override {
     open(key);
     open_.back() = Json::array();
   }
@@ -78,11 +76,13 @@ class KeyWriter final : public KeyVisitor {
     open_.pop_back();
     open_.back().push_back(std::move(item));
   }
-  void end_list(const Key&) override { close(); }
+  void end_list(const StepKey&) override { close(); }
 
  private:
-  void put(const Key& key, Json value) { open_.back()[std::string(key.name)] = std::move(value); }
-  void open(const Key& key) {
+  void put(const StepKey& key, Json value) {
+    open_.back()[std::string(key.name)] = std::move(value);
+  }
+  void open(const StepKey& key) {
     names_.emplace_back(key.name);
     open_.push_back(Json::object());
   }

@@ -12,6 +12,11 @@ void describe(DeformRequest& step, KeyVisitor& visitor);
 void describe(CoatStep& step, KeyVisitor& visitor);
 void describe(MixStep& step, KeyVisitor& visitor);
 void describe(TransplantStep& step, KeyVisitor& visitor);
+/// And of parts of them, which panels show.
+void describe(DeformParameters& parameters, KeyVisitor& visitor);
+void describe(CoatParameters& parameters, KeyVisitor& visitor);
+void describe(CoatOptions& options, KeyVisitor& visitor);
+void describe(TransplantParameters& parameters, KeyVisitor& visitor);
 /// And of objects in them.
 void describe(SettleOptions& settle, KeyVisitor& visitor);
 void describe(FileSource& source, KeyVisitor& visitor);
@@ -25,6 +30,9 @@ struct Operation {
 };
 /// All of them, in the order of Step.
 std::span<const Operation> operations();
+
+/// Throws InputError, naming the key and what it takes, for a number that a recipe would refuse.
+void require_valid(DeformParameters parameters);
 
 /// The keys of whichever step it is.
 void describe(Step& step, KeyVisitor& visitor);

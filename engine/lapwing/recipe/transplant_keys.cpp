@@ -2,32 +2,7 @@
 
 namespace lapwing {
 
-void describe(TransplantStep& step, KeyVisitor& visitor) {
-  TransplantParameters& parameters = step.parameters;
-  visitor.where(step.where);
-  visitor.part(
-      {.name = "part",
-       .help = "a mesh with a boundary loop; or what is cut from a mesh, without `mesh` from "
-               "the mesh itself",
-       .required = true},
-      step.part, step.part_region);
-  visitor.whole({.name = "loop",
-                 .help = "which boundary loop is sewn on, numbered by their smallest vertices",
-                 .absent = "the longest"},
-                step.loop);
-  visitor.place({.name = "place",
-                 .help = "fits the part's loop to the hole, turned by `rotate_degrees` about the "
-                         "hole's normal, larger by `scale`, or not scaled at all with `keep_size`; "
-                         "or a move as in deform, from where the part is in its file, its pivot "
-                         "the centre of its loop"},
-                step.place,
-                {.name = "snap",
-                 .help = "after a move, the least motion that brings the loop onto the surface"},
-                step.snap);
-  visitor.region({.name = "target_region",
-                  .help = "what is cut out; its boundary must be one loop",
-                  .required = true},
-                 step.target_region);
+void describe(TransplantParameters& parameters, KeyVisitor& visitor) {
   visitor.object({.name = "transition",
                   .help = "the detail goes over from the host's to the part's within this geodesic "
                           "distance of the part's loop; narrow is sharp, wide is soft",
@@ -61,6 +36,34 @@ void describe(TransplantStep& step, KeyVisitor& visitor) {
                   .off_flag = "no-remesh",
                   .off_help = "keep the triangles around the seam, however uneven they are"},
                  parameters.remesh, {{Remeshing::automatic, "auto"}, {Remeshing::none, "none"}});
+}
+
+void describe(TransplantStep& step, KeyVisitor& visitor) {
+  visitor.where(step.where);
+  visitor.part(
+      {.name = "part",
+       .help = "a mesh with a boundary loop; or what is cut from a mesh, without `mesh` from "
+               "the mesh itself",
+       .required = true},
+      step.part, step.part_region);
+  visitor.whole({.name = "loop",
+                 .help = "which boundary loop is sewn on, numbered by their smallest vertices",
+                 .absent = "the longest"},
+                step.loop);
+  visitor.place({.name = "place",
+                 .help = "fits the part's loop to the hole, turned by `rotate_degrees` about the "
+                         "hole's normal, larger by `scale`, or not scaled at all with `keep_size`; "
+                         "or a move as in deform, from where the part is in its file, its pivot "
+                         "the centre of its loop"},
+                step.place,
+                {.name = "snap",
+                 .help = "after a move, the least motion that brings the loop onto the surface"},
+                step.snap);
+  visitor.region({.name = "target_region",
+                  .help = "what is cut out; its boundary must be one loop",
+                  .required = true},
+                 step.target_region);
+  describe(step.parameters, visitor);
 }
 
 }  // namespace lapwing
