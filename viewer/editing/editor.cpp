@@ -196,7 +196,7 @@ void Editor::attempt(const std::function<void()>& change) {
     pointed_at_.clear();
     if (!session_->warning().empty()) say_(session_->warning());
     if (carried_out && !session_->is_carrying_out()) {
-      say_("the step under way was given up, since its surface has changed; apply it again");
+      say_("the step was cancelled because the surface changed; apply it again");
     }
   } catch (const Error& error) {
     say_(error.what());
@@ -335,14 +335,14 @@ const char* Editor::hint() const {
   if (lent_ != nullptr) return lent_->hint();
   if (loop_.is_closed()) return "click the side to keep";
   if (!loop_.corners().empty()) {
-    return "click on around; Enter or a click on the first point closes the loop";
+    return "keep clicking around; Enter or a click on the first point closes the loop";
   }
   if (tool_ == EditTool::move) {
     return handle_count() == 0 ? "H chooses a handle" : "drag the gizmo, or press G, R or S";
   }
   if (tool_ == EditTool::disk && disk_.was_clicked() &&
       !vertices_of(state().selection, part_).empty()) {
-    return "the wheel changes the radius; Enter goes on";
+    return "the wheel changes the radius; Enter accepts it";
   }
   if (part_.role == Role::roi) {
     return is_paint(tool_)           ? "paint the region to edit (ROI)"

@@ -59,7 +59,7 @@ void Editor::take_step() {
   pointed_at_.clear();
   for (const std::string& warning : taken->warnings) say_(warning);
   if (taken->changed_triangles && had_chosen) {
-    say_("the triangles are others now: what was chosen is no more");
+    say_("the triangles have changed; choose the regions again");
   }
   state_changed();
 }

@@ -129,7 +129,7 @@ void LayerDesk::choose_source_patch(const RegionSpec& region) {
 // Of a step that is taken up the target may have other triangles than the mesh that is there now.
 bool LayerDesk::can_click_target(const Editor& editor) const {
   if (!start_ || start_->topology == editor.state().topology) return true;
-  say_("the triangles of the target are others since this step; undo it to click on the target");
+  say_("this step changed the target's triangles; undo it to click on the target");
   return false;
 }
 

@@ -107,7 +107,7 @@ void TransplantDesk::take_up_last(const Editor& editor) {
   for (std::size_t k = steps.size(); k-- > 0;) {
     if (std::holds_alternative<TransplantStep>(*steps[k])) return take_up(editor, k);
   }
-  say_("there is no transplant yet to be taken up again");
+  say_("there is no transplant to edit yet");
 }
 
 void TransplantDesk::close(Editor& editor) {
@@ -187,7 +187,7 @@ bool TransplantDesk::stands_on_other_surface(const AppState& now) const {
 // After an undo, say: a new part stays where it is, on the surface as it is now.
 void TransplantDesk::begin_anew(Editor& editor) {
   if (taken_up_) {
-    say_("the surface has changed: take the step up again");
+    say_("the surface has changed; open the step again");
     return close(editor);
   }
   preview_.stop();

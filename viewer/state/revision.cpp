@@ -24,7 +24,8 @@ bool leads_to(const AppState& state, const std::vector<Step>& steps, std::size_t
 
 DeformRequest as_open(const Step& step) {
   if (const auto* deform = std::get_if<DeformRequest>(&step)) return *deform;
-  throw InputError("a deform step can only become another deform; undo it, and apply the other");
+  throw InputError(
+      "a deform step can only be replaced by another deform; undo it, then apply the new step");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void require_complete(const LayerDraft& draft) {
     }
   }
   if (!is_chosen(draft.target_patch)) {
-    throw InputError("choose the target patch: the ROI is taken");
+    throw InputError("choose the target patch: it is the ROI");
   }
 }
 

@@ -47,7 +47,7 @@ ToolAnswer LoopTool::add(Index corner, const SelectScene& scene) {
   if (!corners_.empty()) {
     if (corner == corners_.back()) return ToolAnswer::only_taken();
     std::vector<Index> piece = path(corners_.back(), corner, scene);
-    if (piece.empty()) return {true, {}, "no path leads there along the mesh; stay on one piece"};
+    if (piece.empty()) return {true, {}, "no path on the mesh leads there; stay on one component"};
     pieces_.push_back(std::move(piece));
   }
   corners_.push_back(corner);
@@ -57,7 +57,7 @@ ToolAnswer LoopTool::add(Index corner, const SelectScene& scene) {
 
 ToolAnswer LoopTool::close(const SelectScene& scene) {
   if (corners_.size() < kFewestCorners) {
-    return {true, {}, "a loop takes at least three clicks; go on around"};
+    return {true, {}, "a loop needs at least three points; keep clicking around"};
   }
   pieces_.push_back(path(corners_.back(), corners_.front(), scene));
   closed_ = true;

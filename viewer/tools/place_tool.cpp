@@ -76,7 +76,7 @@ const char* PlaceTool::hint() const {
     case Stage::carried:
       return "click where the part goes; the wheel sizes it, Shift + wheel turns it";
     case Stage::set_down:
-      return "drag the gizmo (W, E, Q), G takes it up again, Enter applies, Escape gives up";
+      return "drag the gizmo (W, E, Q); G picks the part up again, Enter applies, Escape cancels";
     case Stage::empty:
       break;
   }

@@ -57,7 +57,7 @@ class PlaceTool final : public SceneTool {
   enum class Wish { nothing, apply, give_up };
   Wish take_wish() { return std::exchange(wish_, Wish::nothing); }
 
-  /// While it is carried its loop is brought onto the surface.
+  /// While it is carried snap its loop onto the surface.
   bool snaps = true;
 
  private:

@@ -31,14 +31,14 @@ const char* words(Phase phase, bool is_exact) {
 }
 
 const char* words_of_surface(const Editor& editor) {
-  if (editor.shows_live_result()) return "on screen: what the drag comes to, settled on the way";
+  if (editor.shows_live_result()) return "shown: the settled surface";
   switch (editor.surface().source()) {
     case SurfaceSource::still:
-      return "on screen: the surface as it is";
+      return "shown: the current surface";
     case SurfaceSource::preview:
-      return "on screen: preview (details do not turn yet)";
+      return "shown: a preview, details do not turn yet";
     case SurfaceSource::exact:
-      return "on screen: exact response, not settled";
+      return "shown: the linear response, not settled";
   }
   return "";
 }

@@ -100,7 +100,7 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   const auto measure = measure_of(choices.coloring);
   editor.shown().color_by(measure);
   if (measure && !editor.shown().is_comparable()) {
-    ImGui::TextDisabled("other triangles than opened:\nnothing to compare with");
+    ImGui::TextDisabled("the triangles have changed:\nnothing to compare with");
   }
   if (measure && editor.shown().is_measured()) {
     std::string title(legend_title(*measure));

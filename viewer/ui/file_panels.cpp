@@ -43,13 +43,13 @@ struct PathWords {
 PathWords words(PathPurpose purpose) {
   switch (purpose) {
     case PathPurpose::save_mesh:
-      return {"Save the mesh", "The extension says the format: obj, off, ply or stl.", "Save"};
+      return {"Save the mesh", "The extension chooses the format: obj, off, ply or stl.", "Save"};
     case PathPurpose::save_recipe:
       return {"Save the steps as a recipe", "lapwing run carries it out without a window.", "Save"};
     case PathPurpose::replay_recipe:
-      return {"Replay a recipe", "Its steps are carried out on the mesh that is open.", "Replay"};
+      return {"Replay a recipe", "Its steps run on the open mesh.", "Replay"};
     case PathPurpose::open_source:
-      return {"Take from another mesh", "Its patch is chosen beside the mesh that is open.",
+      return {"Take from another mesh", "You choose its patch in the view beside the open mesh.",
               "Open"};
   }
   return {};
@@ -84,7 +84,7 @@ std::optional<UnsavedChoice> draw_unsaved_panel(const std::string& name) {
   place_in_the_middle();
   if (ImGui::Begin("Not saved", nullptr, kDialog)) {
     ImGui::Text("%s has been edited and not saved.", name.c_str());
-    ImGui::TextDisabled("Enter saves, Delete discards, Escape goes back to it.");
+    ImGui::TextDisabled("Enter saves, Delete discards, Escape cancels.");
     if (ImGui::Button("Save") || is_pressed(ImGuiKey_Enter)) choice = UnsavedChoice::save;
     ImGui::SameLine();
     if (ImGui::Button("Discard") || is_pressed(ImGuiKey_Delete)) choice = UnsavedChoice::discard;
@@ -100,7 +100,7 @@ std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const Interrup
   std::optional<InterruptedChoice> choice;
   place_in_the_middle();
   if (ImGui::Begin("Interrupted edits", nullptr, kDialog)) {
-    ImGui::TextDisabled("These were not closed. Restoring carries their steps out again.");
+    ImGui::TextDisabled("These edits were not closed properly. Restoring runs their steps again.");
     ImGui::TextDisabled("Enter restores the latest.");
     for (std::size_t e = 0; e < edits.size(); ++e) {
       ImGui::PushID(static_cast<int>(e));

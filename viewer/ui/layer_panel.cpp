@@ -70,10 +70,10 @@ void draw_patch(LayerDesk& desk) {
 void draw_target(const LayerDesk& desk, const Editor& editor) {
   const std::size_t count = editor.state().selection.roi.vertices.size();
   if (desk.taken_up()) {
-    ImGui::TextWrapped("Step %zu is changed; what follows it is carried out again.",
+    ImGui::TextWrapped("You are changing step %zu; the steps after it run again.",
                        *desk.taken_up() + 1);
   } else if (count == 0) {
-    ImGui::TextWrapped("Choose the target patch: the ROI is taken (I, then a disk).");
+    ImGui::TextWrapped("Choose the target patch: it is the ROI (press I, then drag a disk).");
   } else {
     ImGui::Text("target patch: the ROI, %zu vertices", count);
   }

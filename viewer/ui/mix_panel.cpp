@@ -15,7 +15,7 @@ void draw_distance(DistanceRamp& ramp, const Editor& editor) {
   const auto& handles = editor.state().selection.handles;
   draw_slider("width##ramp", ramp.width, 0.0, 0.5 * editor.bounds().diagonal());
   if (handles.empty()) {
-    ImGui::TextWrapped("Choose a handle (H): the second source comes where it is.");
+    ImGui::TextWrapped("Choose a handle (H) where the second source should appear.");
   } else if (ImGui::Button("take the handle's region")) {
     ramp.region = spec_of(handles[editor.handle()], "weight");
   }
@@ -47,7 +47,7 @@ void draw_form(const char* label, LayerDesk& desk, Editor& editor) {
 }  // namespace
 
 void draw_mix_weight(LayerDesk& desk, Editor& editor) {
-  if (!ImGui::TreeNodeEx("Where the second source comes", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!ImGui::TreeNodeEx("Where the second source appears", ImGuiTreeNodeFlags_DefaultOpen)) return;
   draw_form<DomainRamp>("over the domain", desk, editor);
   draw_form<DistanceRamp>("around a part", desk, editor);
   draw_form<PaintedWeight>("painted", desk, editor);

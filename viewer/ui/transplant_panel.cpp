@@ -109,7 +109,7 @@ void draw_more_parts(TransplantDesk& desk, Editor& editor, PanelDrafts& drafts) 
   if ((ImGui::Button("Use") || entered) && has_path) desk.take_part(drafts.part_path);
   ImGui::SameLine();
   if (ImGui::Button("Add to the folder") && has_path) shelf.add(drafts.part_path);
-  ImGui::TextDisabled("the ROI as a part called");
+  ImGui::TextDisabled("cut the ROI out as a part named");
   ImGui::SetNextItemWidth(-4.0F * ImGui::GetFontSize());
   ImGui::InputText("##name", &drafts.part_name);
   ImGui::SameLine();
@@ -137,7 +137,7 @@ void draw_place(TransplantDesk& desk, Editor& editor) {
     tool.show(mode);
   } else {
     ImGui::TextWrapped("%s", tool.hint());
-    ImGui::Checkbox("its loop is brought onto the surface", &tool.snaps);
+    ImGui::Checkbox("snap its loop onto the surface", &tool.snaps);
   }
 }
 
@@ -155,7 +155,7 @@ void draw_hole(TransplantDesk& desk, const Editor& editor) {
     if (pressed && !desk.taken_up()) desk.take_roi(true);
   }
   if (desk.takes_roi() && editor.state().selection.roi.vertices.empty()) {
-    ImGui::TextDisabled("choose an ROI; until then it is the disk");
+    ImGui::TextDisabled("choose an ROI; until then the disk is used");
   }
   if (draft.chosen_hole) return;
   float percent = static_cast<float>(100.0 * draft.hole_share);
