@@ -128,7 +128,8 @@ int main(int argc, char** argv) {
     if (!app.get_subcommands().empty()) return 0;
     std::string command_line = "lapwing-bench";
     for (int i = 1; i < argc; ++i) command_line += std::string(" ") + argv[i];
-    return whole.run(command_line);
+    whole.run(command_line);
+    return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {

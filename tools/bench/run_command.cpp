@@ -1,7 +1,6 @@
 #include "run_command.h"
 
 #include <cstdio>
-#include <map>
 #include <optional>
 #include <regex>
 #include <sched.h>
@@ -9,8 +8,6 @@
 #include <CLI/CLI.hpp>
 
 #include "lapwing/base/errors.h"
-#include "report/compare.h"
-#include "report/page.h"
 #include "report/report_json.h"
 #include "report/table.h"
 #include "run/bench_run.h"
@@ -26,9 +23,6 @@ constexpr std::size_t kQuickMost = 30'000;
 constexpr std::size_t kQuickLeast = 9'900;
 constexpr std::size_t kQuickMostForEigen = 9'900;
 constexpr Repeats kQuick{3, 21, 100.0, 3};
-
-// Of counts that the last bits of a number can change, which other processors round otherwise.
-const std::map<std::string, double> kTolerances{{"iterations", 0.5}, {"allocations", 0.02}};
 
 std::optional<std::regex> as_regex(const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -73,39 +67,21 @@ RunCommand::RunCommand(CLI::App& app) {
       ->check(CLI::Range(0.1, 1e4))
       ->capture_default_str();
   app.add_flag("--no-peers", no_peers_, "neither CGAL nor Eigen nor CHOLMOD");
+  auto* json = app.add_option("--json", json_, "write the report here");
   app.add_flag("--counts", counts_,
-               "only what does not vary (allocations, dispatches, bytes, operations, nonzeros)");
-  app.add_option("--json", json_, "write the report here");
-  app.add_option("--page", page_, "write the report with plots here, as one HTML file");
-  app.add_option("--plots", plots_, "write the plots here, as SVG");
+               "only what does not vary (allocations, dispatches, bytes, operations, nonzeros)")
+      ->needs(json);
   app.add_option("--show", show_,
-                 "print a report, and write what is asked for: nothing is measured");
-  app.add_option("--compare", compare_, "two reports, OLD NEW: nothing is measured")->expected(2);
-  app.add_option("--against", against_, "compare the counts of this run with those of a report");
+                 "print a report, by today's targets; --json writes it again: nothing is measured");
 }
 
-int RunCommand::compare_reports(const std::filesystem::path& before,
-                                const std::filesystem::path& after) const {
-  const Comparison comparison = compare(read_report(before), read_report(after));
-  std::fputs(text_of(comparison).c_str(), stdout);
-  return comparison.verdict == Verdict::worse ? 1 : 0;
-}
-
-void RunCommand::write(const Report& report) const {
-  if (!json_.empty()) write_text(json_, to_json(report));
-  if (!page_.empty()) write_text(page_, page_of(report));
-  if (!plots_.empty()) write_text(plots_, plots_svg(report));
-}
-
-int RunCommand::run(const std::string& command_line) const {
-  if (!compare_.empty()) return compare_reports(compare_[0], compare_[1]);
+void RunCommand::run(const std::string& command_line) const {
   if (!show_.empty()) {
     Report report = read_report(show_);
-    // By today's targets.
     report.targets = targets_of(report);
     std::fputs(table_of(report).c_str(), stdout);
-    write(report);
-    return 0;
+    if (!json_.empty()) write_text(json_, to_json(report));
+    return;
   }
   RunSettings settings;
   settings.models = models_;
@@ -131,11 +107,7 @@ int RunCommand::run(const std::string& command_line) const {
     settings.repeats.most = std::max(settings.repeats.most, repeats_);
   }
   // Before minutes of measuring: a typing error in a path should not cost them.
-  std::optional<Report> earlier;
-  if (!against_.empty()) earlier = read_report(against_);
-  for (const std::string& path : {json_, page_, plots_}) {
-    if (!path.empty()) require_writable(path);
-  }
+  if (!json_.empty()) require_writable(json_);
   const auto sign = [&command_line](Report& report) {
     report.date = now_utc();
     report.commit = built_from();
@@ -153,14 +125,7 @@ int RunCommand::run(const std::string& command_line) const {
   }
   sign(report);
   if (!counts_) std::fputs(table_of(report).c_str(), stdout);
-  write(report);
-  if (!earlier) return 0;
-  CompareOptions options;
-  options.times = false;
-  options.count_tolerances = kTolerances;
-  const Comparison comparison = compare(*earlier, report, options);
-  std::fputs(text_of(comparison).c_str(), stdout);
-  return comparison.verdict == Verdict::worse ? 1 : 0;
+  if (!json_.empty()) write_text(json_, to_json(report));
 }
 
 }  // namespace lapwing::bench

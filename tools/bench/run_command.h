@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,23 +9,16 @@ class App;
 
 namespace lapwing::bench {
 
-struct Report;
-
 /// Declares the options of a run of the whole benchmark on `app`. What they ask for is done by
 /// `run_command` after parsing.
 class RunCommand {
  public:
   explicit RunCommand(CLI::App& app);
 
-  /// Measures, prints and writes; or compares. The exit code: 0, or 1 when a comparison found
-  /// something worse.
-  int run(const std::string& command_line) const;
+  /// Measures, prints and writes.
+  void run(const std::string& command_line) const;
 
  private:
-  void write(const Report& report) const;
-  int compare_reports(const std::filesystem::path& before,
-                      const std::filesystem::path& after) const;
-
   bool quick_ = false;
   bool counts_ = false;
   bool no_peers_ = false;
@@ -37,10 +29,6 @@ class RunCommand {
   int repeats_ = 0;
   double memory_gb_ = 16.0;
   std::string json_;
-  std::string page_;
-  std::string plots_;
-  std::vector<std::string> compare_;
-  std::string against_;
   std::string show_;
 };
 

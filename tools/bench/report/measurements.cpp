@@ -42,7 +42,13 @@ std::vector<const Measurement*> subjects_of(const Report& report) {
 }
 
 std::vector<std::string> devices_of(const Report& report) {
-  return distinct(report, [](const Measurement& m) { return m.device; });
+  std::vector<std::string> devices;
+  for (const Measurement& m : report.measurements) {
+    if (std::find(devices.begin(), devices.end(), m.device) == devices.end()) {
+      devices.push_back(m.device);
+    }
+  }
+  return devices;
 }
 
 }  // namespace lapwing::bench

@@ -44,29 +44,9 @@ std::string short_number(double value) {
   return with_digits(value, 3);
 }
 
-std::string brief_count(double value) {
-  const auto trimmed = [](double v) {
-    std::string text = with_digits(v, 3);
-    if (text.find('.') == std::string::npos) return text;
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
-  };
-  if (value >= 1e9) return trimmed(value / 1e9) + "G";
-  if (value >= 1e6) return trimmed(value / 1e6) + "M";
-  if (value >= 1e3) return trimmed(value / 1e3) + "k";
-  return trimmed(value);
-}
-
 std::string percent(double share) {
   const double value = 100.0 * share;
   return fixed(value, std::abs(value) < 9.95 && value != 0.0 ? 1 : 0) + "%";
-}
-
-std::string change_in_percent(double before, double after) {
-  constexpr double kSeen = 0.0005;  // what would not be printed as 0.0%
-  if (before == 0.0 || std::abs(after - before) < kSeen * std::abs(before)) return {};
-  return (after >= before ? "+" : "") + percent((after - before) / before);
 }
 
 double six_digits(double value) {

@@ -16,17 +16,11 @@ std::string short_number(double value);
 /// "26,002"
 std::string grouped(std::uint64_t value);
 
-/// "26k", "1.3M": three digits at most, for ticks and labels.
-std::string brief_count(double value);
-
 /// Of a share: "12%", "0.3%".
 std::string percent(double share);
 
 /// The nearest number of six digits that count: more than any clock is good for.
 double six_digits(double value);
-
-/// How a value changed: "+17%", "-3.2%"; "" from 0, and for less than 0.05%.
-std::string change_in_percent(double before, double after);
 
 /// How many characters are seen, UTF-8 read as such.
 std::size_t character_count(std::string_view text);

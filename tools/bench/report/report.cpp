@@ -28,8 +28,7 @@ double share(const Counts& counts, const std::string& count, double ms, double l
 Spread spread_of(std::vector<double> numbers) {
   if (numbers.empty()) return {};
   std::sort(numbers.begin(), numbers.end());
-  return {quantile(numbers, 0.5), quantile(numbers, 0.25), quantile(numbers, 0.75), numbers.front(),
-          numbers.back()};
+  return {quantile(numbers, 0.5), quantile(numbers, 0.25), quantile(numbers, 0.75)};
 }
 
 const Limits* limits_of(const Report& report, const Measurement& measurement) {

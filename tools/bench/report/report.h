@@ -69,13 +69,11 @@ struct Report {
   std::vector<Target> targets;
 };
 
-/// Median, quartiles (by linear interpolation) and extremes of some numbers.
+/// Median and quartiles (by linear interpolation) of some numbers.
 struct Spread {
   double median = 0;
   double low = 0;   ///< the lower quartile
   double high = 0;  ///< the upper quartile
-  double least = 0;
-  double most = 0;
 };
 
 /// All 0 for no numbers.
