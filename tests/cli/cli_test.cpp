@@ -131,6 +131,41 @@ TEST_F(CommandLine, HelpAndVersionSucceed) {
   EXPECT_THAT(lapwing("deform --help").output, HasSubstr("--handle"));
 }
 
+TEST_F(CommandLine, EveryKeyOfADeformIsAFlag) {
+  const Outcome outcome = lapwing(std::string(kLiftFlags) +
+                                  "--weights uniform --detail-length 0.2 --response rsi "
+                                  "--constraint-weight 2 --hard --tolerance 0.001 "
+                                  "--max-iterations 50 --commit-every 90 --recipe a.recipe.json "
+                                  "--device cpu --save a.obj");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  for (const char* key :
+       {"\"weights\": \"uniform\"", "\"detail_length\": 0.2", "\"response\": \"rsi\"",
+        "\"constraint_weight\": 2", "\"hard\": true", "\"tolerance\": 0.001",
+        "\"max_iterations\": 50", "\"commit_every\": 90"}) {
+    EXPECT_THAT(read("a.recipe.json"), HasSubstr(key));
+  }
+}
+
+TEST_F(CommandLine, FlagOutOfItsRangeIsAUsageErrorThatSaysTheRange) {
+  const Outcome length = lapwing(std::string(kLiftFlags) + "--detail-length 0 --save a.obj");
+  EXPECT_EQ(length.exit_code, 2);
+  EXPECT_THAT(length.output, AllOf(HasSubstr("--detail-length"), HasSubstr("a number above 0")));
+  const Outcome iterations = lapwing(std::string(kLiftFlags) + "--max-iterations 1.5 --save a.obj");
+  EXPECT_EQ(iterations.exit_code, 2);
+  EXPECT_THAT(iterations.output, HasSubstr("a whole number from 1 to 1000000, got 1.5"));
+  EXPECT_EQ(lapwing(std::string(kLiftFlags) + "--no-settle --tolerance 0.1 --save a.obj").exit_code,
+            2);
+}
+
+TEST_F(CommandLine, KeysTellsWhatAStepTakes) {
+  const Outcome all = lapwing("keys");
+  EXPECT_EQ(all.exit_code, 0);
+  EXPECT_THAT(all.output, AllOf(HasSubstr("deform: "), HasSubstr("transplant: "),
+                                HasSubstr("| `settle.tolerance` | a number above 0 | 0.0001 |")));
+  EXPECT_THAT(lapwing("keys coat").output, Not(HasSubstr("deform: ")));
+  EXPECT_EQ(lapwing("keys fly").exit_code, 2);
+}
+
 TEST_F(CommandLine, BrokenFilesNameFileAndLine) {
   write("bad.obj", "v 0 0 0\nv 1 0 zero\n");
   const Outcome mesh = lapwing("check bad.obj");

@@ -128,7 +128,8 @@ CLI::Option* FlagVisitor::finish(const StepKey& key, CLI::Option* option,
 void FlagVisitor::add_number(const StepKey& key, const Range& range, bool whole,
                              const std::string& fallback) {
   const auto keep = [draft = draft_, place = place_of(key), whole](const double& number) {
-    draft->json[place] = whole ? Json(static_cast<std::int64_t>(number)) : Json(number);
+    draft->given.emplace_back(place,
+                              whole ? Json(static_cast<std::int64_t>(number)) : Json(number));
   };
   auto* option = command_.add_option_function<double>(flag(key), keep, help_of(key));
   option->check(in(range, whole))->type_name(whole ? "INT" : "FLOAT");
@@ -152,7 +153,9 @@ void FlagVisitor::whole(const StepKey& key, std::optional<std::size_t>&) {
 }
 
 void FlagVisitor::boolean(const StepKey& key, bool&) {
-  const auto keep = [draft = draft_, place = place_of(key)] { draft->json[place] = true; };
+  const auto keep = [draft = draft_, place = place_of(key)] {
+    draft->given.emplace_back(place, true);
+  };
   finish(key, command_.add_flag_callback(flag(key), keep, help_of(key)));
 }
 
@@ -163,7 +166,7 @@ void FlagVisitor::choose(const StepKey& key, std::size_t& chosen,
     return;
   }
   const auto keep = [draft = draft_, place = place_of(key)](const std::string& name) {
-    draft->json[place] = name;
+    draft->given.emplace_back(place, name);
   };
   auto* option = command_.add_option_function<std::string>(flag(key), keep, help_of(key));
   option->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
@@ -172,7 +175,9 @@ void FlagVisitor::choose(const StepKey& key, std::size_t& chosen,
 
 void FlagVisitor::add_off(const StepKey& key, Json value) {
   const std::string prefix = prefix_.empty() ? "--" : "--" + prefix_ + "-";
-  const auto keep = [draft = draft_, place = place_of(key), value] { draft->json[place] = value; };
+  const auto keep = [draft = draft_, place = place_of(key), value] {
+    draft->given.emplace_back(place, value);
+  };
   auto* option = command_.add_flag_callback(prefix + std::string(key.off_flag), keep,
                                             std::string(key.off_help));
   if (!scopes_.empty()) scopes_.back().off = option;
@@ -182,7 +187,7 @@ void FlagVisitor::add_region(const StepKey& key, const std::string& help,
                              const std::string& fallback) {
   const std::string name = flag(key);
   const auto keep = [draft = draft_, place = place_of(key), name](const std::string& text) {
-    draft->json[place] = region_json(name, text);
+    draft->given.emplace_back(place, region_json(name, text));
   };
   if (!key.flag_default.empty()) keep(std::string(key.flag_default));
   finish(key, command_.add_option_function<std::string>(name, keep, help), fallback);

@@ -17,6 +17,8 @@ namespace lapwing::cli {
 /// own for. Recipes know the other defaults.
 struct StepDraft {
   nlohmann::ordered_json json;
+  /// What flags gave, and where it goes: written only when the flags are known to fit each other.
+  std::vector<std::pair<nlohmann::ordered_json::json_pointer, nlohmann::ordered_json>> given;
   /// What is known only when all flags are: paths from the recipe, what takes several flags.
   std::vector<std::function<void(nlohmann::ordered_json&, const StepFlags&)>> at_end;
 };

@@ -26,6 +26,7 @@ void StepFlags::run(const StepDraft& draft) const {
     throw CLI::RequiredError("one of --save, --render, --report and --recipe");
   }
   nlohmann::ordered_json step = draft.json;
+  for (const auto& [place, value] : draft.given) step[place] = value;
   for (const auto& finish : draft.at_end) finish(step, *this);
   nlohmann::ordered_json json = {{"lapwing", kRecipeVersion},
                                  {"mesh", from_recipe(mesh)},

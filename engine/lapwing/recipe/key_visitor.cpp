@@ -23,7 +23,7 @@ std::string Range::words(bool whole) const {
   } else if (!takes_least) {
     text += " above " + digits(least) + (has_most ? " and at most " + digits(most) : "");
   } else if (least == 0.0) {
-    text = "0 or more";
+    text = whole ? "a whole number from 0" : "0 or more";
   }
   return reason.empty() ? text : text + " (" + std::string(reason) + ")";
 }
