@@ -1,4 +1,4 @@
-#include "lapwing/coating/peel.h"
+#include "lapwing/coating/patch_coating.h"
 
 #include <utility>
 
@@ -54,8 +54,8 @@ Coating coating_of(Patch patch, const SmoothedPart& smoothed, LaplacianWeights w
 
 }  // namespace
 
-Coating peel(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
-             double detail_size, LaplacianWeights weights, Kernels& kernels) {
+Coating peel_patch(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
+                   double detail_size, LaplacianWeights weights, Kernels& kernels) {
   const SmoothedPart smoothed =
       smooth_part(patch.vertices, detail_size, positions, topology, weights, "detail_size");
   return coating_of(std::move(patch), smoothed, weights, kernels, [&](const VertexSet&) {

@@ -25,8 +25,9 @@ struct Coating {
 
 /// Peels `patch`. Smoothing works on the patch grown by `detail_size`, where the mesh goes on, so
 /// that its held border leaves the patch alone. Throws InputError for a size not above 0.
-Coating peel(Patch patch, std::span<const Eigen::Vector3d> positions, const Topology& topology,
-             double detail_size, LaplacianWeights weights, Kernels& kernels);
+Coating peel_patch(Patch patch, std::span<const Eigen::Vector3d> positions,
+                   const Topology& topology, double detail_size, LaplacianWeights weights,
+                   Kernels& kernels);
 
 /// The whole shape of `patch` as a coating: `displacement` is where its vertices are (from their
 /// mean), so that xi is delta itself, and the frames are those of the surface below features of
