@@ -2,6 +2,9 @@
 
 /// Lapwing's operations on meshes in memory, and its mesh files.
 #include "lapwing/coating/coat.h"
+#include "lapwing/coating/peel.h"
 #include "lapwing/deform/deform.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/parameterize/parameterize.h"
+#include "lapwing/remesh/remesh.h"
 #include "lapwing/transplant/transplant.h"

@@ -97,8 +97,8 @@ struct PatchedMesh {
 
 inline Coating peel_cotangent(const PatchedMesh& source, double detail_size) {
   CpuKernels kernels;
-  return peel(source.patch, source.mesh.positions, source.topology, detail_size,
-              LaplacianWeights::cotangent, kernels);
+  return peel_patch(source.patch, source.mesh.positions, source.topology, detail_size,
+                    LaplacianWeights::cotangent, kernels);
 }
 
 /// The four corners of a grid of `cells` x `cells`, in order around.

@@ -21,7 +21,8 @@ struct OnItself {
   OnItself(const Mesh& mesh, const VertexSet& region, LaplacianWeights scheme)
       : surface(mesh, region),
         weights(scheme),
-        coating(peel(surface.patch, mesh.positions, surface.topology, kItsDetail, scheme, kernels)),
+        coating(peel_patch(surface.patch, mesh.positions, surface.topology, kItsDetail, scheme,
+                           kernels)),
         rings(region_rings(surface.topology, mesh.positions,
                            {laplacian_weights(surface.topology, mesh.positions, scheme), {}, {}},
                            surface.patch.vertices, {})) {

@@ -1,9 +1,8 @@
-// Operations on generated meshes, with no file opened.
+// Every operation on generated meshes, with no file opened.
 #include <cmath>
 #include <cstdio>
 #include <lapwing/lapwing.h>
 #include <lapwing/mesh/shapes.h>
-#include <lapwing/remesh/isotropic.h>
 
 using namespace lapwing;
 
@@ -69,9 +68,25 @@ int main() {
   expect(joined.report.part_vertices > 0 && joined.mesh.face_count() > 0,
          "the cap of a ball is on its side");
 
-  const VertexSet all = resolve({AllVertices{}}, sheet, build_topology(sheet));
-  const auto fine = [](const Eigen::Vector3d&) { return 0.02; };
-  expect(remesh_isotropic(sheet, all, fine).mesh.vertex_count() > 2 * sheet.vertex_count(),
+  const Mesh bumpy = bumpy_sheet(0.01);
+  PeelRequest flatten;
+  flatten.detail_size = 0.5;
+  const Peeled peeled = peel(bumpy, flatten);
+  expect(highest(peeled.mesh) < 0.002, "a sheet loses its bumps");
+  const Mesh carrying = with_coating(bumpy, flatten, peeled, CarriedCoating::height);
+  expect(carrying.attributes.vertex_extras.size() == 1, "and keeps them as numbers");
+
+  ParameterizeRequest lay;
+  lay.domain = Domain::square;
+  const Parameterized laid = parameterize(bumpy, lay);
+  expect(laid.flipped.empty() && laid.mesh.attributes.uvs.size() == bumpy.vertex_count(),
+         "a sheet is laid into the square");
+
+  RemeshRequest finer;
+  finer.scale = 0.5;
+  const Remeshed fine = remesh(sheet, finer);
+  expect(fine.mesh.vertex_count() > 2 * sheet.vertex_count() &&
+             fine.after.mean_edge < 0.7 * fine.before.mean_edge,
          "a sheet gets finer triangles");
   return failures;
 }

@@ -15,8 +15,11 @@ namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 class DeformInMemory : public ::testing::Test {
  protected:
@@ -66,16 +69,30 @@ TEST_F(DeformInMemory, AWorkspaceServesOneRequestAfterAnother) {
 TEST_F(DeformInMemory, SaysWhatToChangeWithoutAFile) {
   DeformRequest wound = request(Vector3d::Zero(), 200.0);
   EXPECT_THAT(deform(mesh_, wound).warnings,
-              ::testing::Contains(HasSubstr("handle 1 turns by 200 degrees")));
+              ::testing::Contains(StartsWith("deform: handle 1 turns by 200 degrees")));
   wound.parameters.commit_every = 100.0;
   EXPECT_EQ(deform(mesh_, wound).commits, 2U);
   wound.parameters.commit_every = 0.1;
   EXPECT_THAT(error_message<InputError>([&] { deform(mesh_, wound); }),
-              HasSubstr("more than 1000 commits"));
+              AllOf(StartsWith("deform: a handle turns by 200 degrees"),
+                    HasSubstr("more than 1000 commits")));
   DeformRequest beyond = request(Vector3d::Zero(), 0.0);
   beyond.handles[0].region = {ListedVertices{{static_cast<Index>(mesh_.vertex_count())}}};
   EXPECT_THAT(error_message<InputError>([&] { deform(mesh_, beyond); }),
               HasSubstr(std::to_string(mesh_.vertex_count())));
+}
+
+TEST_F(DeformInMemory, TheRequestsPlaceIsInMessagesAndNoPartOfItsValue) {
+  DeformRequest first = request(Vector3d::Zero(), 200.0);
+  DeformRequest second = first;
+  second.where = "step 2";
+  EXPECT_EQ(first, second);
+  EXPECT_THAT(deform(mesh_, second).warnings,
+              AllOf(Not(IsEmpty()), ::testing::Each(StartsWith("step 2: "))));
+  second.parameters.commit_every = 0.1;
+  EXPECT_NE(first, second);
+  EXPECT_THAT(error_message<InputError>([&] { deform(mesh_, second); }),
+              StartsWith("step 2: a handle turns by"));
 }
 
 }  // namespace

@@ -7,9 +7,7 @@
 
 #include "commands.h"
 #include "domain_picture.h"
-#include "lapwing/base/errors.h"
-#include "lapwing/parameterize/stretch.h"
-#include "lapwing/parameterize/uv_mesh.h"
+#include "lapwing/parameterize/parameterize.h"
 #include "mesh_output.h"
 #include "region_text.h"
 
@@ -26,53 +24,16 @@ struct ParameterizeArguments {
   std::uint32_t size = 1024;
 };
 
-// A patch and where it lies.
-struct LaidOut {
-  Patch patch;
-  std::vector<Eigen::Vector3d> positions;
-  BoundaryPins pins;
-  DomainMap map;
-  std::vector<Index> flipped;
-};
-
-BoundaryPins own_pins(const std::vector<Index>& vertices, const Patch& patch) {
-  BoundaryPins pins;
-  for (const Index v : vertices) {
-    pins.push_back(patch.own_number(v));
-    if (pins.back() == kNoIndex) {
-      throw InputError("--pin: vertex " + std::to_string(v) +
-                       " is not in the patch; name one on its boundary, such as vertex " +
-                       std::to_string(patch.vertices[patch.loop.front()]));
-    }
-  }
-  return pins;
+ParameterizeRequest request_of(const ParameterizeArguments& arguments) {
+  ParameterizeRequest request;
+  request.region = region_spec("--region", arguments.region);
+  request.domain = arguments.domain == "disk" ? Domain::disk : Domain::square;
+  request.pins = arguments.pins;
+  request.where = "--pin";
+  return request;
 }
 
-LaidOut lay_out(const ParameterizeArguments& arguments, const Mesh& mesh,
-                const Topology& topology) {
-  const RegionSpec region = region_spec("--region", arguments.region);
-  const Domain domain = arguments.domain == "disk" ? Domain::disk : Domain::square;
-  LaidOut result;
-  result.patch =
-      disk_patch(resolve(region, mesh, topology), topology, mesh.positions, region.where);
-  const Patch& patch = result.patch;
-  result.positions = on_patch(patch, std::span<const Eigen::Vector3d>(mesh.positions));
-  result.pins = arguments.pins.empty() ? default_pins(patch, result.positions, domain)
-                                       : own_pins(arguments.pins, patch);
-  result.map = mean_value_map(patch, result.positions, domain, result.pins);
-  result.flipped = flipped_triangles(patch.triangles, result.map.points);
-  return result;
-}
-
-// Texture coordinates fill the unit square.
-std::vector<Eigen::Vector2d> uvs_of(const DomainMap& map) {
-  std::vector<Eigen::Vector2d> uvs = map.points;
-  if (map.domain == Domain::square) return uvs;
-  for (Eigen::Vector2d& uv : uvs) uv = 0.5 * (uv + Eigen::Vector2d(1, 1));
-  return uvs;
-}
-
-void print(const LaidOut& result) {
+void print(const Parameterized& result) {
   const Patch& patch = result.patch;
   std::string pins;
   for (const Index pin : result.pins) pins += " " + std::to_string(patch.vertices[pin]);
@@ -84,43 +45,33 @@ void print(const LaidOut& result) {
   }
   std::printf("pins    %s\n", pins.c_str());
   std::printf("flipped  %zu triangles\n", result.flipped.size());
-  const MapDistortion distortion =
-      measure_distortion(patch.triangles, result.positions, result.map.points);
+  const MapDistortion& distortion = result.distortion;
   std::printf("stretch  %.4g overall, %.4g at most (1 keeps lengths)\n", distortion.stretch,
               distortion.largest_stretch);
   std::printf("shear    %.4g on average, %.4g at most (1 keeps angles)\n", distortion.shear,
               distortion.largest_shear);
+  for (const std::string& warning : result.warnings) {
+    std::fprintf(stderr, "note: %s\n", warning.c_str());
+  }
 }
 
-void warn(const LaidOut& result) {
-  if (result.flipped.empty()) return;
-  const Index triangle = result.patch.triangle_sources[result.flipped.front()];
-  std::fprintf(stderr,
-               "note: triangles are flipped where the map shrinks them below rounding, the first "
-               "one in triangle %u; choose a region with a longer boundary, or another domain\n",
-               triangle);
+void draw(const Parameterized& result, const ParameterizeArguments& arguments) {
+  DomainLayer layer;
+  layer.triangles = result.patch.triangles;
+  layer.points = result.map.points;
+  layer.loop = result.patch.loop;
+  layer.pins = result.pins;
+  layer.flipped = result.flipped;
+  write_png(arguments.picture,
+            draw_domain(result.map.domain, std::span(&layer, 1), arguments.size));
 }
 
-void parameterize(const ParameterizeArguments& arguments) {
+void parameterize_mesh(const ParameterizeArguments& arguments) {
   const Mesh mesh = read_mesh(arguments.mesh);
-  const Topology topology = build_topology(mesh);
-  const LaidOut result = lay_out(arguments, mesh, topology);
+  const Parameterized result = parameterize(mesh, request_of(arguments));
   print(result);
-  warn(result);
-  if (!arguments.output.empty()) {
-    print_notes(
-        write_mesh(with_uvs(mesh, topology, result.patch, uvs_of(result.map)), arguments.output));
-  }
-  if (!arguments.picture.empty()) {
-    DomainLayer layer;
-    layer.triangles = result.patch.triangles;
-    layer.points = result.map.points;
-    layer.loop = result.patch.loop;
-    layer.pins = result.pins;
-    layer.flipped = result.flipped;
-    write_png(arguments.picture,
-              draw_domain(result.map.domain, std::span(&layer, 1), arguments.size));
-  }
+  if (!arguments.output.empty()) print_notes(write_mesh(result.mesh, arguments.output));
+  if (!arguments.picture.empty()) draw(result, arguments);
 }
 
 }  // namespace
@@ -145,7 +96,7 @@ void add_parameterize(CLI::App& app) {
   command->add_option("--size", arguments->size, "of the picture, in pixels")
       ->check(CLI::Range(64, 8192))
       ->capture_default_str();
-  command->callback([arguments] { parameterize(*arguments); });
+  command->callback([arguments] { parameterize_mesh(*arguments); });
 }
 
 }  // namespace lapwing::cli

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/coating/peel.h"
+#include "lapwing/coating/patch_coating.h"
 #include "lapwing/mesh/surface_point.h"
 #include "lapwing/remesh/closest_point.h"
 

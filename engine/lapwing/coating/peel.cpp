@@ -1,9 +1,10 @@
 #include "lapwing/coating/peel.h"
 
-#include <utility>
+#include <algorithm>
+#include <cmath>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/coating/fairing.h"
-#include "lapwing/coating/ring_areas.h"
 #include "lapwing/kernels/cpu_kernels.h"
 
 namespace lapwing {
@@ -12,73 +13,98 @@ using Eigen::Vector3d;
 
 namespace {
 
-std::vector<Vector3d> patch_normals(const Patch& patch, const Topology& topology,
-                                    std::span<const Vector3d> positions) {
-  std::vector<Vector3d> normals(positions.size(), Vector3d::Zero());
-  vertex_normals(positions, topology.triangles, topology.vertex_triangles, patch.vertices, normals);
-  return on_patch<Vector3d>(patch, normals);
-}
-
-std::vector<Vector3d> patch_curvature(const Patch& patch, const Topology& topology,
-                                      std::span<const Vector3d> positions,
-                                      std::span<const Vector3d> displacement,
-                                      LaplacianWeights scheme, Kernels& kernels) {
-  const auto weights = laplacian_weights(topology, positions, scheme);
-  std::vector<Vector3d> xi(patch.vertices.size());
-  kernels.sample_laplacians({displacement, topology.rings, weights, patch.vertices}, xi);
-  const auto squares = squared_rings(topology.rings, weights, positions, patch.vertices);
-  std::vector<Vector3d> curvature(positions.size(), Vector3d::Zero());
-  for (std::size_t own = 0; own < xi.size(); ++own) {
-    curvature[patch.vertices[own]] = 4.0 / squares[own] * xi[own];
+void require_finite(const RegionSpec& spec, const VertexSet& region, const Positions& positions) {
+  VertexSet broken;
+  for (const Index v : region) {
+    if (!positions[v].allFinite()) broken.push_back(v);
   }
-  return on_patch<Vector3d>(patch, curvature);
+  if (broken.empty()) return;
+  throw InputError(spec.where + ": " + name_vertices(broken) +
+                   " of the region has no finite position; leave it out, or mend the mesh with "
+                   "`lapwing check --fix`");
 }
 
-// The coating whose displacement `displacement_on` says of the surface and its smooth version.
-template <class DisplacementOn>
-Coating coating_of(Patch patch, const SmoothedPart& smoothed, LaplacianWeights weights,
-                   Kernels& kernels, const DisplacementOn& displacement_on) {
-  const auto& [part, rest, smooth] = smoothed;
-  const VertexSet in_mesh = std::exchange(patch.vertices, own_numbers(part, patch.vertices));
-  const std::vector<Vector3d> displacement = displacement_on(patch.vertices);
-  Coating coating;
-  coating.positions = on_patch<Vector3d>(patch, rest);
-  coating.smooth = on_patch<Vector3d>(patch, smooth);
-  coating.normals = patch_normals(patch, part.topology, smooth);
-  coating.displacement = on_patch<Vector3d>(patch, displacement);
-  coating.curvature = patch_curvature(patch, part.topology, smooth, displacement, weights, kernels);
-  patch.vertices = in_mesh;
-  coating.patch = std::move(patch);
-  return coating;
+void set_property(Mesh& mesh, const std::string& name, std::vector<double> values) {
+  auto& extras = mesh.attributes.vertex_extras;
+  std::erase_if(extras, [&](const ExtraAttribute& e) { return e.name == name; });
+  extras.push_back({name, "double", 1, std::move(values)});
+}
+
+void set_vectors(Mesh& mesh, std::span<const Vector3d> vectors) {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (const Vector3d& vector : vectors) values.push_back(vector[axis]);
+    set_property(mesh, std::string("coating_") + "xyz"[axis], std::move(values));
+  }
+}
+
+// Along the normals of the smooth surface, outward.
+std::vector<double> coating_heights(const Mesh& mesh, const Peeled& peeled) {
+  const Topology topology = build_topology(mesh);
+  std::vector<Vector3d> normals(mesh.vertex_count(), Vector3d::Zero());
+  vertex_normals(peeled.mesh.positions, topology.triangles, topology.vertex_triangles,
+                 resolve({}, mesh, topology), normals);
+  std::vector<double> heights;
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    heights.push_back(peeled.displacement[v].dot(normals[v]));
+  }
+  return heights;
+}
+
+std::vector<Vector3d> coating_laplacians(const Mesh& mesh, const Peeled& peeled,
+                                         LaplacianWeights scheme) {
+  const Topology topology = build_topology(mesh);
+  const auto weights = laplacian_weights(topology, mesh.positions, scheme);
+  const VertexSet all = resolve({}, mesh, topology);
+  std::vector<Vector3d> xi(mesh.vertex_count());
+  CpuKernels().sample_laplacians({peeled.displacement, topology.rings, weights, all}, xi);
+  return xi;
 }
 
 }  // namespace
 
-Coating peel(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
-             double detail_size, LaplacianWeights weights, Kernels& kernels) {
-  const SmoothedPart smoothed =
-      smooth_part(patch.vertices, detail_size, positions, topology, weights, "detail_size");
-  return coating_of(std::move(patch), smoothed, weights, kernels, [&](const VertexSet&) {
-    std::vector<Vector3d> displacement = smoothed.rest;
-    for (std::size_t v = 0; v < displacement.size(); ++v) {
-      displacement[v] -= smoothed.smooth[v];
-    }
-    return displacement;
-  });
+Peeled peel(const Mesh& mesh, const PeelRequest& request) {
+  const Topology topology = build_topology(mesh);
+  const VertexSet region = resolve(request.region, mesh, topology);
+  require_finite(request.region, region, mesh.positions);
+  const Fairing fairing(mesh.positions, topology, region, request.weights);
+  Peeled peeled;
+  peeled.mesh = mesh;
+  peeled.mesh.positions = fairing.smooth(request.detail_size, request.where.c_str());
+  peeled.moved = fairing.free();
+  peeled.displacement.assign(mesh.vertex_count(), Vector3d::Zero());
+  double squares = 0.0;
+  for (const Index v : peeled.moved) {
+    peeled.displacement[v] = mesh.positions[v] - peeled.mesh.positions[v];
+    squares += peeled.displacement[v].squaredNorm();
+    peeled.largest_coating = std::max(peeled.largest_coating, peeled.displacement[v].norm());
+  }
+  if (peeled.moved.empty()) {
+    peeled.warnings.push_back(request.region.where +
+                              ": every vertex of the region is on its border, which stays, so "
+                              "nothing came off; choose a larger region");
+    return peeled;
+  }
+  peeled.mean_coating = std::sqrt(squares / static_cast<double>(peeled.moved.size()));
+  return peeled;
 }
 
-Coating whole_shape(Patch patch, std::span<const Vector3d> positions, const Topology& topology,
-                    double frame_size, LaplacianWeights weights, Kernels& kernels) {
-  const SmoothedPart smoothed =
-      smooth_part(patch.vertices, frame_size, positions, topology, weights, "frame_size");
-  return coating_of(std::move(patch), smoothed, weights, kernels, [&](const VertexSet& region) {
-    Vector3d mean = Vector3d::Zero();
-    for (const Index own : region) mean += smoothed.rest[own];
-    mean /= static_cast<double>(region.size());
-    std::vector<Vector3d> from_mean = smoothed.rest;
-    for (Vector3d& p : from_mean) p -= mean;
-    return from_mean;
-  });
+Mesh with_coating(const Mesh& mesh, const PeelRequest& request, const Peeled& peeled,
+                  CarriedCoating carried) {
+  Mesh result = peeled.mesh;
+  result.source.reset();
+  switch (carried) {
+    case CarriedCoating::displacement:
+      set_vectors(result, peeled.displacement);
+      break;
+    case CarriedCoating::height:
+      set_property(result, "coating_height", coating_heights(mesh, peeled));
+      break;
+    case CarriedCoating::laplacians:
+      set_vectors(result, coating_laplacians(mesh, peeled, request.weights));
+      break;
+  }
+  return result;
 }
 
 }  // namespace lapwing

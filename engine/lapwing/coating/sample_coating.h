@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lapwing/coating/peel.h"
+#include "lapwing/coating/patch_coating.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/topology.h"

@@ -14,7 +14,7 @@ SourceSide::SourceSide(const CoatSource& source, SharedSource mesh, const Mesh& 
 void SourceSide::take(Taken taken, double size, LaplacianWeights weights, Kernels& kernels) {
   Patch patch = disk_patch(resolve(source_.patch, mesh_, topology_), topology_, mesh_.positions,
                            source_.patch.where);
-  const auto take_off = taken == Taken::coating ? peel : whole_shape;
+  const auto take_off = taken == Taken::coating ? peel_patch : whole_shape;
   coating_ = take_off(std::move(patch), mesh_.positions, topology_, size, weights, kernels);
 }
 

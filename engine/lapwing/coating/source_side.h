@@ -4,7 +4,7 @@
 
 #include "lapwing/coating/coat_request.h"
 #include "lapwing/coating/correspondence.h"
-#include "lapwing/coating/peel.h"
+#include "lapwing/coating/patch_coating.h"
 
 namespace lapwing {
 
@@ -25,7 +25,7 @@ class SourceSide {
              const Topology& target_topology);
 
   /// Takes the detail below `size` off, or the whole shape. Throws what `resolve`, `disk_patch`,
-  /// `peel` and `whole_shape` do.
+  /// `peel_patch` and `whole_shape` do.
   void take(Taken taken, double size, LaplacianWeights weights, Kernels& kernels);
   const Coating& coating() const { return coating_; }
 

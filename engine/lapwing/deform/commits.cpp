@@ -24,7 +24,7 @@ std::size_t commit_count(const DeformRequest& request) {
   const double count = std::ceil(degrees / *request.parameters.commit_every - kRoundingOfQuotient);
   if (!(count <= static_cast<double>(kMostCommits))) {
     std::ostringstream text;
-    text << "a handle turns by " << degrees
+    text << request.where << ": a handle turns by " << degrees
          << " degrees; with \"commit_every\": " << *request.parameters.commit_every
          << " that is more than " << kMostCommits << " commits. Raise it, or turn less";
     throw InputError(text.str());

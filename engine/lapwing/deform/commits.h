@@ -9,7 +9,7 @@ namespace lapwing {
 inline constexpr std::size_t kMostCommits = 1000;
 
 /// In how many equal parts `request` is carried out: as few as keep the turn of every handle within
-/// `commit_every`, 1 without it. Throws InputError above kMostCommits.
+/// `commit_every`, 1 without it. Throws InputError, naming `where`, above kMostCommits.
 std::size_t commit_count(const DeformRequest& request);
 
 /// One certificate for a request carried out in `parts`, from the surface `start` to `end`. Shape,

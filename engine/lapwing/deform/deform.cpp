@@ -63,14 +63,15 @@ EditRegion region_of(const DeformRequest& request, const Mesh& mesh, const Topol
 }
 
 void add_warnings(const DeformRequest& request, Deformed& result) {
-  if (std::string text = winding_warning(request, result.wound_degrees); !text.empty()) {
-    result.warnings.push_back(std::move(text));
+  const auto add = [&](const std::string& text) {
+    result.warnings.push_back(request.where + ": " + text);
+  };
+  if (const std::string text = winding_warning(request, result.wound_degrees); !text.empty()) {
+    add(text);
   }
-  for (std::string& text : warnings_of(result.certificate)) {
-    result.warnings.push_back(std::move(text));
-  }
+  for (const std::string& text : warnings_of(result.certificate)) add(text);
   if (const std::string& why = result.certificate.why_not_exact; !why.empty()) {
-    result.warnings.push_back(why + "; the surface is settled without");
+    add(why + "; the surface is settled without");
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lapwing/deform/deform_options.h"
@@ -30,7 +31,11 @@ struct DeformRequest {
   BeltSpec belt = BorderBelt{};
   std::vector<MovedHandle> handles;  ///< at least one
   DeformParameters parameters;
-  bool operator==(const DeformRequest&) const = default;
+  std::string where = "deform";  ///< as in RegionSpec; no part of the value
+  bool operator==(const DeformRequest& other) const {
+    return roi == other.roi && belt == other.belt && handles == other.handles &&
+           parameters == other.parameters;
+  }
 };
 
 }  // namespace lapwing

@@ -18,6 +18,7 @@ struct RemeshOptions {
   /// Edges whose triangles meet at more than this angle, in degrees, are features: they are cut to
   /// length, but neither flipped nor left by their vertices.
   double feature_angle_degrees = 45.0;
+  bool operator==(const RemeshOptions&) const = default;
 };
 
 struct RemeshResult {

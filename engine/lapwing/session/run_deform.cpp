@@ -1,24 +1,15 @@
 #include "lapwing/session/run_deform.h"
 
-#include "lapwing/base/errors.h"
-#include "lapwing/deform/commits.h"
-
 namespace lapwing {
 
 StepReport run_step(const DeformRequest& step, std::size_t number, Kernels& kernels,
                     const Progress& progress, RunResult& result) {
-  const std::string where = "step " + std::to_string(number) + ": ";
-  try {
-    commit_count(step);
-  } catch (const InputError& error) {
-    throw InputError(where + error.what());
-  }
+  DeformRequest named = step;
+  named.where = "step " + std::to_string(number);
   Deformed done =
-      deform(std::move(result.mesh), result.topology, step, kernels, result.deformed, progress);
+      deform(std::move(result.mesh), result.topology, named, kernels, result.deformed, progress);
   result.mesh = std::move(done.mesh);
-  for (const std::string& warning : done.warnings) {
-    result.report.warnings.push_back(where + warning);
-  }
+  for (std::string& warning : done.warnings) result.report.warnings.push_back(std::move(warning));
   StepReport report;
   report.op = "deform";
   report.roi = done.region.roi.size();

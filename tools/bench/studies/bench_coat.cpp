@@ -9,7 +9,7 @@
 #include "lapwing/coating/coater.h"
 #include "lapwing/coating/correspondence.h"
 #include "lapwing/coating/fairing.h"
-#include "lapwing/coating/peel.h"
+#include "lapwing/coating/patch_coating.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/laplacian/laplacian_system.h"
 #include "lapwing/mesh/shapes.h"
@@ -180,8 +180,8 @@ class CoatBenchRun {
 
  private:
   Coating peeled(Kernels& kernels, double detail) const {
-    return peel(source_, pair_.source_mesh().positions, pair_.source_topology(), detail,
-                LaplacianWeights::cotangent, kernels);
+    return peel_patch(source_, pair_.source_mesh().positions, pair_.source_topology(), detail,
+                      LaplacianWeights::cotangent, kernels);
   }
   Positions smooth_target() const {
     return smooth_around(target_.vertices, target_detail(), pair_.target.mesh.positions,
