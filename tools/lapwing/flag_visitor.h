@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,16 +11,6 @@
 #include "step_flags.h"
 
 namespace lapwing::cli {
-
-/// A step as flags give it: the keys that were given, and those that a flag has a default of its
-/// own for. Recipes know the other defaults.
-struct StepDraft {
-  nlohmann::ordered_json json;
-  /// What flags gave, and where it goes: written only when the flags are known to fit each other.
-  std::vector<std::pair<nlohmann::ordered_json::json_pointer, nlohmann::ordered_json>> given;
-  /// What is known only when all flags are: paths from the recipe, what takes several flags.
-  std::vector<std::function<void(nlohmann::ordered_json&, const StepFlags&)>> at_end;
-};
 
 /// Makes the flags of a command of a step's keys; they write `draft` when they are given.
 class FlagVisitor final : public KeyVisitor {

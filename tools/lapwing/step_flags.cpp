@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "flag_visitor.h"
 #include "lapwing/io/atomic_file.h"
 
 namespace lapwing::cli {

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -9,7 +11,17 @@
 
 namespace lapwing::cli {
 
-struct StepDraft;
+struct StepFlags;
+
+/// A step as flags give it: the keys that were given, and those that a flag has a default of its
+/// own for. Recipes know the other defaults.
+struct StepDraft {
+  nlohmann::ordered_json json;
+  /// What flags gave, and where it goes: written only when the flags are known to fit each other.
+  std::vector<std::pair<nlohmann::ordered_json::json_pointer, nlohmann::ordered_json>> given;
+  /// What is known only when all flags are: paths from the recipe, what takes several flags.
+  std::vector<std::function<void(nlohmann::ordered_json&, const StepFlags&)>> at_end;
+};
 
 /// A command that carries out one step given by flags, as the recipe of that one step: one path
 /// from text to edit, and one set of error messages.

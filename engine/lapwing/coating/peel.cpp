@@ -13,17 +13,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-void require_finite(const RegionSpec& spec, const VertexSet& region, const Positions& positions) {
-  VertexSet broken;
-  for (const Index v : region) {
-    if (!positions[v].allFinite()) broken.push_back(v);
-  }
-  if (broken.empty()) return;
-  throw InputError(spec.where + ": " + name_vertices(broken) +
-                   " of the region has no finite position; leave it out, or mend the mesh with "
-                   "`lapwing check --fix`");
-}
-
 void set_property(Mesh& mesh, const std::string& name, std::vector<double> values) {
   auto& extras = mesh.attributes.vertex_extras;
   std::erase_if(extras, [&](const ExtraAttribute& e) { return e.name == name; });
@@ -66,7 +55,7 @@ std::vector<Vector3d> coating_laplacians(const Mesh& mesh, const Peeled& peeled,
 Peeled peel(const Mesh& mesh, const PeelRequest& request) {
   const Topology topology = build_topology(mesh);
   const VertexSet region = resolve(request.region, mesh, topology);
-  require_finite(request.region, region, mesh.positions);
+  require_finite(region, mesh.positions, request.region.where);
   const Fairing fairing(mesh.positions, topology, region, request.weights);
   Peeled peeled;
   peeled.mesh = mesh;

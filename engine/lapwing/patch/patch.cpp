@@ -28,18 +28,6 @@ namespace {
                    std::to_string(inside) + " of its " + std::to_string(size) + " vertices");
 }
 
-void require_finite(const VertexSet& vertices, std::span<const Eigen::Vector3d> positions,
-                    const std::string& where) {
-  VertexSet broken;
-  for (const Index v : vertices) {
-    if (!positions[v].allFinite()) broken.push_back(v);
-  }
-  if (broken.empty()) return;
-  throw InputError(where + ": " + name_vertices(broken) +
-                   " of the region has no finite position; leave it out, or mend the mesh with "
-                   "`lapwing check --fix`");
-}
-
 // From the smallest vertex on. Boundary sides run with the patch on their left.
 std::vector<Index> boundary_loop(std::span<const Triangle> triangles, const Adjacency& sides,
                                  std::size_t vertex_count) {

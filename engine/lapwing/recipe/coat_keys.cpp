@@ -23,10 +23,8 @@ void describe_surface(CoatParameters& parameters, KeyVisitor& visitor) {
   visitor.number({.name = "smooth_target",
                   .help = "a length on the target: its own features smaller than this go first; 0 "
                           "keeps them below the coating"},
-                 parameters.smooth_target, {.least = 0.0, .slider_to = 0.25, .of_size = true});
-  visitor.choice(
-      {.name = "weights", .help = "of the Laplacians"}, parameters.weights,
-      {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
+                 parameters.smooth_target, kLength);
+  describe(parameters.weights, visitor);
   visitor.choice({.name = "domain", .help = "what both patches are laid into"}, parameters.domain,
                  {{Domain::disk, "disk"}, {Domain::square, "square"}});
 }
@@ -104,7 +102,7 @@ void describe(Transition& transition, KeyVisitor& visitor) {
        .help = "over which one detail goes over into the other; chosen if there is no transition",
        .required = true,
        .flag = "transition"},
-      transition.width, {.least = 0.0, .slider_to = 0.25, .of_size = true});
+      transition.width, kLength);
   visitor.choice({.name = "profile", .help = "of the transition"}, transition.profile,
                  {{Profile::smooth, "smooth"}, {Profile::linear, "linear"}});
 }

@@ -12,9 +12,7 @@ void describe(SettleOptions& settle, KeyVisitor& visitor) {
 }
 
 void describe(DeformParameters& parameters, KeyVisitor& visitor) {
-  visitor.choice(
-      {.name = "weights", .help = "of the Laplacians"}, parameters.weights,
-      {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
+  describe(parameters.weights, visitor);
   visitor.number({.name = "detail_length",
                   .help = "details smaller than this keep their shape; beyond it the surface bends "
                           "and stretches like an elastic sheet. A share of the ROI's radius, the "

@@ -5,7 +5,8 @@
 namespace lapwing {
 
 std::string digits(double number) {
-  std::array<char, 32> text{};
+  // As many as the smallest number takes.
+  std::array<char, 512> text{};
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);
   return {text.data(), end.ptr};

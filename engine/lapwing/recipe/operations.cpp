@@ -33,6 +33,12 @@ void require_valid(DeformParameters parameters) {
   describe(parameters, validation);
 }
 
+void describe(LaplacianWeights& weights, KeyVisitor& visitor) {
+  visitor.choice(
+      {.name = "weights", .help = "of the Laplacians"}, weights,
+      {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
+}
+
 std::span<const Operation> operations() {
   static const std::array<Operation, std::variant_size_v<Step>> kOperations{{
       {"deform", "bend a region by its handles", DeformRequest{}},

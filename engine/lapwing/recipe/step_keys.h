@@ -17,6 +17,8 @@ void describe(DeformParameters& parameters, KeyVisitor& visitor);
 void describe(CoatParameters& parameters, KeyVisitor& visitor);
 void describe(CoatOptions& options, KeyVisitor& visitor);
 void describe(TransplantParameters& parameters, KeyVisitor& visitor);
+/// The key "weights".
+void describe(LaplacianWeights& weights, KeyVisitor& visitor);
 /// And of objects in them.
 void describe(SettleOptions& settle, KeyVisitor& visitor);
 void describe(FileSource& source, KeyVisitor& visitor);

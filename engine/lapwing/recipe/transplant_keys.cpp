@@ -23,9 +23,7 @@ void describe(TransplantParameters& parameters, KeyVisitor& visitor) {
                                  .flag = "belt"},
                                 parameters.belt, kAboveZero);
                 });
-  visitor.choice(
-      {.name = "weights", .help = "of the Laplacians"}, parameters.weights,
-      {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
+  describe(parameters.weights, visitor);
   visitor.choice({.name = "sampling", .help = "of the Laplacians of what was cut out"},
                  parameters.sampling,
                  {{MappedSampling::one_ring, "one_ring"}, {MappedSampling::linear, "linear"}});

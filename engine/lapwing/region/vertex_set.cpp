@@ -47,4 +47,16 @@ std::string name_vertices(std::span<const Index> vertices) {
   return text;
 }
 
+void require_finite(const VertexSet& region, std::span<const Eigen::Vector3d> positions,
+                    const std::string& where) {
+  VertexSet broken;
+  for (const Index v : region) {
+    if (!positions[v].allFinite()) broken.push_back(v);
+  }
+  if (broken.empty()) return;
+  throw InputError(where + ": " + name_vertices(broken) +
+                   " of the region has no finite position; leave it out, or mend the mesh with "
+                   "`lapwing check --fix`");
+}
+
 }  // namespace lapwing

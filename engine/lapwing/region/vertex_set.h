@@ -22,4 +22,8 @@ std::vector<char> vertex_mask(std::size_t vertex_count, std::span<const Index> m
 /// For messages: "vertex 4", "vertices 4, 5, 9", or the first eight "and 12 more".
 std::string name_vertices(std::span<const Index> vertices);
 
+/// Throws InputError, naming `where` and the vertices of the region that have no finite position.
+void require_finite(const VertexSet& region, std::span<const Eigen::Vector3d> positions,
+                    const std::string& where);
+
 }  // namespace lapwing
