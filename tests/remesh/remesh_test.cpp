@@ -1,6 +1,8 @@
 // Remeshing as a function of a mesh and a request.
 #include "lapwing/remesh/remesh.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -98,6 +100,13 @@ TEST_F(RemeshInMemory, ReportsItsProgressAndCanBeCancelled) {
   EXPECT_EQ(last, 1.0);
   const auto stop = [](std::string_view, double) { return false; };
   EXPECT_THROW(remesh(mesh_, of_the_middle(), stop), Cancelled);
+}
+
+TEST_F(RemeshInMemory, VertexWithoutAFinitePositionIsNamed) {
+  Mesh mesh = grid(8, 8);
+  mesh.positions[30].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(error_message<InputError>([&] { remesh(mesh, {}); }),
+              AllOf(HasSubstr("no finite position"), HasSubstr("vertex 30")));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "lapwing/remesh/remesh.h"
 
+#include <cmath>
 #include <utility>
 
 #include "lapwing/base/errors.h"
@@ -11,6 +12,8 @@ double wanted_length(const RemeshRequest& request, const RegionQuality& before) 
   // Without faces nothing is remeshed, whatever the length.
   if (before.faces == 0) return 1.0;
   if (request.length) return *request.length;
+  // Positions that are not finite: `remesh_isotropic` names the vertices.
+  if (!std::isfinite(before.mean_edge)) return 1.0;
   if (before.mean_edge > 0.0) return request.scale * before.mean_edge;
   throw InputError(request.where +
                    ": the region's faces have no extent, so a scale means nothing; give a length");
