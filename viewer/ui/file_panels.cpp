@@ -109,8 +109,9 @@ std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const Interrup
       ImGui::SameLine();
       if (ImGui::Button("Discard")) choice = {e, What::discard};
       ImGui::SameLine();
-      ImGui::Text("%s, %zu edits, %s", edits[e].opened.filename().c_str(), edits[e].step_count(),
-                  in_words(edits[e].last_step).c_str());
+      const std::size_t count = edits[e].step_count();
+      ImGui::Text("%s, %zu %s, %s", edits[e].opened.filename().c_str(), count,
+                  count == 1 ? "edit" : "edits", in_words(edits[e].last_step).c_str());
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", edits[e].opened.c_str());
       ImGui::PopID();
     }

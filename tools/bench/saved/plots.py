@@ -135,7 +135,9 @@ def scaling_plot(report: Report, device: str, group: str) -> Figure | None:
         label = stage.removeprefix("kernel ") + (f"  ~ n^{growth.exponent:.2f}" if growth else "")
         _draw_line(axes, rows, label, places[stage])
     axes.set_title(f"{SCALING_PLOTS[group]}, on {device}")
-    _log_axes(axes, lines)
+    _log_axes(axes)
+    if note := _note_on_lines(lines):
+        axes.set_xlabel(f"vertices ({note})")
     # In the order in which the lines end.
     handles, labels = axes.get_legend_handles_labels()
     order = sorted(range(len(lines)), key=lambda k: -_joined(lines[k])[-1].median_ms)
@@ -165,7 +167,10 @@ def peers_plot(report: Report, device: str) -> Figure | None:
     figure = Figure(figsize=(3.2 * columns, 2.7 * count + 0.3))
     figure.suptitle(f"Our times and others', on {device}", x=0.01, ha="left", weight="bold")
     grid = figure.subplots(count, columns, squeeze=False).flat
-    who = list(dict.fromkeys(rows[0].by for of_stage in stages.values() for rows in of_stage))
+    # Whoever did something has the same color on every device.
+    who = list(dict.fromkeys(m.by for m in report.measurements))
+    if note := _note_on_lines([rows for of_stage in stages.values() for rows in of_stage]):
+        figure.supxlabel(note[0].upper() + note[1:], x=0.01, ha="left", fontsize="medium")
     handles = {}
     for axes, (stage, of_stage) in itertools.zip_longest(grid, stages.items(), fillvalue=("", [])):
         if not of_stage:
@@ -176,7 +181,7 @@ def peers_plot(report: Report, device: str) -> Figure | None:
             _draw_line(axes, rows, rows[0].by, place, dashed=not rows[0].is_ours)
         handles |= dict(zip(*reversed(axes.get_legend_handles_labels())))
         axes.set_title(stage, fontsize="medium")
-        _log_axes(axes, of_stage)
+        _log_axes(axes)
     # Beside the title, where no line runs.
     figure.legend(handles.values(), handles.keys(), loc="upper right", ncol=len(handles))
     return figure
@@ -309,12 +314,10 @@ def _ink_on(color):
 
 def _joined(rows):
     """Those that a line joins: different meshes of about one size would make it jump up and down,
-    so where one mesh has three sizes, it is that one's; the others are marks beside it."""
-    for first in rows:
-        same = [m for m in rows if m.mesh == first.mesh]
-        if len(same) >= 3:
-            return same
-    return rows
+    so it is that of the mesh with the most sizes; the others are marks beside it."""
+    meshes = [m.mesh for m in rows]
+    longest = max(meshes, key=meshes.count)
+    return [m for m in rows if m.mesh == longest] if meshes.count(longest) > 1 else rows
 
 
 def _draw_line(axes, rows, label, place, dashed=False):
@@ -334,7 +337,15 @@ def _draw_line(axes, rows, label, place, dashed=False):
     axes.plot([], [], style, color=color, marker=marker, markersize=4.5, label=label)
 
 
-def _log_axes(axes, lines):
+def _note_on_lines(lines):
+    """What the lines leave out, empty where that is nothing."""
+    meshes = {_joined(rows)[0].mesh for rows in lines if len(_joined(rows)) < len(rows)}
+    if not meshes:
+        return ""
+    return f"lines join {' or '.join(sorted(meshes))}; single marks are other meshes"
+
+
+def _log_axes(axes):
     axes.set_xscale("log")
     axes.set_yscale("log")
     for axis, name in ((axes.xaxis, "vertices"), (axes.yaxis, "ms")):
