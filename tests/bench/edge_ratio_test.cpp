@@ -19,22 +19,21 @@ TEST(EdgeRatio, IsThatOfTheMostStretchedEdge) {
   const Mesh mesh = grid(2, 2);
   Positions wider = mesh.positions;
   for (Eigen::Vector3d& p : wider) p.x() *= 3.0;
-  EXPECT_DOUBLE_EQ(largest_edge_ratio(all_of(mesh), build_topology(mesh), mesh.positions, wider),
-                   3.0);
+  EXPECT_DOUBLE_EQ(largest_edge_ratio(all_of(mesh), mesh.topology(), mesh.positions, wider), 3.0);
 }
 
 TEST(EdgeRatio, DoesNotCountWhatShrinks) {
   const Mesh mesh = grid(2, 2);
   Positions narrower = mesh.positions;
   for (Eigen::Vector3d& p : narrower) p.x() *= 0.01;
-  EXPECT_DOUBLE_EQ(largest_edge_ratio(all_of(mesh), build_topology(mesh), mesh.positions, narrower),
+  EXPECT_DOUBLE_EQ(largest_edge_ratio(all_of(mesh), mesh.topology(), mesh.positions, narrower),
                    1.0);
 }
 
 TEST(EdgeRatio, PassesOverEdgesWithoutLengthAtRest) {
   Mesh mesh = grid(2, 2);
   const Positions current = mesh.positions;
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   mesh.positions[1] = mesh.positions[0];
   const std::vector<Index> corner{0};
   EXPECT_LT(largest_edge_ratio(corner, topology, mesh.positions, current), 10.0);

@@ -33,7 +33,7 @@ MovedEnds ends_of(VertexSet belt, VertexSet handle) {
 TEST(HeldRegion, IsTheWholeMeshWhereItIsOnePiece) {
   const Mesh mesh = grid(3, 3);
   const HeldRegion held =
-      held_region(ends_of({0, 1, 4}, {14, 15}), mesh.positions, build_topology(mesh));
+      held_region(ends_of({0, 1, 4}, {14, 15}), mesh.positions, mesh.topology());
   EXPECT_EQ(held.region.roi.size(), kGridVertices);
   EXPECT_EQ(held.region.belt, VertexSet({0, 1, 4}));
   EXPECT_EQ(held.region.handles, std::vector<VertexSet>({{14, 15}}));
@@ -45,7 +45,7 @@ TEST(HeldRegion, LeavesOutPiecesThatNothingHoldsAndLooseVertices) {
   add_grid(mesh, Vector3d(2.0, 0.0, 0.0));
   mesh.positions.emplace_back(0.0, -1.0, 0.0);
   const Index loose = 2 * kGridVertices;
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const HeldRegion held =
       held_region(ends_of({0, 1, 4, loose}, {14, 15}), mesh.positions, topology);
   EXPECT_EQ(held.region.roi.size(), kGridVertices);
@@ -59,7 +59,7 @@ TEST(HeldRegion, LeavesOutPiecesThatAreHeldInOneLineOnly) {
   add_grid(mesh, Vector3d(2.0, 0.0, 0.0));
   const VertexSet line{kGridVertices, kGridVertices + 1, kGridVertices + 2};
   const HeldRegion held =
-      held_region(ends_of(unite({0, 1, 4}, line), {14, 15}), mesh.positions, build_topology(mesh));
+      held_region(ends_of(unite({0, 1, 4}, line), {14, 15}), mesh.positions, mesh.topology());
   EXPECT_EQ(held.region.belt, VertexSet({0, 1, 4}));
   EXPECT_EQ(held.left_out, kGridVertices);
 }
@@ -67,7 +67,7 @@ TEST(HeldRegion, LeavesOutPiecesThatAreHeldInOneLineOnly) {
 TEST(HeldRegion, RefusesWhereAnEndHoldsNothing) {
   Mesh mesh = grid(3, 3);
   mesh.positions.emplace_back(0.0, -1.0, 0.0);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EXPECT_THROW(held_region(ends_of({0, 1, 4}, {kGridVertices}), mesh.positions, topology),
                InputError);
   EXPECT_THROW(held_region(ends_of({kGridVertices}, {0, 1, 4}), mesh.positions, topology),

@@ -214,7 +214,7 @@ TEST_F(CommandLine, RegionIsLaidIntoThePlane) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("flipped  0 triangles"), HasSubstr("pins")));
   const Mesh flat = read_mesh(file("flat.obj"));
-  EXPECT_GT(flat.attributes.uvs.size(), 5U);
+  EXPECT_GT(flat.attributes().uvs.size(), 5U);
   EXPECT_THAT(read("flat.png"), ::testing::StartsWith("\x89PNG"));
   ASSERT_EQ(lapwing(lay + "--domain square --picture square.png --size 200").exit_code, 0);
   EXPECT_NE(read("square.png"), read("flat.png"));

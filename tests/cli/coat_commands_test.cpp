@@ -32,7 +32,7 @@ class CoatCommands : public CommandLine {
 
   // The values of a vertex property of a PLY file; none where it has no such property.
   static std::vector<double> values(const Mesh& mesh, const std::string& name) {
-    for (const ExtraAttribute& extra : mesh.attributes.vertex_extras) {
+    for (const ExtraAttribute& extra : mesh.attributes().vertex_extras) {
       if (extra.name == name) return extra.values;
     }
     return {};
@@ -144,7 +144,7 @@ TEST_F(CoatCommands, EveryFlagOfMixIsInItsRecipe) {
 
 TEST_F(CoatCommands, MixTakesItsWeightFromAPropertyOfTheMesh) {
   Mesh sheet = grid(kCells, kCells);
-  sheet.attributes.vertex_extras.push_back(
+  sheet.edit_attributes().vertex_extras.push_back(
       {"share", "double", 1, std::vector<double>(sheet.vertex_count(), 0.25)});
   write_mesh(sheet, file("sheet.ply"));
   ASSERT_EQ(lapwing(std::string(kMix) + "--field share --recipe a.json --quiet").exit_code, 0);
@@ -261,7 +261,7 @@ TEST_F(CoatCommands, PeelCarriesLaplaciansOrNothingWhenAsked) {
   const Mesh with_laplacians = read_mesh(file("a.ply"));
   EXPECT_NE(values(with_laplacians, "coating_z"), values(with_displacement, "coating_z"));
   ASSERT_EQ(lapwing(peel + "none").exit_code, 0);
-  EXPECT_TRUE(read_mesh(file("a.ply")).attributes.vertex_extras.empty());
+  EXPECT_TRUE(read_mesh(file("a.ply")).attributes().vertex_extras.empty());
 }
 
 TEST_F(CoatCommands, PeelLeavesWhatIsOutsideItsRegion) {
@@ -285,7 +285,7 @@ TEST_F(CoatCommands, PeeledAgainHasTheLastCoatingOnly) {
   ASSERT_EQ(lapwing("peel once.ply --detail-size 0.5 -o twice.ply").exit_code, 0);
   const Mesh once = read_mesh(file("once.ply"));
   const Mesh twice = read_mesh(file("twice.ply"));
-  ASSERT_EQ(twice.attributes.vertex_extras.size(), 3U);
+  ASSERT_EQ(twice.attributes().vertex_extras.size(), 3U);
   const auto z = values(twice, "coating_z");
   for (std::size_t v = 0; v < z.size(); ++v) {
     EXPECT_NEAR(twice.positions[v].z() + z[v], once.positions[v].z(), 1e-6);

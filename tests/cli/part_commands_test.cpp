@@ -39,9 +39,9 @@ TEST_F(PartCommands, CutKeepsWhatTheMeshCarries) {
   const Mesh rich = read_mesh(file("rich.ply"));
   const Mesh corner = read_mesh(file("corner.ply"));
   ASSERT_EQ(corner.vertex_count(), 4U);
-  EXPECT_EQ(corner.attributes.vertex_colors.at(2), rich.attributes.vertex_colors.at(5));
-  EXPECT_EQ(corner.attributes.vertex_extras.at(0).values.at(3), 600000);
-  EXPECT_EQ(corner.attributes.comments, rich.attributes.comments);
+  EXPECT_EQ(corner.attributes().vertex_colors.at(2), rich.attributes().vertex_colors.at(5));
+  EXPECT_EQ(corner.attributes().vertex_extras.at(0).values.at(3), 600000);
+  EXPECT_EQ(corner.attributes().comments, rich.attributes().comments);
 }
 
 TEST_F(PartCommands, CutSaysWhatIsOddAboutAPart) {

@@ -61,7 +61,7 @@ struct Scene {
 // The coating is not 0 on the patch's border, so only vertices inside can come back exactly; with a
 // source that is held there they all do.
 Mesh held_at_the_border(Mesh mesh, const VertexSet& region) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Positions smooth =
       Fairing(mesh.positions, topology, region, LaplacianWeights::cotangent).smooth(kDetail);
   mesh.positions = smooth;

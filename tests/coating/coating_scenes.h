@@ -74,7 +74,7 @@ inline Mesh uneven_relief(Index cells, double waves, double height, unsigned see
     const std::array<Index, 6> rising{a, b, e, a, e, d};
     const std::array<Index, 6> falling{a, b, d, b, e, d};
     const auto& corners = generator() % 2 == 0 ? rising : falling;
-    std::copy(corners.begin(), corners.end(), mesh.face_vertices.begin() + 6 * c);
+    std::copy(corners.begin(), corners.end(), mesh.edit_faces().vertices.begin() + 6 * c);
   }
   return mesh;
 }
@@ -83,7 +83,7 @@ inline Mesh uneven_relief(Index cells, double waves, double height, unsigned see
 struct PatchedMesh {
   PatchedMesh(Mesh own_mesh, const VertexSet& region)
       : mesh(std::move(own_mesh)),
-        topology(build_topology(mesh)),
+        topology(mesh.topology()),
         patch(disk_patch(region, topology, mesh.positions, "patch")),
         own(on_patch<Eigen::Vector3d>(patch, mesh.positions)) {}
   explicit PatchedMesh(const Mesh& whole) : PatchedMesh(whole, every_vertex(whole)) {}

@@ -42,14 +42,14 @@ struct FairingOf : testing::TestWithParam<LaplacianWeights> {};
 
 TEST_P(FairingOf, HalvesAWaveOfTheLengthGiven) {
   const Mesh mesh = waves(64, 8.0);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Fairing fairing(mesh.positions, topology, every_vertex(mesh), GetParam());
   EXPECT_NEAR(height_left(mesh, fairing.smooth(1.0 / 8.0)), 0.5, 0.03);
 }
 
 TEST_P(FairingOf, LeavesLongWavesAndTakesShortOnes) {
   const Mesh mesh = waves(64, 8.0);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Fairing fairing(mesh.positions, topology, every_vertex(mesh), GetParam());
   EXPECT_NEAR(height_left(mesh, fairing.smooth(1.0 / 16.0)), 16.0 / 17.0, 0.03);
   EXPECT_NEAR(height_left(mesh, fairing.smooth(1.0 / 4.0)), 1.0 / 17.0, 0.03);
@@ -58,7 +58,7 @@ TEST_P(FairingOf, LeavesLongWavesAndTakesShortOnes) {
 TEST_P(FairingOf, MeasuresInLengthsNotInTriangles) {
   for (const Index cells : {32U, 96U}) {
     const Mesh mesh = waves(cells, 4.0);
-    const Topology topology = build_topology(mesh);
+    const Topology& topology = mesh.topology();
     const Fairing fairing(mesh.positions, topology, every_vertex(mesh), GetParam());
     EXPECT_NEAR(height_left(mesh, fairing.smooth(0.25)), 0.5, 0.04) << cells;
   }
@@ -66,7 +66,7 @@ TEST_P(FairingOf, MeasuresInLengthsNotInTriangles) {
 
 TEST_P(FairingOf, LeavesAPlaneAlone) {
   const Mesh mesh = grid(20, 20);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Positions smooth =
       Fairing(mesh.positions, topology, every_vertex(mesh), GetParam()).smooth(0.3);
   for (std::size_t v = 0; v < smooth.size(); ++v) EXPECT_NEAR(smooth[v].z(), 0.0, 1e-14);
@@ -74,7 +74,7 @@ TEST_P(FairingOf, LeavesAPlaneAlone) {
 
 TEST_P(FairingOf, HoldsTheBorderBitForBit) {
   const Mesh mesh = bumpy_plane(24, 3, 0.1);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const VertexSet region = within(mesh, Vector3d(0.5, 0.5, 0.0), 0.35);
   const Fairing fairing(mesh.positions, topology, region, GetParam());
   const Positions smooth = fairing.smooth(0.2);
@@ -88,7 +88,7 @@ TEST_P(FairingOf, HoldsTheBorderBitForBit) {
 
 TEST_P(FairingOf, TurnsMovesAndScalesWithTheSurface) {
   const Mesh mesh = bumpy_plane(20, 4, 0.08);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Mesh moved = transformed(mesh, similarity(40.0));
   const Positions smooth =
       Fairing(mesh.positions, topology, every_vertex(mesh), GetParam()).smooth(0.2);
@@ -113,14 +113,14 @@ TEST(Fairing, SmoothsAScanWhoseTrianglesDiffer) {
   for (Vector3d& p : mesh.positions) {
     p.y() = p.y() * (0.5 + 0.5 * p.y());
   }
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Fairing fairing(mesh.positions, topology, every_vertex(mesh), LaplacianWeights::cotangent);
   EXPECT_NEAR(height_left(mesh, fairing.smooth(1.0 / 8.0)), 0.5, 0.03);
 }
 
 TEST(Fairing, LeavesARegionWithoutInnerVerticesAlone) {
   const Mesh mesh = grid(4, 4);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Fairing fairing(mesh.positions, topology, {0, 1, 2}, LaplacianWeights::cotangent);
   EXPECT_EQ(fairing.smooth(0.5), mesh.positions);
 }
@@ -129,7 +129,7 @@ TEST(Fairing, SurvivesTrianglesWithoutArea) {
   Mesh mesh = grid(8, 8);
   mesh.positions[30] = mesh.positions[31];
   mesh.positions[40] = mesh.positions[31];
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   for (const auto weights : {LaplacianWeights::uniform, LaplacianWeights::cotangent}) {
     const Positions smooth =
         Fairing(mesh.positions, topology, every_vertex(mesh), weights).smooth(0.3);
@@ -139,7 +139,7 @@ TEST(Fairing, SurvivesTrianglesWithoutArea) {
 
 TEST(Fairing, RefusesALengthThatIsNone) {
   const Mesh mesh = grid(4, 4);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Fairing fairing(mesh.positions, topology, every_vertex(mesh), LaplacianWeights::cotangent);
   for (const double length : {0.0, -1.0, std::nan("")}) {
     EXPECT_THAT(error_message<InputError>([&] { fairing.smooth(length, "detail_size"); }),
@@ -149,7 +149,7 @@ TEST(Fairing, RefusesALengthThatIsNone) {
 
 TEST(Grown, AddsWhatIsWithinTheDistance) {
   const Mesh mesh = grid(10, 10);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const VertexSet region = grown({60}, 0.21, topology, mesh.positions);
   EXPECT_EQ(region, within(mesh, mesh.positions[60], 0.21));
 }

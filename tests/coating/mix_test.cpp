@@ -43,7 +43,7 @@ std::vector<double> weights_of(const MixWeight& weight, const PatchedMesh& targe
                                Domain domain = Domain::square) {
   const auto pins = default_pins(target.patch, target.own, domain);
   const auto map = mean_value_map(target.patch, target.own, domain, pins);
-  const auto field = weight_field(weight, target.mesh, target.topology, "weight");
+  const auto field = weight_field(weight, target.mesh, "weight");
   return mix_weights(weight, field, target.patch, map, "weight");
 }
 

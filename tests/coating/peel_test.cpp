@@ -38,7 +38,7 @@ class PeelInMemory : public ::testing::Test {
     return request;
   }
   static std::vector<double> property(const Mesh& mesh, const std::string& name) {
-    for (const ExtraAttribute& extra : mesh.attributes.vertex_extras) {
+    for (const ExtraAttribute& extra : mesh.attributes().vertex_extras) {
       if (extra.name == name) return extra.values;
     }
     return {};
@@ -68,8 +68,8 @@ TEST_F(PeelInMemory, WhatCameOffAddedToTheSmoothMeshIsTheMesh) {
 TEST_F(PeelInMemory, ChangesNothingButThePositionsInsideTheRegion) {
   const PeelRequest middle = of_the_middle();
   const Peeled peeled = peel(mesh_, middle);
-  EXPECT_EQ(peeled.mesh.face_vertices, mesh_.face_vertices);
-  const VertexSet region = resolve(middle.region, mesh_, build_topology(mesh_));
+  EXPECT_EQ(peeled.mesh.face_vertices(), mesh_.face_vertices());
+  const VertexSet region = resolve(middle.region, mesh_);
   EXPECT_LT(peeled.moved.size(), region.size()) << "the region's border stays";
   EXPECT_THAT(subtract(peeled.moved, region), IsEmpty());
   const auto moves = vertex_mask(mesh_.vertex_count(), peeled.moved);
@@ -81,7 +81,7 @@ TEST_F(PeelInMemory, ChangesNothingButThePositionsInsideTheRegion) {
 }
 
 TEST_F(PeelInMemory, SmoothsAsFairingDoesByTheWeightsGiven) {
-  const Topology topology = build_topology(mesh_);
+  const Topology& topology = mesh_.topology();
   std::vector<Positions> smooth;
   for (const auto weights : {LaplacianWeights::uniform, LaplacianWeights::cotangent}) {
     PeelRequest weighed = request();
@@ -127,7 +127,7 @@ TEST_F(PeelInMemory, CarriedLaplaciansAreThoseOfTheCoating) {
   const Peeled peeled = peel(mesh_, uniform);
   const Positions xi = vectors(with_coating(mesh_, uniform, peeled, CarriedCoating::laplacians));
   ASSERT_EQ(xi.size(), mesh_.vertex_count());
-  const Topology topology = build_topology(mesh_);
+  const Topology& topology = mesh_.topology();
   for (Index v = 0; v < mesh_.vertex_count(); ++v) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Index j : topology.rings[v]) mean += peeled.displacement[j];
@@ -138,14 +138,14 @@ TEST_F(PeelInMemory, CarriedLaplaciansAreThoseOfTheCoating) {
 
 TEST_F(PeelInMemory, ACoatingTakesThePlaceOfTheLastOneAndOfNothingElse) {
   Mesh coloured = mesh_;
-  coloured.attributes.vertex_extras = {
+  coloured.edit_attributes().vertex_extras = {
       {"quality", "float", 1, std::vector<double>(mesh_.vertex_count(), 0.5)}};
   const auto carry = [&](const Mesh& mesh) {
     return with_coating(mesh, request(), peel(mesh, request()), CarriedCoating::displacement);
   };
   const Mesh once = carry(coloured);
   const Mesh twice = carry(once);
-  EXPECT_THAT(twice.attributes.vertex_extras, SizeIs(4));
+  EXPECT_THAT(twice.attributes().vertex_extras, SizeIs(4));
   EXPECT_EQ(property(twice, "quality"), property(coloured, "quality"));
   EXPECT_EQ(vectors(twice), peel(once, request()).displacement);
 }

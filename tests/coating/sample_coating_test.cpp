@@ -72,7 +72,7 @@ TEST(SampleCoating, InterpolatedBetweenVerticesIsCurvedAsTheSourceIsThere) {
     points.back().weights[2] = 1.0 - points.back().weights[0] - points.back().weights[1];
     p = points.back().of<Vector3d>(coating.smooth);
   }
-  const Topology topology = build_topology(target);
+  const Topology& topology = target.topology();
   const auto weights = laplacian_weights(topology, target.positions, LaplacianWeights::cotangent);
   const RegionRings rings =
       region_rings(topology, target.positions, {weights, {}, {}}, every_vertex(target), {});

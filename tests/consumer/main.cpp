@@ -74,12 +74,12 @@ int main() {
   const Peeled peeled = peel(bumpy, flatten);
   expect(highest(peeled.mesh) < 0.002, "a sheet loses its bumps");
   const Mesh carrying = with_coating(bumpy, flatten, peeled, CarriedCoating::height);
-  expect(carrying.attributes.vertex_extras.size() == 1, "and keeps them as numbers");
+  expect(carrying.attributes().vertex_extras.size() == 1, "and keeps them as numbers");
 
   ParameterizeRequest lay;
   lay.domain = Domain::square;
   const Parameterized laid = parameterize(bumpy, lay);
-  expect(laid.flipped.empty() && laid.mesh.attributes.uvs.size() == bumpy.vertex_count(),
+  expect(laid.flipped.empty() && laid.mesh.attributes().uvs.size() == bumpy.vertex_count(),
          "a sheet is laid into the square");
 
   RemeshRequest finer;

@@ -17,7 +17,7 @@ namespace {
 
 struct Sphere {
   Mesh mesh = icosphere(2);
-  Topology topology = build_topology(mesh);
+  Topology topology = mesh.topology();
   std::vector<Index> all = std::vector<Index>(mesh.vertex_count());
   Sphere() { std::iota(all.begin(), all.end(), 0U); }
 
@@ -63,7 +63,7 @@ TEST(Certificate, ATriangleThatIsOnlyALineHasNoSideToFlip) {
     turned_over[3].y() = height;
     Certificate c;
     const std::vector<Index> all{0, 1, 2, 3};
-    measure_shape(all, build_topology(mesh), mesh.positions, turned_over, c);
+    measure_shape(all, mesh.topology(), mesh.positions, turned_over, c);
     return c.flipped_triangles;
   };
   EXPECT_EQ(flips_at(1.1 * kThinnestTriangle), 1U);

@@ -11,7 +11,7 @@ namespace {
 
 TEST(Commits, StepIsExactOnlyIfEachOfItsPartsIs) {
   const Mesh mesh = test::bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const EditRegion region = test::foot_and_head(mesh);
   DeformRequest step;
   step.handles = {{RegionSpec{ListedVertices{region.handles[0]}}, SimilarityMove{}}};

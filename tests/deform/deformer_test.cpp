@@ -29,7 +29,7 @@ using test::largest_distance;
 Positions deformed(const Mesh& mesh, const Affine3d& motion,
                    const DeformOptions& options = test::linear_options()) {
   CpuKernels kernels;
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels);
   return deformer.solve(std::array{motion}).positions;
 }
@@ -45,7 +45,7 @@ TEST_P(DeformerOptions, StillHandleGivesTheInputBackBitForBit) {
 
 TEST_P(DeformerOptions, TranslatingHandleAndBeltTogetherTranslatesTheRegion) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EditRegion region = foot_and_head(mesh);
   region.handles.push_back(std::move(region.belt));
   region.belt.clear();
@@ -81,7 +81,7 @@ TEST_P(DeformerOptions, ResultDoesNotDependOnPlaceUnitOrOrientation) {
 
 TEST_P(DeformerOptions, DragOnTheDeviceFollowsTheSolution) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   CpuKernels kernels;
   Deformer deformer(mesh.positions, topology, foot_and_head(mesh), GetParam(), kernels);
   const std::array motions{bend()};
@@ -92,7 +92,7 @@ TEST_P(DeformerOptions, DragOnTheDeviceFollowsTheSolution) {
 
 TEST_P(DeformerOptions, SolvesTheNormalEquations) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   CpuKernels kernels;
   const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), GetParam(), kernels);
   const auto result = deformer.solve(std::array{bend()});
@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Deformer, SettlingKeepsDetailThroughALargeTurn) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const std::array turn{Affine3d(Eigen::AngleAxisd(2.0, Vector3d::UnitZ()))};
   CpuKernels kernels;
   const auto certificate_of = [&](const DeformOptions& options) {
@@ -159,7 +159,7 @@ TEST(Deformer, TheRsiResponseIsThePapersSystem) {
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     mesh.positions[i] *= 1.0 + 0.2 * std::sin(3.0 * static_cast<double>(i));
   }
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const std::size_t n = mesh.vertex_count();
   EditRegion region;
   region.handles.resize(1);
@@ -276,7 +276,7 @@ TEST(Deformer, RefiningTheMeshKeepsTheResult) {
       if (mesh.positions[v].z() < 0.31) region.belt.push_back(v);
       if (mesh.positions[v].z() > 2.69) region.handles[0].push_back(v);
     }
-    const Topology topology = build_topology(mesh);
+    const Topology& topology = mesh.topology();
     CpuKernels kernels;
     DeformOptions options;
     options.detail_length = 0.1;
@@ -301,7 +301,7 @@ TEST(Deformer, RefiningTheMeshKeepsTheResult) {
 
 TEST(Deformer, SettlingThatRunsOutOfIterationsSaysSo) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   CpuKernels kernels;
   DeformOptions options;
   options.settle.emplace().max_iterations = 2;
@@ -321,7 +321,7 @@ TEST(Deformer, StillHandleIsNotSettled) {
 
 TEST(Deformer, VerticesOutsideTheRegionKeepTheirBits) {
   const Mesh mesh = icosphere(3);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EditRegion region;
   region.handles.resize(1);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -351,7 +351,7 @@ TEST(Deformer, LooseVertexStaysUnlessAHandleTakesIt) {
   region.roi.push_back(loose + 1);
   region.handles[0].push_back(loose + 1);
   CpuKernels kernels;
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Affine3d shift(Eigen::Translation3d(0, 0, 1));
   for (const bool hard : {false, true}) {
     const Deformer deformer(mesh.positions, topology, region,
@@ -364,7 +364,7 @@ TEST(Deformer, LooseVertexStaysUnlessAHandleTakesIt) {
 
 TEST(Deformer, StrongerConstraintsHoldTheHandleBetter) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   CpuKernels kernels;
   double previous = std::numeric_limits<double>::infinity();
   for (const double weight : {0.3, 1.0, 10.0}) {
@@ -379,7 +379,7 @@ TEST(Deformer, StrongerConstraintsHoldTheHandleBetter) {
 
 TEST(Deformer, WithoutMemoryForTheExactSystemItSettlesFromThePreview) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const EditRegion region = foot_and_head(mesh);
   CpuKernels kernels;
   DeformOptions options;
@@ -412,7 +412,7 @@ TEST(Deformer, WithoutMemoryForTheExactSystemItSettlesFromThePreview) {
 
 TEST(Deformer, WithoutMemoryAndSettlingItSaysWhatItNeeds) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   CpuKernels kernels;
   DeformOptions options = test::linear_options();
   options.memory_limit_bytes = 1000;
@@ -426,7 +426,7 @@ TEST(Deformer, WithoutMemoryAndSettlingItSaysWhatItNeeds) {
 
 TEST(Deformer, ProgressCanCancelAtEveryStage) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   CpuKernels kernels;
   std::vector<std::string> stages;
   const auto record = [&](std::string_view stage, double) {
@@ -453,7 +453,7 @@ TEST(Deformer, RunsGiveTheSameBits) {
 
 TEST(Deformer, WrongNumberOfMotionsAndWeightsAreRefused) {
   const Mesh mesh = bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   CpuKernels kernels;
   const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels);
   EXPECT_THROW(deformer.solve({}), InputError);

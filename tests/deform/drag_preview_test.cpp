@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 TEST(DragPreview, HardHandlesGoWhereTheyShouldEachByItsOwnMotion) {
   const Mesh mesh = test::bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EditRegion region = test::foot_and_head(mesh);
   region.handles.push_back({118, 119, 120, 121});
   DeformOptions options;
@@ -35,7 +35,7 @@ TEST(DragPreview, HardHandlesGoWhereTheyShouldEachByItsOwnMotion) {
 
 TEST(DragPreview, TranslatingAllThatHoldsTranslatesTheRegion) {
   const Mesh mesh = test::bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EditRegion region = test::foot_and_head(mesh);
   region.handles.push_back(std::move(region.belt));
   region.belt.clear();
@@ -51,7 +51,7 @@ TEST(DragPreview, TranslatingAllThatHoldsTranslatesTheRegion) {
 
 TEST(DragPreview, FromAPoseItIsThatPoseUntilTheHandleMovesOn) {
   const Mesh mesh = test::bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const EditRegion region = test::foot_and_head(mesh);
   CpuKernels kernels;
   DragPreview preview(mesh.positions, topology, region, {}, kernels);

@@ -46,7 +46,7 @@ class FollowedCylinder : public ::testing::Test {
   }
 
   Mesh mesh_ = test::rippled_cylinder(30, 61);
-  Topology topology_ = build_topology(mesh_);
+  Topology topology_ = mesh_.topology();
   CpuKernels kernels_;
   Deformer deformer_{mesh_.positions, topology_, test::ends_of_cylinder(mesh_), {}, kernels_};
 };
@@ -168,7 +168,7 @@ TEST_F(FollowedCylinder, ADragFromAPoseBeginsThere) {
 // A second step, on what the first one made.
 TEST(Follow, TwoStepsOf130DegreesTurnTheMiddleBy130) {
   const Mesh mesh = test::rippled_cylinder();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   CpuKernels kernels;
   const Positions& start = mesh.positions;
   Positions rest = start;

@@ -83,7 +83,7 @@ class PreparedTube : public ::testing::Test {
   }
 
   Mesh mesh_ = tube();
-  Topology topology_ = build_topology(mesh_);
+  Topology topology_ = mesh_.topology();
   CpuKernels kernels_;
   PreparedRegion prepared_{topology_};
 };
@@ -205,7 +205,8 @@ TEST_F(PreparedTube, HardConstraintsOnAnotherHandleArePreparedInFull) {
 
 TEST_F(PreparedTube, LooseVertexInAHandleIsAnotherUnknown) {
   mesh_.positions.emplace_back(7, 7, 7);
-  const Topology topology = build_topology(mesh_);
+  mesh_.edit_faces();
+  const Topology& topology = mesh_.topology();
   PreparedRegion prepared(topology);
   Edit edit = first_edit(mesh_);
   const auto loose = static_cast<Index>(mesh_.vertex_count() - 1);

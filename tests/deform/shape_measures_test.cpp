@@ -44,7 +44,7 @@ class ShapeMeasures : public ::testing::Test {
   }
 
   Mesh mesh_ = test::bumpy_tube();
-  Topology topology_ = build_topology(mesh_);
+  Topology topology_ = mesh_.topology();
   Positions rest_ = mesh_.positions;
   std::vector<double> weights_ = laplacian_weights(topology_, rest_, LaplacianWeights::uniform);
   std::vector<Index> all_ = std::vector<Index>(mesh_.vertex_count());
@@ -98,7 +98,7 @@ TEST_F(ShapeMeasures, OnlyRingsThatHoldAMovedVertexAreMeasuredAsChanged) {
 TEST_F(ShapeMeasures, FlatVerticesAreMeasuredAgainstTheDetailAroundThem) {
   // A flat sheet of which only the border has a Laplacian.
   mesh_ = grid(10, 10);
-  topology_ = build_topology(mesh_);
+  topology_ = mesh_.topology();
   rest_ = mesh_.positions;
   weights_ = laplacian_weights(topology_, rest_, LaplacianWeights::uniform);
   all_.resize(mesh_.vertex_count());

@@ -56,8 +56,4 @@ inline Mesh moebius_strip() {
   return mesh;
 }
 
-inline CheckReport check(const Mesh& mesh) {
-  return check(mesh, build_topology(mesh));
-}
-
 }  // namespace lapwing

@@ -107,7 +107,7 @@ TEST(Check, NamesBothSidesOfAnUnweldedSeamAndItsDuplicates) {
 TEST(Check, PiecesThatTouchAtOnePointHaveNoSeam) {
   Mesh mesh = bow_tie();
   mesh.positions.push_back(mesh.positions[0]);
-  mesh.face_vertices[3] = 5;
+  mesh.edit_faces().vertices[3] = 5;
   EXPECT_EQ(check(mesh).find(DefectKind::unwelded_seam), nullptr);
   EXPECT_FALSE(check(mesh).has_problems());
   EXPECT_NE(check(mesh).find(DefectKind::duplicate_vertex), nullptr);
@@ -124,7 +124,7 @@ TEST(Check, NamesBowTieVertices) {
 
 TEST(Check, NamesEdgesOfAFlippedFace) {
   Mesh mesh = icosphere(1);
-  std::swap(mesh.face_vertices[0], mesh.face_vertices[1]);
+  std::swap(mesh.edit_faces().vertices[0], mesh.edit_faces().vertices[1]);
   const CheckReport report = check(mesh);
   const Defect* defect = report.find(DefectKind::inconsistent_orientation);
   ASSERT_NE(defect, nullptr);
@@ -135,7 +135,7 @@ TEST(Check, NamesEdgesOfAFlippedFace) {
 TEST(Check, ConsistentlyInwardSurfaceIsNoDefect) {
   Mesh mesh = icosphere(1);
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    std::swap(mesh.face_vertices[3 * f], mesh.face_vertices[3 * f + 1]);
+    std::swap(mesh.edit_faces().vertices[3 * f], mesh.edit_faces().vertices[3 * f + 1]);
   }
   EXPECT_THAT(check(mesh).defects, IsEmpty());
 }
@@ -170,7 +170,7 @@ TEST(Check, NamesFacesThatCutThroughOthersWhereAsked) {
   add_polygon(mesh, {4, 5, 6});
   CheckReport report = check(mesh);
   EXPECT_EQ(report.find(DefectKind::self_intersection), nullptr);
-  add_self_intersections(mesh, build_topology(mesh), report);
+  add_self_intersections(mesh, report);
   ASSERT_NE(report.find(DefectKind::self_intersection), nullptr);
   EXPECT_THAT(report.find(DefectKind::self_intersection)->first, ElementsAre(0, 2));
 }

@@ -32,7 +32,7 @@ class Vandal {
  private:
   Index below(std::size_t count) { return static_cast<Index>(random_() % count); }
   Index vertex(const Mesh& mesh) { return below(mesh.vertex_count()); }
-  Index corner(const Mesh& mesh) { return below(mesh.face_vertices.size()); }
+  Index corner(const Mesh& mesh) { return below(mesh.face_vertices().size()); }
 
   Mesh shape() {
     switch (below(4)) {
@@ -77,20 +77,21 @@ class Vandal {
   void unweld(Mesh& mesh) {
     for (Index times = below(20); times > 0; --times) {
       const Index c = corner(mesh);
-      mesh.positions.push_back(mesh.positions[mesh.face_vertices[c]]);
-      mesh.face_vertices[c] = static_cast<Index>(mesh.vertex_count() - 1);
+      mesh.positions.push_back(mesh.positions[mesh.face_vertices()[c]]);
+      mesh.edit_faces().vertices[c] = static_cast<Index>(mesh.vertex_count() - 1);
     }
   }
 
   void merge_vertices(Mesh& mesh) {
     const Index from = vertex(mesh);
-    std::ranges::replace(mesh.face_vertices, from, vertex(mesh));
+    std::ranges::replace(mesh.edit_faces().vertices, from, vertex(mesh));
   }
 
   void flip_face(Mesh& mesh) {
     const Index f = below(mesh.face_count());
-    std::reverse(mesh.face_vertices.begin() + mesh.face_starts[f],
-                 mesh.face_vertices.begin() + mesh.face_starts[f + 1]);
+    Faces& faces = mesh.edit_faces();
+    std::reverse(faces.vertices.begin() + faces.starts[f],
+                 faces.vertices.begin() + faces.starts[f + 1]);
   }
 
   void repeat_face(Mesh& mesh) {
@@ -107,14 +108,14 @@ class Vandal {
   }
 
   void repeat_corner(Mesh& mesh) {
-    mesh.face_vertices[corner(mesh)] = mesh.face_vertices[corner(mesh)];
+    mesh.edit_faces().vertices[corner(mesh)] = mesh.face_vertices()[corner(mesh)];
   }
 
   // Attributes that tell which vertex, corner and face they began at.
   void tag(Mesh& mesh) {
-    MeshAttributes& a = mesh.attributes;
-    a.uvs.assign(mesh.face_vertices.size(), Eigen::Vector2d::Zero());
-    for (Index c = 0; c < mesh.face_vertices.size(); ++c) a.corner_uvs.push_back(c);
+    MeshAttributes& a = mesh.edit_attributes();
+    a.uvs.assign(mesh.face_vertices().size(), Eigen::Vector2d::Zero());
+    for (Index c = 0; c < mesh.face_vertices().size(); ++c) a.corner_uvs.push_back(c);
     for (Index f = 0; f < mesh.face_count(); ++f) a.face_materials.push_back(f);
     a.vertex_extras = {{"id", "int", 1, {}}};
     for (Index v = 0; v < mesh.vertex_count(); ++v) a.vertex_extras[0].values.push_back(v);
@@ -144,7 +145,7 @@ TEST(FixProperty, TheseMeshesNeedEveryRepair) {
 
 TEST(FixProperty, LeavesNoFixableDefect) {
   for_each_broken_mesh([](const Mesh&, const Mesh& fixed, const FixReport&) {
-    for (const Defect& defect : check(fixed, build_topology(fixed)).defects) {
+    for (const Defect& defect : check(fixed).defects) {
       EXPECT_FALSE(describe(defect.kind).fixable) << describe(defect.kind).key;
     }
   });
@@ -152,7 +153,7 @@ TEST(FixProperty, LeavesNoFixableDefect) {
 
 TEST(FixProperty, ChangesAMeshExactlyWhenItHasAFixableDefect) {
   for_each_broken_mesh([](const Mesh& broken, const Mesh&, const FixReport& report) {
-    EXPECT_EQ(check(broken, build_topology(broken)).is_fixable(), report.changed());
+    EXPECT_EQ(check(broken).is_fixable(), report.changed());
   });
 }
 
@@ -160,7 +161,7 @@ TEST(FixProperty, SecondFixDoesNothing) {
   for_each_broken_mesh([](const Mesh&, const Mesh& fixed, const FixReport&) {
     Mesh again = fixed;
     EXPECT_FALSE(fix(again).changed());
-    EXPECT_EQ(again.face_vertices, fixed.face_vertices);
+    EXPECT_EQ(again.face_vertices(), fixed.face_vertices());
   });
 }
 
@@ -170,7 +171,7 @@ TEST(FixProperty, VerticesKeepTheirPositionsAndAttributes) {
     for (std::size_t v = 0; v < fixed.vertex_count(); ++v) {
       const Index source = report.vertex_sources[v];
       EXPECT_EQ(fixed.positions[v], broken.positions[source]);
-      EXPECT_EQ(fixed.attributes.vertex_extras[0].values[v], source);
+      EXPECT_EQ(fixed.attributes().vertex_extras[0].values[v], source);
     }
   });
 }
@@ -178,13 +179,13 @@ TEST(FixProperty, VerticesKeepTheirPositionsAndAttributes) {
 TEST(FixProperty, CornersStayWhereTheirUvsAndMaterialsAre) {
   for_each_broken_mesh([](const Mesh& broken, const Mesh& fixed, const FixReport&) {
     for (std::size_t f = 0; f < fixed.face_count(); ++f) {
-      const Index old_face = fixed.attributes.face_materials[f];
-      for (Index c = fixed.face_starts[f]; c < fixed.face_starts[f + 1]; ++c) {
-        const Index old_corner = fixed.attributes.corner_uvs[c];
-        EXPECT_GE(old_corner, broken.face_starts[old_face]);
-        EXPECT_LT(old_corner, broken.face_starts[old_face + 1]);
-        EXPECT_EQ(fixed.positions[fixed.face_vertices[c]],
-                  broken.positions[broken.face_vertices[old_corner]]);
+      const Index old_face = fixed.attributes().face_materials[f];
+      for (Index c = fixed.face_starts()[f]; c < fixed.face_starts()[f + 1]; ++c) {
+        const Index old_corner = fixed.attributes().corner_uvs[c];
+        EXPECT_GE(old_corner, broken.face_starts()[old_face]);
+        EXPECT_LT(old_corner, broken.face_starts()[old_face + 1]);
+        EXPECT_EQ(fixed.positions[fixed.face_vertices()[c]],
+                  broken.positions[broken.face_vertices()[old_corner]]);
       }
     }
   });

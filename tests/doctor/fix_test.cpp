@@ -20,15 +20,15 @@ using ::testing::IsEmpty;
 
 double signed_volume(const Mesh& mesh) {
   double volume = 0.0;
-  for (const Triangle& t : build_topology(mesh).triangles) {
+  for (const Triangle& t : mesh.topology().triangles) {
     volume += mesh.positions[t[0]].dot(mesh.positions[t[1]].cross(mesh.positions[t[2]])) / 6.0;
   }
   return volume;
 }
 
 void flip(Mesh& mesh, std::size_t face) {
-  std::swap(mesh.face_vertices[mesh.face_starts[face]],
-            mesh.face_vertices[mesh.face_starts[face] + 1]);
+  Faces& faces = mesh.edit_faces();
+  std::swap(faces.vertices[faces.starts[face]], faces.vertices[faces.starts[face] + 1]);
 }
 
 TEST(Fix, CleanMeshStaysAsItIs) {
@@ -37,40 +37,40 @@ TEST(Fix, CleanMeshStaysAsItIs) {
     const FixReport report = fix(mesh);
     EXPECT_FALSE(report.changed());
     EXPECT_EQ(mesh.positions, before.positions);
-    EXPECT_EQ(mesh.face_vertices, before.face_vertices);
+    EXPECT_EQ(mesh.face_vertices(), before.face_vertices());
     EXPECT_EQ(report.vertex_sources.size(), mesh.vertex_count());
   }
 }
 
 TEST(Fix, WeldsASeamAndKeepsUvsAndMaterials) {
   Mesh mesh = unwelded_square();
-  mesh.attributes.uvs.assign(6, Eigen::Vector2d::Zero());
-  mesh.attributes.corner_uvs = {5, 4, 3, 2, 1, 0};
-  mesh.attributes.materials = {"wood", "steel"};
-  mesh.attributes.face_materials = {1, 0};
+  mesh.edit_attributes().uvs.assign(6, Eigen::Vector2d::Zero());
+  mesh.edit_attributes().corner_uvs = {5, 4, 3, 2, 1, 0};
+  mesh.edit_attributes().materials = {"wood", "steel"};
+  mesh.edit_attributes().face_materials = {1, 0};
   const FixReport report = fix(mesh);
   EXPECT_EQ(report.count(RepairKind::welded_vertices), 2U);
   EXPECT_THAT(mesh.face(0), ElementsAre(0, 1, 2));
   EXPECT_THAT(mesh.face(1), ElementsAre(2, 1, 3));
   EXPECT_EQ(mesh.positions[3], Eigen::Vector3d(1, 1, 0));
   EXPECT_THAT(report.vertex_sources, ElementsAre(0, 1, 2, 5));
-  EXPECT_THAT(mesh.attributes.corner_uvs, ElementsAre(5, 4, 3, 2, 1, 0));
-  EXPECT_THAT(mesh.attributes.face_materials, ElementsAre(1, 0));
+  EXPECT_THAT(mesh.attributes().corner_uvs, ElementsAre(5, 4, 3, 2, 1, 0));
+  EXPECT_THAT(mesh.attributes().face_materials, ElementsAre(1, 0));
 }
 
 TEST(Fix, SaysWhenWeldedVerticesDiffered) {
   Mesh mesh = unwelded_square();
-  mesh.attributes.vertex_extras = {{"s", "float", 1, {0, 1, 2, 2, 8, 5}}};
+  mesh.edit_attributes().vertex_extras = {{"s", "float", 1, {0, 1, 2, 2, 8, 5}}};
   const FixReport report = fix(mesh);
   EXPECT_EQ(report.count(RepairKind::welded_unlike_vertices), 1U);
-  EXPECT_THAT(mesh.attributes.vertex_extras[0].values, ElementsAre(0, 1, 2, 5));
+  EXPECT_THAT(mesh.attributes().vertex_extras[0].values, ElementsAre(0, 1, 2, 5));
 }
 
 TEST(Fix, WeldsATriangleSoupIntoTheSphereItCameFrom) {
   const Mesh sphere = icosphere(2);
   Mesh soup;
-  for (const Index v : sphere.face_vertices) soup.positions.push_back(sphere.positions[v]);
-  for (Index c = 0; c < sphere.face_vertices.size(); c += 3) add_polygon(soup, {c, c + 1, c + 2});
+  for (const Index v : sphere.face_vertices()) soup.positions.push_back(sphere.positions[v]);
+  for (Index c = 0; c < sphere.face_vertices().size(); c += 3) add_polygon(soup, {c, c + 1, c + 2});
   fix(soup);
   EXPECT_EQ(soup.vertex_count(), sphere.vertex_count());
   EXPECT_THAT(check(soup).defects, IsEmpty());
@@ -101,10 +101,10 @@ TEST(Fix, RemovesNonFiniteVerticesWithTheirFaces) {
 TEST(Fix, RemovesLooseVertices) {
   Mesh mesh = grid(1, 1);
   mesh.positions.insert(mesh.positions.begin(), Eigen::Vector3d(5, 5, 5));
-  for (Index& v : mesh.face_vertices) ++v;
+  for (Index& v : mesh.edit_faces().vertices) ++v;
   const FixReport report = fix(mesh);
   EXPECT_EQ(report.count(RepairKind::removed_loose_vertices), 1U);
-  EXPECT_EQ(mesh.face_vertices, grid(1, 1).face_vertices);
+  EXPECT_EQ(mesh.face_vertices(), grid(1, 1).face_vertices());
 }
 
 TEST(Fix, RemovesRepeatedAndDegenerateFaces) {
@@ -114,19 +114,19 @@ TEST(Fix, RemovesRepeatedAndDegenerateFaces) {
   const FixReport report = fix(mesh);
   EXPECT_EQ(report.count(RepairKind::removed_repeated_faces), 1U);
   EXPECT_EQ(report.count(RepairKind::removed_degenerate_faces), 1U);
-  EXPECT_EQ(mesh.face_vertices, grid(1, 1).face_vertices);
+  EXPECT_EQ(mesh.face_vertices(), grid(1, 1).face_vertices());
 }
 
 TEST(Fix, CollapsedQuadBecomesATriangleWithItsOwnUvs) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   add_polygon(mesh, {0, 1, 1, 2});
-  mesh.attributes.uvs.assign(4, Eigen::Vector2d::Zero());
-  mesh.attributes.corner_uvs = {0, 1, 2, 3};
+  mesh.edit_attributes().uvs.assign(4, Eigen::Vector2d::Zero());
+  mesh.edit_attributes().corner_uvs = {0, 1, 2, 3};
   const FixReport report = fix(mesh);
   EXPECT_EQ(report.count(RepairKind::mended_faces), 1U);
   EXPECT_THAT(mesh.face(0), ElementsAre(0, 1, 2));
-  EXPECT_THAT(mesh.attributes.corner_uvs, ElementsAre(0, 1, 3));
+  EXPECT_THAT(mesh.attributes().corner_uvs, ElementsAre(0, 1, 3));
 }
 
 TEST(Fix, PolygonWithABridgedHoleKeepsItsSurface) {
@@ -143,13 +143,13 @@ TEST(Fix, PolygonWithABridgedHoleKeepsItsSurface) {
 
 TEST(Fix, GivesEachFanOfABowTieItsVertex) {
   Mesh mesh = bow_tie();
-  mesh.attributes.vertex_colors.assign(5, Eigen::Vector4f::Ones());
+  mesh.edit_attributes().vertex_colors.assign(5, Eigen::Vector4f::Ones());
   const FixReport report = fix(mesh);
   EXPECT_EQ(report.count(RepairKind::split_bow_ties), 1U);
   EXPECT_THAT(mesh.face(0), ElementsAre(0, 1, 2));
   EXPECT_THAT(mesh.face(1), ElementsAre(5, 3, 4));
   EXPECT_EQ(mesh.positions[5], mesh.positions[0]);
-  EXPECT_EQ(mesh.attributes.vertex_colors.size(), 6U);
+  EXPECT_EQ(mesh.attributes().vertex_colors.size(), 6U);
   EXPECT_EQ(report.vertex_sources[5], 0U);
 }
 
@@ -166,7 +166,7 @@ TEST(Fix, ClosedSurfaceEndsUpOutwardWhateverWasFlipped) {
 
 TEST(Fix, OpenSurfaceFlipsTheSmallerPart) {
   Mesh mesh = grid(4, 4);
-  const std::vector<Index> before = mesh.face_vertices;
+  const std::vector<Index> before = mesh.face_vertices();
   flip(mesh, 0);
   flip(mesh, 9);
   const FixReport report = fix(mesh);
@@ -177,11 +177,11 @@ TEST(Fix, OpenSurfaceFlipsTheSmallerPart) {
 
 TEST(Fix, FlippedFaceTakesItsCornersAttributesAlong) {
   Mesh mesh = grid(2, 2);
-  mesh.attributes.uvs.assign(9, Eigen::Vector2d::Zero());
+  mesh.edit_attributes().uvs.assign(9, Eigen::Vector2d::Zero());
   flip(mesh, 3);
-  mesh.attributes.corner_uvs = mesh.face_vertices;
+  mesh.edit_attributes().corner_uvs = mesh.face_vertices();
   fix(mesh);
-  EXPECT_EQ(mesh.attributes.corner_uvs, mesh.face_vertices);
+  EXPECT_EQ(mesh.attributes().corner_uvs, mesh.face_vertices());
 }
 
 TEST(Fix, RefusesToLeaveNothingAndSaysWhy) {

@@ -16,7 +16,7 @@ using ::testing::SizeIs;
 using Pair = std::array<Index, 2>;
 
 std::vector<Pair> pairs_of(const Mesh& mesh) {
-  return self_intersections(build_topology(mesh).triangles, mesh.positions);
+  return self_intersections(mesh.topology().triangles, mesh.positions);
 }
 
 // Two triangles by their corners; the second may share corners of the first.

@@ -17,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::Optional;
 
 MeshStatistics statistics_of(const Mesh& mesh) {
-  return check(mesh, build_topology(mesh)).statistics;
+  return check(mesh).statistics;
 }
 
 // `other` as a second piece beside `mesh`.

@@ -25,7 +25,7 @@ class Mutation : public ::testing::TestWithParam<Storage> {
     try {
       const Mesh mesh = read_mesh(path);
       EXPECT_NO_THROW(validate_indices(mesh));
-      EXPECT_EQ(mesh.face_starts.back(), mesh.face_vertices.size());
+      EXPECT_EQ(mesh.face_starts().back(), mesh.face_vertices().size());
     } catch (const InputError&) {
       ++refused_;
     }

@@ -21,7 +21,7 @@ class Obj : public ::testing::Test {
 
 TEST_F(Obj, CornersMayBeRelativeAndForward) {
   const Mesh mesh = read("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -1 +1 2\n");
-  EXPECT_THAT(mesh.face_vertices, ElementsAre(0, 1, 2, 0, 1, 2, 3, 0, 1));
+  EXPECT_THAT(mesh.face_vertices(), ElementsAre(0, 1, 2, 0, 1, 2, 3, 0, 1));
 }
 
 TEST_F(Obj, EveryFormOfCornerIsRead) {
@@ -29,15 +29,15 @@ TEST_F(Obj, EveryFormOfCornerIsRead) {
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 1\nvt 0 0\nvn 0 0 1\n"
       "f 1 2/ 3//\nf 1/2 2/1 3/2\nf 1//1 2//-1 3//1\nf 1/1/1 2/2/1 3/-1/1\n");
   const Index no = kNoIndex;
-  EXPECT_THAT(mesh.attributes.corner_uvs, ElementsAre(no, no, no, 1, 0, 1, no, no, no, 0, 1, 1));
-  EXPECT_THAT(mesh.attributes.corner_normals,
+  EXPECT_THAT(mesh.attributes().corner_uvs, ElementsAre(no, no, no, 1, 0, 1, no, no, no, 0, 1, 1));
+  EXPECT_THAT(mesh.attributes().corner_normals,
               ElementsAre(no, no, no, no, no, no, 0, 0, 0, 0, 0, 0));
 }
 
 TEST_F(Obj, LinesMayBeContinuedAndEndInAnyWay) {
   const Mesh mesh = read("v\t0 0 \\\r\n 0\r\nv 1 0 0\rv 0  1 0   \n\n   f 1 \\\n2 3 # and so on");
   EXPECT_EQ(mesh.vertex_count(), 3U);
-  EXPECT_THAT(mesh.face_vertices, ElementsAre(0, 1, 2));
+  EXPECT_THAT(mesh.face_vertices(), ElementsAre(0, 1, 2));
 }
 
 TEST_F(Obj, NumbersComeInAllSpellings) {
@@ -61,25 +61,26 @@ TEST_F(Obj, EmptyFileIsAnEmptyMesh) {
 }
 
 TEST_F(Obj, VertexColoursAreInUnitRangeWhateverTheFileUses) {
-  EXPECT_EQ(read("v 0 0 0 0.25 0.5 1\n").attributes.vertex_colors[0],
+  EXPECT_EQ(read("v 0 0 0 0.25 0.5 1\n").attributes().vertex_colors[0],
             Eigen::Vector4f(0.25F, 0.5F, 1, 1));
-  EXPECT_EQ(read("v 0 0 0 0 51 255\n").attributes.vertex_colors[0], Eigen::Vector4f(0, 0.2F, 1, 1));
+  EXPECT_EQ(read("v 0 0 0 0 51 255\n").attributes().vertex_colors[0],
+            Eigen::Vector4f(0, 0.2F, 1, 1));
 }
 
 TEST_F(Obj, GroupsAndMaterialsHoldForTheFacesThatFollow) {
   const Mesh mesh = read(
       "mtllib my colours.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ng left arm\nusemtl a\nf 1 2 3\n"
       "usemtl b\nf 1 2 3\ng\nusemtl a\nf 1 2 3\n");
-  EXPECT_THAT(mesh.attributes.material_libraries, ElementsAre("my colours.mtl"));
-  EXPECT_THAT(mesh.attributes.groups, ElementsAre("left arm"));
-  EXPECT_THAT(mesh.attributes.face_groups, ElementsAre(kNoIndex, 0, 0, kNoIndex));
-  EXPECT_THAT(mesh.attributes.materials, ElementsAre("a", "b"));
-  EXPECT_THAT(mesh.attributes.face_materials, ElementsAre(kNoIndex, 0, 1, 0));
+  EXPECT_THAT(mesh.attributes().material_libraries, ElementsAre("my colours.mtl"));
+  EXPECT_THAT(mesh.attributes().groups, ElementsAre("left arm"));
+  EXPECT_THAT(mesh.attributes().face_groups, ElementsAre(kNoIndex, 0, 0, kNoIndex));
+  EXPECT_THAT(mesh.attributes().materials, ElementsAre("a", "b"));
+  EXPECT_THAT(mesh.attributes().face_materials, ElementsAre(kNoIndex, 0, 1, 0));
 }
 
 TEST_F(Obj, WhatCannotBeEditedIsCounted) {
   const Mesh mesh = read("o ball\nv 0 0 0 2\nv 1 0 0\nl 1 2\np 1\ns 1\ncurv 0 1 1 2\n");
-  EXPECT_THAT(mesh.attributes.uneditable,
+  EXPECT_THAT(mesh.attributes().uneditable,
               ElementsAre("line elements (1)", "object names (1)", "other statements (1)",
                           "point elements (1)", "smoothing groups (1)", "vertex weights (1)"));
 }

@@ -19,7 +19,7 @@ class OffHeader : public ::testing::TestWithParam<std::string> {};
 TEST_P(OffHeader, SpellingDoesNotMatter) {
   const Mesh mesh = read_off_text(GetParam() + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   EXPECT_EQ(mesh.vertex_count(), 3U);
-  EXPECT_THAT(mesh.face_vertices, ElementsAre(0, 1, 2));
+  EXPECT_THAT(mesh.face_vertices(), ElementsAre(0, 1, 2));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OffHeader,
@@ -30,23 +30,23 @@ INSTANTIATE_TEST_SUITE_P(All, OffHeader,
 TEST(Off, PrefixesSayWhatAVertexHolds) {
   const Mesh mesh = read_off_text("STCNOFF\n1 0 0\n1 2 3  0 0 1  255 0 51 255  0.25 0.75\n");
   EXPECT_EQ(mesh.positions[0], Eigen::Vector3d(1, 2, 3));
-  EXPECT_TRUE(mesh.attributes.has_vertex_normals);
-  EXPECT_EQ(mesh.attributes.normals[0], Eigen::Vector3d(0, 0, 1));
-  EXPECT_EQ(mesh.attributes.vertex_colors[0], Eigen::Vector4f(1, 0, 0.2F, 1));
-  EXPECT_EQ(mesh.attributes.uvs[0], Eigen::Vector2d(0.25, 0.75));
+  EXPECT_TRUE(mesh.attributes().has_vertex_normals);
+  EXPECT_EQ(mesh.attributes().normals[0], Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(mesh.attributes().vertex_colors[0], Eigen::Vector4f(1, 0, 0.2F, 1));
+  EXPECT_EQ(mesh.attributes().uvs[0], Eigen::Vector2d(0.25, 0.75));
 }
 
 TEST(Off, FaceColoursMayBeMissingOnSomeFaces) {
   const Mesh mesh =
       read_off_text("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 # none\n3 0 1 2 0 1 0.5\n3 0 1 2\n");
-  EXPECT_THAT(mesh.attributes.face_colors,
+  EXPECT_THAT(mesh.attributes().face_colors,
               ElementsAre(Eigen::Vector4f::Ones(), Eigen::Vector4f(0, 1, 0.5F, 1),
                           Eigen::Vector4f::Ones()));
 }
 
 TEST(Off, CommentsAreKept) {
   const Mesh mesh = read_off_text("OFF\n# made by hand\n1 0 0\n0 0 0\n# the end\n");
-  EXPECT_THAT(mesh.attributes.comments, ElementsAre("made by hand", "the end"));
+  EXPECT_THAT(mesh.attributes().comments, ElementsAre("made by hand", "the end"));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(Ply, EveryPropertyFindsItsPlace) {
       "element edge 2\nproperty int vertex1\nproperty int vertex2\nend_header\n"
       "255 3 1 2 2 0.5 0.5 0 51 0.25 0.75 7\n0 0 0 0 0 0 0 0 0 8\n0 0 0 1 1 9 0 0 1 1 9\n"
       "0.5 3 0 1 2\n0 1\n1 2\n");
-  const MeshAttributes& a = mesh.attributes;
+  const MeshAttributes& a = mesh.attributes();
   EXPECT_EQ(mesh.positions[0], Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(a.vertex_colors[0], Eigen::Vector4f(0, 0.2F, 1, 1));
   EXPECT_EQ(a.uvs[0], Eigen::Vector2d(0.25, 0.75));
@@ -45,8 +45,8 @@ TEST(Ply, TextureCoordinatesPerCornerAreRead) {
       "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
       "property list uchar float texcoord\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
       "3 0 1 2 6 0 0 1 0 0 1\n3 2 1 0 0\n");
-  EXPECT_EQ(mesh.attributes.uvs[1], Eigen::Vector2d(1, 0));
-  EXPECT_THAT(mesh.attributes.corner_uvs, ElementsAre(0, 1, 2, kNoIndex, kNoIndex, kNoIndex));
+  EXPECT_EQ(mesh.attributes().uvs[1], Eigen::Vector2d(1, 0));
+  EXPECT_THAT(mesh.attributes().corner_uvs, ElementsAre(0, 1, 2, kNoIndex, kNoIndex, kNoIndex));
 }
 
 TEST(Ply, FacesMayComeBeforeVertices) {
@@ -54,7 +54,7 @@ TEST(Ply, FacesMayComeBeforeVertices) {
       "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
       "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
       "3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n");
-  EXPECT_THAT(mesh.face_vertices, ElementsAre(0, 1, 2));
+  EXPECT_THAT(mesh.face_vertices(), ElementsAre(0, 1, 2));
   EXPECT_EQ(mesh.positions[2], Eigen::Vector3d(0, 1, 0));
 }
 
@@ -91,7 +91,7 @@ TEST(Ply, LargeIndicesArePrintedInFull) {
   mesh.positions.assign(100001, Eigen::Vector3d::Zero());
   mesh.add_face(std::array<Index, 3>{0, 1, 100000});
   write_mesh(mesh, folder / "a.ply", {.encoding = Encoding::ascii});
-  EXPECT_EQ(read_mesh(folder / "a.ply").face_vertices, mesh.face_vertices);
+  EXPECT_EQ(read_mesh(folder / "a.ply").face_vertices(), mesh.face_vertices());
 }
 
 TEST(Ply, MovedVertexOfAnIntegerFileGetsRealCoordinates) {

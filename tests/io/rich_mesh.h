@@ -29,9 +29,9 @@ inline const std::array kStorages{
 inline Mesh rich_mesh() {
   Mesh mesh = grid(4, 4);
   for (auto& p : mesh.positions) p.z() = 0.25 * p.x() * p.x() - 0.5 * p.y();
-  MeshAttributes& a = mesh.attributes;
+  MeshAttributes& a = mesh.edit_attributes();
   a.has_vertex_normals = true;
-  a.corner_uvs = mesh.face_vertices;
+  a.corner_uvs = mesh.face_vertices();
   ExtraAttribute label{"label", "int", 1, {}};
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     a.uvs.emplace_back(mesh.positions[v].head<2>());

@@ -35,8 +35,8 @@ Carried carried_by(const Storage& storage) {
 }
 
 std::vector<Eigen::Vector3d> corner_normals(const Mesh& mesh) {
-  const MeshAttributes& a = mesh.attributes;
-  return at_corners(a.normals, a.has_vertex_normals ? mesh.face_vertices : a.corner_normals);
+  const MeshAttributes& a = mesh.attributes();
+  return at_corners(a.normals, a.has_vertex_normals ? mesh.face_vertices() : a.corner_normals);
 }
 
 class RoundTrip : public ::testing::TestWithParam<std::tuple<Storage, Storage>> {};
@@ -50,14 +50,14 @@ TEST_P(RoundTrip, KeepsWhatBothFormatsHold) {
   write_mesh(there, folder / ("to-" + second.name), {.encoding = second.encoding});
   const Mesh back = read_mesh(folder / ("to-" + second.name));
 
-  EXPECT_EQ(back.face_starts, mesh.face_starts);
-  EXPECT_EQ(at_corners(back.positions, back.face_vertices),
-            at_corners(mesh.positions, mesh.face_vertices));
+  EXPECT_EQ(back.face_starts(), mesh.face_starts());
+  EXPECT_EQ(at_corners(back.positions, back.face_vertices()),
+            at_corners(mesh.positions, mesh.face_vertices()));
 
   const Carried a = carried_by(first);
   const Carried b = carried_by(second);
-  const MeshAttributes& before = mesh.attributes;
-  const MeshAttributes& after = back.attributes;
+  const MeshAttributes& before = mesh.attributes();
+  const MeshAttributes& after = back.attributes();
   if (a.uvs && b.uvs) {
     EXPECT_EQ(at_corners(after.uvs, after.corner_uvs), at_corners(before.uvs, before.corner_uvs));
   }
@@ -131,12 +131,12 @@ TEST(Writing, DoublesReadBackExactly) {
 TEST(Writing, TextureSeamsGoToPlyPerCorner) {
   const TemporaryFolder folder;
   Mesh mesh = grid(1, 1);
-  mesh.attributes.uvs = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0.5}};
-  mesh.attributes.corner_uvs = {0, 1, 2, 3, 2, 1};
+  mesh.edit_attributes().uvs = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0.5}};
+  mesh.edit_attributes().corner_uvs = {0, 1, 2, 3, 2, 1};
   write_mesh(mesh, folder / "a.ply");
-  const MeshAttributes after = read_mesh(folder / "a.ply").attributes;
+  const MeshAttributes after = read_mesh(folder / "a.ply").attributes();
   EXPECT_EQ(at_corners(after.uvs, after.corner_uvs),
-            at_corners(mesh.attributes.uvs, mesh.attributes.corner_uvs));
+            at_corners(mesh.attributes().uvs, mesh.attributes().corner_uvs));
   EXPECT_THAT(write_mesh(mesh, folder / "a.off").not_carried,
               Contains("texture coordinates (4): OFF has no place for them"));
 }
@@ -144,8 +144,8 @@ TEST(Writing, TextureSeamsGoToPlyPerCorner) {
 TEST(Writing, InconsistentAttributesAreRefusedByName) {
   const TemporaryFolder folder;
   Mesh mesh = grid(1, 1);
-  mesh.attributes.uvs = {{0, 0}};
-  mesh.attributes.corner_uvs = {0, 0, 0, 0, 0, 1};
+  mesh.edit_attributes().uvs = {{0, 0}};
+  mesh.edit_attributes().corner_uvs = {0, 0, 0, 0, 0, 1};
   try {
     write_mesh(mesh, folder / "a.obj");
     FAIL() << "accepted";

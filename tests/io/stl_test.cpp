@@ -30,7 +30,7 @@ TEST(Stl, BothZerosAreOnePosition) {
       "a.stl",
       "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex -0 0 -0\n"
       "endloop\nendfacet\nendsolid\n"));
-  EXPECT_THAT(mesh.face_vertices, ElementsAre(0, 1, 0));
+  EXPECT_THAT(mesh.face_vertices(), ElementsAre(0, 1, 0));
 }
 
 TEST(Stl, BinaryFileMayStartWithTheWordSolid) {
@@ -51,18 +51,18 @@ TEST(Stl, SolidsAreGroups) {
                            "endsolid left arm\nsolid empty\nendsolid\nsolid b\n" + facet +
                            "endsolid b\n";
   const Mesh mesh = read_mesh(folder.file("a.stl", text));
-  EXPECT_THAT(mesh.attributes.groups, ElementsAre("left arm", "empty", "b"));
-  EXPECT_THAT(mesh.attributes.face_groups, ElementsAre(0, 2));
+  EXPECT_THAT(mesh.attributes().groups, ElementsAre("left arm", "empty", "b"));
+  EXPECT_THAT(mesh.attributes().face_groups, ElementsAre(0, 2));
 }
 
 TEST(Stl, AttributeWordsAreCarried) {
   const TemporaryFolder folder;
   Mesh mesh = grid(1, 1);
-  mesh.attributes.face_extras.push_back({"attribute", "ushort", 1, {0, 40000}});
+  mesh.edit_attributes().face_extras.push_back({"attribute", "ushort", 1, {0, 40000}});
   write_mesh(mesh, folder / "a.stl");
   const Mesh again = read_mesh(folder / "a.stl");
-  ASSERT_EQ(again.attributes.face_extras.size(), 1U);
-  EXPECT_THAT(again.attributes.face_extras[0].values, ElementsAre(0, 40000));
+  ASSERT_EQ(again.attributes().face_extras.size(), 1U);
+  EXPECT_THAT(again.attributes().face_extras[0].values, ElementsAre(0, 40000));
 }
 
 TEST(Stl, FewBytesBehindTheLastTriangleAreKept) {

@@ -68,7 +68,7 @@ Mesh one_vertex() {
 Sample::Sample(std::string sample_name, Mesh sample_mesh)
     : name(std::move(sample_name)),
       mesh(std::move(sample_mesh)),
-      topology(build_topology(mesh)),
+      topology(mesh.topology()),
       weights(laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform)),
       vertices(mesh.vertex_count()) {
   std::iota(vertices.begin(), vertices.end(), 0U);

@@ -106,7 +106,7 @@ TEST(Fans, ListEveryTriangleOnceWithItsOrientation) {
   const std::vector<Triangle> faces{{0, 1, 2}, {0, 2, 3}, {0, 1, 4},
                                     {5, 6, 0}, {6, 7, 0}, {1, 0, 8}};
   for (const Triangle& face : faces) mesh.add_face(face);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Adjacency fans = build_fans(topology.triangles, topology.vertex_triangles);
   for (Index i = 0; i < 9; ++i) {
     std::vector<Triangle> expected;
@@ -128,7 +128,7 @@ TEST(Fans, ManifoldVertexHasOne) {
   Mesh corner;
   corner.positions.assign(3, Vector3d::Zero());
   corner.add_face(std::array<Index, 3>{0, 1, 2});
-  const Topology triangle = build_topology(corner);
+  const Topology& triangle = corner.topology();
   EXPECT_THAT(build_fans(triangle.triangles, triangle.vertex_triangles)[1],
               ElementsAre(2 | kFanBegins, 0));
 }

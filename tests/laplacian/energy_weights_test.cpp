@@ -29,7 +29,7 @@ struct Energies {
 };
 template <typename Field>
 Energies energies_of(const Mesh& mesh, const Field& field) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const EnergyWeights weights =
       energy_weights(topology, mesh.positions, all_vertices(mesh), kTerms);
   Energies sum;
@@ -60,7 +60,7 @@ TEST(EnergyWeights, RefiningTheMeshKeepsTheRatioOfRowsAndEdges) {
 
 TEST(EnergyWeights, StiffnessIsTheSameFromBothEndsAndPositive) {
   const Mesh mesh = rippled_cylinder(24, 31);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const EnergyWeights weights =
       energy_weights(topology, mesh.positions, all_vertices(mesh), kTerms);
   const Adjacency& rings = topology.rings;
@@ -90,7 +90,7 @@ TEST(EnergyWeights, TheLengthIsAShareOfTheRadius) {
 
 TEST(EnergyWeights, WithoutADetailLengthTheyAreLaplaciansAlone) {
   const Mesh mesh = icosphere(1);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const EnergyWeights weights = energy_weights(topology, mesh.positions, all_vertices(mesh),
                                                {LaplacianWeights::uniform, 0.0});
   EXPECT_TRUE(weights.rows.empty());
@@ -102,7 +102,7 @@ TEST(EnergyWeights, WithoutADetailLengthTheyAreLaplaciansAlone) {
 TEST(EnergyWeights, OfTrianglesWithoutAreaAreFinite) {
   Mesh mesh = grid(4, 4);
   for (Vector3d& p : mesh.positions) p.y() = 0.0;
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const EnergyWeights weights =
       energy_weights(topology, mesh.positions, all_vertices(mesh), kTerms);
   for (const double w : weights.rows) EXPECT_TRUE(std::isfinite(w));

@@ -47,7 +47,7 @@ class HeldSheet : public ::testing::Test {
   }
 
   Mesh mesh_ = bumpy_plane(40, 4, 0.2);
-  Topology topology_ = build_topology(mesh_);
+  Topology topology_ = mesh_.topology();
   std::vector<Index> all_ = all_of(mesh_);
   SystemPattern pattern_{topology_, all_, Unknowns(all_, all_.size())};
 };

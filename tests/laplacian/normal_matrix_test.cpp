@@ -23,7 +23,7 @@ struct System {
   Unknowns unknowns;
 
   System(Mesh m, std::vector<Index> row_list, std::vector<Index> unknown_list)
-      : mesh(std::move(m)), topology(build_topology(mesh)), rows(std::move(row_list)) {
+      : mesh(std::move(m)), topology(mesh.topology()), rows(std::move(row_list)) {
     const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
     CpuKernels kernels;
     M = assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, rows});

@@ -11,16 +11,15 @@
 namespace lapwing {
 namespace {
 
-SystemPattern pattern_of(const Mesh& mesh, const Topology& topology) {
+SystemPattern pattern_of(const Mesh& mesh) {
   std::vector<Index> all(mesh.vertex_count());
   std::iota(all.begin(), all.end(), 0U);
-  return {topology, all, Unknowns(all, all.size())};
+  return {mesh.topology(), all, Unknowns(all, all.size())};
 }
 
 TEST(SystemPattern, HasOneOrderForBothSystemsOfAnOrdinaryRegion) {
   const Mesh mesh = icosphere(3);
-  const Topology topology = build_topology(mesh);
-  const SystemPattern pattern = pattern_of(mesh, topology);
+  const SystemPattern pattern = pattern_of(mesh);
   EXPECT_FALSE(pattern.is_ordered());
   EXPECT_EQ(pattern.order(), fill_reducing_order(pattern.blocks()));
   EXPECT_TRUE(pattern.is_ordered());
@@ -29,8 +28,7 @@ TEST(SystemPattern, HasOneOrderForBothSystemsOfAnOrdinaryRegion) {
 
 TEST(SystemPattern, LargeRegionHasOneThatIsFoundFastAndSavesMoreThanMinimumDegree) {
   const Mesh mesh = grid(400, 400);
-  const Topology topology = build_topology(mesh);
-  const SystemPattern pattern = pattern_of(mesh, topology);
+  const SystemPattern pattern = pattern_of(mesh);
   ASSERT_GT(pattern.blocks().size(), kMinimumDegreeLimit);
   const auto flops = [&](std::span<const int> order) {
     const auto solver = make_solver(SolverKind::block);

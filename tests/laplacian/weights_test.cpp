@@ -18,7 +18,7 @@ double row_sum(const Adjacency& rings, const std::vector<double>& weights, std::
 
 TEST(LaplacianWeights, EveryRowSumsToOne) {
   const Mesh mesh = torus(17, 9, 2.0, 0.7);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   for (const auto scheme : {LaplacianWeights::uniform, LaplacianWeights::cotangent}) {
     const auto weights = laplacian_weights(topology, mesh.positions, scheme);
     for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
@@ -37,7 +37,7 @@ TEST(LaplacianWeights, CotangentLaplacianOfALinearFunctionIsZeroInsideThePlane) 
     mesh.positions[i].x() += 0.05 * std::sin(37.0 * static_cast<double>(i));
     mesh.positions[i].y() += 0.05 * std::cos(11.0 * static_cast<double>(i));
   }
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent);
   std::size_t inner = 0;
   for (Index i = 0; i < mesh.vertex_count(); ++i) {
@@ -58,7 +58,7 @@ TEST(LaplacianWeights, ObtuseTrianglesKeepEveryNeighbour) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 0.01, 0}, {0.5, -0.01, 0}};
   mesh.add_face(std::array<Index, 3>{0, 1, 2});
   mesh.add_face(std::array<Index, 3>{1, 0, 3});
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   for (const double w : laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent)) {
     EXPECT_GT(w, 0.0);
     EXPECT_LE(w, 1.0);
@@ -69,7 +69,7 @@ TEST(LaplacianWeights, RingWithoutAreaFallsBackToUniform) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   mesh.add_face(std::array<Index, 3>{0, 1, 2});
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   for (const double w : laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent)) {
     EXPECT_DOUBLE_EQ(w, 0.5);
   }

@@ -30,11 +30,11 @@ TEST(Edges, EverySideLiesOnItsEdge) {
   const Mesh mesh = torus(7, 5, 2.0, 0.5);
   const Edges edges = build_edges(mesh);
   EXPECT_EQ(edges.count(), 3 * mesh.vertex_count());
-  for (Index c = 0; c < mesh.face_vertices.size(); ++c) {
+  for (Index c = 0; c < mesh.face_vertices().size(); ++c) {
     const Index edge = edges.edge_of_side[c];
     EXPECT_THAT(edges.ends[edge],
-                ::testing::UnorderedElementsAre(mesh.face_vertices[c],
-                                                mesh.face_vertices[edges.next_corner[c]]));
+                ::testing::UnorderedElementsAre(mesh.face_vertices()[c],
+                                                mesh.face_vertices()[edges.next_corner[c]]));
     EXPECT_THAT(edges.sides[edge], ::testing::Contains(c));
   }
 }

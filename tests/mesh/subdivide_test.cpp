@@ -28,8 +28,8 @@ bool is_boundary(const Edges& edges, Index v) {
 }
 
 // Where vertex v, inside, is in the end (Loop 1987).
-Vector3d limit(const Mesh& mesh, const Topology& topology, Index v) {
-  const auto ring = topology.rings[v];
+Vector3d limit(const Mesh& mesh, Index v) {
+  const auto ring = mesh.topology().rings[v];
   const auto n = static_cast<double>(ring.size());
   const double c = 0.375 + 0.25 * std::cos(2.0 * std::numbers::pi / n);
   const double share = 1.0 / (0.375 * n / (0.625 - c * c) + n);
@@ -52,7 +52,7 @@ TEST_P(Subdivision, MakesFourOfEveryTriangleThatFaceAsItDoes) {
   const Mesh fine = GetParam()(coarse);
   EXPECT_EQ(fine.face_count(), 4 * coarse.face_count());
   EXPECT_EQ(fine.vertex_count(), coarse.vertex_count() + build_edges(coarse).count());
-  for (const Triangle& t : build_topology(fine).triangles) {
+  for (const Triangle& t : fine.topology().triangles) {
     const auto& p = fine.positions;
     EXPECT_GT((p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).z(), 0.0);
   }
@@ -108,11 +108,10 @@ TEST(LoopSubdivide, LeavesTheLimitOfEveryInnerVertexWhereItIs) {
   for (const Mesh& coarse : {rough(icosphere(1)), rough(grid(5, 5)), tetrahedron}) {
     const Mesh fine = loop_subdivide(coarse);
     const Edges edges = build_edges(coarse);
-    const Topology topology = build_topology(coarse);
-    const Topology fine_topology = build_topology(fine);
+    const Topology& topology = coarse.topology();
     for (Index v = 0; v < coarse.vertex_count(); ++v) {
       if (is_boundary(edges, v)) continue;
-      EXPECT_LT((limit(fine, fine_topology, v) - limit(coarse, topology, v)).norm(), 1e-12)
+      EXPECT_LT((limit(fine, v) - limit(coarse, v)).norm(), 1e-12)
           << v << " of valence " << topology.rings.size(v);
     }
   }

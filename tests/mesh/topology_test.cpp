@@ -19,7 +19,7 @@ TEST(Topology, RingHoldsNeighboursOfBothDirections) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   mesh.add_face(std::array<Index, 3>{0, 1, 2});
   mesh.add_face(std::array<Index, 3>{2, 1, 3});
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EXPECT_THAT(topology.rings[0], ElementsAre(1, 2));
   EXPECT_THAT(topology.rings[1], ElementsAre(0, 2, 3));
   EXPECT_THAT(topology.vertex_triangles[2], ElementsAre(0, 1));
@@ -36,7 +36,7 @@ TEST(Topology, RingsAreSymmetric) {
 
 TEST(Topology, ClosedSurfacesHaveTheirEulerCharacteristic) {
   const auto euler = [](const Mesh& mesh) {
-    const Topology topology = build_topology(mesh);
+    const Topology& topology = mesh.topology();
     const auto edges = static_cast<long>(topology.rings.values.size() / 2);
     return static_cast<long>(mesh.vertex_count()) - edges +
            static_cast<long>(topology.triangles.size());
@@ -48,7 +48,7 @@ TEST(Topology, ClosedSurfacesHaveTheirEulerCharacteristic) {
 TEST(Topology, LooseVertexHasAnEmptyRingAndItsOwnComponent) {
   Mesh mesh = grid(2, 2);
   mesh.positions.emplace_back(5, 5, 5);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EXPECT_EQ(topology.rings.size(9), 0U);
   EXPECT_EQ(connected_components(topology.rings).count, 2U);
 }
@@ -58,7 +58,7 @@ TEST(Topology, FaceThatNamesAMissingVertexIsRefusedByName) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.add_face(std::array<Index, 3>{0, 1, 7});
   try {
-    build_topology(mesh);
+    mesh.topology();
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(),

@@ -259,13 +259,13 @@ class ModelPatches : public ::testing::TestWithParam<const char*> {
  protected:
   static constexpr std::size_t kLargest = 12'000;
 
-  static std::optional<PlacedPatch> random_patch(const Mesh& mesh, const Topology& topology,
-                                                 std::mt19937& random) {
+  static std::optional<PlacedPatch> random_patch(const Mesh& mesh, std::mt19937& random) {
+    const Topology& topology = mesh.topology();
     const auto center = static_cast<Index>(random() % mesh.vertex_count());
     const double share = 0.03 + 0.22 * static_cast<double>(random() % 1000) / 1000.0;
     const double radius = share * bounds_of(mesh.positions).diagonal();
     if (!(radius > 0.0) || !mesh.positions[center].allFinite()) return {};
-    VertexSet region = resolve({GeodesicDisk{center, radius}, "disk"}, mesh, topology);
+    VertexSet region = resolve({GeodesicDisk{center, radius}, "disk"}, mesh);
     region = largest_disk(region, topology, mesh.positions);
     if (region.size() < 4) return {};
     PlacedPatch result;
@@ -303,10 +303,10 @@ TEST_P(ModelPatches, AreMappedWithoutFolds) {
     } catch (const Error&) {
       continue;  // some are broken on purpose
     }
-    const Topology topology = build_topology(mesh);
+    const Topology& topology = mesh.topology();
     if (topology.triangles.empty() || mesh.vertex_count() > kLargest) continue;
     for (int round = 0; round < 4; ++round) {
-      const auto patch = random_patch(mesh, topology, random);
+      const auto patch = random_patch(mesh, random);
       if (!patch) continue;
       for (const Domain domain : kDomains) {
         if (domain == Domain::square && patch->patch.loop.size() < 4) continue;

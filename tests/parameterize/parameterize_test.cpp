@@ -29,10 +29,10 @@ TEST(Parameterize, PutsTheMapsPointsOnTheMesh) {
   for (const Domain domain : {Domain::disk, Domain::square}) {
     request.domain = domain;
     const Parameterized laid = parameterize(mesh, request);
-    ASSERT_EQ(laid.mesh.attributes.corner_uvs.size(), mesh.face_vertices.size());
-    for (std::size_t c = 0; c < mesh.face_vertices.size(); ++c) {
-      const Index own = laid.patch.own_number(mesh.face_vertices[c]);
-      const Eigen::Vector2d uv = laid.mesh.attributes.uvs[laid.mesh.attributes.corner_uvs[c]];
+    ASSERT_EQ(laid.mesh.attributes().corner_uvs.size(), mesh.face_vertices().size());
+    for (std::size_t c = 0; c < mesh.face_vertices().size(); ++c) {
+      const Index own = laid.patch.own_number(mesh.face_vertices()[c]);
+      const Eigen::Vector2d uv = laid.mesh.attributes().uvs[laid.mesh.attributes().corner_uvs[c]];
       const Eigen::Vector2d point =
           domain == Domain::square ? uv : Eigen::Vector2d(2.0 * uv - Eigen::Vector2d(1, 1));
       EXPECT_LT((point - laid.map.points[own]).norm(), 1e-15);
@@ -66,8 +66,8 @@ TEST(Parameterize, GivesTextureCoordinatesInsideTheRegionOnly) {
   std::size_t outside = 0;
   for (std::size_t f = 0; f < laid.mesh.face_count(); ++f) {
     const bool is_inside = std::ranges::all_of(laid.mesh.face(f), is_in_patch);
-    for (Index c = laid.mesh.face_starts[f]; c < laid.mesh.face_starts[f + 1]; ++c) {
-      EXPECT_EQ(laid.mesh.attributes.corner_uvs[c] != kNoIndex, is_inside) << "face " << f;
+    for (Index c = laid.mesh.face_starts()[f]; c < laid.mesh.face_starts()[f + 1]; ++c) {
+      EXPECT_EQ(laid.mesh.attributes().corner_uvs[c] != kNoIndex, is_inside) << "face " << f;
     }
     outside += is_inside ? 0 : 1;
   }

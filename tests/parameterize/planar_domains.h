@@ -55,7 +55,7 @@ inline PlanarDomain disk_of_rings(
 inline PlanarDomain square_grid(Index size) {
   const Mesh mesh = grid(size, size);
   PlanarDomain square;
-  square.triangles = build_topology(mesh).triangles;
+  square.triangles = mesh.topology().triangles;
   for (const Eigen::Vector3d& p : mesh.positions) square.points.emplace_back(p.x(), p.y());
   const Index row = size + 1;
   for (Index k = 0; k < size; ++k) square.boundary.push_back(k);

@@ -14,7 +14,7 @@ MapDistortion of_grid_scaled(double x, double y) {
   const Mesh mesh = test::moved(grid(5, 7));
   std::vector<Vector2d> points;
   for (const Vector3d& p : grid(5, 7).positions) points.emplace_back(x * p.x(), y * p.y());
-  return measure_distortion(build_topology(mesh).triangles, mesh.positions, points);
+  return measure_distortion(mesh.topology().triangles, mesh.positions, points);
 }
 
 TEST(MapDistortion, IsOneForSimilarities) {

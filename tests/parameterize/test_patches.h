@@ -23,9 +23,9 @@ struct PlacedPatch {
 };
 
 inline PlacedPatch placed(const Mesh& mesh, const RegionSpec& region = {AllVertices{}, "region"}) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   PlacedPatch result;
-  result.patch = disk_patch(resolve(region, mesh, topology), topology, mesh.positions, "region");
+  result.patch = disk_patch(resolve(region, mesh), topology, mesh.positions, "region");
   result.positions = on_patch(result.patch, std::span<const Eigen::Vector3d>(mesh.positions));
   return result;
 }

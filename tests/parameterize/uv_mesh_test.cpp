@@ -16,7 +16,7 @@ using test::PlacedPatch;
 using ::testing::Each;
 
 Mesh with_map(const Mesh& mesh, const PlacedPatch& patch, const DomainMap& map) {
-  Mesh result = with_uvs(mesh, build_topology(mesh), patch.patch, map.points);
+  Mesh result = with_uvs(mesh, patch.patch, map.points);
   EXPECT_NO_THROW(validate_attributes(result));
   EXPECT_NO_THROW(validate_indices(result));
   return result;
@@ -28,18 +28,18 @@ TEST(UvMesh, CornersOfThePatchHaveTheirPlaceAndOthersNone) {
   const DomainMap map = patch.map(Domain::disk);
   const Mesh result = with_map(mesh, patch, map);
   EXPECT_EQ(result.positions, mesh.positions);
-  EXPECT_EQ(result.face_vertices, mesh.face_vertices);
+  EXPECT_EQ(result.face_vertices(), mesh.face_vertices());
   std::vector<char> in_patch(mesh.face_count(), 0);
   for (const Index t : patch.patch.triangle_sources) in_patch[t] = 1;
-  for (std::size_t c = 0; c < mesh.face_vertices.size(); ++c) {
-    const Index uv = result.attributes.corner_uvs[c];
+  for (std::size_t c = 0; c < mesh.face_vertices().size(); ++c) {
+    const Index uv = result.attributes().corner_uvs[c];
     if (in_patch[c / 3] != 0) {
-      EXPECT_EQ(uv, patch.patch.own_number(mesh.face_vertices[c]));
+      EXPECT_EQ(uv, patch.patch.own_number(mesh.face_vertices()[c]));
     } else {
       EXPECT_EQ(uv, kNoIndex);
     }
   }
-  EXPECT_EQ(result.attributes.uvs, map.points);
+  EXPECT_EQ(result.attributes().uvs, map.points);
 }
 
 TEST(UvMesh, HalvedEdgesBecomeVerticesThatKeepTheShape) {
@@ -48,19 +48,19 @@ TEST(UvMesh, HalvedEdgesBecomeVerticesThatKeepTheShape) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 1}};
   mesh.add_face(std::array<Index, 4>{0, 1, 4, 3});
   mesh.add_face(std::array<Index, 4>{1, 2, 5, 4});
-  mesh.attributes.face_colors = {{1, 0, 0, 1}, {0, 1, 0, 1}};
-  mesh.attributes.vertex_colors.assign(6, {0.5F, 0.5F, 0.5F, 1});
+  mesh.edit_attributes().face_colors = {{1, 0, 0, 1}, {0, 1, 0, 1}};
+  mesh.edit_attributes().vertex_colors.assign(6, {0.5F, 0.5F, 0.5F, 1});
   const PlacedPatch patch = placed(mesh);
   const Mesh result = with_map(mesh, patch, patch.map(Domain::disk));
   EXPECT_EQ(result.vertex_count(), 6U + 3U);
   EXPECT_EQ(result.face_count(), patch.patch.triangles.size());
   for (std::size_t f = 0; f < result.face_count(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index uv = result.attributes.corner_uvs[3 * f + k];
+      const Index uv = result.attributes().corner_uvs[3 * f + k];
       EXPECT_EQ(uv, patch.patch.triangles[f][k]);
       EXPECT_EQ(result.positions[result.face(f)[k]], patch.positions[uv]);
     }
-    const bool is_first = result.attributes.face_colors[f] == mesh.attributes.face_colors[0];
+    const bool is_first = result.attributes().face_colors[f] == mesh.attributes().face_colors[0];
     for (const Index v : result.face(f)) EXPECT_LE(result.positions[v].x(), is_first ? 1.0 : 2.0);
   }
 }
@@ -72,8 +72,8 @@ TEST(UvMesh, PolygonOnTheEdgeOfThePatchHasNoCoordinates) {
   mesh.add_face(std::array<Index, 3>{1, 4, 2});
   const PlacedPatch patch = placed(mesh, {ListedVertices{{0, 1, 2}}, "region"});
   const Mesh result = with_map(mesh, patch, patch.map(Domain::disk));
-  EXPECT_EQ(result.face_starts, mesh.face_starts);
-  EXPECT_THAT(result.attributes.corner_uvs, Each(kNoIndex));
+  EXPECT_EQ(result.face_starts(), mesh.face_starts());
+  EXPECT_THAT(result.attributes().corner_uvs, Each(kNoIndex));
 }
 
 TEST(UvMesh, HalfOfAPolygonThatIsNotInThePatchStays) {
@@ -86,7 +86,7 @@ TEST(UvMesh, HalfOfAPolygonThatIsNotInThePatchStays) {
   EXPECT_EQ(result.vertex_count(), 6U);
   EXPECT_EQ(result.face_count(), 5U) << "four parts, and the other half of the quad";
   double area = 0.0;
-  for (const Triangle& t : build_topology(result).triangles) {
+  for (const Triangle& t : result.topology().triangles) {
     area += 0.5 * (result.positions[t[1]] - result.positions[t[0]])
                       .cross(result.positions[t[2]] - result.positions[t[0]])
                       .z();

@@ -30,7 +30,7 @@ VertexSet all_of(const Mesh& mesh) {
 }
 
 Patch patch_of(const Mesh& mesh, const VertexSet& region) {
-  return disk_patch(region, build_topology(mesh), mesh.positions, "coat.json: /steps/0/target");
+  return disk_patch(region, mesh.topology(), mesh.positions, "coat.json: /steps/0/target");
 }
 Patch patch_of(const Mesh& mesh) {
   return patch_of(mesh, all_of(mesh));
@@ -86,7 +86,6 @@ void expect_no_chord(const Patch& patch) {
 
 TEST(Patch, OfAWholeGridKeepsItsNumbers) {
   const Mesh mesh = grid(6, 4);
-  const Topology topology = build_topology(mesh);
   const Patch patch = patch_of(mesh);
   EXPECT_EQ(patch.vertices, all_of(mesh));
   EXPECT_EQ(patch.loop.size(), 20U);
@@ -96,8 +95,8 @@ TEST(Patch, OfAWholeGridKeepsItsNumbers) {
 
 TEST(Patch, TrianglesAreThoseOfTheMeshInOwnNumbers) {
   const Mesh mesh = icosphere(3);
-  const Topology topology = build_topology(mesh);
-  const VertexSet region = resolve({GeodesicDisk{Index{17}, 0.7}, "target"}, mesh, topology);
+  const Topology& topology = mesh.topology();
+  const VertexSet region = resolve({GeodesicDisk{Index{17}, 0.7}, "target"}, mesh);
   const Patch patch = disk_patch(region, topology, mesh.positions, "target");
   ASSERT_THAT(patch.midpoint_of, IsEmpty());
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
@@ -114,9 +113,9 @@ TEST(Patch, TrianglesAreThoseOfTheMeshInOwnNumbers) {
 
 TEST(Patch, LoopRunsWithThePatchOnItsLeft) {
   const Mesh mesh = icosphere(3);
-  const Topology topology = build_topology(mesh);
-  const Patch patch = disk_patch(resolve({GeodesicDisk{Index{17}, 0.7}, "target"}, mesh, topology),
-                                 topology, mesh.positions, "target");
+  const Topology& topology = mesh.topology();
+  const Patch patch = disk_patch(resolve({GeodesicDisk{Index{17}, 0.7}, "target"}, mesh), topology,
+                                 mesh.positions, "target");
   const auto positions = on_patch(patch, std::span<const Vector3d>(mesh.positions));
   // Around any boundary: the vector area of what it bounds.
   Vector3d around = Vector3d::Zero();

@@ -33,7 +33,7 @@ VertexSet all_of(const Mesh& mesh) {
 }
 
 DiskReport report_on(const Mesh& mesh, const VertexSet& region) {
-  return report_disk(region_triangles(region, build_topology(mesh)));
+  return report_disk(region_triangles(region, mesh.topology()));
 }
 DiskReport report_on(const Mesh& mesh) {
   return report_on(mesh, all_of(mesh));
@@ -122,14 +122,14 @@ TEST(DiskReport, VerticesInNoTriangleDoNotCount) {
 
 TEST(LargestDisk, OfADiskIsTheDiskLessItsLooseVertices) {
   const Mesh mesh = grid(4, 4);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EXPECT_THAT(largest_disk({0, 1, 5, 6, 24}, topology, mesh.positions), ElementsAre(0, 1, 5, 6));
   EXPECT_THAT(largest_disk({0, 24}, topology, mesh.positions), IsEmpty());
 }
 
 // The share of the region that the largest disk keeps, having made sure that it is a disk.
 double share_kept(const Mesh& mesh, const VertexSet& region) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const VertexSet disk = largest_disk(region, topology, mesh.positions);
   const DiskReport report = report_disk(region_triangles(disk, topology));
   EXPECT_TRUE(report.is_disk()) << describe(report);
@@ -151,7 +151,7 @@ TEST(LargestDisk, LiesInTheLargestPiece) {
   const Mesh mesh = grid(10, 10);
   const VertexSet corner{0, 1, 11, 12};
   const VertexSet rest = subtract(all_of(mesh), unite(corner, {2, 13, 22, 23, 24}));
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const VertexSet disk = largest_disk(unite(corner, rest), topology, mesh.positions);
   EXPECT_THAT(intersect(disk, corner), IsEmpty());
 }
@@ -173,7 +173,7 @@ TEST(LargestDisk, OfBrokenSurfacesIsADiskOrNothing) {
   // Two triangles with the same corners; an edge of three triangles; neighbours turned against each
   // other.
   const Mesh doubled = mesh_of(3, {{0, 1, 2}, {0, 2, 1}});
-  EXPECT_THAT(largest_disk({0, 1, 2}, build_topology(doubled), doubled.positions), IsEmpty());
+  EXPECT_THAT(largest_disk({0, 1, 2}, doubled.topology(), doubled.positions), IsEmpty());
   const Mesh crowded = mesh_of(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   EXPECT_DOUBLE_EQ(share_kept(crowded, all_of(crowded)), 4.0 / 5.0);
   const Mesh turned = mesh_of(4, {{0, 1, 2}, {0, 1, 3}});

@@ -32,7 +32,7 @@ RegionSpec handle(std::vector<Index> vertices) {
 
 EditRegion bind(const Mesh& mesh, const RegionSpec& roi, const BeltSpec& belt,
                 const std::vector<RegionSpec>& handles) {
-  return resolve_edit_region(roi, belt, handles, mesh, build_topology(mesh));
+  return resolve_edit_region(roi, belt, handles, mesh);
 }
 
 std::string error_of(const Mesh& mesh, const RegionSpec& roi, const BeltSpec& belt,
@@ -72,9 +72,8 @@ TEST(BorderBelt, OfADiskIsARingOfTheFractionsWidth) {
 
 TEST(BorderBelt, OfFractionZeroIsTheBorder) {
   const Mesh mesh = grid(4, 4);
-  const Topology topology = build_topology(mesh);
   const VertexSet roi{6, 7, 8, 11, 12, 13, 16, 17, 18};
-  EXPECT_THAT(resolve_border_belt({0.0, "/belt"}, roi, mesh, topology),
+  EXPECT_THAT(resolve_border_belt({0.0, "/belt"}, roi, mesh),
               ElementsAre(6, 7, 8, 11, 13, 16, 17, 18));
 }
 

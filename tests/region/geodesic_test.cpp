@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 std::vector<double> distances_from(const Mesh& mesh, Index source) {
-  return geodesic_distances(build_topology(mesh), mesh.positions, std::array{source});
+  return geodesic_distances(mesh.topology(), mesh.positions, std::array{source});
 }
 
 // Inner vertices of a flat grid moved about, so that it has obtuse and uneven triangles.
@@ -112,7 +112,7 @@ TEST(Geodesic, DistanceToALineOfSourcesIsTheHeightAboveIt) {
   const Mesh mesh = grid(12, 12);
   std::vector<Index> bottom(13);
   for (Index c = 0; c < 13; ++c) bottom[c] = c;
-  const auto distances = geodesic_distances(build_topology(mesh), mesh.positions, bottom);
+  const auto distances = geodesic_distances(mesh.topology(), mesh.positions, bottom);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     EXPECT_NEAR(distances[v], mesh.positions[v].y(), 0.011);
   }
@@ -120,7 +120,7 @@ TEST(Geodesic, DistanceToALineOfSourcesIsTheHeightAboveIt) {
 
 TEST(Geodesic, NeverLongerThanAPathAlongEdges) {
   const Mesh mesh = shaken_grid(12);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const auto distances = geodesic_distances(topology, mesh.positions, std::array<Index, 1>{0});
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const std::vector<Index> path = shortest_edge_path(topology, mesh.positions, 0, v);
@@ -154,7 +154,7 @@ TEST(Geodesic, DoesNotDependOnPlaceOrUnit) {
 
 TEST(Geodesic, MoreSourcesNeverLengthenADistance) {
   const Mesh mesh = torus(24, 12, 2.0, 0.7);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const auto one = geodesic_distances(topology, mesh.positions, std::array<Index, 1>{0});
   const auto two = geodesic_distances(topology, mesh.positions, std::array<Index, 2>{0, 150});
   EXPECT_EQ(two[150], 0.0);
@@ -163,7 +163,7 @@ TEST(Geodesic, MoreSourcesNeverLengthenADistance) {
 
 TEST(Geodesic, LimitLeavesWhatLiesWithinItAndDropsTheRest) {
   const Mesh mesh = icosphere(3);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const auto all = geodesic_distances(topology, mesh.positions, std::array<Index, 1>{0});
   const auto near = geodesic_distances(topology, mesh.positions, std::array<Index, 1>{0}, 0.8);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -180,7 +180,7 @@ TEST(Geodesic, PathsKeepToTheAllowedVertices) {
   // A wall with a gap at the top row between the source and the right half.
   std::vector<char> allowed(mesh.vertex_count(), 1);
   for (Index r = 0; r < 10; ++r) allowed[r * 11 + 5] = 0;
-  const auto distances = geodesic_distances(build_topology(mesh), mesh.positions,
+  const auto distances = geodesic_distances(mesh.topology(), mesh.positions,
                                             std::array<Index, 1>{0}, kNoLimit, allowed);
   EXPECT_EQ(distances[5], kNoLimit);
   EXPECT_GT(distances[10], 2.0);
@@ -234,7 +234,7 @@ TEST(Geodesic, MissingSourceIsRefusedByNumber) {
 
 TEST(EdgePath, FollowsTheShortestEdges) {
   const Mesh mesh = grid(4, 4);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EXPECT_THAT(shortest_edge_path(topology, mesh.positions, 20, 24),
               ::testing::ElementsAre(20, 21, 22, 23, 24));
   EXPECT_THAT(shortest_edge_path(topology, mesh.positions, 7, 7), ::testing::ElementsAre(7));
@@ -243,12 +243,12 @@ TEST(EdgePath, FollowsTheShortestEdges) {
 TEST(EdgePath, IsEmptyBetweenComponents) {
   Mesh mesh = grid(2, 2);
   mesh.positions.emplace_back(5, 5, 5);
-  EXPECT_TRUE(shortest_edge_path(build_topology(mesh), mesh.positions, 0, 9).empty());
+  EXPECT_TRUE(shortest_edge_path(mesh.topology(), mesh.positions, 0, 9).empty());
 }
 
 TEST(EdgePath, MissingEndIsRefused) {
   const Mesh mesh = grid(2, 2);
-  EXPECT_THROW(shortest_edge_path(build_topology(mesh), mesh.positions, 0, 9), InputError);
+  EXPECT_THROW(shortest_edge_path(mesh.topology(), mesh.positions, 0, 9), InputError);
 }
 
 }  // namespace

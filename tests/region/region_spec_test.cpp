@@ -23,7 +23,7 @@ RegionSpec spec(Form form) {
 }
 
 VertexSet resolve_on(const Mesh& mesh, const RegionSpec& region) {
-  return resolve(region, mesh, build_topology(mesh));
+  return resolve(region, mesh);
 }
 
 std::string error_on(const Mesh& mesh, const RegionSpec& region) {

@@ -12,7 +12,7 @@ namespace {
 
 struct SubmeshOfAGrid : testing::Test {
   Mesh mesh = bumpy_plane(12, 2, 0.2);
-  Topology topology = build_topology(mesh);
+  Topology topology = mesh.topology();
   VertexSet region{40, 41, 42, 53, 54, 55, 66, 67, 68, 100};
   Submesh part = submesh_around(region, topology);
 

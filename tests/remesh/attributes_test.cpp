@@ -26,13 +26,13 @@ Eigen::Vector4f linear_color(const Vector3d& p) {
 // A plane with one of everything, each a linear function of the position.
 Mesh rich_plane(Index cells) {
   Mesh mesh = grid(cells, cells);
-  MeshAttributes& a = mesh.attributes;
+  MeshAttributes& a = mesh.edit_attributes();
   for (const Vector3d& p : mesh.positions) {
     a.uvs.push_back(planar_map(p));
     a.vertex_colors.push_back(linear_color(p));
     a.normals.push_back(Vector3d::UnitZ());
   }
-  a.corner_uvs = mesh.face_vertices;
+  a.corner_uvs = mesh.face_vertices();
   a.has_vertex_normals = true;
   a.vertex_extras = {{"height", "float", 1, {}}, {"flags", "uchar", 1, {}}};
   for (const Vector3d& p : mesh.positions) {
@@ -55,7 +55,7 @@ Mesh rich_plane(Index cells) {
 TEST(RemeshAttributes, LinearFunctionsOnAPlaneAreReproduced) {
   for (const double length : {0.03, 0.12}) {
     const Mesh result = remesh_all(rich_plane(16), length).mesh;
-    const MeshAttributes& a = result.attributes;
+    const MeshAttributes& a = result.attributes();
     ASSERT_EQ(a.vertex_colors.size(), result.vertex_count());
     for (std::size_t v = 0; v < result.vertex_count(); ++v) {
       const Vector3d& p = result.positions[v];
@@ -65,9 +65,9 @@ TEST(RemeshAttributes, LinearFunctionsOnAPlaneAreReproduced) {
       ASSERT_TRUE(flag == 4.0 || flag == 64.0) << flag;
       ASSERT_EQ(a.normals[v], Vector3d::UnitZ());
     }
-    ASSERT_EQ(a.corner_uvs.size(), result.face_vertices.size());
+    ASSERT_EQ(a.corner_uvs.size(), result.face_vertices().size());
     for (std::size_t c = 0; c < a.corner_uvs.size(); ++c) {
-      const Vector2d wanted = planar_map(result.positions[result.face_vertices[c]]);
+      const Vector2d wanted = planar_map(result.positions[result.face_vertices()[c]]);
       ASSERT_LT((a.uvs[a.corner_uvs[c]] - wanted).norm(), 1e-14);
     }
   }
@@ -75,7 +75,7 @@ TEST(RemeshAttributes, LinearFunctionsOnAPlaneAreReproduced) {
 
 TEST(RemeshAttributes, FacesTakeThoseOfTheFaceTheyLieOn) {
   const Mesh result = remesh_all(rich_plane(16), 0.04).mesh;
-  const MeshAttributes& a = result.attributes;
+  const MeshAttributes& a = result.attributes();
   ASSERT_EQ(a.face_materials.size(), result.face_count());
   for (std::size_t f = 0; f < result.face_count(); ++f) {
     Vector3d center = Vector3d::Zero();
@@ -93,8 +93,8 @@ TEST(RemeshAttributes, StayBitForBitOutside) {
       vertices_where(mesh, [](const Vector3d& p) { return p.x() > 0.2 && p.y() < 0.7; });
   const RemeshResult result = remesh_isotropic(mesh, region, everywhere(0.04));
   expect_outside_unchanged(mesh, region, result);
-  const MeshAttributes& now = result.mesh.attributes;
-  const MeshAttributes& was = mesh.attributes;
+  const MeshAttributes& now = result.mesh.attributes();
+  const MeshAttributes& was = mesh.attributes();
   for (std::size_t v = 0; v < result.kept.size(); ++v) {
     if (result.kept[v] == kNoIndex) continue;
     EXPECT_EQ(now.vertex_colors[v], was.vertex_colors[result.kept[v]]);
@@ -130,8 +130,8 @@ Mesh cut_tube(Index around, Index along) {
     }
     mesh.add_face(face);
   }
-  for (const Vector3d& p : flat.positions) mesh.attributes.uvs.emplace_back(p.head<2>());
-  mesh.attributes.corner_uvs = flat.face_vertices;
+  for (const Vector3d& p : flat.positions) mesh.edit_attributes().uvs.emplace_back(p.head<2>());
+  mesh.edit_attributes().corner_uvs = flat.face_vertices();
   return mesh;
 }
 
@@ -139,7 +139,7 @@ TEST(RemeshAttributes, TextureStaysABijectionUpToItsSeam) {
   const Mesh tube = cut_tube(40, 20);
   for (const double length : {0.3, 0.15, 0.08}) {
     const Mesh result = remesh_all(tube, length).mesh;
-    const MeshAttributes& a = result.attributes;
+    const MeshAttributes& a = result.attributes();
     double sum = 0.0;
     for (std::size_t f = 0; f < result.face_count(); ++f) {
       const Vector2d& p = a.uvs[a.corner_uvs[3 * f]];
@@ -156,9 +156,9 @@ TEST(RemeshAttributes, TextureStaysABijectionUpToItsSeam) {
 
 TEST(RemeshAttributes, TextureFollowsThePositionAroundTheTube) {
   const Mesh result = remesh_all(cut_tube(60, 20), 0.1).mesh;
-  const MeshAttributes& a = result.attributes;
+  const MeshAttributes& a = result.attributes();
   for (std::size_t c = 0; c < a.corner_uvs.size(); ++c) {
-    const Vector3d& p = result.positions[result.face_vertices[c]];
+    const Vector3d& p = result.positions[result.face_vertices()[c]];
     const Vector2d& uv = a.uvs[a.corner_uvs[c]];
     const double angle = 2.0 * std::numbers::pi * uv.x();
     ASSERT_LT((p - Vector3d(std::cos(angle), std::sin(angle), 3.0 * uv.y())).norm(), 2e-3);
@@ -167,22 +167,22 @@ TEST(RemeshAttributes, TextureFollowsThePositionAroundTheTube) {
 
 TEST(RemeshAttributes, StoredCornerNormalsAreBlended) {
   Mesh mesh = icosphere(3);
-  mesh.attributes.normals = mesh.positions;
-  mesh.attributes.corner_normals = mesh.face_vertices;
+  mesh.edit_attributes().normals = mesh.positions;
+  mesh.edit_attributes().corner_normals = mesh.face_vertices();
   const Mesh result = remesh_all(mesh, 0.1).mesh;
-  const MeshAttributes& a = result.attributes;
-  ASSERT_EQ(a.corner_normals.size(), result.face_vertices.size());
+  const MeshAttributes& a = result.attributes();
+  ASSERT_EQ(a.corner_normals.size(), result.face_vertices().size());
   for (std::size_t c = 0; c < a.corner_normals.size(); ++c) {
-    const Vector3d wanted = result.positions[result.face_vertices[c]].normalized();
+    const Vector3d wanted = result.positions[result.face_vertices()[c]].normalized();
     ASSERT_LT((a.normals[a.corner_normals[c]] - wanted).norm(), 0.01);
   }
 }
 
 TEST(RemeshAttributes, ListsHoldNoTextureThatOnlyTheOldPatchUsed) {
   Mesh mesh = rich_plane(16);
-  mesh.attributes.uvs.emplace_back(7.0, 7.0);  // used by nothing before either
+  mesh.edit_attributes().uvs.emplace_back(7.0, 7.0);  // used by nothing before either
   const Mesh result = remesh_all(mesh, 0.1).mesh;
-  const MeshAttributes& a = result.attributes;
+  const MeshAttributes& a = result.attributes();
   std::vector<char> is_used(a.uvs.size(), 0);
   for (const Index i : a.corner_uvs) is_used[i] = 1;
   EXPECT_EQ(std::ranges::count(is_used, 0), 1);
@@ -191,9 +191,9 @@ TEST(RemeshAttributes, ListsHoldNoTextureThatOnlyTheOldPatchUsed) {
 
 TEST(RemeshAttributes, CornersWithoutTextureStayWithout) {
   Mesh mesh = rich_plane(12);
-  std::ranges::fill(mesh.attributes.corner_uvs, kNoIndex);
+  std::ranges::fill(mesh.edit_attributes().corner_uvs, kNoIndex);
   const Mesh result = remesh_all(mesh, 0.05).mesh;
-  EXPECT_THAT(result.attributes.corner_uvs, ::testing::Each(kNoIndex));
+  EXPECT_THAT(result.attributes().corner_uvs, ::testing::Each(kNoIndex));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(RemeshRefuses, AnEdgeWithThreeTriangles) {
 
 TEST(RemeshRefuses, FacesThatLookToOppositeSides) {
   Mesh mesh = grid(4, 4);
-  std::swap(mesh.face_vertices[0], mesh.face_vertices[1]);
+  std::swap(mesh.edit_faces().vertices[0], mesh.edit_faces().vertices[1]);
   EXPECT_THAT(refusal(mesh), AllOf(HasSubstr("opposite sides"), HasSubstr("check --fix")));
 }
 
@@ -81,7 +81,7 @@ TEST(RemeshIsotropic, SaysWhenTheRegionHoldsNoFace) {
   const Mesh mesh = grid(4, 4);
   const RemeshResult result = remesh_isotropic(mesh, {3, 17}, everywhere(0.1));
   EXPECT_THAT(result.note, HasSubstr("nothing was remeshed"));
-  EXPECT_EQ(result.mesh.face_vertices, mesh.face_vertices);
+  EXPECT_EQ(result.mesh.face_vertices(), mesh.face_vertices());
   EXPECT_EQ(result.kept, every_vertex(mesh));
 }
 

@@ -37,7 +37,7 @@ class ClosestPointOnTorus : public ::testing::Test {
   }
 
   Mesh mesh = torus(20, 11, 1.0, 0.4);
-  Topology topology = build_topology(mesh);
+  Topology topology = mesh.topology();
   std::vector<Index> left, right;
   std::optional<ClosestPoint> tree;
   std::mt19937 random{7};

@@ -73,12 +73,12 @@ TEST(RemeshFeatures, LargeFeatureAngleRoundsTheCube) {
 // A round spot of another material in the middle of a plane, with a jagged edge.
 Mesh spotted_plane(Index cells) {
   Mesh mesh = grid(cells, cells);
-  mesh.attributes.materials = {"wood", "steel"};
+  mesh.edit_attributes().materials = {"wood", "steel"};
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     Vector3d center = Vector3d::Zero();
     for (const Index v : mesh.face(f)) center += mesh.positions[v] / 3.0;
     const bool spot = (center - Vector3d(0.5, 0.5, 0.0)).norm() < 0.25;
-    mesh.attributes.face_materials.push_back(spot ? 1 : 0);
+    mesh.edit_attributes().face_materials.push_back(spot ? 1 : 0);
   }
   return mesh;
 }
@@ -86,8 +86,8 @@ Mesh spotted_plane(Index cells) {
 TEST(RemeshFeatures, MaterialLineStaysWhereTrianglesAreFiner) {
   const Mesh mesh = spotted_plane(20);
   const RemeshResult result = remesh_all(mesh, 0.025);
-  const auto& before = mesh.attributes.face_materials;
-  const auto& after = result.mesh.attributes.face_materials;
+  const auto& before = mesh.attributes().face_materials;
+  const auto& after = result.mesh.attributes().face_materials;
   ASSERT_EQ(after.size(), result.mesh.face_count());
   EXPECT_NEAR(area_by(result.mesh, after)[1], area_by(mesh, before)[1], 1e-12);
   EXPECT_NEAR(border_length(result.mesh, after), border_length(mesh, before), 1e-12);
@@ -97,8 +97,8 @@ TEST(RemeshFeatures, MaterialLineStaysWithinATenthOfTheLengthWhereTheyAreCoarser
   const Mesh mesh = spotted_plane(40);
   const RemeshResult result = remesh_all(mesh, 0.1);
   const double around = 2.0 * 0.25 * 3.1416;
-  EXPECT_NEAR(area_by(result.mesh, result.mesh.attributes.face_materials)[1],
-              area_by(mesh, mesh.attributes.face_materials)[1], 0.1 * 0.1 * around);
+  EXPECT_NEAR(area_by(result.mesh, result.mesh.attributes().face_materials)[1],
+              area_by(mesh, mesh.attributes().face_materials)[1], 0.1 * 0.1 * around);
   EXPECT_LT(result.mesh.face_count(), mesh.face_count() / 2);
 }
 
@@ -107,11 +107,11 @@ TEST(RemeshFeatures, ToothInALineIsCutByAboutATenthOfTheLengthAtMost) {
   Mesh mesh = grid(20, 20);
   mesh.positions[10 * 21 + 10].y() += 0.04;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    mesh.attributes.face_groups.push_back(f < mesh.face_count() / 2 ? 0 : 1);
+    mesh.edit_attributes().face_groups.push_back(f < mesh.face_count() / 2 ? 0 : 1);
   }
-  mesh.attributes.groups = {"below", "above"};
+  mesh.edit_attributes().groups = {"below", "above"};
   const Mesh result = remesh_all(mesh, 0.2).mesh;
-  const auto& groups = result.attributes.face_groups;
+  const auto& groups = result.attributes().face_groups;
   const auto distance = [](const Vector3d& p, const Vector3d& a, const Vector3d& b) {
     const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
     return (a + t * (b - a) - p).norm();
@@ -138,16 +138,16 @@ TEST(RemeshFeatures, ToothInALineIsCutByAboutATenthOfTheLengthAtMost) {
 
 TEST(RemeshFeatures, SquareSpotKeepsItsCorners) {
   Mesh mesh = grid(20, 20);
-  mesh.attributes.groups = {"square"};
+  mesh.edit_attributes().groups = {"square"};
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     Vector3d center = Vector3d::Zero();
     for (const Index v : mesh.face(f)) center += mesh.positions[v] / 3.0;
     const bool spot = (center - Vector3d(0.5, 0.5, 0.0)).cwiseAbs().maxCoeff() < 0.25;
-    mesh.attributes.face_groups.push_back(spot ? 0 : kNoIndex);
+    mesh.edit_attributes().face_groups.push_back(spot ? 0 : kNoIndex);
   }
   for (const double length : {0.02, 0.1}) {
     const RemeshResult result = remesh_all(mesh, length);
-    const auto& groups = result.mesh.attributes.face_groups;
+    const auto& groups = result.mesh.attributes().face_groups;
     EXPECT_NEAR(area_by(result.mesh, groups)[0], 0.25, 1e-12);
     EXPECT_NEAR(border_length(result.mesh, groups), 2.0, 1e-12);
     const auto& points = result.mesh.positions;
@@ -158,7 +158,7 @@ TEST(RemeshFeatures, SquareSpotKeepsItsCorners) {
 // A roof whose sides meet at the middle at 20 degrees, with a normal of its own on each side.
 Mesh shaded_roof(Index cells) {
   Mesh mesh = grid(cells, cells);
-  MeshAttributes& a = mesh.attributes;
+  MeshAttributes& a = mesh.edit_attributes();
   const double slope = std::tan(10.0 * 3.14159265 / 180.0);
   a.normals = {Vector3d(-slope, 0, 1).normalized(), Vector3d(slope, 0, 1).normalized()};
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -174,7 +174,7 @@ TEST(RemeshFeatures, EdgesWithTwoStoredNormalsAreKeptBelowTheFeatureAngleToo) {
   const Mesh mesh = shaded_roof(20);
   const Mesh result = remesh_all(mesh, 0.08).mesh;
   EXPECT_NEAR(area(result), area(mesh), 1e-12);
-  const MeshAttributes& a = result.attributes;
+  const MeshAttributes& a = result.attributes();
   for (std::size_t c = 0; c < a.corner_normals.size(); ++c) {
     const Vector3d normal = area_vector(result, c / 3).normalized();
     ASSERT_LT((a.normals[a.corner_normals[c]] - normal).norm(), 1e-7);
@@ -184,9 +184,9 @@ TEST(RemeshFeatures, EdgesWithTwoStoredNormalsAreKeptBelowTheFeatureAngleToo) {
 TEST(RemeshFeatures, FlatShadingMakesNoFeatures) {
   Mesh sphere = icosphere(3);
   for (std::size_t f = 0; f < sphere.face_count(); ++f) {
-    sphere.attributes.normals.push_back(area_vector(sphere, f).normalized());
-    sphere.attributes.corner_normals.insert(sphere.attributes.corner_normals.end(), 3,
-                                            static_cast<Index>(f));
+    sphere.edit_attributes().normals.push_back(area_vector(sphere, f).normalized());
+    sphere.edit_attributes().corner_normals.insert(sphere.attributes().corner_normals.end(), 3,
+                                                   static_cast<Index>(f));
   }
   const RemeshResult result = remesh_all(sphere, 0.3);
   EXPECT_LT(result.mesh.face_count(), sphere.face_count() / 2);

@@ -143,7 +143,7 @@ TEST(RemeshIsotropic, ScalesWithTheMesh) {
   for (Vector3d& p : larger.positions) p *= 4.0;
   const Mesh a = remesh_all(mesh, 0.0625).mesh;
   const Mesh b = remesh_all(larger, 0.25).mesh;
-  EXPECT_EQ(a.face_vertices, b.face_vertices);
+  EXPECT_EQ(a.face_vertices(), b.face_vertices());
   for (std::size_t v = 0; v < a.vertex_count(); ++v) {
     ASSERT_EQ(4.0 * a.positions[v], b.positions[v]) << "vertex " << v;
   }
@@ -154,7 +154,7 @@ TEST(RemeshIsotropic, GivesTheSameBitsTwice) {
   const RemeshResult a = remesh_all(mesh, 0.09);
   const RemeshResult b = remesh_all(mesh, 0.09);
   EXPECT_EQ(a.mesh.positions, b.mesh.positions);
-  EXPECT_EQ(a.mesh.face_vertices, b.mesh.face_vertices);
+  EXPECT_EQ(a.mesh.face_vertices(), b.mesh.face_vertices());
 }
 
 TEST(RemeshIsotropic, ReportsItsProgressAndCanBeCancelled) {

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 constexpr std::size_t kMostVertices = 8000;
 
 double mean_edge(const Mesh& mesh) {
-  return mean_edge_length(build_topology(mesh).rings, mesh.positions);
+  return mean_edge_length(mesh.topology().rings, mesh.positions);
 }
 
 TEST(RemeshModels, KeepTheirTopologyOrAreRefusedByName) {

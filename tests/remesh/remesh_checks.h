@@ -56,15 +56,15 @@ inline Shape shape_of(const Mesh& mesh) {
   const Edges edges = build_edges(mesh);
   const Fans fans = find_fans(mesh, edges);
   std::vector<char> is_used(mesh.vertex_count(), 0);
-  for (const Index v : mesh.face_vertices) is_used[v] = 1;
+  for (const Index v : mesh.face_vertices()) is_used[v] = 1;
   Shape shape;
   shape.euler = std::ranges::count(is_used, 1) - static_cast<long>(edges.count()) +
                 static_cast<long>(mesh.face_count());
   for (std::size_t e = 0; e < edges.count(); ++e) {
     shape.boundary_edges += edges.is_boundary(e);
     const auto sides = edges.sides[e];
-    const bool agree = sides.size() == 2 && mesh.face_vertices[sides[0]] ==
-                                                mesh.face_vertices[edges.next_corner[sides[1]]];
+    const bool agree = sides.size() == 2 && mesh.face_vertices()[sides[0]] ==
+                                                mesh.face_vertices()[edges.next_corner[sides[1]]];
     shape.non_manifold += sides.size() > 2 || (sides.size() == 2 && !agree);
   }
   shape.boundary_loops = count_boundary_loops(edges, fans);

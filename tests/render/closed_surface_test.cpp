@@ -10,12 +10,13 @@ namespace lapwing {
 namespace {
 
 bool closed_outward(const Mesh& mesh) {
-  return is_closed_outward(mesh.positions, build_topology(mesh).triangles);
+  return is_closed_outward(mesh.positions, mesh.topology().triangles);
 }
 
 Mesh turned_inside_out(Mesh mesh) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    std::swap(mesh.face_vertices[mesh.face_starts[f]], mesh.face_vertices[mesh.face_starts[f] + 1]);
+    Faces& faces = mesh.edit_faces();
+    std::swap(faces.vertices[faces.starts[f]], faces.vertices[faces.starts[f] + 1]);
   }
   return mesh;
 }
@@ -54,7 +55,7 @@ TEST(ClosedSurface, ShapesTurnedInsideOutAreNot) {
 
 TEST(ClosedSurface, OneFlippedFaceIsSeen) {
   Mesh sphere = icosphere(2);
-  std::swap(sphere.face_vertices[0], sphere.face_vertices[1]);
+  std::swap(sphere.edit_faces().vertices[0], sphere.edit_faces().vertices[1]);
   EXPECT_FALSE(closed_outward(sphere));
 }
 

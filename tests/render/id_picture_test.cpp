@@ -26,8 +26,8 @@ Hit cast(const Subject& subject, std::uint32_t x, std::uint32_t y, std::uint32_t
   const Ray ray = line_of_sight(subject.camera, {x + 0.5, y + 0.5},
                                 Eigen::Vector2d::Constant(static_cast<double>(size)));
   Hit nearest;
-  for (Index t = 0; t < subject.topology.triangles.size(); ++t) {
-    const Triangle& triangle = subject.topology.triangles[t];
+  for (Index t = 0; t < subject.mesh.topology().triangles.size(); ++t) {
+    const Triangle& triangle = subject.mesh.topology().triangles[t];
     Eigen::Matrix3d corners;
     for (int c = 0; c < 3; ++c) {
       corners.col(c) = subject.mesh.positions[triangle[static_cast<std::size_t>(c)]] - ray.origin;
@@ -59,7 +59,7 @@ void expect_same_as_ray_cast(Subject& subject) {
       ASSERT_EQ(pick->triangle, hit.triangle) << x << ", " << y;
       const Ray ray = line_of_sight(subject.camera, {x + 0.5, y + 0.5}, {kSize, kSize});
       ASSERT_LT((pick->position - ray.origin - hit.distance * ray.direction).norm(), 1e-5);
-      for (const Index corner : subject.topology.triangles[hit.triangle]) {
+      for (const Index corner : subject.mesh.topology().triangles[hit.triangle]) {
         EXPECT_LE((subject.mesh.positions[pick->vertex] - pick->position).norm(),
                   (subject.mesh.positions[corner] - pick->position).norm() + 1e-6);
       }

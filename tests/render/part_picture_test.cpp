@@ -24,7 +24,7 @@ Mesh dome() {
 }
 
 BoundaryLoop loop_of(const Mesh& mesh) {
-  return boundary_loops(build_topology(mesh).triangles, "mesh").at(0);
+  return boundary_loops(mesh.topology().triangles, "mesh").at(0);
 }
 
 Image picture_of(const Mesh& mesh) {

@@ -19,8 +19,7 @@ class Subject {
  public:
   explicit Subject(const Mesh& subject_mesh)
       : mesh(subject_mesh),
-        topology(build_topology(mesh)),
-        surface(make_surface(mesh, topology)),
+        surface(make_surface(mesh)),
         paint(*surface),
         camera(fit(mesh.positions, view_axes(View::front), 1.0,
                    {.orthographic = true, .margin = kMargin})) {
@@ -34,14 +33,13 @@ class Subject {
   static constexpr double kMargin = 0.1;
 
   Mesh mesh;
-  Topology topology;
   std::unique_ptr<VulkanSurface> surface;  ///< one column moves all of it by 1 along x
   SurfacePaint paint;
   Camera camera;
   RenderOptions options;
 
  private:
-  static std::unique_ptr<VulkanSurface> make_surface(const Mesh& mesh, const Topology& topology) {
+  static std::unique_ptr<VulkanSurface> make_surface(const Mesh& mesh) {
     std::vector<Index> moving;
     std::vector<double> basis;
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -49,7 +47,7 @@ class Subject {
       basis.insert(basis.end(), {1.0, 0.0, 0.0});
     }
     VulkanKernels kernels;
-    auto made = kernels.make_surface({mesh.positions, topology, moving, basis, 1});
+    auto made = kernels.make_surface({mesh.positions, mesh.topology(), moving, basis, 1});
     return std::unique_ptr<VulkanSurface>(&dynamic_cast<VulkanSurface&>(*made.release()));
   }
 };

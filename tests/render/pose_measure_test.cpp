@@ -16,7 +16,7 @@ using ::testing::FloatNear;
 using ::testing::Truly;
 
 std::vector<float> measured(PoseMeasure measure, const Mesh& rest, const Positions& current) {
-  return measure_pose(measure, build_topology(rest), rest.positions, current);
+  return measure_pose(measure, rest.topology(), rest.positions, current);
 }
 
 Positions moved(const Mesh& mesh, const Eigen::Affine3d& motion) {
@@ -39,7 +39,7 @@ TEST(PoseMeasure, OnlyAVertexThatMovedAndItsRingHaveNumbers) {
   const Index center = 3 * 7 + 3;
   current[center].z() += 0.5;
   const auto values = measured(PoseMeasure::displacement, sheet, current);
-  const Topology topology = build_topology(sheet);
+  const Topology& topology = sheet.topology();
   const auto ring = topology.rings[center];
   const auto numbers =
       std::count_if(values.begin(), values.end(), [](float value) { return !std::isnan(value); });

@@ -114,8 +114,8 @@ TEST(RenderImage, NearerSurfaceHidesTheFartherOne) {
 TEST(RenderImage, BackFacesAreDarker) {
   LAPWING_NEEDS_GPU();
   Mesh reversed = icosphere(3);
-  for (std::size_t at = 0; at < reversed.face_vertices.size(); at += 3) {
-    std::swap(reversed.face_vertices[at], reversed.face_vertices[at + 1]);
+  for (std::size_t at = 0; at < reversed.face_vertices().size(); at += 3) {
+    std::swap(reversed.edit_faces().vertices[at], reversed.edit_faces().vertices[at + 1]);
   }
   const Image inside = Subject(reversed).render();
   const Image outside = Subject(icosphere(3)).render();
@@ -169,7 +169,7 @@ TEST(RenderImage, RegionsHaveTheirColorsWithCrispBorders) {
 TEST(RenderImage, WireframeShowsPolygonEdgesAndNoDiagonals) {
   LAPWING_NEEDS_GPU();
   Subject square(quads(2, 2));
-  square.paint.set_polygons(square.mesh, square.topology);
+  square.paint.set_polygons(square.mesh);
   const Image plain = square.render();
   square.options.style.wireframe = true;
   const Image wire = square.render();

@@ -22,16 +22,16 @@ TEST(PolygonEdges, HideTheDiagonalsOfPolygons) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}, {-1, 1, 0}};
   mesh.add_face(std::array<Index, 6>{0, 1, 2, 3, 4, 5});
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   int shown = 0;
-  for (const std::uint32_t edges : polygon_edges(mesh, topology)) shown += std::popcount(edges);
+  for (const std::uint32_t edges : polygon_edges(mesh)) shown += std::popcount(edges);
   EXPECT_EQ(topology.triangles.size(), 4U);
   EXPECT_EQ(shown, 6);
 }
 
 TEST(PolygonEdges, ShowAllEdgesOfTriangles) {
   const Mesh mesh = icosphere(1);
-  EXPECT_THAT(polygon_edges(mesh, build_topology(mesh)), ::testing::Each(7U));
+  EXPECT_THAT(polygon_edges(mesh), ::testing::Each(7U));
 }
 
 TEST(RangeWithoutOutliers, EndsAtTheLargestNumberUnlessAFewAreFarAbove) {

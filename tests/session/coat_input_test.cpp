@@ -173,8 +173,8 @@ TEST_F(CoatInput, SourceWithOneInnerVertexGivesAHillWithoutSpikes) {
     EXPECT_LT(height, 0.2);
     // Nowhere bent more than the tent is at its top.
     for (Index v = 0; v < p.size(); ++v) {
-      const auto ring = result->topology.rings[v];
-      if (on_mesh_boundary(v, result->topology)) continue;
+      const auto ring = result->mesh.topology().rings[v];
+      if (on_mesh_boundary(v, result->mesh.topology())) continue;
       Vector3d mean = Vector3d::Zero();
       for (const Index j : ring) mean += p[j] / static_cast<double>(ring.size());
       EXPECT_LT((p[v] - mean).norm(), 0.06 * height) << v;

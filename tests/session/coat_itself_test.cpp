@@ -29,7 +29,7 @@ class CoatOntoItself : public CoatRuns, public ::testing::WithParamInterface<Map
       step.parameters.remesh = Remeshing::none;
       const auto result = run_recipe({path, {step}, "", folder_.path()}, cpu_);
       const double height =
-          relief_height(result->original, result->topology, result->region.roi, detail);
+          relief_height(result->original, result->mesh.topology(), result->region.roi, detail);
       EXPECT_GT(height, 0.0);
       EXPECT_LT(largest_distance(result->mesh.positions, result->original), 0.02 * height)
           << path << (transition ? " at once" : " fading in");

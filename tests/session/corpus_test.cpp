@@ -61,8 +61,8 @@ EditRegion small_region(const Topology& topology) {
 // What became of the file, in words; throws `Error` when it was refused.
 std::string check_and_edit(const fs::path& path, Kernels& kernels) {
   const Mesh mesh = read_mesh(path);
-  const Topology topology = build_topology(mesh);
-  EXPECT_FALSE(format(check(mesh, topology)).empty());
+  const Topology& topology = mesh.topology();
+  EXPECT_FALSE(format(check(mesh)).empty());
   if (topology.triangles.empty()) throw InputError("no triangles to edit");
   const double diagonal = bounds_of(mesh.positions).diagonal();
   Deformer deformer(mesh.positions, topology, small_region(topology), {}, kernels);

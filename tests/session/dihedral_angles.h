@@ -18,7 +18,7 @@ namespace lapwing::test {
 inline std::vector<double> dihedral_angles(const Mesh& mesh, std::span<const char> counts = {}) {
   std::map<std::pair<Index, Index>, Eigen::Vector3d> normals;
   std::vector<double> angles;
-  for (const Triangle& t : build_topology(mesh).triangles) {
+  for (const Triangle& t : mesh.topology().triangles) {
     const Eigen::Vector3d a = mesh.positions[t[1]] - mesh.positions[t[0]];
     const Eigen::Vector3d b = mesh.positions[t[2]] - mesh.positions[t[0]];
     const Eigen::Vector3d normal = a.cross(b).stableNormalized();

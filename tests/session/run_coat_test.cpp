@@ -171,10 +171,10 @@ class RunCoatOnACoarseTarget : public CoatRuns {
     write(relief(kCoatCells, 4.0, kCoatHeight), "source.ply");
     Mesh mesh = grid(10, 10);
     for (const Vector3d& p : mesh.positions) {
-      mesh.attributes.uvs.emplace_back(p.x(), p.y());
-      mesh.attributes.vertex_colors.emplace_back(p.x(), p.y(), 0.5, 1.0);
+      mesh.edit_attributes().uvs.emplace_back(p.x(), p.y());
+      mesh.edit_attributes().vertex_colors.emplace_back(p.x(), p.y(), 0.5, 1.0);
     }
-    mesh.attributes.corner_uvs = mesh.face_vertices;
+    mesh.edit_attributes().corner_uvs = mesh.face_vertices();
     write(mesh, "target.ply");
     before_ = read("target.ply");
   }
@@ -192,7 +192,7 @@ TEST_F(RunCoatOnACoarseTarget, PatchGetsFinerAndNothingElseChanges) {
   EXPECT_GT(step.coat->vertices_before_remeshing, 0U);
   EXPECT_GT(step.roi, 2 * step.coat->vertices_before_remeshing);
   EXPECT_EQ(result->mesh.vertex_count(), result->original.size());
-  EXPECT_EQ(result->mesh.vertex_count(), result->topology.vertex_count());
+  EXPECT_EQ(result->mesh.vertex_count(), result->mesh.topology().vertex_count());
   EXPECT_EQ(result->mesh.vertex_count() - step.roi,
             before_.vertex_count() - step.coat->vertices_before_remeshing);
   const auto after = places(result->mesh.positions);
@@ -205,15 +205,16 @@ TEST_F(RunCoatOnACoarseTarget, PatchGetsFinerAndNothingElseChanges) {
 TEST_F(RunCoatOnACoarseTarget, CarriesTextureCoordinatesAndColours) {
   const auto result = run(coat(kAll, kMiddle, kFrom + R"(, "amplitude": 0)"));
   const Mesh& mesh = result->mesh;
-  ASSERT_EQ(mesh.attributes.vertex_colors.size(), mesh.vertex_count());
-  ASSERT_EQ(mesh.attributes.corner_uvs.size(), mesh.face_vertices.size());
+  ASSERT_EQ(mesh.attributes().vertex_colors.size(), mesh.vertex_count());
+  ASSERT_EQ(mesh.attributes().corner_uvs.size(), mesh.face_vertices().size());
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    EXPECT_NEAR(mesh.attributes.vertex_colors[v].x(), mesh.positions[v].x(), 0.01);
-    EXPECT_NEAR(mesh.attributes.vertex_colors[v].y(), mesh.positions[v].y(), 0.01);
+    EXPECT_NEAR(mesh.attributes().vertex_colors[v].x(), mesh.positions[v].x(), 0.01);
+    EXPECT_NEAR(mesh.attributes().vertex_colors[v].y(), mesh.positions[v].y(), 0.01);
   }
-  for (std::size_t corner = 0; corner < mesh.face_vertices.size(); ++corner) {
-    const Vector3d& p = mesh.positions[mesh.face_vertices[corner]];
-    EXPECT_LT((mesh.attributes.uvs[mesh.attributes.corner_uvs[corner]] - p.head<2>()).norm(), 1e-5);
+  for (std::size_t corner = 0; corner < mesh.face_vertices().size(); ++corner) {
+    const Vector3d& p = mesh.positions[mesh.face_vertices()[corner]];
+    EXPECT_LT((mesh.attributes().uvs[mesh.attributes().corner_uvs[corner]] - p.head<2>()).norm(),
+              1e-5);
   }
 }
 

@@ -152,7 +152,7 @@ TEST_F(RunMix, PaintedFieldAndHandleAreCarriedThroughARemeshing) {
   const auto result = run(mix(source("fine.ply", kAll), flat, kAll, keys));
   EXPECT_GT(result->report.steps[0].coat->vertices_before_remeshing, 0U);
   EXPECT_GT(result->mesh.vertex_count(), 2 * coarse_target.vertex_count());
-  EXPECT_TRUE(result->mesh.attributes.vertex_extras.empty());
+  EXPECT_TRUE(result->mesh.attributes().vertex_extras.empty());
   double left = 0.0;
   double right = 0.0;
   for (const Vector3d& p : result->mesh.positions) {
@@ -231,10 +231,9 @@ class APreparedCoat : public RunMix {
     return std::get<CoatStep>(recipe.steps.at(0));
   }
 
-  PreparedCoat prepare(const CoatStep& step, const Mesh& mesh, const Topology& topology) {
+  PreparedCoat prepare(const CoatStep& step, const Mesh& mesh) {
     return {{step.source, step.target_patch, step.parameters},
             mesh,
-            topology,
             read_source_meshes({&step.source, 1}, folder_.path()).front(),
             cpu_};
   }
@@ -244,8 +243,7 @@ TEST_F(APreparedCoat, GivesForEveryAmplitudeWhatTheStepGives) {
   for (const std::string& keys : {kKeep, std::string()}) {
     write(grid(keys.empty() ? 8 : kMixCells, keys.empty() ? 8 : kMixCells), "target.ply");
     const Mesh mesh = read("target.ply");
-    const Topology topology = build_topology(mesh);
-    const PreparedCoat prepared = prepare(step(kMixDetail, 1.0, keys), mesh, topology);
+    const PreparedCoat prepared = prepare(step(kMixDetail, 1.0, keys), mesh);
     EXPECT_EQ(prepared.layers().remeshed() != nullptr, keys.empty());
     for (const double amplitude : {1.0, 0.0, -0.5}) {
       const CoatStep whole = step(kMixDetail, amplitude, keys);
@@ -257,14 +255,13 @@ TEST_F(APreparedCoat, GivesForEveryAmplitudeWhatTheStepGives) {
 
 TEST_F(APreparedCoat, TakesAnotherDetailSizeWithoutPreparingAnew) {
   const Mesh mesh = read("target.ply");
-  const Topology topology = build_topology(mesh);
   // A transition of its own, since that of the step's follows the detail size.
   const std::string keys = kKeep + R"(, "transition": {"width": 0.1})";
-  PreparedCoat prepared = prepare(step(0.5, 1.0, keys), mesh, topology);
+  PreparedCoat prepared = prepare(step(0.5, 1.0, keys), mesh);
   const Positions before = prepared.positions(1.0);
   prepared.set_detail_size(0.2);
   const Positions smaller = prepared.positions(1.0);
-  const PreparedCoat anew = prepare(step(0.2, 1.0, keys), mesh, topology);
+  const PreparedCoat anew = prepare(step(0.2, 1.0, keys), mesh);
   EXPECT_GT(largest_distance(before, smaller), 0.1 * kMixHeight);
   EXPECT_LT(largest_distance(smaller, anew.positions(1.0)),
             0.25 * largest_distance(before, smaller));
@@ -275,8 +272,7 @@ TEST_F(APreparedCoat, TakesAnotherDetailSizeWithoutPreparingAnew) {
 
 TEST_F(APreparedCoat, ShowsBothPatchesInTheDomain) {
   const Mesh mesh = read("target.ply");
-  const Topology topology = build_topology(mesh);
-  const PreparedCoat prepared = prepare(step(kMixDetail, 1.0, kKeep), mesh, topology);
+  const PreparedCoat prepared = prepare(step(kMixDetail, 1.0, kKeep), mesh);
   const LayeredCoat& layers = prepared.layers();
   EXPECT_EQ(layers.map(0).source.points.size(), layers.source_patch(0).size());
   EXPECT_EQ(layers.map(0).target.points.size(), layers.target_patch().size());

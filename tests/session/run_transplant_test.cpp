@@ -34,7 +34,7 @@ Eigen::Affine3d some_similarity() {
 
 // The vertices of a region of `mesh` by their numbers, wherever the mesh is moved to.
 std::string list_of(const Mesh& mesh, const RegionSpec& region) {
-  return nlohmann::json{{"vertices", resolve(region, mesh, build_topology(mesh))}}.dump();
+  return nlohmann::json{{"vertices", resolve(region, mesh)}}.dump();
 }
 
 // From the unit sphere.
@@ -87,7 +87,7 @@ TEST_F(RunTransplant, AnotherTriangulationOfTheSameSurfaceComesOutAsThatSurface)
   Mesh other = icosphere(4);
   transform(other, Eigen::Affine3d(Eigen::AngleAxisd(0.7, Vector3d(0.2, 0.5, 1.0).normalized())));
   write(other, "other.ply");
-  const double edge = mean_edge_length(build_topology(host).rings, host.positions);
+  const double edge = mean_edge_length(host.topology().rings, host.positions);
   for (const std::string sampling : {"one_ring", "linear"}) {
     // With a gap around of about an edge, and of half of one. Loops that cross each other many
     // times make a strip that is folded, and come out twice as far off.
@@ -107,7 +107,7 @@ TEST_F(RunTransplant, AnotherTriangulationOfTheSameSurfaceComesOutAsThatSurface)
 
 // The same vertices, every so many edges turned to the other diagonal of their two triangles.
 Mesh with_edges_flipped(const Mesh& mesh, std::size_t every) {
-  std::vector<Triangle> triangles = build_topology(mesh).triangles;
+  std::vector<Triangle> triangles = mesh.topology().triangles;
   const Adjacency edges = sides_by_edge(triangles, mesh.vertex_count());
   std::vector<char> done(triangles.size(), 0);
   for (std::size_t e = 0; e < edges.row_count(); e += every) {
@@ -131,7 +131,7 @@ Mesh with_edges_flipped(const Mesh& mesh, std::size_t every) {
 TEST_F(RunTransplant, AnotherTriangulationOfTheHolesBorderComesOutAsTheSurface) {
   const Mesh host = icosphere(4);
   write(host, "host.ply");
-  const double edge = mean_edge_length(build_topology(host).rings, host.positions);
+  const double edge = mean_edge_length(host.topology().rings, host.positions);
   for (const std::size_t every :
        {std::size_t{6}, std::size_t{7}, std::size_t{8}, std::size_t{9}, std::size_t{11},
         std::size_t{13}, std::size_t{17}, std::size_t{25}}) {
@@ -184,7 +184,7 @@ TEST_F(RunTransplant, MovesWithHostAndPartAsAWhole) {
   };
   const Mesh still = result_of(Eigen::Affine3d::Identity());
   const Mesh moved = result_of(some_similarity());
-  ASSERT_EQ(moved.face_vertices, still.face_vertices);
+  ASSERT_EQ(moved.face_vertices(), still.face_vertices());
   for (std::size_t v = 0; v < still.vertex_count(); ++v) {
     EXPECT_LT((moved.positions[v] - some_similarity() * still.positions[v]).norm(),
               1e-6 * diagonal_of(moved))
@@ -274,15 +274,15 @@ TEST_F(RunTransplant, AMirroredPartStaysOutside) {
 
 TEST_F(RunTransplant, KeepsGroupsAndNamesThePart) {
   Mesh host = hilly_sphere(3);
-  host.attributes.groups = {"body"};
-  host.attributes.face_groups.assign(host.face_count(), 0);
+  host.edit_attributes().groups = {"body"};
+  host.edit_attributes().face_groups.assign(host.face_count(), 0);
   write_mesh(host, folder_.path() / "host.obj");
   write_mesh(finger(24, 30, 0.3, 1.0), folder_.path() / "horn.obj");
   const auto result = run_recipe(parse_recipe(R"({"lapwing": 1, "mesh": "host.obj", "steps": [)" +
                                                   transplant(from_file("horn.obj"), kPole) + "]}",
                                               folder_.path(), "test"),
                                  cpu_);
-  EXPECT_THAT(result->mesh.attributes.groups, ::testing::UnorderedElementsAre("body", "horn"));
+  EXPECT_THAT(result->mesh.attributes().groups, ::testing::UnorderedElementsAre("body", "horn"));
 }
 
 // Loops of few and of many vertices on a hole of about 80.

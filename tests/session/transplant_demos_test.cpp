@@ -48,7 +48,7 @@ TEST_P(TransplantDemos, AreClosedSmoothAndFreeOfSelfIntersections) {
 
     const std::vector<char> zone = vertex_mask(result->mesh.vertex_count(), result->region.roi);
     std::vector<Triangle> transition;
-    for (const Triangle& t : result->topology.triangles) {
+    for (const Triangle& t : result->mesh.topology().triangles) {
       if (std::all_of(t.begin(), t.end(), [&](Index v) { return zone[v] != 0; })) {
         transition.push_back(t);
       }

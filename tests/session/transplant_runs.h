@@ -89,7 +89,7 @@ class TransplantRuns : public ::testing::Test {
 
 /// One oriented piece without handles, closed but for so many holes, and nothing wrong with it.
 inline void expect_whole(const RunResult& result, std::size_t holes = 0) {
-  const CheckReport report = check(result.mesh, result.topology);
+  const CheckReport report = check(result.mesh);
   EXPECT_EQ(report.statistics.boundary_loops, holes);
   EXPECT_EQ(report.statistics.component_sizes.size(), 1U);
   EXPECT_EQ(report.statistics.euler_characteristic, 2 - static_cast<long>(holes));

@@ -72,7 +72,7 @@ std::vector<double> turns_of_circles(const RunResult& result) {
 }
 
 double detail_error_between(const RunResult& from, const RunResult& to) {
-  const Topology& topology = from.topology;
+  const Topology& topology = from.mesh.topology();
   const auto weights = laplacian_weights(topology, from.mesh.positions, LaplacianWeights::uniform);
   std::vector<Index> free;
   for (Index v = 0; v < from.mesh.vertex_count(); ++v) {

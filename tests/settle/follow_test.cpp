@@ -55,7 +55,7 @@ class Drag {
  public:
   Drag(FollowedEdit edit, const SettleOptions& options, bool hard = false)
       : edit_(std::move(edit)),
-        topology_(build_topology(edit_.mesh)),
+        topology_(edit_.mesh.topology()),
         constraints_(constraints_of(edit_.region, topology_, 1.0, hard)),
         pattern_(topology_, edit_.region.roi, constraints_.unknowns),
         system_(edit_.mesh.positions, topology_, edit_.region.roi, constraints_, pattern_,

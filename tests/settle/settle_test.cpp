@@ -40,7 +40,7 @@ const EnergyTerms kTerms{LaplacianWeights::cotangent, kDefaultDetailLength};
 class Edit {
  public:
   Edit(Mesh mesh, EditRegion region)
-      : mesh_(std::move(mesh)), topology_(build_topology(mesh_)), region_(std::move(region)) {}
+      : mesh_(std::move(mesh)), topology_(mesh_.topology()), region_(std::move(region)) {}
 
   const Mesh& mesh() const { return mesh_; }
   const Topology& topology() const { return topology_; }

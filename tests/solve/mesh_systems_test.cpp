@@ -142,14 +142,14 @@ TEST(MeshSystems, AreSolvedOrRefusedRightly) {
     } catch (const Error&) {
       continue;  // broken on purpose
     }
-    const Topology topology = build_topology(mesh);
+    const Topology& topology = mesh.topology();
     if (topology.triangles.empty() || !bounds_of(mesh.positions).min.allFinite()) continue;
     solve_or_refuse(rsi_matrix(mesh, 1.0, 20).matrix, outcomes);
     solve_or_refuse(laplacian_matrix(mesh, 1.0, 20).matrix, outcomes);
     for (int k = 0; k < 2; ++k) {
       const auto seed = static_cast<Index>(random() % mesh.vertex_count());
       const RandomRegion region = region_around(topology, seed, 20 + random() % 2000);
-      solve_or_refuse(rsi_matrix(mesh, topology, region.roi, region.W).matrix, outcomes);
+      solve_or_refuse(rsi_matrix(mesh, region.roi, region.W).matrix, outcomes);
     }
   }
   std::printf("%zu solved, %zu of them as the reference does; %zu refused\n", outcomes.solved,

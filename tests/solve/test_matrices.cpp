@@ -87,7 +87,7 @@ OwnedMatrix dense_matrix(std::size_t blocks, int block_size, unsigned seed) {
 }
 
 OwnedMatrix laplacian_matrix(const Mesh& mesh, double weight, std::size_t step) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   MatrixBuilder builder(mesh.vertex_count(), 1);
   std::vector<std::pair<Index, double>> row;
   for (Index i = 0; i < topology.vertex_count(); ++i) {
@@ -104,16 +104,15 @@ OwnedMatrix laplacian_matrix(const Mesh& mesh, double weight, std::size_t step) 
 }
 
 OwnedMatrix rsi_matrix(const Mesh& mesh, double weight, std::size_t step) {
-  const Topology topology = build_topology(mesh);
   std::vector<Index> all(mesh.vertex_count());
   std::iota(all.begin(), all.end(), 0U);
   std::vector<double> W(all.size(), 0.0);
   for (std::size_t i = 0; step > 0 && i < W.size(); i += step) W[i] = weight;
-  return rsi_matrix(mesh, topology, all, W);
+  return rsi_matrix(mesh, all, W);
 }
 
-OwnedMatrix rsi_matrix(const Mesh& mesh, const Topology& topology, const std::vector<Index>& roi,
-                       std::span<const double> W) {
+OwnedMatrix rsi_matrix(const Mesh& mesh, const std::vector<Index>& roi, std::span<const double> W) {
+  const Topology& topology = mesh.topology();
   const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
   CpuKernels kernels;
   const BlockRows M = assemble_rsi_rows(kernels, {mesh.positions, topology.rings, weights, roi});

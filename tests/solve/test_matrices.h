@@ -51,8 +51,7 @@ OwnedMatrix laplacian_matrix(const Mesh& mesh, double weight, std::size_t step);
 OwnedMatrix rsi_matrix(const Mesh& mesh, double weight, std::size_t step);
 
 /// The same over a region (ascending), W given for each of its vertices; the rest stays.
-OwnedMatrix rsi_matrix(const Mesh& mesh, const Topology& topology, const std::vector<Index>& roi,
-                       std::span<const double> W);
+OwnedMatrix rsi_matrix(const Mesh& mesh, const std::vector<Index>& roi, std::span<const double> W);
 
 /// S A S with a diagonal S of entries 10^-(0..decades): badly scaled, as positive definite as A.
 void scale_badly(BlockMatrix& matrix, double decades, unsigned seed);

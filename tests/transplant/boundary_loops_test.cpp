@@ -19,7 +19,7 @@ using ::testing::Not;
 using ::testing::SizeIs;
 
 std::vector<BoundaryLoop> loops_of(const Mesh& mesh) {
-  return boundary_loops(build_topology(mesh).triangles, "mesh");
+  return boundary_loops(mesh.topology().triangles, "mesh");
 }
 
 TEST(BoundaryLoops, AClosedMeshHasNone) {

@@ -25,7 +25,7 @@ struct Piece {
 
 Piece piece(Mesh mesh) {
   Piece result{std::move(mesh), {}, {}, {}};
-  result.topology = build_topology(result.mesh);
+  result.topology = result.mesh.topology();
   result.seam = boundary_loops(result.topology.triangles, "piece").front();
   result.distances = geodesic_distances(result.topology, result.mesh.positions, result.seam);
   return result;

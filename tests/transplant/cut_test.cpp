@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 
 double area_of(const Mesh& mesh) {
   double area = 0.0;
-  for (const auto& [a, b, c] : build_topology(mesh).triangles) {
+  for (const auto& [a, b, c] : mesh.topology().triangles) {
     const auto& p = mesh.positions;
     area += 0.5 * (p[b] - p[a]).cross(p[c] - p[a]).norm();
   }
@@ -99,7 +99,7 @@ TEST(Cut, CarriesWhatThePieceUsesOfEveryAttribute) {
   const Mesh mesh = rich_mesh();
   const VertexSet region{0, 1, 5, 6};  // faces 0 and 1, in the first group
   const CutPiece part = cut_out(mesh, region, "region");
-  const MeshAttributes& a = part.mesh.attributes;
+  const MeshAttributes& a = part.mesh.attributes();
   ASSERT_EQ(part.mesh.face_count(), 2U);
   EXPECT_THAT(a.groups, ElementsAre("left arm"));
   EXPECT_THAT(a.materials, ElementsAre("wool", "wax"));
@@ -108,12 +108,12 @@ TEST(Cut, CarriesWhatThePieceUsesOfEveryAttribute) {
   EXPECT_THAT(a.face_extras.at(0).values, ElementsAre(0.0, 0.1));
   EXPECT_EQ(a.normals.size(), 4U);
   EXPECT_EQ(a.uvs.size(), 4U);
-  for (std::size_t c = 0; c < part.mesh.face_vertices.size(); ++c) {
+  for (std::size_t c = 0; c < part.mesh.face_vertices().size(); ++c) {
     EXPECT_EQ(a.uvs.at(a.corner_uvs.at(c)),
-              part.mesh.positions[part.mesh.face_vertices[c]].head<2>());
+              part.mesh.positions[part.mesh.face_vertices()[c]].head<2>());
   }
-  EXPECT_EQ(a.comments, mesh.attributes.comments);
-  EXPECT_THAT(cut_away(mesh, region, "region").mesh.attributes.groups,
+  EXPECT_EQ(a.comments, mesh.attributes().comments);
+  EXPECT_THAT(cut_away(mesh, region, "region").mesh.attributes().groups,
               ElementsAre("left arm", "body"));
 }
 
@@ -128,8 +128,8 @@ TEST(Cut, PieceIsTheSameAfterAFile) {
     const Mesh again = read_mesh(folder / ("rest-" + name));
     EXPECT_EQ(again.positions, rest.mesh.positions);
     EXPECT_EQ(polygons_of(again), polygons_of(rest.mesh));
-    EXPECT_EQ(at_corners(again.attributes.uvs, again.attributes.corner_uvs),
-              at_corners(rest.mesh.attributes.uvs, rest.mesh.attributes.corner_uvs));
+    EXPECT_EQ(at_corners(again.attributes().uvs, again.attributes().corner_uvs),
+              at_corners(rest.mesh.attributes().uvs, rest.mesh.attributes().corner_uvs));
   }
 }
 

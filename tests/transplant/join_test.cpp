@@ -21,9 +21,9 @@ using ::testing::SizeIs;
 
 // Attributes of every kind, told apart by `name` and `number`.
 void enrich(Mesh& mesh, const std::string& name, float number) {
-  MeshAttributes& a = mesh.attributes;
+  MeshAttributes& a = mesh.edit_attributes();
   a.has_vertex_normals = true;
-  a.corner_uvs = mesh.face_vertices;
+  a.corner_uvs = mesh.face_vertices();
   ExtraAttribute label{"label", "int", 1, {}};
   ExtraAttribute pair{"pair of " + name, "double", 2, {}};
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -80,17 +80,17 @@ TEST(Join, CarriesEveryAttributeOfBoth) {
   const Pair pair = rich_pair();
   const Joined joined = pair.join();
   const Mesh& mesh = joined.mesh;
-  const MeshAttributes& a = mesh.attributes;
+  const MeshAttributes& a = mesh.attributes();
   ASSERT_NO_THROW(validate_attributes(mesh));
-  const MeshAttributes& of_part = pair.part.mesh.attributes;
+  const MeshAttributes& of_part = pair.part.mesh.attributes();
   for (Index v = 0; v < 12; ++v) {
     const Index there = joined.part_vertices[v];
     EXPECT_EQ(a.vertex_colors[there], of_part.vertex_colors[v]);
     EXPECT_EQ(a.vertex_extras.at(0).values[there], of_part.vertex_extras[0].values[v]);
     EXPECT_EQ(a.vertex_extras.at(2).values[2 * there + 1], v);
   }
-  for (std::size_t c = 0; c < pair.part.mesh.face_vertices.size(); ++c) {
-    const Index uv = a.corner_uvs[pair.host.mesh.face_vertices.size() + c];
+  for (std::size_t c = 0; c < pair.part.mesh.face_vertices().size(); ++c) {
+    const Index uv = a.corner_uvs[pair.host.mesh.face_vertices().size() + c];
     EXPECT_EQ(a.uvs.at(uv), of_part.uvs[of_part.corner_uvs[c]]);
   }
   EXPECT_TRUE(a.has_vertex_normals);
@@ -106,18 +106,18 @@ TEST(Join, CarriesEveryAttributeOfBoth) {
 TEST(Join, StripFacesLookLikeTheFacesBehindThem) {
   const Pair pair = rich_pair();
   const Joined joined = pair.join();
-  const MeshAttributes& a = joined.mesh.attributes;
+  const MeshAttributes& a = joined.mesh.attributes();
   for (std::size_t k = 0; k < joined.strip_faces.size(); ++k) {
     const Index face = joined.strip_faces[k];
     const bool on_host = pair.zip.triangles[k][0] < 8;
     EXPECT_EQ(a.face_extras.at(0).values[face], on_host ? 1.0 : 2.0);
     EXPECT_EQ(a.face_colors[face].x(), on_host ? 0.2F : 0.4F);
     for (std::size_t c = 0; c < 3; ++c) {
-      const Index corner = joined.mesh.face_starts[face] + static_cast<Index>(c);
+      const Index corner = joined.mesh.face_starts()[face] + static_cast<Index>(c);
       const Eigen::Vector2d uv = a.uvs.at(a.corner_uvs[corner]);
       EXPECT_EQ(uv.x(), on_host ? 1.0 : 2.0);
       // The texture coordinates number the vertices of each mesh.
-      const Index vertex = joined.mesh.face_vertices[corner];
+      const Index vertex = joined.mesh.face_vertices()[corner];
       if (c == 2) continue;
       EXPECT_EQ(uv.y(), on_host ? vertex : vertex - 16);
     }
@@ -126,23 +126,23 @@ TEST(Join, StripFacesLookLikeTheFacesBehindThem) {
 
 TEST(Join, GroupsNameThePart) {
   const Joined joined = rich_pair().join("wing");
-  const MeshAttributes& a = joined.mesh.attributes;
+  const MeshAttributes& a = joined.mesh.attributes();
   EXPECT_THAT(a.groups, ElementsAre("all of it", "wing", "wing/all of it"));
   EXPECT_EQ(a.face_groups[0], 0U);
   EXPECT_EQ(a.face_groups[16], 2U);
   EXPECT_EQ(a.face_groups[28], 1U);
   const Joined plain = Pair().join("wing");
-  EXPECT_THAT(plain.mesh.attributes.groups, ElementsAre("wing"));
-  EXPECT_EQ(plain.mesh.attributes.face_groups[0], kNoIndex);
-  EXPECT_EQ(plain.mesh.attributes.face_groups[16], 0U);
-  EXPECT_THAT(Pair().join("").mesh.attributes.face_groups, IsEmpty());
+  EXPECT_THAT(plain.mesh.attributes().groups, ElementsAre("wing"));
+  EXPECT_EQ(plain.mesh.attributes().face_groups[0], kNoIndex);
+  EXPECT_EQ(plain.mesh.attributes().face_groups[16], 0U);
+  EXPECT_THAT(Pair().join("").mesh.attributes().face_groups, IsEmpty());
 }
 
 TEST(Join, WhatOnlyOneHasIsNeutralOnTheOther) {
   Pair pair;
   enrich(pair.part.mesh, "part", 2.0F);
   const Joined joined = pair.join();
-  const MeshAttributes& a = joined.mesh.attributes;
+  const MeshAttributes& a = joined.mesh.attributes();
   ASSERT_NO_THROW(validate_attributes(joined.mesh));
   EXPECT_EQ(a.vertex_colors[3], Eigen::Vector4f::Ones());
   EXPECT_EQ(a.face_materials[3], kNoIndex);
@@ -155,15 +155,15 @@ TEST(Join, WhatOnlyOneHasIsNeutralOnTheOther) {
 
 TEST(Join, NormalsPerCornerComeFromBothSides) {
   Pair pair = rich_pair();
-  MeshAttributes& a = pair.host.mesh.attributes;
+  MeshAttributes& a = pair.host.mesh.edit_attributes();
   a.has_vertex_normals = false;
   a.normals = {Eigen::Vector3d::UnitX()};
-  a.corner_normals.assign(pair.host.mesh.face_vertices.size(), 0);
+  a.corner_normals.assign(pair.host.mesh.face_vertices().size(), 0);
   const Joined joined = pair.join();
-  const MeshAttributes& after = joined.mesh.attributes;
+  const MeshAttributes& after = joined.mesh.attributes();
   ASSERT_NO_THROW(validate_attributes(joined.mesh));
-  for (std::size_t c = 0; c < joined.mesh.face_vertices.size(); ++c) {
-    const bool on_host = joined.mesh.face_vertices[c] < 16;
+  for (std::size_t c = 0; c < joined.mesh.face_vertices().size(); ++c) {
+    const bool on_host = joined.mesh.face_vertices()[c] < 16;
     EXPECT_EQ(after.normals.at(after.corner_normals.at(c)),
               on_host ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ());
   }
@@ -185,7 +185,7 @@ TEST(Join, WeldedVerticesAreTheHosts) {
     const Index v = joined.part_vertices[k];
     ASSERT_LT(v, 8U);
     EXPECT_EQ(joined.mesh.positions[v].z(), 0.0);
-    EXPECT_EQ(joined.mesh.attributes.vertex_colors[v].x(), 0.2F);
+    EXPECT_EQ(joined.mesh.attributes().vertex_colors[v].x(), 0.2F);
   }
 }
 
@@ -193,8 +193,8 @@ TEST(Join, PolygonsStayPolygons) {
   Pair pair;
   for (test::Rim* rim : {&pair.host, &pair.part}) {
     const auto count = static_cast<Index>(rim->loop.size());
-    rim->mesh.face_starts = {0};
-    rim->mesh.face_vertices.clear();
+    rim->mesh.edit_faces().starts = {0};
+    rim->mesh.edit_faces().vertices.clear();
     for (Index k = 0; k < count; ++k) {
       const Index next = (k + 1) % count;
       rim->mesh.add_face(std::array{k, next, count + next, count + k});
@@ -210,27 +210,28 @@ TEST(Join, PolygonsStayPolygons) {
 
 TEST(Join, WrittenAndReadBackItIsTheSameMesh) {
   Mesh mesh = rich_pair().join().mesh;
-  mesh.attributes.vertex_extras.resize(1);  // no format has a place for pairs
+  mesh.edit_attributes().vertex_extras.resize(1);  // no format has a place for pairs
   const TemporaryFolder folder;
   for (const std::string name : {"a.obj", "a.ply"}) {
     write_mesh(mesh, folder / name);
     const Mesh back = read_mesh(folder / name);
     EXPECT_EQ(back.positions, mesh.positions) << name;
-    EXPECT_EQ(back.face_starts, mesh.face_starts) << name;
-    EXPECT_EQ(back.face_vertices, mesh.face_vertices) << name;
-    EXPECT_EQ(at_corners(back.attributes.uvs, back.attributes.corner_uvs),
-              at_corners(mesh.attributes.uvs, mesh.attributes.corner_uvs))
+    EXPECT_EQ(back.face_starts(), mesh.face_starts()) << name;
+    EXPECT_EQ(back.face_vertices(), mesh.face_vertices()) << name;
+    EXPECT_EQ(at_corners(back.attributes().uvs, back.attributes().corner_uvs),
+              at_corners(mesh.attributes().uvs, mesh.attributes().corner_uvs))
         << name;
-    EXPECT_EQ(back.attributes.vertex_colors, mesh.attributes.vertex_colors) << name;
+    EXPECT_EQ(back.attributes().vertex_colors, mesh.attributes().vertex_colors) << name;
     if (name == "a.ply") {
-      EXPECT_EQ(back.attributes.face_colors, mesh.attributes.face_colors);
-      ASSERT_THAT(back.attributes.vertex_extras, SizeIs(1));
-      EXPECT_EQ(back.attributes.face_extras.at(0).values, mesh.attributes.face_extras[0].values);
+      EXPECT_EQ(back.attributes().face_colors, mesh.attributes().face_colors);
+      ASSERT_THAT(back.attributes().vertex_extras, SizeIs(1));
+      EXPECT_EQ(back.attributes().face_extras.at(0).values,
+                mesh.attributes().face_extras[0].values);
     } else {
-      EXPECT_EQ(at_corners(back.attributes.groups, back.attributes.face_groups),
-                at_corners(mesh.attributes.groups, mesh.attributes.face_groups));
-      EXPECT_EQ(at_corners(back.attributes.materials, back.attributes.face_materials),
-                at_corners(mesh.attributes.materials, mesh.attributes.face_materials));
+      EXPECT_EQ(at_corners(back.attributes().groups, back.attributes().face_groups),
+                at_corners(mesh.attributes().groups, mesh.attributes().face_groups));
+      EXPECT_EQ(at_corners(back.attributes().materials, back.attributes().face_materials),
+                at_corners(mesh.attributes().materials, mesh.attributes().face_materials));
     }
   }
 }

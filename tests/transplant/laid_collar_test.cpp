@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using ::testing::IsEmpty;
 
 Collar collar_of(const Mesh& mesh, double width) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const BoundaryLoop seam = boundary_loops(topology.triangles, "piece").front();
   return make_collar(topology.triangles, seam, geodesic_distances(topology, mesh.positions, seam),
                      width, "test");

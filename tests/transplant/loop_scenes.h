@@ -43,7 +43,7 @@ struct Rim {
   Mesh mesh;
   BoundaryLoop loop;
   ZipLoop zip_loop() const {
-    const Topology topology = build_topology(mesh);
+    const Topology& topology = mesh.topology();
     return lapwing::zip_loop(topology.triangles, mesh.positions, loop);
   }
 };
@@ -101,7 +101,7 @@ inline Joined join(const Rim& host, const Rim& part, const Zip& zip) {
 
 /// What keeps a mesh from being an oriented manifold; empty if nothing does.
 inline std::string manifold_faults(const Mesh& mesh) {
-  const CheckReport report = check(mesh, build_topology(mesh));
+  const CheckReport report = check(mesh);
   std::string faults;
   for (const DefectKind kind :
        {DefectKind::degenerate_face, DefectKind::repeated_face, DefectKind::loose_vertex,

@@ -13,7 +13,7 @@ namespace lapwing::test {
 
 /// The positions along the first boundary loop of `mesh`, the surface on the left.
 inline std::vector<Eigen::Vector3d> first_loop(const Mesh& mesh) {
-  const auto loops = boundary_loops(build_topology(mesh).triangles, "mesh");
+  const auto loops = boundary_loops(mesh.topology().triangles, "mesh");
   return loop_points(loops.at(0), mesh.positions);
 }
 

@@ -19,7 +19,7 @@ using ::testing::SizeIs;
 
 // All within `rings` edges of `center`.
 VertexSet around(const Mesh& mesh, Index center, int rings) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   VertexSet region{center};
   for (int k = 0; k < rings; ++k) region = with_ring_neighbours(region, topology.rings);
   return region;
@@ -28,7 +28,7 @@ VertexSet around(const Mesh& mesh, Index center, int rings) {
 // The triangles from the smallest corner on, in numbers of the original.
 std::set<Triangle> triangles_of(const Mesh& mesh, std::span<const Index> numbers) {
   std::set<Triangle> triangles;
-  for (Triangle triangle : build_topology(mesh).triangles) {
+  for (Triangle triangle : mesh.topology().triangles) {
     for (Index& v : triangle) v = numbers[v];
     std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     triangles.insert(triangle);
@@ -37,14 +37,14 @@ std::set<Triangle> triangles_of(const Mesh& mesh, std::span<const Index> numbers
 }
 
 std::vector<BoundaryLoop> piece_loops(const Mesh& mesh) {
-  return boundary_loops(build_topology(mesh).triangles, "piece");
+  return boundary_loops(mesh.topology().triangles, "piece");
 }
 
 void expect_exact_return(const Mesh& mesh, const VertexSet& region) {
   const CutPiece part = cut_out(mesh, region, "part");
   const CutPiece host = cut_away(mesh, region, "host");
-  const Topology part_topology = build_topology(part.mesh);
-  const Topology host_topology = build_topology(host.mesh);
+  const Topology& part_topology = part.mesh.topology();
+  const Topology& host_topology = host.mesh.topology();
   const auto part_loops = piece_loops(part.mesh);
   const auto host_loops = piece_loops(host.mesh);
   ASSERT_THAT(part_loops, SizeIs(1));
@@ -79,16 +79,16 @@ TEST(PutBack, ACapOfASphereIsTheSphereAgain) {
 Mesh nibbled(Mesh mesh, std::mt19937& random, int bites) {
   for (int bite = 0; bite < bites; ++bite) {
     const BoundaryLoop loop = piece_loops(mesh).at(0);
-    const Topology topology = build_topology(mesh);
+    const Topology& topology = mesh.topology();
     const auto around = topology.vertex_triangles[loop[random() % loop.size()]];
     KeepMask keep(mesh.face_count(), 1);
     keep[around[random() % around.size()]] = 0;
     Mesh smaller = mesh;
     keep_faces(smaller, keep);
     KeepMask used(mesh.vertex_count(), 0);
-    for (const Index v : smaller.face_vertices) used[v] = 1;
+    for (const Index v : smaller.face_vertices()) used[v] = 1;
     keep_vertices(smaller, used);
-    const CheckReport report = check(smaller, build_topology(smaller));
+    const CheckReport report = check(smaller);
     const bool whole = report.statistics.component_sizes.size() == 1;
     const bool one_loop = report.statistics.boundary_loops == 1;
     if (whole && one_loop && !report.find(DefectKind::bow_tie_vertex)) mesh = std::move(smaller);
@@ -111,12 +111,11 @@ TEST(PutBack, APartThatFitsInPlacesStillGivesAManifold) {
       moved.positions[loop[random() % loop.size()]] *= 1.0 + 0.05 * static_cast<double>(k);
     }
     const BoundaryLoop hole = piece_loops(host).at(0);
-    const Zip zip =
-        zip_loops(zip_loop(build_topology(host).triangles, host.positions, hole),
-                  zip_loop(build_topology(moved).triangles, moved.positions, loop), "zip");
+    const Zip zip = zip_loops(zip_loop(host.topology().triangles, host.positions, hole),
+                              zip_loop(moved.topology().triangles, moved.positions, loop), "zip");
     const Joined joined = join(host, hole, moved, loop, zip, "");
     ASSERT_EQ(test::manifold_faults(joined.mesh), "") << seed;
-    const CheckReport report = check(joined.mesh, build_topology(joined.mesh));
+    const CheckReport report = check(joined.mesh);
     ASSERT_EQ(report.statistics.boundary_edges, 0U) << seed;
     ASSERT_EQ(report.statistics.euler_characteristic, 2) << seed;
   }

@@ -28,7 +28,7 @@ Points small_circle() {
 }
 
 SurfaceSnap snap_to(const Mesh& mesh) {
-  return {build_topology(mesh).triangles, mesh.positions, "mesh"};
+  return {mesh.topology().triangles, mesh.positions, "mesh"};
 }
 
 TEST(SurfaceSnap, LoopOnTheSurfaceStays) {

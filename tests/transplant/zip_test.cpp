@@ -99,7 +99,7 @@ class ZipPairs : public ::testing::TestWithParam<std::tuple<Scene, Counts>> {
 
 TEST_P(ZipPairs, BecomeOneOrientedRing) {
   EXPECT_THAT(manifold_faults(joined.mesh), IsEmpty());
-  const CheckReport report = check(joined.mesh, build_topology(joined.mesh));
+  const CheckReport report = check(joined.mesh);
   EXPECT_EQ(report.statistics.euler_characteristic, 0);
   EXPECT_EQ(report.statistics.boundary_loops, 2U);
   EXPECT_EQ(report.statistics.component_sizes.size(), 1U);
@@ -293,7 +293,7 @@ TEST(Zip, AnEdgeInsideTheMeshIsNotRepeatedByATriangleOfTheStrip) {
 
 TEST(Zip, ChordsAreEdgesBetweenVerticesOfTheLoop) {
   const Mesh mesh = grid(1, 2);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const ZipLoop loop = lapwing::zip_loop(topology.triangles, mesh.positions,
                                          boundary_loops(topology.triangles, "sheet").at(0));
   EXPECT_THAT(loop.points, SizeIs(6));

@@ -13,14 +13,14 @@ using ::testing::ElementsAre;
 class Selecting : public ::testing::Test {
  protected:
   VertexSet resolved(const ChosenRegion& region) const {
-    return resolve(spec_of(region, "region"), mesh_, topology_);
+    return resolve(spec_of(region, "region"), mesh_);
   }
   ChosenRegion disk(double radius) const {
-    return choose({GeodesicDisk{Index{40}, radius}}, mesh_, topology_);
+    return choose({GeodesicDisk{Index{40}, radius}}, mesh_);
   }
 
   Mesh mesh_ = grid(8, 8);
-  Topology topology_ = build_topology(mesh_);
+  Topology topology_ = mesh_.topology();
 };
 
 TEST_F(Selecting, DiskKeepsItsFormWhenItIsPainted) {
@@ -51,7 +51,7 @@ TEST_F(Selecting, NothingLeftIsAnEmptyList) {
 }
 
 TEST_F(Selecting, ListsAreWrittenAsTheyAre) {
-  ChosenRegion region = choose({ListedVertices{{5, 3}}}, mesh_, topology_);
+  ChosenRegion region = choose({ListedVertices{{5, 3}}}, mesh_);
   region = repainted(region, unite(region.vertices, {4}));
   EXPECT_EQ(spec_of(region, "region"), (RegionSpec{ListedVertices{{3, 4, 5}}}));
 }
@@ -63,34 +63,34 @@ TEST_F(Selecting, DiskWithoutRadiusIsAList) {
 TEST_F(Selecting, DiskThatStillHoldsTheSameVerticesIsCarriedOver) {
   const ChosenRegion region = disk(0.3);
   for (auto& p : mesh_.positions) p.z() += 1.0;
-  EXPECT_EQ(carried_over(region, mesh_, topology_), region);
+  EXPECT_EQ(carried_over(region, mesh_), region);
 }
 
 TEST_F(Selecting, DiskThatWouldHoldOthersBecomesAList) {
   const ChosenRegion region = disk(0.3);
   for (auto& p : mesh_.positions) p *= 2.0;
-  const ChosenRegion carried = carried_over(region, mesh_, topology_);
+  const ChosenRegion carried = carried_over(region, mesh_);
   EXPECT_EQ(carried.vertices, region.vertices);
   EXPECT_EQ(resolved(carried), region.vertices);
 }
 
 TEST_F(Selecting, BeltLeavesTheHandlesOut) {
   EditSelection selection;
-  selection.roi = choose({AllVertices{}}, mesh_, topology_);
-  selection.handles = {choose({ListedVertices{{0, 1, 2}}}, mesh_, topology_)};
+  selection.roi = choose({AllVertices{}}, mesh_);
+  selection.handles = {choose({ListedVertices{{0, 1, 2}}}, mesh_)};
   selection.belt_fraction = 0.0;
-  renew_belt(selection, mesh_, topology_);
+  renew_belt(selection, mesh_);
   EXPECT_EQ(selection.belt.vertices.size(), 32U - 3U) << "the border of 9 x 9 vertices";
   EXPECT_TRUE(intersect(selection.belt.vertices, {0, 1, 2}).empty());
 }
 
 TEST_F(Selecting, WiderBeltHoldsTheNarrowOne) {
   EditSelection selection;
-  selection.roi = choose({AllVertices{}}, mesh_, topology_);
+  selection.roi = choose({AllVertices{}}, mesh_);
   VertexSet narrow;
   for (const double fraction : {0.1, 0.3, 0.6, 1.0}) {
     selection.belt_fraction = fraction;
-    renew_belt(selection, mesh_, topology_);
+    renew_belt(selection, mesh_);
     EXPECT_TRUE(subtract(narrow, selection.belt.vertices).empty());
     narrow = selection.belt.vertices;
   }

@@ -76,12 +76,12 @@ TEST(LayerDraft, KnowsWhatIsASlider) {
 
 TEST(LayerDraft, PairsOnTheBorderAreThere) {
   const Mesh sheet = grid(8, 8);
-  const Topology topology = build_topology(sheet);
-  const VertexSet patch = resolve({GeodesicDisk{Index{40}, 0.3}}, sheet, topology);
+  const Topology& topology = sheet.topology();
+  const VertexSet patch = resolve({GeodesicDisk{Index{40}, 0.3}}, sheet);
   const VertexSet border = border_of(disk_patch(patch, topology, sheet.positions, "patch"));
-  const Index nearest = nearest_on_border(40, patch, sheet, topology);
+  const Index nearest = nearest_on_border(40, patch, sheet);
   EXPECT_TRUE(std::binary_search(border.begin(), border.end(), nearest));
-  EXPECT_EQ(nearest_on_border(border.front(), patch, sheet, topology), border.front());
+  EXPECT_EQ(nearest_on_border(border.front(), patch, sheet), border.front());
 }
 
 class APreview : public ::testing::Test {
@@ -117,7 +117,7 @@ TEST_F(APreview, ShowsWhatTheStepComesTo) {
     ASSERT_TRUE(preview_.has_result()) << preview_.message();
     const Mesh expected = applied(draft);
     EXPECT_EQ(preview_.positions(), expected.positions);
-    EXPECT_EQ(preview_.mesh()->face_vertices, expected.face_vertices);
+    EXPECT_EQ(preview_.mesh()->face_vertices(), expected.face_vertices());
     EXPECT_EQ(preview_.topology() == target_.topology, remesh == Remeshing::none);
   }
 }

@@ -44,7 +44,7 @@ TEST(Projection, LengthOfAPixelShowsAsOne) {
 
 TEST(PickSurface, FindsTheFirstTriangleAndItsNearestCorner) {
   const Mesh mesh = icosphere(3);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Projection view = perspective({0, 0, 5}, {0, 0, 0});
   for (const Index v : {Index{3}, Index{100}, Index{500}}) {
     if (mesh.positions[v].z() < 0.3) continue;
@@ -59,8 +59,7 @@ TEST(PickSurface, FindsTheFirstTriangleAndItsNearestCorner) {
 TEST(PickSurface, MissesBesideTheSurface) {
   const Mesh mesh = icosphere(2);
   const Projection view = perspective({0, 0, 5}, {0, 0, 0});
-  EXPECT_FALSE(
-      pick_surface(build_topology(mesh), mesh.positions, view.ray_through({5, 5})).has_value());
+  EXPECT_FALSE(pick_surface(mesh.topology(), mesh.positions, view.ray_through({5, 5})).has_value());
 }
 
 }  // namespace

@@ -10,13 +10,13 @@ namespace lapwing::viewer::test {
 namespace {
 
 // The picture that the device would draw.
-std::vector<std::uint32_t> draw(const Mesh& mesh, const Topology& topology, const Projection& view,
-                                Index width, Index height) {
+std::vector<std::uint32_t> draw(const Mesh& mesh, const Projection& view, Index width,
+                                Index height) {
   std::vector<std::uint32_t> ids;
   for (Index y = 0; y < height; ++y) {
     for (Index x = 0; x < width; ++x) {
       const auto point =
-          pick_surface(topology, mesh.positions, view.ray_through({x + 0.5, y + 0.5}));
+          pick_surface(mesh.topology(), mesh.positions, view.ray_through({x + 0.5, y + 0.5}));
       ids.push_back(point ? point->triangle + 1 : 0);
     }
   }
@@ -33,8 +33,8 @@ TEST(SeenVertices, OfASphereAreThoseThatFaceTheEye) {
   const Projection view = small_view(eye);
   for (const int subdivisions : {2, 4}) {
     const Mesh mesh = icosphere(subdivisions);
-    const Topology topology = build_topology(mesh);
-    const auto ids = draw(mesh, topology, view, 80, 60);
+    const Topology& topology = mesh.topology();
+    const auto ids = draw(mesh, view, 80, 60);
     const SeenVertices seen({ids, 80, 60}, topology, mesh.positions, view);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       const double facing = mesh.positions[v].dot(eye.normalized());
@@ -49,9 +49,9 @@ TEST(SeenVertices, OfASphereAreThoseThatFaceTheEye) {
 
 TEST(SeenVertices, AreInTheWindow) {
   const Mesh mesh = grid(4, 4);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const Projection view = parallel({0.5, 0.5, 5}, {0.5, 0.5, 0}, 0.2, Vector3d::UnitY(), {80, 60});
-  const auto ids = draw(mesh, topology, view, 80, 60);
+  const auto ids = draw(mesh, view, 80, 60);
   const SeenVertices seen({ids, 80, 60}, topology, mesh.positions, view);
   EXPECT_TRUE(seen(12)) << "the middle";
   EXPECT_FALSE(seen(0));

@@ -20,7 +20,7 @@ class SheetAndRelief {
     Mesh target = grid(12, 12);
     for (Eigen::Vector3d& p : target.positions) {
       p.z() = 0.1 * p.x() * p.x();
-      target.attributes.vertex_colors.emplace_back(0.5F, 0.25F, 0.75F, 1.0F);
+      target.edit_attributes().vertex_colors.emplace_back(0.5F, 0.25F, 0.75F, 1.0F);
     }
     write_mesh(target, sheet());
     write_mesh(lapwing::test::relief(24, 4.0, 0.01), relief());
@@ -58,9 +58,9 @@ class SheetAndRelief {
 };
 
 inline bool same_mesh(const Mesh& a, const Mesh& b) {
-  return a.positions == b.positions && a.face_starts == b.face_starts &&
-         a.face_vertices == b.face_vertices &&
-         a.attributes.vertex_colors == b.attributes.vertex_colors;
+  return a.positions == b.positions && a.face_starts() == b.face_starts() &&
+         a.face_vertices() == b.face_vertices() &&
+         a.attributes().vertex_colors == b.attributes().vertex_colors;
 }
 
 }  // namespace lapwing::viewer::test

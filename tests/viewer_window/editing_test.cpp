@@ -39,7 +39,7 @@ bool is(const RegionSpec& region) {
 
 // The vertices that a region of the draft holds on `mesh`.
 VertexSet resolved(const RegionSpec& region, const Mesh& mesh) {
-  return resolve(region, mesh, build_topology(mesh));
+  return resolve(region, mesh);
 }
 
 // Mean difference of pictures that show the same: what moves is drawn without antialiasing.

@@ -117,7 +117,7 @@ class Layers : public ::testing::Test {
     const Mesh replayed = run_recipe(read_recipe(recipe), kernels)->mesh;
     const Mesh saved = read_mesh(mesh);
     ASSERT_EQ(saved.vertex_count(), replayed.vertex_count());
-    EXPECT_EQ(saved.face_vertices, replayed.face_vertices);
+    EXPECT_EQ(saved.face_vertices(), replayed.face_vertices());
     EXPECT_LT(test::largest_distance(saved.positions, replayed.positions), 1e-5);
     EXPECT_NE(saved.positions, sheet_.positions);
   }

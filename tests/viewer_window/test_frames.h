@@ -21,7 +21,7 @@ class DraggedSphere {
  public:
   explicit DraggedSphere(const std::shared_ptr<gpu::Context>& context)
       : mesh_(icosphere(3)),
-        topology_(build_topology(mesh_)),
+        topology_(mesh_.topology()),
         kernels_(context, Precision::automatic),
         made_(make()),
         paint_(surface()) {

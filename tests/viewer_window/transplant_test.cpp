@@ -126,7 +126,7 @@ TEST_F(Transplanting, ByHandIsUndoneRedoneTakenUpAgainAndEqualToItsRecipe) {
   CpuKernels kernels;
   const auto replayed = run_recipe(read_recipe(folder_ / "finger.json"), kernels);
   const Mesh saved = read_mesh(folder_ / "finger.ply");
-  ASSERT_EQ(saved.face_vertices, replayed->mesh.face_vertices);
+  ASSERT_EQ(saved.face_vertices(), replayed->mesh.face_vertices());
   for (std::size_t v = 0; v < saved.vertex_count(); ++v) {
     EXPECT_LT((saved.positions[v] - replayed->mesh.positions[v]).norm(), 1e-5) << v;
   }

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 class DeformOnDevice : public test::KernelTest {
  protected:
   Positions deformed(const Mesh& mesh, const Affine3d& motion) {
-    const Topology topology = build_topology(mesh);
+    const Topology& topology = mesh.topology();
     const Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh),
                             test::linear_options(), *kernels);
     return deformer.solve(std::array{motion}).positions;
@@ -31,7 +31,7 @@ TEST_P(DeformOnDevice, StillHandleGivesTheInputBackBitForBit) {
 
 TEST_P(DeformOnDevice, TranslatingHandleAndBeltTogetherTranslatesTheRegion) {
   const Mesh mesh = test::bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EditRegion region = test::foot_and_head(mesh);
   region.handles.push_back(std::move(region.belt));
   region.belt.clear();
@@ -60,7 +60,7 @@ TEST_P(DeformOnDevice, ResultDoesNotDependOnPlaceOrUnit) {
 
 TEST_P(DeformOnDevice, DraggedSurfaceFollowsTheSolution) {
   const Mesh mesh = test::bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh), test::linear_options(),
                     *kernels);
   const std::array motions{test::bend()};
@@ -72,7 +72,7 @@ TEST_P(DeformOnDevice, DraggedSurfaceFollowsTheSolution) {
 
 TEST_P(DeformOnDevice, ShownResultIsTheSettledOneWithItsNormals) {
   const Mesh mesh = test::bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh), {}, *kernels);
   const std::array motions{test::bend()};
   const Positions settled = deformer.solve(motions).positions;
@@ -92,7 +92,7 @@ class SettleOnDevice : public DeformOnDevice {};
 
 TEST_P(SettleOnDevice, RingsSettleToTheSameShape) {
   const Mesh mesh = test::bumpy_tube();
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const EditRegion region = test::foot_and_head(mesh);
   const Constraints constraints = constraints_of(region, topology, 1.0, false);
   std::vector<Vector3d> wanted(mesh.vertex_count(), Vector3d::Zero());
@@ -118,8 +118,7 @@ TEST_P(SettleOnDevice, RingsSettleToTheSameShape) {
 }
 
 LAPWING_ON_ALL_TWINS(DeformOnDevice);
-INSTANTIATE_TEST_SUITE_P(Twins, SettleOnDevice,
-                         ::testing::Values(test::kTwins[0], test::kTwins[1]),
+INSTANTIATE_TEST_SUITE_P(Twins, SettleOnDevice, ::testing::Values(test::kTwins[0], test::kTwins[1]),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

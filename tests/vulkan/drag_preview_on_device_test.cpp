@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 class DragPreviewOnDevice : public test::KernelTest {
  protected:
   Mesh mesh = test::bumpy_tube();
-  Topology topology = build_topology(mesh);
+  Topology topology = mesh.topology();
   double diagonal = bounds_of(mesh.positions).diagonal();
   std::array<Affine3d, 1> bend{test::bend()};
 

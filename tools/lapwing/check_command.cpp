@@ -27,9 +27,8 @@ bool has_errors(const CheckReport& report) {
 }
 
 CheckReport examine_and_print(const Mesh& mesh, bool with_self_intersections) {
-  const Topology topology = build_topology(mesh);
-  CheckReport report = check(mesh, topology);
-  if (with_self_intersections) add_self_intersections(mesh, topology, report);
+  CheckReport report = check(mesh);
+  if (with_self_intersections) add_self_intersections(mesh, report);
   std::fputs(format(report.statistics).c_str(), stdout);
   std::fputs(format(report).c_str(), stdout);
   return report;

@@ -31,8 +31,8 @@ VertexSet all_vertices(const Mesh& mesh) {
 }
 
 // What keeps a piece from being one that `lapwing transplant` joins without being told more.
-void note_oddities(const Mesh& mesh, const Topology& topology, const std::string& path) {
-  const DiskReport report = report_disk(region_triangles(all_vertices(mesh), topology));
+void note_oddities(const Mesh& mesh, const std::string& path) {
+  const DiskReport report = report_disk(region_triangles(all_vertices(mesh), mesh.topology()));
   const auto note = [&](const std::string& text) {
     std::fprintf(stderr, "lapwing: note: %s %s\n", path.c_str(), text.c_str());
   };
@@ -48,8 +48,8 @@ void note_oddities(const Mesh& mesh, const Topology& topology, const std::string
 
 void write_piece(const CutPiece& piece, const std::string& path, bool quiet) {
   print_notes(write_mesh(piece.mesh, path));
-  const Topology topology = build_topology(piece.mesh);
-  note_oddities(piece.mesh, topology, path);
+  const Topology& topology = piece.mesh.topology();
+  note_oddities(piece.mesh, path);
   if (quiet) return;
   std::printf("%s: %zu vertices, %zu faces\n", path.c_str(), piece.mesh.vertex_count(),
               piece.mesh.face_count());
@@ -66,7 +66,7 @@ void write_piece(const CutPiece& piece, const std::string& path, bool quiet) {
 
 void cut(const CutArguments& a) {
   const Mesh mesh = read_mesh(a.mesh);
-  const VertexSet region = resolve(region_spec("--region", a.region), mesh, build_topology(mesh));
+  const VertexSet region = resolve(region_spec("--region", a.region), mesh);
   const CutPiece part = cut_out(mesh, region, "--region");
   // Both or none are written.
   CutPiece rest;

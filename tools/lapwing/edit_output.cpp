@@ -159,7 +159,7 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
   Kernels* maker = dynamic_cast<VulkanKernels*>(&kernels);
   if (maker == nullptr) maker = (drawing = open_device("auto")).get();
   const auto still = [&](std::span<const Eigen::Vector3d> positions) {
-    return maker->make_surface({positions, result.topology, {}, {}, 0});
+    return maker->make_surface({positions, result.mesh.topology(), {}, {}, 0});
   };
   std::unique_ptr<DeformedSurface> made;
   auto* after = result.deformed.last
@@ -171,13 +171,13 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
   }
 
   SurfacePaint paint(*after);
-  paint.set_polygons(result.mesh, result.topology);
+  paint.set_polygons(result.mesh);
   RenderOptions options = picture.render_options();
   if (color == "regions" && !result.region.roi.empty()) {
     options.style.color = SurfaceColor::regions;
     paint.set_classes(vertex_classes(result.region, result.mesh.vertex_count()));
   } else if (color != "regions" && color != "plain") {
-    color_by(color, result.topology, result.original, result.mesh.positions, paint, options);
+    color_by(color, result.mesh.topology(), result.original, result.mesh.positions, paint, options);
   }
   Positions both = result.original;
   both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());

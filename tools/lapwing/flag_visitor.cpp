@@ -34,7 +34,7 @@ CLI::Validator in(const Range& range, bool whole) {
 
 // The numbers of a vertex property of the mesh, which `lapwing peel` and other programs write.
 std::vector<double> property(const std::string& mesh, const std::string& name) {
-  for (const ExtraAttribute& extra : read_mesh(mesh).attributes.vertex_extras) {
+  for (const ExtraAttribute& extra : read_mesh(mesh).attributes().vertex_extras) {
     if (extra.name == name && extra.components == 1) return extra.values;
   }
   throw InputError("--field: " + mesh + " has no vertex property \"" + name +

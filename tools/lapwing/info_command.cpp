@@ -39,8 +39,7 @@ void add_info(CLI::App& app) {
     print_devices();
     if (mesh->empty()) return;
     const Mesh loaded = read_mesh(*mesh);
-    std::printf("%s\n%s", mesh->c_str(),
-                format(check(loaded, build_topology(loaded)).statistics).c_str());
+    std::printf("%s\n%s", mesh->c_str(), format(check(loaded).statistics).c_str());
   });
 }
 

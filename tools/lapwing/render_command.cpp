@@ -36,14 +36,14 @@ Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
 void render(const RenderArguments& arguments) {
   RenderOptions options = arguments.picture.render_options();
   const Mesh mesh = read_mesh(arguments.mesh);
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   VulkanOptions device;
   device.device = arguments.device;
   VulkanKernels kernels(device);
   const auto surface = kernels.make_surface({mesh.positions, topology, {}, {}, 0});
   auto& drawn = dynamic_cast<VulkanSurface&>(*surface);
   SurfacePaint paint(drawn);
-  paint.set_polygons(mesh, topology);
+  paint.set_polygons(mesh);
   if (!arguments.rest.empty()) {
     const Mesh rest = read_rest_pose(arguments.rest, mesh);
     color_by(arguments.color, topology, rest.positions, mesh.positions, paint, options);

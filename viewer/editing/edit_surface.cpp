@@ -6,11 +6,10 @@
 namespace lapwing::viewer {
 namespace {
 
-std::unique_ptr<DeformedSurface> still_surface(const Mesh& mesh, const Topology& topology,
-                                               VulkanKernels& kernels) {
+std::unique_ptr<DeformedSurface> still_surface(const Mesh& mesh, VulkanKernels& kernels) {
   std::vector<Index> all(mesh.vertex_count());
   std::iota(all.begin(), all.end(), Index{0});
-  return kernels.make_surface({mesh.positions, topology, all, {}, 0});
+  return kernels.make_surface({mesh.positions, mesh.topology(), all, {}, 0});
 }
 
 VertexClass class_of(Part::Role role) {
@@ -27,11 +26,11 @@ VertexClass class_of(Part::Role role) {
 
 }  // namespace
 
-EditSurface::EditSurface(const Mesh& mesh, const Topology& topology, VulkanKernels& kernels)
-    : still_(still_surface(mesh, topology, kernels)),
+EditSurface::EditSurface(const Mesh& mesh, VulkanKernels& kernels)
+    : still_(still_surface(mesh, kernels)),
       shown_(&dynamic_cast<VulkanSurface&>(*still_)),
       paint_(*shown_) {
-  paint_.set_polygons(mesh, topology);
+  paint_.set_polygons(mesh);
 }
 
 void EditSurface::show(DeformedSurface& surface, SurfaceSource source) {

@@ -24,7 +24,7 @@ enum class SurfaceSource {
 /// the buffers that the drag wrote. The device must be done with what was drawn when it changes.
 class EditSurface {
  public:
-  EditSurface(const Mesh& mesh, const Topology& topology, VulkanKernels& kernels);
+  EditSurface(const Mesh& mesh, VulkanKernels& kernels);
 
   /// Puts the surface where `positions` says: one upload.
   void place(std::span<const Eigen::Vector3d> positions);

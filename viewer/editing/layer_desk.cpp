@@ -283,8 +283,7 @@ void LayerDesk::take_patches(const Editor& editor) {
     source.boundary_pairs.clear();
     const AppState& state = views_[k]->state();
     if (source.detail_size == 0.0) {
-      source.detail_size =
-          usual_detail_size(views_[k]->patch().vertices, *state.rest, *state.topology);
+      source.detail_size = usual_detail_size(views_[k]->patch().vertices, *state.rest);
     }
   }
   RegionSpec roi = spec_of(editor.state().selection.roi, "target patch");
@@ -321,9 +320,8 @@ void LayerDesk::add_pair(const Editor& editor) {
     return;
   }
   const AppState& from = view()->state();
-  pair[0] = nearest_on_border(pair[0], view()->patch().vertices, *from.rest, *from.topology);
-  pair[1] = nearest_on_border(pair[1], resolve(draft_.target_patch, *target.rest, *target.topology),
-                              *target.rest, *target.topology);
+  pair[0] = nearest_on_border(pair[0], view()->patch().vertices, *from.rest);
+  pair[1] = nearest_on_border(pair[1], resolve(draft_.target_patch, *target.rest), *target.rest);
   // So many fit the domain; one more begins anew.
   if (source.boundary_pairs.size() >= pin_count(draft_.parameters.domain)) {
     source.boundary_pairs.clear();

@@ -83,7 +83,7 @@ void PartShelf::cut(const AppState& state, const RegionSpec& region, const std::
   waiting_.emplace_front([folder = folder_, state, region, name](
                              const std::shared_ptr<Kernels>& kernels, const Progress&) {
     const Mesh mesh = mesh_of(state);
-    CutPiece piece = cut_out(mesh, resolve(region, mesh, *state.topology), region.where);
+    CutPiece piece = cut_out(mesh, resolve(region, mesh), region.where);
     return item_of(add_part(folder, std::move(piece.mesh), name).part, *kernels);
   });
 }

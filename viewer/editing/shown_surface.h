@@ -101,9 +101,7 @@ class ShownSurface {
   // All that is in device memory but for the worker's.
   struct OnDevice {
     OnDevice(const TriangulatedMesh& what, VulkanKernels& kernels)
-        : picker(*kernels.context()),
-          surface(*what.mesh, *what.topology, kernels),
-          topology(what.topology) {}
+        : picker(*kernels.context()), surface(*what.mesh, kernels), topology(what.topology) {}
 
     SurfacePicker picker;
     EditSurface surface;

@@ -17,13 +17,13 @@ Mesh side_by_side(const Mesh& host, const Mesh& part) {
   Mesh both;
   both.positions = host.positions;
   both.positions.insert(both.positions.end(), part.positions.begin(), part.positions.end());
-  both.face_starts = host.face_starts;
-  both.face_vertices = host.face_vertices;
+  Faces& faces = both.edit_faces();
+  faces = host.faces();
   const auto first_vertex = static_cast<Index>(host.vertex_count());
-  const auto first_corner = static_cast<Index>(host.face_vertices.size());
-  for (const Index v : part.face_vertices) both.face_vertices.push_back(first_vertex + v);
-  for (std::size_t f = 1; f < part.face_starts.size(); ++f) {
-    both.face_starts.push_back(first_corner + part.face_starts[f]);
+  const auto first_corner = static_cast<Index>(host.face_vertices().size());
+  for (const Index v : part.face_vertices()) faces.vertices.push_back(first_vertex + v);
+  for (std::size_t f = 1; f < part.face_starts().size(); ++f) {
+    faces.starts.push_back(first_corner + part.face_starts()[f]);
   }
   return both;
 }
@@ -143,7 +143,7 @@ TransplantDesk::InHand TransplantDesk::in_hand(const Begin& begin, const AppStat
   const Mesh& host = *hand.host.state.rest;
   hand.draft = begin.draft(hand.host.state);
   hand.mesh = std::make_shared<const Mesh>(side_by_side(host, hand.draft.part->mesh));
-  hand.topology = std::make_shared<const Topology>(build_topology(*hand.mesh));
+  hand.topology = hand.mesh->shared_topology();
   hand.host.surface = std::make_shared<const SurfaceSnap>(hand.host.state.topology->triangles,
                                                           host.positions, "the mesh");
   return hand;

@@ -50,18 +50,12 @@ MovedVertices moved_vertices(const Positions& before, const Positions& after) {
 }
 
 AppState open_state(Mesh mesh) {
-  Topology topology = build_topology(mesh);
-  return open_state(std::move(mesh), std::move(topology));
+  return open_state(std::make_shared<const Mesh>(std::move(mesh)));
 }
 
-AppState open_state(Mesh mesh, Topology topology) {
-  return open_state(std::make_shared<const Mesh>(std::move(mesh)),
-                    std::make_shared<const Topology>(std::move(topology)));
-}
-
-AppState open_state(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Topology> topology) {
+AppState open_state(std::shared_ptr<const Mesh> mesh) {
   AppState state;
-  state.topology = std::move(topology);
+  state.topology = mesh->shared_topology();
   state.rest = std::move(mesh);
   return state;
 }
@@ -93,7 +87,7 @@ Mesh mesh_of(const AppState& state) {
 
 EditRegion edit_region(const AppState& state) {
   return resolve_edit_region(spec_of(state.selection.roi, "ROI"), belt_spec(state.selection),
-                             handle_specs(state.selection), *state.rest, *state.topology);
+                             handle_specs(state.selection), *state.rest);
 }
 
 std::vector<Affine3d> motions_of(const AppState& state) {

@@ -57,8 +57,7 @@ struct AppState {
 
 /// A mesh as it was read, nothing chosen. Throws what `build_topology` does.
 AppState open_state(Mesh mesh);
-AppState open_state(Mesh mesh, Topology topology);
-AppState open_state(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Topology> topology);
+AppState open_state(std::shared_ptr<const Mesh> mesh);
 
 /// Whether a handle is somewhere else than at rest.
 bool is_moved(const AppState& state);

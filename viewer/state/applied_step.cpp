@@ -7,8 +7,8 @@ namespace lapwing::viewer {
 namespace {
 
 bool same_faces(const Mesh& a, const Mesh& b) {
-  return a.vertex_count() == b.vertex_count() && a.face_starts == b.face_starts &&
-         a.face_vertices == b.face_vertices;
+  return a.vertex_count() == b.vertex_count() && a.face_starts() == b.face_starts() &&
+         a.face_vertices() == b.face_vertices();
 }
 
 std::shared_ptr<const AppliedStep> difference(const Mesh& before, RunResult result) {
@@ -16,9 +16,9 @@ std::shared_ptr<const AppliedStep> difference(const Mesh& before, RunResult resu
     return std::make_shared<const AppliedStep>(
         moved_vertices(before.positions, result.mesh.positions));
   }
-  return std::make_shared<const AppliedStep>(
-      NewMesh{std::make_shared<const Mesh>(std::move(result.mesh)),
-              std::make_shared<const Topology>(std::move(result.topology))});
+  auto mesh = std::make_shared<const Mesh>(std::move(result.mesh));
+  auto topology = mesh->shared_topology();
+  return std::make_shared<const AppliedStep>(NewMesh{std::move(mesh), std::move(topology)});
 }
 
 }  // namespace
@@ -30,7 +30,6 @@ CarriedOut apply_step(const AppState& state, const Step& step,
   RunResult result;
   result.mesh = *committed.rest;
   result.original = committed.rest->positions;
-  result.topology = *committed.topology;
   CarriedOut out;
   out.report =
       run_step(step, committed.steps.size() + 1, base_directory, kernels, progress, result);

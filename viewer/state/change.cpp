@@ -30,8 +30,9 @@ std::size_t bytes_of(const std::array<VertexSet, 2>& change) {
 }
 
 // Without attributes, which are few beside the rest.
-std::size_t bytes_of(const Mesh& mesh, const Topology& topology) {
-  const std::size_t numbers = mesh.face_starts.size() + mesh.face_vertices.size() +
+std::size_t bytes_of(const Mesh& mesh) {
+  const Topology& topology = mesh.topology();
+  const std::size_t numbers = mesh.face_starts().size() + mesh.face_vertices().size() +
                               4 * topology.triangles.size() + topology.rings.values.size() +
                               topology.vertex_triangles.values.size() + 2 * mesh.vertex_count();
   return mesh.vertex_count() * sizeof(Eigen::Vector3d) + numbers * sizeof(Index);
@@ -155,7 +156,7 @@ std::size_t Change::bytes() const {
   if (rest_) total += rest_->vertices.size() * (sizeof(Index) + 2 * kPosition);
   if (triangles_) {
     // Each mesh is in two changes, like a result.
-    for (const Triangles& side : *triangles_) total += bytes_of(*side.rest, *side.topology) / 2;
+    for (const Triangles& side : *triangles_) total += bytes_of(*side.rest) / 2;
   }
   return total;
 }

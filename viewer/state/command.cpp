@@ -23,14 +23,14 @@ void require_vertices(const AppState& state, const VertexSet& vertices) {
 // The same vertices, on the rest shape as it has come to be.
 void carry_selection_over(AppState& state) {
   EditSelection& selection = state.selection;
-  selection.roi = carried_over(selection.roi, *state.rest, *state.topology);
+  selection.roi = carried_over(selection.roi, *state.rest);
   for (ChosenRegion& handle : selection.handles) {
-    handle = carried_over(handle, *state.rest, *state.topology);
+    handle = carried_over(handle, *state.rest);
   }
   if (!selection.belt_fraction) {
-    selection.belt = carried_over(selection.belt, *state.rest, *state.topology);
+    selection.belt = carried_over(selection.belt, *state.rest);
   }
-  renew_belt(selection, *state.rest, *state.topology);
+  renew_belt(selection, *state.rest);
 }
 
 // What is settled becomes the rest shape, and a step.
@@ -87,12 +87,12 @@ struct Applier {
   void replace(const Part& part, ChosenRegion region) const {
     region_of(state, part) = std::move(region);
     if (part.role == Part::Role::belt) state.selection.belt_fraction.reset();
-    renew_belt(state.selection, *state.rest, *state.topology);
+    renew_belt(state.selection, *state.rest);
   }
 
   void operator()(const Choose& command) const {
     commit(state);
-    replace(command.part, choose(command.region, *state.rest, *state.topology));
+    replace(command.part, choose(command.region, *state.rest));
   }
   void operator()(const Paint& command) const {
     require_vertices(state, command.added);
@@ -107,7 +107,7 @@ struct Applier {
     const auto offset = static_cast<std::ptrdiff_t>(command.handle);
     state.selection.handles.erase(state.selection.handles.begin() + offset);
     state.moves.erase(state.moves.begin() + offset);
-    renew_belt(state.selection, *state.rest, *state.topology);
+    renew_belt(state.selection, *state.rest);
   }
   void operator()(const SetBeltWidth& command) const {
     if (!(command.fraction >= 0.0 && command.fraction <= 1.0)) {
@@ -115,7 +115,7 @@ struct Applier {
     }
     if (state.selection.belt_fraction == command.fraction) return;
     state.selection.belt_fraction = command.fraction;
-    renew_belt(state.selection, *state.rest, *state.topology);
+    renew_belt(state.selection, *state.rest);
     state.settled = nullptr;
   }
   void operator()(const MoveHandle& command) const {

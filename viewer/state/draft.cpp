@@ -60,7 +60,6 @@ Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
 Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& progress) {
   RunResult result;
   result.mesh = *state.rest;
-  result.topology = *state.topology;
   StepReport report = run_step(open_step(state), state.steps.size() + 1, kernels, progress, result);
   return {std::make_shared<const MovedVertices>(
               moved_vertices(state.rest->positions, result.mesh.positions)),

@@ -23,8 +23,8 @@ ChosenRegion painted(VertexSet vertices) {
 
 }  // namespace
 
-ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const Topology& topology) {
-  VertexSet vertices = resolve(spec, mesh, topology);
+ChosenRegion choose(RegionSpec spec, const Mesh& mesh) {
+  VertexSet vertices = resolve(spec, mesh);
   // A recipe has no disk without a radius.
   const auto* disk = std::get_if<GeodesicDisk>(&spec.form);
   const bool is_point = disk != nullptr && !(disk->radius > 0.0);
@@ -58,22 +58,21 @@ RegionSpec spec_of(const ChosenRegion& region, const std::string& where) {
   return spec;
 }
 
-ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh, const Topology& topology) {
+ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh) {
   if (is_list(region.made)) return region;
   try {
-    if (resolve(spec_of(region, "selection"), mesh, topology) == region.vertices) return region;
+    if (resolve(spec_of(region, "selection"), mesh) == region.vertices) return region;
   } catch (const InputError&) {
     // The way it was made does not exist here any more.
   }
   return painted(region.vertices);
 }
 
-void renew_belt(EditSelection& selection, const Mesh& mesh, const Topology& topology) {
+void renew_belt(EditSelection& selection, const Mesh& mesh) {
   if (!selection.belt_fraction) return;
   VertexSet belt;
   if (!selection.roi.vertices.empty()) {
-    belt = resolve_border_belt({*selection.belt_fraction, "belt"}, selection.roi.vertices, mesh,
-                               topology);
+    belt = resolve_border_belt({*selection.belt_fraction, "belt"}, selection.roi.vertices, mesh);
   }
   for (const ChosenRegion& handle : selection.handles) belt = subtract(belt, handle.vertices);
   selection.belt = painted(std::move(belt));

@@ -21,7 +21,7 @@ struct ChosenRegion {
 };
 
 /// The region that `spec` says. Throws what `resolve` does.
-ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const Topology& topology);
+ChosenRegion choose(RegionSpec spec, const Mesh& mesh);
 
 /// The region changed by hand to hold `vertices`.
 ChosenRegion repainted(const ChosenRegion& region, VertexSet vertices);
@@ -31,7 +31,7 @@ RegionSpec spec_of(const ChosenRegion& region, const std::string& where);
 
 /// The same vertices on a mesh that has moved, where `made` may now say others: then they are
 /// listed.
-ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh, const Topology& topology);
+ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh);
 
 /// What the next edit concerns. Any part may still be missing.
 struct EditSelection {
@@ -46,7 +46,7 @@ struct EditSelection {
 
 /// Makes a belt that goes by its width fit the ROI and the handles; any other stays. Linear in the
 /// ROI but for the geodesic distances.
-void renew_belt(EditSelection& selection, const Mesh& mesh, const Topology& topology);
+void renew_belt(EditSelection& selection, const Mesh& mesh);
 
 BeltSpec belt_spec(const EditSelection& selection);
 std::vector<RegionSpec> handle_specs(const EditSelection& selection);

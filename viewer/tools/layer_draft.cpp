@@ -93,11 +93,11 @@ bool same_but_for_sliders(const LayerDraft& a, const LayerDraft& b) {
   return like_b == b;
 }
 
-double usual_detail_size(const VertexSet& patch, const Mesh& mesh, const Topology& topology) {
+double usual_detail_size(const VertexSet& patch, const Mesh& mesh) {
   double sum = 0.0;
   std::size_t count = 0;
   for (const Index v : patch) {
-    for (const Index n : topology.rings[v]) {
+    for (const Index n : mesh.topology().rings[v]) {
       sum += (mesh.positions[n] - mesh.positions[v]).norm();
       ++count;
     }
@@ -105,9 +105,8 @@ double usual_detail_size(const VertexSet& patch, const Mesh& mesh, const Topolog
   return count == 0 ? 0.0 : kEdgesPerDetail * sum / static_cast<double>(count);
 }
 
-Index nearest_on_border(Index vertex, const VertexSet& patch, const Mesh& mesh,
-                        const Topology& topology) {
-  const Patch disk = disk_patch(patch, topology, mesh.positions, "patch");
+Index nearest_on_border(Index vertex, const VertexSet& patch, const Mesh& mesh) {
+  const Patch disk = disk_patch(patch, mesh.topology(), mesh.positions, "patch");
   const VertexSet border = border_of(disk);
   const Eigen::Vector3d place = mesh.positions[vertex];
   return *std::min_element(border.begin(), border.end(), [&](Index a, Index b) {

@@ -45,10 +45,9 @@ bool same_but_for_sliders(const LayerDraft& a, const LayerDraft& b);
 
 /// A detail size to begin with: some edges of the patch long, so that bumps are smaller and shapes
 /// larger.
-double usual_detail_size(const VertexSet& patch, const Mesh& mesh, const Topology& topology);
+double usual_detail_size(const VertexSet& patch, const Mesh& mesh);
 
 /// The vertex on the border of the patch nearest to `vertex`. Throws what `disk_patch` does.
-Index nearest_on_border(Index vertex, const VertexSet& patch, const Mesh& mesh,
-                        const Topology& topology);
+Index nearest_on_border(Index vertex, const VertexSet& patch, const Mesh& mesh);
 
 }  // namespace lapwing::viewer

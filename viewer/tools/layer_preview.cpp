@@ -62,8 +62,7 @@ std::shared_ptr<const Mesh> LayerPreview::mesh() const {
 
 std::shared_ptr<const Topology> LayerPreview::topology() const {
   // Where nothing was remeshed these are the target's triangles, and are to be known as such.
-  if (prepared_->layers->remeshed() == nullptr) return prepared_->target.topology;
-  return {prepared_, &prepared_->layers->topology()};
+  return prepared_->layers->mesh().shared_topology();
 }
 
 const LayeredCoat* LayerPreview::layers() const {
@@ -140,7 +139,7 @@ LayerPreview::Result LayerPreview::prepared(const Wanted& wanted,
   auto result = std::make_shared<Prepared>(Prepared{kernels, wanted.target, wanted.draft, nullptr});
   report_progress(progress, "source", 0.0);
   result->layers = std::make_unique<LayeredCoat>(
-      layered(result->draft), *result->target.rest, *result->target.topology,
+      layered(result->draft), *result->target.rest,
       read_source_meshes(result->draft.all_sources(), ""), *kernels, progress);
   return result;
 }

@@ -71,7 +71,7 @@ ToolAnswer LoopTool::choose_side(Index inside, const SelectScene& scene) {
     // On the surface that is seen: that is where the command will choose.
     Mesh seen = *scene.state.rest;
     seen.positions.assign(scene.positions.begin(), scene.positions.end());
-    (void)resolve(spec, seen, *scene.state.topology);
+    (void)resolve(spec, seen);
   } catch (const InputError& error) {
     return {true, {}, error.what()};
   }

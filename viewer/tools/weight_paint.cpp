@@ -14,9 +14,9 @@ WeightPaint::WeightPaint() {
 ToolAnswer WeightPaint::handle(const InputEvent& event, const SelectScene& scene) {
   field_.resize(scene.state.rest->vertex_count(), 0.0);
   // A selection that the brush can add everything to, or take everything from.
-  AppState canvas = open_state(scene.state.rest, scene.state.topology);
+  AppState canvas = open_state(scene.state.rest);
   const bool erases = is_dragging() ? paint_.erases() : brush().erase != event.modifiers.control;
-  if (erases) canvas.selection.roi = choose({AllVertices{}}, *canvas.rest, *canvas.topology);
+  if (erases) canvas.selection.roi = choose({AllVertices{}}, *canvas.rest);
   ToolAnswer answer = paint_.handle(
       event, {canvas, scene.positions, scene.projection, scene.pick, scene.is_visible, kPainted});
   if (answer.command) {

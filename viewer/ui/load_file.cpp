@@ -25,20 +25,20 @@ OpenedMesh read(const fs::path& path, const Progress& progress) {
 LoadedFile examined(OpenedMesh opened, History history, const Progress& progress) {
   report_progress(progress, "check", 0.0);
   const auto& [mesh, topology] = opened.mesh;
-  CheckReport report = check(*mesh, *topology);
+  CheckReport report = check(*mesh);
   const bool closed = is_closed_outward(mesh->positions, topology->triangles);
   return {std::move(opened), std::move(report), std::move(history), closed};
 }
 
 LoadedFile unedited(OpenedMesh opened, const Progress& progress) {
-  History history(open_state(opened.mesh.mesh, opened.mesh.topology));
+  History history(open_state(opened.mesh.mesh));
   return examined(std::move(opened), std::move(history), progress);
 }
 
 LoadedFile carried_out(const Recipe& recipe, OpenedMesh opened, Kernels& kernels,
                        const Progress& progress) {
-  History history = from_recipe(open_state(opened.mesh.mesh, opened.mesh.topology), recipe,
-                                carry_out_with(kernels, progress));
+  History history =
+      from_recipe(open_state(opened.mesh.mesh), recipe, carry_out_with(kernels, progress));
   // The recipe has it.
   history.mark_saved();
   LoadedFile file = examined(std::move(opened), std::move(history), progress);
@@ -76,8 +76,8 @@ LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,
   }
   OpenedMesh opened = read(edit.mesh.path, progress);
   opened.name = edit.opened.filename().string();
-  History history = restore(open_state(opened.mesh.mesh, opened.mesh.topology), edit.draft,
-                            carry_out_with(kernels, progress));
+  History history =
+      restore(open_state(opened.mesh.mesh), edit.draft, carry_out_with(kernels, progress));
   LoadedFile file = examined(std::move(opened), std::move(history), progress);
   file.restored = edit;
   return file;

@@ -8,7 +8,7 @@ namespace {
 // Null for the target itself, whose connectivity is known.
 SharedSource shared(const Mesh& source, const Mesh& target) {
   if (&source == &target) return nullptr;
-  return std::make_shared<const SourceMesh>(SourceMesh{source, build_topology(source)});
+  return std::make_shared<const Mesh>(source);
 }
 
 Coated result_of(const LayeredCoat& layers, double amplitude) {
@@ -24,16 +24,14 @@ Coated result_of(const LayeredCoat& layers, double amplitude) {
 }  // namespace
 
 Coated coat(const Mesh& target, const Mesh& source, const CoatRequest& request) {
-  const Topology topology = build_topology(target);
   CpuKernels kernels;
-  const PreparedCoat prepared(request, target, topology, shared(source, target), kernels);
+  const PreparedCoat prepared(request, target, shared(source, target), kernels);
   return result_of(prepared.layers(), request.source.amplitude);
 }
 
 Coated mix(const Mesh& target, const Mesh& first, const Mesh& second, const MixRequest& request) {
-  const Topology topology = build_topology(target);
   CpuKernels kernels;
-  const LayeredCoat layers(layered(request), target, topology,
+  const LayeredCoat layers(layered(request), target,
                            {shared(first, target), shared(second, target)}, kernels);
   return result_of(layers, 1.0);
 }

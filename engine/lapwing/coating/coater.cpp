@@ -140,8 +140,9 @@ void Coater::State::make_system(const Progress& progress) {
   timings.add("order", watch.elapsed_ms());
   report_progress(progress, "laplacian", 0.0);
   try {
-    system = std::make_unique<LaplacianSystem>(rest, part.topology, region.roi, constraints,
-                                               *pattern, EnergyTerms{options.weights, 0.0}, timings);
+    system =
+        std::make_unique<LaplacianSystem>(rest, part.topology, region.roi, constraints, *pattern,
+                                          EnergyTerms{options.weights, 0.0}, timings);
   } catch (const SolverError&) {  // names a vertex of the part
     throw SolverError("the system of the target patch around vertex " +
                       std::to_string(free.front()) +

@@ -56,14 +56,14 @@ void LayeredCoat::timed(const char* name, const Progress& progress, Body body) {
   stage(name, timings_, progress, body);
 }
 
-LayeredCoat::LayeredCoat(LayeredRequest request, const Mesh& mesh, const Topology& topology,
+LayeredCoat::LayeredCoat(LayeredRequest request, const Mesh& mesh,
                          const std::vector<SharedSource>& sources, Kernels& kernels,
                          const Progress& progress)
-    : request_(std::move(request)), mesh_(mesh), topology_(topology), kernels_(kernels) {
+    : request_(std::move(request)), mesh_(mesh), kernels_(kernels) {
   for (std::size_t k = 0; k < request_.sources.size(); ++k) {
     const CoatSource& source = request_.sources[k];
     // Of one source the amplitude is `positions`' to say.
-    layers_.push_back({SourceSide(source, sources.at(k), mesh, topology),
+    layers_.push_back({SourceSide(source, sources.at(k), mesh),
                        source.correspondence(request_.parameters.domain),
                        request_.weight ? source.amplitude : 1.0});
   }
@@ -83,10 +83,10 @@ void LayeredCoat::make_sides(const Progress& progress) {
     }
   };
   const auto find_target = [&] {
-    target_.emplace(request_.target_patch, mesh_, topology_);
+    target_.emplace(request_.target_patch, mesh_);
     target_->choose_handles(request_.handles);
     if (request_.weight) {
-      target_->carry(weight_field(*request_.weight, mesh_, topology_, request_.where + "/weight"));
+      target_->carry(weight_field(*request_.weight, mesh_, request_.where + "/weight"));
     }
   };
   timed("peel", progress, [&] {
@@ -238,7 +238,7 @@ void LayeredCoat::make_coater() {
   target.held = held;
   options_ = coater_options();
   try {
-    coater_.emplace(target, target_->topology(), target_->patch(), options_, kernels_);
+    coater_.emplace(target, target_->mesh().topology(), target_->patch(), options_, kernels_);
   } catch (const InputError& error) {
     throw InputError(request_.target_patch.where + ": " + error.what());
   }

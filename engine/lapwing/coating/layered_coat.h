@@ -52,9 +52,8 @@ class LayeredCoat {
   /// `sources` are the meshes of the request's sources; null is the target itself. `mesh`,
   /// `topology` and `kernels` must outlive the object. Stages "peel", "map", "remesh", and those of
   /// `Coater`. Throws InputError for what does not fit, SolverError, and Cancelled.
-  LayeredCoat(LayeredRequest request, const Mesh& mesh, const Topology& topology,
-              const std::vector<SharedSource>& sources, Kernels& kernels,
-              const Progress& progress = {});
+  LayeredCoat(LayeredRequest request, const Mesh& mesh, const std::vector<SharedSource>& sources,
+              Kernels& kernels, const Progress& progress = {});
   LayeredCoat(const LayeredCoat&) = delete;
 
   /// `mesh()` with `amplitude` times what the layers bring. One addition per vertex of the patch.
@@ -69,7 +68,6 @@ class LayeredCoat {
   /// What the target became: the mesh given, or one with a finer patch, before anything comes to
   /// it.
   const Mesh& mesh() const { return target_->mesh(); }
-  const Topology& topology() const { return target_->topology(); }
   /// Null unless the target was remeshed.
   const RemeshResult* remeshed() const { return target_->remeshed(); }
 
@@ -116,7 +114,6 @@ class LayeredCoat {
 
   const LayeredRequest request_;
   const Mesh& mesh_;
-  const Topology& topology_;
   Kernels& kernels_;
   std::vector<Layer> layers_;
   std::optional<TargetSide> target_;

@@ -9,13 +9,12 @@
 namespace lapwing {
 namespace {
 
-std::vector<double> distances_to(const RegionSpec& spec, const Mesh& mesh,
-                                 const Topology& topology) {
-  const VertexSet region = resolve(spec, mesh, topology);
+std::vector<double> distances_to(const RegionSpec& spec, const Mesh& mesh) {
+  const VertexSet region = resolve(spec, mesh);
   if (region.empty()) {
     throw InputError(spec.where + ": the region holds no vertex; name at least one");
   }
-  auto distances = geodesic_distances(topology, mesh.positions, region);
+  auto distances = geodesic_distances(mesh.topology(), mesh.positions, region);
   // Where no path leads is as far away as can be; an infinity could not be interpolated.
   double farthest = 0.0;
   for (const double d : distances) farthest = std::isfinite(d) ? std::max(farthest, d) : farthest;
@@ -82,9 +81,9 @@ struct Weigher {
 }  // namespace
 
 std::vector<double> weight_field(const MixWeight& weight, const Mesh& mesh,
-                                 const Topology& topology, const std::string& where) {
+                                 const std::string& where) {
   if (const auto* ramp = std::get_if<DistanceRamp>(&weight.form)) {
-    return distances_to(ramp->region, mesh, topology);
+    return distances_to(ramp->region, mesh);
   }
   const auto* painted = std::get_if<PaintedWeight>(&weight.form);
   if (painted == nullptr) return {};

@@ -45,7 +45,7 @@ struct MixWeight {
 /// for a domain ramp, which needs none. Throws InputError, naming `where`: a field of another
 /// length or with numbers outside 0 to 1, a region without vertices, and what `resolve` throws.
 std::vector<double> weight_field(const MixWeight& weight, const Mesh& mesh,
-                                 const Topology& topology, const std::string& where);
+                                 const std::string& where);
 
 /// w at each vertex of the target patch, 0 to 1. `field` is the above on the patch's mesh, `map`
 /// the patch's place in the domain. Throws InputError, naming `where`: a domain ramp without the

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 namespace {
 
 void set_property(Mesh& mesh, const std::string& name, std::vector<double> values) {
-  auto& extras = mesh.attributes.vertex_extras;
+  auto& extras = mesh.edit_attributes().vertex_extras;
   std::erase_if(extras, [&](const ExtraAttribute& e) { return e.name == name; });
   extras.push_back({name, "double", 1, std::move(values)});
 }
@@ -29,10 +29,10 @@ void set_vectors(Mesh& mesh, std::span<const Vector3d> vectors) {
 
 // Along the normals of the smooth surface, outward.
 std::vector<double> coating_heights(const Mesh& mesh, const Peeled& peeled) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   std::vector<Vector3d> normals(mesh.vertex_count(), Vector3d::Zero());
   vertex_normals(peeled.mesh.positions, topology.triangles, topology.vertex_triangles,
-                 resolve({}, mesh, topology), normals);
+                 resolve({}, mesh), normals);
   std::vector<double> heights;
   for (std::size_t v = 0; v < normals.size(); ++v) {
     heights.push_back(peeled.displacement[v].dot(normals[v]));
@@ -42,9 +42,9 @@ std::vector<double> coating_heights(const Mesh& mesh, const Peeled& peeled) {
 
 std::vector<Vector3d> coating_laplacians(const Mesh& mesh, const Peeled& peeled,
                                          LaplacianWeights scheme) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const auto weights = laplacian_weights(topology, mesh.positions, scheme);
-  const VertexSet all = resolve({}, mesh, topology);
+  const VertexSet all = resolve({}, mesh);
   std::vector<Vector3d> xi(mesh.vertex_count());
   CpuKernels().sample_laplacians({peeled.displacement, topology.rings, weights, all}, xi);
   return xi;
@@ -53,8 +53,8 @@ std::vector<Vector3d> coating_laplacians(const Mesh& mesh, const Peeled& peeled,
 }  // namespace
 
 Peeled peel(const Mesh& mesh, const PeelRequest& request) {
-  const Topology topology = build_topology(mesh);
-  const VertexSet region = resolve(request.region, mesh, topology);
+  const Topology& topology = mesh.topology();
+  const VertexSet region = resolve(request.region, mesh);
   require_finite(region, mesh.positions, request.region.where);
   const Fairing fairing(mesh.positions, topology, region, request.weights);
   Peeled peeled;

@@ -4,9 +4,9 @@
 
 namespace lapwing {
 
-PreparedCoat::PreparedCoat(const CoatRequest& request, const Mesh& mesh, const Topology& topology,
-                           SharedSource source, Kernels& kernels, const Progress& progress)
-    : layers_(std::make_unique<LayeredCoat>(layered(request), mesh, topology,
-                                            std::vector{std::move(source)}, kernels, progress)) {}
+PreparedCoat::PreparedCoat(const CoatRequest& request, const Mesh& mesh, SharedSource source,
+                           Kernels& kernels, const Progress& progress)
+    : layers_(std::make_unique<LayeredCoat>(layered(request), mesh, std::vector{std::move(source)},
+                                            kernels, progress)) {}
 
 }  // namespace lapwing

@@ -6,7 +6,7 @@ namespace lapwing {
 
 /// A coat in two: making it is slow, then amplitude and detail size are sliders.
 ///
-///     PreparedCoat coat(request, target, topology, source, kernels, progress);
+///     PreparedCoat coat(request, target, source, kernels, progress);
 ///     Positions positions = coat.positions(1.0);   // one addition
 ///     coat.set_detail_size(0.5);                   // one fairing and one back-substitution
 ///     coat.layers().mesh();                        // whose positions they are
@@ -14,8 +14,8 @@ class PreparedCoat {
  public:
   /// A null `source` is the target itself. `mesh`, `topology` and `kernels` must outlive the
   /// object. Throws what LayeredCoat does.
-  PreparedCoat(const CoatRequest& request, const Mesh& mesh, const Topology& topology,
-               SharedSource source, Kernels& kernels, const Progress& progress = {});
+  PreparedCoat(const CoatRequest& request, const Mesh& mesh, SharedSource source, Kernels& kernels,
+               const Progress& progress = {});
 
   /// All of `layers().mesh()`, coated with this amplitude; that of the request has no say. As long
   /// as the detail size is the request's, what `coat` gives, bit for bit. Throws SolverError for an

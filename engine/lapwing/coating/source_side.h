@@ -9,11 +9,7 @@
 namespace lapwing {
 
 /// A mesh that detail is taken from, kept by those that use it.
-struct SourceMesh {
-  Mesh mesh;
-  Topology topology;
-};
-using SharedSource = std::shared_ptr<const SourceMesh>;
+using SharedSource = std::shared_ptr<const Mesh>;
 
 /// One source of a coat or mix: the patch that it is taken from, and what is taken. Called in
 /// the order below.
@@ -21,8 +17,7 @@ class SourceSide {
  public:
   /// Of `mesh` or, where that is null, of the target as it is before. The other arguments must
   /// outlive the object.
-  SourceSide(const CoatSource& source, SharedSource mesh, const Mesh& target,
-             const Topology& target_topology);
+  SourceSide(const CoatSource& source, SharedSource mesh, const Mesh& target);
 
   /// Takes the detail below `size` off, or the whole shape. Throws what `resolve`, `disk_patch`,
   /// `peel_patch` and `whole_shape` do.
@@ -40,7 +35,6 @@ class SourceSide {
   const CoatSource& source_;
   SharedSource shared_;  ///< null where the target is the source
   const Mesh& mesh_;
-  const Topology& topology_;
   Coating coating_;
   LaidPatch laid_;
 };

@@ -10,17 +10,16 @@ namespace lapwing {
 
 using Eigen::Vector3d;
 
-TargetSide::TargetSide(const RegionSpec& patch, const Mesh& mesh, const Topology& topology)
+TargetSide::TargetSide(const RegionSpec& patch, const Mesh& mesh)
     : spec_(patch),
       given_mesh_(mesh),
-      given_topology_(topology),
-      patch_(disk_patch(resolve(patch, mesh, topology), topology, mesh.positions, patch.where)) {}
+      patch_(disk_patch(resolve(patch, mesh), mesh.topology(), mesh.positions, patch.where)) {}
 
 void TargetSide::choose_handles(std::span<const MovedHandle> handles) {
   VertexSet chosen;
   for (const MovedHandle& handle : handles) {
     const std::string& where = handle.region.where;
-    const VertexSet vertices = resolve(handle.region, mesh(), topology());
+    const VertexSet vertices = resolve(handle.region, mesh());
     if (vertices.empty()) {
       throw InputError(where + ": the handle holds no vertex; name at least one");
     }
@@ -39,8 +38,8 @@ void TargetSide::choose_handles(std::span<const MovedHandle> handles) {
 }
 
 void TargetSide::smooth(double size, LaplacianWeights weights) {
-  smooth_ = size > 0.0 ? smooth_around(patch_.vertices, size, mesh().positions, topology(), weights,
-                                       "smooth_target")
+  smooth_ = size > 0.0 ? smooth_around(patch_.vertices, size, mesh().positions, mesh().topology(),
+                                       weights, "smooth_target")
                        : mesh().positions;
   laid_ = on_patch<Vector3d>(patch_, smooth_);
 }
@@ -52,14 +51,14 @@ std::string TargetSide::remesh(const std::function<double(const Vector3d&)>& len
     finer->remeshed = remesh_isotropic(mesh(), patch_.vertices, length, {}, progress);
   } else {
     Mesh with_field = mesh();
-    with_field.attributes.vertex_extras.push_back({"carried", "double", 1, std::move(field_)});
+    with_field.edit_attributes().vertex_extras.push_back(
+        {"carried", "double", 1, std::move(field_)});
     finer->remeshed = remesh_isotropic(with_field, patch_.vertices, length, {}, progress);
-    auto& extras = finer->remeshed.mesh.attributes.vertex_extras;
+    auto& extras = finer->remeshed.mesh.edit_attributes().vertex_extras;
     field_ = std::move(extras.back().values);
     extras.pop_back();
   }
   const RemeshResult& remeshed = finer->remeshed;
-  finer->topology = build_topology(remeshed.mesh);
   finer->now.assign(given_mesh_.vertex_count(), kNoIndex);
   for (Index v = 0; v < remeshed.kept.size(); ++v) {
     if (remeshed.kept[v] != kNoIndex) finer->now[remeshed.kept[v]] = v;
@@ -67,7 +66,8 @@ std::string TargetSide::remesh(const std::function<double(const Vector3d&)>& len
   finer->inner = remeshed.region;
   std::erase_if(finer->inner, [&](Index v) { return remeshed.kept[v] != kNoIndex; });
   if (finer->inner.empty()) finer->inner = remeshed.region;
-  patch_ = disk_patch(remeshed.region, finer->topology, remeshed.mesh.positions, spec_.where);
+  patch_ =
+      disk_patch(remeshed.region, remeshed.mesh.topology(), remeshed.mesh.positions, spec_.where);
   finer_ = std::move(finer);
   for (TargetHandle& handle : handles_) {
     std::vector<Index> vertices;

@@ -22,9 +22,9 @@ struct TargetHandle {
 /// finer one of its own.
 class TargetSide {
  public:
-  /// Finds the patch. `mesh` and `topology` must outlive the object. Throws what `resolve` and
+  /// Finds the patch. `mesh` must outlive the object. Throws what `resolve` and
   /// `disk_patch` do.
-  TargetSide(const RegionSpec& patch, const Mesh& mesh, const Topology& topology);
+  TargetSide(const RegionSpec& patch, const Mesh& mesh);
 
   /// Finds the handles. Throws InputError, naming the handle's region: what `resolve` does, one
   /// that leaves the patch, is empty, or shares vertices with another.
@@ -46,7 +46,6 @@ class TargetSide {
   Index renumbered(Index given, bool on_border) const;
 
   const Mesh& mesh() const { return finer_ ? finer_->remeshed.mesh : given_mesh_; }
-  const Topology& topology() const { return finer_ ? finer_->topology : given_topology_; }
   /// Null unless remeshed.
   RemeshResult* remeshed() { return finer_ ? &finer_->remeshed : nullptr; }
   const RemeshResult* remeshed() const { return finer_ ? &finer_->remeshed : nullptr; }
@@ -64,13 +63,11 @@ class TargetSide {
  private:
   struct Finer {
     RemeshResult remeshed;
-    Topology topology;
     std::vector<Index> now;  ///< per vertex of the mesh given; kNoIndex for inner ones of the patch
     VertexSet inner;         ///< of the patch
   };
   const RegionSpec& spec_;
   const Mesh& given_mesh_;
-  const Topology& given_topology_;
   std::unique_ptr<Finer> finer_;
   Patch patch_;
   Positions smooth_;

@@ -56,10 +56,10 @@ struct Work {
   }
 };
 
-EditRegion region_of(const DeformRequest& request, const Mesh& mesh, const Topology& topology) {
+EditRegion region_of(const DeformRequest& request, const Mesh& mesh) {
   std::vector<RegionSpec> handles;
   for (const MovedHandle& handle : request.handles) handles.push_back(handle.region);
-  return resolve_edit_region(request.roi, request.belt, handles, mesh, topology);
+  return resolve_edit_region(request.roi, request.belt, handles, mesh);
 }
 
 void add_warnings(const DeformRequest& request, Deformed& result) {
@@ -77,7 +77,7 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
 
 }  // namespace
 
-Deformed deform(Mesh mesh, const Topology& topology, const DeformRequest& request, Kernels& kernels,
+Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress) {
   Deformed result;
   const LargestTurn largest = largest_turn(request);
@@ -85,13 +85,13 @@ Deformed deform(Mesh mesh, const Topology& topology, const DeformRequest& reques
   result.commits = commit_count(request);
   result.mesh = std::move(mesh);
   stage("region", result.timings, progress,
-        [&] { result.region = region_of(request, result.mesh, topology); });
+        [&] { result.region = region_of(request, result.mesh); });
   const Positions start = result.mesh.positions;
   std::vector<Vector3d> centroids;
   for (const VertexSet& handle : result.region.handles) {
     centroids.push_back(handle_frame(handle, start).centroid);
   }
-  const BoundRequest bound{request, result.region, topology, centroids};
+  const BoundRequest bound{request, result.region, result.mesh.topology(), centroids};
   const Work work{bound, kernels, workspace, progress, result};
   result.certificate =
       result.commits == 1 ? work.carry_out(0.0, 1.0) : work.carry_out_in_parts(start);
@@ -103,10 +103,9 @@ Deformed deform(Mesh mesh, const Topology& topology, const DeformRequest& reques
 }
 
 Deformed deform(Mesh mesh, const DeformRequest& request) {
-  const Topology topology = build_topology(mesh);
   CpuKernels kernels;
   DeformWorkspace workspace;
-  return deform(std::move(mesh), topology, request, kernels, workspace);
+  return deform(std::move(mesh), request, kernels, workspace);
 }
 
 }  // namespace lapwing

@@ -49,9 +49,10 @@ struct DeformWorkspace {
   std::unique_ptr<Deformer> last;
 };
 
-/// The same on any device. `topology` is that of `mesh`; it and `kernels` must outlive `workspace`.
+/// The same on any device. `kernels` and a mesh that shares the
+/// faces of `mesh` (the result is one) must outlive `workspace`.
 /// Stages reported: "region", those of Deformer, "drag", "solve", with several parts "certify".
-Deformed deform(Mesh mesh, const Topology& topology, const DeformRequest& request, Kernels& kernels,
+Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 
 }  // namespace lapwing

@@ -54,13 +54,14 @@ std::vector<unsigned char> mask_of(std::size_t count, std::span<const Index> mem
   return mask;
 }
 
-bool has_usable_face(const Mesh& mesh, const Topology& topology) {
-  return std::ranges::any_of(topology.triangles, [&](const Triangle& triangle) {
+bool has_usable_face(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.topology().triangles, [&](const Triangle& triangle) {
     return std::ranges::all_of(triangle, [&](Index v) { return mesh.positions[v].allFinite(); });
   });
 }
 
-std::vector<Index> find_zero_area_faces(const Mesh& mesh, const Topology& topology) {
+std::vector<Index> find_zero_area_faces(const Mesh& mesh) {
+  const Topology& topology = mesh.topology();
   std::vector<Index> found;
   for (std::size_t t = 0; t < topology.triangles.size();) {
     const Index face = topology.triangle_faces[t];
@@ -101,15 +102,15 @@ RingShape shape_of_ring(Index i, std::span<const Index> ring, const Positions& p
   return off_line <= kZeroShare * size ? RingShape::line : RingShape::proper;
 }
 
-void check_faces(const Mesh& mesh, const Topology& topology, CheckReport& report) {
+void check_faces(const Mesh& mesh, CheckReport& report) {
   add(report, DefectKind::degenerate_face,
       indices_where(mesh.face_count(), [&](Index f) { return is_degenerate(mesh.face(f)); }));
   add(report, DefectKind::repeated_face, find_repeated_faces(mesh));
-  add(report, DefectKind::zero_area_face, find_zero_area_faces(mesh, topology));
+  add(report, DefectKind::zero_area_face, find_zero_area_faces(mesh));
 }
 
 void check_vertices_and_seams(const Mesh& mesh, const Edges& edges, CheckReport& report) {
-  const std::vector<unsigned char> on_face = mask_of(mesh.vertex_count(), mesh.face_vertices);
+  const std::vector<unsigned char> on_face = mask_of(mesh.vertex_count(), mesh.face_vertices());
   add(report, DefectKind::loose_vertex,
       indices_where(mesh.vertex_count(), [&](Index v) { return !on_face[v]; }));
   const std::vector<Index> first_at_position = first_at_same_position(mesh.positions);
@@ -120,7 +121,8 @@ void check_vertices_and_seams(const Mesh& mesh, const Edges& edges, CheckReport&
   add(report, DefectKind::unwelded_seam, ends_of(edges, seam_edges));
 }
 
-void check_rings(const Mesh& mesh, const Topology& topology, CheckReport& report) {
+void check_rings(const Mesh& mesh, CheckReport& report) {
+  const Topology& topology = mesh.topology();
   std::vector<Index> points;
   std::vector<Index> lines;
   for (Index v = 0; v < topology.vertex_count(); ++v) {
@@ -160,31 +162,33 @@ bool CheckReport::is_fixable() const {
   return std::ranges::any_of(defects, [](const Defect& d) { return describe(d.kind).fixable; });
 }
 
-CheckReport check(const Mesh& mesh, const Topology& topology) {
+CheckReport check(const Mesh& mesh) {
+  const Topology& topology = mesh.topology();
   const Edges edges = build_edges(mesh, mask_of(mesh.face_count(), topology.triangle_faces));
   const Fans fans = find_fans(mesh, edges);
   const Orientation orientation = analyze_orientation(mesh, edges);
 
   CheckReport report;
-  report.statistics = measure(mesh, topology, edges, fans, orientation);
-  if (!has_usable_face(mesh, topology)) {
+  report.statistics = measure(mesh, edges, fans, orientation);
+  if (!has_usable_face(mesh)) {
     report.defects.push_back({DefectKind::no_faces, 1, {}});
   }
   add(report, DefectKind::non_finite_vertex,
       indices_where(mesh.vertex_count(), [&](Index v) { return !mesh.positions[v].allFinite(); }));
-  check_faces(mesh, topology, report);
+  check_faces(mesh, report);
   check_vertices_and_seams(mesh, edges, report);
   const auto crowded = [&](Index e) { return edges.sides.size(e) > 2; };
   add(report, DefectKind::non_manifold_edge, ends_of(edges, indices_where(edges.count(), crowded)));
   add(report, DefectKind::bow_tie_vertex, fans.bow_tie_vertices);
   add(report, DefectKind::inconsistent_orientation, ends_of(edges, orientation.inconsistent_edges));
   add(report, DefectKind::one_sided_surface, ends_of(edges, orientation.one_sided_edges));
-  check_rings(mesh, topology, report);
+  check_rings(mesh, report);
   check_components(topology, report);
   return report;
 }
 
-void add_self_intersections(const Mesh& mesh, const Topology& topology, CheckReport& report) {
+void add_self_intersections(const Mesh& mesh, CheckReport& report) {
+  const Topology& topology = mesh.topology();
   std::vector<unsigned char> concerned(mesh.face_count(), 0);
   for (const auto& pair : self_intersections(topology.triangles, mesh.positions)) {
     for (const Index t : pair) concerned[topology.triangle_faces[t]] = 1;

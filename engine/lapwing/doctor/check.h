@@ -33,13 +33,13 @@ struct CheckReport {
   bool is_fixable() const;
 };
 
-/// Examines `mesh`, whose topology is `topology`. Positions are compared exactly; a face has zero
+/// Examines `mesh`. Positions are compared exactly; a face has zero
 /// area, and a ring lies on one line, below 1e-12 of the square of its size. Near-linear in the
 /// size of the mesh. Never changes the mesh and accepts any mesh that `build_topology` accepts.
-CheckReport check(const Mesh& mesh, const Topology& topology);
+CheckReport check(const Mesh& mesh);
 
 /// Adds to the report on `mesh` the faces that cut through or touch others, which `check` leaves
 /// out because it takes several times as long; see self_intersections.h.
-void add_self_intersections(const Mesh& mesh, const Topology& topology, CheckReport& report);
+void add_self_intersections(const Mesh& mesh, CheckReport& report);
 
 }  // namespace lapwing

@@ -5,7 +5,7 @@
 namespace lapwing {
 
 Fans find_fans(const Mesh& mesh, const Edges& edges) {
-  const std::vector<Index>& vertex_of = mesh.face_vertices;
+  const std::vector<Index>& vertex_of = mesh.face_vertices();
   UnionFind sets(vertex_of.size());
   for (std::size_t e = 0; e < edges.count(); ++e) {
     const Index first = edges.sides[e][0];

@@ -101,7 +101,7 @@ void Repairs::remove_repeated_faces() {
 }
 
 bool are_unlike(const Mesh& mesh, Index a, Index b) {
-  const MeshAttributes& attributes = mesh.attributes;
+  const MeshAttributes& attributes = mesh.attributes();
   if (!attributes.vertex_colors.empty() &&
       attributes.vertex_colors[a] != attributes.vertex_colors[b]) {
     return true;
@@ -137,14 +137,14 @@ bool Repairs::weld_seams() {
     count(RepairKind::welded_vertices, 1);
     if (are_unlike(mesh_, v, target)) count(RepairKind::welded_unlike_vertices, 1);
   }
-  for (Index& v : mesh_.face_vertices) v = welded.find(v);
+  for (Index& v : mesh_.edit_faces().vertices) v = welded.find(v);
   keep(mask);
   return true;
 }
 
 void Repairs::remove_loose_vertices() {
   KeepMask on_face(mesh_.vertex_count(), 0);
-  for (const Index v : mesh_.face_vertices) on_face[v] = 1;
+  for (const Index v : mesh_.face_vertices()) on_face[v] = 1;
   const auto loose = static_cast<std::size_t>(std::ranges::count(on_face, 0));
   if (loose == 0) return;
   keep(on_face);
@@ -158,17 +158,18 @@ void Repairs::split_bow_ties() {
   // fan is met there first.
   std::vector<Index> sources(mesh_.vertex_count());
   std::iota(sources.begin(), sources.end(), Index{0});
-  std::vector<Index> vertex_of_fan(mesh_.face_vertices.size(), kNoIndex);
+  std::vector<Index> vertex_of_fan(mesh_.face_vertices().size(), kNoIndex);
   KeepMask taken(mesh_.vertex_count(), 0);
-  for (std::size_t c = 0; c < mesh_.face_vertices.size(); ++c) {
+  std::vector<Index>& vertex_of = mesh_.edit_faces().vertices;
+  for (std::size_t c = 0; c < vertex_of.size(); ++c) {
     Index& vertex = vertex_of_fan[fans.of_corner[c]];
-    const Index old = mesh_.face_vertices[c];
+    const Index old = vertex_of[c];
     if (vertex == kNoIndex) {
       vertex = taken[old] ? static_cast<Index>(sources.size()) : old;
       if (taken[old]) sources.push_back(old);
       taken[old] = 1;
     }
-    mesh_.face_vertices[c] = vertex;
+    vertex_of[c] = vertex;
   }
   replace_vertices(mesh_, sources);
   for (Index& v : sources) v = vertex_sources_[v];

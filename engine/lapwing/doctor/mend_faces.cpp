@@ -13,15 +13,15 @@ namespace {
 std::vector<Index> vertices_of(const Mesh& mesh, std::span<const Index> corners) {
   std::vector<Index> vertices;
   vertices.reserve(corners.size());
-  for (const Index c : corners) vertices.push_back(mesh.face_vertices[c]);
+  for (const Index c : corners) vertices.push_back(mesh.face_vertices()[c]);
   return vertices;
 }
 
 // The corners of face f without those that repeat the vertex of the corner before.
 std::vector<Index> without_successive_repeats(const Mesh& mesh, std::size_t f) {
-  const std::vector<Index>& vertex_of = mesh.face_vertices;
+  const std::vector<Index>& vertex_of = mesh.face_vertices();
   std::vector<Index> corners;
-  for (Index c = mesh.face_starts[f]; c < mesh.face_starts[f + 1]; ++c) {
+  for (Index c = mesh.face_starts()[f]; c < mesh.face_starts()[f + 1]; ++c) {
     if (corners.empty() || vertex_of[corners.back()] != vertex_of[c]) corners.push_back(c);
   }
   while (corners.size() > 1 && vertex_of[corners.back()] == vertex_of[corners.front()]) {
@@ -40,7 +40,7 @@ void add_face(FaceSources& sources, std::size_t face, std::span<const Index> cor
 void add_triangles(const Mesh& mesh, std::size_t face, std::span<const Index> corners,
                    FaceSources& sources) {
   Positions positions;
-  for (const Index c : corners) positions.push_back(mesh.positions[mesh.face_vertices[c]]);
+  for (const Index c : corners) positions.push_back(mesh.positions[mesh.face_vertices()[c]]);
   std::vector<Index> polygon(corners.size());
   std::iota(polygon.begin(), polygon.end(), Index{0});
   std::vector<Triangle> triangles;
@@ -66,12 +66,12 @@ bool is_degenerate(std::span<const Index> polygon) {
 
 MendedFaces mend_faces(const Mesh& mesh) {
   MendedFaces result;
-  std::vector<Index> corners(mesh.face_vertices.size());
+  std::vector<Index> corners(mesh.face_vertices().size());
   std::iota(corners.begin(), corners.end(), Index{0});
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     if (!is_degenerate(mesh.face(f))) {
       add_face(result.sources, f,
-               std::span(corners).subspan(mesh.face_starts[f], mesh.face(f).size()));
+               std::span(corners).subspan(mesh.face_starts()[f], mesh.face(f).size()));
       continue;
     }
     const std::size_t faces_before = result.sources.faces.size();

@@ -31,7 +31,7 @@ class Flood {
     state_[seed] = kKept;
     for (std::size_t next = 0; next < sheet.faces.size(); ++next) {
       const Index face = sheet.faces[next];
-      for (Index c = mesh_.face_starts[face]; c < mesh_.face_starts[face + 1]; ++c) {
+      for (Index c = mesh_.face_starts()[face]; c < mesh_.face_starts()[face + 1]; ++c) {
         cross(face, c, sheet);
       }
     }
@@ -49,7 +49,7 @@ class Flood {
       return;
     }
     const auto sides = edges_.sides[edge];
-    const bool same_direction = mesh_.face_vertices[sides[0]] == mesh_.face_vertices[sides[1]];
+    const bool same_direction = mesh_.face_vertices()[sides[0]] == mesh_.face_vertices()[sides[1]];
     if (same_direction && side == sides[0]) sheet.inconsistent_edges.push_back(edge);
     const Index other = edges_.face_of_corner[side == sides[0] ? sides[1] : sides[0]];
     const bool flip_other = flipped(face) != same_direction;

@@ -27,8 +27,8 @@ std::vector<std::size_t> component_sizes(const Topology& topology) {
 
 long count_used_vertices(const Mesh& mesh, const Fans& fans) {
   std::vector<unsigned char> used(mesh.vertex_count(), 0);
-  for (std::size_t c = 0; c < mesh.face_vertices.size(); ++c) {
-    if (fans.of_corner[c] != kNoIndex) used[mesh.face_vertices[c]] = 1;
+  for (std::size_t c = 0; c < mesh.face_vertices().size(); ++c) {
+    if (fans.of_corner[c] != kNoIndex) used[mesh.face_vertices()[c]] = 1;
   }
   return static_cast<long>(std::ranges::count(used, 1));
 }
@@ -61,9 +61,9 @@ void measure_edges(const Mesh& mesh, const Edges& edges, MeshStatistics& statist
   statistics.mean_edge_length = sum / static_cast<double>(finite);
 }
 
-double area_of(const Mesh& mesh, const Topology& topology) {
+double area_of(const Mesh& mesh) {
   double area = 0.0;
-  for (const Triangle& t : topology.triangles) {
+  for (const Triangle& t : mesh.topology().triangles) {
     const Eigen::Vector3d& a = mesh.positions[t[0]];
     const double part = 0.5 * (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).norm();
     if (std::isfinite(part)) area += part;
@@ -81,8 +81,9 @@ bool is_orientable_manifold(const Edges& edges, const Fans& fans, const Orientat
 
 }  // namespace
 
-MeshStatistics measure(const Mesh& mesh, const Topology& topology, const Edges& edges,
-                       const Fans& fans, const Orientation& orientation) {
+MeshStatistics measure(const Mesh& mesh, const Edges& edges, const Fans& fans,
+                       const Orientation& orientation) {
+  const Topology& topology = mesh.topology();
   MeshStatistics statistics;
   statistics.vertices = mesh.vertex_count();
   statistics.faces = mesh.face_count();
@@ -101,7 +102,7 @@ MeshStatistics measure(const Mesh& mesh, const Topology& topology, const Edges& 
         2;
   }
   statistics.bounds = bounds_of(mesh.positions);
-  statistics.area = area_of(mesh, topology);
+  statistics.area = area_of(mesh);
   return statistics;
 }
 

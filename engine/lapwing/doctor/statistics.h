@@ -35,7 +35,7 @@ struct MeshStatistics {
 };
 
 /// Measures `mesh`; the other arguments are what was derived from it.
-MeshStatistics measure(const Mesh& mesh, const Topology& topology, const Edges& edges,
-                       const Fans& fans, const Orientation& orientation);
+MeshStatistics measure(const Mesh& mesh, const Edges& edges, const Fans& fans,
+                       const Orientation& orientation);
 
 }  // namespace lapwing

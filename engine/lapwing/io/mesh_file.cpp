@@ -62,18 +62,18 @@ std::string write_anew(const Mesh& mesh, MeshFormat format, Encoding encoding,
 // A mesh whose stored normals fit its positions: those of a mesh whose file is unknown may not.
 std::string write_with_new_normals(const Mesh& mesh, const SourceFile* source, MeshFormat format,
                                    Encoding encoding, WriteReport& report) {
-  if (mesh.attributes.normals.empty()) return write_anew(mesh, format, encoding, report);
+  if (mesh.attributes().normals.empty()) return write_anew(mesh, format, encoding, report);
   const Positions rest = source == nullptr ? Positions() : source_positions(*source, mesh);
   StoredNormals updated = updated_normals(mesh, rest);
   Mesh refreshed = mesh;
-  refreshed.attributes.normals = std::move(updated.normals);
-  refreshed.attributes.corner_normals = std::move(updated.corner_normals);
+  refreshed.edit_attributes().normals = std::move(updated.normals);
+  refreshed.edit_attributes().corner_normals = std::move(updated.corner_normals);
   return write_anew(refreshed, format, encoding, report);
 }
 
 void note_missing_libraries(const Mesh& mesh, const std::filesystem::path& path,
                             WriteReport& report) {
-  for (const std::string& library : mesh.attributes.material_libraries) {
+  for (const std::string& library : mesh.attributes().material_libraries) {
     std::error_code error;
     if (std::filesystem::exists(path.parent_path() / library, error)) continue;
     report.notes.push_back("material library '" + library + "' is not beside " + path.string() +

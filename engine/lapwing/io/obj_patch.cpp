@@ -54,7 +54,7 @@ void add_obj_normals(const Mesh& mesh, const StoredNormals& updated, const Sourc
       const auto offset = static_cast<std::uint64_t>(number.data() - bytes.data());
       // A relative number counts back over the lines that were inserted.
       const bool shifted = number.front() == '-' && offset > insertion;
-      if (now == mesh.attributes.corner_normals[corner] && !shifted) continue;
+      if (now == mesh.attributes().corner_normals[corner] && !shifted) continue;
       patch.set_text(offset, number.size(), std::to_string(std::size_t{now} + 1));
     }
   }

@@ -153,7 +153,7 @@ class ObjReader {
     scan_.end_word("a corner such as 7, 7/2, 7//3 or 7/2/3");
     set_corner(attributes_.corner_uvs, texture);
     set_corner(attributes_.corner_normals, normal);
-    mesh_.face_vertices.push_back(vertex);
+    mesh_.edit_faces().vertices.push_back(vertex);
   }
 
   bool has_index() const {
@@ -164,7 +164,7 @@ class ObjReader {
   // Lists of corners start with the first corner that has an entry.
   void set_corner(std::vector<Index>& list, Index value) {
     if (value == kNoIndex && list.empty()) return;
-    list.resize(mesh_.face_vertices.size(), kNoIndex);
+    list.resize(mesh_.face_vertices().size(), kNoIndex);
     list.push_back(value);
   }
 
@@ -234,7 +234,7 @@ class ObjReader {
                    known[reference.kind]);
       }
     }
-    const std::size_t corners = mesh_.face_vertices.size();
+    const std::size_t corners = mesh_.face_vertices().size();
     if (!attributes_.corner_uvs.empty()) attributes_.corner_uvs.resize(corners, kNoIndex);
     if (!attributes_.corner_normals.empty()) attributes_.corner_normals.resize(corners, kNoIndex);
     groups_.finish(mesh_.face_count());
@@ -247,7 +247,7 @@ class ObjReader {
   SourceFile& file_;
   TextScanner scan_;
   Mesh mesh_;
-  MeshAttributes& attributes_ = mesh_.attributes;
+  MeshAttributes& attributes_ = mesh_.edit_attributes();
   FaceLabels groups_{attributes_.groups, attributes_.face_groups};
   FaceLabels materials_{attributes_.materials, attributes_.face_materials};
   std::vector<Eigen::Vector4d> colors_;

@@ -12,7 +12,7 @@ void append_line(std::string& out, std::string_view keyword, const Vector& value
 }
 
 void append_vertices(std::string& out, const Mesh& mesh) {
-  const auto& colors = mesh.attributes.vertex_colors;
+  const auto& colors = mesh.attributes().vertex_colors;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     out += 'v';
     append_numbers(out, mesh.positions[v]);
@@ -22,8 +22,8 @@ void append_vertices(std::string& out, const Mesh& mesh) {
 }
 
 void append_corner(std::string& out, const Mesh& mesh, std::size_t corner) {
-  const MeshAttributes& a = mesh.attributes;
-  const Index vertex = mesh.face_vertices[corner];
+  const MeshAttributes& a = mesh.attributes();
+  const Index vertex = mesh.face_vertices()[corner];
   const Index uv = a.corner_uvs.empty() ? kNoIndex : a.corner_uvs[corner];
   Index normal = a.corner_normals.empty() ? kNoIndex : a.corner_normals[corner];
   if (a.has_vertex_normals) normal = vertex;
@@ -51,12 +51,12 @@ void append_label(std::string& out, std::string_view keyword, const std::vector<
 }
 
 void append_faces(std::string& out, const Mesh& mesh) {
-  const MeshAttributes& a = mesh.attributes;
+  const MeshAttributes& a = mesh.attributes();
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     append_label(out, "g", a.groups, a.face_groups, f);
     append_label(out, "usemtl", a.materials, a.face_materials, f);
     out += 'f';
-    for (std::size_t c = mesh.face_starts[f]; c < mesh.face_starts[f + 1]; ++c) {
+    for (std::size_t c = mesh.face_starts()[f]; c < mesh.face_starts()[f + 1]; ++c) {
       append_corner(out, mesh, c);
     }
     out += '\n';
@@ -66,7 +66,7 @@ void append_faces(std::string& out, const Mesh& mesh) {
 }  // namespace
 
 std::string write_obj(const Mesh& mesh, WriteReport& report) {
-  const MeshAttributes& a = mesh.attributes;
+  const MeshAttributes& a = mesh.attributes();
   std::string out;
   for (const std::string& comment : a.comments) out += "# " + comment + "\n";
   for (const std::string& library : a.material_libraries) out += "mtllib " + library + "\n";

@@ -92,8 +92,8 @@ class OffReader {
                                      " faces, more than the file has room for");
     }
     mesh_.positions.reserve(vertex_count_);
-    mesh_.face_starts.reserve(face_count_ + 1);
-    mesh_.face_vertices.reserve(3 * face_count_);
+    mesh_.edit_faces().starts.reserve(face_count_ + 1);
+    mesh_.edit_faces().vertices.reserve(3 * face_count_);
     file_.positions.offsets.reserve(3 * vertex_count_);
   }
 
@@ -172,7 +172,7 @@ class OffReader {
       if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertex_count_)) {
         fail_vertex(file_, offset, mesh_.face_count(), vertex, vertex_count_);
       }
-      mesh_.face_vertices.push_back(static_cast<Index>(vertex));
+      mesh_.edit_faces().vertices.push_back(static_cast<Index>(vertex));
     }
     close_face(file_, mesh_, start);
     read_face_color();
@@ -201,7 +201,7 @@ class OffReader {
     if (!scan_.at_end()) uneditable_.add("lines behind the last face");
     if (!face_colors_.empty()) face_colors_.resize(face_count_, kNoColor);
     attributes_.has_vertex_normals = header_.has_normals && vertex_count_ > 0;
-    if (header_.has_uvs) attributes_.corner_uvs = mesh_.face_vertices;
+    if (header_.has_uvs) attributes_.corner_uvs = mesh_.face_vertices();
     attributes_.vertex_colors = unit_colors(vertex_colors_);
     attributes_.face_colors = unit_colors(face_colors_);
     attributes_.uneditable = uneditable_.lines();
@@ -213,7 +213,7 @@ class OffReader {
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;
   Mesh mesh_;
-  MeshAttributes& attributes_ = mesh_.attributes;
+  MeshAttributes& attributes_ = mesh_.edit_attributes();
   std::vector<Eigen::Vector4d> vertex_colors_;
   std::vector<Eigen::Vector4d> face_colors_;
   Tally uneditable_;

@@ -41,7 +41,7 @@ class OffColors {
 }  // namespace
 
 std::string write_off(const Mesh& mesh, WriteReport& report) {
-  const MeshAttributes& a = mesh.attributes;
+  const MeshAttributes& a = mesh.attributes();
   const auto normals = per_vertex(mesh, a.normals, a.corner_normals);
   const auto uvs = per_vertex(mesh, a.uvs, a.corner_uvs);
   const OffColors vertex_colors(a.vertex_colors);

@@ -100,8 +100,8 @@ class PlyReader {
       file_.fail_at_line(element.header_offset,
                          "expected a property 'list uchar int vertex_indices' in 'face'");
     }
-    mesh_.face_starts.reserve(element.count + 1);
-    mesh_.face_vertices.reserve(3 * element.count);
+    mesh_.edit_faces().starts.reserve(element.count + 1);
+    mesh_.edit_faces().vertices.reserve(3 * element.count);
     std::vector<double> coordinates;
     for (std::size_t f = 0; f < element.count; ++f) {
       cursor_.begin_record();
@@ -137,7 +137,7 @@ class PlyReader {
       if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertices_->count)) {
         fail_vertex(file_, cursor_.place(), mesh_.face_count(), vertex, vertices_->count);
       }
-      mesh_.face_vertices.push_back(static_cast<Index>(vertex));
+      mesh_.edit_faces().vertices.push_back(static_cast<Index>(vertex));
     }
     close_face(file_, mesh_, start);
   }
@@ -208,7 +208,7 @@ class PlyReader {
       attributes_.uvs = std::move(wedge_values_);
       attributes_.corner_uvs = std::move(wedge_uvs_);
     } else if (!attributes_.uvs.empty()) {
-      attributes_.corner_uvs = mesh_.face_vertices;
+      attributes_.corner_uvs = mesh_.face_vertices();
     }
     attributes_.comments = header_.comments;
     attributes_.uneditable = uneditable_.lines();
@@ -220,7 +220,7 @@ class PlyReader {
   const PlyElement* vertices_ = nullptr;
   const PlyElement* faces_ = nullptr;
   Mesh mesh_;
-  MeshAttributes& attributes_ = mesh_.attributes;
+  MeshAttributes& attributes_ = mesh_.edit_attributes();
   std::vector<Eigen::Vector2d> wedge_values_;
   std::vector<Index> wedge_uvs_;
   std::vector<double> skipped_;

@@ -104,13 +104,13 @@ class PlyWriter {
   PlyWriter(const Mesh& mesh, Encoding encoding)
       : mesh_(mesh),
         encoding_(encoding),
-        normals_(per_vertex(mesh, mesh.attributes.normals, mesh.attributes.corner_normals)),
-        uvs_(per_vertex(mesh, mesh.attributes.uvs, mesh.attributes.corner_uvs)),
-        has_wedges_(!uvs_ && !mesh.attributes.corner_uvs.empty()),
-        wedge_type_(narrowest_type(numbers_of(mesh.attributes.uvs))),
+        normals_(per_vertex(mesh, mesh.attributes().normals, mesh.attributes().corner_normals)),
+        uvs_(per_vertex(mesh, mesh.attributes().uvs, mesh.attributes().corner_uvs)),
+        has_wedges_(!uvs_ && !mesh.attributes().corner_uvs.empty()),
+        wedge_type_(narrowest_type(numbers_of(mesh.attributes().uvs))),
         // Two texture coordinates per corner have to fit the same count.
         count_type_(most_corners(mesh) > 127 ? Scalar::int32 : Scalar::uint8) {
-    const MeshAttributes& a = mesh.attributes;
+    const MeshAttributes& a = mesh.attributes();
     vertex_columns_.add({"x", "y", "z"}, mesh.positions);
     if (normals_) vertex_columns_.add({"nx", "ny", "nz"}, *normals_);
     if (uvs_) vertex_columns_.add({"s", "t"}, *uvs_);
@@ -132,7 +132,7 @@ class PlyWriter {
   }
 
   void report_losses(WriteReport& report) const {
-    const MeshAttributes& a = mesh_.attributes;
+    const MeshAttributes& a = mesh_.attributes();
     if (!normals_) {
       report_loss(report, MeshFormat::ply, "normals that differ around a vertex", a.normals.size());
     }
@@ -148,7 +148,8 @@ class PlyWriter {
            : encoding_ == Encoding::little_endian ? "binary_little_endian"
                                                   : "binary_big_endian";
     out += " 1.0\n";
-    for (const std::string& comment : mesh_.attributes.comments) out += "comment " + comment + "\n";
+    for (const std::string& comment : mesh_.attributes().comments)
+      out += "comment " + comment + "\n";
     out += "element vertex " + std::to_string(mesh_.vertex_count()) + "\n";
     if (mesh_.vertex_count() == 0) out += "property float x\nproperty float y\nproperty float z\n";
     vertex_columns_.declare(out);
@@ -171,8 +172,8 @@ class PlyWriter {
 
   // As the reader takes them: all corners of a face have texture coordinates, or none.
   void append_wedges(PlyRecords& records, std::size_t f) const {
-    const MeshAttributes& a = mesh_.attributes;
-    const auto uvs = std::span(a.corner_uvs).subspan(mesh_.face_starts[f], mesh_.face(f).size());
+    const MeshAttributes& a = mesh_.attributes();
+    const auto uvs = std::span(a.corner_uvs).subspan(mesh_.face_starts()[f], mesh_.face(f).size());
     const bool complete = std::find(uvs.begin(), uvs.end(), kNoIndex) == uvs.end();
     records.number(complete ? 2.0 * static_cast<double>(uvs.size()) : 0.0, count_type_);
     if (!complete) return;

@@ -34,10 +34,11 @@ std::vector<Eigen::Vector4f> unit_colors(const std::vector<Eigen::Vector4d>& col
 }
 
 void close_face(const SourceFile& file, Mesh& mesh, std::uint64_t offset) {
-  if (mesh.face_vertices.size() >= kNoIndex) {
+  Faces& faces = mesh.edit_faces();
+  if (faces.vertices.size() >= kNoIndex) {
     file.fail(offset, "the mesh has more than 4,294,967,294 face corners");
   }
-  mesh.face_starts.push_back(static_cast<Index>(mesh.face_vertices.size()));
+  faces.starts.push_back(static_cast<Index>(faces.vertices.size()));
 }
 
 void fail_vertex(const SourceFile& file, std::uint64_t offset, std::size_t face,

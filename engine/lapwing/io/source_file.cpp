@@ -20,7 +20,7 @@ std::uint64_t hash_of(std::span<const Index> values, std::uint64_t seed) {
 }
 
 std::uint64_t hash_of_faces(const Mesh& mesh) {
-  return hash_of(mesh.face_vertices, hash_of(mesh.face_starts, mesh.face_starts.size()));
+  return hash_of(mesh.face_vertices(), hash_of(mesh.face_starts(), mesh.face_starts().size()));
 }
 
 }  // namespace

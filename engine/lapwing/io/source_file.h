@@ -61,7 +61,7 @@ class SourceFile {
 
   /// Vertex of position record `record` in a mesh that this file `describes`.
   std::size_t vertex_of(const Mesh& mesh, std::size_t record) const {
-    return positions_by_corner ? mesh.face_vertices[record] : record;
+    return positions_by_corner ? mesh.face_vertices()[record] : record;
   }
 
   /// Fixes the connectivity that the file stands for; called once, by the reader.

@@ -111,7 +111,7 @@ std::optional<std::string> patch_source(const SourceFile& source, const Mesh& me
   if (has_integers(source.normals)) return std::nullopt;
   const StoredNormals updated = updated_normals(mesh, source_positions(source, mesh));
   for (std::size_t r = 0; r < source.normals.count; ++r) {
-    set_triple(patch, source.normals, r, mesh.attributes.normals[r], updated.normals[r]);
+    set_triple(patch, source.normals, r, mesh.attributes().normals[r], updated.normals[r]);
   }
   if (updated.normals.size() > source.normals.count) add_obj_normals(mesh, updated, source, patch);
   return patch.apply();

@@ -42,7 +42,7 @@ class AsciiStlReader {
 
   Mesh read() {
     for (scan_.skip_space(); !scan_.at_end(); scan_.skip_space()) read_solid();
-    attributes_.corner_normals.reserve(mesh_.face_vertices.size());
+    attributes_.corner_normals.reserve(mesh_.face_vertices().size());
     for (Index f = 0; f < mesh_.face_count(); ++f) {
       attributes_.corner_normals.insert(attributes_.corner_normals.end(), 3, f);
     }
@@ -78,7 +78,7 @@ class AsciiStlReader {
     expect("loop");
     for (int corner = 0; corner < 3; ++corner) {
       expect("vertex");
-      mesh_.face_vertices.push_back(welder_.vertex_at(read_triple(file_.positions)));
+      mesh_.edit_faces().vertices.push_back(welder_.vertex_at(read_triple(file_.positions)));
     }
     expect("endloop");
     expect("endfacet");
@@ -107,7 +107,7 @@ class AsciiStlReader {
   SourceFile& file_;
   TextScanner scan_;
   Mesh mesh_;
-  MeshAttributes& attributes_ = mesh_.attributes;
+  MeshAttributes& attributes_ = mesh_.edit_attributes();
   Welder welder_{mesh_.positions};
 };
 
@@ -155,17 +155,17 @@ Mesh read_binary(SourceFile& file) {
   Mesh mesh;
   Welder welder(mesh.positions);
   welder.reserve(count / 2);  // what a closed surface has
-  MeshAttributes& attributes = mesh.attributes;
+  MeshAttributes& attributes = mesh.edit_attributes();
   attributes.normals.reserve(count);
   attributes.corner_normals.reserve(3 * count);
-  mesh.face_vertices.reserve(3 * count);
-  mesh.face_starts.reserve(count + 1);
+  mesh.edit_faces().vertices.reserve(3 * count);
+  mesh.edit_faces().starts.reserve(count + 1);
   ExtraAttribute words{"attribute", "ushort", 1, std::vector<double>(count)};
   bool any_word = false;
   for (std::size_t f = 0; f < count; ++f) {
     attributes.normals.push_back(file.read_triple(file.normals, f));
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      mesh.face_vertices.push_back(
+      mesh.edit_faces().vertices.push_back(
           welder.vertex_at(file.read_triple(file.positions, 3 * f + corner)));
     }
     const std::uint64_t start = kStlHeaderSize + f * kStlFacetSize;

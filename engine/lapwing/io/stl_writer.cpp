@@ -33,7 +33,7 @@ Eigen::Vector3d facet_normal(const Triangle& t, const Positions& p) {
 }
 
 std::string write_ascii(const Mesh& mesh, const Facets& facets) {
-  const MeshAttributes& a = mesh.attributes;
+  const MeshAttributes& a = mesh.attributes();
   const auto name_of_group = [&a](Index group) {
     return group == kNoIndex || a.groups[group].empty() ? std::string() : " " + a.groups[group];
   };
@@ -62,7 +62,7 @@ std::string write_ascii(const Mesh& mesh, const Facets& facets) {
 }
 
 const ExtraAttribute* attribute_words(const Mesh& mesh) {
-  for (const ExtraAttribute& extra : mesh.attributes.face_extras) {
+  for (const ExtraAttribute& extra : mesh.attributes().face_extras) {
     if (extra.name == "attribute" && extra.type == "ushort") return &extra;
   }
   return nullptr;
@@ -90,7 +90,7 @@ std::string write_binary(const Mesh& mesh, const Facets& facets) {
 }
 
 void report_losses(const Mesh& mesh, const Facets& facets, bool ascii, WriteReport& report) {
-  const MeshAttributes& a = mesh.attributes;
+  const MeshAttributes& a = mesh.attributes();
   std::size_t polygons = 0;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) polygons += mesh.face(f).size() > 3 ? 1 : 0;
   std::vector<bool> used(mesh.vertex_count(), false);

@@ -47,7 +47,7 @@ class NormalUpdate {
   NormalUpdate(const Mesh& mesh, std::span<const Vector3d> rest)
       : mesh_(mesh),
         rest_(rest),
-        stored_{mesh.attributes.normals, mesh.attributes.corner_normals} {}
+        stored_{mesh.attributes().normals, mesh.attributes().corner_normals} {}
 
   StoredNormals run() {
     const std::vector<Use> uses = uses_of_changed_normals();
@@ -69,9 +69,9 @@ class NormalUpdate {
   };
 
   Index normal_of(std::size_t corner) const {
-    if (mesh_.attributes.has_vertex_normals) return mesh_.face_vertices[corner];
-    return mesh_.attributes.corner_normals.empty() ? kNoIndex
-                                                   : mesh_.attributes.corner_normals[corner];
+    if (mesh_.attributes().has_vertex_normals) return mesh_.face_vertices()[corner];
+    return mesh_.attributes().corner_normals.empty() ? kNoIndex
+                                                     : mesh_.attributes().corner_normals[corner];
   }
 
   bool moved(std::size_t face) const {
@@ -85,16 +85,16 @@ class NormalUpdate {
     std::vector<bool> changed(stored_.normals.size(), false);
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
       if (!moved(f)) continue;
-      for (Index c = mesh_.face_starts[f]; c < mesh_.face_starts[f + 1]; ++c) {
+      for (Index c = mesh_.face_starts()[f]; c < mesh_.face_starts()[f + 1]; ++c) {
         if (normal_of(c) != kNoIndex) changed[normal_of(c)] = true;
       }
     }
     std::vector<Use> uses;
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
-      for (Index c = mesh_.face_starts[f]; c < mesh_.face_starts[f + 1]; ++c) {
+      for (Index c = mesh_.face_starts()[f]; c < mesh_.face_starts()[f + 1]; ++c) {
         const Index normal = normal_of(c);
         if (normal == kNoIndex || !changed[normal]) continue;
-        uses.push_back({normal, mesh_.face_vertices[c], c, static_cast<Index>(f)});
+        uses.push_back({normal, mesh_.face_vertices()[c], c, static_cast<Index>(f)});
       }
     }
     std::sort(uses.begin(), uses.end());

@@ -106,9 +106,9 @@ bool has_alpha(std::span<const Eigen::Vector4f> colors) {
 
 void validate_for_writing(const Mesh& mesh) {
   validate_indices(mesh);
-  const MeshAttributes& a = mesh.attributes;
-  check_size("corner_uvs", a.corner_uvs.size(), mesh.face_vertices.size());
-  check_size("corner_normals", a.corner_normals.size(), mesh.face_vertices.size());
+  const MeshAttributes& a = mesh.attributes();
+  check_size("corner_uvs", a.corner_uvs.size(), mesh.face_vertices().size());
+  check_size("corner_normals", a.corner_normals.size(), mesh.face_vertices().size());
   check_size("vertex_colors", a.vertex_colors.size(), mesh.vertex_count());
   check_size("face_colors", a.face_colors.size(), mesh.face_count());
   check_size("face_materials", a.face_materials.size(), mesh.face_count());

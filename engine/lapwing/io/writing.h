@@ -68,7 +68,7 @@ std::optional<std::vector<Vector>> per_vertex(const Mesh& mesh, const std::vecto
   std::vector<bool> known(mesh.vertex_count(), false);
   for (std::size_t c = 0; c < of_corner.size(); ++c) {
     if (of_corner[c] == kNoIndex) return std::nullopt;
-    const Index v = mesh.face_vertices[c];
+    const Index v = mesh.face_vertices()[c];
     const Vector& value = values[of_corner[c]];
     if (known[v] && result[v] != value) return std::nullopt;
     known[v] = true;

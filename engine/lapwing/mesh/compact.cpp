@@ -62,9 +62,9 @@ void drop_unnamed(std::vector<Value>& values, std::vector<Index>& numbers) {
 }  // namespace
 
 void validate_attributes(const Mesh& mesh) {
-  const MeshAttributes& a = mesh.attributes;
-  require_length("corner UVs", a.corner_uvs.size(), mesh.face_vertices.size());
-  require_length("corner normals", a.corner_normals.size(), mesh.face_vertices.size());
+  const MeshAttributes& a = mesh.attributes();
+  require_length("corner UVs", a.corner_uvs.size(), mesh.face_vertices().size());
+  require_length("corner normals", a.corner_normals.size(), mesh.face_vertices().size());
   require_length("face colours", a.face_colors.size(), mesh.face_count());
   require_length("face materials", a.face_materials.size(), mesh.face_count());
   require_length("face groups", a.face_groups.size(), mesh.face_count());
@@ -78,14 +78,16 @@ void validate_attributes(const Mesh& mesh) {
 
 void replace_faces(Mesh& mesh, const FaceSources& sources) {
   validate_attributes(mesh);
-  mesh.face_starts = sources.starts;
-  gather(mesh.face_vertices, sources.corners);
-  gather(mesh.attributes.corner_uvs, sources.corners);
-  gather(mesh.attributes.corner_normals, sources.corners);
-  gather(mesh.attributes.face_colors, sources.faces);
-  gather(mesh.attributes.face_materials, sources.faces);
-  gather(mesh.attributes.face_groups, sources.faces);
-  gather(mesh.attributes.face_extras, sources.faces);
+  Faces& faces = mesh.edit_faces();
+  faces.starts = sources.starts;
+  gather(faces.vertices, sources.corners);
+  MeshAttributes& a = mesh.edit_attributes();
+  gather(a.corner_uvs, sources.corners);
+  gather(a.corner_normals, sources.corners);
+  gather(a.face_colors, sources.faces);
+  gather(a.face_materials, sources.faces);
+  gather(a.face_groups, sources.faces);
+  gather(a.face_extras, sources.faces);
   mesh.source.reset();
 }
 
@@ -94,7 +96,7 @@ void keep_faces(Mesh& mesh, const KeepMask& keep) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     if (!keep[f]) continue;
     sources.faces.push_back(static_cast<Index>(f));
-    for (Index c = mesh.face_starts[f]; c < mesh.face_starts[f + 1]; ++c) {
+    for (Index c = mesh.face_starts()[f]; c < mesh.face_starts()[f + 1]; ++c) {
       sources.corners.push_back(c);
     }
     sources.starts.push_back(static_cast<Index>(sources.corners.size()));
@@ -105,9 +107,10 @@ void keep_faces(Mesh& mesh, const KeepMask& keep) {
 void replace_vertices(Mesh& mesh, std::span<const Index> sources) {
   validate_attributes(mesh);
   gather(mesh.positions, sources);
-  gather(mesh.attributes.vertex_colors, sources);
-  if (mesh.attributes.has_vertex_normals) gather(mesh.attributes.normals, sources);
-  gather(mesh.attributes.vertex_extras, sources);
+  MeshAttributes& a = mesh.edit_attributes();
+  gather(a.vertex_colors, sources);
+  if (a.has_vertex_normals) gather(a.normals, sources);
+  gather(a.vertex_extras, sources);
   mesh.source.reset();
 }
 
@@ -125,14 +128,14 @@ std::vector<Index> keep_vertices(Mesh& mesh, const KeepMask& keep) {
     renumbered[v] = static_cast<Index>(sources.size());
     sources.push_back(static_cast<Index>(v));
   }
-  for (Index& v : mesh.face_vertices) v = renumbered[v];
+  for (Index& v : mesh.edit_faces().vertices) v = renumbered[v];
   replace_vertices(mesh, sources);
   return sources;
 }
 
 void drop_unused_attributes(Mesh& mesh) {
   validate_attributes(mesh);
-  MeshAttributes& a = mesh.attributes;
+  MeshAttributes& a = mesh.edit_attributes();
   drop_unnamed(a.uvs, a.corner_uvs);
   if (!a.has_vertex_normals) drop_unnamed(a.normals, a.corner_normals);
   drop_unnamed(a.materials, a.face_materials);

@@ -12,11 +12,11 @@ struct Side {
 };
 
 void link_corners(const Mesh& mesh, Edges& edges) {
-  edges.next_corner.resize(mesh.face_vertices.size());
-  edges.face_of_corner.resize(mesh.face_vertices.size());
+  edges.next_corner.resize(mesh.face_vertices().size());
+  edges.face_of_corner.resize(mesh.face_vertices().size());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const Index begin = mesh.face_starts[f];
-    const Index end = mesh.face_starts[f + 1];
+    const Index begin = mesh.face_starts()[f];
+    const Index end = mesh.face_starts()[f + 1];
     for (Index c = begin; c < end; ++c) {
       edges.next_corner[c] = c + 1 < end ? c + 1 : begin;
       edges.face_of_corner[c] = static_cast<Index>(f);
@@ -30,15 +30,15 @@ Edges build_edges(const Mesh& mesh, const std::vector<unsigned char>& use_face) 
   Edges edges;
   link_corners(mesh, edges);
   const auto is_side = [&](std::size_t c) {
-    return mesh.face_vertices[c] != mesh.face_vertices[edges.next_corner[c]] &&
+    return mesh.face_vertices()[c] != mesh.face_vertices()[edges.next_corner[c]] &&
            (use_face.empty() || use_face[edges.face_of_corner[c]]);
   };
-  const std::size_t corner_count = mesh.face_vertices.size();
+  const std::size_t corner_count = mesh.face_vertices().size();
   // Sides grouped by their lower vertex, then sorted within each small group.
   std::vector<Index> starts(mesh.vertex_count() + 1, 0);
   for (std::size_t c = 0; c < corner_count; ++c) {
     if (!is_side(c)) continue;
-    ++starts[std::min(mesh.face_vertices[c], mesh.face_vertices[edges.next_corner[c]]) + 1];
+    ++starts[std::min(mesh.face_vertices()[c], mesh.face_vertices()[edges.next_corner[c]]) + 1];
   }
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) starts[v + 1] += starts[v];
   std::vector<Side> sides(starts.back());
@@ -46,7 +46,7 @@ Edges build_edges(const Mesh& mesh, const std::vector<unsigned char>& use_face) 
   for (std::size_t c = 0; c < corner_count; ++c) {
     if (!is_side(c)) continue;
     const auto [low, high] =
-        std::minmax(mesh.face_vertices[c], mesh.face_vertices[edges.next_corner[c]]);
+        std::minmax(mesh.face_vertices()[c], mesh.face_vertices()[edges.next_corner[c]]);
     sides[next[low]++] = {high, static_cast<Index>(c)};
   }
 

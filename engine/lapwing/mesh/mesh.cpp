@@ -1,8 +1,47 @@
 #include "lapwing/mesh/mesh.h"
 
+#include <stdexcept>
+
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/topology.h"
 
 namespace lapwing {
+
+const Faces Mesh::kNoFaces;
+const MeshAttributes Mesh::kNoAttributes;
+
+Faces& Mesh::edit_faces() {
+  if (!connectivity_ || connectivity_.use_count() > 1 || connectivity_->topology) {
+    auto own = std::make_shared<Connectivity>();
+    own->faces = faces();
+    connectivity_ = std::move(own);
+  }
+  return connectivity_->faces;
+}
+
+MeshAttributes& Mesh::edit_attributes() {
+  if (!attributes_ || attributes_.use_count() > 1) {
+    attributes_ = std::make_shared<MeshAttributes>(attributes());
+  }
+  return *attributes_;
+}
+
+const Topology& Mesh::topology() const& {
+  return *shared_topology();
+}
+
+std::shared_ptr<const Topology> Mesh::shared_topology() const {
+  if (!connectivity_) throw std::logic_error("a mesh that was moved from has no topology");
+  std::call_once(connectivity_->asked, [&] {
+    connectivity_->topology = std::make_shared<const Topology>(build_topology(*this));
+  });
+  if (connectivity_->topology->vertex_count() != vertex_count()) {
+    throw std::logic_error(
+        "vertices were added to a mesh or dropped since its topology was built; "
+        "call edit_faces() after such a change");
+  }
+  return connectivity_->topology;
+}
 
 Bounds bounds_of(std::span<const Eigen::Vector3d> positions) {
   Bounds bounds;

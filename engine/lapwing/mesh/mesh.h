@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,25 +55,81 @@ struct MeshAttributes {
 /// vertices or faces change.
 class SourceFile;
 
-/// A polygon mesh: vertex positions, polygons as vertex lists, and carried attributes. Plain data;
-/// no invariant beyond the sizes stated. `validate_indices` checks the ones that the engine needs.
-struct Mesh {
+/// Polygons as lists of vertices, in compressed rows.
+struct Faces {
+  std::vector<Index> starts{0};  ///< face f is vertices[starts[f], starts[f+1])
+  std::vector<Index> vertices;   ///< one entry per corner
+
+  std::size_t count() const { return starts.size() - 1; }
+  /// Appends a polygon.
+  void add(std::span<const Index> polygon) {
+    vertices.insert(vertices.end(), polygon.begin(), polygon.end());
+    starts.push_back(static_cast<Index>(vertices.size()));
+  }
+};
+
+struct Topology;
+
+/// A polygon mesh: vertex positions, polygons as vertex lists, and carried attributes. No invariant
+/// beyond the sizes stated; `validate_indices` checks the ones that the engine needs.
+///
+/// Positions belong to each mesh. Polygons, with their topology, and attributes are shared between
+/// copies until one of them edits them: a copy costs its positions.
+class Mesh {
+ public:
   Positions positions;
-  std::vector<Index> face_starts{0};  ///< face f is face_vertices[face_starts[f], face_starts[f+1])
-  std::vector<Index> face_vertices;   ///< one entry per corner
-  MeshAttributes attributes;
   std::shared_ptr<const SourceFile> source;
 
   std::size_t vertex_count() const { return positions.size(); }
-  std::size_t face_count() const { return face_starts.size() - 1; }
-  std::span<const Index> face(std::size_t f) const {
-    return std::span(face_vertices).subspan(face_starts[f], face_starts[f + 1] - face_starts[f]);
+  std::size_t face_count() const { return faces().count(); }
+  std::span<const Index> face(std::size_t f) const& {
+    const Faces& all = faces();
+    return std::span(all.vertices).subspan(all.starts[f], all.starts[f + 1] - all.starts[f]);
   }
+  const Faces& faces() const& { return connectivity_ ? connectivity_->faces : kNoFaces; }
+  const std::vector<Index>& face_starts() const& { return faces().starts; }
+  const std::vector<Index>& face_vertices() const& { return faces().vertices; }
+  const MeshAttributes& attributes() const& { return attributes_ ? *attributes_ : kNoAttributes; }
+  // Of a mesh without a name, which is gone after the expression.
+  void face(std::size_t f) && = delete;
+  Faces faces() && { return faces(); }
+  std::vector<Index> face_starts() && { return faces().starts; }
+  std::vector<Index> face_vertices() && { return faces().vertices; }
+  MeshAttributes attributes() && { return attributes(); }
+
+  /// What both meshes know of their polygons is one object: no copy has edited them since.
+  bool shares_faces_with(const Mesh& other) const { return connectivity_ == other.connectivity_; }
+
+  /// The polygons (the attributes) of this mesh alone, to change. The reference holds until the
+  /// mesh is copied, moved or asked for its topology; references from before the call are void.
+  Faces& edit_faces();
+  MeshAttributes& edit_attributes();
   /// Appends a polygon. Attributes per corner and per face are the caller's business.
-  void add_face(std::span<const Index> vertices) {
-    face_vertices.insert(face_vertices.end(), vertices.begin(), vertices.end());
-    face_starts.push_back(static_cast<Index>(face_vertices.size()));
-  }
+  void add_face(std::span<const Index> vertices) { edit_faces().add(vertices); }
+
+  /// What the mathematics needs to know of the polygons. Built when it is first asked for, in time
+  /// linear in the size of the mesh, and shared as they are; polygons of more than three corners
+  /// are cut into triangles as they lie in the mesh that asks first. Lives as long as any mesh that
+  /// shares it. Threads may ask at once. Throws what `build_topology` does, and std::logic_error
+  /// for a mesh that was moved from, or whose vertices were added or dropped since without
+  /// `edit_faces`.
+  const Topology& topology() const&;
+  void topology() && = delete;
+  /// The same, for those that outlive every mesh that shares it.
+  std::shared_ptr<const Topology> shared_topology() const;
+
+ private:
+  struct Connectivity {
+    Faces faces;
+    mutable std::once_flag asked;
+    mutable std::shared_ptr<const Topology> topology;
+  };
+  static const Faces kNoFaces;
+  static const MeshAttributes kNoAttributes;
+
+  // Null after a move, which leaves no faces.
+  std::shared_ptr<Connectivity> connectivity_ = std::make_shared<Connectivity>();
+  std::shared_ptr<MeshAttributes> attributes_;  // null without any
 };
 
 /// Axis-aligned bounding box of the finite positions; both corners 0 if there are none.

@@ -35,7 +35,7 @@ Mesh split(const Mesh& mesh, const Edges& edges) {
   const auto count = static_cast<Index>(mesh.vertex_count());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto t = mesh.face(f);
-    const Index corner = mesh.face_starts[f];
+    const Index corner = mesh.face_starts()[f];
     std::array<Index, 3> middle{};
     for (Index e = 0; e < 3; ++e) {
       const Index edge = edges.edge_of_side[corner + e];
@@ -91,7 +91,7 @@ Vector3d edge_point(const Mesh& mesh, const Edges& edges, std::size_t e) {
   Vector3d point = 0.375 * (mesh.positions[a] + mesh.positions[b]);
   for (const Index side : edges.sides[e]) {
     const Index across = edges.next_corner[edges.next_corner[side]];
-    point += 0.125 * mesh.positions[mesh.face_vertices[across]];
+    point += 0.125 * mesh.positions[mesh.face_vertices()[across]];
   }
   return point;
 }

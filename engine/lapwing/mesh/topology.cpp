@@ -52,7 +52,7 @@ Adjacency rings_by_triangles(const Adjacency& vertex_triangles,
 Topology build_topology(const Mesh& mesh) {
   validate_indices(mesh);
   Topology topology;
-  topology.triangles.reserve(mesh.face_vertices.size());
+  topology.triangles.reserve(mesh.face_vertices().size());
   std::vector<Triangle> cut;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     cut.clear();

@@ -27,7 +27,7 @@ void transform(Mesh& mesh, const Eigen::Affine3d& motion) {
   // Of a motion that flattens, normals are none any more.
   if (determinant != 0.0) {
     const Eigen::Matrix3d turn = motion.linear().inverse().transpose();
-    for (Vector3d& normal : mesh.attributes.normals) {
+    for (Vector3d& normal : mesh.edit_attributes().normals) {
       normal = (turn * normal).stableNormalized();
     }
   }
@@ -37,21 +37,21 @@ void transform(Mesh& mesh, const Eigen::Affine3d& motion) {
 
 void flip_faces(Mesh& mesh, std::span<const Index> faces) {
   FaceSources sources;
-  sources.starts = mesh.face_starts;
+  sources.starts = mesh.face_starts();
   sources.faces.resize(mesh.face_count());
   std::iota(sources.faces.begin(), sources.faces.end(), Index{0});
-  sources.corners.resize(mesh.face_vertices.size());
+  sources.corners.resize(mesh.face_vertices().size());
   std::iota(sources.corners.begin(), sources.corners.end(), Index{0});
   for (const Index f : faces) {
-    std::reverse(sources.corners.begin() + mesh.face_starts[f] + 1,
-                 sources.corners.begin() + mesh.face_starts[f + 1]);
+    std::reverse(sources.corners.begin() + mesh.face_starts()[f] + 1,
+                 sources.corners.begin() + mesh.face_starts()[f + 1]);
   }
   replace_faces(mesh, sources);
 }
 
 void turn_inside_out(Mesh& mesh) {
   flip_all_faces(mesh);
-  for (Vector3d& normal : mesh.attributes.normals) normal = -normal;
+  for (Vector3d& normal : mesh.edit_attributes().normals) normal = -normal;
 }
 
 }  // namespace lapwing

@@ -28,10 +28,10 @@ std::vector<Eigen::Vector2d> uvs_of(const DomainMap& map) {
 }  // namespace
 
 Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   Parameterized result;
-  result.patch = disk_patch(resolve(request.region, mesh, topology), topology, mesh.positions,
-                            request.region.where);
+  result.patch =
+      disk_patch(resolve(request.region, mesh), topology, mesh.positions, request.region.where);
   const Patch& patch = result.patch;
   result.positions = on_patch(patch, std::span<const Eigen::Vector3d>(mesh.positions));
   result.pins = request.pins.empty() ? default_pins(patch, result.positions, request.domain)
@@ -39,7 +39,7 @@ Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request)
   result.map = mean_value_map(patch, result.positions, request.domain, result.pins);
   result.flipped = flipped_triangles(patch.triangles, result.map.points);
   result.distortion = measure_distortion(patch.triangles, result.positions, result.map.points);
-  result.mesh = with_uvs(mesh, topology, patch, uvs_of(result.map));
+  result.mesh = with_uvs(mesh, patch, uvs_of(result.map));
   if (!result.flipped.empty()) {
     result.warnings.push_back(
         "triangles are flipped where the map shrinks them below rounding, the first one in "

@@ -11,8 +11,9 @@ namespace {
 // The new polygons, and the own number of each of their corners.
 class Recut {
  public:
-  Recut(const Mesh& mesh, const Topology& topology, const Patch& patch)
-      : mesh_(mesh), topology_(topology), patch_(patch) {
+  Recut(const Mesh& mesh, const Patch& patch)
+      : mesh_(mesh), topology_(mesh.topology()), patch_(patch) {
+    const Topology& topology = mesh.topology();
     std::size_t triangle = 0;
     for (Index f = 0; f < mesh.face_count(); ++f) {
       const std::size_t first = triangle;
@@ -44,8 +45,8 @@ class Recut {
       is_cut = is_cut || parts(t).size() > 1;
     }
     if (!is_cut) {
-      for (Index c = mesh_.face_starts[face]; c < mesh_.face_starts[face + 1]; ++c) {
-        add_corner(c, is_inside ? patch_.own_number(mesh_.face_vertices[c]) : kNoIndex);
+      for (Index c = mesh_.face_starts()[face]; c < mesh_.face_starts()[face + 1]; ++c) {
+        add_corner(c, is_inside ? patch_.own_number(mesh_.face_vertices()[c]) : kNoIndex);
       }
       end_face(face);
       return;
@@ -69,7 +70,7 @@ class Recut {
   Index corner_of(Index face, Index vertex) const {
     const auto polygon = mesh_.face(face);
     const auto at = std::find(polygon.begin(), polygon.end(), vertex) - polygon.begin();
-    return mesh_.face_starts[face] + static_cast<Index>(at);
+    return mesh_.face_starts()[face] + static_cast<Index>(at);
   }
 
   void add_corner(Index corner, Index own) {
@@ -88,9 +89,8 @@ class Recut {
 
 }  // namespace
 
-Mesh with_uvs(const Mesh& mesh, const Topology& topology, const Patch& patch,
-              std::span<const Eigen::Vector2d> uvs) {
-  const Recut recut(mesh, topology, patch);
+Mesh with_uvs(const Mesh& mesh, const Patch& patch, std::span<const Eigen::Vector2d> uvs) {
+  const Recut recut(mesh, patch);
   Mesh result = mesh;
   replace_faces(result, recut.sources);
   const std::size_t n = patch.vertices.size();
@@ -103,13 +103,15 @@ Mesh with_uvs(const Mesh& mesh, const Topology& topology, const Patch& patch,
     result.positions[mesh.vertex_count() + m] =
         0.5 * (mesh.positions[patch.vertices[a]] + mesh.positions[patch.vertices[b]]);
   }
+  std::vector<Index>& vertex_of = result.edit_faces().vertices;
   for (std::size_t c = 0; c < recut.own_numbers.size(); ++c) {
     const Index own = recut.own_numbers[c];
     if (own == kNoIndex || own < n) continue;
-    result.face_vertices[c] = static_cast<Index>(mesh.vertex_count() + own - n);
+    vertex_of[c] = static_cast<Index>(mesh.vertex_count() + own - n);
   }
-  result.attributes.uvs.assign(uvs.begin(), uvs.end());
-  result.attributes.corner_uvs = recut.own_numbers;
+  MeshAttributes& attributes = result.edit_attributes();
+  attributes.uvs.assign(uvs.begin(), uvs.end());
+  attributes.corner_uvs = recut.own_numbers;
   return result;
 }
 

@@ -13,7 +13,6 @@ namespace lapwing {
 /// the polygons that lie whole in the patch; all others have none, whatever they had before.
 /// Polygons that hold a halved edge come out as the patch's triangles, with the midpoints as new
 /// vertices behind the others: nothing but polygons on such an edge changes its shape.
-Mesh with_uvs(const Mesh& mesh, const Topology& topology, const Patch& patch,
-              std::span<const Eigen::Vector2d> uvs);
+Mesh with_uvs(const Mesh& mesh, const Patch& patch, std::span<const Eigen::Vector2d> uvs);
 
 }  // namespace lapwing

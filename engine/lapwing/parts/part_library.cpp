@@ -53,7 +53,7 @@ Part part_of(Mesh mesh, const fs::path& path, std::optional<std::size_t> loop,
   part.name = path.stem().string();
   part.mesh_path = path;
   part.mesh = std::move(mesh);
-  part.loops = boundary_loops(build_topology(part.mesh).triangles, path.string());
+  part.loops = boundary_loops(part.mesh.topology().triangles, path.string());
   if (part.loops.empty()) {
     throw InputError(path.string() +
                      " has no boundary loop, at which a part is joined; cut a part out of it with "

@@ -48,8 +48,8 @@ VertexSet roi_border(const VertexSet& roi, const Topology& topology) {
   return make_vertex_set(std::move(border));
 }
 
-VertexSet resolve_border_belt(const BorderBelt& belt, const VertexSet& roi, const Mesh& mesh,
-                              const Topology& topology) {
+VertexSet resolve_border_belt(const BorderBelt& belt, const VertexSet& roi, const Mesh& mesh) {
+  const Topology& topology = mesh.topology();
   if (!(belt.fraction >= 0.0 && belt.fraction <= 1.0)) {
     std::ostringstream text;
     text << belt.where << "/fraction: expected a number from 0 to 1, got " << belt.fraction;

@@ -28,7 +28,6 @@ VertexSet roi_border(const VertexSet& roi, const Topology& topology);
 /// The vertices of the ROI whose geodesic distance to the border is at most `fraction` of the
 /// largest such distance in their component. Paths stay in the ROI. Throws InputError, naming
 /// `where`, when the fraction lies outside 0 to 1.
-VertexSet resolve_border_belt(const BorderBelt& belt, const VertexSet& roi, const Mesh& mesh,
-                              const Topology& topology);
+VertexSet resolve_border_belt(const BorderBelt& belt, const VertexSet& roi, const Mesh& mesh);
 
 }  // namespace lapwing

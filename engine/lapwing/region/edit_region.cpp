@@ -28,12 +28,11 @@ void require_disjoint(const VertexSet& vertices, const VertexSet& others, const 
                    "; leave them out of one of the two (\"minus\" does that)");
 }
 
-void require_finite(const VertexSet& roi, const Mesh& mesh, const Topology& topology,
-                    const std::string& where) {
+void require_finite(const VertexSet& roi, const Mesh& mesh, const std::string& where) {
   const auto is_broken = [&](Index v) { return !mesh.positions[v].allFinite(); };
   VertexSet broken;
   for (const Index v : roi) {
-    const auto ring = topology.rings[v];
+    const auto ring = mesh.topology().rings[v];
     if (ring.empty()) continue;
     if (is_broken(v)) broken.push_back(v);
     std::copy_if(ring.begin(), ring.end(), std::back_inserter(broken), is_broken);
@@ -46,14 +45,13 @@ void require_finite(const VertexSet& roi, const Mesh& mesh, const Topology& topo
 }
 
 VertexSet resolve_belt(const BeltSpec& spec, const VertexSet& roi,
-                       const std::vector<VertexSet>& handles, const Mesh& mesh,
-                       const Topology& topology) {
+                       const std::vector<VertexSet>& handles, const Mesh& mesh) {
   if (const auto* region = std::get_if<RegionSpec>(&spec)) {
-    VertexSet belt = resolve(*region, mesh, topology);
+    VertexSet belt = resolve(*region, mesh);
     require_inside(belt, roi, region->where, "belt");
     return belt;
   }
-  VertexSet belt = resolve_border_belt(std::get<BorderBelt>(spec), roi, mesh, topology);
+  VertexSet belt = resolve_border_belt(std::get<BorderBelt>(spec), roi, mesh);
   for (const VertexSet& handle : handles) belt = subtract(belt, handle);
   return belt;
 }
@@ -61,14 +59,13 @@ VertexSet resolve_belt(const BeltSpec& spec, const VertexSet& roi,
 }  // namespace
 
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
-                               std::span<const RegionSpec> handles, const Mesh& mesh,
-                               const Topology& topology) {
+                               std::span<const RegionSpec> handles, const Mesh& mesh) {
   EditRegion region;
-  region.roi = resolve(roi, mesh, topology);
+  region.roi = resolve(roi, mesh);
   require_members(region.roi, roi.where, "roi");
-  require_finite(region.roi, mesh, topology, roi.where);
+  require_finite(region.roi, mesh, roi.where);
   for (const RegionSpec& spec : handles) {
-    VertexSet handle = resolve(spec, mesh, topology);
+    VertexSet handle = resolve(spec, mesh);
     require_members(handle, spec.where, "handle");
     require_inside(handle, region.roi, spec.where, "handle");
     for (std::size_t k = 0; k < region.handles.size(); ++k) {
@@ -76,11 +73,11 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
     }
     region.handles.push_back(std::move(handle));
   }
-  region.belt = resolve_belt(belt, region.roi, region.handles, mesh, topology);
+  region.belt = resolve_belt(belt, region.roi, region.handles, mesh);
   for (std::size_t k = 0; k < handles.size(); ++k) {
     require_disjoint(region.handles[k], region.belt, handles[k].where, "the belt");
   }
-  check_anchors(region, mesh.positions, topology, roi.where);
+  check_anchors(region, mesh.positions, mesh.topology(), roi.where);
   return region;
 }
 

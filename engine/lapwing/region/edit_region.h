@@ -22,8 +22,7 @@ struct EditRegion {
 /// another handle, a vertex of the ROI or of its rings that is not finite, and what `check_anchors`
 /// throws.
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
-                               std::span<const RegionSpec> handles, const Mesh& mesh,
-                               const Topology& topology);
+                               std::span<const RegionSpec> handles, const Mesh& mesh);
 
 /// Throws InputError unless every component of the ROI is held: its anchors are its handle and belt
 /// vertices and its neighbours outside the ROI, and three of them must not lie on one line, or the

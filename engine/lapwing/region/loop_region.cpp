@@ -31,13 +31,12 @@ struct ClosedLoop {
   EdgeSet cut;
 };
 
-ClosedLoop join(const std::vector<Index>& corners, const std::string& where, const Mesh& mesh,
-                const Topology& topology) {
+ClosedLoop join(const std::vector<Index>& corners, const std::string& where, const Mesh& mesh) {
   ClosedLoop loop;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Index from = corners[k];
     const Index to = corners[(k + 1) % corners.size()];
-    const std::vector<Index> path = shortest_edge_path(topology, mesh.positions, from, to);
+    const std::vector<Index> path = shortest_edge_path(mesh.topology(), mesh.positions, from, to);
     if (path.empty()) {
       throw InputError(where + "/loop/" + std::to_string(k) +
                        ": no path of edges leads from vertex " + std::to_string(from) +
@@ -108,9 +107,8 @@ class Flood {
 
 }  // namespace
 
-VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const Mesh& mesh,
-                       const Topology& topology) {
-  const ClosedLoop loop = join(region.loop, where, mesh, topology);
+VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const Mesh& mesh) {
+  const ClosedLoop loop = join(region.loop, where, mesh);
   const std::string inside = std::to_string(region.inside);
   if (loop.cut.empty()) {
     throw InputError(where +
@@ -121,7 +119,7 @@ VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const
     throw InputError(where + "/inside: vertex " + inside +
                      " lies on the loop; name one on the side to keep");
   }
-  Flood flood(topology, loop.cut);
+  Flood flood(mesh.topology(), loop.cut);
   flood.run_from(region.inside);
   bool touches = false;
   for (std::size_t k = 0; k < loop.vertices.size(); ++k) {

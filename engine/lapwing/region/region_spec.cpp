@@ -33,12 +33,12 @@ void require_vertices(const std::vector<Index>& vertices, const Mesh& mesh,
   }
 }
 
-Index nearest_vertex_with_ring(const Vector3d& point, const Mesh& mesh, const Topology& topology,
-                               const std::string& where) {
+Index nearest_vertex_with_ring(const Vector3d& point, const Mesh& mesh, const std::string& where) {
+  const Adjacency& rings = mesh.topology().rings;
   Index nearest = kNoIndex;
   double least = std::numeric_limits<double>::infinity();
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (topology.rings.size(v) == 0) continue;
+    if (rings.size(v) == 0) continue;
     const double squared = (mesh.positions[v] - point).squaredNorm();
     if (squared < least) {
       least = squared;
@@ -56,7 +56,6 @@ Index nearest_vertex_with_ring(const Vector3d& point, const Mesh& mesh, const To
 // One overload per form.
 struct Resolver {
   const Mesh& mesh;
-  const Topology& topology;
   const std::string& where;
 
   VertexSet operator()(const AllVertices&) const {
@@ -76,11 +75,11 @@ struct Resolver {
       require_vertex(*number, mesh, where + "/disk/center");
       center = *number;
     } else {
-      center = nearest_vertex_with_ring(std::get<Vector3d>(disk.center), mesh, topology,
-                                        where + "/disk/near");
+      center =
+          nearest_vertex_with_ring(std::get<Vector3d>(disk.center), mesh, where + "/disk/near");
     }
     const std::vector<double> distances =
-        geodesic_distances(topology, mesh.positions, std::span(&center, 1), disk.radius);
+        geodesic_distances(mesh.topology(), mesh.positions, std::span(&center, 1), disk.radius);
     VertexSet vertices;
     for (Index v = 0; v < distances.size(); ++v) {
       if (distances[v] < kNoLimit) vertices.push_back(v);
@@ -111,22 +110,22 @@ struct Resolver {
     }
     require_vertices(region.loop, mesh, where + "/loop");
     require_vertex(region.inside, mesh, where + "/inside");
-    return resolve_loop(region, where, mesh, topology);
+    return resolve_loop(region, where, mesh);
   }
 
   VertexSet operator()(const UnionRegion& region) const {
     VertexSet vertices;
     for (const RegionSpec& part : region.parts) {
-      vertices = unite(vertices, resolve(part, mesh, topology));
+      vertices = unite(vertices, resolve(part, mesh));
     }
     return vertices;
   }
 
   VertexSet operator()(const DifferenceRegion& region) const {
     if (region.parts.empty()) return {};
-    VertexSet vertices = resolve(region.parts.front(), mesh, topology);
+    VertexSet vertices = resolve(region.parts.front(), mesh);
     for (std::size_t k = 1; k < region.parts.size(); ++k) {
-      vertices = subtract(vertices, resolve(region.parts[k], mesh, topology));
+      vertices = subtract(vertices, resolve(region.parts[k], mesh));
     }
     if (vertices.empty()) {
       throw InputError(where + "/minus: nothing is left of the first region; take away less");
@@ -137,7 +136,7 @@ struct Resolver {
   VertexSet operator()(const DiskInRegion& region) const {
     if (region.parts.empty()) return {};
     VertexSet vertices =
-        largest_disk(resolve(region.parts.front(), mesh, topology), topology, mesh.positions);
+        largest_disk(resolve(region.parts.front(), mesh), mesh.topology(), mesh.positions);
     if (vertices.empty()) {
       throw InputError(where +
                        "/disk_in: no triangle has its three corners in the region; choose a larger "
@@ -159,8 +158,8 @@ bool operator==(const DiskInRegion& a, const DiskInRegion& b) {
   return a.parts == b.parts;
 }
 
-VertexSet resolve(const RegionSpec& spec, const Mesh& mesh, const Topology& topology) {
-  return std::visit(Resolver{mesh, topology, spec.where}, spec.form);
+VertexSet resolve(const RegionSpec& spec, const Mesh& mesh) {
+  return std::visit(Resolver{mesh, spec.where}, spec.form);
 }
 
 }  // namespace lapwing

@@ -79,6 +79,6 @@ struct RegionSpec {
 /// mesh does not have, a box or difference that holds nothing, a disk near a mesh or in a region
 /// without triangles, a loop that cannot be joined, does not separate the mesh or does not hold
 /// `inside` on one side.
-VertexSet resolve(const RegionSpec& spec, const Mesh& mesh, const Topology& topology);
+VertexSet resolve(const RegionSpec& spec, const Mesh& mesh);
 
 }  // namespace lapwing

@@ -64,7 +64,7 @@ class Carrier {
     for (Index f = 0; f < mesh_.face_count(); ++f) {
       if (!original_.faces_outside[f]) continue;
       faces.faces.push_back(f);
-      for (Index c = mesh_.face_starts[f]; c < mesh_.face_starts[f + 1]; ++c) {
+      for (Index c = mesh_.face_starts()[f]; c < mesh_.face_starts()[f + 1]; ++c) {
         faces.corners.push_back(c);
       }
       faces.starts.push_back(static_cast<Index>(faces.corners.size()));
@@ -78,7 +78,7 @@ class Carrier {
       if (h % 3 == 2) faces.starts.push_back(static_cast<Index>(faces.corners.size()));
     }
     replace_faces(result_.mesh, faces);
-    std::vector<Index>& vertices = result_.mesh.face_vertices;
+    std::vector<Index>& vertices = result_.mesh.edit_faces().vertices;
     for (std::size_t c = 0; c < first_corner_; ++c) vertices[c] = new_numbers_[vertices[c]];
     for (std::size_t i = 0; i < corner_halfedges_.size(); ++i) {
       vertices[first_corner_ + i] = numbers_[net_.origin(corner_halfedges_[i])];
@@ -87,8 +87,8 @@ class Carrier {
 
   void carry_vertices() {
     replace_vertices(result_.mesh, vertex_sources_);
-    MeshAttributes& a = result_.mesh.attributes;
-    const MeshAttributes& old = mesh_.attributes;
+    MeshAttributes& a = result_.mesh.edit_attributes();
+    const MeshAttributes& old = mesh_.attributes();
     for (Index v = 0; v < net_.vertex_count(); ++v) {
       if (!net_.has_vertex(v) || is_bound(v)) continue;
       const Index n = numbers_[v];
@@ -105,7 +105,7 @@ class Carrier {
   Eigen::Vector4f color(const SurfacePoint& source) const {
     Eigen::Vector4d sum = Eigen::Vector4d::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector4f& corner = mesh_.attributes.vertex_colors[source.corners[k]];
+      const Eigen::Vector4f& corner = mesh_.attributes().vertex_colors[source.corners[k]];
       sum += source.weights[k] * corner.cast<double>();
     }
     return sum.cast<float>();
@@ -136,15 +136,15 @@ class Carrier {
   }
 
   void carry_corners() {
-    MeshAttributes& a = result_.mesh.attributes;
+    MeshAttributes& a = result_.mesh.edit_attributes();
     if (!a.corner_uvs.empty()) {
-      carry_list(mesh_.attributes.corner_uvs, a.uvs, a.corner_uvs,
+      carry_list(mesh_.attributes().corner_uvs, a.uvs, a.corner_uvs,
                  [](const SurfacePoint& source, const std::vector<Eigen::Vector2d>& uvs) {
                    return source.of<Eigen::Vector2d>(uvs);
                  });
     }
     if (!a.corner_normals.empty()) {
-      carry_list(mesh_.attributes.corner_normals, a.normals, a.corner_normals, blend_normals);
+      carry_list(mesh_.attributes().corner_normals, a.normals, a.corner_normals, blend_normals);
     }
   }
 

@@ -75,7 +75,7 @@ class LineFinder {
   }
 
   bool differs_in_texture(Index h, Index k) const {
-    const MeshAttributes& a = mesh_.attributes;
+    const MeshAttributes& a = mesh_.attributes();
     if (a.corner_uvs.empty()) return false;
     return differs_across(h, k, [&](Index x, Index y) {
       const Index i = a.corner_uvs[x];
@@ -85,7 +85,7 @@ class LineFinder {
   }
 
   bool differs_in_normals(Index h, Index k) const {
-    const MeshAttributes& a = mesh_.attributes;
+    const MeshAttributes& a = mesh_.attributes();
     return differs_across(h, k, [&](Index x, Index y) {
       const Index i = a.corner_normals[x];
       const Index j = a.corner_normals[y];
@@ -96,7 +96,7 @@ class LineFinder {
 
   // Lines where stored normals differ, unless they differ at most edges.
   void mark_normal_seams() {
-    if (mesh_.attributes.corner_normals.empty()) return;
+    if (mesh_.attributes().corner_normals.empty()) return;
     std::vector<Index> seams;
     std::size_t inner_edges = 0;
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
@@ -110,7 +110,7 @@ class LineFinder {
   }
 
   bool differs_in_label(Index f, Index g) const {
-    const MeshAttributes& a = mesh_.attributes;
+    const MeshAttributes& a = mesh_.attributes();
     return (!a.face_materials.empty() && a.face_materials[f] != a.face_materials[g]) ||
            (!a.face_groups.empty() && a.face_groups[f] != a.face_groups[g]);
   }

@@ -56,7 +56,7 @@ class PatchCutter {
     triangulate_polygon(local_numbers_, local_positions_, cut_);
     for (const auto& [a, b, c] : cut_) {
       if (face[a] == face[b] || face[b] == face[c] || face[c] == face[a]) continue;
-      const Index first = mesh_.face_starts[f];
+      const Index first = mesh_.face_starts()[f];
       patch_.corners.push_back({first + a, first + b, first + c});
       patch_.triangles.push_back({face[a], face[b], face[c]});
       patch_.faces.push_back(static_cast<Index>(f));

@@ -22,7 +22,7 @@ double wanted_length(const RemeshRequest& request, const RegionQuality& before) 
 }  // namespace
 
 Remeshed remesh(const Mesh& mesh, const RemeshRequest& request, const Progress& progress) {
-  const VertexSet region = resolve(request.region, mesh, build_topology(mesh));
+  const VertexSet region = resolve(request.region, mesh);
   Remeshed result;
   result.before = region_quality(mesh, region);
   const double length = wanted_length(request, result.before);

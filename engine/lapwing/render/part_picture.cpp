@@ -58,7 +58,7 @@ Image part_picture(VulkanKernels& kernels, const Mesh& mesh, std::span<const Ind
   const BoundaryLoop own_loop(loop.begin(), loop.end());
   const LoopFrame frame =
       loop_frame(LoopCurve(loop_points(own_loop, mesh.positions), "the part's boundary loop"));
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const auto surface = kernels.make_surface({mesh.positions, topology, {}, {}, 0});
   auto& drawn = dynamic_cast<VulkanSurface&>(*surface);
   SurfacePaint paint(drawn);

@@ -75,13 +75,14 @@ void SurfacePaint::set_scalars(std::span<const float> scalars) {
   scalar_range_ = range_of(scalars);
 }
 
-void SurfacePaint::set_polygons(const Mesh& mesh, const Topology& topology) {
-  check_count(topology.triangles.size(), triangle_count_, "triangles");
-  const std::vector<std::uint32_t> edges = polygon_edges(mesh, topology);
+void SurfacePaint::set_polygons(const Mesh& mesh) {
+  check_count(mesh.topology().triangles.size(), triangle_count_, "triangles");
+  const std::vector<std::uint32_t> edges = polygon_edges(mesh);
   transfer_.upload(edges_, std::span(edges));
 }
 
-std::vector<std::uint32_t> polygon_edges(const Mesh& mesh, const Topology& topology) {
+std::vector<std::uint32_t> polygon_edges(const Mesh& mesh) {
+  const Topology& topology = mesh.topology();
   std::vector<std::uint32_t> edges(topology.triangles.size(), 0);
   for (std::size_t t = 0; t < edges.size(); ++t) {
     const Triangle& triangle = topology.triangles[t];

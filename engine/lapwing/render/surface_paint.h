@@ -41,7 +41,7 @@ class SurfacePaint {
   void set_scalars(std::span<const float> scalars);
   /// Hides the edges by which `topology` cut polygons of `mesh` into triangles. Both those of the
   /// surface; InputError otherwise.
-  void set_polygons(const Mesh& mesh, const Topology& topology);
+  void set_polygons(const Mesh& mesh);
 
   /// Of the finite numbers; 0 and 0 if there are none.
   const ScalarRange& scalar_range() const { return scalar_range_; }
@@ -62,7 +62,7 @@ class SurfacePaint {
 };
 
 /// For each triangle, the bits of `SurfacePaint::edge_buffer`: set for edges of its polygon.
-std::vector<std::uint32_t> polygon_edges(const Mesh& mesh, const Topology& topology);
+std::vector<std::uint32_t> polygon_edges(const Mesh& mesh);
 
 /// From 0 to the number that 99 in 100 of the finite ones do not exceed: for numbers that are not
 /// negative, a few of which may be so large that the others would all look alike. To the largest

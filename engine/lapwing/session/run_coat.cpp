@@ -9,14 +9,9 @@ std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources
                                              const std::filesystem::path& base_directory) {
   std::vector<SharedSource> meshes;
   for (const FileSource& source : sources) {
-    if (source.mesh.empty()) {
-      meshes.push_back(nullptr);
-      continue;
-    }
-    auto read = std::make_shared<SourceMesh>();
-    read->mesh = read_mesh(base_directory / source.mesh);
-    read->topology = build_topology(read->mesh);
-    meshes.push_back(std::move(read));
+    meshes.push_back(source.mesh.empty()
+                         ? nullptr
+                         : std::make_shared<const Mesh>(read_mesh(base_directory / source.mesh)));
   }
   return meshes;
 }
@@ -47,7 +42,6 @@ StepReport take_over(const LayeredCoat& coat, const std::string& op, StageTiming
     }
     result.original = std::move(original);
     result.mesh = remeshed->mesh;
-    result.topology = coat.topology();
   }
   result.mesh.positions = std::move(positions);
   return report;
@@ -61,7 +55,7 @@ StepReport run_step(const CoatStep& step, const std::filesystem::path& base_dire
     sources = read_source_meshes({&step.source, 1}, base_directory);
   });
   const PreparedCoat coat({step.source, step.target_patch, step.parameters, step.where},
-                          result.mesh, result.topology, sources.front(), kernels, progress);
+                          result.mesh, sources.front(), kernels, progress);
   return take_over(coat.layers(), "coat", std::move(timings), coat.positions(step.source.amplitude),
                    result);
 }

@@ -6,8 +6,7 @@ StepReport run_step(const DeformRequest& step, std::size_t number, Kernels& kern
                     const Progress& progress, RunResult& result) {
   DeformRequest named = step;
   named.where = "step " + std::to_string(number);
-  Deformed done =
-      deform(std::move(result.mesh), result.topology, named, kernels, result.deformed, progress);
+  Deformed done = deform(std::move(result.mesh), named, kernels, result.deformed, progress);
   result.mesh = std::move(done.mesh);
   for (std::string& warning : done.warnings) result.report.warnings.push_back(std::move(warning));
   StepReport report;

@@ -11,7 +11,7 @@ StepReport run_step(const MixStep& step, const std::filesystem::path& base_direc
   std::vector<SharedSource> sources;
   stage("source", timings, progress,
         [&] { sources = read_source_meshes(step.sources, base_directory); });
-  const LayeredCoat mix(layered(step), result.mesh, result.topology, sources, kernels, progress);
+  const LayeredCoat mix(layered(step), result.mesh, sources, kernels, progress);
   return take_over(mix, "mix", std::move(timings), mix.positions(1.0), result);
 }
 

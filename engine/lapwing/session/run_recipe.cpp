@@ -6,6 +6,7 @@
 #include "lapwing/base/stage.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/topology.h"
 #include "lapwing/session/run_coat.h"
 #include "lapwing/session/run_deform.h"
 #include "lapwing/session/run_mix.h"
@@ -35,26 +36,25 @@ void load_mesh(const Recipe& recipe, const Progress& progress, RunResult& result
   report.mesh = path.lexically_normal().string();
   stage("read", report.timings, progress, [&] { result.mesh = read_mesh(path); });
   result.original = result.mesh.positions;
-  stage("topology", report.timings, progress,
-        [&] { result.topology = build_topology(result.mesh); });
+  stage("topology", report.timings, progress, [&] { result.mesh.topology(); });
   stage("check", report.timings, progress, [&] {
-    const CheckReport check_report = check(result.mesh, result.topology);
+    const CheckReport check_report = check(result.mesh);
     report.warnings = doctor_warnings(check_report);
     report.components = check_report.statistics.component_sizes.size();
     report.bounds = check_report.statistics.bounds;
   });
   report.vertices = result.mesh.vertex_count();
   report.faces = result.mesh.face_count();
-  report.triangles = result.topology.triangles.size();
+  report.triangles = result.mesh.topology().triangles.size();
 }
 
 // What became of each vertex in the step that ran last.
 template <class SomeStep>
 VertexMeasures measure_step(const SomeStep& step, const Positions& before,
                             const RunResult& result) {
-  const auto weights = laplacian_weights(result.topology, before, step.parameters.weights);
-  return measure_vertices(result.region.roi, result.topology, weights, before,
-                          result.mesh.positions);
+  const Topology& topology = result.mesh.topology();
+  const auto weights = laplacian_weights(topology, before, step.parameters.weights);
+  return measure_vertices(result.region.roi, topology, weights, before, result.mesh.positions);
 }
 
 bool changed_triangles(const StepReport& report) {

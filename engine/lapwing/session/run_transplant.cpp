@@ -19,7 +19,7 @@ StepReport run_step(const TransplantStep& step, const std::filesystem::path& bas
   stage("part", report.timings, progress, [&] { read = read_part_mesh(step, base_directory); });
   const Mesh& part = read ? *read : result.mesh;
   const std::string name = read ? step.part.stem().string() : "part";
-  Transplanted done = transplant(result.mesh, result.topology, part, name, step, kernels, progress);
+  Transplanted done = transplant(result.mesh, part, name, step, kernels, progress);
   for (const auto& [stage_name, ms] : done.timings.stages()) report.timings.add(stage_name, ms);
   result.report.warnings.insert(result.report.warnings.end(), done.warnings.begin(),
                                 done.warnings.end());
@@ -34,7 +34,6 @@ StepReport run_step(const TransplantStep& step, const std::filesystem::path& bas
   }
   result.original = std::move(original);
   result.mesh = std::move(done.mesh);
-  result.topology = std::move(done.topology);
   result.region = {std::move(done.region), std::move(done.belt), {}};
   return report;
 }

@@ -24,14 +24,14 @@ Rim find_rim(const Mesh& mesh, const BoundaryLoop& loop, const std::string& whos
   Rim rim{mesh, loop, {}, std::vector<Index>(loop.size(), kNoIndex)};
   rim.corners.resize(loop.size());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const Index begin = mesh.face_starts[f];
-    const Index end = mesh.face_starts[f + 1];
+    const Index begin = mesh.face_starts()[f];
+    const Index end = mesh.face_starts()[f + 1];
     for (Index c = begin; c < end; ++c) {
       const Index next = c + 1 < end ? c + 1 : begin;
-      const auto from = place_of.find(mesh.face_vertices[c]);
+      const auto from = place_of.find(mesh.face_vertices()[c]);
       if (from == place_of.end()) continue;
       const Index k = from->second;
-      if (loop[(k + 1) % loop.size()] != mesh.face_vertices[next]) continue;
+      if (loop[(k + 1) % loop.size()] != mesh.face_vertices()[next]) continue;
       rim.corners[k] = {c, next};
       rim.faces[k] = static_cast<Index>(f);
     }
@@ -57,16 +57,16 @@ class Joiner {
   Joined run(const std::string& group) {
     merge_vertices();
     Mesh& mesh = joined_.mesh;
-    mesh.face_starts = host_.mesh.face_starts;
-    mesh.face_vertices = host_.mesh.face_vertices;
+    Faces& faces = mesh.edit_faces();
+    faces = host_.mesh.faces();
     for (std::size_t f = 0; f < part_.mesh.face_count(); ++f) {
       for (const Index v : part_.mesh.face(f)) {
-        mesh.face_vertices.push_back(joined_.part_vertices[v]);
+        faces.vertices.push_back(joined_.part_vertices[v]);
       }
-      mesh.face_starts.push_back(static_cast<Index>(mesh.face_vertices.size()));
+      faces.starts.push_back(static_cast<Index>(faces.vertices.size()));
     }
     for (const Triangle& triangle : zip_.triangles) add_strip_face(triangle);
-    mesh.attributes = join_attributes(plan_, group, joined_.notes);
+    mesh.edit_attributes() = join_attributes(plan_, group, joined_.notes);
     return std::move(joined_);
   }
 

@@ -38,8 +38,8 @@ class Merger {
     merge_uvs();
     merge_normals();
     merge_extras();
-    result_.comments = host_.attributes.comments;
-    append_missing(part_.attributes.comments, result_.comments);
+    result_.comments = host_.attributes().comments;
+    append_missing(part_.attributes().comments, result_.comments);
     note_uneditable(host_, "host");
     note_uneditable(part_, "part");
     return std::move(result_);
@@ -90,8 +90,8 @@ class Merger {
   }
 
   void merge_colors() {
-    const MeshAttributes& a = host_.attributes;
-    const MeshAttributes& b = part_.attributes;
+    const MeshAttributes& a = host_.attributes();
+    const MeshAttributes& b = part_.attributes();
     if (note_one_sided(!a.vertex_colors.empty(), !b.vertex_colors.empty(), "vertex colours",
                        "its vertices are white")) {
       result_.vertex_colors = per_vertex(a.vertex_colors, b.vertex_colors, kWhite);
@@ -103,8 +103,8 @@ class Merger {
   }
 
   void merge_materials() {
-    const MeshAttributes& a = host_.attributes;
-    const MeshAttributes& b = part_.attributes;
+    const MeshAttributes& a = host_.attributes();
+    const MeshAttributes& b = part_.attributes();
     result_.material_libraries = a.material_libraries;
     append_missing(b.material_libraries, result_.material_libraries);
     result_.materials = a.materials;
@@ -133,8 +133,8 @@ class Merger {
   }
 
   void merge_groups(const std::string& group) {
-    const MeshAttributes& a = host_.attributes;
-    const MeshAttributes& b = part_.attributes;
+    const MeshAttributes& a = host_.attributes();
+    const MeshAttributes& b = part_.attributes();
     result_.groups = a.groups;
     std::vector<Index> number;
     Index whole = kNoIndex;
@@ -156,22 +156,22 @@ class Merger {
   std::vector<Index> per_corner(std::vector<Index> of_host, std::span<const Index> of_part,
                                 std::size_t offset) const {
     std::vector<Index> merged = std::move(of_host);
-    merged.resize(host_.face_vertices.size(), kNoIndex);
+    merged.resize(host_.face_vertices().size(), kNoIndex);
     for (const Index number : of_part) {
       merged.push_back(number == kNoIndex ? kNoIndex : static_cast<Index>(offset) + number);
     }
-    merged.resize(host_.face_vertices.size() + part_.face_vertices.size(), kNoIndex);
+    merged.resize(host_.face_vertices().size() + part_.face_vertices().size(), kNoIndex);
     return merged;
   }
 
   // Of what is per corner already, the entry of a corner of one of the meshes.
   Index at(const std::vector<Index>& merged, bool on_part, Index corner) const {
-    return merged[(on_part ? host_.face_vertices.size() : 0) + corner];
+    return merged[(on_part ? host_.face_vertices().size() : 0) + corner];
   }
 
   void merge_uvs() {
-    const MeshAttributes& a = host_.attributes;
-    const MeshAttributes& b = part_.attributes;
+    const MeshAttributes& a = host_.attributes();
+    const MeshAttributes& b = part_.attributes();
     result_.uvs = a.uvs;
     result_.uvs.insert(result_.uvs.end(), b.uvs.begin(), b.uvs.end());
     if (!note_one_sided(!a.corner_uvs.empty(), !b.corner_uvs.empty(), "texture coordinates",
@@ -211,8 +211,8 @@ class Merger {
   }
 
   void merge_normals() {
-    const MeshAttributes& a = host_.attributes;
-    const MeshAttributes& b = part_.attributes;
+    const MeshAttributes& a = host_.attributes();
+    const MeshAttributes& b = part_.attributes();
     const bool per_corner_somewhere =
         (has_normals(a) && !a.has_vertex_normals) || (has_normals(b) && !b.has_vertex_normals);
     if (!note_one_sided(
@@ -232,14 +232,14 @@ class Merger {
 
   void merge_corner_normals() {
     const auto corners = [](const Mesh& mesh) {
-      return mesh.attributes.has_vertex_normals ? mesh.face_vertices
-                                                : mesh.attributes.corner_normals;
+      return mesh.attributes().has_vertex_normals ? mesh.face_vertices()
+                                                  : mesh.attributes().corner_normals;
     };
-    result_.normals = host_.attributes.normals;
-    result_.normals.insert(result_.normals.end(), part_.attributes.normals.begin(),
-                           part_.attributes.normals.end());
+    result_.normals = host_.attributes().normals;
+    result_.normals.insert(result_.normals.end(), part_.attributes().normals.begin(),
+                           part_.attributes().normals.end());
     std::vector<Index>& merged = result_.corner_normals;
-    merged = per_corner(corners(host_), corners(part_), host_.attributes.normals.size());
+    merged = per_corner(corners(host_), corners(part_), host_.attributes().normals.size());
     for (const StripSource& source : plan_.strip) {
       const Index first = at(merged, source.on_part, source.corners[0]);
       const Index second = at(merged, source.on_part, source.corners[1]);
@@ -250,10 +250,10 @@ class Merger {
 
   void merge_extras() {
     result_.vertex_extras = merged_extras(
-        host_.attributes.vertex_extras, part_.attributes.vertex_extras, "vertex property",
+        host_.attributes().vertex_extras, part_.attributes().vertex_extras, "vertex property",
         [this](const auto& a, const auto& b, std::size_t n) { return per_vertex(a, b, 0.0, n); });
     result_.face_extras = merged_extras(
-        host_.attributes.face_extras, part_.attributes.face_extras, "face property",
+        host_.attributes().face_extras, part_.attributes().face_extras, "face property",
         [this](const auto& a, const auto& b, std::size_t n) { return per_face(a, b, 0.0, n); });
   }
 
@@ -288,7 +288,7 @@ class Merger {
   }
 
   void note_uneditable(const Mesh& mesh, const std::string& whose) {
-    for (const std::string& what : mesh.attributes.uneditable) {
+    for (const std::string& what : mesh.attributes().uneditable) {
       notes_.push_back("left out of the " + whose + ": " + what);
     }
   }

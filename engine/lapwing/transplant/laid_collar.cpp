@@ -186,7 +186,7 @@ LaidCollar lay_collar(const Collar& collar, std::span<const Vector3d> positions,
   for (const Triangle& corners : cut_open(own, path, first)) sheet.add_face(corners);
   VertexSet all(sheet.vertex_count());
   std::iota(all.begin(), all.end(), Index{0});
-  laid.patch = disk_patch(all, build_topology(sheet), sheet.positions, where);
+  laid.patch = disk_patch(all, sheet.topology(), sheet.positions, where);
   const auto last = first + static_cast<Index>(path.size()) - 1;
   const BoundaryPins pins{path.front(), first, last, path.back()};
   laid.map = mean_value_map(laid.patch, on_patch<Vector3d>(laid.patch, sheet.positions),

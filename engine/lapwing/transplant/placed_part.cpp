@@ -41,7 +41,7 @@ std::string loops_in_words(const std::vector<BoundaryLoop>& loops) {
 // Which loop of the part is sewn on.
 BoundaryLoop choose_loop(const TransplantRequest& request, const Mesh& part,
                          const std::string& name) {
-  const Topology topology = build_topology(part);
+  const Topology& topology = part.topology();
   const auto loops = boundary_loops(topology.triangles, name);
   if (loops.empty()) {
     throw InputError(name +
@@ -63,7 +63,7 @@ BoundaryLoop choose_loop(const TransplantRequest& request, const Mesh& part,
 // The volume behind the surface, its loop closed by a fan: below 0 for one that is inside out.
 double volume(const Mesh& part, const Vector3d& center) {
   double sum = 0.0;
-  for (const Triangle& t : build_topology(part).triangles) {
+  for (const Triangle& t : part.topology().triangles) {
     sum += (part.positions[t[0]] - center)
                .dot((part.positions[t[1]] - center).cross(part.positions[t[2]] - center));
   }
@@ -88,7 +88,7 @@ PlacedPart cut_part(const TransplantRequest& request, const Mesh& source) {
   PlacedPart part;
   const std::string where = request.where + "/part";
   if (request.part_region) {
-    const VertexSet region = resolve(*request.part_region, source, build_topology(source));
+    const VertexSet region = resolve(*request.part_region, source);
     part.mesh = cut_out(source, region, request.part_region->where).mesh;
   } else {
     part.mesh = source;
@@ -134,10 +134,11 @@ VertexSet without_other_side(const BoundaryLoop& loop, const CutPiece& rest,
 
 }  // namespace
 
-Hole cut_hole(const RegionSpec& region, const Mesh& mesh, const Topology& topology) {
+Hole cut_hole(const RegionSpec& region, const Mesh& mesh) {
+  const Topology& topology = mesh.topology();
   Hole hole;
   const std::string& where = region.where;
-  const VertexSet vertices = resolve(region, mesh, topology);
+  const VertexSet vertices = resolve(region, mesh);
   hole.rest = cut_away(mesh, vertices, where);
   const std::vector<char> inside = vertex_mask(mesh.vertex_count(), vertices);
   for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
@@ -169,7 +170,7 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh, const Topology& topolo
 }
 
 PlacedPart place_part(const TransplantRequest& request, const Mesh& source, const Mesh& mesh,
-                      const Topology& topology, const Hole& hole) {
+                      const Hole& hole) {
   PlacedPart part = cut_part(request, source);
   const std::string where = request.where + "/part";
   if (is_inside_out(part, where)) turn(part);
@@ -180,7 +181,7 @@ PlacedPart place_part(const TransplantRequest& request, const Mesh& source, cons
   } else {
     part.motion = to_affine(std::get<Move>(request.place), mean(loop_points));
     if (request.snap) {
-      const SurfaceSnap surface(topology.triangles, mesh.positions, request.where);
+      const SurfaceSnap surface(mesh.topology().triangles, mesh.positions, request.where);
       part.motion = surface.snap(part.motion, loop_points, request.where + "/place");
     }
   }

@@ -21,7 +21,7 @@ struct Hole {
 
 /// Cuts `region` from `mesh`. Throws InputError, naming the region, when it holds no whole face or
 /// all of them, when its boundary is not one loop, and when it reaches the mesh's own boundary.
-Hole cut_hole(const RegionSpec& region, const Mesh& mesh, const Topology& topology);
+Hole cut_hole(const RegionSpec& region, const Mesh& mesh);
 
 /// A part where it belongs.
 struct PlacedPart {
@@ -35,6 +35,6 @@ struct PlacedPart {
 /// Cuts, turns and places the part of `request`, from `source`. Throws InputError, naming the part:
 /// one without boundary loop or without the one that is wanted, a place that flattens it.
 PlacedPart place_part(const TransplantRequest& request, const Mesh& source, const Mesh& mesh,
-                      const Topology& topology, const Hole& hole);
+                      const Hole& hole);
 
 }  // namespace lapwing

@@ -29,13 +29,12 @@ namespace {
 using Eigen::Vector3d;
 
 ZipLoop zip_loop_of(const Mesh& mesh, const BoundaryLoop& loop) {
-  return zip_loop(build_topology(mesh).triangles, mesh.positions, loop);
+  return zip_loop(mesh.topology().triangles, mesh.positions, loop);
 }
 
 // The joined mesh on its way to the seam's reconstruction.
 struct Assembly {
   Mesh mesh;
-  Topology topology;
   Positions geometry;                // smooth around the seam
   std::vector<Index> host_vertices;  // per vertex: its number in the host, or kNoIndex
   std::vector<double> depths;        // per vertex: from the part's loop, 0 off the part
@@ -46,12 +45,10 @@ struct Assembly {
 // One transplant on its way.
 class TransplantRun {
  public:
-  TransplantRun(const Mesh& host, const Topology& topology, const Mesh& part,
-                const std::string& part_name, const TransplantRequest& request, Kernels& kernels,
-                const Progress& progress)
+  TransplantRun(const Mesh& host, const Mesh& part, const std::string& part_name,
+                const TransplantRequest& request, Kernels& kernels, const Progress& progress)
       : request_(request),
         host_mesh_(host),
-        host_topology_(topology),
         part_(part),
         part_name_(part_name),
         kernels_(kernels),
@@ -78,7 +75,6 @@ class TransplantRun {
 
   const TransplantRequest& request_;
   const Mesh& host_mesh_;
-  const Topology& host_topology_;
   const Mesh& part_;
   const std::string& part_name_;
   Kernels& kernels_;
@@ -94,8 +90,8 @@ void TransplantRun::assemble() {
   TransplantReport& report = result_.report;
   PlacedPart part;
   timed("part", [&] {
-    hole_ = cut_hole(request_.target_region, host_mesh_, host_topology_);
-    part = place_part(request_, part_, host_mesh_, host_topology_, hole_);
+    hole_ = cut_hole(request_.target_region, host_mesh_);
+    part = place_part(request_, part_, host_mesh_, hole_);
   });
   for (std::string& note : part.notes) result_.warnings.push_back(std::move(note));
   timed("zip", [&] {
@@ -107,7 +103,6 @@ void TransplantRun::assemble() {
       result_.warnings.push_back(request_.where + ": " + note);
     }
     joined_.mesh = std::move(joined.mesh);
-    joined_.topology = build_topology(joined_.mesh);
     joined_.host_vertices.assign(joined_.mesh.vertex_count(), kNoIndex);
     for (Index v = 0; v < hole_.rest.vertices.size(); ++v) {
       joined_.host_vertices[v] = hole_.rest.vertices[v];
@@ -129,8 +124,7 @@ void TransplantRun::assemble() {
 // On the part as it was placed, so that the strip does not count.
 void TransplantRun::measure_depths(const std::vector<Index>& part_vertices,
                                    const PlacedPart& part) {
-  const auto distances =
-      geodesic_distances(build_topology(part.mesh), part.mesh.positions, part.loop);
+  const auto distances = geodesic_distances(part.mesh.topology(), part.mesh.positions, part.loop);
   joined_.depths.assign(joined_.mesh.vertex_count(), 0.0);
   for (std::size_t v = 0; v < distances.size(); ++v) {
     joined_.depths[part_vertices[v]] = distances[v];
@@ -147,7 +141,7 @@ TransplantOptions TransplantRun::options() {
   options.sampling = parameters.sampling;
   options.transition =
       parameters.transition.value_or(Transition{0.5 * hole_radius_, Transition::Profile::smooth});
-  const double edge = mean_edge_length(joined_.topology.rings, joined_.mesh.positions);
+  const double edge = mean_edge_length(joined_.mesh.topology().rings, joined_.mesh.positions);
   const double width = std::max(options.transition.width, edge);
   options.padding = parameters.padding.value_or(0.5 * width);
   options.belt = parameters.belt.value_or(std::max(0.25 * width, 1.5 * edge));
@@ -173,14 +167,14 @@ TransplantOptions TransplantRun::options() {
 void TransplantRun::remesh() {
   if (request_.parameters.remesh == Remeshing::none) return;
   const double width = result_.report.transition_width;
-  const SeamLengths lengths(joined_.geometry, joined_.topology, joined_.host_vertices,
+  const SeamLengths lengths(joined_.geometry, joined_.mesh.topology(), joined_.host_vertices,
                             joined_.depths, width);
   if (even_strip_ && !lengths.asks_for_remeshing()) return;
   timed("remesh", [&] {
     // The smooth surface is cut anew, and keeps in mind where it was on the joined one.
     Mesh smooth = joined_.mesh;
     smooth.positions = joined_.geometry;
-    auto& extras = smooth.attributes.vertex_extras;
+    auto& extras = smooth.edit_attributes().vertex_extras;
     extras.push_back({"depth", "double", 1, joined_.depths});
     extras.push_back({"place", "double", 3, {}});
     for (const Vector3d& p : joined_.mesh.positions) {
@@ -203,9 +197,8 @@ void TransplantRun::take_over(RemeshResult& remeshed) {
   }
   joined_.host_vertices = std::move(host_vertices);
   joined_.mesh = std::move(remeshed.mesh);
-  joined_.topology = build_topology(joined_.mesh);
   joined_.geometry = joined_.mesh.positions;
-  auto& extras = joined_.mesh.attributes.vertex_extras;
+  auto& extras = joined_.mesh.edit_attributes().vertex_extras;
   for (std::size_t v = 0; v < joined_.mesh.vertex_count(); ++v) {
     joined_.mesh.positions[v] = Vector3d(extras.back().values.data() + 3 * v);
   }
@@ -232,13 +225,18 @@ void TransplantRun::require_valid(const TransplantResult& seam) const {
 }
 
 TransplantHost TransplantRun::host() const {
-  return {host_mesh_.positions, host_topology_, hole_.triangles, hole_.loop};
+  return {host_mesh_.positions, host_mesh_.topology(), hole_.triangles, hole_.loop};
 }
 
 // Joined and remeshed, the host's faces come first.
 TransplantJoined TransplantRun::joined() const {
-  return {joined_.mesh.positions,       joined_.topology, joined_.geometry, joined_.host_vertices,
-          hole_.rest.mesh.face_count(), joined_.depths,   joined_.gap};
+  return {joined_.mesh.positions,
+          joined_.mesh.topology(),
+          joined_.geometry,
+          joined_.host_vertices,
+          hole_.rest.mesh.face_count(),
+          joined_.depths,
+          joined_.gap};
 }
 
 void TransplantRun::reconstruct() {
@@ -270,7 +268,7 @@ double TransplantRun::seam_degrees(const Positions& positions) const {
     return host != kNoIndex && on_rim[host] != 0;
   };
   std::vector<double> degrees;
-  const auto& triangles = joined_.topology.triangles;
+  const auto& triangles = joined_.mesh.topology().triangles;
   const auto normal = [&](Index t) {
     const auto& [a, b, c] = triangles[t];
     return (positions[b] - positions[a]).cross(positions[c] - positions[a]).stableNormalized();
@@ -309,7 +307,6 @@ void TransplantRun::hand_over(TransplantResult seam) {
   result_.host_vertices = std::move(joined_.host_vertices);
   result_.mesh = std::move(joined_.mesh);
   result_.placed = std::exchange(result_.mesh.positions, std::move(seam.positions));
-  result_.topology = std::move(joined_.topology);
 }
 
 Transplanted TransplantRun::run() {
@@ -320,15 +317,15 @@ Transplanted TransplantRun::run() {
 
 }  // namespace
 
-Transplanted transplant(const Mesh& host, const Topology& topology, const Mesh& part,
-                        const std::string& part_name, const TransplantRequest& request,
-                        Kernels& kernels, const Progress& progress) {
-  return TransplantRun{host, topology, part, part_name, request, kernels, progress}.run();
+Transplanted transplant(const Mesh& host, const Mesh& part, const std::string& part_name,
+                        const TransplantRequest& request, Kernels& kernels,
+                        const Progress& progress) {
+  return TransplantRun{host, part, part_name, request, kernels, progress}.run();
 }
 
 Transplanted transplant(const Mesh& host, const Mesh& part, const TransplantRequest& request) {
   CpuKernels kernels;
-  return transplant(host, build_topology(host), part, "part", request, kernels);
+  return transplant(host, part, "part", request, kernels);
 }
 
 }  // namespace lapwing

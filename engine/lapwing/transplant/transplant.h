@@ -41,7 +41,6 @@ struct TransplantReport {
 /// What `transplant` makes of two meshes.
 struct Transplanted {
   Mesh mesh;  ///< the joined one: the host's vertices and faces first, in their order
-  Topology topology;
   TransplantReport report;
   std::vector<std::string> warnings;  ///< for a person, in the order of the work
   VertexSet region;                   ///< around the seam, what was reconstructed
@@ -58,8 +57,8 @@ Transplanted transplant(const Mesh& host, const Mesh& part, const TransplantRequ
 
 /// The same on any device; `topology` is that of `host`, and `part_name` names the group of the
 /// part's faces. Stages "part", "zip", "smooth", "remesh", and those of `reconstruct_seam`.
-Transplanted transplant(const Mesh& host, const Topology& topology, const Mesh& part,
-                        const std::string& part_name, const TransplantRequest& request,
-                        Kernels& kernels, const Progress& progress = {});
+Transplanted transplant(const Mesh& host, const Mesh& part, const std::string& part_name,
+                        const TransplantRequest& request, Kernels& kernels,
+                        const Progress& progress = {});
 
 }  // namespace lapwing

@@ -32,10 +32,10 @@ using DeformationBy =
     CGAL::Surface_mesh_deformation<SurfaceMesh, CGAL::Default, CGAL::Default, kTag, CGAL::Default,
                                    CGAL::Default, CountingRotations>;
 
-SurfaceMesh as_surface_mesh(const Mesh& mesh, const Topology& topology) {
+SurfaceMesh as_surface_mesh(const Mesh& mesh) {
   SurfaceMesh surface;
   for (const Eigen::Vector3d& p : mesh.positions) surface.add_vertex({p.x(), p.y(), p.z()});
-  for (const Triangle& t : topology.triangles) {
+  for (const Triangle& t : mesh.topology().triangles) {
     const auto face = surface.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
     if (face == SurfaceMesh::null_face()) throw InputError("not a manifold");
   }
@@ -46,8 +46,8 @@ SurfaceMesh as_surface_mesh(const Mesh& mesh, const Topology& topology) {
 }  // namespace
 
 struct CgalArap::State {
-  State(const Mesh& mesh, const Topology& topology, const EditRegion& edit_region)
-      : rest(mesh.positions), region(edit_region), surface(as_surface_mesh(mesh, topology)) {}
+  State(const Mesh& mesh, const EditRegion& edit_region)
+      : rest(mesh.positions), region(edit_region), surface(as_surface_mesh(mesh)) {}
   virtual ~State() = default;
   virtual void prepare() = 0;
   virtual void reset() = 0;
@@ -84,17 +84,16 @@ struct CgalArap::StateOf final : CgalArap::State {
   std::optional<Deformation> deformation;
 };
 
-CgalArap::CgalArap(const Mesh& mesh, const Topology& topology, const EditRegion& region,
-                   ArapVariant variant) {
+CgalArap::CgalArap(const Mesh& mesh, const EditRegion& region, ArapVariant variant) {
   switch (variant) {
     case ArapVariant::spokes_and_rims:
-      state_ = std::make_unique<StateOf<CGAL::SPOKES_AND_RIMS>>(mesh, topology, region);
+      state_ = std::make_unique<StateOf<CGAL::SPOKES_AND_RIMS>>(mesh, region);
       break;
     case ArapVariant::original:
-      state_ = std::make_unique<StateOf<CGAL::ORIGINAL_ARAP>>(mesh, topology, region);
+      state_ = std::make_unique<StateOf<CGAL::ORIGINAL_ARAP>>(mesh, region);
       break;
     case ArapVariant::smooth_rotations:
-      state_ = std::make_unique<StateOf<CGAL::SRE_ARAP>>(mesh, topology, region);
+      state_ = std::make_unique<StateOf<CGAL::SRE_ARAP>>(mesh, region);
       break;
   }
 }
@@ -133,10 +132,10 @@ Positions CgalArap::positions() const {
   return positions;
 }
 
-ArapResult deform_by_cgal_arap(const Mesh& mesh, const Topology& topology, const EditRegion& region,
+ArapResult deform_by_cgal_arap(const Mesh& mesh, const EditRegion& region,
                                std::span<const Eigen::Affine3d> motions, ArapVariant variant,
                                int max_iterations, int repeats) {
-  CgalArap arap(mesh, topology, region, variant);
+  CgalArap arap(mesh, region, variant);
   arap.prepare();
   ArapResult result;
   result.frame = measure(repeats, [&] {

@@ -20,7 +20,7 @@ enum class ArapVariant { spokes_and_rims, original, smooth_rotations };
 class CgalArap {
  public:
   /// Throws InputError unless the triangles are a manifold, turned one way.
-  CgalArap(const Mesh& mesh, const Topology& topology, const EditRegion& region,
+  CgalArap(const Mesh& mesh, const EditRegion& region,
            ArapVariant variant = ArapVariant::spokes_and_rims);
   ~CgalArap();
 
@@ -52,7 +52,7 @@ struct ArapResult {
 };
 
 /// Deforms from rest, up to `max_iterations`, with CGAL's default tolerance.
-ArapResult deform_by_cgal_arap(const Mesh& mesh, const Topology& topology, const EditRegion& region,
+ArapResult deform_by_cgal_arap(const Mesh& mesh, const EditRegion& region,
                                std::span<const Eigen::Affine3d> motions, ArapVariant variant,
                                int max_iterations, int repeats);
 

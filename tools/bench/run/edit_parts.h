@@ -19,19 +19,19 @@ inline constexpr std::size_t kResponseColumns = 12;
 /// weight 1 and uniform Laplacian weights.
 struct EditParts {
   explicit EditParts(const Subject& subject)
-      : constraints(constraints_of(subject.region, subject.topology, 1.0, false)),
-        pattern(std::make_unique<SystemPattern>(subject.topology, subject.region.roi,
+      : constraints(constraints_of(subject.region, subject.mesh.topology(), 1.0, false)),
+        pattern(std::make_unique<SystemPattern>(subject.mesh.topology(), subject.region.roi,
                                                 constraints.unknowns)),
-        weights(laplacian_weights(subject.topology, subject.mesh.positions,
+        weights(laplacian_weights(subject.mesh.topology(), subject.mesh.positions,
                                   LaplacianWeights::uniform)) {}
 
   RingProblem ring_problem(const Subject& subject) const {
-    return {subject.mesh.positions, subject.topology.rings, weights, subject.region.roi};
+    return {subject.mesh.positions, subject.mesh.topology().rings, weights, subject.region.roi};
   }
   LaplacianSystem laplacian_system(const Subject& subject) const {
     StageTimings timings;
     return {subject.mesh.positions,
-            subject.topology,
+            subject.mesh.topology(),
             subject.region.roi,
             constraints,
             *pattern,

@@ -75,7 +75,7 @@ void measure_arap(BenchRun& run, const Subject& subject) {
                       run.wants("settle iteration", kArap, kProcessor, subject) ||
                       run.wants("settle frame", kArap, kProcessor, subject);
   if (!wanted) return;
-  CgalArap arap(subject.mesh, subject.topology, subject.region);
+  CgalArap arap(subject.mesh, subject.region);
   if (run.measure("preparation", kArap, subject, [&] { arap.prepare(); }) == nullptr) {
     arap.prepare();
   }

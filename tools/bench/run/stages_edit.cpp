@@ -41,11 +41,12 @@ std::uint64_t blend_bytes(const Subject& subject, bool on_device) {
 std::uint64_t normals_bytes(const Subject& subject, bool on_device) {
   const std::uint64_t n = subject.vertices();
   const std::uint64_t vector = on_device ? 4 * sizeof(float) : 3 * sizeof(double);
-  const std::uint64_t corners = subject.topology.vertex_triangles.values.size();
+  const std::uint64_t corners = subject.mesh.topology().vertex_triangles.values.size();
   // The device reads fans; the processor each triangle, and which are around a vertex.
   const std::uint64_t triangles =
-      on_device ? sizeof(Index) * (corners + n)
-                : sizeof(Index) * corners + sizeof(Triangle) * subject.topology.triangles.size();
+      on_device
+          ? sizeof(Index) * (corners + n)
+          : sizeof(Index) * corners + sizeof(Triangle) * subject.mesh.topology().triangles.size();
   return triangles + n * (2 * sizeof(Index) + 2 * vector);
 }
 
@@ -70,7 +71,7 @@ void measure_shader_frame(BenchRun& run, const Subject& subject, const BenchDevi
   std::vector<double> basis(3 * moving.size() * kMotionParameters, 0.0);
   for (std::size_t i = 0; i < basis.size(); ++i) basis[i] = 1e-3 * static_cast<double>(i % 97);
   const auto surface = staged.kernels->make_surface(
-      {subject.mesh.positions, subject.topology, moving, basis, kMotionParameters});
+      {subject.mesh.positions, subject.mesh.topology(), moving, basis, kMotionParameters});
   std::vector<double> parameters(kMotionParameters, 1e-3);
   const auto frame = [&] { surface->blend(parameters); };
   if (measure_frame(run, subject, staged, "shader frame", frame) == nullptr) return;
@@ -86,7 +87,7 @@ void measure_preview(BenchRun& run, const Subject& subject, const BenchDevice& d
   MovingHandle handle(subject);
   std::unique_ptr<DragPreview> preview;
   const auto make = [&] {
-    preview = std::make_unique<DragPreview>(subject.mesh.positions, subject.topology,
+    preview = std::make_unique<DragPreview>(subject.mesh.positions, subject.mesh.topology(),
                                             subject.region, options, *device.kernels);
     preview->drag(handle.next());
   };
@@ -122,8 +123,8 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
   MovingHandle handle(subject);
   std::unique_ptr<Deformer> deformer;
   const auto make = [&] {
-    deformer = std::make_unique<Deformer>(subject.mesh.positions, subject.topology, subject.region,
-                                          options, *device.kernels);
+    deformer = std::make_unique<Deformer>(subject.mesh.positions, subject.mesh.topology(),
+                                          subject.region, options, *device.kernels);
   };
   run.measure("preparation", kLapwing, device, subject, make, [&] { deformer.reset(); });
   if (!frames) return;
@@ -162,7 +163,7 @@ void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& dev
   constexpr std::size_t kMostForAgain = 120'000;
   if (subject.vertices() > kMostForAgain) return;
   if (!run.wants(stage, kLapwing, device.name, subject)) return;
-  PreparedRegion prepared(subject.topology);
+  PreparedRegion prepared(subject.mesh.topology());
   std::unique_ptr<Deformer> first;
   std::unique_ptr<Deformer> again;
   run.measure(

@@ -73,7 +73,6 @@ void measure_step(BenchRun& run, const Subject& subject, const std::string& stag
         [&] {
           result = {};
           result.mesh = subject.mesh;
-          result.topology = subject.topology;
           result.original = result.mesh.positions;
         });
   }

@@ -36,7 +36,7 @@ void measure_reading(BenchRun& run, const Subject& subject, const std::string& s
   // As generated: a mesh read from a file is written back as that file.
   Mesh mesh;
   mesh.positions = subject.mesh.positions;
-  for (const Triangle& t : subject.topology.triangles) mesh.add_face(t);
+  for (const Triangle& t : subject.mesh.topology().triangles) mesh.add_face(t);
   const TemporaryMesh file(mesh, extension);
   Measurement* const row = run.measure(stage, kLapwing, subject, [&] { read_mesh(file.path()); });
   row->counts["file bytes"] = std::filesystem::file_size(file.path());
@@ -48,7 +48,7 @@ void measure_mesh_stages(BenchRun& run, const Subject& subject) {
   measure_reading(run, subject, "read OBJ", ".obj");
   measure_reading(run, subject, "read PLY", ".ply");
   run.measure("topology", kLapwing, subject, [&] { build_topology(subject.mesh); });
-  run.measure("check", kLapwing, subject, [&] { check(subject.mesh, subject.topology); });
+  run.measure("check", kLapwing, subject, [&] { check(subject.mesh); });
 }
 
 }  // namespace lapwing::bench

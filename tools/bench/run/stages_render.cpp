@@ -25,7 +25,7 @@ void measure_render(BenchRun& run, const Subject& subject) {
     const BenchDevice device = open_bench_device(kept.name);
     // At rest: a picture costs the same wherever the vertices are.
     const auto made =
-        device.kernels->make_surface({subject.mesh.positions, subject.topology, {}, {}, 0});
+        device.kernels->make_surface({subject.mesh.positions, subject.mesh.topology(), {}, {}, 0});
     const auto& surface = dynamic_cast<const VulkanSurface&>(*made);
     SurfacePaint paint(surface);
     paint.set_classes(vertex_classes(subject.region, subject.vertices()));

@@ -32,7 +32,7 @@ void measure_assembly(BenchRun& run, const Subject& subject, const EditParts& pa
   for (const BenchDevice& device : run.devices()) {
     const bool float64 = device.kernels->device().float64;
     const std::size_t real = float64 ? sizeof(double) : sizeof(float);
-    const std::size_t entries = subject.topology.rings.values.size();
+    const std::size_t entries = subject.mesh.topology().rings.values.size();
     const std::size_t n = subject.vertices();
     // Positions, rings and weights come in once, nine numbers a block go out.
     const std::uint64_t bytes =
@@ -98,13 +98,13 @@ void measure_coupled(BenchRun& run, const Subject& subject, const EditParts& par
 void measure_solver_stages(BenchRun& run, const Subject& subject) {
   EditParts parts(subject);
   run.measure("pattern", kLapwing, subject, [&] {
-    SystemPattern(subject.topology, subject.region.roi, parts.constraints.unknowns);
+    SystemPattern(subject.mesh.topology(), subject.region.roi, parts.constraints.unknowns);
   });
   std::vector<int> order;
   run.measure("order", kLapwing, subject,
               [&] { order = fill_reducing_order(parts.pattern->blocks()); });
   run.measure("laplacian weights", kLapwing, subject, [&] {
-    laplacian_weights(subject.topology, subject.mesh.positions, LaplacianWeights::uniform);
+    laplacian_weights(subject.mesh.topology(), subject.mesh.positions, LaplacianWeights::uniform);
   });
   parts.pattern->order();
   run.measure("laplacian", kLapwing, subject, [&] { parts.laplacian_system(subject); });

@@ -80,7 +80,7 @@ Subject SubjectSource::load() const {
   Subject subject;
   subject.name = name;
   subject.mesh = make();
-  subject.topology = build_topology(subject.mesh);
+  subject.mesh.topology();  // once for all stages
   subject.region = whole_mesh_region(subject.mesh);
   subject.diagonal = bounds_of(subject.mesh.positions).diagonal();
   subject.has_relief = name == kHills;

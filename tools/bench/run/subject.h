@@ -18,7 +18,6 @@ namespace lapwing::bench {
 struct Subject {
   std::string name;
   Mesh mesh;
-  Topology topology;
   EditRegion region;
   double diagonal = 0.0;    ///< of the bounding box
   bool has_relief = false;  ///< a sheet of `hills`, on which patches can be chosen by number

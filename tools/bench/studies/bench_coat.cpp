@@ -29,7 +29,6 @@ using Eigen::Vector3d;
 // A patch on a mesh of its own or, for generated ones, on the one mesh that holds both.
 struct Side {
   Mesh mesh;
-  Topology topology;
   VertexSet region;
   double edge_length = 0.0;  // mean
 };
@@ -41,7 +40,7 @@ struct Pair {
 
   const Mesh& source_mesh() const { return source_path.empty() ? target.mesh : source.mesh; }
   const Topology& source_topology() const {
-    return source_path.empty() ? target.topology : source.topology;
+    return source_path.empty() ? target.mesh.topology() : source.mesh.topology();
   }
 };
 
@@ -92,10 +91,9 @@ Pair generated_pair(const CoatBench& settings) {
   for (const Vector3d& p : source.positions) {
     mesh.positions.emplace_back(p.x() + 2.0 * across, p.y(), relief(p.x(), p.y()));
   }
-  for (const Triangle& t : build_topology(source).triangles) {
+  for (const Triangle& t : source.topology().triangles) {
     mesh.add_face(std::array{first + t[0], first + t[1], first + t[2]});
   }
-  pair.target.topology = build_topology(mesh);
   pair.target.region = middle(0, across, patch_across);
   pair.source.region = middle(first, across, patch_across);
   pair.source.edge_length = 1.0;
@@ -107,20 +105,19 @@ Pair generated_pair(const CoatBench& settings) {
 Side patch_on(const std::string& path, std::size_t count) {
   Side side;
   side.mesh = read_mesh(path);
-  side.topology = build_topology(side.mesh);
   const Positions& positions = side.mesh.positions;
   const auto highest =
       std::max_element(positions.begin(), positions.end(),
                        [](const Vector3d& a, const Vector3d& b) { return a.y() < b.y(); });
   const std::array center{static_cast<Index>(highest - positions.begin())};
-  const auto distances = geodesic_distances(side.topology, positions, center);
+  const auto distances = geodesic_distances(side.mesh.topology(), positions, center);
   VertexSet nearest(positions.size());
   for (Index v = 0; v < nearest.size(); ++v) nearest[v] = v;
   std::stable_sort(nearest.begin(), nearest.end(),
                    [&](Index a, Index b) { return distances[a] < distances[b]; });
   nearest.resize(std::min(count, nearest.size()));
-  side.region = largest_disk(make_vertex_set(std::move(nearest)), side.topology, positions);
-  side.edge_length = mean_edge_length(side.topology.rings, positions);
+  side.region = largest_disk(make_vertex_set(std::move(nearest)), side.mesh.topology(), positions);
+  side.edge_length = mean_edge_length(side.mesh.topology().rings, positions);
   return side;
 }
 
@@ -160,8 +157,8 @@ class CoatBenchRun {
         detail_(settings.detail_size * pair.source.edge_length),
         source_(disk_patch(pair.source.region, pair.source_topology(), pair.source_mesh().positions,
                            "source")),
-        target_(disk_patch(pair.target.region, pair.target.topology, pair.target.mesh.positions,
-                           "target")) {
+        target_(disk_patch(pair.target.region, pair.target.mesh.topology(),
+                           pair.target.mesh.positions, "target")) {
     coating_ = peeled(*open_device("cpu"), detail_);
     smooth_ = smooth_target();
     laid_ = on_patch<Vector3d>(target_, smooth_);
@@ -185,7 +182,8 @@ class CoatBenchRun {
   }
   Positions smooth_target() const {
     return smooth_around(target_.vertices, target_detail(), pair_.target.mesh.positions,
-                         pair_.target.topology, LaplacianWeights::cotangent, "smooth_target");
+                         pair_.target.mesh.topology(), LaplacianWeights::cotangent,
+                         "smooth_target");
   }
   double target_detail() const { return settings_.detail_size * pair_.target.edge_length; }
   CorrespondenceOptions pairs() const {
@@ -232,7 +230,7 @@ void CoatBenchRun::print_sizes() const {
 
 // What the step is set beside: the target's n x n system, and the two parameterizations.
 void CoatBenchRun::factor_system() const {
-  const Topology& topology = pair_.target.topology;
+  const Topology& topology = pair_.target.mesh.topology();
   EditRegion region;
   region.roi = target_.vertices;
   region.belt = border_of(target_);
@@ -259,15 +257,16 @@ void CoatBenchRun::measure_parts() {
                      "source");
         }));
   print("disk patch of the target", measure(repeats, [&] {
-          disk_patch(pair_.target.region, pair_.target.topology, mesh.positions, "target");
+          disk_patch(pair_.target.region, pair_.target.mesh.topology(), mesh.positions, "target");
         }));
   VertexSet around;
   print("target: grown by the detail size", measure(repeats, [&] {
-          around = grown(target_.vertices, target_detail(), pair_.target.topology, mesh.positions);
+          around = grown(target_.vertices, target_detail(), pair_.target.mesh.topology(),
+                         mesh.positions);
         }));
   std::unique_ptr<Fairing> fairing;
   print("target: fairing analyzed", measure(repeats, [&] {
-          fairing = std::make_unique<Fairing>(mesh.positions, pair_.target.topology, around,
+          fairing = std::make_unique<Fairing>(mesh.positions, pair_.target.mesh.topology(), around,
                                               LaplacianWeights::cotangent);
         }));
   print("target: fairing factored and solved",
@@ -317,8 +316,8 @@ void CoatBenchRun::measure_sliders(Kernels& kernels) {
   CoaterOptions options;
   options.transition = {target_detail()};
   options.hold_length = target_detail();
-  Coater coater({pair_.target.mesh.positions, smooth_}, pair_.target.topology, target_, options,
-                kernels);
+  Coater coater({pair_.target.mesh.positions, smooth_}, pair_.target.mesh.topology(), target_,
+                options, kernels);
   coater.take(coating_, map.points, {});
   double amplitude = 0.5;
   print_heading("sliders");
@@ -351,7 +350,6 @@ void CoatBenchRun::measure_steps(Kernels& kernels, bool smooth_target) {
   for (int run = 0; run <= settings_.repeats; ++run) {
     RunResult result;
     result.mesh = pair_.target.mesh;
-    result.topology = pair_.target.topology;
     result.original = result.mesh.positions;
     const Stopwatch watch;
     const StepReport report = run_step(coat, "", kernels, {}, result);

@@ -99,7 +99,7 @@ class DraggedMesh {
  public:
   explicit DraggedMesh(const FrameBench& settings)
       : mesh_(read_mesh(settings.mesh)),
-        topology_(build_topology(mesh_)),
+        topology_(mesh_.topology()),
         context_(open(settings.device)),
         kernels_(context_, Precision::automatic),
         deformer_(mesh_.positions, topology_, whole_mesh_region(mesh_), {}, kernels_),
@@ -111,7 +111,7 @@ class DraggedMesh {
         diagonal_(bounds_of(mesh_.positions).diagonal()),
         closed_(is_closed_outward(mesh_.positions, topology_.triangles)) {
     painter_.set_fonts();
-    paint_.set_polygons(mesh_, topology_);
+    paint_.set_polygons(mesh_);
     paint_.set_classes(vertex_classes(deformer_.region(), mesh_.vertex_count()));
     scene_.surface = &surface();
     scene_.paint = &paint_;
@@ -148,7 +148,7 @@ class DraggedMesh {
   VulkanSurface& surface() { return dynamic_cast<VulkanSurface&>(deformer_.surface()); }
 
   Mesh mesh_;
-  Topology topology_;
+  const Topology& topology_;
   std::shared_ptr<gpu::Context> context_;
   VulkanKernels kernels_;
   Deformer deformer_;

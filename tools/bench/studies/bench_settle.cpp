@@ -24,7 +24,7 @@ constexpr int kMaxIterations = 200;
 // The project's design notes, section 3: a rippled cylinder, held below z = 0.6, moved above 5.4.
 struct Cylinder {
   Mesh mesh = rippled_cylinder();
-  Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   EditRegion region;
   std::vector<Index> free;
   std::vector<double> weights =
@@ -134,8 +134,8 @@ std::vector<Row> solve_by_cgal([[maybe_unused]] const Cylinder& cylinder,
 #ifdef LAPWING_HAVE_CGAL
   for (const auto& [name, variant] : {std::pair{"CGAL ARAP", ArapVariant::original},
                                       {"CGAL SRE-ARAP", ArapVariant::smooth_rotations}}) {
-    ArapResult result = deform_by_cgal_arap(cylinder.mesh, cylinder.topology, cylinder.region,
-                                            std::array{motion}, variant, kMaxIterations, repeats);
+    ArapResult result = deform_by_cgal_arap(cylinder.mesh, cylinder.region, std::array{motion},
+                                            variant, kMaxIterations, repeats);
     rows.push_back(
         measured(name, cylinder, std::move(result.positions), result.iterations, result.frame));
   }
@@ -146,8 +146,8 @@ std::vector<Row> solve_by_cgal([[maybe_unused]] const Cylinder& cylinder,
 void draw(const Motion& motion, const Cylinder& cylinder, const std::vector<Row>& rows,
           PictureMaker& pictures) {
   for (const Row& row : rows) {
-    pictures.write(std::string(motion.name) + " " + row.name, cylinder.mesh, cylinder.topology,
-                   row.positions, {Vector3d(1.0, -0.3, 0.2), Vector3d::UnitZ()});
+    pictures.write(std::string(motion.name) + " " + row.name, cylinder.mesh, row.positions,
+                   {Vector3d(1.0, -0.3, 0.2), Vector3d::UnitZ()});
   }
 }
 
@@ -185,10 +185,10 @@ Row row_of(const std::string& name, const RunResult& result) {
   const StepReport& step = result.report.steps.at(0);
   const Certificate& c = step.certificate;
   const auto weights =
-      laplacian_weights(result.topology, result.original, LaplacianWeights::uniform);
+      laplacian_weights(result.mesh.topology(), result.original, LaplacianWeights::uniform);
   Row row{name + (c.settled ? "" : ", cut short"),
           c.detail_error,
-          detail_error(result.deformed.last->region().roi, result.topology, weights,
+          detail_error(result.deformed.last->region().roi, result.mesh.topology(), weights,
                        result.original, result.mesh.positions),
           c.edge_stretch,
           c.largest_edge_stretch,
@@ -216,8 +216,7 @@ void bench_classics(Kernels& kernels, const std::filesystem::path& recipes,
     const auto result = run_recipe(recipe, kernels);
     print(row_of(classic.recipe, *result));
     if (pictures == nullptr) continue;
-    pictures->write(classic.recipe, result->mesh, result->topology, result->mesh.positions,
-                    classic.axes);
+    pictures->write(classic.recipe, result->mesh, result->mesh.positions, classic.axes);
   }
 }
 

@@ -15,7 +15,7 @@ namespace lapwing::bench {
 namespace {
 
 BenchSystem make_system(const std::string& name, const Mesh& mesh, std::size_t anchor_step) {
-  const Topology topology = build_topology(mesh);
+  const Topology& topology = mesh.topology();
   const auto weights = laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform);
   std::vector<Index> all(mesh.vertex_count());
   std::iota(all.begin(), all.end(), 0U);

@@ -18,8 +18,8 @@ class PictureMaker {
 
   /// NAME.png: `mesh` with its vertices at `positions`, dashes for the spaces of the name, no
   /// commas.
-  void write(std::string name, const Mesh& mesh, const Topology& topology,
-             std::span<const Eigen::Vector3d> positions, const ViewAxes& axes);
+  void write(std::string name, const Mesh& mesh, std::span<const Eigen::Vector3d> positions,
+             const ViewAxes& axes);
 
  private:
   std::filesystem::path folder_;

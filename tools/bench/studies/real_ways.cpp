@@ -28,7 +28,6 @@ constexpr std::size_t kLeastVertices = 100;
 // One motion of one mesh, ready to be done.
 struct RealEdit {
   const Mesh& mesh;
-  const Topology& topology;
   const std::vector<double>& weights;  // of the detail error
   EditRegion region;
   Affine3d map;
@@ -49,11 +48,11 @@ DeformOptions linear_options() {
 void measure_outcome(const RealEdit& edit, const Positions& positions, RealOutcome& outcome) {
   const Positions& rest = edit.mesh.positions;
   Certificate measures;
-  measure_region(edit.region, edit.topology, edit.weights, rest, positions, measures);
+  measure_region(edit.region, edit.mesh.topology(), edit.weights, rest, positions, measures);
   outcome.flipped_triangles = measures.flipped_triangles;
   outcome.detail_error = measures.detail_error;
   outcome.edge_stretch = measures.edge_stretch;
-  outcome.largest_edge = largest_edge_ratio(edit.region.roi, edit.topology, rest, positions);
+  outcome.largest_edge = largest_edge_ratio(edit.region.roi, edit.mesh.topology(), rest, positions);
   outcome.measured = measures.all_finite && std::isfinite(outcome.detail_error) &&
                      std::isfinite(outcome.edge_stretch) && std::isfinite(outcome.largest_edge);
   if (!outcome.measured) throw SolverError("not finite");
@@ -62,7 +61,7 @@ void measure_outcome(const RealEdit& edit, const Positions& positions, RealOutco
 void deform_by_ours(const RealEdit& edit, const DeformOptions& options, RealOutcome& outcome) {
   CpuKernels kernels;
   const Stopwatch preparing;
-  const Deformer deformer(edit.mesh.positions, edit.topology, edit.region, options, kernels);
+  const Deformer deformer(edit.mesh.positions, edit.mesh.topology(), edit.region, options, kernels);
   outcome.prepare_ms = preparing.elapsed_ms();
   const Stopwatch solving;
   const DeformResult result = deformer.solve(std::array{edit.map});
@@ -76,7 +75,7 @@ void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int 
                     [[maybe_unused]] RealOutcome& outcome) {
 #ifdef LAPWING_HAVE_CGAL
   const Stopwatch preparing;
-  CgalArap arap(edit.mesh, edit.topology, edit.region, ArapVariant::original);
+  CgalArap arap(edit.mesh, edit.region, ArapVariant::original);
   arap.prepare();
   outcome.prepare_ms = preparing.elapsed_ms();
   const Stopwatch solving;
@@ -102,9 +101,9 @@ void try_to(const Work& work, RealOutcome& outcome) {
 }
 
 // Why a mesh is no subject of the study; empty if it is.
-std::string why_passed_over(const Mesh& mesh, const Topology& topology, std::size_t most_vertices) {
+std::string why_passed_over(const Mesh& mesh, std::size_t most_vertices) {
   const std::size_t n = mesh.vertex_count();
-  if (topology.triangles.empty()) return "no triangles";
+  if (mesh.topology().triangles.empty()) return "no triangles";
   if (n < kLeastVertices) return "fewer than " + grouped(kLeastVertices) + " vertices";
   if (most_vertices > 0 && n > most_vertices)
     return "more than " + grouped(most_vertices) + " vertices";
@@ -116,9 +115,9 @@ struct ReadyEdit {
   RealEdit edit;
   std::size_t run;
 };
-std::vector<ReadyEdit> ready_edits(const Mesh& mesh, const Topology& topology,
-                                   const std::vector<double>& weights, const std::string& name,
-                                   RealMesh& all) {
+std::vector<ReadyEdit> ready_edits(const Mesh& mesh, const std::vector<double>& weights,
+                                   const std::string& name, RealMesh& all) {
+  const Topology& topology = mesh.topology();
   std::vector<ReadyEdit> ready;
   for (const EndsMotion motion : kEndsMotions) {
     RealRun& run = all.runs.emplace_back();
@@ -130,8 +129,7 @@ std::vector<ReadyEdit> ready_edits(const Mesh& mesh, const Topology& topology,
       const MovedEnds ends = moved_ends(motion, mesh.positions);
       HeldRegion held = held_region(ends, mesh.positions, topology);
       run.left_out = held.left_out;
-      ready.push_back(
-          {{mesh, topology, weights, std::move(held.region), ends.map}, all.runs.size() - 1});
+      ready.push_back({{mesh, weights, std::move(held.region), ends.map}, all.runs.size() - 1});
     } catch (const InputError& error) {
       run.failure = shortened(error.what());
     }
@@ -150,11 +148,9 @@ void run_real_mesh(const std::filesystem::path& path, const std::string& name,
                    const RealLimits& limits, const std::function<void(const RealMesh&)>& done) {
   RealMesh all;
   Mesh mesh;
-  Topology topology;
   try {
     mesh = read_mesh(path);
-    topology = build_topology(mesh);
-    all.passed_over = why_passed_over(mesh, topology, limits.most_vertices);
+    all.passed_over = why_passed_over(mesh, limits.most_vertices);
   } catch (const Error& error) {
     const std::string message = error.what();
     const std::string place = path.string();
@@ -167,8 +163,8 @@ void run_real_mesh(const std::filesystem::path& path, const std::string& name,
   }
   // The measure's own, whatever weights the engine prefers.
   const std::vector<double> weights =
-      laplacian_weights(topology, mesh.positions, default_options().weights);
-  const std::vector<ReadyEdit> ready = ready_edits(mesh, topology, weights, name, all);
+      laplacian_weights(mesh.topology(), mesh.positions, default_options().weights);
+  const std::vector<ReadyEdit> ready = ready_edits(mesh, weights, name, all);
   done(all);
   for (const auto& [edit, r] : ready) {
     RealRun& run = all.runs[r];
