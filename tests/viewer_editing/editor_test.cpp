@@ -37,9 +37,9 @@ class AnEditor : public ::testing::Test {
     view_.camera = fit(state.rest->positions, {-Vector3d::UnitY(), Vector3d::UnitZ()},
                        kWindow.x() / kWindow.y());
     view_.size = kWindow;
-    kernels_.emplace(std::make_shared<gpu::Context>(), Precision::automatic);
+    context_ = std::make_shared<gpu::Context>();
     editor_.emplace(
-        EditStart{History(state), {state.rest, state.topology}, {}, {}, folder_.path()}, *kernels_,
+        EditStart{History(state), {state.rest, state.topology}, {}, {}, folder_.path()}, context_,
         [](const std::string& said) { EXPECT_EQ(said, ""); },
         [this] {
           if (!by_steps_) return;
@@ -121,7 +121,7 @@ class AnEditor : public ::testing::Test {
   std::atomic<bool> by_steps_ = false;
   std::atomic<bool> waits_ = false;
   std::counting_semaphore<> steps_{0};
-  std::optional<VulkanKernels> kernels_;
+  std::shared_ptr<gpu::Context> context_;
   std::optional<Editor> editor_;
 };
 

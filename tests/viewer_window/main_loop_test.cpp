@@ -215,7 +215,7 @@ class DraggingViewer final : public App {
   }
 
   ViewerApp viewer_;
-  const VulkanSurface* still_ = nullptr;
+  const Surface* still_ = nullptr;
   bool follows_ = false;
   int frames_ = 0;
   int quiet_frames_ = 0;

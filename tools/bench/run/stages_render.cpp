@@ -6,7 +6,7 @@
 #include "lapwing/render/offscreen.h"
 #include "lapwing/render/renderer.h"
 #include "lapwing/render/surface_paint.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 #include "run/stages.h"
 
 namespace lapwing::bench {
@@ -24,9 +24,7 @@ void measure_render(BenchRun& run, const Subject& subject) {
     // Once Mesa's software device has drawn, each of its timestamps takes some microseconds more.
     const BenchDevice device = open_bench_device(kept.name);
     // At rest: a picture costs the same wherever the vertices are.
-    const auto made =
-        device.kernels->make_surface({subject.mesh.positions, subject.topology, {}, {}, 0});
-    const auto& surface = dynamic_cast<const VulkanSurface&>(*made);
+    const Surface surface(device.context, subject.mesh.positions, subject.topology);
     SurfacePaint paint(surface);
     paint.set_classes(vertex_classes(subject.region, subject.vertices()));
     SurfaceStyle style;

@@ -188,7 +188,7 @@ Row row_of(const std::string& name, const RunResult& result) {
       laplacian_weights(result.topology, result.original, LaplacianWeights::uniform);
   Row row{name + (c.settled ? "" : ", cut short"),
           c.detail_error,
-          detail_error(result.deformed.last->region().roi, result.topology, weights,
+          detail_error(result.region.roi, result.topology, weights,
                        result.original, result.mesh.positions),
           c.edge_stretch,
           c.largest_edge_stretch,
@@ -224,7 +224,7 @@ void bench_classics(Kernels& kernels, const std::filesystem::path& recipes,
 }  // namespace
 
 void bench_settle(const SettleBench& settings) {
-  const auto kernels = open_device(settings.device);
+  const auto kernels = open_device(settings.device).kernels;
   std::optional<PictureMaker> pictures;
   if (!settings.pictures.empty()) pictures.emplace(settings.pictures);
   PictureMaker* const maker = pictures ? &*pictures : nullptr;
