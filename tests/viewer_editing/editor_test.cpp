@@ -185,6 +185,29 @@ TEST_F(AnEditor, ResultOnItsWayComesThoughAnotherDragWasGivenUp) {
   EXPECT_GT(head_moved(), 0.2);
 }
 
+TEST_F(AnEditor, UploadsTheMeshOnceAndOfAResultWhatMoves) {
+  // That of the editor has the worker's uploads, too.
+  const auto context = std::make_shared<gpu::Context>();
+  const auto uploaded = [&] { return context->transfers().uploaded; };
+  ShownSurface shown({editor_->state().rest, editor_->state().topology});
+  shown.take(editor_->state());
+  shown.use_device(context);
+  const std::uint64_t opened = uploaded();
+  shown.show_still();
+  EXPECT_EQ(uploaded(), opened);
+
+  turn_and_settle(60.0);
+  shown.take(editor_->state());
+  shown.show_still();
+  const std::vector<Index>& moved = editor_->state().settled->vertices;
+  const std::size_t affected =
+      with_ring_neighbours(moved, editor_->state().topology->rings).size();
+  ASSERT_LT(affected, rest().size());
+  constexpr std::uint64_t kNoParameters = 2 * 16;
+  EXPECT_LE(uploaded() - opened, moved.size() * (16 + 4) + affected * 4 + kNoParameters);
+  EXPECT_GT(uploaded(), opened);
+}
+
 TEST_F(AnEditor, ASettledHandleTakenHoldOfAgainMovesNothing) {
   turn_and_settle(80.0);
   const Positions before = on_screen();
