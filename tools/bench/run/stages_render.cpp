@@ -20,9 +20,15 @@ constexpr std::uint32_t kHeight = 800;
 void measure_render(BenchRun& run, const Subject& subject) {
   for (const BenchDevice& kept : run.devices()) {
     if (kept.context == nullptr || !kept.context->has_graphics()) continue;
-    if (!run.wants("render", kLapwing, kept.name, subject)) continue;
+    const bool wanted = run.wants("render", kLapwing, kept.name, subject) ||
+                        run.wants("show mesh", kLapwing, kept.name, subject);
+    if (!wanted) continue;
     // Once Mesa's software device has drawn, each of its timestamps takes some microseconds more.
     const BenchDevice device = open_bench_device(kept.name);
+    run.measure("show mesh", kLapwing, device, subject, [&] {
+      Surface shown(device.context, subject.mesh.positions, subject.topology);
+      shown.place(subject.mesh.positions);
+    });
     // At rest: a picture costs the same wherever the vertices are.
     const Surface surface(device.context, subject.mesh.positions, subject.topology);
     SurfacePaint paint(surface);
