@@ -188,14 +188,14 @@ class DraggingViewer final : public App {
 
   Scene scene() override {
     const Scene scene = viewer_.scene();
-    if (still_ == nullptr) still_ = scene.surface;
-    follows_ = scene.surface != still_;
+    is_open_ = scene.surface != nullptr;
     return scene;
   }
 
   void draw_ui(const FrameTimings& last) override {
     Window::wake();
-    if (still_ != nullptr) drag();
+    follows_ = last.blend_ms > 0.0;
+    if (is_open_) drag();
     viewer_.draw_ui(last);
   }
 
@@ -215,7 +215,7 @@ class DraggingViewer final : public App {
   }
 
   ViewerApp viewer_;
-  const Surface* still_ = nullptr;
+  bool is_open_ = false;
   bool follows_ = false;
   int frames_ = 0;
   int quiet_frames_ = 0;
