@@ -20,8 +20,7 @@ class MovedMesh {
       : columns_(columns), rest_(rest), topology_(topology), positions_(rest) {
     if (context == nullptr) return;
     surface_.emplace(context, rest, topology);
-    gpu::Transfer transfer(*context);
-    blend_ = std::make_shared<BlendResponse>(context, transfer, columns, topology);
+    blend_ = upload_response(context, columns, topology);
     surface_->begin(*blend_, rest);
   }
 

@@ -37,9 +37,7 @@ class DeviceTimes : public ::testing::Test {
     std::iota(moving.begin(), moving.end(), 0U);
     const std::vector<double> column(3 * moving.size(), 1.0);
     surface.emplace(context, mesh.positions, topology);
-    gpu::Transfer transfer(*context);
-    blend = std::make_shared<BlendResponse>(context, transfer, ResponseColumns{moving, 1, column},
-                                            topology);
+    blend = upload_response(context, {moving, 1, column}, topology);
     surface->begin(*blend, mesh.positions);
     drag();  // the first one is the slowest
   }

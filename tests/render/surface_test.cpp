@@ -67,9 +67,7 @@ TEST_P(SurfaceUploads, OnlyMovingVerticesWhereADragBegins) {
   std::vector<Index> moving(mesh.vertex_count() / 4);
   std::iota(moving.begin(), moving.end(), 0U);
   const std::vector<double> column(3 * moving.size(), 1.0);
-  gpu::Transfer transfer(*context);
-  const auto blend = std::make_shared<BlendResponse>(context, transfer,
-                                                     ResponseColumns{moving, 1, column}, topology);
+  const auto blend = upload_response(context, {moving, 1, column}, topology);
   Surface surface(context, mesh.positions, topology);
   std::uint64_t before = uploaded();
   const Positions settled(mesh.vertex_count(), {0.5, 0.0, 0.0});
@@ -87,9 +85,7 @@ TEST_P(SurfaceUploads, OnlyMovingVerticesWhereADragBegins) {
 TEST_P(SurfaceUploads, ComesBackFromADrag) {
   const std::vector<Index> moving{5, 6, 7};
   const std::vector<double> column(9, 1.0);
-  gpu::Transfer transfer(*context);
-  const auto blend = std::make_shared<BlendResponse>(context, transfer,
-                                                     ResponseColumns{moving, 1, column}, topology);
+  const auto blend = upload_response(context, {moving, 1, column}, topology);
   Surface surface(context, mesh.positions, topology);
   const Positions places = surface.positions();
   const std::vector<Eigen::Vector3d> normals = surface.normals();
@@ -102,11 +98,9 @@ TEST_P(SurfaceUploads, ComesBackFromADrag) {
 
 // A drag by one response after a drag by another: what only the first moves is at rest.
 TEST_P(SurfaceUploads, DragByAnotherResponseBeginsAtRest) {
-  gpu::Transfer transfer(*context);
   const auto blend_of = [&](const std::vector<Index>& moving) {
     const std::vector<double> column(3 * moving.size(), 1.0);
-    return std::make_shared<BlendResponse>(context, transfer, ResponseColumns{moving, 1, column},
-                                           topology);
+    return upload_response(context, {moving, 1, column}, topology);
   };
   const auto first = blend_of({5, 6, 7});
   const auto second = blend_of({7, 8});

@@ -59,9 +59,7 @@ class DraggedSphere {
         }
       }
     }
-    gpu::Transfer transfer(*context);
-    return std::make_shared<BlendResponse>(context, transfer, ResponseColumns{moving, 12, basis},
-                                           topology_);
+    return upload_response(context, {moving, 12, basis}, topology_);
   }
 
   Mesh mesh_;

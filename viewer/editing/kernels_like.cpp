@@ -11,9 +11,7 @@ std::function<std::unique_ptr<Kernels>()> kernels_like(const std::shared_ptr<gpu
 std::function<std::shared_ptr<BlendResponse>(const DragResponse&)> upload_to(
     const std::shared_ptr<gpu::Context>& context) {
   return [context](const DragResponse& response) {
-    gpu::Transfer transfer(*context);
-    return std::make_shared<BlendResponse>(context, transfer, response.columns(),
-                                           response.topology());
+    return upload_response(context, response.columns(), response.topology());
   };
 }
 

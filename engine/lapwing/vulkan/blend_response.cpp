@@ -38,6 +38,13 @@ gpu::Buffer upload_list(gpu::Context& context, gpu::Transfer& transfer, std::str
 
 }  // namespace
 
+std::shared_ptr<BlendResponse> upload_response(const std::shared_ptr<gpu::Context>& context,
+                                               const ResponseColumns& columns,
+                                               const Topology& topology) {
+  gpu::Transfer transfer(*context);
+  return std::make_shared<BlendResponse>(context, transfer, columns, topology);
+}
+
 BlendResponse::BlendResponse(std::shared_ptr<gpu::Context> context, gpu::Transfer& transfer,
                              const ResponseColumns& columns, const Topology& topology,
                              std::size_t most_bytes)

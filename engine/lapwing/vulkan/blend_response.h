@@ -69,4 +69,9 @@ class BlendResponse {
   std::vector<Range> ranges_;
 };
 
+/// A response on its own way to the device, from any thread.
+std::shared_ptr<BlendResponse> upload_response(const std::shared_ptr<gpu::Context>& context,
+                                               const ResponseColumns& columns,
+                                               const Topology& topology);
+
 }  // namespace lapwing

@@ -44,9 +44,7 @@ class ShownDrag {
       return;
     }
     surface_.emplace(device.context, subject.mesh.positions, subject.topology);
-    gpu::Transfer transfer(*device.context);
-    blend_ = std::make_shared<BlendResponse>(device.context, transfer,
-                                             drag_.response()->columns(), subject.topology);
+    blend_ = upload_response(device.context, drag_.response()->columns(), subject.topology);
     surface_->begin(*blend_, subject.mesh.positions);
   }
 
@@ -112,10 +110,8 @@ void measure_shader_frame(BenchRun& run, const Subject& subject, const BenchDevi
   std::vector<double> numbers(3 * moving.size() * kMotionParameters, 0.0);
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = 1e-3 * static_cast<double>(i % 97);
   Surface surface(staged.context, subject.mesh.positions, subject.topology);
-  gpu::Transfer transfer(*staged.context);
-  const auto blend = std::make_shared<BlendResponse>(
-      staged.context, transfer, ResponseColumns{moving, kMotionParameters, numbers},
-      subject.topology);
+  const auto blend =
+      upload_response(staged.context, {moving, kMotionParameters, numbers}, subject.topology);
   surface.begin(*blend, subject.mesh.positions);
   std::vector<double> parameters(kMotionParameters, 1e-3);
   const auto frame = [&] {

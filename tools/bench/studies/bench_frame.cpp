@@ -105,6 +105,7 @@ class DraggedMesh {
         deformer_(mesh_.positions, topology_, whole_mesh_region(mesh_), {}, kernels_),
         drag_(deformer_.response()),
         surface_(context_, mesh_.positions, topology_),
+        blend_(upload_response(context_, drag_.response()->columns(), topology_)),
         paint_(surface_),
         screen_(*context_),
         painter_(*context_, screen_),
@@ -115,9 +116,6 @@ class DraggedMesh {
     painter_.set_fonts();
     paint_.set_polygons(mesh_, topology_);
     paint_.set_classes(vertex_classes(deformer_.region(), mesh_.vertex_count()));
-    gpu::Transfer transfer(*context_);
-    blend_ = std::make_shared<BlendResponse>(context_, transfer, drag_.response()->columns(),
-                                             topology_);
     surface_.begin(*blend_, mesh_.positions);
     scene_.surface = &surface_;
     scene_.paint = &paint_;
