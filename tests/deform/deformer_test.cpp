@@ -87,9 +87,9 @@ TEST_P(DeformerOptions, DragFollowsTheSolution) {
   CpuKernels kernels;
   const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), GetParam(), kernels);
   const std::array motions{bend()};
-  EXPECT_LT(largest_distance(dragged(deformer.response(), motions),
-                             deformer.solve(motions).positions),
-            1e-9);
+  EXPECT_LT(
+      largest_distance(dragged(deformer.response(), motions), deformer.solve(motions).positions),
+      1e-9);
 }
 
 TEST_P(DeformerOptions, SolvesTheNormalEquations) {
@@ -398,9 +398,9 @@ TEST(Deformer, WithoutMemoryForTheExactSystemItSettlesFromThePreview) {
 
   const std::array motions{bend()};
   const DragPreview preview(mesh.positions, topology, region, options);
-  EXPECT_LT(largest_distance(dragged(deformer.response(), motions),
-                             dragged(preview.response(), motions)),
-            1e-12);
+  EXPECT_LT(
+      largest_distance(dragged(deformer.response(), motions), dragged(preview.response(), motions)),
+      1e-12);
 
   const DeformResult result = deformer.solve(motions);
   EXPECT_TRUE(result.certificate.settled);

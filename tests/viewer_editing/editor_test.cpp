@@ -200,8 +200,7 @@ TEST_F(AnEditor, UploadsTheMeshOnceAndOfAResultWhatMoves) {
   shown.take(editor_->state());
   shown.show_still();
   const std::vector<Index>& moved = editor_->state().settled->vertices;
-  const std::size_t affected =
-      with_ring_neighbours(moved, editor_->state().topology->rings).size();
+  const std::size_t affected = with_ring_neighbours(moved, editor_->state().topology->rings).size();
   ASSERT_LT(affected, rest().size());
   constexpr std::uint64_t kNoParameters = 2 * 16;
   EXPECT_LE(uploaded() - opened, moved.size() * (16 + 4) + affected * 4 + kNoParameters);

@@ -103,8 +103,7 @@ TEST_P(SettleOnDevice, RingsSettleToTheSameShape) {
 }
 
 LAPWING_ON_ALL_TWINS(DeformOnDevice);
-INSTANTIATE_TEST_SUITE_P(Twins, SettleOnDevice,
-                         ::testing::Values(test::kTwins[0], test::kTwins[1]),
+INSTANTIATE_TEST_SUITE_P(Twins, SettleOnDevice, ::testing::Values(test::kTwins[0], test::kTwins[1]),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

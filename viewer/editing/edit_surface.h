@@ -36,9 +36,9 @@ class EditSurface {
   void drag_from(std::shared_ptr<const SettledPose> pose) { pose_ = std::move(pose); }
   const std::shared_ptr<const SettledPose>& pose() const { return pose_; }
 
-  /// Lets the surface follow the handles' motions from its pose on, by the exact response as soon as
-  /// it is ready, until then by the preview. False, and nothing changes, while neither is. Vertices
-  /// are uploaded for the first time from a pose only, and only those that move.
+  /// Lets the surface follow the handles' motions from its pose on, by the exact response as soon
+  /// as it is ready, until then by the preview. False, and nothing changes, while neither is.
+  /// Vertices are uploaded for the first time from a pose only, and only those that move.
   bool drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
 
   /// What to draw.

@@ -34,16 +34,16 @@ bool contains(const VertexSet& vertices, Index vertex) {
 
 }  // namespace
 
-Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say, std::function<void()> wake)
+Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
+               std::function<void()> wake)
     : say_(std::move(say)), shown_(std::move(start.opened)) {
-  session_ =
-      start.restored
-          ? std::make_unique<EditSession>(*start.restored, std::move(start.history), start.journals,
-                                          kernels_like(context), std::move(wake),
-                                          upload_to(context))
-          : std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
-                                          start.journals, kernels_like(context), std::move(wake),
-                                          upload_to(context));
+  session_ = start.restored
+                 ? std::make_unique<EditSession>(*start.restored, std::move(start.history),
+                                                 start.journals, kernels_like(context),
+                                                 std::move(wake), upload_to(context))
+                 : std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
+                                                 start.journals, kernels_like(context),
+                                                 std::move(wake), upload_to(context));
   if (!session_->warning().empty()) {
     say_(session_->warning());
   } else if (start.restored) {

@@ -38,7 +38,8 @@ class Editor {
 
   /// The worker gets kernels of its own on `context` and
   /// calls `wake` when it has news.
-  Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say, std::function<void()> wake);
+  Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
+         std::function<void()> wake);
 
   struct Handled {
     bool taken = false;    ///< nobody else should act on the event

@@ -2,7 +2,8 @@
 
 namespace lapwing::viewer {
 
-std::function<std::unique_ptr<Kernels>()> kernels_like(const std::shared_ptr<gpu::Context>& context) {
+std::function<std::unique_ptr<Kernels>()> kernels_like(
+    const std::shared_ptr<gpu::Context>& context) {
   return [context]() -> std::unique_ptr<Kernels> {
     return std::make_unique<VulkanKernels>(context, Precision::automatic);
   };

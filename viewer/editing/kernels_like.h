@@ -11,7 +11,8 @@ namespace lapwing::viewer {
 
 /// Makes kernels on `context`, with which it may be called on any thread: kernels are
 /// one thread's.
-std::function<std::unique_ptr<Kernels>()> kernels_like(const std::shared_ptr<gpu::Context>& context);
+std::function<std::unique_ptr<Kernels>()> kernels_like(
+    const std::shared_ptr<gpu::Context>& context);
 
 /// Puts a response on the device of `context`, for surfaces there to be dragged by; on any thread.
 std::function<std::shared_ptr<BlendResponse>(const DragResponse&)> upload_to(

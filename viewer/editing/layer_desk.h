@@ -26,7 +26,8 @@ class PointTool final : public SceneTool {
 /// work is said to the editor.
 class LayerDesk {
  public:
-  LayerDesk(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Editor::Say say, std::function<void()> wake);
+  LayerDesk(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Editor::Say say,
+            std::function<void()> wake);
 
   /// Begins a new one, or takes the `index`th step of the recipe up again; true if that is one.
   /// Gives up what was open.

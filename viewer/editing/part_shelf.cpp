@@ -70,20 +70,19 @@ void PartShelf::open(const fs::path& folder) {
 
 void PartShelf::add(const fs::path& file) {
   message_.clear();
-  waiting_.emplace_front(
-      [folder = folder_, file](const std::shared_ptr<gpu::Context>& context) {
-        return item_of(add_part(folder, file, "", {}).part, context);
-      });
+  waiting_.emplace_front([folder = folder_, file](const std::shared_ptr<gpu::Context>& context) {
+    return item_of(add_part(folder, file, "", {}).part, context);
+  });
 }
 
 void PartShelf::cut(const AppState& state, const RegionSpec& region, const std::string& name) {
   message_.clear();
-  waiting_.emplace_front([folder = folder_, state, region, name](
-                             const std::shared_ptr<gpu::Context>& context) {
-    const Mesh mesh = mesh_of(state);
-    CutPiece piece = cut_out(mesh, resolve(region, mesh, *state.topology), region.where);
-    return item_of(add_part(folder, std::move(piece.mesh), name).part, context);
-  });
+  waiting_.emplace_front(
+      [folder = folder_, state, region, name](const std::shared_ptr<gpu::Context>& context) {
+        const Mesh mesh = mesh_of(state);
+        CutPiece piece = cut_out(mesh, resolve(region, mesh, *state.topology), region.where);
+        return item_of(add_part(folder, std::move(piece.mesh), name).part, context);
+      });
 }
 
 void PartShelf::use_device(std::shared_ptr<gpu::Context> context,

@@ -17,7 +17,8 @@ namespace lapwing::viewer {
 /// comes to. What does not work is said to the editor.
 class TransplantDesk {
  public:
-  TransplantDesk(const std::shared_ptr<gpu::Context>& context, Editor::Say say, std::function<void()> wake);
+  TransplantDesk(const std::shared_ptr<gpu::Context>& context, Editor::Say say,
+                 std::function<void()> wake);
 
   PartShelf& shelf() { return shelf_; }
   const PartShelf& shelf() const { return shelf_; }

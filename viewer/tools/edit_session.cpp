@@ -112,8 +112,7 @@ void EditSession::follow() {
   }
 }
 
-void EditSession::use_kernels(Preparation::MakeKernels make_kernels,
-                              Preparation::Upload upload) {
+void EditSession::use_kernels(Preparation::MakeKernels make_kernels, Preparation::Upload upload) {
   preparation_.use_kernels(make_kernels, std::move(upload));
   carrying_out_.use_kernels(std::move(make_kernels));
   prepare();

@@ -330,8 +330,7 @@ LiveResult Preparation::live_result(const Request& request, const Ready& ready,
   }
   state.settled = settled_result(state, *ready.exact, *ready.exact_kernels, progress).moved;
   return {state.moves,
-          std::make_shared<const SettledPose>(
-              ready.exact->response()->pose_at(
+          std::make_shared<const SettledPose>(ready.exact->response()->pose_at(
               positions_of(state), motions_of(state), turns_of(state))),
           true};
 }

@@ -46,11 +46,11 @@ struct DeformResult {
 class Deformer {
  public:
   /// Prepares. Stages reported and timed: "pattern", "order", with settling "laplacian",
-  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", "response", "upload" (of what
-  /// settling needs).
-  /// Throws InputError for a region that does not fit the mesh, SolverError when a component of the
-  /// region is not anchored or its exact system exceeds the memory limit and nothing settles,
-  /// GpuError when the device fails, Cancelled when `progress` asks for it.
+  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", "response", "upload"
+  /// (of what settling needs). Throws InputError for a region that does not fit the mesh,
+  /// SolverError when a component of the region is not anchored or its exact system exceeds the
+  /// memory limit and nothing settles, GpuError when the device fails, Cancelled when `progress`
+  /// asks for it.
   Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
@@ -103,8 +103,8 @@ class Deformer {
   void begin_drag() const;
 
   /// Whether the 3n x 3n system is there. Without it (the region was too large for the memory
-  /// limit) the response is a DragPreview's, which is where settling then starts; what it settles to
-  /// is the same within its tolerance.
+  /// limit) the response is a DragPreview's, which is where settling then starts; what it settles
+  /// to is the same within its tolerance.
   bool is_exact() const;
   /// What the system would need, and may take, in words; empty where it is there.
   std::string_view why_not_exact() const;

@@ -16,8 +16,8 @@ DragPreview::DragPreview(std::span<const Vector3d> rest, const Topology& topolog
 
 DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> rest,
                          EditRegion region, const DeformOptions& options, const Progress& progress)
-    : system_(std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
-                                                 progress)),
+    : system_(
+          std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress)),
       timings_(system_->timings) {
   report_progress(progress, "preview", 0.0);
   const Stopwatch watch;

@@ -76,7 +76,7 @@ class CommandList {
   std::uint32_t profile_capacity_ = 0;
   std::vector<std::string> profiled_kernels_;  ///< of the dispatches, in order
   mutable bool in_profile_ = true;             ///< whether the last submission is
-  std::vector<History> histories_;  ///< kept, so that recording anew allocates nothing
+  std::vector<History> histories_;             ///< kept, so that recording anew allocates nothing
   std::uint64_t last_submission_ = 0;
   bool recorded_ = false;
 };

@@ -26,9 +26,9 @@ class CpuKernels final : public Kernels {
   DeviceInfo device_;
 };
 
-/// CPU twin of the kernel blend_response: current[v] = rest[v] + sum_k parameters[k] column_k[v] for
-/// the moving vertices. `rest` and `current` are of the whole mesh and may be the same. A column
-/// with parameter 0 adds nothing. Allocates nothing.
+/// CPU twin of the kernel blend_response: current[v] = rest[v] + sum_k parameters[k] column_k[v]
+/// for the moving vertices. `rest` and `current` are of the whole mesh and may be the same. A
+/// column with parameter 0 adds nothing. Allocates nothing.
 void blend_response(std::span<const Eigen::Vector3d> rest, const ResponseColumns& columns,
                     std::span<const double> parameters, std::span<Eigen::Vector3d> current);
 

@@ -15,8 +15,8 @@ struct ResponseColumns {
   /// Column after column, 3 |moving| numbers each; x, y, z of moving[0] first.
   std::span<const double> numbers;
   /// The columns displace along one axis each, x, y and z by the same numbers: column 12 h + 4 axis
-  /// + k by column 4 h + k of `numbers`, which has |moving| in each, a third of the columns. `count`
-  /// is a multiple of 12.
+  /// + k by column 4 h + k of `numbers`, which has |moving| in each, a third of the columns.
+  /// `count` is a multiple of 12.
   bool along_axes = false;
 };
 

@@ -9,9 +9,9 @@
 #include "lapwing/mesh/topology.h"
 #include "lapwing/render/offscreen.h"
 #include "lapwing/render/renderer.h"
+#include "lapwing/render/surface.h"
 #include "lapwing/shaders/triangle_id_frag.h"
 #include "lapwing/shaders/triangle_id_vert.h"
-#include "lapwing/render/surface.h"
 
 namespace lapwing {
 namespace {
@@ -108,8 +108,7 @@ std::span<const std::uint32_t> IdPicture::ids() const {
   return target_->read_back.mapped_as<const std::uint32_t>();
 }
 
-std::optional<Pick> IdPicture::pick(const Surface& surface, std::uint32_t x,
-                                    std::uint32_t y) {
+std::optional<Pick> IdPicture::pick(const Surface& surface, std::uint32_t x, std::uint32_t y) {
   if (!target_ || x >= target_->extent.width || y >= target_->extent.height) return {};
   const std::uint32_t id = ids()[std::size_t{y} * target_->extent.width + x];
   if (id == 0) return {};

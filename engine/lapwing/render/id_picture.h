@@ -37,8 +37,7 @@ class IdPicture {
 
   /// Draws `surface`, from its buffers as they are now, as a picture of `width` x `height` pixels,
   /// and reads the numbers back. Throws GpuError for a size that the device cannot draw.
-  void draw(Surface& surface, const Camera& camera, std::uint32_t width,
-            std::uint32_t height);
+  void draw(Surface& surface, const Camera& camera, std::uint32_t width, std::uint32_t height);
 
   /// Rows from the top: 1 + the number of the triangle that shows at the pixel's centre, or 0.
   /// Empty before the first `draw`.

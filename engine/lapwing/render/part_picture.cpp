@@ -6,8 +6,8 @@
 #include <Eigen/SVD>
 
 #include "lapwing/render/render_image.h"
-#include "lapwing/transplant/loop_curve.h"
 #include "lapwing/render/surface.h"
+#include "lapwing/transplant/loop_curve.h"
 
 namespace lapwing {
 namespace {
@@ -68,8 +68,9 @@ Image part_picture(const std::shared_ptr<gpu::Context>& context, const Mesh& mes
   options.height = side;
   options.background = Background::transparent;
   options.style.color = SurfaceColor::regions;
-  return render_image(
-      surface, paint, fit(mesh.positions, standing_view(mesh.positions, frame.normal), 1.0), options);
+  return render_image(surface, paint,
+                      fit(mesh.positions, standing_view(mesh.positions, frame.normal), 1.0),
+                      options);
 }
 
 }  // namespace lapwing

@@ -8,13 +8,13 @@
 
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/transfer.h"
+#include "lapwing/render/surface.h"
 #include "lapwing/shaders/background_frag.h"
 #include "lapwing/shaders/background_vert.h"
 #include "lapwing/shaders/overlay_frag.h"
 #include "lapwing/shaders/overlay_vert.h"
 #include "lapwing/shaders/surface_frag.h"
 #include "lapwing/shaders/surface_vert.h"
-#include "lapwing/render/surface.h"
 
 namespace lapwing {
 namespace {

@@ -84,13 +84,16 @@ void Surface::move_to(std::span<const Vector3d> positions, const Wanted& wanted)
 
 void Surface::begin(BlendResponse& response, std::span<const Vector3d> rest,
                     std::span<const Vector3d> displacement) {
-  const std::span<const Index> moving = response.moving();
-  auto next = moving.begin();
-  move_to(rest, [&](Index v) {
-    const bool moves = next != moving.end() && *next == v;
-    if (moves) ++next;
-    return !moves;
-  });
+  // Since a blend of this response nothing else has moved.
+  if (moved_by_.get() != &response) {
+    const std::span<const Index> moving = response.moving();
+    auto next = moving.begin();
+    move_to(rest, [&](Index v) {
+      const bool moves = next != moving.end() && *next == v;
+      if (moves) ++next;
+      return !moves;
+    });
+  }
   context_->wait_for_submitted();
   response.set_rest(transfer_, rest, displacement, origin_);
 }

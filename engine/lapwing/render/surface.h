@@ -34,7 +34,8 @@ class Surface {
   Surface(std::shared_ptr<gpu::Context> context, std::span<const Eigen::Vector3d> positions,
           const Topology& topology);
 
-  /// Puts the vertices where `positions`, of the whole mesh, says. Uploads those that are not there.
+  /// Puts the vertices where `positions`, of the whole mesh, says. Uploads those that are not
+  /// there.
   void place(std::span<const Eigen::Vector3d> positions);
 
   /// Lets blends of `response` begin from `rest` + `displacement`, both of the whole mesh; no
@@ -46,8 +47,8 @@ class Surface {
   /// neighbours. One number per column. Allocates nothing. After `begin`.
   void blend(const std::shared_ptr<BlendResponse>& response, std::span<const double> parameters);
 
-  /// Records what is left to do of the last `place` or `blend`: first the one, then the other, which
-  /// says whether there was something. Before a rendering scope.
+  /// Records what is left to do of the last `place` or `blend`: first the one, then the other,
+  /// which says whether there was something. Before a rendering scope.
   void record_blend(gpu::Recorder& recorder) const;
   bool record_normals(gpu::Recorder& recorder);
   /// Does it now and waits, for whoever reads or draws the surface on commands of its own.
@@ -63,8 +64,8 @@ class Surface {
   gpu::Context& context() const { return *context_; }
   std::size_t vertex_count() const { return known_.size(); }
   std::size_t triangle_count() const { return triangles_.bytes() / sizeof(Triangle); }
-  /// What was subtracted from the positions: the centre of the bounding box at construction. Float32
-  /// positions then keep their digits wherever the mesh lies.
+  /// What was subtracted from the positions: the centre of the bounding box at construction.
+  /// Float32 positions then keep their digits wherever the mesh lies.
   const Eigen::Vector3d& origin() const { return origin_; }
   /// One vec4 per vertex: the position relative to `origin()`, and 1.
   const gpu::Buffer& position_buffer() const { return positions_; }
@@ -89,7 +90,8 @@ class Surface {
   gpu::Buffer triangles_;
   VertexNormals vertex_normals_;
   bool on_host_;
-  std::vector<Vec4> known_;  ///< where the device has each vertex; not a number where it alone knows
+  std::vector<Vec4>
+      known_;  ///< where the device has each vertex; not a number where it alone knows
   std::shared_ptr<BlendResponse> moved_by_;  ///< last; what was recorded of it may still run
   bool is_pending_ = false;                  ///< whether it is still to be recorded
   SurfaceTimes times_;

@@ -28,9 +28,9 @@ class BlendResponse {
   /// The pipeline that `record` runs.
   static gpu::Kernel kernel(const gpu::Context& context);
 
-  /// What blends begin from: the moving vertices at `rest` + `displacement`, both of the whole mesh,
-  /// relative to `origin`; no displacement is none. Goes before the first blend. The device must be
-  /// done with the recorded commands, as for `set_parameters`.
+  /// What blends begin from: the moving vertices at `rest` + `displacement`, both of the whole
+  /// mesh, relative to `origin`; no displacement is none. Goes before the first blend. The device
+  /// must be done with the recorded commands, as for `set_parameters`.
   void set_rest(gpu::Transfer& transfer, std::span<const Eigen::Vector3d> rest,
                 std::span<const Eigen::Vector3d> displacement, const Eigen::Vector3d& origin);
   /// What the recorded commands use when they next run: one number per column. Throws InputError

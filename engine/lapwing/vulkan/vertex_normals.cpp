@@ -70,8 +70,7 @@ Adjacency build_fans(std::span<const Triangle> triangles, const Adjacency& verte
 
 VertexNormals::VertexNormals(gpu::Context& context, gpu::Transfer& transfer,
                              const Topology& topology)
-    : VertexNormals(context, transfer,
-                    build_fans(topology.triangles, topology.vertex_triangles)) {}
+    : VertexNormals(context, transfer, build_fans(topology.triangles, topology.vertex_triangles)) {}
 
 VertexNormals::VertexNormals(gpu::Context& context, gpu::Transfer& transfer, const Adjacency& fans)
     : kernel_(context, "vertex_normals", shaders::vertex_normals(), sizeof(std::uint32_t)),

@@ -16,7 +16,7 @@ class VulkanState {
 
   std::shared_ptr<gpu::Context> context;
   bool float64;
-  bool frames;   ///< as DeviceInfo::frames
+  bool frames;  ///< as DeviceInfo::frames
   gpu::Transfer transfer;
   gpu::Kernel assemble_rsi;
   gpu::Kernel assemble_tangent;

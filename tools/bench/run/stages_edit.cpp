@@ -10,8 +10,8 @@
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/settle/settle.h"
 #include "lapwing/render/surface.h"
+#include "lapwing/settle/settle.h"
 #include "run/edit_parts.h"
 #include "run/stages.h"
 
@@ -30,13 +30,22 @@ DeformOptions deform_options(const BenchRun& run) {
   return options;
 }
 
-// A drag as a person sees it: the vertices follow by a response, and their normals them. On a device
-// that can draw they do in the surface that is drawn, else in double precision.
+// Where the surface is drawn; null without a device for that.
+std::shared_ptr<BlendResponse> uploaded(const DragResponse& response, const Subject& subject,
+                                        const BenchDevice& device) {
+  if (device.context == nullptr) return nullptr;
+  return upload_response(device.context, response.columns(), subject.topology);
+}
+
+// A drag as a person sees it: the vertices follow by a response, and their normals them. On a
+// device that can draw they do in the surface that is drawn, else in double precision.
 class ShownDrag {
  public:
   ShownDrag(const Subject& subject, const BenchDevice& device,
             std::shared_ptr<const DragResponse> response)
-      : subject_(subject), drag_(std::move(response)) {
+      : subject_(subject),
+        drag_(std::move(response)),
+        blend_(uploaded(*drag_.response(), subject, device)) {
     if (device.context == nullptr) {
       positions_ = subject.mesh.positions;
       normals_.resize(positions_.size());
@@ -44,7 +53,6 @@ class ShownDrag {
       return;
     }
     surface_.emplace(device.context, subject.mesh.positions, subject.topology);
-    blend_ = upload_response(device.context, drag_.response()->columns(), subject.topology);
     surface_->begin(*blend_, subject.mesh.positions);
   }
 
@@ -62,15 +70,15 @@ class ShownDrag {
  private:
   const Subject& subject_;
   Drag drag_;
-  std::optional<Surface> surface_;
   std::shared_ptr<BlendResponse> blend_;
+  std::optional<Surface> surface_;
   Positions positions_;
   std::vector<Eigen::Vector3d> normals_;
   std::vector<Index> moved_;
 };
 
-// What a frame must read and write at least: blend (columns, rest, numbers, positions), then normals
-// (numbers, fans, positions, normals). Twelve columns, all in use.
+// What a frame must read and write at least: blend (columns, rest, numbers, positions), then
+// normals (numbers, fans, positions, normals). Twelve columns, all in use.
 std::uint64_t blend_bytes(const Subject& subject, bool on_device) {
   const std::uint64_t n = subject.vertices();
   const std::uint64_t number = on_device ? sizeof(float) : sizeof(double);
@@ -169,6 +177,7 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
   const auto make = [&] {
     deformer = std::make_unique<Deformer>(subject.mesh.positions, subject.topology, subject.region,
                                           options, *device.kernels);
+    uploaded(*deformer->response(), subject, device);
   };
   run.measure("preparation", kLapwing, device, subject, make, [&] { deformer.reset(); });
   if (!frames) return;
@@ -216,6 +225,7 @@ void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& dev
       [&] {
         again = std::make_unique<Deformer>(prepared, subject.mesh.positions, region, options,
                                            *device.kernels);
+        uploaded(*again->response(), subject, device);
       },
       [&] {
         again.reset();

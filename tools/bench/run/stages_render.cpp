@@ -5,8 +5,8 @@
 #include "lapwing/render/camera.h"
 #include "lapwing/render/offscreen.h"
 #include "lapwing/render/renderer.h"
-#include "lapwing/render/surface_paint.h"
 #include "lapwing/render/surface.h"
+#include "lapwing/render/surface_paint.h"
 #include "run/stages.h"
 
 namespace lapwing::bench {

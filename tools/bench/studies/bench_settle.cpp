@@ -188,8 +188,8 @@ Row row_of(const std::string& name, const RunResult& result) {
       laplacian_weights(result.topology, result.original, LaplacianWeights::uniform);
   Row row{name + (c.settled ? "" : ", cut short"),
           c.detail_error,
-          detail_error(result.region.roi, result.topology, weights,
-                       result.original, result.mesh.positions),
+          detail_error(result.region.roi, result.topology, weights, result.original,
+                       result.mesh.positions),
           c.edge_stretch,
           c.largest_edge_stretch,
           c.settle_iterations};
