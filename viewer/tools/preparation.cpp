@@ -225,7 +225,11 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
   last_live_.reset();
   try {
     Ready ready;
-    ready.preview = make_preview(state, ticket, progress);
+    const std::shared_ptr<Kept> kept = kept_for(state, ticket);
+    ready.preview = std::shared_ptr<const DragPreview>(
+        new DragPreview(kept->region, state.rest->positions, edit_region(state), state.parameters,
+                        progress),
+        [topology = state.topology](DragPreview* p) { delete p; });
     ready.preview_on_device = upload(*ready.preview->response());
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
@@ -240,15 +244,6 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
   } catch (const std::exception& error) {
     fail(ticket, Phase::failed, error.what());
   }
-}
-
-std::shared_ptr<const DragPreview> Preparation::make_preview(const AppState& state,
-                                                             std::uint64_t ticket,
-                                                             const Progress& progress) {
-  const std::shared_ptr<Kept> kept = kept_for(state, ticket);
-  return {new DragPreview(kept->region, state.rest->positions, edit_region(state), state.parameters,
-                          progress),
-          [topology = state.topology](DragPreview* p) { delete p; }};
 }
 
 // Nothing is kept for a state that is no longer followed.

@@ -145,8 +145,6 @@ class Preparation {
   void settle_now(const Request& request, const Ready& ready);
   LiveResult live_result(const Request& request, const Ready& ready, const Progress& progress);
   LiveResult follow_drag(const Request& request, const Deformer& exact, const Progress& progress);
-  std::shared_ptr<const DragPreview> make_preview(const AppState& state, std::uint64_t ticket,
-                                                  const Progress& progress);
   std::shared_ptr<Kept> kept_for(const AppState& state, std::uint64_t ticket);
   bool publish(std::uint64_t ticket, Ready ready, PreparationStatus::Phase phase);
   void fail(std::uint64_t ticket, PreparationStatus::Phase phase, const std::string& message);

@@ -75,6 +75,7 @@ void Surface::move_to(std::span<const Vector3d> positions, const Wanted& wanted)
     if (wanted(v) && known_[v] != place_of(positions[v], origin_)) elsewhere.push_back(v);
   }
   if (elsewhere.empty()) return;
+  // What carries them there is a response that begins from where they go.
   const auto moved = std::make_shared<BlendResponse>(
       context_, transfer_, ResponseColumns{.moving = elsewhere, .numbers = {}}, topology_);
   moved->set_rest(transfer_, positions, {}, origin_);
