@@ -155,7 +155,7 @@ TEST_F(MainLoopTest, OpensALostDeviceAgainAndTellsTheApp) {
   for (const Call call : {Call::acquire, Call::present}) {
     EXPECT_EQ(run_with(*window_, {call, VK_ERROR_DEVICE_LOST, kFaultyFrame}), kDeviceOpenedAgain);
   }
-  // A frame submits what was dragged, unless the processor does that, and the picture.
+  // A frame is one submission: what was dragged and the picture.
   for (const int number : {8, 9}) {
     EXPECT_EQ(run_with(*window_, {Call::submit, VK_ERROR_DEVICE_LOST, number}), kDeviceOpenedAgain);
   }
@@ -222,7 +222,7 @@ class DraggingViewer final : public App {
   long calls_ = 0;
 };
 
-// By the linear response: what settles on the way is a surface of its own each time.
+// By the linear response: what settles on the way comes with positions of its own each time.
 TEST_F(MainLoopTest, DraggingAHandleInTheViewerAllocatesNothing) {
   const test::WithoutValidation without_validation;
   write_mesh(rippled_cylinder(24, 41), folder_ / "tube.obj");

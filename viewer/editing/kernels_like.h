@@ -9,8 +9,7 @@
 
 namespace lapwing::viewer {
 
-/// Makes kernels on `context`, with which it may be called on any thread: kernels are
-/// one thread's.
+/// Makes kernels on `context`; may be called on any thread: kernels are one thread's.
 std::function<std::unique_ptr<Kernels>()> kernels_like(
     const std::shared_ptr<gpu::Context>& context);
 
