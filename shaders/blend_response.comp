@@ -15,11 +15,11 @@ layout(std430, binding = 0) readonly buffer Groups {
   uint group_count;
   Group groups[];
 };
-layout(binding = 1) uniform usamplerBuffer moving;
-layout(binding = 2) uniform samplerBuffer rests;
-// Per group and axis, one texel for each vertex of the range: four columns of that axis. Neighbours
+layout(std430, binding = 1) readonly buffer Moving { uint moving[]; };
+layout(std430, binding = 2) readonly buffer Rests { vec4 rests[]; };
+// Per group and axis, one entry for each vertex of the range: four columns of that axis. Neighbours
 // in a work group read neighbours in memory.
-layout(binding = 3) uniform samplerBuffer basis;
+layout(std430, binding = 3) readonly buffer Basis { vec4 basis[]; };
 // vec4 per vertex; w stays.
 layout(std430, binding = 4) writeonly buffer Positions { float positions[]; };
 
@@ -31,14 +31,12 @@ void main() {
   vec3 displacement = vec3(0);
   for (uint g = 0; g < group_count; ++g) {
     const vec4 parameters = groups[g].parameters;
-    const int at = int(3 * groups[g].number * vertex_count + m);
-    const int next = int(vertex_count);
-    displacement += vec3(dot(texelFetch(basis, at), parameters),
-                         dot(texelFetch(basis, at + next), parameters),
-                         dot(texelFetch(basis, at + 2 * next), parameters));
+    const uint at = 3 * groups[g].number * vertex_count + m;
+    displacement += vec3(dot(basis[at], parameters), dot(basis[at + vertex_count], parameters),
+                         dot(basis[at + 2 * vertex_count], parameters));
   }
-  const vec3 position = texelFetch(rests, int(m)).xyz + displacement;
-  const uint out_at = 4 * texelFetch(moving, int(m)).x;
+  const vec3 position = rests[m].xyz + displacement;
+  const uint out_at = 4 * moving[m];
   positions[out_at] = position.x;
   positions[out_at + 1] = position.y;
   positions[out_at + 2] = position.z;

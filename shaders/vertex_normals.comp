@@ -6,12 +6,12 @@
 
 #include "invocation.glsl"
 
-layout(binding = 0) uniform usamplerBuffer which;
+layout(std430, binding = 0) readonly buffer Which { uint which[]; };
 // The triangles around vertex i as fans (vulkan/vertex_normals.h): entries
 // [fan_starts[i], fan_starts[i + 1]) of fan_corners.
-layout(binding = 1) uniform usamplerBuffer fan_starts;
-layout(binding = 2) uniform usamplerBuffer fan_corners;
-layout(binding = 3) uniform samplerBuffer positions;
+layout(std430, binding = 1) readonly buffer FanStarts { uint fan_starts[]; };
+layout(std430, binding = 2) readonly buffer FanCorners { uint fan_corners[]; };
+layout(std430, binding = 3) readonly buffer Positions { vec4 positions[]; };
 // vec4 per vertex; w stays.
 layout(std430, binding = 4) writeonly buffer Normals { float normals[]; };
 
@@ -22,14 +22,14 @@ const uint kFanBegins = 0x80000000u;
 void main() {
   const uint m = invocation();
   if (m >= vertex_count) return;
-  const int i = int(texelFetch(which, int(m)).x);
-  const vec3 here = texelFetch(positions, i).xyz;
-  const int end = int(texelFetch(fan_starts, i + 1).x);
+  const uint i = which[m];
+  const vec3 here = positions[i].xyz;
+  const uint end = fan_starts[i + 1];
   vec3 sum = vec3(0);
   vec3 previous = vec3(0);
-  for (int e = int(texelFetch(fan_starts, i).x); e < end; ++e) {
-    const uint corner = texelFetch(fan_corners, e).x;
-    const vec3 next = texelFetch(positions, int(corner & ~kFanBegins)).xyz - here;
+  for (uint e = fan_starts[i]; e < end; ++e) {
+    const uint corner = fan_corners[e];
+    const vec3 next = positions[corner & ~kFanBegins].xyz - here;
     if ((corner & kFanBegins) == 0) sum += cross(previous, next);
     previous = next;
   }

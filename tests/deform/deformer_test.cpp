@@ -13,6 +13,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/subdivide.h"
 #include "support/bent_tube.h"
+#include "support/dragged.h"
 #include "support/linear_options.h"
 
 namespace lapwing {
@@ -23,6 +24,7 @@ using Eigen::Vector3d;
 
 using test::bend;
 using test::bumpy_tube;
+using test::dragged;
 using test::foot_and_head;
 using test::largest_distance;
 
@@ -79,15 +81,15 @@ TEST_P(DeformerOptions, ResultDoesNotDependOnPlaceUnitOrOrientation) {
   }
 }
 
-TEST_P(DeformerOptions, DragOnTheDeviceFollowsTheSolution) {
+TEST_P(DeformerOptions, DragFollowsTheSolution) {
   const Mesh mesh = bumpy_tube();
   const Topology& topology = mesh.topology();
   CpuKernels kernels;
-  Deformer deformer(mesh.positions, topology, foot_and_head(mesh), GetParam(), kernels);
+  const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), GetParam(), kernels);
   const std::array motions{bend()};
-  deformer.drag(motions);
-  EXPECT_LT(largest_distance(deformer.surface().positions(), deformer.solve(motions).positions),
-            1e-9);
+  EXPECT_LT(
+      largest_distance(dragged(deformer.response(), motions), deformer.solve(motions).positions),
+      1e-9);
 }
 
 TEST_P(DeformerOptions, SolvesTheNormalEquations) {
@@ -388,17 +390,17 @@ TEST(Deformer, WithoutMemoryForTheExactSystemItSettlesFromThePreview) {
   const Deformer exact(mesh.positions, topology, region, options, kernels);
   EXPECT_TRUE(exact.is_exact());
   options.memory_limit_bytes = 1000;
-  Deformer deformer(mesh.positions, topology, region, options, kernels);
+  const Deformer deformer(mesh.positions, topology, region, options, kernels);
   EXPECT_FALSE(deformer.is_exact());
   const std::string why(deformer.why_not_exact());
   EXPECT_THAT(why, ::testing::AllOf(::testing::HasSubstr("240 vertices needs"),
                                     ::testing::EndsWith("may take 1 MB")));
 
   const std::array motions{bend()};
-  DragPreview preview(mesh.positions, topology, region, options, kernels);
-  preview.drag(motions);
-  deformer.drag(motions);
-  EXPECT_LT(largest_distance(deformer.surface().positions(), preview.surface().positions()), 1e-12);
+  const DragPreview preview(mesh.positions, topology, region, options);
+  EXPECT_LT(
+      largest_distance(dragged(deformer.response(), motions), dragged(preview.response(), motions)),
+      1e-12);
 
   const DeformResult result = deformer.solve(motions);
   EXPECT_TRUE(result.certificate.settled);

@@ -6,6 +6,7 @@
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/bent_tube.h"
+#include "support/dragged.h"
 
 namespace lapwing {
 namespace {
@@ -20,11 +21,9 @@ TEST(DragPreview, HardHandlesGoWhereTheyShouldEachByItsOwnMotion) {
   region.handles.push_back({118, 119, 120, 121});
   DeformOptions options;
   options.hard = true;
-  CpuKernels kernels;
-  DragPreview preview(mesh.positions, topology, region, options, kernels);
+  const DragPreview preview(mesh.positions, topology, region, options);
   const std::array motions{test::bend(), Affine3d(Eigen::Translation3d(0.1, 0.2, 0.3))};
-  preview.drag(motions);
-  const Positions positions = preview.surface().positions();
+  const Positions positions = test::dragged(preview.response(), motions);
   for (std::size_t h = 0; h < 2; ++h) {
     for (const Index v : region.handles[h]) {
       EXPECT_LT((positions[v] - motions[h] * mesh.positions[v]).norm(), 1e-12) << "handle " << h;
@@ -39,11 +38,9 @@ TEST(DragPreview, TranslatingAllThatHoldsTranslatesTheRegion) {
   EditRegion region = test::foot_and_head(mesh);
   region.handles.push_back(std::move(region.belt));
   region.belt.clear();
-  CpuKernels kernels;
-  DragPreview preview(mesh.positions, topology, region, {}, kernels);
+  const DragPreview preview(mesh.positions, topology, region, {});
   const Affine3d shift(Eigen::Translation3d(1, -2, 3));
-  preview.drag(std::array{shift, shift});
-  const Positions positions = preview.surface().positions();
+  const Positions positions = test::dragged(preview.response(), std::array{shift, shift});
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     EXPECT_LT((positions[i] - shift * mesh.positions[i]).norm(), 1e-9);
   }
@@ -54,25 +51,24 @@ TEST(DragPreview, FromAPoseItIsThatPoseUntilTheHandleMovesOn) {
   const Topology& topology = mesh.topology();
   const EditRegion region = test::foot_and_head(mesh);
   CpuKernels kernels;
-  DragPreview preview(mesh.positions, topology, region, {}, kernels);
+  const DragPreview preview(mesh.positions, topology, region, {});
   const Deformer deformer(preview, kernels);
   const std::array motions{test::bend()};
   const std::array turns{shortest_turn(motions[0])};
   const Positions settled = deformer.solve(motions).positions;
-  const SettledPose pose = preview.pose_at(settled, motions, turns);
-  EXPECT_EQ(pose.parameters, deformer.pose_at(settled, motions, turns).parameters);
-  EXPECT_EQ(pose.displacement, deformer.pose_at(settled, motions, turns).displacement);
+  const SettledPose pose = preview.response()->pose_at(settled, motions, turns);
+  const SettledPose same = deformer.response()->pose_at(settled, motions, turns);
+  EXPECT_EQ(pose.parameters, same.parameters);
+  EXPECT_EQ(pose.displacement, same.displacement);
 
-  preview.drag_from(pose);
-  preview.drag(motions);
-  EXPECT_LT(test::largest_distance(preview.surface().positions(), settled), 1e-12);
+  const auto dragged_by = [&](const Affine3d& motion) {
+    return test::dragged(preview.response(), std::array{motion},
+                         std::make_shared<const SettledPose>(pose));
+  };
+  EXPECT_LT(test::largest_distance(dragged_by(motions[0]), settled), 1e-12);
   const Eigen::Translation3d shift(0.1, 0.0, 0.0);
-  preview.drag(std::array{Affine3d(shift * motions[0])});
-  const Positions moved = preview.surface().positions();
+  const Positions moved = dragged_by(shift * motions[0]);
   EXPECT_NEAR(test::largest_distance(moved, settled), 0.1, 0.01) << "the handle is in front";
-  preview.drag_from({});
-  preview.drag(std::array{Affine3d::Identity()});
-  EXPECT_LT(test::largest_distance(preview.surface().positions(), mesh.positions), 1e-12);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "lapwing/deform/deformer.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/bent_tube.h"
+#include "support/dragged.h"
 #include "support/error_message.h"
 #include "support/linear_options.h"
 #include "support/rippled_cylinder.h"
@@ -139,7 +140,7 @@ TEST_F(FollowedCylinder, AFrameBeginsNearWhereAHandleThatGoesOnTakesTheSurface) 
   }
   ASSERT_TRUE(pose.settled.settled);
   SettledPose alone =
-      deformer_.pose_at(positions(pose), twist(40.0), turn_of(40.0));  // from nowhere
+      deformer_.response()->pose_at(positions(pose), twist(40.0), turn_of(40.0));  // from nowhere
   deformer_.follow(twist(42.0), alone, no_time);
   SettledPose on = pose;
   deformer_.follow(twist(42.0), on, no_time);
@@ -152,17 +153,15 @@ TEST_F(FollowedCylinder, AFrameBeginsNearWhereAHandleThatGoesOnTakesTheSurface) 
 
 TEST_F(FollowedCylinder, ADragFromAPoseBeginsThere) {
   const DeformResult settled = deformer_.solve(twist(40.0), turn_of(40.0));
-  const SettledPose pose = deformer_.pose_at(settled.positions, twist(40.0), turn_of(40.0));
-  deformer_.drag_from(pose);
-  deformer_.drag(twist(40.0));
-  EXPECT_LT(largest_distance(deformer_.surface().positions(), settled.positions), 1e-12);
-  deformer_.drag(twist(41.0));
-  const double moved = largest_distance(deformer_.surface().positions(), settled.positions);
+  const auto pose = std::make_shared<const SettledPose>(
+      deformer_.response()->pose_at(settled.positions, twist(40.0), turn_of(40.0)));
+  const auto dragged_to = [&](double degrees) {
+    return test::dragged(deformer_.response(), twist(degrees), pose);
+  };
+  EXPECT_LT(largest_distance(dragged_to(40.0), settled.positions), 1e-12);
+  const double moved = largest_distance(dragged_to(41.0), settled.positions);
   EXPECT_GT(moved, 1e-3);
   EXPECT_LT(moved, 2e-2);
-  deformer_.drag_from({});
-  deformer_.drag(twist(0.0));
-  EXPECT_LT(largest_distance(deformer_.surface().positions(), mesh_.positions), 1e-12);
 }
 
 // A second step, on what the first one made.

@@ -13,6 +13,7 @@
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/dragged.h"
 
 namespace lapwing {
 namespace {
@@ -160,12 +161,11 @@ TEST_F(PreparedTube, PreviewSharesWhatIsKept) {
   Edit edit = first_edit(mesh_);
   prepare(edit);
   edit.region.handles[0] = slab(mesh_, 3.0, 3.5);
-  DragPreview preview(prepared_, mesh_.positions, edit.region, edit.options, kernels_);
+  const DragPreview preview(prepared_, mesh_.positions, edit.region, edit.options);
   EXPECT_THAT(stages_of(preview.timings()), ElementsAre("constraints", "laplacian", "preview"));
-  DragPreview alone(mesh_.positions, topology_, edit.region, edit.options, kernels_);
-  preview.drag(motions_for(edit));
-  alone.drag(motions_for(edit));
-  EXPECT_TRUE(same_bits(preview.surface().positions(), alone.surface().positions()));
+  const DragPreview alone(mesh_.positions, topology_, edit.region, edit.options);
+  EXPECT_TRUE(same_bits(test::dragged(preview.response(), motions_for(edit)),
+                        test::dragged(alone.response(), motions_for(edit))));
   const Deformer exact(preview, kernels_);
   EXPECT_EQ(stages_of(exact.timings()), kFactored);
   EXPECT_TRUE(same_bits(solved(exact, edit), expected(edit)));
@@ -175,8 +175,8 @@ TEST_F(PreparedTube, ExactOneFollowsItsPreviewThroughAnother) {
   const Edit edit = first_edit(mesh_);
   Edit other = edit;
   other.region.handles[0] = slab(mesh_, 3.0, 3.5);
-  const DragPreview preview(prepared_, mesh_.positions, edit.region, edit.options, kernels_);
-  const DragPreview after(prepared_, mesh_.positions, other.region, other.options, kernels_);
+  const DragPreview preview(prepared_, mesh_.positions, edit.region, edit.options);
+  const DragPreview after(prepared_, mesh_.positions, other.region, other.options);
   EXPECT_TRUE(same_bits(solved(Deformer(preview, kernels_), edit), expected(edit)));
 }
 
@@ -290,19 +290,18 @@ TEST_F(PreparedTube, EarlierDeformerIsDraggedWhileTheNextIsPrepared) {
   const Edit first = first_edit(mesh_);
   Edit other = first;
   other.region.handles[0] = slab(mesh_, 3.0, 3.5);
-  Deformer earlier = prepare(first);
-  earlier.drag(motions_for(first));
-  const Positions before = earlier.surface().positions();
+  const Deformer earlier = prepare(first);
+  const Positions before = test::dragged(earlier.response(), motions_for(first));
   std::unique_ptr<Deformer> next;
   CpuKernels own_kernels;
   std::thread preparing([&] {
     next = std::make_unique<Deformer>(prepared_, mesh_.positions, other.region, other.options,
                                       own_kernels);
   });
-  for (int frame = 0; frame < 50; ++frame) earlier.drag(motions_for(first));
+  for (int frame = 0; frame < 50; ++frame) {
+    EXPECT_TRUE(same_bits(test::dragged(earlier.response(), motions_for(first)), before));
+  }
   preparing.join();
-  earlier.drag(motions_for(first));
-  EXPECT_TRUE(same_bits(earlier.surface().positions(), before));
   EXPECT_TRUE(same_bits(solved(*next, other), expected(other)));
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/gpu/texel_buffer.h"
 #include "support/gpu.h"
 
 namespace lapwing::gpu {
@@ -62,13 +61,6 @@ TEST(Buffer, DeviceMemoryStaysUnmappedWhereAsked) {
   options.map_device_memory = false;
   const Context context(options);
   EXPECT_TRUE(Buffer(context, "a", 64).mapped().empty());
-}
-
-TEST(TexelBuffer, MoreTexelsThanTheDeviceReadsAreRefused) {
-  LAPWING_NEEDS_GPU();
-  const Context context;
-  const VkDeviceSize texels = VkDeviceSize{context.limits().maxTexelBufferElements} + 1;
-  EXPECT_THROW(TexelBuffer(context, "fans", TexelBuffer::Format::uint, texels), GpuError);
 }
 
 }  // namespace

@@ -5,10 +5,8 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/recorder.h"
-#include "lapwing/gpu/texel_buffer.h"
 #include "lapwing/shaders/add_one.h"
 #include "lapwing/shaders/in_place.h"
-#include "lapwing/shaders/sum_texels.h"
 #include "support/gpu.h"
 
 namespace lapwing::gpu {
@@ -72,25 +70,6 @@ TEST_F(Dispatch, RefusesWrongBuffersAndNamesTheKernel) {
                 recorder.dispatch(kernel, count, {a, a}, count);
               }),
               HasSubstr("bound both to be read and to be written"));
-}
-
-TEST_F(Dispatch, RefusesTexelsWhereABufferBelongsAndTheReverse) {
-  Context context;
-  const Kernel adds(context, "add_one", shaders::add_one(), sizeof(std::uint32_t));
-  const Kernel sums(context, "sum_texels", shaders::sum_texels(), sizeof(std::uint32_t));
-  const TexelBuffer texels(context, "texels", TexelBuffer::Format::uint, 16);
-  const Buffer buffer(context, "buffer", 64);
-  CommandList list(context, "test");
-  Recorder recorder(list);
-  const std::uint32_t count = 16;
-  EXPECT_THAT(message_of([&] {
-                recorder.dispatch(adds, count, {texels, buffer}, count);
-              }),
-              HasSubstr("must not be bound through a TexelBuffer"));
-  EXPECT_THAT(message_of([&] {
-                recorder.dispatch(sums, 1, {buffer, buffer}, count);
-              }),
-              HasSubstr("must be bound through a TexelBuffer"));
 }
 
 TEST_F(Dispatch, RefusesARangeBeyondTheDevicesLimit) {

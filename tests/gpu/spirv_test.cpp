@@ -6,7 +6,6 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/shaders/add_one.h"
 #include "lapwing/shaders/in_place.h"
-#include "lapwing/shaders/sum_texels.h"
 
 namespace lapwing::gpu {
 namespace {
@@ -16,8 +15,6 @@ using ::testing::ElementsAre;
 TEST(Spirv, BindingsCarryTheirQualifiers) {
   EXPECT_THAT(read_interface(shaders::add_one()).bindings,
               ElementsAre(BindingAccess::read, BindingAccess::write));
-  EXPECT_THAT(read_interface(shaders::sum_texels()).bindings,
-              ElementsAre(BindingAccess::read_texels, BindingAccess::write));
   EXPECT_THAT(read_interface(shaders::in_place()).bindings, ElementsAre(BindingAccess::read_write));
 }
 

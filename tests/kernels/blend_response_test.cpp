@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "kernels/awkward_meshes.h"
+#include "kernels/moved_mesh.h"
 #include "kernels/twins.h"
 #include "lapwing/base/errors.h"
 #include "support/largest_distance.h"
@@ -31,9 +32,7 @@ struct Drag {
     basis = random_numbers(3 * moving.size() * columns, seed);
     parameters = random_numbers(columns, seed + 1);
   }
-  SurfaceInput input() const {
-    return {sample.mesh.positions, sample.topology, moving, basis, columns};
-  }
+  ResponseColumns response() const { return {moving, columns, basis}; }
 
   const Sample& sample;
   std::size_t columns;
@@ -42,21 +41,29 @@ struct Drag {
   std::vector<double> parameters;
 };
 
-class BlendResponseKernel : public test::KernelTest {};
+class BlendResponseKernel : public test::KernelTest {
+ protected:
+  test::MovedMesh mesh_of(const Drag& drag) { return mesh_of(drag, drag.response()); }
+  test::MovedMesh mesh_of(const Drag& drag, const ResponseColumns& response) {
+    return {context, drag.sample.mesh.positions, drag.sample.topology, response};
+  }
+  static test::MovedMesh expected_of(const Drag& drag) {
+    return {nullptr, drag.sample.mesh.positions, drag.sample.topology, drag.response()};
+  }
+};
 
 TEST_P(BlendResponseKernel, AgreesWithTheCpuTwin) {
-  CpuKernels cpu;
   for (const Sample& sample : test::awkward_meshes()) {
     // Numbers of columns around the groups of four that devices read.
     for (const std::size_t columns : {0U, 1U, 4U, 5U, 12U, 13U}) {
       const Drag drag(sample, columns, 11);
-      const auto expected = cpu.make_surface(drag.input());
-      const auto surface = kernels->make_surface(drag.input());
-      expected->blend(drag.parameters);
-      surface->blend(drag.parameters);
+      auto expected = expected_of(drag);
+      auto surface = mesh_of(drag);
+      expected.blend(drag.parameters);
+      surface.blend(drag.parameters);
       const double size =
           bounds_of(sample.mesh.positions).diagonal() + static_cast<double>(columns);
-      EXPECT_LE(test::largest_distance(surface->positions(), expected->positions()),
+      EXPECT_LE(test::largest_distance(surface.positions(), expected.positions()),
                 surface_tolerance() * size)
           << sample.name << " columns " << columns;
     }
@@ -66,27 +73,26 @@ TEST_P(BlendResponseKernel, AgreesWithTheCpuTwin) {
 TEST_P(BlendResponseKernel, StillHandleBringsTheRestShapeBack) {
   const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 12));
   Drag drag(sample, 12, 13);
-  const auto surface = kernels->make_surface(drag.input());
-  const Positions rest = surface->positions();
+  auto surface = mesh_of(drag);
+  const Positions rest = surface.positions();
   EXPECT_LE(test::largest_distance(rest, sample.mesh.positions), surface_tolerance());
-  surface->blend(drag.parameters);
-  EXPECT_GT(test::largest_distance(rest, surface->positions()), 0.1);
-  surface->blend(std::vector(12, 0.0));
-  EXPECT_EQ(surface->positions(), rest);
+  surface.blend(drag.parameters);
+  EXPECT_GT(test::largest_distance(rest, surface.positions()), 0.1);
+  surface.blend(std::vector(12, 0.0));
+  EXPECT_EQ(surface.positions(), rest);
 }
 
 TEST_P(BlendResponseKernel, SkippedColumnsAddNothing) {
   const Sample sample("rough sphere", test::rough_sphere(1, 0.2, 14));
   Drag drag(sample, 12, 15);
-  CpuKernels cpu;
-  const auto expected = cpu.make_surface(drag.input());
-  const auto surface = kernels->make_surface(drag.input());
+  auto expected = expected_of(drag);
+  auto surface = mesh_of(drag);
   for (std::size_t only = 0; only < drag.columns; ++only) {
     std::vector parameters(drag.columns, 0.0);
     parameters[only] = 0.7;
-    expected->blend(parameters);
-    surface->blend(parameters);
-    EXPECT_LE(test::largest_distance(surface->positions(), expected->positions()),
+    expected.blend(parameters);
+    surface.blend(parameters);
+    EXPECT_LE(test::largest_distance(surface.positions(), expected.positions()),
               4 * surface_tolerance())
         << "column " << only;
   }
@@ -105,82 +111,68 @@ TEST_P(BlendResponseKernel, BasisAlongAxesIsOneWithZerosAcross) {
       drag.basis[3 * (column * n + m) + axis] = numbers[from * n + m];
     }
   }
-  const auto expected = kernels->make_surface(drag.input());
-  const auto surface = kernels->make_surface(
-      {sample.mesh.positions, sample.topology, drag.moving, {}, drag.columns});
-  surface->set_axis_basis(numbers);
-  expected->blend(drag.parameters);
-  surface->blend(drag.parameters);
-  EXPECT_EQ(surface->positions(), expected->positions());
-}
-
-TEST_P(BlendResponseKernel, BasisMayBeGivenLaterAndAgain) {
-  const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 21));
-  const Drag drag(sample, 13, 22);
-  const Drag other(sample, 13, 23);
-  const auto expected = kernels->make_surface(drag.input());
-  const auto surface = kernels->make_surface(
-      {sample.mesh.positions, sample.topology, drag.moving, {}, drag.columns});
-  surface->set_basis(other.basis);
-  surface->blend(drag.parameters);
-  surface->set_basis(drag.basis);
-  expected->blend(drag.parameters);
-  surface->blend(drag.parameters);
-  EXPECT_EQ(surface->positions(), expected->positions());
+  auto expected = mesh_of(drag);
+  auto surface = mesh_of(drag, {drag.moving, drag.columns, numbers, true});
+  expected.blend(drag.parameters);
+  surface.blend(drag.parameters);
+  EXPECT_EQ(surface.positions(), expected.positions());
 }
 
 TEST_P(BlendResponseKernel, RepeatsBitForBit) {
   const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 16));
   const Drag drag(sample, 12, 17);
-  const auto surface = kernels->make_surface(drag.input());
-  surface->blend(drag.parameters);
-  const Positions first = surface->positions();
-  surface->blend(std::vector(12, 1.0));
-  surface->blend(drag.parameters);
-  EXPECT_EQ(surface->positions(), first);
+  auto surface = mesh_of(drag);
+  surface.blend(drag.parameters);
+  const Positions first = surface.positions();
+  surface.blend(std::vector(12, 1.0));
+  surface.blend(drag.parameters);
+  EXPECT_EQ(surface.positions(), first);
 }
 
 LAPWING_ON_ALL_TWINS(BlendResponseKernel);
 
-// A blend with at most so many texels of the basis in a buffer.
+// A blend with at most so many bytes of columns in a buffer.
 class BlendResponseBuffers : public ::testing::Test {
  protected:
   void SetUp() override {
     LAPWING_NEEDS_GPU();
-    state = std::make_unique<VulkanState>(std::make_shared<gpu::Context>(), false);
+    context = std::make_shared<gpu::Context>();
   }
 
-  std::vector<float> blend(std::size_t most_texels, bool on_host) const {
-    BlendResponse response(*state, drag.input(), Vector3d::Zero(), most_texels);
-    const gpu::Buffer positions(*state->context, "positions", 16 * sample.vertices.size());
-    gpu::CommandList list(*state->context, "blend");
+  std::vector<float> blend(std::size_t most_bytes, bool on_host) const {
+    gpu::Transfer transfer(*context);
+    BlendResponse response(context, transfer, drag.response(), sample.topology, most_bytes);
+    response.set_rest(transfer, sample.mesh.positions, {}, Vector3d::Zero());
+    const gpu::Kernel kernel = BlendResponse::kernel(*context);
+    const gpu::Buffer positions(*context, "positions", 16 * sample.vertices.size());
+    gpu::CommandList list(*context, "blend");
     gpu::Recorder recorder(list);
     recorder.fill(positions, 0);
-    if (!on_host) response.record(recorder, positions);
+    if (!on_host) response.record(recorder, kernel, positions);
     recorder.finish();
     response.set_parameters(drag.parameters);
     list.run();
     if (on_host) response.run_on_host(positions.mapped_as<Vec4>());
     std::vector<float> values(4 * sample.vertices.size());
-    state->transfer.download(positions, std::span(values));
+    transfer.download(positions, std::span(values));
     return values;
   }
 
-  std::unique_ptr<VulkanState> state;
+  std::shared_ptr<gpu::Context> context;
   const Sample sample{"rough sphere", test::rough_sphere(2, 0.2, 18)};
   const Drag drag{sample, 12, 19};
 };
 
 TEST_F(BlendResponseBuffers, OfASplitBasisGiveTheSameBits) {
-  EXPECT_EQ(blend(100, false), blend(0, false));
+  EXPECT_EQ(blend(1600, false), blend(0, false));
 }
 
 TEST_F(BlendResponseBuffers, AreBlendedOnTheHostAsByTheShader) {
-  const gpu::Buffer probe(*state->context, "probe", 16);
+  const gpu::Buffer probe(*context, "probe", 16);
   if (probe.mapped().empty()) GTEST_SKIP() << "device memory is not mapped";
-  for (const std::size_t most_texels : {0U, 100U}) {
-    const std::vector<float> expected = blend(most_texels, false);
-    const std::vector<float> values = blend(most_texels, true);
+  for (const std::size_t most_bytes : {0U, 1600U}) {
+    const std::vector<float> expected = blend(most_bytes, false);
+    const std::vector<float> values = blend(most_bytes, true);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i % 4 == 3) continue;  // w, which only the surface's own positions set
       EXPECT_NEAR(values[i], expected[i], 2e-5) << "number " << i;
@@ -192,8 +184,9 @@ TEST(BlendResponse, WrongNumberOfParametersIsRefused) {
   LAPWING_NEEDS_GPU();
   const Sample sample("rough sphere", test::rough_sphere(1, 0.2, 20));
   const Drag drag(sample, 3, 21);
-  VulkanKernels kernels;
-  EXPECT_THROW(kernels.make_surface(drag.input())->blend(std::vector(4, 1.0)), InputError);
+  test::MovedMesh mesh(std::make_shared<gpu::Context>(), sample.mesh.positions, sample.topology,
+                       drag.response());
+  EXPECT_THROW(mesh.blend(std::vector(4, 1.0)), InputError);
 }
 
 }  // namespace

@@ -40,16 +40,17 @@ class KernelTest : public ::testing::TestWithParam<Twin> {
     LAPWING_NEEDS_GPU();
     gpu::ContextOptions options;
     options.map_device_memory = GetParam().mapped;
-    auto context = std::make_shared<gpu::Context>(options);
+    context = std::make_shared<gpu::Context>(options);
     if (GetParam().precision == Precision::float64 && !context->description().float64) {
       GTEST_SKIP() << "no float64 on " << context->description().name;
     }
-    kernels = std::make_unique<VulkanKernels>(std::move(context), GetParam().precision);
+    kernels = std::make_unique<VulkanKernels>(context, GetParam().precision);
   }
 
   /// Of positions and normals, which devices keep in float32: relative to the mesh's size.
   double surface_tolerance() const { return GetParam().on_gpu ? 1e-6 : 1e-13; }
 
+  std::shared_ptr<gpu::Context> context;  ///< null for the CPU twins
   std::unique_ptr<Kernels> kernels;
 };
 

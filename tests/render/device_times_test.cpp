@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,8 +11,7 @@
 #include "lapwing/gpu/context.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/render/offscreen.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 #include "support/gpu.h"
 
 namespace lapwing {
@@ -34,17 +34,30 @@ class DeviceTimes : public ::testing::Test {
     const Mesh mesh = grid(kSide, kSide);
     std::vector<Index> moving(mesh.vertex_count());
     std::iota(moving.begin(), moving.end(), 0U);
-    const std::vector<double> basis(3 * moving.size(), 1.0);
-    made = VulkanKernels(context, Precision::automatic)
-               .make_surface({mesh.positions, mesh.topology(), moving, basis, 1});
+    const std::vector<double> column(3 * moving.size(), 1.0);
+    surface.emplace(context, mesh.positions, mesh.topology());
+    blend = upload_response(context, {moving, 1, column}, mesh.topology());
+    surface->begin(*blend, mesh.positions);
     drag();  // the first one is the slowest
   }
 
   SurfaceTimes drag() {
-    auto& surface = dynamic_cast<VulkanSurface&>(*made);
-    surface.take_times();
-    for (int frame = 0; frame < 5; ++frame) surface.blend(std::vector{0.1 * frame});
-    return surface.take_times();
+    SurfaceTimes times;
+    gpu::CommandList commands(*context, "drag", 3);
+    for (int frame = 0; frame < 5; ++frame) {
+      surface->blend(blend, std::vector{0.1 * frame});
+      gpu::Recorder recorder(commands);
+      recorder.timestamp();
+      surface->record_blend(recorder);
+      recorder.timestamp();
+      surface->record_normals(recorder);
+      recorder.timestamp();
+      recorder.finish();
+      commands.run();
+      times.blend_ms += commands.milliseconds_between(0, 1);
+      times.normals_ms += commands.milliseconds_between(1, 2);
+    }
+    return times;
   }
 
   void draw() {
@@ -52,7 +65,8 @@ class DeviceTimes : public ::testing::Test {
   }
 
   std::shared_ptr<gpu::Context> context;
-  std::unique_ptr<DeformedSurface> made;
+  std::optional<Surface> surface;
+  std::shared_ptr<BlendResponse> blend;
 };
 
 TEST_F(DeviceTimes, OfADragAreNoShorterOnceThereWasAPicture) {

@@ -45,12 +45,12 @@ Hit cast(const Subject& subject, std::uint32_t x, std::uint32_t y, std::uint32_t
 constexpr std::uint32_t kSize = 96;
 
 void expect_same_as_ray_cast(Subject& subject) {
-  IdPicture picture(subject.surface->context());
-  picture.draw(*subject.surface, subject.camera, kSize, kSize);
+  IdPicture picture(subject.surface.context());
+  picture.draw(subject.surface, subject.camera, kSize, kSize);
   std::size_t hits = 0;
   for (std::uint32_t y = 0; y < kSize; y += 3) {
     for (std::uint32_t x = 0; x < kSize; x += 3) {
-      const auto pick = picture.pick(*subject.surface, x, y);
+      const auto pick = picture.pick(subject.surface, x, y);
       const Hit hit = cast(subject, x, y, kSize);
       if (hit.triangle != kNoIndex && hit.border < 1e-3) continue;  // rounding decides there
       ASSERT_EQ(pick.has_value(), hit.triangle != kNoIndex) << x << ", " << y;
@@ -96,10 +96,10 @@ TEST(IdPicture, DepthIsAlongTheViewingDirection) {
   LAPWING_NEEDS_GPU();
   Subject square(grid(1, 1));
   square.camera = fit(square.mesh.positions, view_axes(View::front), 1.0);
-  IdPicture picture(square.surface->context());
-  picture.draw(*square.surface, square.camera, kSize, kSize);
+  IdPicture picture(square.surface.context());
+  picture.draw(square.surface, square.camera, kSize, kSize);
   for (const std::uint32_t x : {20U, 50U, 80U}) {
-    const auto pick = picture.pick(*square.surface, x, 30);
+    const auto pick = picture.pick(square.surface, x, 30);
     ASSERT_TRUE(pick);
     EXPECT_NEAR(pick->depth, square.camera.eye.z(), 1e-5);
   }
@@ -108,20 +108,20 @@ TEST(IdPicture, DepthIsAlongTheViewingDirection) {
 TEST(IdPicture, BackgroundAndOutsideAreNothing) {
   LAPWING_NEEDS_GPU();
   Subject sphere(icosphere(2));
-  IdPicture picture(sphere.surface->context());
-  EXPECT_FALSE(picture.pick(*sphere.surface, 0, 0));
-  picture.draw(*sphere.surface, sphere.camera, kSize, kSize);
-  EXPECT_FALSE(picture.pick(*sphere.surface, 0, 0));
-  EXPECT_FALSE(picture.pick(*sphere.surface, kSize, 0));
-  EXPECT_TRUE(picture.pick(*sphere.surface, kSize / 2, kSize / 2));
+  IdPicture picture(sphere.surface.context());
+  EXPECT_FALSE(picture.pick(sphere.surface, 0, 0));
+  picture.draw(sphere.surface, sphere.camera, kSize, kSize);
+  EXPECT_FALSE(picture.pick(sphere.surface, 0, 0));
+  EXPECT_FALSE(picture.pick(sphere.surface, kSize, 0));
+  EXPECT_TRUE(picture.pick(sphere.surface, kSize / 2, kSize / 2));
 }
 
 TEST(IdPicture, FollowsTheSurfaceAndTheSize) {
   LAPWING_NEEDS_GPU();
   Subject sphere(icosphere(3));
-  IdPicture picture(sphere.surface->context());
+  IdPicture picture(sphere.surface.context());
   const auto count = [&](std::uint32_t width, std::uint32_t height) {
-    picture.draw(*sphere.surface, sphere.camera, width, height);
+    picture.draw(sphere.surface, sphere.camera, width, height);
     std::size_t covered = 0;
     for (const std::uint32_t id : picture.ids()) covered += id != 0 ? 1 : 0;
     return covered;
@@ -129,7 +129,7 @@ TEST(IdPicture, FollowsTheSurfaceAndTheSize) {
   const std::size_t whole = count(kSize, kSize);
   EXPECT_NEAR(static_cast<double>(count(2 * kSize, 2 * kSize)), 4.0 * static_cast<double>(whole),
               0.05 * static_cast<double>(whole));
-  sphere.surface->blend(std::array{10.0});
+  sphere.move_by(10.0);
   EXPECT_EQ(count(kSize, kSize), 0U);
 }
 
@@ -138,9 +138,9 @@ TEST(IdPicture, SurfaceWithoutTrianglesIsNothing) {
   Mesh points;
   points.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   Subject subject(points);
-  IdPicture picture(subject.surface->context());
-  picture.draw(*subject.surface, subject.camera, kSize, kSize);
-  EXPECT_FALSE(picture.pick(*subject.surface, kSize / 2, kSize / 2));
+  IdPicture picture(subject.surface.context());
+  picture.draw(subject.surface, subject.camera, kSize, kSize);
+  EXPECT_FALSE(picture.pick(subject.surface, kSize / 2, kSize / 2));
 }
 
 }  // namespace

@@ -28,8 +28,7 @@ BoundaryLoop loop_of(const Mesh& mesh) {
 }
 
 Image picture_of(const Mesh& mesh) {
-  VulkanKernels kernels;
-  return part_picture(kernels, mesh, loop_of(mesh), 96);
+  return part_picture(std::make_shared<gpu::Context>(), mesh, loop_of(mesh), 96);
 }
 
 TEST(PartPicture, ShowsThePartWithItsLoopBelow) {
@@ -74,9 +73,9 @@ TEST(PartPicture, FlatPartIsSeenAcross) {
 
 TEST(PartPicture, LoopWithoutAPlaneIsRefused) {
   LAPWING_NEEDS_GPU();
-  VulkanKernels kernels;
+  const auto context = std::make_shared<gpu::Context>();
   const Mesh mesh = dome();
-  EXPECT_THROW(part_picture(kernels, mesh, std::vector<Index>{0, 1}, 96), InputError);
+  EXPECT_THROW(part_picture(context, mesh, std::vector<Index>{0, 1}, 96), InputError);
 }
 
 }  // namespace

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "lapwing/render/render_image.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 
 namespace lapwing::test {
 
@@ -19,37 +18,32 @@ class Subject {
  public:
   explicit Subject(const Mesh& subject_mesh)
       : mesh(subject_mesh),
-        surface(make_surface(mesh)),
-        paint(*surface),
+        surface(context, mesh.positions, mesh.topology()),
+        paint(surface),
         camera(fit(mesh.positions, view_axes(View::front), 1.0,
                    {.orthographic = true, .margin = kMargin})) {
     options.width = kSize;
     options.height = kSize;
   }
 
-  Image render() const { return render_image(*surface, paint, camera, options); }
+  Image render() { return render_image(surface, paint, camera, options); }
+
+  /// Along x, from where the mesh is.
+  void move_by(double distance) {
+    Positions moved = mesh.positions;
+    for (Eigen::Vector3d& p : moved) p.x() += distance;
+    surface.place(moved);
+  }
 
   static constexpr std::uint32_t kSize = 128;
   static constexpr double kMargin = 0.1;
 
+  std::shared_ptr<gpu::Context> context = std::make_shared<gpu::Context>();
   Mesh mesh;
-  std::unique_ptr<VulkanSurface> surface;  ///< one column moves all of it by 1 along x
+  Surface surface;
   SurfacePaint paint;
   Camera camera;
   RenderOptions options;
-
- private:
-  static std::unique_ptr<VulkanSurface> make_surface(const Mesh& mesh) {
-    std::vector<Index> moving;
-    std::vector<double> basis;
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      moving.push_back(v);
-      basis.insert(basis.end(), {1.0, 0.0, 0.0});
-    }
-    VulkanKernels kernels;
-    auto made = kernels.make_surface({mesh.positions, mesh.topology(), moving, basis, 1});
-    return std::unique_ptr<VulkanSurface>(&dynamic_cast<VulkanSurface&>(*made.release()));
-  }
 };
 
 /// Fraction of the picture that is not transparent.

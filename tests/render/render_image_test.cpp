@@ -265,11 +265,11 @@ TEST(RenderImage, SurfaceThatMovedIsDrawnWhereItIsNow) {
   Subject sphere(icosphere(3));
   sphere.options.background = Background::transparent;
   const Image rest = sphere.render();
-  sphere.surface->blend(std::array{0.15});
+  sphere.move_by(0.15);
   const Image moved = sphere.render();
   const double pixels_per_unit = kPartShown * Subject::kSize / 2.0;
   EXPECT_NEAR(mean_column(moved) - mean_column(rest), 0.15 * pixels_per_unit, 0.1);
-  sphere.surface->blend(std::array{0.0});
+  sphere.move_by(0.0);
   EXPECT_EQ(sphere.render().rgba, rest.rgba);
 }
 

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "kernels/moved_mesh.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/doctor/format.h"
@@ -59,18 +60,20 @@ EditRegion small_region(const Topology& topology) {
 }
 
 // What became of the file, in words; throws `Error` when it was refused.
-std::string check_and_edit(const fs::path& path, Kernels& kernels) {
+std::string check_and_edit(const fs::path& path, VulkanKernels& kernels) {
   const Mesh mesh = read_mesh(path);
   const Topology& topology = mesh.topology();
   EXPECT_FALSE(format(check(mesh)).empty());
   if (topology.triangles.empty()) throw InputError("no triangles to edit");
   const double diagonal = bounds_of(mesh.positions).diagonal();
-  Deformer deformer(mesh.positions, topology, small_region(topology), {}, kernels);
+  const Deformer deformer(mesh.positions, topology, small_region(topology), {}, kernels);
   const std::array motions{
       Eigen::Affine3d(Eigen::Translation3d(0.01 * diagonal, 0.02 * diagonal, 0.0))};
-  deformer.drag(motions);
   const DeformResult result = deformer.solve(motions);
-  for (const Eigen::Vector3d& p : deformer.surface().positions()) {
+  test::MovedMesh shown(kernels.context(), mesh.positions, topology,
+                        deformer.response()->columns());
+  shown.blend(Drag(deformer.response()).parameters(motions));
+  for (const Eigen::Vector3d& p : shown.positions()) {
     if (!p.allFinite()) return "NOT FINITE ON THE DEVICE";
   }
   return result.certificate.all_finite ? "edited" : "NOT FINITE";

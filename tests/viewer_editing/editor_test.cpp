@@ -37,9 +37,9 @@ class AnEditor : public ::testing::Test {
     view_.camera = fit(state.rest->positions, {-Vector3d::UnitY(), Vector3d::UnitZ()},
                        kWindow.x() / kWindow.y());
     view_.size = kWindow;
-    kernels_.emplace(std::make_shared<gpu::Context>(), Precision::automatic);
+    context_ = std::make_shared<gpu::Context>();
     editor_.emplace(
-        EditStart{History(state), {state.rest, state.topology}, {}, {}, folder_.path()}, *kernels_,
+        EditStart{History(state), {state.rest, state.topology}, {}, {}, folder_.path()}, context_,
         [](const std::string& said) { EXPECT_EQ(said, ""); },
         [this] {
           if (!by_steps_) return;
@@ -121,7 +121,7 @@ class AnEditor : public ::testing::Test {
   std::atomic<bool> by_steps_ = false;
   std::atomic<bool> waits_ = false;
   std::counting_semaphore<> steps_{0};
-  std::optional<VulkanKernels> kernels_;
+  std::shared_ptr<gpu::Context> context_;
   std::optional<Editor> editor_;
 };
 
@@ -183,6 +183,28 @@ TEST_F(AnEditor, ResultOnItsWayComesThoughAnotherDragWasGivenUp) {
   wait_until_ready();
   EXPECT_FALSE(needs_settling(editor_->state()));
   EXPECT_GT(head_moved(), 0.2);
+}
+
+TEST_F(AnEditor, UploadsTheMeshOnceAndOfAResultWhatMoves) {
+  // That of the editor has the worker's uploads, too.
+  const auto context = std::make_shared<gpu::Context>();
+  const auto uploaded = [&] { return context->transfers().uploaded; };
+  ShownSurface shown({editor_->state().rest, editor_->state().topology});
+  shown.take(editor_->state());
+  shown.use_device(context);
+  const std::uint64_t opened = uploaded();
+  shown.show_still();
+  EXPECT_EQ(uploaded(), opened);
+
+  turn_and_settle(60.0);
+  shown.take(editor_->state());
+  shown.show_still();
+  const std::vector<Index>& moved = editor_->state().settled->vertices;
+  const std::size_t affected = with_ring_neighbours(moved, editor_->state().topology->rings).size();
+  ASSERT_LT(affected, rest().size());
+  constexpr std::uint64_t kNoParameters = 2 * 16;
+  EXPECT_LE(uploaded() - opened, moved.size() * (16 + 4) + affected * 4 + kNoParameters);
+  EXPECT_GT(uploaded(), opened);
 }
 
 TEST_F(AnEditor, ASettledHandleTakenHoldOfAgainMovesNothing) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
+#include "support/dragged.h"
 #include "viewer_state/tube_edit.h"
 
 namespace lapwing::viewer::test {
@@ -117,13 +118,12 @@ TEST(Preparation, PreviewIsDraggedWhileTheExactOneIsMade) {
   int frames = 0;
   while (preparation.status().phase != Phase::ready) {
     if (const auto preview = preparation.preview()) {
-      preview->drag(motions);
+      lapwing::test::dragged(preview->response(), motions);
       ++frames;
     }
   }
-  preparation.exact()->drag(motions);
-  EXPECT_GT(largest_distance(preparation.exact()->surface().positions(), state.rest->positions),
-            0.3);
+  const Positions moved = lapwing::test::dragged(preparation.exact()->response(), motions);
+  EXPECT_GT(largest_distance(moved, state.rest->positions), 0.3);
 }
 
 TEST(Preparation, SettlesAsADeformerMadeAtOnceDoes) {
@@ -400,7 +400,7 @@ TEST(Preparation, WakesTheWindowWhenSomethingChanged) {
 }
 
 TEST(Preparation, WhatIsHeldOutlivesIt) {
-  std::shared_ptr<Deformer> exact;
+  std::shared_ptr<const Deformer> exact;
   std::vector<Eigen::Affine3d> motions;
   {
     Preparation preparation(cpu_kernels);
@@ -410,8 +410,7 @@ TEST(Preparation, WhatIsHeldOutlivesIt) {
     wait_for(preparation, Phase::ready);
     exact = preparation.exact();
   }
-  exact->drag(motions);
-  EXPECT_FALSE(exact->surface().positions().empty());
+  EXPECT_FALSE(lapwing::test::dragged(exact->response(), motions).empty());
 }
 
 }  // namespace

@@ -220,11 +220,16 @@ TEST(FramePainter, DrawsFromTheVeryBuffersThatTheKernelsWrote) {
   Frames frames({.map_device_memory = false});
   const CommandSpy spy(*frames.context);
   DraggedSphere sphere(frames.context);
+  CommandSpy::bound.clear();
+  sphere.drag(0.1);
+  EXPECT_TRUE(CommandSpy::bound.empty()) << "it moves in the submission that draws it";
+  frames.paint(sphere.scene());
   // Blend and normals both bind five buffers and write the last one.
   std::vector<VkBuffer> written;
-  for (const CommandSpy::Bound& bound : CommandSpy::bound) written.push_back(bound.buffers.at(4));
-  CommandSpy::bound.clear();
-  frames.paint(sphere.scene());
+  for (const CommandSpy::Bound& bound : CommandSpy::bound) {
+    if (bound.point == VK_PIPELINE_BIND_POINT_COMPUTE) written.push_back(bound.buffers.at(4));
+  }
+  EXPECT_EQ(written.size(), 2U);
   const auto drawn = std::find_if(
       CommandSpy::bound.begin(), CommandSpy::bound.end(), [](const CommandSpy::Bound& bound) {
         return bound.point == VK_PIPELINE_BIND_POINT_GRAPHICS && bound.buffers.size() == 7;

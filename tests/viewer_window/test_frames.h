@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 #include "window/app.h"
 #include "window/theme.h"
 
@@ -22,29 +21,30 @@ class DraggedSphere {
   explicit DraggedSphere(const std::shared_ptr<gpu::Context>& context)
       : mesh_(icosphere(3)),
         topology_(mesh_.topology()),
-        kernels_(context, Precision::automatic),
-        made_(make()),
-        paint_(surface()) {
-    scene_.surface = &surface();
+        surface_(context, mesh_.positions, topology_),
+        blend_(make(context)),
+        paint_(surface_) {
+    surface_.begin(*blend_, mesh_.positions);
+    scene_.surface = &surface_;
     scene_.paint = &paint_;
     scene_.camera = fit(mesh_.positions, view_axes(View::front), 1.6);
   }
 
-  VulkanSurface& surface() { return dynamic_cast<VulkanSurface&>(*made_); }
+  Surface& surface() { return surface_; }
 
   /// Moves it along x by `distance`, and a little in every other way.
   void drag(double distance) {
     std::array<double, 12> parameters;
     parameters.fill(0.01 * distance);
     parameters[9] = distance;
-    made_->blend(parameters);
+    surface_.blend(blend_, parameters);
   }
 
   const Scene& scene() const { return scene_; }
 
  private:
   // Column 3 r + a: coordinate r of a vertex, and 1 for r = 3, along axis a.
-  std::unique_ptr<DeformedSurface> make() {
+  std::shared_ptr<BlendResponse> make(const std::shared_ptr<gpu::Context>& context) {
     std::vector<Index> moving;
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
       if (mesh_.positions[v].y() >= 0.0) moving.push_back(v);
@@ -59,13 +59,13 @@ class DraggedSphere {
         }
       }
     }
-    return kernels_.make_surface({mesh_.positions, topology_, moving, basis, 12});
+    return upload_response(context, {moving, 12, basis}, topology_);
   }
 
   Mesh mesh_;
   Topology topology_;
-  VulkanKernels kernels_;
-  std::unique_ptr<DeformedSurface> made_;
+  Surface surface_;
+  std::shared_ptr<BlendResponse> blend_;
   SurfacePaint paint_;
   Scene scene_;
 };

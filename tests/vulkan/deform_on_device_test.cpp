@@ -1,6 +1,7 @@
 // The main operation on each device, from assembly to the dragged surface.
 #include <cstring>
 
+#include "kernels/moved_mesh.h"
 #include "kernels/twins.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/settle/settle.h"
@@ -61,30 +62,14 @@ TEST_P(DeformOnDevice, ResultDoesNotDependOnPlaceOrUnit) {
 TEST_P(DeformOnDevice, DraggedSurfaceFollowsTheSolution) {
   const Mesh mesh = test::bumpy_tube();
   const Topology& topology = mesh.topology();
-  Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh), test::linear_options(),
-                    *kernels);
+  const Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh),
+                          test::linear_options(), *kernels);
   const std::array motions{test::bend()};
-  deformer.drag(motions);
-  EXPECT_LT(
-      test::largest_distance(deformer.surface().positions(), deformer.solve(motions).positions),
-      surface_tolerance() * bounds_of(mesh.positions).diagonal());
-}
-
-TEST_P(DeformOnDevice, ShownResultIsTheSettledOneWithItsNormals) {
-  const Mesh mesh = test::bumpy_tube();
-  const Topology& topology = mesh.topology();
-  Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh), {}, *kernels);
-  const std::array motions{test::bend()};
-  const Positions settled = deformer.solve(motions).positions;
-  deformer.drag(motions);
-  const double diagonal = bounds_of(mesh.positions).diagonal();
-  EXPECT_GT(test::largest_distance(deformer.surface().positions(), settled), 1e-3 * diagonal);
-  deformer.show(settled);
-  EXPECT_LT(test::largest_distance(deformer.surface().positions(), settled),
-            surface_tolerance() * diagonal);
-  CpuKernels cpu;
-  const auto reference = cpu.make_surface({settled, topology, {}, {}, 0});
-  EXPECT_LT(test::largest_distance(deformer.surface().normals(), reference->normals()), 1e-4);
+  Drag drag(deformer.response());
+  test::MovedMesh shown(context, mesh.positions, topology, deformer.response()->columns());
+  shown.blend(drag.parameters(motions));
+  EXPECT_LT(test::largest_distance(shown.positions(), deformer.solve(motions).positions),
+            surface_tolerance() * bounds_of(mesh.positions).diagonal());
 }
 
 // Settling wants double precision.

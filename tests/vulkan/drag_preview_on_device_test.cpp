@@ -1,6 +1,7 @@
 #include <array>
 #include <thread>
 
+#include "kernels/moved_mesh.h"
 #include "kernels/twins.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag_preview.h"
@@ -22,22 +23,25 @@ class DragPreviewOnDevice : public test::KernelTest {
   std::array<Affine3d, 1> bend{test::bend()};
 
   DragPreview preview(const DeformOptions& options = {}) {
-    return {mesh.positions, topology, test::foot_and_head(mesh), options, *kernels};
+    return {mesh.positions, topology, test::foot_and_head(mesh), options};
+  }
+  Positions shown(const std::shared_ptr<const DragResponse>& response,
+                  std::span<const Affine3d> motions) {
+    test::MovedMesh moved(context, mesh.positions, topology, response->columns());
+    moved.blend(Drag(response).parameters(motions));
+    return moved.positions();
   }
 };
 
 TEST_P(DragPreviewOnDevice, StillHandleLeavesTheSurfaceAtRest) {
-  DragPreview still = preview();
-  still.drag(std::array{Affine3d::Identity()});
-  EXPECT_LT(test::largest_distance(still.surface().positions(), mesh.positions),
+  const std::array still{Affine3d::Identity()};
+  EXPECT_LT(test::largest_distance(shown(preview().response(), still), mesh.positions),
             surface_tolerance() * diagonal);
 }
 
 // Free vertices follow (L'Om L + K) u = 0.
 TEST_P(DragPreviewOnDevice, KeepsLaplacianCoordinatesAsTheyAre) {
-  DragPreview dragged = preview();
-  dragged.drag(bend);
-  const Positions positions = dragged.surface().positions();
+  const Positions positions = shown(preview().response(), bend);
   std::vector<Vector3d> u(positions.size());
   for (std::size_t v = 0; v < u.size(); ++v) u[v] = positions[v] - mesh.positions[v];
   const EditRegion region = test::foot_and_head(mesh);
@@ -55,9 +59,8 @@ TEST_P(DragPreviewOnDevice, HandleGoesAboutWhereItIsDragged) {
   DeformOptions options;
   for (const bool hard : {false, true}) {
     options.hard = hard;
-    DragPreview dragged = preview(options);
-    dragged.drag(bend);
-    const Positions positions = dragged.surface().positions();
+    const DragPreview dragged = preview(options);
+    const Positions positions = shown(dragged.response(), bend);
     for (const Index v : dragged.region().handles[0]) {
       EXPECT_LT((positions[v] - bend[0] * mesh.positions[v]).norm(),
                 (hard ? surface_tolerance() : 0.025) * diagonal);
@@ -67,27 +70,26 @@ TEST_P(DragPreviewOnDevice, HandleGoesAboutWhereItIsDragged) {
 
 TEST_P(DragPreviewOnDevice, DeformerMadeFromItIsTheOneMadeAlone) {
   const DeformOptions options;
-  DragPreview first = preview(options);
+  const DragPreview first = preview(options);
   const Deformer after(first, *kernels);
   const Deformer alone(mesh.positions, topology, test::foot_and_head(mesh), options, *kernels);
   EXPECT_EQ(after.solve(bend).positions, alone.solve(bend).positions);
 }
 
 TEST_P(DragPreviewOnDevice, FollowsTheHandleWhileAnotherThreadPreparesTheExactOne) {
-  DragPreview first = preview(test::linear_options());
+  const DragPreview first = preview(test::linear_options());
   std::unique_ptr<Kernels> own = std::make_unique<CpuKernels>();
-  if (auto* vulkan = dynamic_cast<VulkanKernels*>(kernels.get())) {
-    own = std::make_unique<VulkanKernels>(vulkan->context(), GetParam().precision);
-  }
+  if (context) own = std::make_unique<VulkanKernels>(context, GetParam().precision);
   std::unique_ptr<Deformer> exact;
   std::thread preparing([&] { exact = std::make_unique<Deformer>(first, *own); });
-  for (int frame = 0; frame < 50; ++frame) first.drag(bend);
+  test::MovedMesh moved(context, mesh.positions, topology, first.response()->columns());
+  Drag drag(first.response());
+  for (int frame = 0; frame < 50; ++frame) moved.blend(drag.parameters(bend));
   preparing.join();
-  exact->drag(bend);
   const Positions expected = exact->solve(bend).positions;
-  EXPECT_LT(test::largest_distance(exact->surface().positions(), expected),
+  EXPECT_LT(test::largest_distance(shown(exact->response(), bend), expected),
             surface_tolerance() * diagonal);
-  EXPECT_LT(test::largest_distance(first.surface().positions(), expected), 0.3 * diagonal);
+  EXPECT_LT(test::largest_distance(moved.positions(), expected), 0.3 * diagonal);
 }
 
 LAPWING_ON_ALL_TWINS(DragPreviewOnDevice);

@@ -9,9 +9,7 @@
 #include "exit_code.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/render/render_image.h"
-#include "lapwing/vulkan/open_device.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 #include "pose_colors.h"
 #include "progress_display.h"
 
@@ -130,13 +128,13 @@ void EditOutput::add_to(CLI::App& command) {
 void EditOutput::run(const Recipe& recipe) const {
   // A picture's options are checked before the work, not after.
   picture.render_options();
-  const auto kernels = open_device(device, frames == "device");
+  const Device opened = open_device(device, frames == "device");
   ProgressDisplay display(quiet);
-  display.note("device: " + kernels->device().name);
-  const auto result = run_recipe(recipe, *kernels, display.callback(), {report_vertices});
+  display.note("device: " + opened.kernels->device().name);
+  const auto result = run_recipe(recipe, *opened.kernels, display.callback(), {report_vertices});
   const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
   if (!target.empty()) save_result(*result, target);
-  if (!render.empty() || !render_before.empty()) draw(*result, *kernels);
+  if (!render.empty() || !render_before.empty()) draw(*result, opened);
   for (const std::string& warning : result->report.warnings) display.note("note: " + warning);
   if (!report.empty()) replace_file(report, to_json(result->report));
   if (!quiet) {
@@ -152,25 +150,11 @@ void EditOutput::run(const Recipe& recipe) const {
   }
 }
 
-void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
-  // The result is drawn from the buffers that the drag wrote. An edit on the CPU has none, so a
-  // Vulkan device is opened for the picture alone.
-  std::unique_ptr<Kernels> drawing;
-  Kernels* maker = dynamic_cast<VulkanKernels*>(&kernels);
-  if (maker == nullptr) maker = (drawing = open_device("auto")).get();
-  const auto still = [&](std::span<const Eigen::Vector3d> positions) {
-    return maker->make_surface({positions, result.mesh.topology(), {}, {}, 0});
-  };
-  std::unique_ptr<DeformedSurface> made;
-  auto* after = result.deformed.last
-                    ? dynamic_cast<VulkanSurface*>(&result.deformed.last->surface())
-                    : nullptr;
-  if (after == nullptr) {
-    made = still(result.mesh.positions);
-    after = dynamic_cast<VulkanSurface*>(made.get());
-  }
-
-  SurfacePaint paint(*after);
+void EditOutput::draw(const RunResult& result, const Device& used) const {
+  // An edit on the processor has no device to draw on, so one is opened for the picture alone.
+  Surface surface(used.context ? used.context : open_device("auto").context, result.original,
+                  result.mesh.topology());
+  SurfacePaint paint(surface);
   paint.set_polygons(result.mesh);
   RenderOptions options = picture.render_options();
   if (color == "regions" && !result.region.roi.empty()) {
@@ -182,12 +166,11 @@ void EditOutput::draw(const RunResult& result, Kernels& kernels) const {
   Positions both = result.original;
   both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());
   const Camera camera = picture.camera(both, options.style.color == SurfaceColor::scalar);
-  if (!render.empty()) write_png(render, render_image(*after, paint, camera, options));
   if (!render_before.empty()) {
-    const auto before = still(result.original);
-    write_png(render_before,
-              render_image(dynamic_cast<VulkanSurface&>(*before), paint, camera, options));
+    write_png(render_before, render_image(surface, paint, camera, options));
   }
+  surface.place(result.mesh.positions);
+  if (!render.empty()) write_png(render, render_image(surface, paint, camera, options));
 }
 
 }  // namespace lapwing::cli

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 
 #include "lapwing/session/run_recipe.h"
+#include "lapwing/vulkan/open_device.h"
 #include "picture_options.h"
 
 namespace lapwing::cli {
@@ -28,7 +29,7 @@ struct EditOutput {
   void run(const Recipe& recipe) const;
 
  private:
-  void draw(const RunResult& result, Kernels& kernels) const;
+  void draw(const RunResult& result, const Device& device) const;
 };
 
 }  // namespace lapwing::cli

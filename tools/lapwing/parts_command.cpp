@@ -9,7 +9,6 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/parts/part_library.h"
 #include "lapwing/render/part_picture.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
 #include "loop_text.h"
 #include "mesh_output.h"
 
@@ -40,8 +39,8 @@ class Thumbnails {
   void renew(const Part& part) {
     if (off_ || picture_is_current(part.mesh_path)) return;
     try {
-      if (!kernels_) kernels_.emplace(VulkanOptions{device_});
-      const Image image = part_picture(*kernels_, part.mesh, part.loops[part.loop], kThumbnailSide);
+      if (!context_) context_ = std::make_shared<gpu::Context>(gpu::ContextOptions{device_});
+      const Image image = part_picture(context_, part.mesh, part.loops[part.loop], kThumbnailSide);
       write_png(picture_path(part.mesh_path), image);
     } catch (const GpuError& error) {
       off_ = true;
@@ -55,7 +54,7 @@ class Thumbnails {
  private:
   std::string device_;
   bool off_;
-  std::optional<VulkanKernels> kernels_;
+  std::shared_ptr<gpu::Context> context_;
 };
 
 void print(const Part& part) {
@@ -98,8 +97,8 @@ void show(const PartsArguments& a) {
     std::printf("  loop %zu: %s\n", k, loop_text(part.loops[k], part.mesh.positions).c_str());
   }
   if (a.picture.empty()) return;
-  VulkanKernels kernels(VulkanOptions{a.device});
-  write_png(a.picture, part_picture(kernels, part.mesh, part.loops[part.loop], a.side));
+  const auto context = std::make_shared<gpu::Context>(gpu::ContextOptions{a.device});
+  write_png(a.picture, part_picture(context, part.mesh, part.loops[part.loop], a.side));
 }
 
 CLI::App* subcommand(CLI::App& parts, PartsArguments& a, const std::string& name,

@@ -6,8 +6,7 @@
 #include "commands.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 #include "picture_options.h"
 #include "pose_colors.h"
 
@@ -37,19 +36,16 @@ void render(const RenderArguments& arguments) {
   RenderOptions options = arguments.picture.render_options();
   const Mesh mesh = read_mesh(arguments.mesh);
   const Topology& topology = mesh.topology();
-  VulkanOptions device;
-  device.device = arguments.device;
-  VulkanKernels kernels(device);
-  const auto surface = kernels.make_surface({mesh.positions, topology, {}, {}, 0});
-  auto& drawn = dynamic_cast<VulkanSurface&>(*surface);
-  SurfacePaint paint(drawn);
+  Surface surface(std::make_shared<gpu::Context>(gpu::ContextOptions{arguments.device}),
+                  mesh.positions, topology);
+  SurfacePaint paint(surface);
   paint.set_polygons(mesh);
   if (!arguments.rest.empty()) {
     const Mesh rest = read_rest_pose(arguments.rest, mesh);
     color_by(arguments.color, topology, rest.positions, mesh.positions, paint, options);
   }
   const Camera camera = arguments.picture.camera(mesh.positions, !arguments.rest.empty());
-  write_png(arguments.image, render_image(drawn, paint, camera, options));
+  write_png(arguments.image, render_image(surface, paint, camera, options));
 }
 
 }  // namespace

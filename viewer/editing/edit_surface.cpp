@@ -1,16 +1,9 @@
 #include "editing/edit_surface.h"
 
-#include <numeric>
 #include <utility>
 
 namespace lapwing::viewer {
 namespace {
-
-std::unique_ptr<DeformedSurface> still_surface(const Mesh& mesh, VulkanKernels& kernels) {
-  std::vector<Index> all(mesh.vertex_count());
-  std::iota(all.begin(), all.end(), Index{0});
-  return kernels.make_surface({mesh.positions, mesh.topology(), all, {}, 0});
-}
 
 VertexClass class_of(Part::Role role) {
   switch (role) {
@@ -26,50 +19,39 @@ VertexClass class_of(Part::Role role) {
 
 }  // namespace
 
-EditSurface::EditSurface(const Mesh& mesh, VulkanKernels& kernels)
-    : still_(still_surface(mesh, kernels)),
-      shown_(&dynamic_cast<VulkanSurface&>(*still_)),
-      paint_(*shown_) {
+EditSurface::EditSurface(std::shared_ptr<gpu::Context> context, const Mesh& mesh)
+    : surface_(std::make_unique<Surface>(std::move(context), mesh.positions, mesh.topology())),
+      paint_(*surface_) {
   paint_.set_polygons(mesh);
 }
 
-void EditSurface::show(DeformedSurface& surface, SurfaceSource source) {
-  shown_ = &dynamic_cast<VulkanSurface&>(surface);
+void EditSurface::changed(SurfaceSource source) {
   source_ = source;
   ++version_;
 }
 
 void EditSurface::place(std::span<const Eigen::Vector3d> positions) {
-  still_->place(positions);
-  show(*still_, SurfaceSource::still);
+  surface_->place(positions);
   pose_.reset();
-  preview_ = {};
-  exact_ = {};
-}
-
-template <typename Response>
-void EditSurface::drag(std::shared_ptr<Response> response, std::span<const Eigen::Affine3d> motions,
-                       SurfaceSource source, Dragged<Response>& dragged) {
-  if (response != dragged.response || pose_ != dragged.pose) {
-    response->drag_from(pose_ ? *pose_ : SettledPose());
-  }
-  response->drag(motions);
-  show(response->surface(), source);
-  dragged = {std::move(response), pose_};
+  drag_.reset();
+  on_device_.reset();
+  changed(SurfaceSource::still);
 }
 
 bool EditSurface::drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions) {
-  const bool is_free = preparation.status().phase == PreparationStatus::Phase::ready;
-  if (auto exact = preparation.exact(); exact && is_free) {
-    const auto source = exact->is_exact() ? SurfaceSource::exact : SurfaceSource::preview;
-    drag(std::move(exact), motions, source, exact_);
-    return true;
+  const auto exact = preparation.exact();
+  const auto preview = preparation.preview();
+  if (!preview) return false;
+  const auto& response = exact ? exact->response() : preview->response();
+  if (!drag_ || drag_->response() != response || drag_->pose() != pose_) {
+    if (!drag_ || drag_->response() != response) on_device_ = preparation.on_device(*response);
+    drag_.emplace(response, pose_);
+    surface_->begin(*on_device_, response->rest(),
+                    pose_ ? std::span(pose_->displacement) : std::span<const Eigen::Vector3d>());
   }
-  if (auto preview = preparation.preview()) {
-    drag(std::move(preview), motions, SurfaceSource::preview, preview_);
-    return true;
-  }
-  return false;
+  surface_->blend(on_device_, drag_->parameters(motions));
+  changed(exact && exact->is_exact() ? SurfaceSource::exact : SurfaceSource::preview);
+  return true;
 }
 
 std::vector<VertexClass> shown_classes(const AppState& state, const Part& part,

@@ -2,12 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "lapwing/deform/drag.h"
+#include "lapwing/render/surface.h"
 #include "lapwing/render/surface_paint.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
-#include "lapwing/vulkan/vulkan_surface.h"
 #include "state/command.h"
 #include "tools/preparation.h"
 
@@ -20,13 +21,14 @@ enum class SurfaceSource {
   exact,    ///< a drag by the exact response
 };
 
-/// The surface of an edit in device memory: still, or as a drag has blended it there. Drawing reads
-/// the buffers that the drag wrote. The device must be done with what was drawn when it changes.
+/// The surface of an edit in device memory: still, or as a drag moves it there. The device must be
+/// done with what was drawn when it changes.
 class EditSurface {
  public:
-  EditSurface(const Mesh& mesh, VulkanKernels& kernels);
+  /// A mesh that shares the faces of `mesh` must outlive it.
+  EditSurface(std::shared_ptr<gpu::Context> context, const Mesh& mesh);
 
-  /// Puts the surface where `positions` says: one upload.
+  /// Puts the surface where `positions` says: uploads the vertices that are not there.
   void place(std::span<const Eigen::Vector3d> positions);
 
   /// From the next drag on: begins where `pose` is, null for the rest shape, until another pose or
@@ -34,13 +36,13 @@ class EditSurface {
   void drag_from(std::shared_ptr<const SettledPose> pose) { pose_ = std::move(pose); }
   const std::shared_ptr<const SettledPose>& pose() const { return pose_; }
 
-  /// Lets the surface follow the handles' motions from its pose on, by the exact response if the
-  /// worker leaves it free, else by the preview. False, and nothing changes, while neither is
-  /// ready. No vertex is uploaded but for the first time from a pose.
+  /// Lets the surface follow the handles' motions from its pose on, by the exact response as soon
+  /// as it is ready, until then by the preview. False, and nothing changes, while neither is.
+  /// Vertices are uploaded for the first time from a pose only, and only those that move.
   bool drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
 
-  /// What to draw. Valid until the next call of `place` or `drag`.
-  VulkanSurface& shown() const { return *shown_; }
+  /// What to draw.
+  Surface& shown() const { return *surface_; }
   SurfaceSource source() const { return source_; }
   /// Another number whenever the surface has changed.
   std::uint64_t version() const { return version_; }
@@ -49,23 +51,12 @@ class EditSurface {
   const SurfacePaint& paint() const { return paint_; }
 
  private:
-  // What drags, and from where. What is drawn must live even if the worker lets go of it.
-  template <typename Response>
-  struct Dragged {
-    std::shared_ptr<Response> response;
-    std::shared_ptr<const SettledPose> pose;
-  };
+  void changed(SurfaceSource source);
 
-  void show(DeformedSurface& surface, SurfaceSource source);
-  template <typename Response>
-  void drag(std::shared_ptr<Response> response, std::span<const Eigen::Affine3d> motions,
-            SurfaceSource source, Dragged<Response>& dragged);
-
-  std::unique_ptr<DeformedSurface> still_;
+  std::unique_ptr<Surface> surface_;
   std::shared_ptr<const SettledPose> pose_;
-  Dragged<DragPreview> preview_;
-  Dragged<Deformer> exact_;
-  VulkanSurface* shown_ = nullptr;
+  std::optional<Drag> drag_;                  // under way
+  std::shared_ptr<BlendResponse> on_device_;  // of its response
   SurfaceSource source_ = SurfaceSource::still;
   std::uint64_t version_ = 0;
   SurfacePaint paint_;

@@ -34,14 +34,16 @@ bool contains(const VertexSet& vertices, Index vertex) {
 
 }  // namespace
 
-Editor::Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<void()> wake)
+Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
+               std::function<void()> wake)
     : say_(std::move(say)), shown_(std::move(start.opened)) {
-  session_ =
-      start.restored
-          ? std::make_unique<EditSession>(*start.restored, std::move(start.history), start.journals,
-                                          kernels_like(kernels), std::move(wake))
-          : std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
-                                          start.journals, kernels_like(kernels), std::move(wake));
+  session_ = start.restored
+                 ? std::make_unique<EditSession>(*start.restored, std::move(start.history),
+                                                 start.journals, kernels_like(context),
+                                                 std::move(wake), upload_to(context))
+                 : std::make_unique<EditSession>(std::move(start.history), std::move(start.file),
+                                                 start.journals, kernels_like(context),
+                                                 std::move(wake), upload_to(context));
   if (!session_->warning().empty()) {
     say_(session_->warning());
   } else if (start.restored) {
@@ -52,7 +54,7 @@ Editor::Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<v
     tool_ = EditTool::move;
   }
   shown_.take(state());
-  shown_.use_device(kernels);
+  shown_.use_device(context);
   state_changed();
 }
 
@@ -62,9 +64,9 @@ void Editor::release_device() {
   shown_.release_device();
 }
 
-void Editor::use_device(VulkanKernels& kernels) {
-  session_->use_kernels(kernels_like(kernels));
-  shown_.use_device(kernels);
+void Editor::use_device(const std::shared_ptr<gpu::Context>& context) {
+  session_->use_kernels(kernels_like(context), upload_to(context));
+  shown_.use_device(context);
   state_changed();
 }
 

@@ -36,9 +36,10 @@ class Editor {
  public:
   using Say = std::function<void(std::string)>;
 
-  /// `kernels` must outlive the editor; the worker gets kernels of its own on their context and
+  /// The worker gets kernels of its own on `context` and
   /// calls `wake` when it has news.
-  Editor(EditStart start, VulkanKernels& kernels, Say say, std::function<void()> wake);
+  Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
+         std::function<void()> wake);
 
   struct Handled {
     bool taken = false;    ///< nobody else should act on the event
@@ -50,9 +51,9 @@ class Editor {
 
   /// The device was lost: lets all go that was made on it.
   void release_device();
-  /// And makes it anew, on the context of `kernels`, where the edit was. Nothing else may be called
+  /// And makes it anew, on `context`, where the edit was. Nothing else may be called
   /// between.
-  void use_device(VulkanKernels& kernels);
+  void use_device(const std::shared_ptr<gpu::Context>& context);
 
   /// Once a frame, before it is drawn and after the device is done with the last one: takes what
   /// the worker has, and lets the surface follow the hand.

@@ -3,12 +3,18 @@
 #include <functional>
 #include <memory>
 
+#include "lapwing/deform/drag.h"
+#include "lapwing/vulkan/blend_response.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 
 namespace lapwing::viewer {
 
-/// Makes kernels on the device of `kernels`, with which it may be called on any thread: kernels are
-/// one thread's.
-std::function<std::unique_ptr<Kernels>()> kernels_like(const VulkanKernels& kernels);
+/// Makes kernels on `context`; may be called on any thread: kernels are one thread's.
+std::function<std::unique_ptr<Kernels>()> kernels_like(
+    const std::shared_ptr<gpu::Context>& context);
+
+/// Puts a response on the device of `context`, for surfaces there to be dragged by; on any thread.
+std::function<std::shared_ptr<BlendResponse>(const DragResponse&)> upload_to(
+    const std::shared_ptr<gpu::Context>& context);
 
 }  // namespace lapwing::viewer

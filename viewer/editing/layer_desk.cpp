@@ -37,13 +37,13 @@ ToolAnswer PointTool::handle(const InputEvent& event, const SelectScene& scene) 
   return ToolAnswer::only_taken();
 }
 
-LayerDesk::LayerDesk(UpAxis up_axis, VulkanKernels& kernels, Editor::Say say,
+LayerDesk::LayerDesk(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Editor::Say say,
                      std::function<void()> wake)
     : up_axis_(up_axis),
-      kernels_(&kernels),
+      context_(context),
       say_(std::move(say)),
-      preview_(kernels_like(kernels), wake),
-      reader_(kernels_like(kernels), std::move(wake)) {}
+      preview_(kernels_like(context), wake),
+      reader_(kernels_like(context), std::move(wake)) {}
 
 void LayerDesk::begin(Editor& editor, LayerDraft::Operation operation) {
   if (is_open_) close(editor);
@@ -108,13 +108,13 @@ void LayerDesk::release_device() {
   previewed_.reset();
 }
 
-void LayerDesk::use_device(VulkanKernels& kernels) {
-  kernels_ = &kernels;
+void LayerDesk::use_device(const std::shared_ptr<gpu::Context>& context) {
+  context_ = context;
   for (auto& view : views_) {
-    if (view) view->use_device(kernels);
+    if (view) view->use_device(context);
   }
-  preview_.use_kernels(kernels_like(kernels));
-  reader_.use_kernels(kernels_like(kernels));
+  preview_.use_kernels(kernels_like(context));
+  reader_.use_kernels(kernels_like(context));
 }
 
 void LayerDesk::choose_source_patch(const RegionSpec& region) {
@@ -226,7 +226,7 @@ void LayerDesk::take_read() {
   try {
     auto mesh = reader_.take();
     if (!mesh) return;
-    views_[k] = std::make_unique<SourceView>(*std::move(mesh), up_axis_, *kernels_);
+    views_[k] = std::make_unique<SourceView>(*std::move(mesh), up_axis_, context_);
     if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);
     if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
   } catch (const Error& error) {
@@ -255,7 +255,7 @@ void LayerDesk::renew_own_views(const AppState& target) {
     if (!draft_.sources[k].mesh.empty() || reading_ == k) continue;
     if (views_[k] && views_[k]->state().rest == target.rest) continue;
     views_[k] = std::make_unique<SourceView>(TriangulatedMesh{target.rest, target.topology},
-                                             up_axis_, *kernels_);
+                                             up_axis_, context_);
     if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
     try {
       if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);

@@ -26,8 +26,8 @@ class PointTool final : public SceneTool {
 /// work is said to the editor.
 class LayerDesk {
  public:
-  /// `kernels` must outlive it.
-  LayerDesk(UpAxis up_axis, VulkanKernels& kernels, Editor::Say say, std::function<void()> wake);
+  LayerDesk(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Editor::Say say,
+            std::function<void()> wake);
 
   /// Begins a new one, or takes the `index`th step of the recipe up again; true if that is one.
   /// Gives up what was open.
@@ -79,7 +79,7 @@ class LayerDesk {
   void apply(Editor& editor);
 
   void release_device();
-  void use_device(VulkanKernels& kernels);
+  void use_device(const std::shared_ptr<gpu::Context>& context);
 
  private:
   bool can_click_target(const Editor& editor) const;
@@ -97,7 +97,7 @@ class LayerDesk {
   AppState target_of(const Editor& editor) const;
 
   UpAxis up_axis_;
-  VulkanKernels* kernels_;
+  std::shared_ptr<gpu::Context> context_;
   Editor::Say say_;
 
   bool is_open_ = false;

@@ -9,22 +9,19 @@
 #include "lapwing/parts/part_library.h"
 #include "lapwing/render/part_picture.h"
 #include "lapwing/transplant/cut.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
 
 namespace lapwing::viewer {
 namespace {
 
 namespace fs = std::filesystem;
 
-PartShelf::Item item_of(const lapwing::Part& part, Kernels& kernels) {
+PartShelf::Item item_of(const lapwing::Part& part, const std::shared_ptr<gpu::Context>& context) {
   PartShelf::Item item;
   item.file = part.mesh_path;
   item.name = part.name;
   item.vertices = part.mesh.vertex_count();
   item.looked_at = true;
-  if (auto* device = dynamic_cast<VulkanKernels*>(&kernels)) {
-    item.picture = part_picture(*device, part.mesh, part.loops[part.loop], kThumbnailSide);
-  }
+  item.picture = part_picture(context, part.mesh, part.loops[part.loop], kThumbnailSide);
   return item;
 }
 
@@ -39,8 +36,9 @@ fs::path parts_folder() {
   return base / ".local" / "share" / "lapwing" / "parts";
 }
 
-PartShelf::PartShelf(JobThread::MakeKernels make_kernels, std::function<void()> wake)
-    : job_(std::move(make_kernels), std::move(wake)) {}
+PartShelf::PartShelf(std::shared_ptr<gpu::Context> context, JobThread::MakeKernels make_kernels,
+                     std::function<void()> wake)
+    : context_(std::move(context)), job_(std::move(make_kernels), std::move(wake)) {}
 
 void PartShelf::open(const fs::path& folder) {
   folder_ = folder;
@@ -55,9 +53,9 @@ void PartShelf::open(const fs::path& folder) {
   try {
     for (const fs::path& file : part_files(folder)) {
       items_.push_back({file, file.stem().string(), 0, {}, {}, false});
-      waiting_.emplace_back([file](const std::shared_ptr<Kernels>& kernels, const Progress&) {
+      waiting_.emplace_back([file](const std::shared_ptr<gpu::Context>& context) {
         try {
-          return item_of(read_part(file), *kernels);
+          return item_of(read_part(file), context);
         } catch (const InputError& error) {
           return Item{file, file.stem().string(), 0, {}, error.what(), true};
         } catch (const IoError& error) {
@@ -72,23 +70,24 @@ void PartShelf::open(const fs::path& folder) {
 
 void PartShelf::add(const fs::path& file) {
   message_.clear();
-  waiting_.emplace_front(
-      [folder = folder_, file](const std::shared_ptr<Kernels>& kernels, const Progress&) {
-        return item_of(add_part(folder, file, "", {}).part, *kernels);
-      });
+  waiting_.emplace_front([folder = folder_, file](const std::shared_ptr<gpu::Context>& context) {
+    return item_of(add_part(folder, file, "", {}).part, context);
+  });
 }
 
 void PartShelf::cut(const AppState& state, const RegionSpec& region, const std::string& name) {
   message_.clear();
-  waiting_.emplace_front([folder = folder_, state, region, name](
-                             const std::shared_ptr<Kernels>& kernels, const Progress&) {
-    const Mesh mesh = mesh_of(state);
-    CutPiece piece = cut_out(mesh, resolve(region, mesh), region.where);
-    return item_of(add_part(folder, std::move(piece.mesh), name).part, *kernels);
-  });
+  waiting_.emplace_front(
+      [folder = folder_, state, region, name](const std::shared_ptr<gpu::Context>& context) {
+        const Mesh mesh = mesh_of(state);
+        CutPiece piece = cut_out(mesh, resolve(region, mesh), region.where);
+        return item_of(add_part(folder, std::move(piece.mesh), name).part, context);
+      });
 }
 
-void PartShelf::use_kernels(JobThread::MakeKernels make_kernels) {
+void PartShelf::use_device(std::shared_ptr<gpu::Context> context,
+                           JobThread::MakeKernels make_kernels) {
+  context_ = std::move(context);
   job_.use_kernels(std::move(make_kernels));
 }
 
@@ -122,7 +121,8 @@ bool PartShelf::update() {
     news = true;
   }
   if (!working_ && !waiting_.empty()) {
-    job_.start(std::move(waiting_.front()));
+    job_.start([work = std::move(waiting_.front()), context = context_](
+                   const std::shared_ptr<Kernels>&, const Progress&) { return work(context); });
     waiting_.pop_front();
     working_ = true;
   }

@@ -2,6 +2,8 @@
 
 #include <deque>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +12,10 @@
 #include "lapwing/render/image.h"
 #include "state/app_state.h"
 #include "tools/job.h"
+
+namespace lapwing::gpu {
+class Context;
+}
 
 namespace lapwing::viewer {
 
@@ -21,8 +27,9 @@ std::filesystem::path parts_folder();
 /// other, each drawn once.
 class PartShelf {
  public:
-  /// JobThread's; the kernels must be VulkanKernels for pictures.
-  explicit PartShelf(JobThread::MakeKernels make_kernels, std::function<void()> wake = {});
+  /// Pictures are drawn on `context`; the rest is JobThread's.
+  PartShelf(std::shared_ptr<gpu::Context> context, JobThread::MakeKernels make_kernels,
+            std::function<void()> wake = {});
 
   struct Item {
     std::filesystem::path file;
@@ -48,16 +55,18 @@ class PartShelf {
   void cut(const AppState& state, const RegionSpec& region, const std::string& name);
 
   bool busy() const { return working_; }
-  void use_kernels(JobThread::MakeKernels make_kernels);
+  /// Of a device that takes the place of one that was lost.
+  void use_device(std::shared_ptr<gpu::Context> context, JobThread::MakeKernels make_kernels);
   /// Takes what the worker has, and gives it more to do. True if there is news. Call it when woken.
   bool update();
 
  private:
-  using Work = Job<Item>::Work;
+  using Work = std::function<Item(const std::shared_ptr<gpu::Context>&)>;
 
   void keep(Item item);
   void renew_version();
 
+  std::shared_ptr<gpu::Context> context_;
   std::filesystem::path folder_;
   std::vector<Item> items_;
   std::uint64_t version_ = 0;

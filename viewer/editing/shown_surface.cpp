@@ -10,12 +10,12 @@ ShownSurface::ShownSurface(TriangulatedMesh opened)
 
 void ShownSurface::release_device() {
   device_.reset();
-  kernels_ = nullptr;
+  context_.reset();
 }
 
-void ShownSurface::use_device(VulkanKernels& kernels) {
-  kernels_ = &kernels;
-  device_.emplace(now_.mesh ? now_ : opened_, kernels);
+void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
+  context_ = std::move(context);
+  device_.emplace(now_.mesh ? now_ : opened_, context_);
   measured_.reset();
   needs_classes_ = true;
 }
@@ -46,7 +46,7 @@ void ShownSurface::put(const TriangulatedMesh& what, const Positions& positions)
   if (device_->topology != what.topology) {
     // Two at a time may not fit on the device.
     device_.reset();
-    device_.emplace(what, *kernels_);
+    device_.emplace(what, context_);
     measured_.reset();
     needs_classes_ = true;
   }
@@ -55,9 +55,9 @@ void ShownSurface::put(const TriangulatedMesh& what, const Positions& positions)
 
 void ShownSurface::follow(const Preparation& preparation,
                           std::span<const Eigen::Affine3d> motions) {
-  const bool could_be_exact = device_->surface.source() != SurfaceSource::exact &&
-                              preparation.status().phase == PreparationStatus::Phase::ready &&
-                              preparation.exact()->is_exact();
+  const auto exact = preparation.exact();
+  const bool could_be_exact =
+      device_->surface.source() != SurfaceSource::exact && exact && exact->is_exact();
   const bool same =
       std::equal(motions.begin(), motions.end(), followed_.begin(), followed_.end(),
                  [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });

@@ -30,9 +30,8 @@ class ShownSurface {
   explicit ShownSurface(TriangulatedMesh opened);
 
   /// Lets all go that is on the device, or makes it there. Between them only `take` may be called.
-  /// `kernels` must outlive what is made.
   void release_device();
-  void use_device(VulkanKernels& kernels);
+  void use_device(std::shared_ptr<gpu::Context> context);
 
   /// What is edited now; ends drag and preview. True where its surface is another than before.
   bool take(const AppState& state);
@@ -100,15 +99,15 @@ class ShownSurface {
 
   // All that is in device memory but for the worker's.
   struct OnDevice {
-    OnDevice(const TriangulatedMesh& what, VulkanKernels& kernels)
-        : picker(*kernels.context()), surface(*what.mesh, kernels), topology(what.topology) {}
+    OnDevice(const TriangulatedMesh& what, const std::shared_ptr<gpu::Context>& context)
+        : topology(what.topology), picker(*context), surface(context, *what.mesh) {}
 
+    std::shared_ptr<const Topology> topology;
     SurfacePicker picker;
     EditSurface surface;
-    std::shared_ptr<const Topology> topology;
   };
 
-  VulkanKernels* kernels_ = nullptr;
+  std::shared_ptr<gpu::Context> context_;
   std::optional<OnDevice> device_;
   TriangulatedMesh opened_;
   Bounds opened_bounds_;

@@ -19,16 +19,17 @@ constexpr ZoomRange kZoomRange{1e-4, 1e2};
 
 }  // namespace
 
-SourceView::SourceView(TriangulatedMesh mesh, UpAxis up_axis, VulkanKernels& kernels)
+SourceView::SourceView(TriangulatedMesh mesh, UpAxis up_axis,
+                       const std::shared_ptr<gpu::Context>& context)
     : state_(open_state(mesh.mesh)), up_axis_(up_axis), shown_(std::move(mesh)) {
   // A patch has no belt to be seen.
   state_.selection.belt_fraction = 0.0;
   shown_.take(state_);
-  use_device(kernels);
+  use_device(context);
 }
 
-void SourceView::use_device(VulkanKernels& kernels) {
-  shown_.use_device(kernels);
+void SourceView::use_device(const std::shared_ptr<gpu::Context>& context) {
+  shown_.use_device(context);
   shown_.show_still();
   classes_are_old_ = true;
 }

@@ -17,11 +17,11 @@ enum class SourceTool { disk, point };
 /// left corner of its own part of the window.
 class SourceView {
  public:
-  /// `kernels` must outlive it. Shows all of `mesh` with `up_axis` up.
-  SourceView(TriangulatedMesh mesh, UpAxis up_axis, VulkanKernels& kernels);
+  /// Shows all of `mesh` with `up_axis` up.
+  SourceView(TriangulatedMesh mesh, UpAxis up_axis, const std::shared_ptr<gpu::Context>& context);
 
   void release_device() { shown_.release_device(); }
-  void use_device(VulkanKernels& kernels);
+  void use_device(const std::shared_ptr<gpu::Context>& context);
 
   const AppState& state() const { return state_; }
   const ChosenRegion& patch() const { return state_.selection.roi; }

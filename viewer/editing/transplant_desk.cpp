@@ -50,12 +50,12 @@ AppState start_of(const Revision& revision, Kernels& kernels, const Progress& pr
 
 }  // namespace
 
-TransplantDesk::TransplantDesk(const VulkanKernels& kernels, Editor::Say say,
+TransplantDesk::TransplantDesk(const std::shared_ptr<gpu::Context>& context, Editor::Say say,
                                std::function<void()> wake)
     : say_(std::move(say)),
-      shelf_(kernels_like(kernels), wake),
-      preview_(kernels_like(kernels), wake),
-      reader_(kernels_like(kernels), std::move(wake)) {
+      shelf_(context, kernels_like(context), wake),
+      preview_(kernels_like(context), wake),
+      reader_(kernels_like(context), std::move(wake)) {
   shelf_.open(parts_folder());
 }
 
@@ -319,10 +319,10 @@ void TransplantDesk::release_device() {
   shown_ = Shown::nothing;
 }
 
-void TransplantDesk::use_device(const VulkanKernels& kernels) {
-  shelf_.use_kernels(kernels_like(kernels));
-  preview_.use_kernels(kernels_like(kernels));
-  reader_.use_kernels(kernels_like(kernels));
+void TransplantDesk::use_device(const std::shared_ptr<gpu::Context>& context) {
+  shelf_.use_device(context, kernels_like(context));
+  preview_.use_kernels(kernels_like(context));
+  reader_.use_kernels(kernels_like(context));
 }
 
 }  // namespace lapwing::viewer

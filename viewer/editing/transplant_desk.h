@@ -17,8 +17,8 @@ namespace lapwing::viewer {
 /// comes to. What does not work is said to the editor.
 class TransplantDesk {
  public:
-  /// The context of `kernels` must outlive it.
-  TransplantDesk(const VulkanKernels& kernels, Editor::Say say, std::function<void()> wake);
+  TransplantDesk(const std::shared_ptr<gpu::Context>& context, Editor::Say say,
+                 std::function<void()> wake);
 
   PartShelf& shelf() { return shelf_; }
   const PartShelf& shelf() const { return shelf_; }
@@ -56,7 +56,7 @@ class TransplantDesk {
   void update(Editor& editor);
 
   void release_device();
-  void use_device(const VulkanKernels& kernels);
+  void use_device(const std::shared_ptr<gpu::Context>& context);
 
  private:
   // How a part comes to be in hand: all of it beside the window.

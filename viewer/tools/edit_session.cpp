@@ -34,20 +34,22 @@ bool same_choice(const AppState& a, const AppState& b) {
 }  // namespace
 
 EditSession::EditSession(History history, std::optional<MeshStamp> file, const fs::path& journals,
-                         Preparation::MakeKernels make_kernels, std::function<void()> wake)
+                         Preparation::MakeKernels make_kernels, std::function<void()> wake,
+                         Preparation::Upload upload)
     : history_(std::move(history)),
       file_(std::move(file)),
-      preparation_(make_kernels, wake),
+      preparation_(make_kernels, wake, std::move(upload)),
       carrying_out_(std::move(make_kernels), std::move(wake)) {
   start_journal(journals, {});
   follow();
 }
 
 EditSession::EditSession(const InterruptedEdit& edit, History history, const fs::path& journals,
-                         Preparation::MakeKernels make_kernels, std::function<void()> wake)
+                         Preparation::MakeKernels make_kernels, std::function<void()> wake,
+                         Preparation::Upload upload)
     : history_(std::move(history)),
       file_(file_of(edit)),
-      preparation_(make_kernels, wake),
+      preparation_(make_kernels, wake, std::move(upload)),
       carrying_out_(std::move(make_kernels), std::move(wake)) {
   start_journal(journals, edit.has_copy() ? std::optional(edit.mesh.path) : std::nullopt);
   // What was saved over the file cannot be told from the history.
@@ -110,8 +112,8 @@ void EditSession::follow() {
   }
 }
 
-void EditSession::use_kernels(Preparation::MakeKernels make_kernels) {
-  preparation_.use_kernels(make_kernels);
+void EditSession::use_kernels(Preparation::MakeKernels make_kernels, Preparation::Upload upload) {
+  preparation_.use_kernels(make_kernels, std::move(upload));
   carrying_out_.use_kernels(std::move(make_kernels));
   prepare();
 }
@@ -191,7 +193,7 @@ std::shared_ptr<const SettledPose> EditSession::pose() const {
   const auto preview = preparation_.preview();
   if (!state().settled || !preview) return nullptr;
   auto pose = std::make_shared<SettledPose>(
-      preview->pose_at(positions_of(state()), motions_of(state()), turns_of(state())));
+      preview->response()->pose_at(positions_of(state()), motions_of(state()), turns_of(state())));
   // Where nothing moves the handles nothing is to move.
   pose->settled.settled = true;
   return pose;

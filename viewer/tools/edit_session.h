@@ -31,13 +31,15 @@ class EditSession {
   /// `file` is what was opened; without it, for a generated mesh, nothing is journalled. `journals`
   /// is a folder. The rest is Preparation's.
   EditSession(History history, std::optional<MeshStamp> file, const std::filesystem::path& journals,
-              Preparation::MakeKernels make_kernels, std::function<void()> wake = {});
+              Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
+              Preparation::Upload upload = {});
 
   /// Goes on with an interrupted edit: `history` is what `restore` made of it. Journals under the
   /// name that the mesh was opened by, and keeps a copy of the mesh where the edit has one, so that
   /// `discard(edit)` may follow unless there is a `warning`.
   EditSession(const InterruptedEdit& edit, History history, const std::filesystem::path& journals,
-              Preparation::MakeKernels make_kernels, std::function<void()> wake = {});
+              Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
+              Preparation::Upload upload = {});
 
   const History& history() const { return history_; }
   const AppState& state() const { return history_.state(); }
@@ -63,7 +65,7 @@ class EditSession {
   void prepare();
 
   /// The device was lost: goes on with kernels on another one, prepared anew.
-  void use_kernels(Preparation::MakeKernels make_kernels);
+  void use_kernels(Preparation::MakeKernels make_kernels, Preparation::Upload upload = {});
 
   /// Performs the result that has come, if one has. Call it when woken.
   bool take_result();

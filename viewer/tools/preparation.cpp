@@ -47,8 +47,11 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
 
 }  // namespace
 
-Preparation::Preparation(MakeKernels make_kernels, std::function<void()> wake)
-    : wake_(std::move(wake)), make_kernels_(std::move(make_kernels)), worker_([this] { run(); }) {}
+Preparation::Preparation(MakeKernels make_kernels, std::function<void()> wake, Upload upload)
+    : wake_(std::move(wake)),
+      make_kernels_(std::move(make_kernels)),
+      upload_(std::move(upload)),
+      worker_([this] { run(); }) {}
 
 Preparation::~Preparation() {
   {
@@ -94,7 +97,6 @@ void Preparation::settle(const AppState& state) {
     result_.reset();
     live_result_.reset();
     to_settle_ = Request{state, ++settle_ticket_, false, nullptr};
-    // From now on: the caller must not drag what the worker is about to use.
     if (status_.phase == Phase::ready) status_.phase = Phase::settling;
   }
   asked_.notify_one();
@@ -144,20 +146,30 @@ PreparationStatus Preparation::status() const {
   return status_;
 }
 
-std::shared_ptr<DragPreview> Preparation::preview() const {
+std::shared_ptr<const DragPreview> Preparation::preview() const {
   const std::lock_guard lock(mutex_);
   return ready_.preview;
 }
 
-std::shared_ptr<Deformer> Preparation::exact() const {
+std::shared_ptr<const Deformer> Preparation::exact() const {
   const std::lock_guard lock(mutex_);
   return ready_.exact;
 }
 
-void Preparation::use_kernels(MakeKernels make_kernels) {
+std::shared_ptr<BlendResponse> Preparation::on_device(const DragResponse& response) const {
+  const std::lock_guard lock(mutex_);
+  if (ready_.exact && ready_.exact->response().get() == &response) return ready_.exact_on_device;
+  if (ready_.preview && ready_.preview->response().get() == &response) {
+    return ready_.preview_on_device;
+  }
+  return nullptr;
+}
+
+void Preparation::use_kernels(MakeKernels make_kernels, Upload upload) {
   cancel();
   const std::lock_guard lock(mutex_);
   make_kernels_ = std::move(make_kernels);
+  upload_ = std::move(upload);
 }
 
 std::unique_ptr<Kernels> Preparation::make_kernels() const {
@@ -165,6 +177,13 @@ std::unique_ptr<Kernels> Preparation::make_kernels() const {
   const MakeKernels make = make_kernels_;
   lock.unlock();
   return make();
+}
+
+std::shared_ptr<BlendResponse> Preparation::upload(const DragResponse& response) const {
+  std::unique_lock lock(mutex_);
+  const Upload upload = upload_;
+  lock.unlock();
+  return upload ? upload(response) : nullptr;
 }
 
 void Preparation::wake() const {
@@ -206,28 +225,25 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
   last_live_.reset();
   try {
     Ready ready;
-    ready.preview = make_preview(state, ticket, progress);
+    const std::shared_ptr<Kept> kept = kept_for(state, ticket);
+    ready.preview = std::shared_ptr<const DragPreview>(
+        new DragPreview(kept->region, state.rest->positions, edit_region(state), state.parameters,
+                        progress),
+        [topology = state.topology](DragPreview* p) { delete p; });
+    ready.preview_on_device = upload(*ready.preview->response());
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
-    ready.exact = std::shared_ptr<Deformer>(
+    ready.exact = std::shared_ptr<const Deformer>(
         new Deformer(*ready.preview, *ready.exact_kernels, progress),
         [kernels = ready.exact_kernels, topology = state.topology](Deformer* d) { delete d; });
+    ready.exact_on_device = upload(*ready.exact->response());
     publish(ticket, ready, Phase::ready);
   } catch (const Cancelled&) {
     // Whoever cancelled has set the status.
   } catch (const std::exception& error) {
     fail(ticket, Phase::failed, error.what());
   }
-}
-
-std::shared_ptr<DragPreview> Preparation::make_preview(const AppState& state, std::uint64_t ticket,
-                                                       const Progress& progress) {
-  const std::shared_ptr<Kernels> kernels = make_kernels();
-  const std::shared_ptr<Kept> kept = kept_for(state, ticket);
-  return {new DragPreview(kept->region, state.rest->positions, edit_region(state), state.parameters,
-                          *kernels, progress),
-          [kernels, topology = state.topology](DragPreview* p) { delete p; }};
 }
 
 // Nothing is kept for a state that is no longer followed.
@@ -309,8 +325,8 @@ LiveResult Preparation::live_result(const Request& request, const Ready& ready,
   }
   state.settled = settled_result(state, *ready.exact, *ready.exact_kernels, progress).moved;
   return {state.moves,
-          std::make_shared<const SettledPose>(
-              ready.exact->pose_at(positions_of(state), motions_of(state), turns_of(state))),
+          std::make_shared<const SettledPose>(ready.exact->response()->pose_at(
+              positions_of(state), motions_of(state), turns_of(state))),
           true};
 }
 

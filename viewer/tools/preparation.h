@@ -15,6 +15,10 @@
 #include "lapwing/deform/prepared_region.h"
 #include "state/app_state.h"
 
+namespace lapwing {
+class BlendResponse;
+}
+
 namespace lapwing::viewer {
 
 /// What the worker is at, for a progress bar and a line of text.
@@ -61,9 +65,13 @@ class Preparation {
   /// The preview and the exact one are used from two threads and get kernels of their own; called
   /// on the worker.
   using MakeKernels = std::function<std::unique_ptr<Kernels>()>;
+  /// Puts a response where the window draws; called on the worker.
+  using Upload = std::function<std::shared_ptr<BlendResponse>(const DragResponse&)>;
 
-  /// `wake` is called on the worker whenever the status has changed; it must not call back.
-  explicit Preparation(MakeKernels make_kernels, std::function<void()> wake = {});
+  /// `wake` is called on the worker whenever the status has changed; it must not call back. Without
+  /// `upload` there is nothing to draw.
+  explicit Preparation(MakeKernels make_kernels, std::function<void()> wake = {},
+                       Upload upload = {});
   ~Preparation();
   Preparation(const Preparation&) = delete;
   Preparation& operator=(const Preparation&) = delete;
@@ -94,25 +102,27 @@ class Preparation {
   void cancel_settling();
 
   /// Cancels everything, and makes what follows with other kernels: the device was lost.
-  void use_kernels(MakeKernels make_kernels);
+  void use_kernels(MakeKernels make_kernels, Upload upload = {});
 
   /// Cancels everything and lets go of what is ready, until the next `follow`.
   void cancel();
 
   PreparationStatus status() const;
 
-  /// What to drag and draw; null until it is ready. Each stays usable while it is held. The worker
-  /// uses the exact one while it settles, live or not: then it may only be drawn, and the preview
-  /// is to drag. It is free for a drag exactly while `status().phase` is `ready`, which only the
-  /// members above end: never the worker, so that a phase just read holds for the frame.
-  std::shared_ptr<DragPreview> preview() const;
-  std::shared_ptr<Deformer> exact() const;
+  /// What to drag by; null until it is ready. Each stays usable while it is held. Of the exact one,
+  /// by which the worker settles, only the response is the window's.
+  std::shared_ptr<const DragPreview> preview() const;
+  std::shared_ptr<const Deformer> exact() const;
+  /// The response of one of them as it was uploaded; null for another, and without Upload.
+  std::shared_ptr<BlendResponse> on_device(const DragResponse& response) const;
 
  private:
   struct Ready {
-    std::shared_ptr<DragPreview> preview;
-    std::shared_ptr<Deformer> exact;
+    std::shared_ptr<const DragPreview> preview;
+    std::shared_ptr<const Deformer> exact;
     std::shared_ptr<Kernels> exact_kernels;
+    std::shared_ptr<BlendResponse> preview_on_device;
+    std::shared_ptr<BlendResponse> exact_on_device;
   };
 
   // What the worker keeps from one preparation to the next.
@@ -135,13 +145,12 @@ class Preparation {
   void settle_now(const Request& request, const Ready& ready);
   LiveResult live_result(const Request& request, const Ready& ready, const Progress& progress);
   LiveResult follow_drag(const Request& request, const Deformer& exact, const Progress& progress);
-  std::shared_ptr<DragPreview> make_preview(const AppState& state, std::uint64_t ticket,
-                                            const Progress& progress);
   std::shared_ptr<Kept> kept_for(const AppState& state, std::uint64_t ticket);
   bool publish(std::uint64_t ticket, Ready ready, PreparationStatus::Phase phase);
   void fail(std::uint64_t ticket, PreparationStatus::Phase phase, const std::string& message);
   Ready let_go();
   std::unique_ptr<Kernels> make_kernels() const;
+  std::shared_ptr<BlendResponse> upload(const DragResponse& response) const;
   void wake() const;
 
   const std::function<void()> wake_;
@@ -150,6 +159,7 @@ class Preparation {
   std::condition_variable asked_;
   // All below is guarded by the mutex. Work under a ticket that is not the current one is void.
   MakeKernels make_kernels_;
+  Upload upload_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
   bool stop_ = false;

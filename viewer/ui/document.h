@@ -12,8 +12,9 @@ namespace lapwing::viewer {
 
 /// What is open.
 struct Document {
-  Document(LoadedFile file, const std::filesystem::path& journals, VulkanKernels& kernels,
-           Editor::Say say, std::function<void()> wake)
+  Document(LoadedFile file, const std::filesystem::path& journals,
+           const std::shared_ptr<gpu::Context>& context, Editor::Say say,
+           std::function<void()> wake)
       : opened(file.opened),
         title(opened.name + " - Lapwing"),
         unsaved_title(opened.name + "* - Lapwing"),
@@ -21,9 +22,9 @@ struct Document {
         closed_outward(file.closed_outward),
         editor(
             {std::move(file.history), opened.mesh, opened.file, std::move(file.restored), journals},
-            kernels, say, wake),
-        desk(opened.up_axis, kernels, say, wake),
-        transplant(kernels, std::move(say), std::move(wake)),
+            context, say, wake),
+        desk(opened.up_axis, context, say, wake),
+        transplant(context, std::move(say), std::move(wake)),
         save_path(file.from_recipe ? std::filesystem::path() : editor.session().file()) {}
 
   OpenedMesh opened;

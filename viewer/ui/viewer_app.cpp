@@ -22,7 +22,6 @@ std::filesystem::path edited_path(const OpenedMesh& opened) {
 ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals)
     : context_(context),
       journals_(std::move(journals)),
-      kernels_(std::in_place, context, Precision::automatic),
       loader_(context),
       samples_(find_samples()) {}
 
@@ -43,12 +42,11 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
     document_->editor.release_device();
   }
   loader_.use_device(context);
-  kernels_.emplace(context, Precision::automatic);
   context_ = std::move(context);
   if (document_) {
-    document_->editor.use_device(*kernels_);
-    document_->desk.use_device(*kernels_);
-    document_->transplant.use_device(*kernels_);
+    document_->editor.use_device(context_);
+    document_->desk.use_device(context_);
+    document_->transplant.use_device(context_);
   }
   say("the device was lost and opened again: " + context_->description().name);
 }
@@ -88,7 +86,7 @@ void ViewerApp::show(LoadedFile file) {
   if (document_) document_->editor.session().close();
   document_.reset();
   document_ = std::make_unique<Document>(
-      std::move(file), journals_, *kernels_,
+      std::move(file), journals_, context_,
       [this](std::string message) { say(std::move(message)); }, &Window::wake);
   document_->editor.set_gizmo_keys(gizmo_keys());
   up_axis_ = document_->opened.up_axis;

@@ -107,7 +107,6 @@ class ViewerApp final : public App {
 
   std::shared_ptr<gpu::Context> context_;
   std::filesystem::path journals_;
-  std::optional<VulkanKernels> kernels_;
   FileLoader loader_;
   std::unique_ptr<Document> document_;
   Camera camera_;

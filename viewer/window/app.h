@@ -11,7 +11,7 @@
 
 namespace lapwing {
 class SurfacePaint;
-class VulkanSurface;
+class Surface;
 namespace gpu {
 class Context;
 }
@@ -21,7 +21,7 @@ namespace lapwing::viewer {
 
 /// A surface and how it is looked at.
 struct SurfaceScene {
-  VulkanSurface* surface = nullptr;
+  Surface* surface = nullptr;
   const SurfacePaint* paint = nullptr;  ///< of the surface
   Camera camera;
   SurfaceStyle style;

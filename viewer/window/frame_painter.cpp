@@ -13,7 +13,14 @@ namespace {
 constexpr std::uint32_t kFineSamples = 4;
 
 // Timestamps of a frame.
-enum Moment : std::uint32_t { kBegun, kSurfaceDrawn, kPanelsDrawn, kMomentCount };
+enum Moment : std::uint32_t {
+  kBegun,
+  kBlended,
+  kNormalsDone,
+  kSurfaceDrawn,
+  kPanelsDrawn,
+  kMomentCount
+};
 
 // A new image is waited for where it is first written: submissions wait for its `ready` there.
 constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED,
@@ -52,10 +59,13 @@ FramePainter::~FramePainter() {
 void FramePainter::finish_frame(FrameTimings& timings) {
   commands_.wait();
   if (!painted_) return;
-  timings.blend_ms = painted_->blend_ms;
-  timings.normals_ms = painted_->normals_ms;
-  timings.draw_ms = commands_.milliseconds_between(kBegun, kSurfaceDrawn);
-  timings.ui_ms = commands_.milliseconds_between(kSurfaceDrawn, kPanelsDrawn);
+  const auto on_device = [&](Moment from, Moment to) {
+    return commands_.milliseconds_between(from, to);
+  };
+  timings.blend_ms = painted_->blend_ms + (moved_ ? on_device(kBegun, kBlended) : 0.0);
+  timings.normals_ms = painted_->normals_ms + (moved_ ? on_device(kBlended, kNormalsDone) : 0.0);
+  timings.draw_ms = on_device(kNormalsDone, kSurfaceDrawn);
+  timings.ui_ms = on_device(kSurfaceDrawn, kPanelsDrawn);
   painted_.reset();
 }
 
@@ -118,6 +128,11 @@ void FramePainter::record(const Screen::Image& image, const Scene& scene,
   gpu::Recorder recorder(commands_);
   const VkCommandBuffer commands = recorder.handle();
   recorder.timestamp();
+  if (scene.surface != nullptr) scene.surface->record_blend(recorder);
+  recorder.timestamp();
+  moved_ = scene.surface != nullptr && scene.surface->record_normals(recorder);
+  recorder.timestamp();
+  if (scene.beside) scene.beside->surface->finish();
   const auto transition = [&](const ImageState& from, const ImageState& to) {
     transition_image(context_, commands, image.handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
   };

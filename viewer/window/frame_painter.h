@@ -5,7 +5,7 @@
 #include "lapwing/gpu/command_list.h"
 #include "lapwing/render/draw_scope.h"
 #include "lapwing/render/renderer.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 #include "window/app.h"
 #include "window/screen.h"
 #include "window/ui_renderer.h"
@@ -60,6 +60,7 @@ class FramePainter {
   VkExtent2D fitted_{};  ///< the window that the screen's images were made for
   bool outdated_ = true;
   std::optional<SurfaceTimes> painted_;  ///< of a frame submitted since `finish_frame`
+  bool moved_ = false;                   ///< whether kernels of that moved the surface
 };
 
 }  // namespace lapwing::viewer

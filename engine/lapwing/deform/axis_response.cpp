@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kCoordinates = kMotionParameters / 3;
 
-// How the region follows each coordinate function of handle `h`, as set_axis_basis takes it.
+// How the region follows each coordinate function of handle `h`.
 void add_columns(const EditSystem& system, std::size_t h, std::span<double> columns) {
   const HandleFrame& frame = system.frames[h];
   const Positions& rest = *system.rest;
@@ -47,24 +47,6 @@ Numbers axis_response(const EditSystem& system) {
     add_columns(system, h, std::span(columns).subspan(h * of_handle, of_handle));
   }
   return columns;
-}
-
-void blend_axis_response(std::span<const Index> moving, std::span<const double> columns,
-                         std::span<const double> parameters, std::span<Vector3d> u) {
-  const std::size_t handles = parameters.size() / kMotionParameters;
-  for (std::size_t m = 0; m < moving.size(); ++m) {
-    Vector3d sum = Vector3d::Zero();
-    for (std::size_t h = 0; h < handles; ++h) {
-      for (std::size_t k = 0; k < kCoordinates; ++k) {
-        const double number = columns[(kCoordinates * h + k) * moving.size() + m];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          sum[static_cast<Eigen::Index>(axis)] +=
-              parameters[kMotionParameters * h + kCoordinates * axis + k] * number;
-        }
-      }
-    }
-    u[moving[m]] = sum;
-  }
 }
 
 }  // namespace lapwing

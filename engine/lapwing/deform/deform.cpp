@@ -22,22 +22,19 @@ struct Work {
 
   // From share `from` of the motions to share `to`.
   Certificate carry_out(double from, double to) const {
-    workspace.last.reset();
     if (!workspace.prepared) workspace.prepared = std::make_unique<PreparedRegion>(bound.topology);
-    workspace.last =
-        std::make_unique<Deformer>(*workspace.prepared, result.mesh.positions, bound.region,
-                                   bound.request.parameters, kernels, progress);
-    Deformer& deformer = *workspace.last;
+    const Deformer deformer(*workspace.prepared, result.mesh.positions, bound.region,
+                            bound.request.parameters, kernels, progress);
     for (const auto& [name, ms] : deformer.timings().stages()) result.timings.add(name, ms);
     const std::vector<Eigen::Affine3d> motions = bound.motions(from, to);
     Certificate certificate;
-    stage("drag", result.timings, progress, [&] { deformer.drag(motions); });
     stage("solve", result.timings, progress, [&] {
       DeformResult solved = deformer.solve(motions, bound.turns(from, to), progress);
       result.mesh.positions = std::move(solved.positions);
       certificate = std::move(solved.certificate);
-      if (bound.request.parameters.settle) deformer.show(result.mesh.positions);
     });
+    result.free = deformer.free_count();
+    result.solver = deformer.solver_name();
     return certificate;
   }
 
@@ -96,8 +93,6 @@ Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
   result.certificate =
       result.commits == 1 ? work.carry_out(0.0, 1.0) : work.carry_out_in_parts(start);
   result.wound_degrees = wound_degrees(bound, largest, start, result.mesh.positions);
-  result.free = workspace.last->free_count();
-  result.solver = workspace.last->solver_name();
   add_warnings(request, result);
   return result;
 }

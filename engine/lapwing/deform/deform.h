@@ -44,14 +44,11 @@ Deformed deform(Mesh mesh, const DeformRequest& request);
 /// What one request leaves for another on the same mesh.
 struct DeformWorkspace {
   std::unique_ptr<PreparedRegion> prepared;  ///< for the same ROI
-  /// The deformer of the last request or, where that commits on the way, of its last part and
-  /// without settling; its surface on the device is in the final pose. Null without it.
-  std::unique_ptr<Deformer> last;
 };
 
-/// The same on any device. `kernels` and a mesh that shares the
-/// faces of `mesh` (the result is one) must outlive `workspace`.
-/// Stages reported: "region", those of Deformer, "drag", "solve", with several parts "certify".
+/// The same on any device. `kernels` and a mesh that shares the faces of `mesh` (the result is
+/// one) must outlive `workspace`.
+/// Stages reported: "region", those of Deformer, "solve", with several parts "certify".
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 

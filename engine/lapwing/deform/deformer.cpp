@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/axis_response.h"
+#include "lapwing/deform/drag.h"
 #include "lapwing/deform/drag_preview.h"
-#include "lapwing/deform/dragged_surface.h"
 #include "lapwing/deform/edit_system.h"
 #include "lapwing/deform/handle_shares.h"
 #include "lapwing/deform/pose_tangent.h"
@@ -95,13 +94,11 @@ struct Deformer::State {
   std::unique_ptr<Settler> settler;
   std::unique_ptr<HandleShares> shares;
   std::vector<double> weights;  ///< of the Laplacians that certificates measure
-  Numbers response;             ///< columns as in SurfaceInput::basis, or axis_response
-  ScaleForces scale_forces;     ///< none of the RSI system
+  std::shared_ptr<const DragResponse> response;
+  ScaleForces scale_forces;  ///< none of the RSI system
   std::string why_not_exact;
-  std::optional<DraggedSurface> surface;  ///< from the end of the preparation on
 
   bool hold_response(const Progress& progress);
-  void make_surface();
   void make_settler(Kernels& on);
   std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
   std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
@@ -127,17 +124,6 @@ std::vector<double> Deformer::State::asked_scales(std::span<const Eigen::Affine3
   return shares->scales(scales);
 }
 
-void Deformer::State::make_surface() {
-  const EditSystem& s = *system;
-  auto made = kernels->make_surface({*s.rest, s.topology, s.moving, {}, s.column_count()});
-  if (why_not_exact.empty()) {
-    made->set_basis(response);
-  } else {
-    made->set_axis_basis(response);
-  }
-  surface.emplace(system, std::move(made));
-}
-
 void Deformer::State::make_settler(Kernels& on) {
   if (!system->options.settle) return;
   const LaplacianSystem& laplacian = system->systems->laplacian_with_rings();
@@ -150,11 +136,7 @@ void Deformer::State::make_settler(Kernels& on) {
 // The displacement of every vertex, in double precision.
 std::vector<Vector3d> Deformer::State::blended_displacement(std::span<const double> q) const {
   std::vector<Vector3d> u(system->rest->size(), Vector3d::Zero());
-  if (why_not_exact.empty()) {
-    blend_response(u, system->moving, response, q, u);
-  } else {
-    blend_axis_response(system->moving, response, q, u);
-  }
+  blend_response(u, response->columns(), q, u);
   return u;
 }
 
@@ -228,24 +210,21 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   if (edit.options.settle || edit.options.response == LinearResponse::tangent) {
     s.shares = std::make_unique<HandleShares>(edit);
   }
+  Numbers columns;
   if (exact) {
     if (edit.options.response == LinearResponse::tangent) s.scale_forces = {edit, *s.shares};
-    s.response = response_basis(edit, s.scale_forces, progress);
+    columns = response_basis(edit, s.scale_forces, progress);
   } else {
     report_progress(progress, "response", 0.0);
-    s.response = axis_response(edit);
+    columns = axis_response(edit);
   }
+  s.response = std::make_shared<const DragResponse>(s.system, std::move(columns), !exact);
   s.timings.add("response", watch.elapsed_ms());
 
   watch.restart();
   report_progress(progress, "upload", 0.0);
-  if (settles_on(kernels.device())) {
-    s.make_surface();
-    s.make_settler(kernels);
-  } else {
-    CpuKernels cpu;
-    parallel_invoke([&] { s.make_surface(); }, [&] { s.make_settler(cpu); });
-  }
+  CpuKernels cpu;
+  s.make_settler(settles_on(kernels.device()) ? kernels : cpu);
   s.timings.add("upload", watch.elapsed_ms());
   report_progress(progress, "upload", 1.0);
 }
@@ -267,26 +246,8 @@ Deformer::~Deformer() = default;
 Deformer::Deformer(Deformer&&) noexcept = default;
 Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 
-void Deformer::drag(std::span<const Eigen::Affine3d> motions) {
-  state_->surface->drag(motions);
-}
-
-void Deformer::drag_from(const SettledPose& pose) {
-  state_->surface->drag_from(pose);
-}
-
-SettledPose Deformer::pose_at(std::span<const Vector3d> positions,
-                              std::span<const Eigen::Affine3d> motions,
-                              std::span<const Eigen::AngleAxisd> turns) const {
-  return lapwing::pose_at(*state_->system, positions, motions, turns);
-}
-
-void Deformer::show(std::span<const Vector3d> positions) {
-  surface().place(positions);
-}
-
-DeformedSurface& Deformer::surface() {
-  return state_->surface->surface();
+const std::shared_ptr<const DragResponse>& Deformer::response() const {
+  return state_->response;
 }
 
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,

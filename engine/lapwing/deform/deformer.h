@@ -11,8 +11,8 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/deform_options.h"
+#include "lapwing/deform/drag.h"
 #include "lapwing/deform/prepared_region.h"
-#include "lapwing/deform/settled_pose.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
@@ -35,7 +35,8 @@ struct DeformResult {
 /// columns, and what it leaves is settled:
 ///
 ///     Deformer deformer(mesh.positions, topology, region, {}, kernels);
-///     deformer.drag(motions);                       // every frame, on the device
+///     Drag drag(deformer.response());
+///     drag.move(motions, mesh.positions);                  // every frame
 ///     mesh.positions = deformer.solve(motions).positions;
 ///
 /// `topology` and `kernels` must outlive the deformer; positions are copied. Memory is dominated by
@@ -45,10 +46,11 @@ struct DeformResult {
 class Deformer {
  public:
   /// Prepares. Stages reported and timed: "pattern", "order", with settling "laplacian",
-  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", "response", "upload".
-  /// Throws InputError for a region that does not fit the mesh, SolverError when a component of the
-  /// region is not anchored or its exact system exceeds the memory limit and nothing settles,
-  /// GpuError when the device fails, Cancelled when `progress` asks for it.
+  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", "response", "upload"
+  /// (of what settling needs). Throws InputError for a region that does not fit the mesh,
+  /// SolverError when a component of the region is not anchored or its exact system exceeds the
+  /// memory limit and nothing settles, GpuError when the device fails, Cancelled when `progress`
+  /// asks for it.
   Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
@@ -66,28 +68,8 @@ class Deformer {
   Deformer(Deformer&&) noexcept;
   Deformer& operator=(Deformer&&) noexcept;
 
-  /// One frame: the surface follows the handles' motions, one per handle, each a map of space that
-  /// acts on the rest position of the handle's vertices, by the linear response. On the device, in
-  /// its precision; allocates nothing.
-  void drag(std::span<const Eigen::Affine3d> motions);
-
-  /// From now on `drag` begins where `pose` is, and not at rest: the surface is that pose and the
-  /// linear response to what the motions have changed since, so that at its motions it is that
-  /// pose. One upload.
-  void drag_from(const SettledPose& pose);
-
-  /// A pose of this region: the surface at `positions`, of the whole mesh, for handles moved by
-  /// `motions` that came about by `turns`.
-  SettledPose pose_at(std::span<const Eigen::Vector3d> positions,
-                      std::span<const Eigen::Affine3d> motions,
-                      std::span<const Eigen::AngleAxisd> turns) const;
-
-  /// Puts the surface on the device where `positions` (of the whole mesh) says, so that what is
-  /// drawn is what `solve` returned.
-  void show(std::span<const Eigen::Vector3d> positions);
-
-  /// The surface that `drag` and `show` move, for drawing.
-  DeformedSurface& surface();
+  /// How the surface follows the handles linearly, which is what a Drag goes by.
+  const std::shared_ptr<const DragResponse>& response() const;
 
   /// The result in double precision, settled if the options say so, with its certificate; stage
   /// "settle" is reported to `progress`, which can cancel it. A motion that is the identity returns
@@ -121,8 +103,8 @@ class Deformer {
   void begin_drag() const;
 
   /// Whether the 3n x 3n system is there. Without it (the region was too large for the memory
-  /// limit) `drag` is a DragPreview's, which is where settling then starts; what it settles to is
-  /// the same within its tolerance.
+  /// limit) the response is a DragPreview's, which is where settling then starts; what it settles
+  /// to is the same within its tolerance.
   bool is_exact() const;
   /// What the system would need, and may take, in words; empty where it is there.
   std::string_view why_not_exact() const;

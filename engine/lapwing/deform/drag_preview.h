@@ -3,20 +3,17 @@
 #include <memory>
 #include <span>
 
-#include <Eigen/Geometry>
-
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deform_options.h"
+#include "lapwing/deform/drag.h"
 #include "lapwing/deform/prepared_region.h"
-#include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
 
 namespace lapwing {
 
 struct EditSystem;
-struct SettledPose;
 
 /// A drag that is ready long before the exact one: Laplacian coordinates are kept as they are, not
 /// turned with the handle, which takes the n x n system (L'L + W) u = W d and four columns a handle
@@ -24,44 +21,32 @@ struct SettledPose;
 /// details do not turn.
 ///
 ///     DragPreview preview(mesh.positions, topology, region, options, kernels);
-///     preview.drag(motions);                       // while another thread makes
-///     Deformer deformer(preview, other_kernels);   // the exact one, which then takes over
+///     Drag drag(preview.response());       // drags while another thread makes
+///     Deformer deformer(preview, kernels);  // the exact one, which then takes over
 class DragPreview {
  public:
   /// Prepares. Stages reported and timed: "pattern", "order", "laplacian", "preview". `topology`
-  /// and `kernels` must outlive the object; positions are copied. Throws what Deformer does.
+  /// must outlive the object; positions are copied. Throws what Deformer does.
   DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
-              const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
+              const DeformOptions& options, const Progress& progress = {});
   /// The same with what `prepared` keeps: without "pattern" and "order" where that is of use, but
   /// with "constraints" in their place.
   DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
-              const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
-  ~DragPreview();
-  DragPreview(DragPreview&&) noexcept;
-  DragPreview& operator=(DragPreview&&) noexcept;
+              const DeformOptions& options, const Progress& progress = {});
 
-  /// One frame, as Deformer::drag.
-  void drag(std::span<const Eigen::Affine3d> motions);
-
-  /// As Deformer's of that name. The poses of a preview and of a deformer made from it are the
-  /// same.
-  void drag_from(const SettledPose& pose);
-  SettledPose pose_at(std::span<const Eigen::Vector3d> positions,
-                      std::span<const Eigen::Affine3d> motions,
-                      std::span<const Eigen::AngleAxisd> turns) const;
-
-  /// The surface that `drag` moves, for drawing.
-  DeformedSurface& surface();
+  /// As Deformer's. The poses of a preview and of a deformer made from it are the same.
+  const std::shared_ptr<const DragResponse>& response() const { return response_; }
 
   const EditRegion& region() const;
-  const StageTimings& timings() const;
+  const StageTimings& timings() const { return timings_; }
 
   /// What a Deformer made from this preview shares with it.
-  const std::shared_ptr<const EditSystem>& system() const;
+  const std::shared_ptr<const EditSystem>& system() const { return system_; }
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::shared_ptr<const EditSystem> system_;
+  std::shared_ptr<const DragResponse> response_;
+  StageTimings timings_;
 };
 
 }  // namespace lapwing

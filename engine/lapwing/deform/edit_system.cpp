@@ -38,8 +38,7 @@ std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unk
 
 EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_positions,
                        EditRegion edit_region, const DeformOptions& deform_options,
-                       const Progress& progress,
-                       const std::function<void(const EditSystem&)>& meanwhile)
+                       const Progress& progress)
     : topology(prepared.topology()), region(std::move(edit_region)), options(deform_options) {
   check(options);
   Stopwatch watch;
@@ -62,7 +61,6 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
       [&] {
         check_and_frame();
         systems->assemble_laplacian(terms());
-        if (meanwhile) meanwhile(*this);
       },
       [&] { systems->analyze_laplacian(); });
   timings.add(stage, watch.elapsed_ms());

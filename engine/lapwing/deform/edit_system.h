@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,11 +22,9 @@ namespace lapwing {
 /// RegionSystem.
 struct EditSystem {
   /// Stages "pattern" and "order", or "constraints" where `prepared` has both, and "laplacian", the
-  /// n x n system. `meanwhile` is called on this thread while another finds the order: then
-  /// all but the systems is there. Throws what Deformer does.
+  /// n x n system. Throws what Deformer does.
   EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
-             EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress,
-             const std::function<void(const EditSystem&)>& meanwhile = {});
+             EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress);
 
   std::shared_ptr<const Positions> rest;
   const Topology& topology;

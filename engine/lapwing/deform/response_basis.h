@@ -27,7 +27,7 @@ class ScaleForces {
   std::vector<double> radii_;       ///< of HandleFrame
 };
 
-/// How the surface answers each of the handles' parameters: columns as in SurfaceInput::basis. The
+/// How the surface answers each of the handles' parameters: columns as in ResponseColumns. The
 /// 3n x 3n system of `system` is held. Stage "response" is reported, handle by handle.
 Numbers response_basis(const EditSystem& system, const ScaleForces& forces,
                        const Progress& progress);

@@ -7,7 +7,6 @@
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/results.h"
 #include "lapwing/gpu/structure.h"
-#include "lapwing/gpu/texel_buffer.h"
 
 namespace lapwing::gpu {
 namespace {
@@ -18,8 +17,7 @@ constexpr VkDeviceSize kSmallestBuffer = 16;
 constexpr VkBufferUsageFlags kUsage =
     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
     VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
-    VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-    VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 
 constexpr VkMemoryPropertyFlags kMappable =
     VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
@@ -112,8 +110,5 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
   std::swap(mapped_, other.mapped_);
   return *this;
 }
-
-BufferRange::BufferRange(const TexelBuffer& texels)
-    : buffer(&texels.buffer()), bytes(buffer->bytes()), view(texels.view()) {}
 
 }  // namespace lapwing::gpu

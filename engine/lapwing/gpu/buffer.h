@@ -9,7 +9,6 @@
 namespace lapwing::gpu {
 
 class Context;
-class TexelBuffer;
 
 /// Who touches a buffer's memory.
 enum class Memory {
@@ -56,19 +55,17 @@ class Buffer {
   std::byte* mapped_ = nullptr;
 };
 
-/// A part of a buffer, as bound to a kernel; a Buffer or TexelBuffer stands for all of itself.
+/// A part of a buffer, as bound to a kernel; a Buffer stands for all of itself.
 /// Offsets are multiples of limits().minStorageBufferOffsetAlignment.
 struct BufferRange {
   BufferRange(const Buffer& whole)  // NOLINT(google-explicit-constructor): that is its purpose
       : buffer(&whole), bytes(whole.bytes()) {}
-  BufferRange(const TexelBuffer& texels);  // NOLINT(google-explicit-constructor): likewise
   BufferRange(const Buffer& part_of, VkDeviceSize from, VkDeviceSize length)
       : buffer(&part_of), offset(from), bytes(length) {}
 
   const Buffer* buffer;
   VkDeviceSize offset = 0;
   VkDeviceSize bytes;
-  VkBufferView view = VK_NULL_HANDLE;  ///< where the kernel reads texels
 };
 
 }  // namespace lapwing::gpu

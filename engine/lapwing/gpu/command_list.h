@@ -48,6 +48,19 @@ class CommandList {
 
  private:
   friend class Recorder;
+
+  struct Scope {
+    VkPipelineStageFlags2 stages = 0;
+    VkAccessFlags2 accesses = 0;
+  };
+  /// What commands recorded so far did to one buffer.
+  struct History {
+    VkBuffer buffer;
+    Scope write;                        ///< the last write
+    Scope visible;                      ///< reads that already wait for it
+    VkPipelineStageFlags2 read_stages;  ///< reads since
+  };
+
   void release() noexcept;
   std::uint64_t ticks_at(std::uint32_t query) const;
   void add_to_profile() const;
@@ -63,6 +76,7 @@ class CommandList {
   std::uint32_t profile_capacity_ = 0;
   std::vector<std::string> profiled_kernels_;  ///< of the dispatches, in order
   mutable bool in_profile_ = true;             ///< whether the last submission is
+  std::vector<History> histories_;             ///< kept, so that recording anew allocates nothing
   std::uint64_t last_submission_ = 0;
   bool recorded_ = false;
 };

@@ -9,11 +9,6 @@
 
 namespace lapwing::gpu {
 
-VkDescriptorType descriptor_type(BindingAccess access) {
-  return access == BindingAccess::read_texels ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
-                                              : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-}
-
 Kernel::Kernel(const Context& context, std::string name, std::span<const std::uint32_t> spirv,
                std::uint32_t push_constant_bytes, std::uint32_t workgroup_size)
     : context_(&context),
@@ -52,7 +47,7 @@ void Kernel::create_layout() {
   std::vector<VkDescriptorSetLayoutBinding> layout_bindings(bindings_.size());
   for (std::uint32_t b = 0; b < layout_bindings.size(); ++b) {
     layout_bindings[b].binding = b;
-    layout_bindings[b].descriptorType = descriptor_type(bindings_[b]);
+    layout_bindings[b].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     layout_bindings[b].descriptorCount = 1;
     layout_bindings[b].stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
   }

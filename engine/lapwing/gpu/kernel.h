@@ -14,8 +14,6 @@ namespace lapwing::gpu {
 
 class Context;
 
-VkDescriptorType descriptor_type(BindingAccess access);
-
 /// A compute shader ready to dispatch: one descriptor set of buffers bound by push descriptors, and
 /// push constants. How many buffers it takes, which it only reads and which it
 /// only writes is read from the shader itself (`readonly`, `writeonly`), so that host and shader

@@ -33,8 +33,6 @@ VkAccessFlags2 shader_access(BindingAccess access) {
       return VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
     case BindingAccess::read_write:
       return VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-    case BindingAccess::read_texels:
-      return VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
   }
   return 0;
 }
@@ -50,6 +48,7 @@ Recorder::Recorder(CommandList& list) : list_(list) {
   const auto& vk = context.vk();
   list.wait();
   list.recorded_ = false;
+  list.histories_.clear();
   context.check(vk.vkResetCommandPool(context.device(), list.pool_, 0), "vkResetCommandPool");
   const auto begin =
       structure<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
@@ -82,10 +81,11 @@ void Recorder::finish() {
 }
 
 Recorder::History& Recorder::history_of(VkBuffer buffer) {
-  const auto found = std::find_if(histories_.begin(), histories_.end(),
+  auto& histories = list_.histories_;
+  const auto found = std::find_if(histories.begin(), histories.end(),
                                   [&](const History& h) { return h.buffer == buffer; });
-  if (found != histories_.end()) return *found;
-  return histories_.emplace_back(History{buffer, {}, {}, 0});
+  if (found != histories.end()) return *found;
+  return histories.emplace_back(History{buffer, {}, {}, 0});
 }
 
 void Recorder::require(VkBuffer buffer, const Scope& next) {
@@ -143,12 +143,7 @@ void Recorder::check_dispatch(const Kernel& kernel, std::span<const BufferRange>
   }
   for (std::size_t b = 0; b < buffers.size(); ++b) {
     const auto name = [&] { return "the buffer \"" + buffers[b].buffer->name() + "\""; };
-    const bool texels = bindings[b] == BindingAccess::read_texels;
-    if (texels != (buffers[b].view != VK_NULL_HANDLE)) {
-      throw_dispatch_error(
-          kernel, name() + (texels ? " must be" : " must not be") + " bound through a TexelBuffer");
-    }
-    if (!texels && buffers[b].bytes > limits.maxStorageBufferRange) {
+    if (buffers[b].bytes > limits.maxStorageBufferRange) {
       throw_dispatch_error(kernel, name() + " is bound with " + std::to_string(buffers[b].bytes) +
                                        " bytes, beyond the device's limit of " +
                                        std::to_string(limits.maxStorageBufferRange));
@@ -180,9 +175,8 @@ void Recorder::bind(const Kernel& kernel, std::span<const BufferRange> buffers,
     writes[b] = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     writes[b].dstBinding = b;
     writes[b].descriptorCount = 1;
-    writes[b].descriptorType = descriptor_type(kernel.bindings()[b]);
+    writes[b].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     writes[b].pBufferInfo = &infos[b];
-    writes[b].pTexelBufferView = &range.view;
   }
   vk.vkCmdBindPipeline(handle(), VK_PIPELINE_BIND_POINT_COMPUTE, kernel.pipeline());
   if (!buffers.empty()) {

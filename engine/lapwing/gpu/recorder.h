@@ -5,7 +5,6 @@
 #include <initializer_list>
 #include <span>
 #include <type_traits>
-#include <vector>
 
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/command_list.h"
@@ -26,10 +25,9 @@ class Recorder {
 
   /// Runs `kernel` for at least `invocations` invocations, rounded up to whole workgroups; the
   /// shader ignores the surplus (shaders/invocation.glsl). `buffers` by binding. Throws GpuError,
-  /// naming the kernel, when their number is not the kernel's, one is a TexelBuffer where the
-  /// kernel takes a buffer or the reverse, one exceeds limits().maxStorageBufferRange or is
-  /// misaligned, one is bound both to be read and written, or `push` is not of the kernel's size. 0
-  /// invocations record nothing.
+  /// naming the kernel, when their number is not the kernel's, one exceeds
+  /// limits().maxStorageBufferRange or is misaligned, one is bound both to be read and written, or
+  /// `push` is not of the kernel's size. 0 invocations record nothing.
   void dispatch(const Kernel& kernel, std::uint64_t invocations,
                 std::span<const BufferRange> buffers, std::span<const std::byte> push);
   void dispatch(const Kernel& kernel, std::uint64_t invocations,
@@ -65,17 +63,8 @@ class Recorder {
   std::size_t barrier_count() const { return barrier_count_; }
 
  private:
-  struct Scope {
-    VkPipelineStageFlags2 stages = 0;
-    VkAccessFlags2 accesses = 0;
-  };
-  /// What earlier commands of this list did to one buffer.
-  struct History {
-    VkBuffer buffer;
-    Scope write;                        ///< the last write
-    Scope visible;                      ///< reads that already wait for it
-    VkPipelineStageFlags2 read_stages;  ///< reads since
-  };
+  using Scope = CommandList::Scope;
+  using History = CommandList::History;
 
   History& history_of(VkBuffer buffer);
   void require(VkBuffer buffer, const Scope& next);
@@ -88,7 +77,6 @@ class Recorder {
             std::span<const std::byte> push);
 
   CommandList& list_;
-  std::vector<History> histories_;
   VkMemoryBarrier2 pending_{};
   std::size_t barrier_count_ = 0;
   std::uint32_t timestamp_count_ = 0;

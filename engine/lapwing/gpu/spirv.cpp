@@ -1,7 +1,6 @@
 #include "lapwing/gpu/spirv.h"
 
 #include <map>
-#include <set>
 #include <string>
 
 #include "lapwing/base/errors.h"
@@ -14,8 +13,6 @@ constexpr std::uint32_t kMagic = 0x07230203;
 constexpr std::size_t kHeaderWords = 5;
 enum Op : std::uint32_t {
   kOpCapability = 17,
-  kOpTypeImage = 25,
-  kOpTypeSampledImage = 27,
   kOpTypePointer = 32,
   kOpVariable = 59,
   kOpDecorate = 71,
@@ -29,7 +26,6 @@ enum Decoration : std::uint32_t {
 };
 constexpr std::uint32_t kUniformConstantClass = 0;
 constexpr std::uint32_t kStorageBufferClass = 12;
-constexpr std::uint32_t kBufferDimension = 5;
 
 struct Decorations {
   bool non_writable = false;
@@ -48,7 +44,6 @@ struct Module {
   std::vector<std::uint32_t> capabilities;
   std::map<std::uint32_t, Decorations> decorations;  // by id; a block's members count as the block
   std::map<std::uint32_t, std::uint32_t> pointees;   // pointer type -> type
-  std::set<std::uint32_t> texel_buffers;             // types
   std::vector<Variable> bound;
 };
 
@@ -81,10 +76,6 @@ void read_instruction(Module& module, std::uint32_t op, std::span<const std::uin
     decorate(module.decorations[operands[0]], operands[2], operands.subspan(3));
   } else if (op == kOpTypePointer && n >= 3) {
     module.pointees[operands[0]] = operands[2];
-  } else if (op == kOpTypeImage && n >= 3 && operands[2] == kBufferDimension) {
-    module.texel_buffers.insert(operands[0]);
-  } else if (op == kOpTypeSampledImage && n >= 2 && module.texel_buffers.contains(operands[1])) {
-    module.texel_buffers.insert(operands[0]);
   } else if (op == kOpVariable && n >= 3 &&
              (operands[2] == kStorageBufferClass || operands[2] == kUniformConstantClass)) {
     module.bound.push_back({operands[1], operands[0], operands[2] == kStorageBufferClass});
@@ -106,13 +97,9 @@ Module read_module(std::span<const std::uint32_t> words) {
 }
 
 BindingAccess access_of(Module& module, const Variable& variable) {
-  const std::uint32_t type = module.pointees[variable.pointer_type];
-  if (!variable.is_storage) {
-    if (!module.texel_buffers.contains(type)) throw GpuError("a kernel can bind only buffers");
-    return BindingAccess::read_texels;
-  }
+  if (!variable.is_storage) throw GpuError("a kernel can bind only buffers");
   const Decorations& own = module.decorations[variable.id];
-  const Decorations& block = module.decorations[type];
+  const Decorations& block = module.decorations[module.pointees[variable.pointer_type]];
   if (own.non_writable || block.non_writable) return BindingAccess::read;
   if (own.non_readable || block.non_readable) return BindingAccess::write;
   return BindingAccess::read_write;

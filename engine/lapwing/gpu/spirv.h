@@ -8,10 +8,9 @@ namespace lapwing::gpu {
 
 /// What a shader may do with a buffer bound to it.
 enum class BindingAccess {
-  read,         ///< storage buffer, `readonly`
-  write,        ///< storage buffer, `writeonly`
-  read_write,   ///< storage buffer, neither
-  read_texels,  ///< `samplerBuffer` and its kin
+  read,        ///< storage buffer, `readonly`
+  write,       ///< storage buffer, `writeonly`
+  read_write,  ///< storage buffer, neither
 };
 
 /// What the host needs to know of a shader.

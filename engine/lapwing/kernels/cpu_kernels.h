@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lapwing/kernels/kernels.h"
+#include "lapwing/kernels/response_columns.h"
 
 namespace lapwing {
 
@@ -20,30 +21,21 @@ class CpuKernels final : public Kernels {
   void rotate_frames(const MappedRings& rings, const FramedSurface& source,
                      const FramedSurface& target, std::span<Eigen::Matrix3d> transforms) override;
   std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings) override;
-  std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) override;
 
  private:
   DeviceInfo device_;
 };
 
-/// CPU twin of the kernel blend_response: current[moving[m]] = rest + sum_k parameters[k] basis[k].
-/// Shapes as in SurfaceInput. A column with parameter 0 adds nothing.
-void blend_response(std::span<const Eigen::Vector3d> rest, std::span<const Index> moving,
-                    std::span<const double> basis, std::span<const double> parameters,
-                    std::span<Eigen::Vector3d> current);
+/// CPU twin of the kernel blend_response: current[v] = rest[v] + sum_k parameters[k] column_k[v]
+/// for the moving vertices. `rest` and `current` are of the whole mesh and may be the same. A
+/// column with parameter 0 adds nothing. Allocates nothing.
+void blend_response(std::span<const Eigen::Vector3d> rest, const ResponseColumns& columns,
+                    std::span<const double> parameters, std::span<Eigen::Vector3d> current);
 
 /// CPU twin of the kernel vertex_normals: unit area-weighted normals of the vertices `which`; zero
 /// where no triangle around has area.
 void vertex_normals(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> triangles,
                     const Adjacency& vertex_triangles, std::span<const Index> which,
                     std::span<Eigen::Vector3d> normals);
-
-/// The same, to the bit, in two steps that take each triangle once: twice the area of the triangles
-/// `which` along their normals, and from those of all triangles the normals of the vertices
-/// `which`.
-void triangle_areas(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> triangles,
-                    std::span<const Index> which, std::span<Eigen::Vector3d> areas);
-void vertex_normals(std::span<const Eigen::Vector3d> areas, const Adjacency& vertex_triangles,
-                    std::span<const Index> which, std::span<Eigen::Vector3d> normals);
 
 }  // namespace lapwing

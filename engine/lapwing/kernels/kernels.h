@@ -9,7 +9,6 @@
 #include "lapwing/laplacian/region_rings.h"
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/mesh/surface_point.h"
-#include "lapwing/mesh/topology.h"
 
 namespace lapwing {
 
@@ -19,8 +18,8 @@ struct DeviceInfo {
   std::string type;     ///< "discrete GPU", "integrated GPU", "software", "cpu"
   std::string driver;   ///< driver name and version; empty for the CPU twins
   bool float64 = true;  ///< whether all but surfaces runs in float64
-  /// Whether drag frames and settling run on it. The processor does them sooner than a device that
-  /// is the processor in disguise.
+  /// Whether settling runs on it. The processor does it sooner than a device that is the processor
+  /// in disguise.
   bool frames = true;
 };
 
@@ -37,53 +36,6 @@ struct EnergyProblem {
   RingProblem rings;
   std::span<const double> row_weights;  ///< om_i, per vertex of the mesh
   std::span<const double> stiffness;    ///< k_ij, per ring entry
-};
-
-/// What a deformed surface is made from: the rest shape and a linear basis of displacements.
-struct SurfaceInput {
-  std::span<const Eigen::Vector3d> rest;  ///< of the whole mesh
-  const Topology& topology;
-  std::span<const Index> moving;  ///< the vertices that the basis moves, ascending
-  /// `columns` columns of 3 |moving| numbers each, column after column; x, y, z of moving[0] first.
-  /// Or nothing: `set_basis` or `set_axis_basis` gives them before the first blend.
-  std::span<const double> basis;
-  std::size_t columns = 0;
-};
-
-/// Positions and normals of a mesh that live on the device, and the drag frame that renews them:
-///     positions = rest + sum_k parameters[k] basis[k]    (kernel blend_response)
-///     normals = area-weighted mean of the triangles around  (kernel vertex_normals)
-/// The renderer draws from the same memory.
-class DeformedSurface {
- public:
-  virtual ~DeformedSurface() = default;
-
-  /// Another basis, of as many columns, as in SurfaceInput.
-  virtual void set_basis(std::span<const double> basis) = 0;
-
-  /// The same for columns that displace along one axis each, x, y and z by the same numbers: column
-  /// 12 h + 4 axis + k by column 4 h + k of `numbers`, which has |moving| in each, a third of the
-  /// columns. `columns` is a multiple of 12.
-  virtual void set_axis_basis(std::span<const double> numbers) = 0;
-
-  /// Other rest positions of the moving vertices, of the whole mesh: what the next `blend` begins
-  /// from.
-  virtual void set_rest(std::span<const Eigen::Vector3d> positions) = 0;
-
-  /// One drag frame: positions of the moving vertices, then the normals of those and of their
-  /// neighbours. `parameters` has one number per basis column. Returns when the device is done.
-  /// Allocates nothing.
-  virtual void blend(std::span<const double> parameters) = 0;
-
-  /// Puts the moving vertices where `positions`, of the whole mesh, says, and renews the normals as
-  /// `blend` does. For results that no blend reaches.
-  virtual void place(std::span<const Eigen::Vector3d> positions) = 0;
-
-  /// What the device holds, in mesh coordinates. For tests and for readers without a device; a
-  /// drag frame never calls these. Float32 devices round to the mesh's size times 2^-24.
-  virtual Positions positions() const = 0;
-  /// Unit normals; zero where a vertex has no triangle with area.
-  virtual std::vector<Eigen::Vector3d> normals() const = 0;
 };
 
 /// The energy of an edit (EnergyWeights) as its rings see it, in the position u of the surface:
@@ -189,9 +141,6 @@ class Kernels {
 
   /// The rings of a region, not turned yet. `rings` need not outlive it.
   virtual std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings) = 0;
-
-  /// A surface at rest with its normals. `topology` need not outlive it.
-  virtual std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) = 0;
 };
 
 /// M for `problem.rows`, assembled on the device. The cost is one kernel and one copy.

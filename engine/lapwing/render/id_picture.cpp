@@ -9,9 +9,9 @@
 #include "lapwing/mesh/topology.h"
 #include "lapwing/render/offscreen.h"
 #include "lapwing/render/renderer.h"
+#include "lapwing/render/surface.h"
 #include "lapwing/shaders/triangle_id_frag.h"
 #include "lapwing/shaders/triangle_id_vert.h"
-#include "lapwing/vulkan/vulkan_surface.h"
 
 namespace lapwing {
 namespace {
@@ -61,9 +61,10 @@ IdPicture::IdPicture(gpu::Context& context)
       commands_(context, "triangle numbers"),
       transfer_(context) {}
 
-void IdPicture::draw(const VulkanSurface& surface, const Camera& camera, std::uint32_t width,
+void IdPicture::draw(Surface& surface, const Camera& camera, std::uint32_t width,
                      std::uint32_t height) {
   const VkExtent2D extent = checked_extent(context_, width, height);
+  surface.finish();
   if (!target_ || target_->extent.width != width || target_->extent.height != height) {
     target_.reset();
     target_.emplace(context_, extent, kFormat);
@@ -73,7 +74,7 @@ void IdPicture::draw(const VulkanSurface& surface, const Camera& camera, std::ui
   commands_.run();
 }
 
-void IdPicture::record(const VulkanSurface& surface) {
+void IdPicture::record(const Surface& surface) {
   const VkExtent2D extent = target_->extent;
   gpu::Recorder recorder(commands_);
   const VkCommandBuffer commands = recorder.handle();
@@ -107,8 +108,7 @@ std::span<const std::uint32_t> IdPicture::ids() const {
   return target_->read_back.mapped_as<const std::uint32_t>();
 }
 
-std::optional<Pick> IdPicture::pick(const VulkanSurface& surface, std::uint32_t x,
-                                    std::uint32_t y) {
+std::optional<Pick> IdPicture::pick(const Surface& surface, std::uint32_t x, std::uint32_t y) {
   if (!target_ || x >= target_->extent.width || y >= target_->extent.height) return {};
   const std::uint32_t id = ids()[std::size_t{y} * target_->extent.width + x];
   if (id == 0) return {};

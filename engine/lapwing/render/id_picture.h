@@ -17,7 +17,7 @@
 
 namespace lapwing {
 
-class VulkanSurface;
+class Surface;
 
 /// A place on a surface.
 struct Pick {
@@ -37,8 +37,7 @@ class IdPicture {
 
   /// Draws `surface`, from its buffers as they are now, as a picture of `width` x `height` pixels,
   /// and reads the numbers back. Throws GpuError for a size that the device cannot draw.
-  void draw(const VulkanSurface& surface, const Camera& camera, std::uint32_t width,
-            std::uint32_t height);
+  void draw(Surface& surface, const Camera& camera, std::uint32_t width, std::uint32_t height);
 
   /// Rows from the top: 1 + the number of the triangle that shows at the pixel's centre, or 0.
   /// Empty before the first `draw`.
@@ -46,7 +45,7 @@ class IdPicture {
 
   /// What shows at column `x` and row `y` of the picture last drawn of `surface`, which must not
   /// have moved since. Nothing where the background does, and outside the picture.
-  std::optional<Pick> pick(const VulkanSurface& surface, std::uint32_t x, std::uint32_t y);
+  std::optional<Pick> pick(const Surface& surface, std::uint32_t x, std::uint32_t y);
 
  private:
   /// What depends on the picture's size.
@@ -59,7 +58,7 @@ class IdPicture {
     gpu::Buffer read_back;
   };
 
-  void record(const VulkanSurface& surface);
+  void record(const Surface& surface);
 
   gpu::Context& context_;
   GraphicsPipeline pipeline_;

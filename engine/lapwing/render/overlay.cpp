@@ -5,7 +5,7 @@
 
 #include <stb/stb_easy_font.h>
 
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 
 namespace lapwing {
 namespace {

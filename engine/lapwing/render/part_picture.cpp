@@ -6,9 +6,8 @@
 #include <Eigen/SVD>
 
 #include "lapwing/render/render_image.h"
+#include "lapwing/render/surface.h"
 #include "lapwing/transplant/loop_curve.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
-#include "lapwing/vulkan/vulkan_surface.h"
 
 namespace lapwing {
 namespace {
@@ -53,15 +52,14 @@ ViewAxes standing_view(const Positions& positions, const Eigen::Vector3d& up) {
 
 }  // namespace
 
-Image part_picture(VulkanKernels& kernels, const Mesh& mesh, std::span<const Index> loop,
-                   std::uint32_t side) {
+Image part_picture(const std::shared_ptr<gpu::Context>& context, const Mesh& mesh,
+                   std::span<const Index> loop, std::uint32_t side) {
   const BoundaryLoop own_loop(loop.begin(), loop.end());
   const LoopFrame frame =
       loop_frame(LoopCurve(loop_points(own_loop, mesh.positions), "the part's boundary loop"));
   const Topology& topology = mesh.topology();
-  const auto surface = kernels.make_surface({mesh.positions, topology, {}, {}, 0});
-  auto& drawn = dynamic_cast<VulkanSurface&>(*surface);
-  SurfacePaint paint(drawn);
+  Surface surface(context, mesh.positions, topology);
+  SurfacePaint paint(surface);
   std::vector<VertexClass> classes(mesh.vertex_count(), VertexClass::outside);
   for (const Index v : loop) classes[v] = VertexClass::handle;
   paint.set_classes(classes);
@@ -70,8 +68,9 @@ Image part_picture(VulkanKernels& kernels, const Mesh& mesh, std::span<const Ind
   options.height = side;
   options.background = Background::transparent;
   options.style.color = SurfaceColor::regions;
-  return render_image(
-      drawn, paint, fit(mesh.positions, standing_view(mesh.positions, frame.normal), 1.0), options);
+  return render_image(surface, paint,
+                      fit(mesh.positions, standing_view(mesh.positions, frame.normal), 1.0),
+                      options);
 }
 
 }  // namespace lapwing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "lapwing/mesh/mesh.h"
@@ -8,15 +9,17 @@
 
 namespace lapwing {
 
-class VulkanKernels;
+namespace gpu {
+class Context;
+}
 
 /// A picture of a part for transplanting, `side` pixels wide and high, on nothing: it stands on its
 /// boundary loop, which is marked, and is seen a little from above, from the front (+z; where the
 /// loop faces there, +y), or across where it is flat. `loop` as
 /// boundary_loops has it. Throws InputError for a loop as in LoopCurve, and GpuError for a device
 /// that cannot draw.
-Image part_picture(VulkanKernels& kernels, const Mesh& mesh, std::span<const Index> loop,
-                   std::uint32_t side);
+Image part_picture(const std::shared_ptr<gpu::Context>& context, const Mesh& mesh,
+                   std::span<const Index> loop, std::uint32_t side);
 
 /// The side of the pictures beside parts.
 inline constexpr std::uint32_t kThumbnailSide = 192;

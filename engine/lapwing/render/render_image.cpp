@@ -3,12 +3,13 @@
 #include <optional>
 
 #include "lapwing/render/offscreen.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 
 namespace lapwing {
 
-Image render_image(const VulkanSurface& surface, const SurfacePaint& paint, const Camera& camera,
+Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
                    const RenderOptions& options) {
+  surface.finish();
   gpu::Context& context = surface.context();
   OffscreenTarget target(context, options.width, options.height, options.samples);
   const Renderer renderer(context, target.format());

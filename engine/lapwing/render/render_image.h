@@ -24,7 +24,7 @@ struct RenderOptions {
 /// A picture of `surface` as its buffers are now, without a display. Makes pipelines and images
 /// for the one picture: for many, keep an OffscreenTarget and a Renderer. Same input, same bits on
 /// one device. Throws GpuError for a device that cannot draw and for sizes beyond its limits.
-Image render_image(const VulkanSurface& surface, const SurfacePaint& paint, const Camera& camera,
+Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
                    const RenderOptions& options = {});
 
 }  // namespace lapwing

@@ -8,13 +8,13 @@
 
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/transfer.h"
+#include "lapwing/render/surface.h"
 #include "lapwing/shaders/background_frag.h"
 #include "lapwing/shaders/background_vert.h"
 #include "lapwing/shaders/overlay_frag.h"
 #include "lapwing/shaders/overlay_vert.h"
 #include "lapwing/shaders/surface_frag.h"
 #include "lapwing/shaders/surface_vert.h"
-#include "lapwing/vulkan/vulkan_surface.h"
 
 namespace lapwing {
 namespace {
@@ -162,7 +162,7 @@ void Renderer::fill(VkCommandBuffer commands, const VkRect2D& area, Background b
   background_.draw(commands, {}, background_push(background), 3);
 }
 
-void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const VulkanSurface& surface,
+void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& surface,
                     const SurfacePaint& paint, const Camera& camera,
                     const SurfaceStyle& style) const {
   if (surface.triangle_count() == 0) return;

@@ -13,7 +13,7 @@
 
 namespace lapwing {
 
-class VulkanSurface;
+class Surface;
 
 enum class Background { gradient, white, transparent };
 
@@ -60,7 +60,7 @@ class Renderer {
   void begin(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
   /// The surface; its back, where it is drawn, is darker. Commands recorded before must have made
   /// its buffers visible to the vertex stage (a gpu::Recorder begins with that).
-  void draw(VkCommandBuffer commands, VkExtent2D extent, const VulkanSurface& surface,
+  void draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& surface,
             const SurfacePaint& paint, const Camera& camera, const SurfaceStyle& style) const;
   void draw(VkCommandBuffer commands, VkExtent2D extent, const OverlayBuffer& overlay) const;
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/vulkan/vulkan_surface.h"
+#include "lapwing/render/surface.h"
 
 namespace lapwing {
 namespace {
@@ -51,7 +51,7 @@ std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t ve
   return classes;
 }
 
-SurfacePaint::SurfacePaint(const VulkanSurface& surface)
+SurfacePaint::SurfacePaint(const Surface& surface)
     : vertex_count_(surface.vertex_count()),
       triangle_count_(surface.triangle_count()),
       transfer_(surface.context()),

@@ -11,7 +11,7 @@
 
 namespace lapwing {
 
-class VulkanSurface;
+class Surface;
 
 /// What a vertex is in an edit.
 enum class VertexClass : std::uint32_t { outside, roi, belt, handle };
@@ -32,7 +32,7 @@ struct ScalarRange {
 class SurfacePaint {
  public:
   /// All vertices outside, all numbers 0, all triangle edges shown.
-  explicit SurfacePaint(const VulkanSurface& surface);
+  explicit SurfacePaint(const Surface& surface);
 
   /// One per vertex of the surface; InputError otherwise.
   void set_classes(std::span<const VertexClass> classes);

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
-#include "lapwing/gpu/context.h"
+#include "lapwing/shaders/blend_response.h"
 
 namespace lapwing {
 namespace {
-
-using Format = gpu::TexelBuffer::Format;
 
 // Layouts of shaders/blend_response.comp.
 constexpr std::size_t kColumnsPerGroup = 4;
@@ -23,64 +22,101 @@ std::size_t groups_of(std::size_t columns) {
   return (columns + kColumnsPerGroup - 1) / kColumnsPerGroup;
 }
 
+// What the columns take for one vertex.
+std::size_t bytes_per_vertex(std::size_t columns) {
+  return 3 * groups_of(columns) * sizeof(Vec4);
+}
+
 constexpr std::size_t kVerticesPerTask = 4096;
+
+gpu::Buffer upload_list(gpu::Context& context, gpu::Transfer& transfer, std::string name,
+                        std::span<const Index> list) {
+  gpu::Buffer buffer(context, std::move(name), list.size_bytes());
+  transfer.upload(buffer, list);
+  return buffer;
+}
 
 }  // namespace
 
-BlendResponse::BlendResponse(VulkanState& state, const SurfaceInput& input,
-                             const Eigen::Vector3d& origin, std::size_t most_texels)
-    : state_(state),
-      columns_(input.columns),
-      moving_(input.moving.begin(), input.moving.end()),
-      origin_(origin),
-      groups_(*state.context, "blend parameters",
-              sizeof(GroupHeader) + groups_of(columns_) * sizeof(BlendGroup), gpu::Memory::upload) {
-  if (most_texels == 0) most_texels = state.context->limits().maxTexelBufferElements;
-  const std::size_t texels_per_vertex = std::max<std::size_t>(1, 3 * groups_of(columns_));
-  const std::size_t most = std::max<std::size_t>(1, most_texels / texels_per_vertex);
-  for (std::size_t first = 0; first < input.moving.size(); first += most) {
-    add_range(first, std::min(most, input.moving.size() - first));
+std::shared_ptr<BlendResponse> upload_response(const std::shared_ptr<gpu::Context>& context,
+                                               const ResponseColumns& columns,
+                                               const Topology& topology) {
+  gpu::Transfer transfer(*context);
+  return std::make_shared<BlendResponse>(context, transfer, columns, topology);
+}
+
+BlendResponse::BlendResponse(std::shared_ptr<gpu::Context> context, gpu::Transfer& transfer,
+                             const ResponseColumns& columns, const Topology& topology,
+                             std::size_t most_bytes)
+    : context_(std::move(context)),
+      columns_(columns.count),
+      moving_(columns.moving.begin(), columns.moving.end()),
+      groups_(*context_, "blend parameters",
+              sizeof(GroupHeader) + groups_of(columns_) * sizeof(BlendGroup), gpu::Memory::upload),
+      affected_(upload_list(*context_, transfer, "vertices with new normals",
+                            with_ring_neighbours(moving_, topology.rings))) {
+  add_ranges(most_bytes == 0 ? context_->limits().maxStorageBufferRange : most_bytes, transfer);
+  if (columns.along_axes) {
+    fill_columns_along_axes(transfer, columns.numbers);
+  } else {
+    fill_columns(transfer, columns.numbers);
   }
-  set_rest(input.rest);
-  if (!input.basis.empty()) set_basis(input.basis);
   set_parameters(std::vector<double>(columns_, 0.0));
 }
 
-// Calls pack(vertex of moving, texels of that vertex, how far apart these are), per group and axis,
-// and puts the texels where the device reads them.
+gpu::Kernel BlendResponse::kernel(const gpu::Context& context) {
+  return {context, "blend_response", shaders::blend_response(), sizeof(std::uint32_t)};
+}
+
+void BlendResponse::add_ranges(std::size_t most_bytes, gpu::Transfer& transfer) {
+  const std::size_t bytes = bytes_per_vertex(columns_);
+  const std::size_t most = std::max<std::size_t>(1, most_bytes / std::max(bytes, sizeof(Vec4)));
+  for (std::size_t first = 0; first < moving_.size(); first += most) {
+    const std::size_t count = std::min(most, moving_.size() - first);
+    ranges_.push_back({first, count,
+                       upload_list(*context_, transfer, "moving vertices",
+                                   std::span<const Index>(moving_).subspan(first, count)),
+                       gpu::Buffer(*context_, "rest positions", count * sizeof(Vec4)),
+                       gpu::Buffer(*context_, "response columns", count * bytes)});
+  }
+}
+
+// Calls pack(vertex of moving, its numbers, how far apart these are), per group and axis, and puts
+// the numbers where the device reads them.
 template <typename Pack>
-void BlendResponse::fill(const Pack& pack) {
+void BlendResponse::fill(gpu::Transfer& transfer, const Pack& pack) {
   for (const Range& range : ranges_) {
-    const std::size_t texels = 3 * groups_of(columns_) * range.count;
-    const gpu::Buffer& buffer = range.basis.buffer();
-    std::vector<Vec4> own(buffer.mapped().empty() ? texels : 0);
-    Vec4* const out = own.empty() ? reinterpret_cast<Vec4*>(buffer.mapped().data()) : own.data();
+    const gpu::Buffer& buffer = range.columns;
+    const std::size_t size = buffer.bytes() / sizeof(Vec4);
+    std::vector<Vec4> own(buffer.mapped().empty() ? size : 0);
+    Vec4* const out = own.empty() ? buffer.mapped_as<Vec4>().data() : own.data();
     parallel_for(range.count, kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
       for (std::size_t m = begin; m < end; ++m) pack(range.first + m, out + m, range.count);
     });
     if (own.empty()) {
-      state_.context->count_upload(texels * sizeof(Vec4));
+      context_->count_upload(buffer.bytes());
     } else {
-      state_.transfer.upload(buffer, std::span<const Vec4>(own));
+      transfer.upload(buffer, std::span<const Vec4>(own));
     }
   }
 }
 
-void BlendResponse::set_basis(std::span<const double> basis) {
-  fill([&](std::size_t vertex, Vec4* out, std::size_t stride) {
+void BlendResponse::fill_columns(gpu::Transfer& transfer, std::span<const double> numbers) {
+  fill(transfer, [&](std::size_t vertex, Vec4* out, std::size_t stride) {
     for (std::size_t first = 0; first < columns_; first += kColumnsPerGroup) {
       for (std::size_t axis = 0; axis < 3; ++axis, out += stride) {
         *out = {};
         for (std::size_t k = first; k < std::min(columns_, first + kColumnsPerGroup); ++k) {
-          (*out)[k - first] = static_cast<float>(basis[3 * (k * moving_.size() + vertex) + axis]);
+          (*out)[k - first] = static_cast<float>(numbers[3 * (k * moving_.size() + vertex) + axis]);
         }
       }
     }
   });
 }
 
-void BlendResponse::set_axis_basis(std::span<const double> numbers) {
-  fill([&](std::size_t vertex, Vec4* out, std::size_t stride) {
+void BlendResponse::fill_columns_along_axes(gpu::Transfer& transfer,
+                                            std::span<const double> numbers) {
+  fill(transfer, [&](std::size_t vertex, Vec4* out, std::size_t stride) {
     for (std::size_t group = 0; group < groups_of(columns_); ++group) {
       for (std::size_t axis = 0; axis < 3; ++axis, out += stride) {
         *out = {};
@@ -94,32 +130,24 @@ void BlendResponse::set_axis_basis(std::span<const double> numbers) {
   });
 }
 
-void BlendResponse::add_range(std::size_t first, std::size_t count) {
-  const gpu::Context& context = *state_.context;
-  ranges_.push_back(
-      {first, count, gpu::TexelBuffer(context, "moving vertices", Format::uint, count),
-       gpu::TexelBuffer(context, "rest positions", Format::vec4, count),
-       gpu::TexelBuffer(context, "response basis", Format::vec4, 3 * groups_of(columns_) * count)});
-  state_.transfer.upload(ranges_.back().moving.buffer(),
-                         std::span<const Index>(moving_).subspan(first, count));
-}
-
-void BlendResponse::set_rest(std::span<const Eigen::Vector3d> positions) {
+void BlendResponse::set_rest(gpu::Transfer& transfer, std::span<const Eigen::Vector3d> rest,
+                             std::span<const Eigen::Vector3d> displacement,
+                             const Eigen::Vector3d& origin) {
   for (const Range& range : ranges_) {
-    std::vector<Vec4> rests;
-    rests.reserve(range.count);
-    for (std::size_t m = range.first; m < range.first + range.count; ++m) {
-      const Eigen::Vector3f place = (positions[moving_[m]] - origin_).cast<float>();
-      rests.push_back({place.x(), place.y(), place.z(), 1.0F});
+    std::vector<Vec4> rests(range.count);
+    for (std::size_t m = 0; m < range.count; ++m) {
+      const Index v = moving_[range.first + m];
+      rests[m] = place_of(displacement.empty() ? rest[v] : rest[v] + displacement[v], origin);
     }
-    state_.transfer.upload(range.rests.buffer(), std::span<const Vec4>(rests));
+    transfer.upload(range.rests, std::span<const Vec4>(rests));
   }
 }
 
-void BlendResponse::record(gpu::Recorder& recorder, const gpu::Buffer& positions) const {
+void BlendResponse::record(gpu::Recorder& recorder, const gpu::Kernel& kernel,
+                           const gpu::Buffer& positions) const {
   for (const Range& range : ranges_) {
-    recorder.dispatch(state_.blend_response, range.count,
-                      {groups_, range.moving, range.rests, range.basis, positions},
+    recorder.dispatch(kernel, range.count,
+                      {groups_, range.moving, range.rests, range.columns, positions},
                       static_cast<std::uint32_t>(range.count));
   }
 }
@@ -130,8 +158,8 @@ void BlendResponse::run_on_host(std::span<Vec4> positions) const {
       reinterpret_cast<const BlendGroup*>(memory + sizeof(GroupHeader)),
       reinterpret_cast<const GroupHeader*>(memory)->group_count);
   for (const Range& range : ranges_) {
-    blend_on_host({range.moving.buffer().mapped_as<Index>(), range.rests.buffer().mapped_as<Vec4>(),
-                   range.basis.buffer().mapped_as<Vec4>()},
+    blend_on_host({range.moving.mapped_as<Index>(), range.rests.mapped_as<Vec4>(),
+                   range.columns.mapped_as<Vec4>()},
                   groups, positions);
   }
 }
@@ -153,7 +181,7 @@ void BlendResponse::set_parameters(std::span<const double> parameters) {
                    [](double p) { return static_cast<float>(p); });
   }
   reinterpret_cast<GroupHeader*>(memory.data())->group_count = count;
-  state_.context->count_upload(sizeof(GroupHeader) + count * sizeof(BlendGroup));
+  context_->count_upload(sizeof(GroupHeader) + count * sizeof(BlendGroup));
 }
 
 }  // namespace lapwing

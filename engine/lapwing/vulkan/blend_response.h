@@ -1,56 +1,77 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "lapwing/gpu/context.h"
+#include "lapwing/gpu/kernel.h"
 #include "lapwing/gpu/recorder.h"
-#include "lapwing/gpu/texel_buffer.h"
-#include "lapwing/kernels/kernels.h"
+#include "lapwing/gpu/transfer.h"
+#include "lapwing/kernels/response_columns.h"
+#include "lapwing/mesh/topology.h"
 #include "lapwing/vulkan/host_frame.h"
-#include "lapwing/vulkan/vulkan_state.h"
 
 namespace lapwing {
 
-/// Kernel blend_response over one basis, kept on the device in float32. Vertices are split into
-/// ranges, each with buffers of its own, where the basis has more texels than a buffer may.
+/// Kernel blend_response over the columns of one response, which are kept on the device in float32.
+/// Vertices are split into ranges, each with buffers of its own, where the columns take more bytes
+/// than a buffer may have. May be made on another thread than it is used on.
 class BlendResponse {
  public:
-  /// Positions are relative to `origin`. `most_texels` in one buffer; the device's limit if 0.
-  /// Throws GpuError when the basis does not fit in the device's memory.
-  BlendResponse(VulkanState& state, const SurfaceInput& input, const Eigen::Vector3d& origin,
-                std::size_t most_texels = 0);
+  /// One buffer has at most `most_bytes` of columns; the device's limit if 0. Throws GpuError when
+  /// the columns do not fit in the device's memory.
+  BlendResponse(std::shared_ptr<gpu::Context> context, gpu::Transfer& transfer,
+                const ResponseColumns& columns, const Topology& topology,
+                std::size_t most_bytes = 0);
 
-  /// As DeformedSurface. The device must be done with the recorded commands.
-  void set_basis(std::span<const double> basis);
-  void set_axis_basis(std::span<const double> numbers);
-  void set_rest(std::span<const Eigen::Vector3d> positions);
+  /// The pipeline that `record` runs.
+  static gpu::Kernel kernel(const gpu::Context& context);
+
+  /// What blends begin from: the moving vertices at `rest` + `displacement`, both of the whole
+  /// mesh, relative to `origin`; no displacement is none. Goes before the first blend. The device
+  /// must be done with the recorded commands, as for `set_parameters`.
+  void set_rest(gpu::Transfer& transfer, std::span<const Eigen::Vector3d> rest,
+                std::span<const Eigen::Vector3d> displacement, const Eigen::Vector3d& origin);
+  /// What the recorded commands use when they next run: one number per column. Throws InputError
+  /// when their number is wrong.
+  void set_parameters(std::span<const double> parameters);
 
   /// Records the blend into `positions`, one vec4 per vertex of the mesh, whose w stays: 1.
-  void record(gpu::Recorder& recorder, const gpu::Buffer& positions) const;
+  void record(gpu::Recorder& recorder, const gpu::Kernel& kernel,
+              const gpu::Buffer& positions) const;
   /// Does now, on the processor, what the recorded commands would. Everything must be mapped.
   void run_on_host(std::span<Vec4> positions) const;
-  /// What the recorded commands use when they next run: one number per column. The device must be
-  /// done with them. Throws InputError when the number is wrong.
-  void set_parameters(std::span<const double> parameters);
+
+  std::span<const Index> moving() const { return moving_; }
+  /// The vertices whose normals change with it: those that move and their neighbours.
+  const gpu::Buffer& affected() const { return affected_; }
 
  private:
   struct Range {
     std::size_t first;
     std::size_t count;
-    gpu::TexelBuffer moving;
-    gpu::TexelBuffer rests;
-    gpu::TexelBuffer basis;
+    gpu::Buffer moving;
+    gpu::Buffer rests;
+    gpu::Buffer columns;
   };
+  void add_ranges(std::size_t most_bytes, gpu::Transfer& transfer);
   template <typename Pack>
-  void fill(const Pack& pack);
-  void add_range(std::size_t first, std::size_t count);
+  void fill(gpu::Transfer& transfer, const Pack& pack);
+  void fill_columns(gpu::Transfer& transfer, std::span<const double> numbers);
+  void fill_columns_along_axes(gpu::Transfer& transfer, std::span<const double> numbers);
 
-  VulkanState& state_;
+  std::shared_ptr<gpu::Context> context_;
   std::size_t columns_;
   std::vector<Index> moving_;
-  Eigen::Vector3d origin_;
   gpu::Buffer groups_;
+  gpu::Buffer affected_;
   std::vector<Range> ranges_;
 };
+
+/// A response on its own way to the device, from any thread.
+std::shared_ptr<BlendResponse> upload_response(const std::shared_ptr<gpu::Context>& context,
+                                               const ResponseColumns& columns,
+                                               const Topology& topology);
 
 }  // namespace lapwing

@@ -10,6 +10,12 @@ namespace lapwing {
 
 using Vec4 = std::array<float, 4>;
 
+/// A vertex among the positions of a surface: relative to `origin`, and 1.
+inline Vec4 place_of(const Eigen::Vector3d& position, const Eigen::Vector3d& origin) {
+  const Eigen::Vector3f place = (position - origin).cast<float>();
+  return {place.x(), place.y(), place.z(), 1.0F};
+}
+
 /// Four columns of a blend with a parameter other than 0, as shaders/blend_response.comp reads
 /// them.
 struct alignas(16) BlendGroup {

@@ -3,12 +3,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "lapwing/shaders/vertex_normals.h"
 #include "lapwing/vulkan/host_frame.h"
 
 namespace lapwing {
 namespace {
-
-using Format = gpu::TexelBuffer::Format;
 
 // A triangle around vertex i as the edge opposite to i, from corner to corner in its orientation.
 using Edge = std::pair<Index, Index>;
@@ -69,36 +68,28 @@ Adjacency build_fans(std::span<const Triangle> triangles, const Adjacency& verte
   return fans;
 }
 
-VertexNormals::VertexNormals(VulkanState& state, const Topology& topology)
-    : VertexNormals(state, build_fans(topology.triangles, topology.vertex_triangles)) {}
+VertexNormals::VertexNormals(gpu::Context& context, gpu::Transfer& transfer,
+                             const Topology& topology)
+    : VertexNormals(context, transfer, build_fans(topology.triangles, topology.vertex_triangles)) {}
 
-VertexNormals::VertexNormals(VulkanState& state, const Adjacency& fans)
-    : state_(state),
-      fan_starts_(*state.context, "fan starts", Format::uint, fans.starts.size()),
-      fan_corners_(*state.context, "fan corners", Format::uint, fans.values.size()) {
-  state.transfer.upload(fan_starts_.buffer(), std::span<const Index>(fans.starts));
-  state.transfer.upload(fan_corners_.buffer(), std::span<const Index>(fans.values));
+VertexNormals::VertexNormals(gpu::Context& context, gpu::Transfer& transfer, const Adjacency& fans)
+    : kernel_(context, "vertex_normals", shaders::vertex_normals(), sizeof(std::uint32_t)),
+      fan_starts_(context, "fan starts", fans.starts.size() * sizeof(Index)),
+      fan_corners_(context, "fan corners", fans.values.size() * sizeof(Index)) {
+  transfer.upload(fan_starts_, std::span<const Index>(fans.starts));
+  transfer.upload(fan_corners_, std::span<const Index>(fans.values));
 }
 
-gpu::TexelBuffer VertexNormals::upload_list(std::span<const Index> which) const {
-  gpu::TexelBuffer list(*state_.context, "vertices with new normals", Format::uint, which.size());
-  state_.transfer.upload(list.buffer(), which);
-  return list;
+void VertexNormals::record(gpu::Recorder& recorder, const gpu::Buffer& which,
+                           const gpu::Buffer& positions, const gpu::Buffer& normals) const {
+  const auto count = static_cast<std::uint32_t>(which.bytes() / sizeof(Index));
+  recorder.dispatch(kernel_, count, {which, fan_starts_, fan_corners_, positions, normals}, count);
 }
 
-void VertexNormals::record(gpu::Recorder& recorder, const gpu::TexelBuffer& which,
-                           const gpu::TexelBuffer& positions, const gpu::Buffer& normals) const {
-  const auto count = static_cast<std::uint32_t>(which.buffer().bytes() / sizeof(Index));
-  recorder.dispatch(state_.vertex_normals, count,
-                    {which, fan_starts_, fan_corners_, positions, normals}, count);
-}
-
-void VertexNormals::run_on_host(const gpu::TexelBuffer& which, const gpu::TexelBuffer& positions,
+void VertexNormals::run_on_host(std::span<const Index> which, const gpu::Buffer& positions,
                                 const gpu::Buffer& normals) const {
-  normals_on_host(
-      which.buffer().mapped_as<Index>(),
-      {fan_starts_.buffer().mapped_as<Index>(), fan_corners_.buffer().mapped_as<Index>()},
-      positions.buffer().mapped_as<Vec4>(), normals.mapped_as<Vec4>());
+  normals_on_host(which, {fan_starts_.mapped_as<Index>(), fan_corners_.mapped_as<Index>()},
+                  positions.mapped_as<Vec4>(), normals.mapped_as<Vec4>());
 }
 
 }  // namespace lapwing

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "lapwing/gpu/kernel.h"
 #include "lapwing/gpu/recorder.h"
-#include "lapwing/gpu/texel_buffer.h"
+#include "lapwing/gpu/transfer.h"
 #include "lapwing/mesh/topology.h"
-#include "lapwing/vulkan/vulkan_state.h"
 
 namespace lapwing {
 
@@ -20,24 +19,21 @@ inline constexpr Index kFanBegins = 0x80000000U;
 /// Kernel vertex_normals over one mesh: normals from positions, one vec4 per vertex each.
 class VertexNormals {
  public:
-  VertexNormals(VulkanState& state, const Topology& topology);
+  VertexNormals(gpu::Context& context, gpu::Transfer& transfer, const Topology& topology);
 
-  /// The vertices `which` as `record` takes them.
-  gpu::TexelBuffer upload_list(std::span<const Index> which) const;
-  /// Records the normals of `which` into `normals`, whose w stays.
-  void record(gpu::Recorder& recorder, const gpu::TexelBuffer& which,
-              const gpu::TexelBuffer& positions, const gpu::Buffer& normals) const;
-
+  /// Records the normals of the vertices `which` into `normals`, whose w stays.
+  void record(gpu::Recorder& recorder, const gpu::Buffer& which, const gpu::Buffer& positions,
+              const gpu::Buffer& normals) const;
   /// Does now, on the processor, what the recorded commands would. Everything must be mapped.
-  void run_on_host(const gpu::TexelBuffer& which, const gpu::TexelBuffer& positions,
+  void run_on_host(std::span<const Index> which, const gpu::Buffer& positions,
                    const gpu::Buffer& normals) const;
 
  private:
-  VertexNormals(VulkanState& state, const Adjacency& fans);
+  VertexNormals(gpu::Context& context, gpu::Transfer& transfer, const Adjacency& fans);
 
-  VulkanState& state_;
-  gpu::TexelBuffer fan_starts_;
-  gpu::TexelBuffer fan_corners_;
+  gpu::Kernel kernel_;
+  gpu::Buffer fan_starts_;
+  gpu::Buffer fan_corners_;
 };
 
 }  // namespace lapwing

@@ -8,7 +8,6 @@
 #include "lapwing/shaders/assemble_rsi_float64.h"
 #include "lapwing/shaders/assemble_tangent_float32.h"
 #include "lapwing/shaders/assemble_tangent_float64.h"
-#include "lapwing/shaders/blend_response.h"
 #include "lapwing/shaders/energy_gradient_float32.h"
 #include "lapwing/shaders/energy_gradient_float64.h"
 #include "lapwing/shaders/fit_rotations_float32.h"
@@ -19,10 +18,8 @@
 #include "lapwing/shaders/sample_laplacians_float64.h"
 #include "lapwing/shaders/sample_mapped_laplacians_float32.h"
 #include "lapwing/shaders/sample_mapped_laplacians_float64.h"
-#include "lapwing/shaders/vertex_normals.h"
 #include "lapwing/vulkan/vulkan_ring_rotations.h"
 #include "lapwing/vulkan/vulkan_state.h"
-#include "lapwing/vulkan/vulkan_surface.h"
 
 namespace lapwing {
 namespace {
@@ -88,9 +85,7 @@ VulkanState::VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_f
       sample_mapped_laplacians(*context, "sample_mapped_laplacians",
                                float64 ? shaders::sample_mapped_laplacians_float64()
                                        : shaders::sample_mapped_laplacians_float32(),
-                               kMappedRingBytes),
-      blend_response(*context, "blend_response", shaders::blend_response(), kCountBytes),
-      vertex_normals(*context, "vertex_normals", shaders::vertex_normals(), kCountBytes) {}
+                               kMappedRingBytes) {}
 
 VulkanKernels::VulkanKernels(const VulkanOptions& options)
     : VulkanKernels(make_context(options), options.precision, options.frames_on_device) {}
@@ -105,10 +100,6 @@ VulkanKernels::~VulkanKernels() = default;
 
 std::unique_ptr<RingRotations> VulkanKernels::make_ring_rotations(const RegionRings& rings) {
   return std::make_unique<VulkanRingRotations>(state_, rings);
-}
-
-std::unique_ptr<DeformedSurface> VulkanKernels::make_surface(const SurfaceInput& input) {
-  return std::make_unique<VulkanSurface>(state_, input);
 }
 
 const std::shared_ptr<gpu::Context>& VulkanKernels::context() const {

@@ -12,7 +12,7 @@ class Context;
 }
 class VulkanState;
 
-/// The precision in which kernels run; those of surfaces are in float32 always.
+/// The precision in which kernels run; those of drawn surfaces are in float32 always.
 enum class Precision {
   automatic,  ///< float64 where the device has it
   float32,
@@ -23,12 +23,11 @@ struct VulkanOptions {
   std::string device = "auto";  ///< as in gpu::ContextOptions
   Precision precision = Precision::automatic;
   bool validation = false;  ///< as in gpu::ContextOptions
-  /// Drag frames and settling by shaders on a software device, too (DeviceInfo::frames).
+  /// Settling by shaders on a software device, too (DeviceInfo::frames).
   bool frames_on_device = false;
 };
 
-/// The kernels as Vulkan compute shaders. Not for use from several threads at once. Surfaces that
-/// `make_surface` returns are VulkanSurfaces and may outlive the object they came from.
+/// The kernels as Vulkan compute shaders. Not for use from several threads at once.
 class VulkanKernels final : public Kernels {
  public:
   /// Throws GpuError saying what was tried and what to install when no device fits.
@@ -49,7 +48,6 @@ class VulkanKernels final : public Kernels {
   void rotate_frames(const MappedRings& rings, const FramedSurface& source,
                      const FramedSurface& target, std::span<Eigen::Matrix3d> transforms) override;
   std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings) override;
-  std::unique_ptr<DeformedSurface> make_surface(const SurfaceInput& input) override;
 
   const std::shared_ptr<gpu::Context>& context() const;
 

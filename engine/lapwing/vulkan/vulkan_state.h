@@ -8,15 +8,15 @@
 
 namespace lapwing {
 
-/// What VulkanKernels and the surfaces made by it share.
+/// What VulkanKernels and the ring rotations made by it share.
 class VulkanState {
  public:
   VulkanState(std::shared_ptr<gpu::Context> shared_context, bool in_float64,
               bool frames_on_device = false);
 
   std::shared_ptr<gpu::Context> context;
-  bool float64;  ///< all but surfaces are in float64
-  bool frames;   ///< as DeviceInfo::frames
+  bool float64;
+  bool frames;  ///< as DeviceInfo::frames
   gpu::Transfer transfer;
   gpu::Kernel assemble_rsi;
   gpu::Kernel assemble_tangent;
@@ -25,8 +25,6 @@ class VulkanState {
   gpu::Kernel rotate_frames;
   gpu::Kernel sample_laplacians;
   gpu::Kernel sample_mapped_laplacians;
-  gpu::Kernel blend_response;
-  gpu::Kernel vertex_normals;
 };
 
 }  // namespace lapwing

@@ -19,7 +19,7 @@ void measure_edit_stages(BenchRun& run, const Subject& subject);
 /// "coat", "mix" and "transplant" of a tenth of the mesh, on every device; only on sheets of hills.
 void measure_layer_stages(BenchRun& run, const Subject& subject);
 
-/// "render": a picture of 1280 x 800 pixels of the dragged surface, on every device that draws.
+/// "show mesh" and "render", a picture of 1280 x 800 pixels of it, on every device that draws.
 void measure_render(BenchRun& run, const Subject& subject);
 
 /// The same work by others: CGAL's ARAP ("preparation", "settle iteration", "settle frame"), the

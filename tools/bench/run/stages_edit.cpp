@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/render/surface.h"
 #include "lapwing/settle/settle.h"
-#include "lapwing/vulkan/vulkan_surface.h"
 #include "run/edit_parts.h"
 #include "run/stages.h"
 
@@ -29,8 +30,56 @@ DeformOptions deform_options(const BenchRun& run) {
   return options;
 }
 
-// What a frame must read and write at least: blend (basis, rest, numbers, positions), then normals
-// (numbers, fans, positions, normals). Twelve columns, all in use.
+// Where the surface is drawn; null without a device for that.
+std::shared_ptr<BlendResponse> uploaded(const DragResponse& response, const Subject& subject,
+                                        const BenchDevice& device) {
+  if (device.context == nullptr) return nullptr;
+  return upload_response(device.context, response.columns(), subject.mesh.topology());
+}
+
+// A drag as a person sees it: the vertices follow by a response, and their normals them. On a
+// device that can draw they do in the surface that is drawn, else in double precision.
+class ShownDrag {
+ public:
+  ShownDrag(const Subject& subject, const BenchDevice& device,
+            std::shared_ptr<const DragResponse> response)
+      : subject_(subject),
+        drag_(std::move(response)),
+        blend_(uploaded(*drag_.response(), subject, device)) {
+    if (device.context == nullptr) {
+      positions_ = subject.mesh.positions;
+      normals_.resize(positions_.size());
+      moved_ =
+          with_ring_neighbours(drag_.response()->columns().moving, subject.mesh.topology().rings);
+      return;
+    }
+    surface_.emplace(device.context, subject.mesh.positions, subject.mesh.topology());
+    surface_->begin(*blend_, subject.mesh.positions);
+  }
+
+  void move(std::span<const Eigen::Affine3d> motions) {
+    if (surface_) {
+      surface_->blend(blend_, drag_.parameters(motions));
+      surface_->finish();
+      return;
+    }
+    drag_.move(motions, positions_);
+    vertex_normals(positions_, subject_.mesh.topology().triangles,
+                   subject_.mesh.topology().vertex_triangles, moved_, normals_);
+  }
+
+ private:
+  const Subject& subject_;
+  Drag drag_;
+  std::shared_ptr<BlendResponse> blend_;
+  std::optional<Surface> surface_;
+  Positions positions_;
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<Index> moved_;
+};
+
+// What a frame must read and write at least: blend (columns, rest, numbers, positions), then
+// normals (numbers, fans, positions, normals). Twelve columns, all in use.
 std::uint64_t blend_bytes(const Subject& subject, bool on_device) {
   const std::uint64_t n = subject.vertices();
   const std::uint64_t number = on_device ? sizeof(float) : sizeof(double);
@@ -68,12 +117,17 @@ void measure_shader_frame(BenchRun& run, const Subject& subject, const BenchDevi
   const BenchDevice staged = open_bench_device(device.name, false);
   std::vector<Index> moving(subject.vertices());
   std::iota(moving.begin(), moving.end(), Index{0});
-  std::vector<double> basis(3 * moving.size() * kMotionParameters, 0.0);
-  for (std::size_t i = 0; i < basis.size(); ++i) basis[i] = 1e-3 * static_cast<double>(i % 97);
-  const auto surface = staged.kernels->make_surface(
-      {subject.mesh.positions, subject.mesh.topology(), moving, basis, kMotionParameters});
+  std::vector<double> numbers(3 * moving.size() * kMotionParameters, 0.0);
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = 1e-3 * static_cast<double>(i % 97);
+  Surface surface(staged.context, subject.mesh.positions, subject.mesh.topology());
+  const auto blend = upload_response(staged.context, {moving, kMotionParameters, numbers},
+                                     subject.mesh.topology());
+  surface.begin(*blend, subject.mesh.positions);
   std::vector<double> parameters(kMotionParameters, 1e-3);
-  const auto frame = [&] { surface->blend(parameters); };
+  const auto frame = [&] {
+    surface.blend(blend, parameters);
+    surface.finish();
+  };
   if (measure_frame(run, subject, staged, "shader frame", frame) == nullptr) return;
   run.add_kernel("blend_response", blend_bytes(subject, true));
   run.add_kernel("vertex_normals", normals_bytes(subject, true));
@@ -85,15 +139,16 @@ void measure_preview(BenchRun& run, const Subject& subject, const BenchDevice& d
   if (!wanted) return;
   const DeformOptions options = deform_options(run);
   MovingHandle handle(subject);
-  std::unique_ptr<DragPreview> preview;
+  std::optional<ShownDrag> drag;
   const auto make = [&] {
-    preview = std::make_unique<DragPreview>(subject.mesh.positions, subject.mesh.topology(),
-                                            subject.region, options, *device.kernels);
-    preview->drag(handle.next());
+    const DragPreview preview(subject.mesh.positions, subject.mesh.topology(), subject.region,
+                              options);
+    drag.emplace(subject, device, preview.response());
+    drag->move(handle.next());
   };
-  run.measure("first drag", kLapwing, device, subject, make, [&] { preview.reset(); });
-  if (preview == nullptr) make();
-  run.measure("preview frame", kLapwing, device, subject, [&] { preview->drag(handle.next()); });
+  run.measure("first drag", kLapwing, device, subject, make, [&] { drag.reset(); });
+  if (!drag) make();
+  run.measure("preview frame", kLapwing, device, subject, [&] { drag->move(handle.next()); });
 }
 
 void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevice& device,
@@ -125,11 +180,13 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
   const auto make = [&] {
     deformer = std::make_unique<Deformer>(subject.mesh.positions, subject.mesh.topology(),
                                           subject.region, options, *device.kernels);
+    uploaded(*deformer->response(), subject, device);
   };
   run.measure("preparation", kLapwing, device, subject, make, [&] { deformer.reset(); });
   if (!frames) return;
   if (deformer == nullptr) make();
-  measure_frame(run, subject, device, "drag frame", [&] { deformer->drag(handle.next()); });
+  ShownDrag drag(subject, device, deformer->response());
+  measure_frame(run, subject, device, "drag frame", [&] { drag.move(handle.next()); });
   measure_settle_frame(run, subject, device, "settle frame", *deformer);
 }
 
@@ -171,6 +228,7 @@ void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& dev
       [&] {
         again = std::make_unique<Deformer>(prepared, subject.mesh.positions, region, options,
                                            *device.kernels);
+        uploaded(*again->response(), subject, device);
       },
       [&] {
         again.reset();

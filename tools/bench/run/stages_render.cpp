@@ -5,8 +5,8 @@
 #include "lapwing/render/camera.h"
 #include "lapwing/render/offscreen.h"
 #include "lapwing/render/renderer.h"
+#include "lapwing/render/surface.h"
 #include "lapwing/render/surface_paint.h"
-#include "lapwing/vulkan/vulkan_surface.h"
 #include "run/stages.h"
 
 namespace lapwing::bench {
@@ -20,13 +20,17 @@ constexpr std::uint32_t kHeight = 800;
 void measure_render(BenchRun& run, const Subject& subject) {
   for (const BenchDevice& kept : run.devices()) {
     if (kept.context == nullptr || !kept.context->has_graphics()) continue;
-    if (!run.wants("render", kLapwing, kept.name, subject)) continue;
+    const bool wanted = run.wants("render", kLapwing, kept.name, subject) ||
+                        run.wants("show mesh", kLapwing, kept.name, subject);
+    if (!wanted) continue;
     // Once Mesa's software device has drawn, each of its timestamps takes some microseconds more.
     const BenchDevice device = open_bench_device(kept.name);
+    run.measure("show mesh", kLapwing, device, subject, [&] {
+      Surface shown(device.context, subject.mesh.positions, subject.mesh.topology());
+      shown.place(subject.mesh.positions);
+    });
     // At rest: a picture costs the same wherever the vertices are.
-    const auto made =
-        device.kernels->make_surface({subject.mesh.positions, subject.mesh.topology(), {}, {}, 0});
-    const auto& surface = dynamic_cast<const VulkanSurface&>(*made);
+    const Surface surface(device.context, subject.mesh.positions, subject.mesh.topology());
     SurfacePaint paint(surface);
     paint.set_classes(vertex_classes(subject.region, subject.vertices()));
     SurfaceStyle style;

@@ -159,7 +159,7 @@ class CoatBenchRun {
                            "source")),
         target_(disk_patch(pair.target.region, pair.target.mesh.topology(),
                            pair.target.mesh.positions, "target")) {
-    coating_ = peeled(*open_device("cpu"), detail_);
+    coating_ = peeled(*open_device("cpu").kernels, detail_);
     smooth_ = smooth_target();
     laid_ = on_patch<Vector3d>(target_, smooth_);
     pins_ = {default_pins(source_, coating_.smooth, Domain::disk),
@@ -384,7 +384,7 @@ void bench_coat(const CoatBench& settings) {
   CoatBenchRun run(settings, pair);
   run.print_sizes();
   for (const std::string& device : settings.devices) {
-    const auto kernels = open_device(device);
+    const auto kernels = open_device(device).kernels;
     std::printf("\nOn %s\n", kernels->device().name.c_str());
     run.measure_steps(*kernels, false);
     run.measure_steps(*kernels, true);

@@ -8,8 +8,8 @@
 #include "lapwing/gpu/context.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/render/closed_surface.h"
+#include "lapwing/render/surface.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
-#include "lapwing/vulkan/vulkan_surface.h"
 #include "run/subject.h"
 #include "studies/measure.h"
 #include "studies/studies.h"
@@ -103,7 +103,10 @@ class DraggedMesh {
         context_(open(settings.device)),
         kernels_(context_, Precision::automatic),
         deformer_(mesh_.positions, topology_, whole_mesh_region(mesh_), {}, kernels_),
-        paint_(surface()),
+        drag_(deformer_.response()),
+        surface_(context_, mesh_.positions, topology_),
+        blend_(upload_response(context_, drag_.response()->columns(), topology_)),
+        paint_(surface_),
         screen_(*context_),
         painter_(*context_, screen_),
         panels_(settings),
@@ -113,7 +116,8 @@ class DraggedMesh {
     painter_.set_fonts();
     paint_.set_polygons(mesh_);
     paint_.set_classes(vertex_classes(deformer_.region(), mesh_.vertex_count()));
-    scene_.surface = &surface();
+    surface_.begin(*blend_, mesh_.positions);
+    scene_.surface = &surface_;
     scene_.paint = &paint_;
     scene_.style.color = SurfaceColor::regions;
     scene_.camera = fit(bounds_of(mesh_.positions), view_axes(View::three_quarter),
@@ -124,7 +128,7 @@ class DraggedMesh {
   void drag(bool quick, Parts& parts) {
     const Stopwatch frame;
     const std::array motions{motion_at(0.5 + 0.5 * std::sin(0.2 * ++frames_), diagonal_)};
-    deformer_.drag(motions);
+    surface_.blend(blend_, drag_.parameters(motions));
     scene_.moving = quick;
     scene_.style.sides = quick && closed_ ? Sides::front : Sides::both;
     const Stopwatch layout;
@@ -145,13 +149,15 @@ class DraggedMesh {
     options.device = device;
     return std::make_shared<gpu::Context>(options);
   }
-  VulkanSurface& surface() { return dynamic_cast<VulkanSurface&>(deformer_.surface()); }
 
   Mesh mesh_;
   const Topology& topology_;
   std::shared_ptr<gpu::Context> context_;
   VulkanKernels kernels_;
   Deformer deformer_;
+  Drag drag_;
+  Surface surface_;
+  std::shared_ptr<BlendResponse> blend_;
   SurfacePaint paint_;
   viewer::OffscreenScreen screen_;
   viewer::FramePainter painter_;

@@ -24,7 +24,7 @@ constexpr int kMaxIterations = 200;
 // The project's design notes, section 3: a rippled cylinder, held below z = 0.6, moved above 5.4.
 struct Cylinder {
   Mesh mesh = rippled_cylinder();
-  const Topology& topology = mesh.topology();
+  Topology topology = mesh.topology();
   EditRegion region;
   std::vector<Index> free;
   std::vector<double> weights =
@@ -188,8 +188,8 @@ Row row_of(const std::string& name, const RunResult& result) {
       laplacian_weights(result.mesh.topology(), result.original, LaplacianWeights::uniform);
   Row row{name + (c.settled ? "" : ", cut short"),
           c.detail_error,
-          detail_error(result.deformed.last->region().roi, result.mesh.topology(), weights,
-                       result.original, result.mesh.positions),
+          detail_error(result.region.roi, result.mesh.topology(), weights, result.original,
+                       result.mesh.positions),
           c.edge_stretch,
           c.largest_edge_stretch,
           c.settle_iterations};
@@ -223,7 +223,7 @@ void bench_classics(Kernels& kernels, const std::filesystem::path& recipes,
 }  // namespace
 
 void bench_settle(const SettleBench& settings) {
-  const auto kernels = open_device(settings.device);
+  const auto kernels = open_device(settings.device).kernels;
   std::optional<PictureMaker> pictures;
   if (!settings.pictures.empty()) pictures.emplace(settings.pictures);
   PictureMaker* const maker = pictures ? &*pictures : nullptr;

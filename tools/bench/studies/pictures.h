@@ -1,12 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 
+#include "lapwing/gpu/context.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/render/camera.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
 
 namespace lapwing::bench {
 
@@ -23,7 +24,7 @@ class PictureMaker {
 
  private:
   std::filesystem::path folder_;
-  VulkanKernels kernels_;
+  std::shared_ptr<gpu::Context> context_;
 };
 
 }  // namespace lapwing::bench

@@ -1,0 +1,68 @@
+#include "lapwing/deform/drag.h"
+
+#include <utility>
+
+#include "lapwing/deform/edit_system.h"
+#include "lapwing/kernels/cpu_kernels.h"
+
+namespace lapwing {
+
+using Eigen::Vector3d;
+
+DragResponse::DragResponse(std::shared_ptr<const EditSystem> system, Numbers numbers,
+                           bool along_axes)
+    : system_(std::move(system)), numbers_(std::move(numbers)), along_axes_(along_axes) {}
+
+const Positions& DragResponse::rest() const {
+  return *system_->rest;
+}
+const Topology& DragResponse::topology() const {
+  return system_->topology;
+}
+ResponseColumns DragResponse::columns() const {
+  return {system_->moving, system_->column_count(), numbers_, along_axes_};
+}
+
+void DragResponse::set_parameters(std::span<const Eigen::Affine3d> motions,
+                                  std::span<double> parameters) const {
+  system_->set_parameters(motions, parameters);
+}
+
+SettledPose DragResponse::pose_at(std::span<const Vector3d> positions,
+                                  std::span<const Eigen::Affine3d> motions,
+                                  std::span<const Eigen::AngleAxisd> turns) const {
+  SettledPose pose;
+  pose.parameters.resize(system_->column_count());
+  set_parameters(motions, pose.parameters);
+  pose.turns.assign(turns.begin(), turns.end());
+  pose.displacement.assign(rest().size(), Vector3d::Zero());
+  for (const Index v : system_->moving) pose.displacement[v] = positions[v] - rest()[v];
+  return pose;
+}
+
+Drag::Drag(std::shared_ptr<const DragResponse> response, std::shared_ptr<const SettledPose> pose)
+    : response_(std::move(response)),
+      pose_(std::move(pose)),
+      parameters_(response_->columns().count) {}
+
+std::span<const double> Drag::parameters(std::span<const Eigen::Affine3d> motions) {
+  response_->set_parameters(motions, parameters_);
+  if (pose_) {
+    for (std::size_t k = 0; k < pose_->parameters.size(); ++k) {
+      parameters_[k] -= pose_->parameters[k];
+    }
+  }
+  return parameters_;
+}
+
+void Drag::move(std::span<const Eigen::Affine3d> motions, std::span<Vector3d> positions) {
+  const ResponseColumns columns = response_->columns();
+  const Positions& rest = response_->rest();
+  if (!pose_ || pose_->displacement.empty()) {
+    return blend_response(rest, columns, parameters(motions), positions);
+  }
+  for (const Index v : columns.moving) positions[v] = rest[v] + pose_->displacement[v];
+  blend_response(positions, columns, parameters(motions), positions);
+}
+
+}  // namespace lapwing

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/numbers.h"
+#include "lapwing/deform/settled_pose.h"
+#include "lapwing/kernels/response_columns.h"
+
+namespace lapwing {
+
+struct EditSystem;
+
+/// How the surface of an edit follows its handles linearly: a column for each of the 12 numbers of
+/// each handle. Not changed after construction, so that one thread may drag by it while another
+/// settles.
+class DragResponse {
+ public:
+  /// `numbers` as ResponseColumns has them.
+  DragResponse(std::shared_ptr<const EditSystem> system, Numbers numbers, bool along_axes);
+
+  const Positions& rest() const;  ///< of the whole mesh
+  const Topology& topology() const;
+  ResponseColumns columns() const;
+
+  /// The parameters of one motion per handle. Throws InputError for another number of them.
+  void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
+
+  /// A pose of this region: the surface at `positions`, of the whole mesh, for handles moved by
+  /// `motions` that came about by `turns`.
+  SettledPose pose_at(std::span<const Eigen::Vector3d> positions,
+                      std::span<const Eigen::Affine3d> motions,
+                      std::span<const Eigen::AngleAxisd> turns) const;
+
+ private:
+  std::shared_ptr<const EditSystem> system_;
+  Numbers numbers_;
+  bool along_axes_;
+};
+
+/// A drag by a response, from rest or from a pose on:
+///
+///     Drag drag(deformer.response());
+///     drag.move(motions, positions);                       // on the processor
+///     surface.blend(on_device, drag.parameters(motions));  // or where it is drawn
+class Drag {
+ public:
+  /// `pose` null is the rest shape. From another one on the surface is that pose and the linear
+  /// response to what the motions have changed since, so that at its motions it is that pose.
+  explicit Drag(std::shared_ptr<const DragResponse> response,
+                std::shared_ptr<const SettledPose> pose = nullptr);
+
+  /// By how much each column of the response counts once the handles have moved by `motions`, one
+  /// per handle, each a map of space that acts on the rest position of the handle's vertices. Valid
+  /// until the next call. Allocates nothing.
+  std::span<const double> parameters(std::span<const Eigen::Affine3d> motions);
+  /// Puts the vertices that can move where they are then; `positions` is of the whole mesh.
+  /// Allocates nothing.
+  void move(std::span<const Eigen::Affine3d> motions, std::span<Eigen::Vector3d> positions);
+
+  const std::shared_ptr<const DragResponse>& response() const { return response_; }
+  const std::shared_ptr<const SettledPose>& pose() const { return pose_; }
+
+ private:
+  std::shared_ptr<const DragResponse> response_;
+  std::shared_ptr<const SettledPose> pose_;
+  std::vector<double> parameters_;  ///< of the frame at hand
+};
+
+}  // namespace lapwing

@@ -1,0 +1,159 @@
+#include "lapwing/render/surface.h"
+
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "lapwing/base/stopwatch.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+std::vector<Vec4> places_of(std::span<const Vector3d> positions, const Vector3d& origin) {
+  std::vector<Vec4> places;
+  places.reserve(positions.size());
+  for (const Vector3d& position : positions) places.push_back(place_of(position, origin));
+  return places;
+}
+
+std::vector<Vector3d> download_vectors(gpu::Transfer& transfer, const gpu::Buffer& buffer,
+                                       const Vector3d& offset) {
+  std::vector<Vec4> values(buffer.bytes() / sizeof(Vec4));
+  transfer.download(buffer, std::span<Vec4>(values));
+  std::vector<Vector3d> vectors;
+  vectors.reserve(values.size());
+  for (const Vec4& v : values) vectors.emplace_back(Vector3d(v[0], v[1], v[2]) + offset);
+  return vectors;
+}
+
+}  // namespace
+
+Surface::Surface(std::shared_ptr<gpu::Context> context, std::span<const Vector3d> positions,
+                 const Topology& topology)
+    : context_(std::move(context)),
+      topology_(topology),
+      transfer_(*context_),
+      blend_(BlendResponse::kernel(*context_)),
+      commands_(*context_, "surface"),
+      origin_(bounds_of(positions).center()),
+      positions_(*context_, "positions", positions.size() * sizeof(Vec4)),
+      normals_(*context_, "normals", positions.size() * sizeof(Vec4)),
+      triangles_(*context_, "triangles", topology.triangles.size() * sizeof(Triangle)),
+      vertex_normals_(*context_, transfer_, topology),
+      on_host_(context_->description().type == "software" && !normals_.mapped().empty()),
+      known_(places_of(positions, origin_)) {
+  transfer_.upload(positions_, std::span<const Vec4>(known_));
+  transfer_.upload(triangles_, std::span<const Triangle>(topology.triangles));
+  make_normals();
+}
+
+void Surface::make_normals() {
+  std::vector<Index> all(vertex_count());
+  std::iota(all.begin(), all.end(), 0U);
+  if (on_host_) return vertex_normals_.run_on_host(all, positions_, normals_);
+  const gpu::Buffer list(*context_, "all vertices", all.size() * sizeof(Index));
+  transfer_.upload(list, std::span<const Index>(all));
+  gpu::Recorder recorder(commands_);
+  recorder.fill(normals_, 0);
+  vertex_normals_.record(recorder, list, positions_, normals_);
+  recorder.finish();
+  commands_.run();
+}
+
+void Surface::place(std::span<const Vector3d> positions) {
+  move_to(positions, [](Index) { return true; });
+}
+
+template <typename Wanted>
+void Surface::move_to(std::span<const Vector3d> positions, const Wanted& wanted) {
+  std::vector<Index> elsewhere;
+  for (Index v = 0; v < vertex_count(); ++v) {
+    if (wanted(v) && known_[v] != place_of(positions[v], origin_)) elsewhere.push_back(v);
+  }
+  if (elsewhere.empty()) return;
+  // What carries them there is a response that begins from where they go.
+  const auto moved = std::make_shared<BlendResponse>(
+      context_, transfer_, ResponseColumns{.moving = elsewhere, .numbers = {}}, topology_);
+  moved->set_rest(transfer_, positions, {}, origin_);
+  blend(moved, {});
+  for (const Index v : elsewhere) known_[v] = place_of(positions[v], origin_);
+}
+
+void Surface::begin(BlendResponse& response, std::span<const Vector3d> rest,
+                    std::span<const Vector3d> displacement) {
+  // Since a blend of this response nothing else has moved.
+  if (moved_by_.get() != &response) {
+    const std::span<const Index> moving = response.moving();
+    auto next = moving.begin();
+    move_to(rest, [&](Index v) {
+      const bool moves = next != moving.end() && *next == v;
+      if (moves) ++next;
+      return !moves;
+    });
+  }
+  context_->wait_for_submitted();
+  response.set_rest(transfer_, rest, displacement, origin_);
+}
+
+void Surface::blend(const std::shared_ptr<BlendResponse>& response,
+                    std::span<const double> parameters) {
+  if (response != moved_by_) {
+    finish();
+    context_->wait_for_submitted();
+    moved_by_ = response;
+    for (const Index v : response->moving()) known_[v][0] = kUnknown;
+  }
+  response->set_parameters(parameters);
+  is_pending_ = !on_host_;
+  if (!on_host_) return;
+  // What was drawn last may still be read.
+  context_->wait_for_submitted();
+  Stopwatch watch;
+  response->run_on_host(positions_.mapped_as<Vec4>());
+  times_.blend_ms += watch.elapsed_ms();
+  watch.restart();
+  vertex_normals_.run_on_host(response->affected().mapped_as<Index>(), positions_, normals_);
+  times_.normals_ms += watch.elapsed_ms();
+}
+
+void Surface::record_blend(gpu::Recorder& recorder) const {
+  if (is_pending_) moved_by_->record(recorder, blend_, positions_);
+}
+
+bool Surface::record_normals(gpu::Recorder& recorder) {
+  if (!std::exchange(is_pending_, false)) return false;
+  vertex_normals_.record(recorder, moved_by_->affected(), positions_, normals_);
+  constexpr VkPipelineStageFlags2 kDrawing = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
+  recorder.access(positions_, kDrawing, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
+  recorder.access(normals_, kDrawing, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
+  return true;
+}
+
+void Surface::finish() {
+  if (!is_pending_) return;
+  gpu::Recorder recorder(commands_);
+  record_blend(recorder);
+  record_normals(recorder);
+  recorder.finish();
+  commands_.run();
+}
+
+SurfaceTimes Surface::take_times() {
+  return std::exchange(times_, {});
+}
+
+Positions Surface::positions() {
+  finish();
+  return download_vectors(transfer_, positions_, origin_);
+}
+
+std::vector<Vector3d> Surface::normals() {
+  finish();
+  return download_vectors(transfer_, normals_, Vector3d::Zero());
+}
+
+}  // namespace lapwing

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "lapwing/deform/drag.h"
+
+namespace lapwing::test {
+
+/// Where a drag takes the mesh, on the processor.
+inline Positions dragged(const std::shared_ptr<const DragResponse>& response,
+                         std::span<const Eigen::Affine3d> motions,
+                         const std::shared_ptr<const SettledPose>& from = nullptr) {
+  Positions positions = response->rest();
+  Drag(response, from).move(motions, positions);
+  return positions;
+}
+
+}  // namespace lapwing::test
