@@ -39,7 +39,7 @@ class AnEditor : public ::testing::Test {
     view_.size = kWindow;
     context_ = std::make_shared<gpu::Context>();
     editor_.emplace(
-        EditStart{History(state), {state.rest, state.topology}, {}, {}, folder_.path()}, context_,
+        EditStart{History(state), state.rest, {}, {}, folder_.path()}, context_,
         [](const std::string& said) { EXPECT_EQ(said, ""); },
         [this] {
           if (!by_steps_) return;
@@ -189,7 +189,7 @@ TEST_F(AnEditor, UploadsTheMeshOnceAndOfAResultWhatMoves) {
   // That of the editor has the worker's uploads, too.
   const auto context = std::make_shared<gpu::Context>();
   const auto uploaded = [&] { return context->transfers().uploaded; };
-  ShownSurface shown({editor_->state().rest, editor_->state().topology});
+  ShownSurface shown(editor_->state().rest);
   shown.take(editor_->state());
   shown.use_device(context);
   const std::uint64_t opened = uploaded();
@@ -200,7 +200,8 @@ TEST_F(AnEditor, UploadsTheMeshOnceAndOfAResultWhatMoves) {
   shown.take(editor_->state());
   shown.show_still();
   const std::vector<Index>& moved = editor_->state().settled->vertices;
-  const std::size_t affected = with_ring_neighbours(moved, editor_->state().topology->rings).size();
+  const std::size_t affected =
+      with_ring_neighbours(moved, editor_->state().rest->topology().rings).size();
   ASSERT_LT(affected, rest().size());
   constexpr std::uint64_t kNoParameters = 2 * 16;
   EXPECT_LE(uploaded() - opened, moved.size() * (16 + 4) + affected * 4 + kNoParameters);

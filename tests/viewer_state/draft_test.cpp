@@ -26,7 +26,7 @@ class AnEdit : public ::testing::Test {
   // As the viewer does: a Deformer prepared once, solved for the state's motions.
   void settle(History& history) {
     const AppState& state = history.state();
-    const Deformer deformer(state.rest->positions, *state.topology, edit_region(state),
+    const Deformer deformer(state.rest->positions, state.rest->topology(), edit_region(state),
                             state.parameters, kernels_);
     const auto result = deformer.solve(motions_of(state), turns_of(state));
     history.perform(Settle{std::make_shared<const MovedVertices>(

@@ -36,7 +36,7 @@ TEST_F(ALoop, LineRunsAlongTheMesh) {
   send(key(kEnter));
   const auto line = tool_.line();
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-    const auto ring = sphere_.state.topology->rings[line[k]];
+    const auto ring = sphere_.state.rest->topology().rings[line[k]];
     EXPECT_TRUE(std::binary_search(ring.begin(), ring.end(), line[k + 1]));
   }
 }

@@ -131,7 +131,7 @@ class Editing : public ::testing::Test {
 TEST_F(Editing, GrowAddsTheRingAndShrinkTakesItBack) {
   const VertexSet before = roi();
   perform(grow(state_, roi_));
-  EXPECT_EQ(roi(), with_ring_neighbours(before, state_.topology->rings));
+  EXPECT_EQ(roi(), with_ring_neighbours(before, state_.rest->topology().rings));
   perform(shrink(state_, roi_));
   EXPECT_EQ(roi(), before);
 }

@@ -17,7 +17,7 @@ class SphereAndFinger {
     write_mesh(icosphere(4), sphere());
     write_mesh(lapwing::test::finger(24, 20, 0.2, 0.5), finger());
     host.state = open_state(read_mesh(sphere()));
-    host.surface = std::make_shared<const SurfaceSnap>(host.state.topology->triangles,
+    host.surface = std::make_shared<const SurfaceSnap>(host.state.rest->topology().triangles,
                                                        host.state.rest->positions, "the sphere");
   }
 

@@ -28,7 +28,7 @@ class Person {
 
   void choose_disk(const Part& part, const Vector3d& center, const Vector3d& rim) {
     const Positions positions = positions_of(session_.state());
-    const Topology& topology = *session_.state().topology;
+    const Topology& topology = session_.state().rest->topology();
     const auto pick = [&](const Vector2d& pixel) {
       return pick_surface(topology, positions, view_.ray_through(pixel));
     };

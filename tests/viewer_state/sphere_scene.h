@@ -19,7 +19,7 @@ struct SphereScene {
             positions,
             view,
             [this, &positions](const Vector2d& pixel) {
-              return pick_surface(*state.topology, positions, view.ray_through(pixel));
+              return pick_surface(state.rest->topology(), positions, view.ray_through(pixel));
             },
             [this, &positions](Index v) {
               return positions[v].dot(view.toward_eye(positions[v])) > 0.0;
@@ -29,7 +29,8 @@ struct SphereScene {
   Vector2d pixel_of(const Vector3d& point) const { return *view.to_pixel(point); }
   Vector2d pixel_of(Index v) const { return pixel_of(state.rest->positions[v]); }
   Index vertex_near(const Vector3d& point) const {
-    return pick_surface(*state.topology, state.rest->positions, view.ray_through(pixel_of(point)))
+    return pick_surface(state.rest->topology(), state.rest->positions,
+                        view.ray_through(pixel_of(point)))
         ->vertex;
   }
   void perform(const ToolAnswer& answer) {

@@ -133,11 +133,13 @@ TEST_F(ATransplantDraft, TakesUpAStepThatFitsItsPartByItselfWhereThatCameTo) {
   EXPECT_GT(draft.frame().normal.z(), 0.99);
   preview(scene_.host.state, step);
   ASSERT_NE(preview_.result(), nullptr) << preview_.message();
-  const Mesh fitted = *std::get<NewMesh>(*preview_.result()->carried_out.result).mesh;
+  const Mesh fitted =
+      *std::get<std::shared_ptr<const Mesh>>(*preview_.result()->carried_out.result);
   preview(scene_.host.state, draft.step());
   ASSERT_NE(preview_.result(), nullptr) << preview_.message();
-  const NewMesh& placed = std::get<NewMesh>(*preview_.result()->carried_out.result);
-  EXPECT_EQ(placed.mesh->positions, fitted.positions);
+  const auto& placed =
+      std::get<std::shared_ptr<const Mesh>>(*preview_.result()->carried_out.result);
+  EXPECT_EQ(placed->positions, fitted.positions);
 }
 
 TEST_F(ATransplantDraft, WhosePartIsTooSmallForTheSurfaceSaysSo) {
@@ -153,12 +155,12 @@ TEST_F(ATransplantDraft, WhosePartIsTooSmallForTheSurfaceSaysSo) {
 
 TEST(NormalAround, IsThatOfWhatLiesThere) {
   const AppState sphere = open_state(icosphere(4));
-  const Triangle& t = sphere.topology->triangles[1234];
+  const Triangle& t = sphere.rest->topology().triangles[1234];
   const auto& p = sphere.rest->positions;
   const Vector3d middle = (p[t[0]] + p[t[1]] + p[t[2]]) / 3.0;
-  const SurfacePoint point = surface_point(*sphere.topology, p, 1234, middle);
-  EXPECT_GT(normal_around(point, 0.3, *sphere.topology, p).dot(middle.normalized()), 0.999);
-  EXPECT_GT(normal_around(point, 1e-9, *sphere.topology, p).dot(middle.normalized()), 0.999);
+  const SurfacePoint point = surface_point(sphere.rest->topology(), p, 1234, middle);
+  EXPECT_GT(normal_around(point, 0.3, sphere.rest->topology(), p).dot(middle.normalized()), 0.999);
+  EXPECT_GT(normal_around(point, 1e-9, sphere.rest->topology(), p).dot(middle.normalized()), 0.999);
 }
 
 }  // namespace

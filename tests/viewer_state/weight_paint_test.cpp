@@ -61,7 +61,7 @@ TEST_F(PaintingAWeight, AStrokeUnderWayIsShownAndNotYetDone) {
 TEST_F(PaintingAWeight, SofteningLeavesNumbersFromNoneToAll) {
   stroke();
   const double before = tool_.field().at(sphere_.vertex_near(middle_));
-  for (int k = 0; k < 10; ++k) tool_.soften(*sphere_.state.topology);
+  for (int k = 0; k < 10; ++k) tool_.soften(sphere_.state.rest->topology());
   EXPECT_THAT(tool_.field(), Each(AllOf(Ge(0.0), Le(1.0))));
   EXPECT_LT(tool_.field().at(sphere_.vertex_near(middle_)), before);
 }

@@ -46,7 +46,7 @@ TEST_F(AWholeStep, MovesTheVerticesOfItsPatchAndKeepsWhatIsChosen) {
   choose_parts();
   apply_step(files_.coat());
   const AppState& state = history_.state();
-  EXPECT_EQ(state.topology, start_.topology);
+  EXPECT_TRUE(state.rest->shares_faces_with(*start_.rest));
   EXPECT_GT(largest_distance(positions_of(state), start_.rest->positions), 1e-3);
   EXPECT_FALSE(state.selection.roi.vertices.empty());
   EXPECT_EQ(state.selection.handles.size(), 1U);
@@ -64,7 +64,7 @@ TEST_F(AWholeStep, WithOtherTrianglesIsUndoneToTheVeryMesh) {
 
   history_.undo();
   EXPECT_EQ(history_.state().rest, before.rest) << "not a copy: nothing of it can be lost";
-  EXPECT_EQ(history_.state().topology, before.topology);
+  EXPECT_TRUE(history_.state().rest->shares_faces_with(*before.rest));
   EXPECT_TRUE(same(history_.state(), before));
   history_.redo();
   EXPECT_EQ(history_.state().rest, after.rest);

@@ -85,7 +85,8 @@ SelectScene Editor::select_scene(const ViewFrame& view, const Projection& projec
     return shown_.pick(view, pixel);
   };
   const auto is_visible = [this, &view, &projection](Index vertex) {
-    return SeenVertices(shown_.picture(view), *state().topology, positions(), projection)(vertex);
+    return SeenVertices(shown_.picture(view), state().rest->topology(), positions(),
+                        projection)(vertex);
   };
   return {state(), positions(), projection, pick, is_visible, part_};
 }
@@ -285,7 +286,7 @@ void Editor::enlarge_roi() {
   VertexSet wanted;
   for (const ChosenRegion& handle : selection.handles) wanted = unite(wanted, handle.vertices);
   for (int ring = 0; ring < kRingsAroundHandle; ++ring) {
-    wanted = with_ring_neighbours(wanted, state().topology->rings);
+    wanted = with_ring_neighbours(wanted, state().rest->topology().rings);
   }
   perform(Paint{{Role::roi}, subtract(wanted, selection.roi.vertices), {}});
 }

@@ -23,7 +23,7 @@ enum class EditTool { move, disk, loop, brush, lasso, box, lent };
 /// An edit to begin with.
 struct EditStart {
   History history;
-  TriangulatedMesh opened;                  ///< before any step, to compare with
+  std::shared_ptr<const Mesh> opened;       ///< before any step, to compare with
   std::optional<MeshStamp> file;            ///< EditSession's
   std::optional<InterruptedEdit> restored;  ///< what the history continues
   std::filesystem::path journals;           ///< EditSession's

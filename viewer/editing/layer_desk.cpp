@@ -128,7 +128,7 @@ void LayerDesk::choose_source_patch(const RegionSpec& region) {
 
 // Of a step that is taken up the target may have other triangles than the mesh that is there now.
 bool LayerDesk::can_click_target(const Editor& editor) const {
-  if (!start_ || start_->topology == editor.state().topology) return true;
+  if (!start_ || start_->rest->shares_faces_with(*editor.state().rest)) return true;
   say_("this step changed the target's triangles; undo it to click on the target");
   return false;
 }
@@ -216,8 +216,7 @@ void LayerDesk::take_weight(const AppState& target) {
 void LayerDesk::show_weight(Editor& editor, const AppState& target) {
   previewed_.reset();
   editor.shown().show_preview(
-      {target.rest, target.topology},
-      classes_of(weight_paint_.live_field(), editor.state().selection.roi.vertices));
+      target.rest, classes_of(weight_paint_.live_field(), editor.state().selection.roi.vertices));
 }
 
 void LayerDesk::take_read() {
@@ -242,8 +241,7 @@ void LayerDesk::read_next() {
     reading_ = k;
     reader_.start([path = draft_.sources[k].mesh](const auto&, const Progress& progress) {
       report_progress(progress, "read", 0.0);
-      const AppState state = open_state(read_mesh(path));
-      return TriangulatedMesh{state.rest, state.topology};
+      return open_state(read_mesh(path)).rest;
     });
     return;
   }
@@ -254,8 +252,7 @@ void LayerDesk::renew_own_views(const AppState& target) {
   for (std::size_t k = 0; k < draft_.source_count(); ++k) {
     if (!draft_.sources[k].mesh.empty() || reading_ == k) continue;
     if (views_[k] && views_[k]->state().rest == target.rest) continue;
-    views_[k] = std::make_unique<SourceView>(TriangulatedMesh{target.rest, target.topology},
-                                             up_axis_, context_);
+    views_[k] = std::make_unique<SourceView>(target.rest, up_axis_, context_);
     if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
     try {
       if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);
@@ -334,10 +331,10 @@ void LayerDesk::show_preview(Editor& editor) {
     if (std::exchange(previewed_, nullptr)) editor.shown().end_preview();
     return;
   }
-  const auto topology = preview_.topology();
-  if (previewed_ != topology || !editor.shown().previews()) {
-    editor.shown().show_preview({preview_.mesh(), topology});
-    previewed_ = topology;
+  const auto mesh = preview_.mesh();
+  if (!previewed_ || !previewed_->shares_faces_with(*mesh) || !editor.shown().previews()) {
+    editor.shown().show_preview(mesh);
+    previewed_ = mesh;
   }
   editor.shown().show_preview(preview_.positions());
 }

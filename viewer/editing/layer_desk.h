@@ -120,9 +120,9 @@ class LayerDesk {
   bool previews_ = true;
   bool applies_ = false;  // what was asked of the editor is under way, on a mesh of these steps
   std::vector<std::shared_ptr<const Step>> steps_before_;
-  std::shared_ptr<const Topology> previewed_;
+  std::shared_ptr<const Mesh> previewed_;
   LayerPreview preview_;
-  Job<TriangulatedMesh> reader_;
+  Job<std::shared_ptr<const Mesh>> reader_;
 };
 
 }  // namespace lapwing::viewer

@@ -5,8 +5,8 @@
 
 namespace lapwing::viewer {
 
-ShownSurface::ShownSurface(TriangulatedMesh opened)
-    : opened_(std::move(opened)), opened_bounds_(bounds_of(opened_.mesh->positions)) {}
+ShownSurface::ShownSurface(std::shared_ptr<const Mesh> opened)
+    : opened_(std::move(opened)), opened_bounds_(bounds_of(opened_->positions)) {}
 
 void ShownSurface::release_device() {
   device_.reset();
@@ -15,7 +15,7 @@ void ShownSurface::release_device() {
 
 void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   context_ = std::move(context);
-  device_.emplace(now_.mesh ? now_ : opened_, context_);
+  device_.emplace(now_ ? *now_ : *opened_, context_);
   measured_.reset();
   needs_classes_ = true;
 }
@@ -25,9 +25,9 @@ bool ShownSurface::take(const AppState& state) {
   followed_.clear();
   preview_ = {};
   preview_classes_.clear();
-  if (now_.mesh == state.rest && settled_ == state.settled) return false;
-  if (device_ && now_.mesh != state.rest) device_->surface.drag_from(nullptr);
-  now_ = {state.rest, state.topology};
+  if (now_ == state.rest && settled_ == state.settled) return false;
+  if (device_ && now_ != state.rest) device_->surface.drag_from(nullptr);
+  now_ = state.rest;
   settled_ = state.settled;
   positions_ = positions_of(state);
   bounds_ = bounds_of(positions_);
@@ -35,18 +35,18 @@ bool ShownSurface::take(const AppState& state) {
 }
 
 const Positions& ShownSurface::still_positions() const {
-  return previews() ? preview_positions_ : before_ ? opened_.mesh->positions : positions_;
+  return previews() ? preview_positions_ : before_ ? opened_->positions : positions_;
 }
 
 void ShownSurface::show_still() {
-  put(previews() ? preview_ : before_ ? opened_ : now_, still_positions());
+  put(*(previews() ? preview_ : before_ ? opened_ : now_), still_positions());
 }
 
-void ShownSurface::put(const TriangulatedMesh& what, const Positions& positions) {
-  if (device_->topology != what.topology) {
+void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
+  if (device_->topology.get() != &mesh.topology()) {
     // Two at a time may not fit on the device.
     device_.reset();
-    device_.emplace(what, context_);
+    device_.emplace(mesh, context_);
     measured_.reset();
     needs_classes_ = true;
   }
@@ -72,10 +72,11 @@ void ShownSurface::follow_from(std::shared_ptr<const SettledPose> pose) {
   followed_.clear();  // to be drawn anew
 }
 
-void ShownSurface::show_preview(TriangulatedMesh preview, std::vector<VertexClass> classes) {
+void ShownSurface::show_preview(std::shared_ptr<const Mesh> preview,
+                                std::vector<VertexClass> classes) {
   preview_ = std::move(preview);
   preview_classes_ = std::move(classes);
-  preview_positions_ = preview_.mesh->positions;
+  preview_positions_ = preview_->positions;
   preview_bounds_ = bounds_of(preview_positions_);
   needs_classes_ = true;
   show_still();
@@ -115,7 +116,7 @@ void ShownSurface::renew_measure() {
   const bool still = !follows_ && device_->surface.source() == SurfaceSource::still;
   if (!measure_ || !still || !is_comparable() || is_measured()) return;
   const auto numbers =
-      measure_pose(*measure_, *opened_.topology, opened_.mesh->positions, still_positions());
+      measure_pose(*measure_, opened_->topology(), opened_->positions, still_positions());
   device_->surface.paint().set_scalars(numbers);
   measure_range_ = range_without_outliers(numbers);
   measured_ = measure_;

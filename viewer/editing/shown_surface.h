@@ -12,12 +12,6 @@
 
 namespace lapwing::viewer {
 
-/// A mesh and its topology, shared.
-struct TriangulatedMesh {
-  std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const Topology> topology;
-};
-
 /// What of an edit is on the screen: the surface on the device, where its vertices are, what its
 /// colours say, and what is under a pixel. Made anew on the device when the triangles are others;
 /// the device must be done with what was drawn then, and whenever it changes.
@@ -27,7 +21,7 @@ struct TriangulatedMesh {
 class ShownSurface {
  public:
   /// `opened` is the mesh before any step, to compare with.
-  explicit ShownSurface(TriangulatedMesh opened);
+  explicit ShownSurface(std::shared_ptr<const Mesh> opened);
 
   /// Lets all go that is on the device, or makes it there. Between them only `take` may be called.
   void release_device();
@@ -51,18 +45,18 @@ class ShownSurface {
   /// What would come of an operation, until it ends, or the next `take`. `classes`, one per vertex
   /// of it, are its colours; without them it has those of what is chosen, if the triangles are the
   /// same.
-  void show_preview(TriangulatedMesh preview, std::vector<VertexClass> classes = {});
+  void show_preview(std::shared_ptr<const Mesh> preview, std::vector<VertexClass> classes = {});
   /// The same with other positions alone: one upload.
   void show_preview(const Positions& positions);
   void end_preview();
-  bool previews() const { return preview_.mesh != nullptr; }
+  bool previews() const { return preview_ != nullptr; }
 
   /// The mesh as it was opened, to compare with.
   bool shows_before() const { return before_; }
   void show_before(bool before) { before_ = before; }
 
   /// Whether the triangles on the screen are those of the state, so that tools can choose there.
-  bool has_triangles_of_state() const { return device_->topology == now_.topology; }
+  bool has_triangles_of_state() const { return device_->topology.get() == &now_->topology(); }
   const Topology& topology() const { return *device_->topology; }
 
   /// Colours what is chosen; for triangles of other numbers nothing is.
@@ -73,7 +67,7 @@ class ShownSurface {
   /// Colours by how the surface differs from the one opened; nothing: by regions.
   void color_by(std::optional<PoseMeasure> measure) { measure_ = measure; }
   /// Whether it has the triangles of the one opened.
-  bool is_comparable() const { return device_->topology == opened_.topology; }
+  bool is_comparable() const { return device_->topology.get() == &opened_->topology(); }
   /// Whether the paint's numbers are those of the surface; not while it follows a drag.
   bool is_measured() const;
   void renew_measure();
@@ -94,13 +88,13 @@ class ShownSurface {
   const Bounds& opened_bounds() const { return opened_bounds_; }
 
  private:
-  void put(const TriangulatedMesh& what, const Positions& positions);
+  void put(const Mesh& mesh, const Positions& positions);
   const Positions& still_positions() const;
 
   // All that is in device memory but for the worker's.
   struct OnDevice {
-    OnDevice(const TriangulatedMesh& what, const std::shared_ptr<gpu::Context>& context)
-        : topology(what.topology), picker(*context), surface(context, *what.mesh) {}
+    OnDevice(const Mesh& mesh, const std::shared_ptr<gpu::Context>& context)
+        : topology(mesh.shared_topology()), picker(*context), surface(context, mesh) {}
 
     std::shared_ptr<const Topology> topology;
     SurfacePicker picker;
@@ -109,16 +103,16 @@ class ShownSurface {
 
   std::shared_ptr<gpu::Context> context_;
   std::optional<OnDevice> device_;
-  TriangulatedMesh opened_;
+  std::shared_ptr<const Mesh> opened_;
   Bounds opened_bounds_;
 
   // What the state says, and where that takes the vertices.
-  TriangulatedMesh now_;
+  std::shared_ptr<const Mesh> now_;
   std::shared_ptr<const MovedVertices> settled_;
   Positions positions_;
   Bounds bounds_;
 
-  TriangulatedMesh preview_;
+  std::shared_ptr<const Mesh> preview_;
   Positions preview_positions_;
   Bounds preview_bounds_;
   std::vector<VertexClass> preview_classes_;

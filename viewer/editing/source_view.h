@@ -18,7 +18,8 @@ enum class SourceTool { disk, point };
 class SourceView {
  public:
   /// Shows all of `mesh` with `up_axis` up.
-  SourceView(TriangulatedMesh mesh, UpAxis up_axis, const std::shared_ptr<gpu::Context>& context);
+  SourceView(std::shared_ptr<const Mesh> mesh, UpAxis up_axis,
+             const std::shared_ptr<gpu::Context>& context);
 
   void release_device() { shown_.release_device(); }
   void use_device(const std::shared_ptr<gpu::Context>& context);

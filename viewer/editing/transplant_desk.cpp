@@ -119,7 +119,6 @@ void TransplantDesk::close(Editor& editor) {
   editor.give_back(tool_);
   taken_up_.reset();
   mesh_.reset();
-  topology_.reset();
   hole_.clear();
   applies_.reset();
   if (std::exchange(shown_, Shown::nothing) != Shown::nothing) editor.shown().end_preview();
@@ -143,9 +142,9 @@ TransplantDesk::InHand TransplantDesk::in_hand(const Begin& begin, const AppStat
   const Mesh& host = *hand.host.state.rest;
   hand.draft = begin.draft(hand.host.state);
   hand.mesh = std::make_shared<const Mesh>(side_by_side(host, hand.draft.part->mesh));
-  hand.topology = hand.mesh->shared_topology();
-  hand.host.surface = std::make_shared<const SurfaceSnap>(hand.host.state.topology->triangles,
-                                                          host.positions, "the mesh");
+  hand.mesh->topology();
+  hand.host.surface =
+      std::make_shared<const SurfaceSnap>(host.topology().triangles, host.positions, "the mesh");
   return hand;
 }
 
@@ -167,7 +166,6 @@ void TransplantDesk::take_read(Editor& editor) {
     if (!hand) return;
     is_reading_ = false;
     mesh_ = std::move(hand->mesh);
-    topology_ = std::move(hand->topology);
     positions_ = mesh_->positions;
     hole_.clear();
     preview_.stop();
@@ -266,7 +264,7 @@ void TransplantDesk::show_carried(Editor& editor) {
     positions_[first + v] = tool_.draft().placement * part.positions[v];
   }
   if (std::exchange(shown_, Shown::carried) != Shown::carried) {
-    editor.shown().show_preview({mesh_, topology_}, classes_of(first, positions_.size()));
+    editor.shown().show_preview(mesh_, classes_of(first, positions_.size()));
   }
   editor.shown().show_preview(positions_);
   shown_version_ = tool_.version();
@@ -275,16 +273,15 @@ void TransplantDesk::show_carried(Editor& editor) {
 void TransplantDesk::show_result(Editor& editor) {
   const TransplantResult& result = *preview_.result();
   hole_ = result.hole;
-  if (const auto* made = std::get_if<NewMesh>(&*result.carried_out.result)) {
-    editor.shown().show_preview({made->mesh, made->topology});
+  if (const auto* made = std::get_if<std::shared_ptr<const Mesh>>(&*result.carried_out.result)) {
+    editor.shown().show_preview(*made);
   } else {
     Positions positions = tool_.host().state.rest->positions;
     const auto& moved = std::get<MovedVertices>(*result.carried_out.result);
     for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
       positions[moved.vertices[k]] = moved.positions[k];
     }
-    const AppState& host = tool_.host().state;
-    editor.shown().show_preview({host.rest, host.topology});
+    editor.shown().show_preview(tool_.host().state.rest);
     editor.shown().show_preview(positions);
   }
   shown_ = Shown::result;

@@ -69,7 +69,6 @@ class TransplantDesk {
     TransplantHost host;
     std::shared_ptr<const Mesh>
         mesh;  // the surface and, behind it, the part, where its file has it
-    std::shared_ptr<const Topology> topology;
   };
   enum class Shown { nothing, carried, result };
 
@@ -97,8 +96,7 @@ class TransplantDesk {
 
   PlaceTool tool_;
   std::shared_ptr<const Mesh> mesh_;  // InHand's
-  std::shared_ptr<const Topology> topology_;
-  Positions positions_;  // of them, with the part where it is
+  Positions positions_;               // of them, with the part where it is
   bool takes_roi_ = false;
   std::vector<Eigen::Vector3d> hole_;
 

@@ -27,14 +27,9 @@ struct MovedVertices {
 /// them.
 MovedVertices moved_vertices(const Positions& before, const Positions& after);
 
-/// A mesh with other triangles, in the place of the one before.
-struct NewMesh {
-  std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const Topology> topology;  ///< of `mesh`
-};
-
-/// What a step that is carried out as a whole comes to.
-using AppliedStep = std::variant<MovedVertices, NewMesh>;
+/// What a step that is carried out as a whole comes to: the mesh with vertices elsewhere, or one
+/// with other triangles in its place.
+using AppliedStep = std::variant<MovedVertices, std::shared_ptr<const Mesh>>;
 
 /// All that a person edits, as a value. What is large is shared and never changed in place, so a
 /// copy costs the selection.
@@ -44,7 +39,6 @@ using AppliedStep = std::variant<MovedVertices, NewMesh>;
 /// next edit, and a step of `steps`, when something else is chosen. Other operations are steps as
 /// a whole (`Apply`); those may change the triangles.
 struct AppState {
-  std::shared_ptr<const Topology> topology;
   std::shared_ptr<const Mesh> rest;
   EditSelection selection;
   EditParameters parameters;
@@ -55,7 +49,7 @@ struct AppState {
   std::vector<std::shared_ptr<const Step>> steps;
 };
 
-/// A mesh as it was read, nothing chosen. Throws what `build_topology` does.
+/// A mesh as it was read, nothing chosen. Throws what `Mesh::topology` does.
 AppState open_state(Mesh mesh);
 AppState open_state(std::shared_ptr<const Mesh> mesh);
 

@@ -16,9 +16,7 @@ std::shared_ptr<const AppliedStep> difference(const Mesh& before, RunResult resu
     return std::make_shared<const AppliedStep>(
         moved_vertices(before.positions, result.mesh.positions));
   }
-  auto mesh = std::make_shared<const Mesh>(std::move(result.mesh));
-  auto topology = mesh->shared_topology();
-  return std::make_shared<const AppliedStep>(NewMesh{std::move(mesh), std::move(topology)});
+  return std::make_shared<const AppliedStep>(std::make_shared<const Mesh>(std::move(result.mesh)));
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ Change::Change(const AppState& before, const AppState& after)
 }
 
 void Change::compare_rest(const AppState& before, const AppState& after) {
-  if (before.topology != after.topology) {
-    triangles_ = {{{before.rest, before.topology}, {after.rest, after.topology}}};
+  if (!before.rest->shares_faces_with(*after.rest)) {
+    triangles_ = {before.rest, after.rest};
     surface_moved_ = true;
     return;
   }
@@ -131,10 +131,7 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
     }
     state.rest = std::move(mesh);
   }
-  if (triangles_) {
-    state.rest = (*triangles_)[to].rest;
-    state.topology = (*triangles_)[to].topology;
-  }
+  if (triangles_) state.rest = (*triangles_)[to];
   state.steps.resize(kept_steps_);
   state.steps.insert(state.steps.end(), steps_[to].begin(), steps_[to].end());
 }
@@ -156,7 +153,7 @@ std::size_t Change::bytes() const {
   if (rest_) total += rest_->vertices.size() * (sizeof(Index) + 2 * kPosition);
   if (triangles_) {
     // Each mesh is in two changes, like a result.
-    for (const Triangles& side : *triangles_) total += bytes_of(*side.rest) / 2;
+    for (const auto& mesh : *triangles_) total += bytes_of(*mesh) / 2;
   }
   return total;
 }

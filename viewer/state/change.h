@@ -45,11 +45,6 @@ class Change {
     std::vector<Index> vertices;
     std::array<Positions, 2> positions;
   };
-  struct Triangles {
-    std::shared_ptr<const Mesh> rest;
-    std::shared_ptr<const Topology> topology;
-    bool operator==(const Triangles&) const = default;
-  };
   using Settled = std::shared_ptr<const MovedVertices>;
   using Steps = std::vector<std::shared_ptr<const Step>>;
 
@@ -68,8 +63,8 @@ class Change {
   Both<std::vector<Move>> moves_;
   Both<Settled> settled_;
   std::optional<RestChange> rest_;
-  Both<Triangles> triangles_;   // instead of `rest_`
-  bool surface_moved_ = false;  // by what changed the rest shape
+  Both<std::shared_ptr<const Mesh>> triangles_;  // instead of `rest_`
+  bool surface_moved_ = false;                   // by what changed the rest shape
   std::size_t kept_steps_ = 0;
   std::array<Steps, 2> steps_;  // those that follow the kept ones
 };

@@ -58,9 +58,8 @@ void take_over(AppState& state, const MovedVertices& moved) {
 }
 
 // Numbers of vertices mean others now, and what a disk or box would hold nobody has seen.
-void take_over(AppState& state, const NewMesh& other) {
-  state.rest = other.mesh;
-  state.topology = other.topology;
+void take_over(AppState& state, const std::shared_ptr<const Mesh>& other) {
+  state.rest = other;
   state.moves.clear();
   const auto fraction = state.selection.belt_fraction;
   state.selection = {};

@@ -48,14 +48,16 @@ Revision revision_of(const History& history, std::size_t index, const Step& step
     draft.open = as_open(step);
   }
   draft.steps.erase(draft.steps.begin(), draft.steps.begin() + static_cast<std::ptrdiff_t>(done));
-  return {std::move(start), std::move(draft), index - done, step, history.state().topology};
+  return {std::move(start), std::move(draft), index - done, step,
+          history.state().rest->shared_topology()};
 }
 
 AppState revised(const Revision& revision, const CarryOut& carry_out) {
   const Draft& rest = revision.rest;
   History history(revision.start);
   for (const Step& step : rest.steps) perform(history, step, carry_out);
-  const bool same_triangles = history.state().topology->triangles == revision.topology->triangles;
+  const bool same_triangles =
+      history.state().rest->topology().triangles == revision.topology->triangles;
   if (rest.settled || same_triangles) {
     perform(history, rest.open, rest.settled ? carry_out.solve : Solve{});
   } else {

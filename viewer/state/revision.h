@@ -10,7 +10,7 @@ struct Revision {
   Draft rest;                                ///< what follows, from `start` on
   std::size_t changed = 0;                   ///< the changed step's place among `rest.steps`
   Step step;                                 ///< as it is now
-  std::shared_ptr<const Topology> topology;  ///< of the state that the open step was chosen on
+  std::shared_ptr<const Topology> topology;  ///< of the mesh that the open step was chosen on
 
   /// Whether the changed step is the first to be carried out: then it is changed on `start`.
   bool starts_at_step() const { return changed == 0; }

@@ -184,9 +184,9 @@ std::optional<StepTaken> EditSession::take_step() {
   }
   if (!result) return std::nullopt;
   carried_out_on_.reset();
-  const auto before = state().topology;
+  const std::shared_ptr<const Mesh> before = state().rest;
   perform(result->command);
-  return StepTaken{before != state().topology, std::move(result->warnings)};
+  return StepTaken{!before->shares_faces_with(*state().rest), std::move(result->warnings)};
 }
 
 std::shared_ptr<const SettledPose> EditSession::pose() const {

@@ -60,11 +60,6 @@ std::shared_ptr<const Mesh> LayerPreview::mesh() const {
   return {prepared_, &prepared_->layers->mesh()};
 }
 
-std::shared_ptr<const Topology> LayerPreview::topology() const {
-  // Where nothing was remeshed these are the target's triangles, and are to be known as such.
-  return prepared_->layers->mesh().shared_topology();
-}
-
 const LayeredCoat* LayerPreview::layers() const {
   return shown_ && !is_lent() ? prepared_->layers.get() : nullptr;
 }

@@ -41,9 +41,8 @@ class LayerPreview {
 
   /// Whether there is a result. It holds while the next one is made.
   bool has_result() const { return prepared_ != nullptr; }
-  /// Whose vertices `positions` are; the same pointers as long as the triangles are the same.
+  /// Whose vertices `positions` are. Where nothing was remeshed it shares the target's faces.
   std::shared_ptr<const Mesh> mesh() const;
-  std::shared_ptr<const Topology> topology() const;
   const Positions& positions() const { return positions_; }
   /// Patches, maps and warnings of the result; null while the worker has them.
   const LayeredCoat* layers() const;

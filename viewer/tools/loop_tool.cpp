@@ -10,7 +10,7 @@ constexpr double kClosingPixels = 10.0;
 constexpr std::size_t kFewestCorners = 3;
 
 std::vector<Index> path(Index from, Index to, const SelectScene& scene) {
-  return shortest_edge_path(*scene.state.topology, scene.positions, from, to);
+  return shortest_edge_path(scene.state.rest->topology(), scene.positions, from, to);
 }
 
 }  // namespace

@@ -229,14 +229,16 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
     ready.preview = std::shared_ptr<const DragPreview>(
         new DragPreview(kept->region, state.rest->positions, edit_region(state), state.parameters,
                         progress),
-        [topology = state.topology](DragPreview* p) { delete p; });
+        [topology = state.rest->shared_topology()](DragPreview* p) { delete p; });
     ready.preview_on_device = upload(*ready.preview->response());
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
     ready.exact = std::shared_ptr<const Deformer>(
         new Deformer(*ready.preview, *ready.exact_kernels, progress),
-        [kernels = ready.exact_kernels, topology = state.topology](Deformer* d) { delete d; });
+        [kernels = ready.exact_kernels, topology = state.rest->shared_topology()](Deformer* d) {
+          delete d;
+        });
     ready.exact_on_device = upload(*ready.exact->response());
     publish(ticket, ready, Phase::ready);
   } catch (const Cancelled&) {
@@ -252,8 +254,8 @@ std::shared_ptr<Preparation::Kept> Preparation::kept_for(const AppState& state,
   std::shared_ptr<Kept> before;
   const std::lock_guard lock(mutex_);
   if (ticket_ != ticket) throw Cancelled();
-  if (kept_ == nullptr || kept_->topology != state.topology) {
-    before = std::exchange(kept_, std::make_shared<Kept>(state.topology));
+  if (kept_ == nullptr || kept_->topology.get() != &state.rest->topology()) {
+    before = std::exchange(kept_, std::make_shared<Kept>(state.rest->shared_topology()));
   }
   return kept_;
 }

@@ -11,10 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TriangulatedMesh triangulated(Mesh mesh, const Progress& progress) {
+std::shared_ptr<const Mesh> triangulated(Mesh mesh, const Progress& progress) {
   report_progress(progress, "topology", 0.0);
-  AppState state = open_state(std::move(mesh));
-  return {std::move(state.rest), std::move(state.topology)};
+  mesh.topology();
+  return std::make_shared<const Mesh>(std::move(mesh));
 }
 
 OpenedMesh read(const fs::path& path, const Progress& progress) {
@@ -24,21 +24,20 @@ OpenedMesh read(const fs::path& path, const Progress& progress) {
 
 LoadedFile examined(OpenedMesh opened, History history, const Progress& progress) {
   report_progress(progress, "check", 0.0);
-  const auto& [mesh, topology] = opened.mesh;
-  CheckReport report = check(*mesh);
-  const bool closed = is_closed_outward(mesh->positions, topology->triangles);
+  const Mesh& mesh = *opened.mesh;
+  CheckReport report = check(mesh);
+  const bool closed = is_closed_outward(mesh.positions, mesh.topology().triangles);
   return {std::move(opened), std::move(report), std::move(history), closed};
 }
 
 LoadedFile unedited(OpenedMesh opened, const Progress& progress) {
-  History history(open_state(opened.mesh.mesh));
+  History history(open_state(opened.mesh));
   return examined(std::move(opened), std::move(history), progress);
 }
 
 LoadedFile carried_out(const Recipe& recipe, OpenedMesh opened, Kernels& kernels,
                        const Progress& progress) {
-  History history =
-      from_recipe(open_state(opened.mesh.mesh), recipe, carry_out_with(kernels, progress));
+  History history = from_recipe(open_state(opened.mesh), recipe, carry_out_with(kernels, progress));
   // The recipe has it.
   history.mark_saved();
   LoadedFile file = examined(std::move(opened), std::move(history), progress);
@@ -76,8 +75,7 @@ LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,
   }
   OpenedMesh opened = read(edit.mesh.path, progress);
   opened.name = edit.opened.filename().string();
-  History history =
-      restore(open_state(opened.mesh.mesh), edit.draft, carry_out_with(kernels, progress));
+  History history = restore(open_state(opened.mesh), edit.draft, carry_out_with(kernels, progress));
   LoadedFile file = examined(std::move(opened), std::move(history), progress);
   file.restored = edit;
   return file;

@@ -18,9 +18,9 @@ namespace lapwing::viewer {
 
 /// The mesh that an edit began with.
 struct OpenedMesh {
-  std::string name;               ///< of the file or the shape
-  TriangulatedMesh mesh;          ///< before any step
-  std::optional<MeshStamp> file;  ///< none for a generated mesh
+  std::string name;                  ///< of the file or the shape
+  std::shared_ptr<const Mesh> mesh;  ///< before any step
+  std::optional<MeshStamp> file;     ///< none for a generated mesh
   UpAxis up_axis = UpAxis::y;
 };
 

@@ -30,7 +30,7 @@ void draw_painting(LayerDesk& desk, Editor& editor) {
   if (ImGui::SliderFloat("brush##weight", &radius, 1.0F, 200.0F, "%.0f pixels")) {
     paint.brush().radius = static_cast<double>(radius);
   }
-  if (ImGui::Button("Soften")) paint.soften(*editor.state().topology);
+  if (ImGui::Button("Soften")) paint.soften(editor.state().rest->topology());
 }
 
 template <typename Form>
