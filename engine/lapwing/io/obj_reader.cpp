@@ -135,7 +135,7 @@ class ObjReader {
       file_.fail_at_line(
           start, "a face needs at least 3 corners, this one has " + std::to_string(corners));
     }
-    close_face(file_, mesh_, start);
+    close_face(file_, polygons_, start);
   }
 
   void read_corner() {
@@ -153,7 +153,7 @@ class ObjReader {
     scan_.end_word("a corner such as 7, 7/2, 7//3 or 7/2/3");
     set_corner(attributes_.corner_uvs, texture);
     set_corner(attributes_.corner_normals, normal);
-    mesh_.edit_faces().vertices.push_back(vertex);
+    polygons_.vertices.push_back(vertex);
   }
 
   bool has_index() const {
@@ -247,6 +247,7 @@ class ObjReader {
   SourceFile& file_;
   TextScanner scan_;
   Mesh mesh_;
+  Faces& polygons_ = mesh_.edit_faces();
   MeshAttributes& attributes_ = mesh_.edit_attributes();
   FaceLabels groups_{attributes_.groups, attributes_.face_groups};
   FaceLabels materials_{attributes_.materials, attributes_.face_materials};

@@ -92,8 +92,8 @@ class OffReader {
                                      " faces, more than the file has room for");
     }
     mesh_.positions.reserve(vertex_count_);
-    mesh_.edit_faces().starts.reserve(face_count_ + 1);
-    mesh_.edit_faces().vertices.reserve(3 * face_count_);
+    polygons_.starts.reserve(face_count_ + 1);
+    polygons_.vertices.reserve(3 * face_count_);
     file_.positions.offsets.reserve(3 * vertex_count_);
   }
 
@@ -172,9 +172,9 @@ class OffReader {
       if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertex_count_)) {
         fail_vertex(file_, offset, mesh_.face_count(), vertex, vertex_count_);
       }
-      mesh_.edit_faces().vertices.push_back(static_cast<Index>(vertex));
+      polygons_.vertices.push_back(static_cast<Index>(vertex));
     }
-    close_face(file_, mesh_, start);
+    close_face(file_, polygons_, start);
     read_face_color();
   }
 
@@ -213,6 +213,7 @@ class OffReader {
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;
   Mesh mesh_;
+  Faces& polygons_ = mesh_.edit_faces();
   MeshAttributes& attributes_ = mesh_.edit_attributes();
   std::vector<Eigen::Vector4d> vertex_colors_;
   std::vector<Eigen::Vector4d> face_colors_;

@@ -100,8 +100,8 @@ class PlyReader {
       file_.fail_at_line(element.header_offset,
                          "expected a property 'list uchar int vertex_indices' in 'face'");
     }
-    mesh_.edit_faces().starts.reserve(element.count + 1);
-    mesh_.edit_faces().vertices.reserve(3 * element.count);
+    polygons_.starts.reserve(element.count + 1);
+    polygons_.vertices.reserve(3 * element.count);
     std::vector<double> coordinates;
     for (std::size_t f = 0; f < element.count; ++f) {
       cursor_.begin_record();
@@ -137,9 +137,9 @@ class PlyReader {
       if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertices_->count)) {
         fail_vertex(file_, cursor_.place(), mesh_.face_count(), vertex, vertices_->count);
       }
-      mesh_.edit_faces().vertices.push_back(static_cast<Index>(vertex));
+      polygons_.vertices.push_back(static_cast<Index>(vertex));
     }
-    close_face(file_, mesh_, start);
+    close_face(file_, polygons_, start);
   }
 
   // Texture coordinates per corner, as MeshLab writes them: u v u v ..., or nothing.
@@ -220,6 +220,7 @@ class PlyReader {
   const PlyElement* vertices_ = nullptr;
   const PlyElement* faces_ = nullptr;
   Mesh mesh_;
+  Faces& polygons_ = mesh_.edit_faces();
   MeshAttributes& attributes_ = mesh_.edit_attributes();
   std::vector<Eigen::Vector2d> wedge_values_;
   std::vector<Index> wedge_uvs_;

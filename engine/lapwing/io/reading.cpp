@@ -33,8 +33,7 @@ std::vector<Eigen::Vector4f> unit_colors(const std::vector<Eigen::Vector4d>& col
   return result;
 }
 
-void close_face(const SourceFile& file, Mesh& mesh, std::uint64_t offset) {
-  Faces& faces = mesh.edit_faces();
+void close_face(const SourceFile& file, Faces& faces, std::uint64_t offset) {
   if (faces.vertices.size() >= kNoIndex) {
     file.fail(offset, "the mesh has more than 4,294,967,294 face corners");
   }

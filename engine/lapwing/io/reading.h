@@ -35,9 +35,9 @@ inline const Eigen::Vector4d kNoColor =
 /// when one is clearly above 1. What the file does not give is 1.
 std::vector<Eigen::Vector4f> unit_colors(const std::vector<Eigen::Vector4d>& colors);
 
-/// Ends the polygon whose corners were appended to `face_vertices`. Throws InputError, at the line
+/// Ends the polygon whose corners were appended to `faces.vertices`. Throws InputError, at the line
 /// of `offset`, when the mesh has more corners than an Index can number.
-void close_face(const SourceFile& file, Mesh& mesh, std::uint64_t offset);
+void close_face(const SourceFile& file, Faces& faces, std::uint64_t offset);
 
 /// Throws InputError: a face (from 0) names a vertex that the file does not have.
 [[noreturn]] void fail_vertex(const SourceFile& file, std::uint64_t offset, std::size_t face,

@@ -78,11 +78,11 @@ class AsciiStlReader {
     expect("loop");
     for (int corner = 0; corner < 3; ++corner) {
       expect("vertex");
-      mesh_.edit_faces().vertices.push_back(welder_.vertex_at(read_triple(file_.positions)));
+      polygons_.vertices.push_back(welder_.vertex_at(read_triple(file_.positions)));
     }
     expect("endloop");
     expect("endfacet");
-    close_face(file_, mesh_, start);
+    close_face(file_, polygons_, start);
     attributes_.face_groups.push_back(static_cast<Index>(attributes_.groups.size() - 1));
   }
 
@@ -107,6 +107,7 @@ class AsciiStlReader {
   SourceFile& file_;
   TextScanner scan_;
   Mesh mesh_;
+  Faces& polygons_ = mesh_.edit_faces();
   MeshAttributes& attributes_ = mesh_.edit_attributes();
   Welder welder_{mesh_.positions};
 };
@@ -158,18 +159,18 @@ Mesh read_binary(SourceFile& file) {
   MeshAttributes& attributes = mesh.edit_attributes();
   attributes.normals.reserve(count);
   attributes.corner_normals.reserve(3 * count);
-  mesh.edit_faces().vertices.reserve(3 * count);
-  mesh.edit_faces().starts.reserve(count + 1);
+  Faces& faces = mesh.edit_faces();
+  faces.vertices.reserve(3 * count);
+  faces.starts.reserve(count + 1);
   ExtraAttribute words{"attribute", "ushort", 1, std::vector<double>(count)};
   bool any_word = false;
   for (std::size_t f = 0; f < count; ++f) {
     attributes.normals.push_back(file.read_triple(file.normals, f));
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      mesh.edit_faces().vertices.push_back(
-          welder.vertex_at(file.read_triple(file.positions, 3 * f + corner)));
+      faces.vertices.push_back(welder.vertex_at(file.read_triple(file.positions, 3 * f + corner)));
     }
     const std::uint64_t start = kStlHeaderSize + f * kStlFacetSize;
-    close_face(file, mesh, start);
+    close_face(file, faces, start);
     attributes.corner_normals.insert(attributes.corner_normals.end(), 3, static_cast<Index>(f));
     words.values[f] = load_number(bytes.data() + start + 48, Scalar::uint16, kStlOrder);
     any_word = any_word || words.values[f] != 0.0;

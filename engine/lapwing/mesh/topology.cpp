@@ -52,9 +52,11 @@ Adjacency rings_by_triangles(const Adjacency& vertex_triangles,
 Topology build_topology(const Mesh& mesh) {
   validate_indices(mesh);
   Topology topology;
+  const std::size_t faces = mesh.face_count();
   topology.triangles.reserve(mesh.face_vertices().size());
+  topology.triangle_faces.reserve(faces);
   std::vector<Triangle> cut;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+  for (std::size_t f = 0; f < faces; ++f) {
     cut.clear();
     triangulate_polygon(mesh.face(f), mesh.positions, cut);
     for (const Triangle& t : cut) {
