@@ -107,31 +107,27 @@ TEST_P(DeformerOptions, SolvesTheNormalEquations) {
   }
 }
 
-DeformOptions with(LaplacianWeights weights, bool hard, SolverKind solver,
+DeformOptions with(LaplacianWeights weights, bool hard,
                    LinearResponse response = LinearResponse::rsi) {
   DeformOptions options = test::linear_options();
   options.response = response;
   options.weights = weights;
   options.hard = hard;
-  options.solver = solver;
   return options;
 }
 
 INSTANTIATE_TEST_SUITE_P(
     All, DeformerOptions,
-    ::testing::Values(
-        with(LaplacianWeights::uniform, false, SolverKind::automatic),
-        with(LaplacianWeights::uniform, true, SolverKind::automatic),
-        with(LaplacianWeights::cotangent, false, SolverKind::automatic),
-        with(LaplacianWeights::uniform, false, SolverKind::eigen),
-        with(LaplacianWeights::cotangent, true, SolverKind::eigen),
-        with(LaplacianWeights::cotangent, false, SolverKind::automatic, LinearResponse::tangent),
-        with(LaplacianWeights::uniform, true, SolverKind::automatic, LinearResponse::tangent)),
+    ::testing::Values(with(LaplacianWeights::uniform, false), with(LaplacianWeights::uniform, true),
+                      with(LaplacianWeights::cotangent, false),
+                      with(LaplacianWeights::cotangent, true),
+                      with(LaplacianWeights::cotangent, false, LinearResponse::tangent),
+                      with(LaplacianWeights::uniform, true, LinearResponse::tangent)),
     [](const auto& test) {
       const DeformOptions& o = test.param;
       return std::string(o.response == LinearResponse::rsi ? "Rsi" : "Tangent") +
              std::string(o.weights == LaplacianWeights::uniform ? "Uniform" : "Cotangent") +
-             (o.hard ? "Hard" : "Soft") + (o.solver == SolverKind::eigen ? "Eigen" : "");
+             (o.hard ? "Hard" : "Soft");
     });
 
 TEST(Deformer, SettlingKeepsDetailThroughALargeTurn) {
@@ -356,8 +352,8 @@ TEST(Deformer, LooseVertexStaysUnlessAHandleTakesIt) {
   const Topology& topology = mesh.topology();
   const Affine3d shift(Eigen::Translation3d(0, 0, 1));
   for (const bool hard : {false, true}) {
-    const Deformer deformer(mesh.positions, topology, region,
-                            with(LaplacianWeights::uniform, hard, SolverKind::automatic), kernels);
+    const Deformer deformer(mesh.positions, topology, region, with(LaplacianWeights::uniform, hard),
+                            kernels);
     const auto result = deformer.solve(std::array{shift});
     EXPECT_EQ(result.positions[loose], mesh.positions[loose]);
     EXPECT_LT((result.positions[loose + 1] - Vector3d(8, 8, 9)).norm(), 1e-12);

@@ -147,16 +147,6 @@ TEST_F(PreparedTube, PositionsMayChangeToo) {
   EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
 }
 
-TEST_F(PreparedTube, AnotherSolverOrdersNothingAnew) {
-  Edit edit = first_edit(mesh_);
-  prepare(edit);
-  edit.options.solver = SolverKind::eigen;
-  const Deformer next = prepare(edit);
-  EXPECT_THAT(stages_of(next.timings()), Not(Contains("order")));
-  EXPECT_EQ(next.solver_name(), "Eigen");
-  EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
-}
-
 TEST_F(PreparedTube, PreviewSharesWhatIsKept) {
   Edit edit = first_edit(mesh_);
   prepare(edit);

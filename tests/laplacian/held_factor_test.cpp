@@ -33,7 +33,7 @@ class HeldSheet : public ::testing::Test {
   }
 
   std::vector<double> solution_from_scratch(BlockMatrix A, std::span<const double> W) const {
-    HeldFactor factor(pattern_, 1, SolverKind::automatic);
+    HeldFactor factor(pattern_, 1);
     factor.analyze();
     factor.set_matrix(std::move(A));
     factor.factor(W);
@@ -53,7 +53,7 @@ class HeldSheet : public ::testing::Test {
 };
 
 TEST_F(HeldSheet, OtherHoldsGiveTheBitsOfAFactorizationFromScratch) {
-  HeldFactor factor(pattern_, 1, SolverKind::automatic);
+  HeldFactor factor(pattern_, 1);
   factor.analyze();
   factor.set_matrix(normal_matrix());
   factor.factor(held(std::array<Index, 3>{0, 40, 1680}, 1.0));
@@ -66,7 +66,7 @@ TEST_F(HeldSheet, OtherHoldsGiveTheBitsOfAFactorizationFromScratch) {
 }
 
 TEST_F(HeldSheet, AnotherMatrixIsFactoredUnderTheSameHolds) {
-  HeldFactor factor(pattern_, 1, SolverKind::automatic);
+  HeldFactor factor(pattern_, 1);
   factor.analyze();
   factor.set_matrix(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
@@ -78,7 +78,7 @@ TEST_F(HeldSheet, AnotherMatrixIsFactoredUnderTheSameHolds) {
 }
 
 TEST_F(HeldSheet, RefusedHoldsLeaveItReadyForOthers) {
-  HeldFactor factor(pattern_, 1, SolverKind::automatic);
+  HeldFactor factor(pattern_, 1);
   factor.analyze();
   factor.set_matrix(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);
@@ -91,7 +91,7 @@ TEST_F(HeldSheet, RefusedHoldsLeaveItReadyForOthers) {
 }
 
 TEST_F(HeldSheet, CancelledFactorizationIsNotTakenForDone) {
-  HeldFactor factor(pattern_, 1, SolverKind::automatic);
+  HeldFactor factor(pattern_, 1);
   factor.analyze();
   factor.set_matrix(normal_matrix());
   const auto W = held(std::array<Index, 3>{0, 40, 1680}, 1.0);

@@ -31,7 +31,7 @@ TEST(SystemPattern, LargeRegionHasOneThatIsFoundFastAndSavesMoreThanMinimumDegre
   const SystemPattern pattern = pattern_of(mesh);
   ASSERT_GT(pattern.blocks().size(), kMinimumDegreeLimit);
   const auto flops = [&](std::span<const int> order) {
-    const auto solver = make_solver(SolverKind::block);
+    const auto solver = make_solver();
     solver->analyze(pattern.blocks(), 1, order);
     return solver->statistics().flops;
   };

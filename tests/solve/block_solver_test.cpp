@@ -12,6 +12,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/solve/ordering.h"
 #include "solve/test_matrices.h"
+#include "solvers/peer_solvers.h"
 
 namespace lapwing {
 namespace {
@@ -19,22 +20,14 @@ namespace {
 using namespace test;
 using ::testing::Lt;
 
-std::vector<SolverKind> kinds() {
-  std::vector<SolverKind> built_in;
-  for (const SolverKind kind : {SolverKind::block, SolverKind::cholmod, SolverKind::eigen}) {
-    try {
-      make_solver(kind);
-      built_in.push_back(kind);
-    } catch (const SolverError&) {
-      // Not in this build.
-    }
-  }
-  return built_in;
-}
+struct NamedSolver {
+  const char* name;
+  std::unique_ptr<BlockSolver> (*make)();
+};
 
-class EveryBlockSolver : public ::testing::TestWithParam<SolverKind> {
+class EveryBlockSolver : public ::testing::TestWithParam<NamedSolver> {
  protected:
-  std::unique_ptr<BlockSolver> solver_ = make_solver(GetParam());
+  std::unique_ptr<BlockSolver> solver_ = GetParam().make();
 };
 
 TEST_P(EveryBlockSolver, SolvesOneAndSeveralRightHandSides) {
@@ -122,26 +115,19 @@ TEST_P(EveryBlockSolver, SaysItsName) {
   EXPECT_FALSE(solver_->name().empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, EveryBlockSolver, ::testing::ValuesIn(kinds()),
-                         [](const auto& suite) {
-                           switch (suite.param) {
-                             case SolverKind::cholmod:
-                               return "Cholmod";
-                             case SolverKind::eigen:
-                               return "Eigen";
-                             default:
-                               return "Block";
-                           }
-                         });
-
-TEST(MakeSolver, TakesTheBlockCholeskyByItself) {
-  EXPECT_EQ(make_solver()->name(), make_solver(SolverKind::block)->name());
-}
+INSTANTIATE_TEST_SUITE_P(Each, EveryBlockSolver,
+                         ::testing::Values(
+#ifdef LAPWING_HAVE_CHOLMOD
+                             NamedSolver{"Cholmod", bench::make_cholmod_solver},
+#endif
+                             NamedSolver{"Block", make_solver},
+                             NamedSolver{"Eigen", bench::make_eigen_solver}),
+                         [](const auto& suite) { return suite.param.name; });
 
 // Three hundred random systems, block Cholesky beside Eigen.
 TEST(BlockSolvers, AgreeOnRandomSystems) {
-  const auto ours = make_solver(SolverKind::block);
-  const auto reference = make_solver(SolverKind::eigen);
+  const auto ours = make_solver();
+  const auto reference = bench::make_eigen_solver();
   std::mt19937 random(11);
   for (unsigned trial = 0; trial < 300; ++trial) {
     const std::size_t blocks = 1 + random() % (trial % 10 == 0 ? 800 : 80);

@@ -11,6 +11,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/solve/block_cholesky/block_cholesky.h"
 #include "solve/test_matrices.h"
+#include "solvers/peer_solvers.h"
 #include "support/models.h"
 
 namespace lapwing {
@@ -20,8 +21,11 @@ using namespace test;
 using ::testing::Lt;
 
 // The references take most of the time.
+#ifdef LAPWING_HAVE_CHOLMOD
 constexpr std::size_t kLargestForCholmod = 10'000;
+#else
 constexpr std::size_t kLargestForEigen = 2'500;
+#endif
 
 BlockMatrix with_diagonal_times(const BlockMatrix& A, double factor) {
   BlockMatrix B = A;
@@ -73,11 +77,11 @@ struct Outcomes {
 // CHOLMOD where the build has it; null for what is too large.
 std::unique_ptr<BlockSolver> reference_for(const BlockMatrix& A) {
   const std::size_t blocks = A.pattern->size();
-  try {
-    return blocks <= kLargestForCholmod ? make_solver(SolverKind::cholmod) : nullptr;
-  } catch (const SolverError&) {
-    return blocks <= kLargestForEigen ? make_solver(SolverKind::eigen) : nullptr;
-  }
+#ifdef LAPWING_HAVE_CHOLMOD
+  return blocks <= kLargestForCholmod ? bench::make_cholmod_solver() : nullptr;
+#else
+  return blocks <= kLargestForEigen ? bench::make_eigen_solver() : nullptr;
+#endif
 }
 
 void solve_or_refuse(const BlockMatrix& A, Outcomes& outcomes) {

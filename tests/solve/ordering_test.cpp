@@ -42,7 +42,7 @@ TEST_P(EveryOrdering, SavesOperations) {
   std::vector<int> natural(A.pattern->size());
   std::iota(natural.begin(), natural.end(), 0);
   const auto flops = [&](std::span<const int> order) {
-    const auto solver = make_solver(SolverKind::block);
+    const auto solver = make_solver();
     solver->analyze(*A.pattern, 1, order);
     return solver->statistics().flops;
   };
@@ -89,7 +89,7 @@ TEST(ClusteredOrder, SavesOperationsAndIsTheSameEachTime) {
   std::vector<int> natural(A.pattern->size());
   std::iota(natural.begin(), natural.end(), 0);
   const auto flops = [&](std::span<const int> order) {
-    const auto solver = make_solver(SolverKind::block);
+    const auto solver = make_solver();
     solver->analyze(*A.pattern, 1, order);
     return solver->statistics().flops;
   };

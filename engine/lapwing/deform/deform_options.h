@@ -17,8 +17,8 @@ inline constexpr double kMemoryShare = 0.75;
 std::size_t allowed_memory(std::size_t limit_bytes);
 
 /// Of a region's radius of gyration (EnergyTerms::detail_length). Chosen on the meshes of
-/// `lapwing-bench real` and a rippled tube: smaller loses more detail on the tube, larger loses more
-/// and flips more triangles on the meshes.
+/// `lapwing-bench real` and a rippled tube: smaller loses more detail on the tube, larger loses
+/// more and flips more triangles on the meshes.
 inline constexpr double kDefaultDetailLength = 0.077;
 
 /// The linear system that a drag's response comes from.
@@ -36,7 +36,6 @@ struct DeformOptions {
   double constraint_weight = 1.0;
   /// Handle and belt vertices go exactly where they should, rather than in the least squares.
   bool hard = false;
-  SolverKind solver = SolverKind::automatic;
   /// The 3n x 3n system may take this much memory; 0: kMemoryShare of what is there when it is
   /// prepared. Where it needs more, settling does without it, from where a DragPreview is.
   std::size_t memory_limit_bytes = 0;

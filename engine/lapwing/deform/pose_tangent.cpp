@@ -35,7 +35,7 @@ PoseTangent::PoseTangent(const Topology& topology, std::span<const Index> roi,
 // False where there is not enough.
 bool PoseTangent::take_memory() {
   if (factor_ != nullptr) return true;
-  auto factor = std::make_unique<HeldFactor>(pattern_, 3, SolverKind::automatic);
+  auto factor = std::make_unique<HeldFactor>(pattern_, 3);
   factor->analyze();
   std::size_t blocks = pattern_.blocks().rows.size();  // of the matrix, and of G at rest and turned
   for (const Index v : roi_) blocks += 2 * (1 + topology_.rings.size(v));

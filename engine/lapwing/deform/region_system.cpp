@@ -47,16 +47,15 @@ const LaplacianSystem& RegionSystem::laplacian_with_rings() {
 void RegionSystem::hold_response(const SystemTerms& terms, std::span<const double> W,
                                  const DeformOptions& options, Kernels& kernels,
                                  const Progress& progress, StageTimings& timings) {
-  if (options.solver != response_solver_ || options.response != response_kind_) {
+  if (options.response != response_kind_) {
     response_.reset();
     response_bytes_ = 0;
-    response_solver_ = options.solver;
     response_kind_ = options.response;
   }
   if (response_bytes_ > 0) require_memory(options.memory_limit_bytes);
   if (response_ == nullptr) {
     response_ = std::make_unique<ResponseSystem>(topology_, roi_, unknowns_, pattern_, laplacian_,
-                                                 response_kind_, response_solver_);
+                                                 response_kind_);
     response_terms_ = {};
     response_has_memory_ = false;
   }

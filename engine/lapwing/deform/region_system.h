@@ -85,7 +85,6 @@ class RegionSystem {
   LaplacianSystem laplacian_;
   SystemTerms laplacian_terms_;  ///< no positions where it is not assembled
   std::unique_ptr<ResponseSystem> response_;
-  SolverKind response_solver_ = SolverKind::automatic;
   LinearResponse response_kind_ = LinearResponse::tangent;
   SystemTerms response_terms_;
   bool response_has_memory_ = false;

@@ -57,15 +57,14 @@ BlockMatrix tangent_matrix(const SystemPattern& pattern, const LaplacianSystem& 
 
 ResponseSystem::ResponseSystem(const Topology& topology, std::span<const Index> roi,
                                const Unknowns& unknowns, const SystemPattern& pattern,
-                               const LaplacianSystem& laplacian, LinearResponse kind,
-                               SolverKind solver)
+                               const LaplacianSystem& laplacian, LinearResponse kind)
     : topology_(topology),
       pattern_(pattern),
       laplacian_(laplacian),
       kind_(kind),
       roi_(roi.begin(), roi.end()),
       constraints_{unknowns, {}},
-      factor_(pattern, 3, solver) {}
+      factor_(pattern, 3) {}
 
 void ResponseSystem::analyze(const Progress& progress, StageTimings& timings) {
   if (is_analyzed()) return;

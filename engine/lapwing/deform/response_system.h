@@ -29,7 +29,7 @@ class ResponseSystem {
   /// the region's n x n system, must outlive the object.
   ResponseSystem(const Topology& topology, std::span<const Index> roi, const Unknowns& unknowns,
                  const SystemPattern& pattern, const LaplacianSystem& laplacian,
-                 LinearResponse kind, SolverKind solver);
+                 LinearResponse kind);
 
   /// The symbolic factorization; once. Stage "analyze".
   void analyze(const Progress& progress, StageTimings& timings);

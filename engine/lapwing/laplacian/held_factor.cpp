@@ -22,8 +22,8 @@ class Reporting {
 
 }  // namespace
 
-HeldFactor::HeldFactor(const SystemPattern& pattern, int block_size, SolverKind kind)
-    : pattern_(pattern), block_size_(block_size), solver_(make_solver(kind)) {}
+HeldFactor::HeldFactor(const SystemPattern& pattern, int block_size)
+    : pattern_(pattern), block_size_(block_size), solver_(make_solver()) {}
 
 void HeldFactor::analyze() {
   if (analyzed_) return;

@@ -17,7 +17,7 @@ class HeldFactor {
  public:
   /// Of matrices in blocks of `block_size`, 3 for M'M or 1 for L'L. `pattern` must outlive the
   /// object.
-  HeldFactor(const SystemPattern& pattern, int block_size, SolverKind kind);
+  HeldFactor(const SystemPattern& pattern, int block_size);
 
   /// The symbolic work, the order included, which needs no numbers; may run beside `set_matrix`.
   /// Does nothing when done already.

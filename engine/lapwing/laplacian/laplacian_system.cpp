@@ -18,7 +18,7 @@ LaplacianSystem::LaplacianSystem(const Topology& topology, std::span<const Index
       roi_(roi.begin(), roi.end()),
       constraints_{unknowns, {}},
       is_row_(topology.rings.row_count(), 0),
-      factor_(pattern, 1, SolverKind::automatic) {
+      factor_(pattern, 1) {
   for (const Index v : roi_) is_row_[v] = 1;
 }
 

@@ -19,14 +19,6 @@ class NotPositiveDefinite : public SolverError {
   Index block;
 };
 
-/// Which factorization to use.
-enum class SolverKind {
-  automatic,  ///< the fastest one: block
-  block,      ///< our own multifrontal block Cholesky (block_cholesky/)
-  cholmod,    ///< CHOLMOD's supernodal Cholesky; only with LAPWING_COPYLEFT
-  eigen,      ///< Eigen's simplicial Cholesky, always there
-};
-
 /// What `analyze` knows of the factorization to come; 0 where a solver does not say.
 struct SolverStatistics {
   double flops = 0;              ///< operations of one factorization
@@ -78,7 +70,7 @@ class BlockSolver {
   Progress progress_;
 };
 
-/// Makes a solver. Throws SolverError when that kind is not built in.
-std::unique_ptr<BlockSolver> make_solver(SolverKind kind = SolverKind::automatic);
+/// Our own multifrontal block Cholesky (block_cholesky/).
+std::unique_ptr<BlockSolver> make_solver();
 
 }  // namespace lapwing

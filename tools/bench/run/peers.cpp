@@ -6,6 +6,7 @@
 
 #include "run/edit_parts.h"
 #include "run/stages.h"
+#include "solvers/peer_solvers.h"
 
 #ifdef LAPWING_HAVE_CGAL
 #include "run/cgal_arap.h"
@@ -46,13 +47,13 @@ void measure_product(BenchRun& run, const Subject& subject, const BlockRows& M) 
 
 // The same matrix in the same order of its blocks.
 void measure_factorization(BenchRun& run, const Subject& subject, const EditParts& parts,
-                           const BlockRows& M, SolverKind kind, const char* by) {
+                           const BlockRows& M, std::unique_ptr<BlockSolver> solver,
+                           const char* by) {
   const bool wanted = run.wants("analyze", by, kProcessor, subject) ||
                       run.wants("factor", by, kProcessor, subject) ||
                       run.wants("response", by, kProcessor, subject);
   if (!wanted) return;
   const BlockMatrix N = parts.pattern->normal().normal_matrix(M, parts.constraints.W);
-  const auto solver = make_solver(kind);
   const auto analyze = [&] { solver->analyze(parts.pattern->blocks(), 3, parts.pattern->order()); };
   if (run.measure("analyze", by, subject, analyze) == nullptr) analyze();
   if (run.measure("factor", by, subject, [&] { solver->factor(N); }) == nullptr) solver->factor(N);
@@ -104,11 +105,11 @@ void measure_peers(BenchRun& run, const Subject& subject) {
       assemble_rsi_rows(*open_bench_device("cpu").kernels, parts.ring_problem(subject));
   measure_product(run, subject, M);
   if (subject.vertices() <= run.settings().most_for_eigen) {
-    measure_factorization(run, subject, parts, M, SolverKind::eigen, "Eigen");
+    measure_factorization(run, subject, parts, M, make_eigen_solver(), "Eigen");
   }
 #ifdef LAPWING_HAVE_CHOLMOD
   if (subject.vertices() <= kMostForCholmod) {
-    measure_factorization(run, subject, parts, M, SolverKind::cholmod, "CHOLMOD");
+    measure_factorization(run, subject, parts, M, make_cholmod_solver(), "CHOLMOD");
   }
 #endif
 }

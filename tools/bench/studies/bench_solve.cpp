@@ -8,6 +8,7 @@
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/subdivide.h"
+#include "solvers/peer_solvers.h"
 #include "studies/solver_rows.h"
 #include "studies/studies.h"
 
@@ -140,9 +141,8 @@ void bench(const BenchSystem& system, const SolveBench& settings) {
   others = time_cholmods(system, settings.repeats);
 #endif
   if (settings.eigen) {
-    others.push_back(time_solver(
-        system, "Eigen, METIS on blocks", [] { return make_solver(SolverKind::eigen); },
-        Ordering::nested_dissection, 1));
+    others.push_back(time_solver(system, "Eigen, METIS on blocks", make_eigen_solver,
+                                 Ordering::nested_dissection, 1));
     print(others.back());
   }
   print_ratios(ours, others);

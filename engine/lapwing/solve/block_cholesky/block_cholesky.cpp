@@ -9,7 +9,6 @@
 #include "lapwing/solve/block_cholesky/instruction_sets.h"
 #include "lapwing/solve/block_cholesky/numeric.h"
 #include "lapwing/solve/block_cholesky/triangular_solve.h"
-#include "lapwing/solve/solvers.h"
 
 namespace lapwing {
 namespace {
@@ -240,7 +239,7 @@ SolverStatistics BlockCholesky::statistics() const {
   return implementation_->statistics();
 }
 
-std::unique_ptr<BlockSolver> make_block_cholesky_solver() {
+std::unique_ptr<BlockSolver> make_solver() {
   return std::make_unique<BlockCholesky>();
 }
 

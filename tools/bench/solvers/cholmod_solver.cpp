@@ -3,9 +3,9 @@
 #include <cholmod.h>
 
 #include "lapwing/solve/scalar_lower.h"
-#include "lapwing/solve/solvers.h"
+#include "solvers/peer_solvers.h"
 
-namespace lapwing {
+namespace lapwing::bench {
 namespace {
 
 class CholmodSolver final : public BlockSolver {
@@ -113,4 +113,4 @@ std::unique_ptr<BlockSolver> make_cholmod_solver() {
   return std::make_unique<CholmodSolver>();
 }
 
-}  // namespace lapwing
+}  // namespace lapwing::bench

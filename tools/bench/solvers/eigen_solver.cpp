@@ -1,9 +1,9 @@
 #include <Eigen/SparseCholesky>
 
 #include "lapwing/solve/scalar_lower.h"
-#include "lapwing/solve/solvers.h"
+#include "solvers/peer_solvers.h"
 
-namespace lapwing {
+namespace lapwing::bench {
 namespace {
 
 // Eigen asks an ordering for a permutation; ours is known already.
@@ -81,4 +81,4 @@ std::unique_ptr<BlockSolver> make_eigen_solver() {
   return std::make_unique<EigenSolver>();
 }
 
-}  // namespace lapwing
+}  // namespace lapwing::bench
