@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using Phase = PreparationStatus::Phase;
 using lapwing::test::largest_distance;
 
-// Holds the worker at each new set of kernels until it is let through.
+// Holds the worker at the kernels of each exact response until it is let through.
 class Gate {
  public:
   std::unique_ptr<Kernels> make_kernels() {
@@ -99,10 +99,10 @@ constexpr double kSettled = 1e-3;
 TEST(Preparation, PreviewComesFirstThenTheExactOne) {
   Gate gate;
   Preparation preparation([&gate] { return gate.make_kernels(); });
-  preparation.follow(chosen_tube());
   EXPECT_EQ(preparation.preview(), nullptr);
-  gate.let_through(1);
-  wait_for(preparation, Phase::solving);
+  preparation.follow(chosen_tube());
+  gate.wait_for_worker();
+  EXPECT_EQ(preparation.status().phase, Phase::solving);
   EXPECT_NE(preparation.preview(), nullptr);
   EXPECT_EQ(preparation.exact(), nullptr);
   gate.let_through(1);
@@ -218,7 +218,7 @@ TEST(Preparation, CancelledHasNothingReady) {
   gate.let_through(1);
   EXPECT_EQ(preparation.status().phase, Phase::idle);
   preparation.follow(chosen_tube());
-  gate.let_through(2);
+  gate.let_through(1);
   wait_for(preparation, Phase::ready);
 }
 
