@@ -11,6 +11,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/topology.h"
 
 namespace lapwing {
 namespace {

@@ -67,8 +67,8 @@ class TransplantDesk {
   struct InHand {
     TransplantDraft draft;
     TransplantHost host;
-    std::shared_ptr<const Mesh>
-        mesh;  // the surface and, behind it, the part, where its file has it
+    // The surface and, behind it, the part, where its file has it.
+    std::shared_ptr<const Mesh> mesh;
   };
   enum class Shown { nothing, carried, result };
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/region_spec.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/recipe/recipe.h"
 
 namespace lapwing::viewer {

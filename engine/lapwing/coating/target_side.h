@@ -22,8 +22,7 @@ struct TargetHandle {
 /// finer one of its own.
 class TargetSide {
  public:
-  /// Finds the patch. `mesh` must outlive the object. Throws what `resolve` and
-  /// `disk_patch` do.
+  /// Finds the patch. `mesh` must outlive the object. Throws what `resolve` and `disk_patch` do.
   TargetSide(const RegionSpec& patch, const Mesh& mesh);
 
   /// Finds the handles. Throws InputError, naming the handle's region: what `resolve` does, one

@@ -13,7 +13,6 @@
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/mesh.h"
-#include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
 
 namespace lapwing {
@@ -47,8 +46,8 @@ struct DeformWorkspace {
 };
 
 /// The same on any device. `kernels` and a mesh that shares the faces of `mesh` (the result is
-/// one) must outlive `workspace`.
-/// Stages reported: "region", those of Deformer, "solve", with several parts "certify".
+/// one) must outlive `workspace`. Stages reported: "region", those of Deformer, "solve", with
+/// several parts "certify".
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 

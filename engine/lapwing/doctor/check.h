@@ -6,7 +6,6 @@
 #include "lapwing/doctor/defects.h"
 #include "lapwing/doctor/statistics.h"
 #include "lapwing/mesh/mesh.h"
-#include "lapwing/mesh/topology.h"
 
 namespace lapwing {
 
@@ -33,9 +32,9 @@ struct CheckReport {
   bool is_fixable() const;
 };
 
-/// Examines `mesh`. Positions are compared exactly; a face has zero
-/// area, and a ring lies on one line, below 1e-12 of the square of its size. Near-linear in the
-/// size of the mesh. Never changes the mesh and accepts any mesh that `build_topology` accepts.
+/// Examines `mesh`. Positions are compared exactly; a face has zero area, and a ring lies on one
+/// line, below 1e-12 of the square of its size. Near-linear in the size of the mesh. Accepts any
+/// mesh whose faces name vertices that it has.
 CheckReport check(const Mesh& mesh);
 
 /// Adds to the report on `mesh` the faces that cut through or touch others, which `check` leaves

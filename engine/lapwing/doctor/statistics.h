@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lapwing/mesh/mesh.h"
-#include "lapwing/mesh/topology.h"
 
 namespace lapwing {
 

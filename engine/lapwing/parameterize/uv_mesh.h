@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/patch/patch.h"
 
 namespace lapwing {

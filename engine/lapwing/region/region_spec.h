@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/region/vertex_set.h"
 
 namespace lapwing {

@@ -90,8 +90,8 @@ class Surface {
   gpu::Buffer triangles_;
   VertexNormals vertex_normals_;
   bool on_host_;
-  std::vector<Vec4>
-      known_;  ///< where the device has each vertex; not a number where it alone knows
+  /// Where the device has each vertex; not a number where it alone knows.
+  std::vector<Vec4> known_;
   std::shared_ptr<BlendResponse> moved_by_;  ///< last; what was recorded of it may still run
   bool is_pending_ = false;                  ///< whether it is still to be recorded
   SurfaceTimes times_;

@@ -6,7 +6,7 @@
 
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/transfer.h"
-#include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
 
 namespace lapwing {

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
 
 namespace lapwing::bench {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "lapwing/gpu/context.h"
-#include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/render/camera.h"
 
 namespace lapwing::bench {

@@ -8,6 +8,7 @@
 
 #include "lapwing/solve/block_cholesky/block_cholesky.h"
 #include "lapwing/solve/ordering.h"
+#include "solvers/peer_solvers.h"
 
 namespace lapwing::bench {
 
@@ -49,9 +50,6 @@ double normwise_backward_error(const BlockMatrix& A, std::span<const double> x,
                                std::span<const double> b);
 
 #ifdef LAPWING_HAVE_CHOLMOD
-/// How CHOLMOD orders: by itself on the scalar graph, or given the order of the blocks.
-enum class CholmodOrdering { amd, metis, blocks };
-
 /// Times CHOLMOD's supernodal factorization and its solve with reused work space, with the number
 /// of BLAS threads that factors faster (1 or all).
 SolverRow time_cholmod(const BenchSystem& system, CholmodOrdering ordering, int repeats);
