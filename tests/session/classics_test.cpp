@@ -23,7 +23,7 @@ Certificate certificate_of(const std::string& recipe_name, const Mesh& mesh) {
   recipe.mesh = "mesh.obj";
   write_mesh(mesh, recipe.mesh_path());
   CpuKernels kernels;
-  return run_recipe(recipe, kernels)->report.steps.at(0).certificate;
+  return run_recipe(recipe, kernels)->report.steps.at(0).deform->certificate;
 }
 
 struct Classic {

@@ -18,13 +18,14 @@ RunReport sample() {
   step.op = "deform";
   step.handles = {2, 3};
   step.free = 4;
-  step.turn_degrees = 260.0;
-  step.wound_degrees = 259.5;
-  step.commits = 2;
+  step.deform.emplace();
+  step.deform->turn_degrees = 260.0;
+  step.deform->wound_degrees = 259.5;
+  step.deform->commits = 2;
   step.timings.add("factor", 2.25);
   step.timings.add("factor", 1.0);
-  step.certificate.handle_error = std::numeric_limits<double>::infinity();
-  step.certificate.largest_edge_stretch_vertices = {3, 8};
+  step.deform->certificate.handle_error = std::numeric_limits<double>::infinity();
+  step.deform->certificate.largest_edge_stretch_vertices = {3, 8};
   report.steps.push_back(step);
   return report;
 }

@@ -5,7 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/session/run_coat.h"
+#include "lapwing/coating/prepared_coat.h"
+#include "lapwing/step/coat_step.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "session/coat_runs.h"
 #include "support/bent_tube.h"

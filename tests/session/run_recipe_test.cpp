@@ -43,7 +43,7 @@ TEST_F(RunRecipe, DeformsReportsAndKeepsTheOriginal) {
   const StepReport& step = result->report.steps[0];
   EXPECT_EQ(step.roi, 240U);
   EXPECT_EQ(step.free + step.belt + step.handles[0], step.roi);
-  EXPECT_LT(step.certificate.relative_residual, 1e-9);
+  EXPECT_LT(step.deform->certificate.relative_residual, 1e-9);
   EXPECT_NEAR(result->mesh.positions.back().z() - result->original.back().z(), 0.5, 0.05);
 }
 
@@ -53,7 +53,7 @@ TEST_F(RunRecipe, MeasuresEachVertexOfTheRoiWhenAsked) {
   const VertexMeasures& measures = result->report.steps[0].vertices;
   EXPECT_EQ(measures.vertices.size(), 240U);
   EXPECT_NEAR(*std::max_element(measures.rotation_degrees.begin(), measures.rotation_degrees.end()),
-              result->report.steps[0].certificate.largest_rotation_degrees, 1e-12);
+              result->report.steps[0].deform->certificate.largest_rotation_degrees, 1e-12);
 }
 
 TEST_F(RunRecipe, StepsFollowOneAnother) {
@@ -84,7 +84,7 @@ TEST_F(RunRecipe, SecondStepOnTheSameRoiOrdersNothingAnewAndGivesTheSameBits) {
   const Step alone = parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [)" + other + "]}",
                                   folder_.path(), "test")
                          .steps[0];
-  run_step(alone, 2, folder_.path(), kernels_, {}, *once);
+  run_step(alone, {2, folder_.path(), kernels_, {}, *once});
   EXPECT_EQ(both->mesh.positions, once->mesh.positions);
 }
 

@@ -89,22 +89,22 @@ TEST_F(Winding, TwistOf260DegreesInTwoCommitsOf130IsKept) {
   EXPECT_NEAR(turns.front(), 0.0, 1.0);
   EXPECT_NEAR(turns[turns.size() / 2], 130.0, 5.0);
   EXPECT_NEAR(turns.back(), 260.0, 1.0);
-  EXPECT_LT(half->report.steps[0].certificate.detail_error, 0.06);
+  EXPECT_LT(half->report.steps[0].deform->certificate.detail_error, 0.06);
   EXPECT_LT(detail_error_between(*half, *whole), 0.12);
 
   const StepReport& step = whole->report.steps[0];
-  EXPECT_EQ(step.commits, 2U);
-  EXPECT_EQ(step.turn_degrees, 260.0);
-  ASSERT_TRUE(step.wound_degrees.has_value());
-  EXPECT_NEAR(*step.wound_degrees, 260.0, 1.0);
-  EXPECT_TRUE(step.certificate.settled);
+  EXPECT_EQ(step.deform->commits, 2U);
+  EXPECT_EQ(step.deform->turn_degrees, 260.0);
+  ASSERT_TRUE(step.deform->wound_degrees.has_value());
+  EXPECT_NEAR(*step.deform->wound_degrees, 260.0, 1.0);
+  EXPECT_TRUE(step.deform->certificate.settled);
   EXPECT_THAT(whole->report.warnings, IsEmpty());
 }
 
 TEST_F(Winding, WithoutCommitsTheSurfaceHoldsWhatItCanAndTheUserIsTold) {
   const auto held = run(twist(260));
   EXPECT_NEAR(turns_of_circles(*held).back(), 260.0, 1.0);
-  EXPECT_EQ(held->report.steps[0].commits, 1U);
+  EXPECT_EQ(held->report.steps[0].deform->commits, 1U);
   EXPECT_THAT(held->report.warnings,
               ElementsAre("step 1: handle 1 turns by 260 degrees at once; beyond 180 a surface "
                           "may unwind, and this one did not. To be sure: add \"commit_every\": 130 "
@@ -116,7 +116,7 @@ TEST_F(Winding, WithoutCommitsTheSurfaceHoldsWhatItCanAndTheUserIsTold) {
   // Details alone hold less.
   const auto lost = run(twist(300, R"(, "detail_length": 2)"));
   EXPECT_NEAR(turns_of_circles(*lost).back(), -60.0, 1.0);
-  EXPECT_NEAR(lost->report.steps[0].wound_degrees.value(), -60.0, 1.0);
+  EXPECT_NEAR(lost->report.steps[0].deform->wound_degrees.value(), -60.0, 1.0);
   EXPECT_THAT(
       lost->report.warnings,
       ::testing::Contains("step 1: handle 1 turns by 300 degrees, but the surface came out wound "
@@ -133,7 +133,7 @@ TEST_F(Winding, LinearSolutionKnowsNoTurns) {
 TEST_F(Winding, LeftHandedTurnIsTheMirrorImage) {
   const auto result = run(twist(-260, kCommits));
   EXPECT_NEAR(turns_of_circles(*result).back(), -260.0, 1.0);
-  EXPECT_NEAR(result->report.steps[0].wound_degrees.value(), 260.0, 1.0);
+  EXPECT_NEAR(result->report.steps[0].deform->wound_degrees.value(), 260.0, 1.0);
 }
 
 TEST_F(Winding, TurnNearHalfATurnGoesTheWayItIsWritten) {
@@ -147,7 +147,7 @@ TEST_F(Winding, TurnNearHalfATurnGoesTheWayItIsWritten) {
 TEST_F(Winding, ASmallDetailLengthKeepsAWholeTurn) {
   const auto result = run(twist(360, kResist));
   EXPECT_NEAR(turns_of_circles(*result).back(), 360.0, 1.0);
-  EXPECT_NEAR(result->report.steps[0].wound_degrees.value(), 360.0, 1.0);
+  EXPECT_NEAR(result->report.steps[0].deform->wound_degrees.value(), 360.0, 1.0);
   EXPECT_THAT(result->report.warnings, IsEmpty());
 }
 
@@ -167,13 +167,13 @@ TEST(WindingWarning, TurnThatIsLostAllTheSameIsToldWithWhatToChange) {
 
 TEST_F(Winding, LinearSolutionInSmallPartsKeepsItToo) {
   const auto result = run(twist(260, R"(, "settle": false, "commit_every": 20)"));
-  EXPECT_EQ(result->report.steps[0].commits, 13U);
+  EXPECT_EQ(result->report.steps[0].deform->commits, 13U);
   EXPECT_NEAR(turns_of_circles(*result).back(), 260.0, 1.0);
 }
 
 TEST_F(Winding, CertificateOfPartsIsThatOfTheWholeStep) {
   const auto result = run(twist(260, kCommits));
-  const Certificate& certificate = result->report.steps[0].certificate;
+  const Certificate& certificate = result->report.steps[0].deform->certificate;
   EXPECT_GT(certificate.detail_error, 0.06) << "more than either part loses alone";
   double handle_error = 0.0;
   const Eigen::AngleAxisd turn(260.0 * std::numbers::pi / 180.0, Vector3d::UnitZ());
@@ -195,8 +195,8 @@ TEST_F(Winding, CommitsOfTheOtherHandlesKeepStep) {
          "move": {"translate": [0.2, 0, 0]}}]})";
   const auto result = run(two_handles);
   const StepReport& step = result->report.steps[0];
-  EXPECT_EQ(step.commits, 2U);
-  EXPECT_NEAR(step.wound_degrees.value(), 190.0, 1.0);
+  EXPECT_EQ(step.deform->commits, 2U);
+  EXPECT_NEAR(step.deform->wound_degrees.value(), 190.0, 1.0);
   EXPECT_NEAR(result->mesh.positions[0].x() - result->original[0].x(), 0.2, 1e-3);
 }
 
@@ -207,7 +207,7 @@ TEST_F(Winding, StillHandleServesInPlaceOfABelt) {
         {"region": {"box": {"min": [-1, -1, 5.41], "max": [1, 1, 7]}},
          "move": {"rotate": {"axis": [0, 0, 1], "degrees": 260}}}]})");
   EXPECT_NEAR(turns_of_circles(*result).back(), 260.0, 1.0);
-  EXPECT_FALSE(result->report.steps[0].wound_degrees.has_value()) << "nothing stays";
+  EXPECT_FALSE(result->report.steps[0].deform->wound_degrees.has_value()) << "nothing stays";
 }
 
 TEST_F(Winding, TooManyCommitsAreRefused) {
@@ -220,13 +220,13 @@ TEST_F(Winding, TooManyCommitsAreRefused) {
 TEST_F(Winding, StepThatDoesNotTurnIsTheSameWithCommitsAndWithout) {
   const auto with = run(twist(0, kCommits));
   EXPECT_EQ(with->mesh.positions, with->original);
-  EXPECT_EQ(with->report.steps[0].commits, 1U);
-  EXPECT_FALSE(with->report.steps[0].wound_degrees.has_value());
+  EXPECT_EQ(with->report.steps[0].deform->commits, 1U);
+  EXPECT_FALSE(with->report.steps[0].deform->wound_degrees.has_value());
 }
 
 TEST_F(Winding, HardConstraintsAreMetExactlyAfterAllParts) {
   const auto result = run(twist(260, R"(, "commit_every": 130, "hard": true)"));
-  EXPECT_LT(result->report.steps[0].certificate.handle_error, 1e-13);
+  EXPECT_LT(result->report.steps[0].deform->certificate.handle_error, 1e-13);
   for (Index v = 0; v < result->mesh.vertex_count(); ++v) {
     if (result->original[v].z() > 0.59) continue;
     EXPECT_EQ(result->mesh.positions[v], result->original[v]) << "of the belt";

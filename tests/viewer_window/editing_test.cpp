@@ -457,7 +457,7 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
 
   CpuKernels kernels;
   const auto replayed = run_recipe(read_recipe(folder_ / "arm.json"), kernels);
-  EXPECT_TRUE(replayed->report.steps.at(0).certificate.settled);
+  EXPECT_TRUE(replayed->report.steps.at(0).deform->certificate.settled);
   const Positions saved = read_mesh(folder_ / "arm.ply").positions;
   EXPECT_LT(test::largest_distance(saved, replayed->mesh.positions), 1e-5 * size);
   EXPECT_GT(test::largest_distance(saved, mesh_.positions), 0.02 * size);

@@ -10,6 +10,7 @@
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/render/render_image.h"
 #include "lapwing/render/surface.h"
+#include "lapwing/session/report.h"
 #include "pose_colors.h"
 #include "progress_display.h"
 
@@ -82,13 +83,10 @@ void print_summary(const RunReport& report) {
   std::printf("%s: %zu vertices, %zu faces\n%s", report.mesh.c_str(), report.vertices, report.faces,
               format_stages(report).c_str());
   for (const StepReport& step : report.steps) {
-    if (step.coat) {
-      print_coat(*step.coat, step.roi, report.bounds.diagonal());
-    } else if (step.transplant) {
-      print_transplant(*step.transplant, report.bounds.diagonal());
-    } else {
-      print_certificate(step.certificate, report.bounds.diagonal());
-    }
+    const double diagonal = report.bounds.diagonal();
+    if (step.deform) print_certificate(step.deform->certificate, diagonal);
+    if (step.coat) print_coat(*step.coat, step.roi, diagonal);
+    if (step.transplant) print_transplant(*step.transplant, diagonal);
   }
   std::printf("  peak memory %.0f MB\n", static_cast<double>(report.peak_memory_bytes) / 1e6);
 }
@@ -143,7 +141,7 @@ void EditOutput::run(const Recipe& recipe) const {
   }
   const auto& steps = result->report.steps;
   if (strict && std::any_of(steps.begin(), steps.end(), [](const StepReport& step) {
-        return !warnings_of(step.certificate).empty();
+        return step.deform && !warnings_of(step.deform->certificate).empty();
       })) {
     std::fprintf(stderr, "lapwing: --strict: the result has warnings, see above\n");
     throw ExitWith{kSolver};

@@ -7,7 +7,7 @@
 #include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 
-#include "lapwing/recipe/key_visitor.h"
+#include "lapwing/step/key_visitor.h"
 #include "step_flags.h"
 
 namespace lapwing::cli {

@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "edit_output.h"
 #include "flag_visitor.h"
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/step.h"
 
 namespace lapwing::cli {
 namespace {

@@ -1,6 +1,6 @@
 #include "state/applied_step.h"
 
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/step/step.h"
 #include "state/command.h"
 
 namespace lapwing::viewer {
@@ -30,7 +30,7 @@ CarriedOut apply_step(const AppState& state, const Step& step,
   result.original = committed.rest->positions;
   CarriedOut out;
   out.report =
-      run_step(step, committed.steps.size() + 1, base_directory, kernels, progress, result);
+      run_step(step, {committed.steps.size() + 1, base_directory, kernels, progress, result});
   out.warnings = std::move(result.report.warnings);
   result.deformed = {};
   out.result = difference(*committed.rest, std::move(result));

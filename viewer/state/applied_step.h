@@ -5,7 +5,7 @@
 
 #include "lapwing/base/progress.h"
 #include "lapwing/kernels/kernels.h"
-#include "lapwing/session/report.h"
+#include "lapwing/step/run_report.h"
 #include "state/app_state.h"
 
 namespace lapwing::viewer {

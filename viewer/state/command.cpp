@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/step.h"
 #include "state/step_words.h"
 
 namespace lapwing::viewer {

@@ -1,6 +1,6 @@
 #include "state/draft.h"
 
-#include "lapwing/session/run_deform.h"
+#include "lapwing/step/step.h"
 #include "state/step_words.h"
 
 namespace lapwing::viewer {
@@ -60,10 +60,11 @@ Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
 Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& progress) {
   RunResult result;
   result.mesh = *state.rest;
-  StepReport report = run_step(open_step(state), state.steps.size() + 1, kernels, progress, result);
+  StepReport report =
+      run_step(open_step(state), {state.steps.size() + 1, {}, kernels, progress, result});
   return {std::make_shared<const MovedVertices>(
               moved_vertices(state.rest->positions, result.mesh.positions)),
-          std::move(report.certificate)};
+          std::move(report.deform->certificate)};
 }
 
 CarryOut carry_out_with(Kernels& kernels, Progress progress) {

@@ -2,67 +2,61 @@
 
 #include <functional>
 
+#include "lapwing/step/key_visitor.h"
+
 namespace lapwing::viewer {
 namespace {
 
 namespace fs = std::filesystem;
 
-// One overload per operation.
-struct StepDescriber {
-  std::string operator()(const DeformRequest&) const { return "deform"; }
-  std::string operator()(const CoatStep& step) const {
-    const fs::path& mesh = step.source.mesh;
-    return mesh.empty() ? "coat" : "coat from " + mesh.filename().string();
-  }
-  std::string operator()(const MixStep& step) const {
-    std::string words = "mix";
-    for (const FileSource& source : step.sources) {
-      words += words == "mix" ? " " : " and ";
-      words += source.mesh.empty() ? "the mesh itself" : source.mesh.filename().string();
-    }
-    return words;
-  }
-  std::string operator()(const TransplantStep& step) const {
-    return step.part.empty() ? "transplant" : "transplant " + step.part.filename().string();
-  }
+// Passes `visit` every file that a step names; an empty path stands for the mesh itself.
+class StepFiles final : public KeyVisitor {
+ public:
+  explicit StepFiles(std::function<void(fs::path&)> visit) : visit_(std::move(visit)) {}
+
+  void file(const StepKey&, fs::path& value) override { visit_(value); }
+  void part(const StepKey&, fs::path& mesh, std::optional<RegionSpec>&) override { visit_(mesh); }
+
+ private:
+  std::function<void(fs::path&)> visit_;
 };
 
-// One overload per operation: `change` has every path that the step names, but for empty ones,
-// which stand for the mesh itself.
-struct PathChanger {
-  std::function<fs::path(const fs::path&)> change;
-
-  void operator()(DeformRequest&) const {}
-  void operator()(CoatStep& step) const { renew(step.source.mesh); }
-  void operator()(MixStep& step) const {
-    for (FileSource& source : step.sources) renew(source.mesh);
-  }
-  void operator()(TransplantStep& step) const { renew(step.part); }
-
-  void renew(fs::path& path) const {
+Step with_paths(Step step, const std::function<fs::path(const fs::path&)>& change) {
+  StepFiles files([&](fs::path& path) {
     if (!path.empty()) path = change(path);
-  }
-};
+  });
+  describe(step, files);
+  return step;
+}
 
 }  // namespace
 
 std::string describe(const Step& step) {
-  return std::visit(StepDescriber{}, step);
+  std::vector<fs::path> paths;
+  StepFiles files([&](const fs::path& path) { paths.push_back(path); });
+  Step copy = step;
+  describe(copy, files);
+  const Operation& operation = operation_of(step);
+  std::string words(operation.name);
+  if (paths.empty() || (paths.size() == 1 && paths.front().empty())) return words;
+  std::string_view before = operation.before_files;
+  for (const fs::path& path : paths) {
+    words.append(before).append(path.empty() ? "the mesh itself" : path.filename().string());
+    before = " and ";
+  }
+  return words;
 }
 
 Step with_absolute_paths(Step step, const fs::path& base_directory) {
-  std::visit(PathChanger{[&](const fs::path& path) {
-               return fs::absolute(base_directory / path).lexically_normal();
-             }},
-             step);
-  return step;
+  return with_paths(std::move(step), [&](const fs::path& path) {
+    return fs::absolute(base_directory / path).lexically_normal();
+  });
 }
 
 Step with_paths_from(Step step, const fs::path& base_directory) {
   const fs::path folder = fs::absolute(base_directory).lexically_normal();
-  std::visit(PathChanger{[&](const fs::path& path) { return path.lexically_proximate(folder); }},
-             step);
-  return step;
+  return with_paths(std::move(step),
+                    [&](const fs::path& path) { return path.lexically_proximate(folder); });
 }
 
 }  // namespace lapwing::viewer

@@ -3,12 +3,9 @@
 #include <filesystem>
 #include <string>
 
-#include "lapwing/recipe/recipe.h"
+#include "lapwing/step/step.h"
 
 namespace lapwing::viewer {
-
-// What differs from one operation to the next as far as the viewer's state goes. A new one is an
-// overload in step_words.cpp.
 
 /// What the history calls it: "coat from gargoyle.off".
 std::string describe(const Step& step);

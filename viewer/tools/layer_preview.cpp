@@ -1,7 +1,7 @@
 #include "tools/layer_preview.h"
 
 #include "lapwing/base/errors.h"
-#include "lapwing/session/run_coat.h"
+#include "lapwing/step/coat_step.h"
 #include "state/command.h"
 
 namespace lapwing::viewer {

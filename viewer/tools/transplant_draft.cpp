@@ -6,7 +6,7 @@
 #include "lapwing/mesh/transform.h"
 #include "lapwing/parts/part_library.h"
 #include "lapwing/region/geodesic.h"
-#include "lapwing/session/run_transplant.h"
+#include "lapwing/step/transplant_step.h"
 #include "lapwing/transplant/place_at.h"
 #include "lapwing/transplant/placed_part.h"
 

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <imgui.h>
 
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/step.h"
 #include "ui/choose.h"
 #include "ui/panels.h"
 #include "ui/parameter_panel.h"

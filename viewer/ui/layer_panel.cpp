@@ -1,7 +1,7 @@
 #include <imgui.h>
 #include <utility>
 
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/step.h"
 #include "state/step_words.h"
 #include "ui/choose.h"
 #include "ui/domain_picture.h"

@@ -3,7 +3,7 @@
 #include <imgui_stdlib.h>
 #include <optional>
 
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/step.h"
 #include "state/step_words.h"
 #include "ui/choose.h"
 #include "ui/panels.h"

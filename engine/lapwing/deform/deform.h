@@ -17,21 +17,25 @@
 
 namespace lapwing {
 
-/// What `deform` makes of a mesh.
-struct Deformed {
-  Mesh mesh;  ///< the one given, with other positions
-  /// Of all parts as one, from the surface before the request to the one after it; residual and
-  /// settling are the worst of the parts, the iterations those of all.
-  Certificate certificate;
-  /// For a person: what is not as it should be, where, and what to change. Empty when all is well.
-  std::vector<std::string> warnings;
-  EditRegion region;          ///< the vertices that the request's regions chose
-  std::size_t free = 0;       ///< vertices that are neither handle nor belt
+/// How a deform was carried out, and how well.
+struct DeformReport {
+  std::string solver;
   double turn_degrees = 0.0;  ///< the largest turn of a handle, as written: 260 is 260
   /// How far the surface came out wound about the same axis (winding.h).
   std::optional<double> wound_degrees = {};
   std::size_t commits = 1;  ///< parts it was carried out in, each the rest shape of the next
-  std::string solver;
+  /// Of all parts as one, from the surface before the request to the one after it; residual and
+  /// settling are the worst of the parts, the iterations those of all.
+  Certificate certificate;
+};
+
+/// What `deform` makes of a mesh.
+struct Deformed : DeformReport {
+  Mesh mesh;  ///< the one given, with other positions
+  /// For a person: what is not as it should be, where, and what to change. Empty when all is well.
+  std::vector<std::string> warnings;
+  EditRegion region;     ///< the vertices that the request's regions chose
+  std::size_t free = 0;  ///< vertices that are neither handle nor belt
   StageTimings timings;  ///< of all parts together
 };
 

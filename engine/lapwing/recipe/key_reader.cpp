@@ -5,7 +5,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/recipe/read_region.h"
 #include "lapwing/recipe/read_value.h"
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/key_visitor.h"
 
 namespace lapwing {
 namespace {

@@ -1,5 +1,7 @@
 #include "lapwing/recipe/key_table.h"
 
+#include "lapwing/step/key_visitor.h"
+
 namespace lapwing {
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/step.h"
 
 namespace lapwing {
 

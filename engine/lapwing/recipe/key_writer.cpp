@@ -1,6 +1,6 @@
 #include "lapwing/recipe/key_writer.h"
 
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/key_visitor.h"
 
 namespace lapwing {
 namespace {

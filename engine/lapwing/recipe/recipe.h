@@ -1,44 +1,16 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "lapwing/coating/coat_request.h"
-#include "lapwing/deform/deform_request.h"
-#include "lapwing/region/region_spec.h"
-#include "lapwing/transplant/transplant_request.h"
+#include "lapwing/step/step.h"
 
 namespace lapwing {
 
 /// The version of the format that this program reads and writes, the file's "lapwing".
 inline constexpr int kRecipeVersion = 1;
-
-/// A source with its file.
-struct FileSource : CoatSource {
-  /// As written; empty: the mesh that the step is carried out on, as it is before the step.
-  std::filesystem::path mesh;
-  bool operator==(const FileSource&) const = default;
-};
-
-/// {"op": "coat"}: put the fine detail of a patch of one mesh on a patch of the mesh.
-using CoatStep = CoatOf<FileSource>;
-
-/// {"op": "mix"}: mix two surfaces on a patch of the mesh.
-using MixStep = MixOf<FileSource>;
-
-/// {"op": "transplant"}: put a part of another mesh in the place of a region of the mesh.
-struct TransplantStep : TransplantRequest {
-  std::filesystem::path part;  ///< as written; empty: the mesh itself, before the step
-  bool operator==(const TransplantStep&) const = default;
-};
-
-/// One operation of a recipe. A new one is a type here, its `describe` and a line in
-/// operations.cpp.
-using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep>;
 
 /// A whole edit: a mesh, what is done to it, and where the result goes.
 struct Recipe {

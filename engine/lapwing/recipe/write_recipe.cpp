@@ -5,7 +5,6 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/recipe/key_writer.h"
-#include "lapwing/recipe/step_keys.h"
 
 namespace lapwing {
 namespace {

@@ -91,15 +91,6 @@ Json as_json(const CoatReport& coat) {
   return json;
 }
 
-Json coat_step_as_json(const StepReport& step) {
-  Json json = {{"op", step.op}, {"roi", step.roi}, {"free", step.free}, {"belt", step.belt}};
-  if (!step.handles.empty()) json["handles"] = step.handles;
-  json["timings_ms"] = as_json(step.timings);
-  json[step.op] = as_json(*step.coat);
-  if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
-  return json;
-}
-
 Json as_json(const TransplantReport& transplant) {
   Json place = Json::array();
   for (const auto row : transplant.place.rowwise()) {
@@ -124,32 +115,30 @@ Json as_json(const TransplantReport& transplant) {
           {"largest_displacement_vertex", vertex(transplant.largest_displacement_vertex)}};
 }
 
-Json as_json(const StepReport& step) {
-  if (step.transplant) {
-    Json json = {{"op", step.op},
-                 {"roi", step.roi},
-                 {"free", step.free},
-                 {"belt", step.belt},
-                 {"timings_ms", as_json(step.timings)},
-                 {"transplant", as_json(*step.transplant)}};
-    if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
-    return json;
-  }
-  if (step.coat) return coat_step_as_json(step);
+void append(const StepReport& step, const DeformReport& deform, Json& json) {
   std::size_t handle = 0;
   for (const std::size_t count : step.handles) handle += count;
-  Json json = {{"op", step.op},
-               {"roi", step.roi},
-               {"free", step.free},
-               {"handle", handle},
-               {"handles", step.handles},
-               {"belt", step.belt},
-               {"solver", step.solver},
-               {"turn_degrees", number(step.turn_degrees)},
-               {"wound_degrees", step.wound_degrees ? number(*step.wound_degrees) : Json(nullptr)},
-               {"commits", step.commits},
-               {"timings_ms", as_json(step.timings)},
-               {"certificate", as_json(step.certificate)}};
+  json["handle"] = handle;
+  json["handles"] = step.handles;
+  json["belt"] = step.belt;
+  json["solver"] = deform.solver;
+  json["turn_degrees"] = number(deform.turn_degrees);
+  json["wound_degrees"] = deform.wound_degrees ? number(*deform.wound_degrees) : Json(nullptr);
+  json["commits"] = deform.commits;
+}
+
+Json as_json(const StepReport& step) {
+  Json json = {{"op", step.op}, {"roi", step.roi}, {"free", step.free}};
+  if (step.deform) {
+    append(step, *step.deform, json);
+  } else {
+    json["belt"] = step.belt;
+    if (!step.handles.empty()) json["handles"] = step.handles;
+  }
+  json["timings_ms"] = as_json(step.timings);
+  if (step.deform) json["certificate"] = as_json(step.deform->certificate);
+  if (step.coat) json[step.op] = as_json(*step.coat);
+  if (step.transplant) json[step.op] = as_json(*step.transplant);
   if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
   return json;
 }
@@ -193,8 +182,14 @@ std::string format_stages(const RunReport& report) {
   for (std::size_t i = 0; i < report.steps.size(); ++i) {
     const StepReport& step = report.steps[i];
     text += "step " + std::to_string(i + 1) + ", " + step.op + ": " + std::to_string(step.free) +
-            " free vertices" + (step.solver.empty() ? "" : ", solver " + step.solver) +
-            (step.commits > 1 ? ", " + std::to_string(step.commits) + " commits" : "") + "\n";
+            " free vertices";
+    if (step.deform) {
+      text += ", solver " + step.deform->solver;
+      if (step.deform->commits > 1) {
+        text += ", " + std::to_string(step.deform->commits) + " commits";
+      }
+    }
+    text += "\n";
     append_stages(step.timings, text);
   }
   return text;

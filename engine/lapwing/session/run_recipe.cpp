@@ -7,10 +7,6 @@
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/topology.h"
-#include "lapwing/session/run_coat.h"
-#include "lapwing/session/run_deform.h"
-#include "lapwing/session/run_mix.h"
-#include "lapwing/session/run_transplant.h"
 
 namespace lapwing {
 namespace {
@@ -53,7 +49,9 @@ template <class SomeStep>
 VertexMeasures measure_step(const SomeStep& step, const Positions& before,
                             const RunResult& result) {
   const Topology& topology = result.mesh.topology();
-  const auto weights = laplacian_weights(topology, before, step.parameters.weights);
+  LaplacianWeights chosen = DeformParameters{}.weights;
+  if constexpr (requires { step.parameters.weights; }) chosen = step.parameters.weights;
+  const auto weights = laplacian_weights(topology, before, chosen);
   return measure_vertices(result.region.roi, topology, weights, before, result.mesh.positions);
 }
 
@@ -61,37 +59,7 @@ bool changed_triangles(const StepReport& report) {
   return report.transplant || (report.coat && report.coat->vertices_before_remeshing > 0);
 }
 
-// One overload per operation.
-struct Runner {
-  std::size_t number;
-  const std::filesystem::path& base_directory;
-  Kernels& kernels;
-  const Progress& progress;
-  RunResult& result;
-
-  StepReport operator()(const DeformRequest& step) const {
-    return run_step(step, number, kernels, progress, result);
-  }
-  StepReport operator()(const CoatStep& step) const { return run_whole(step); }
-  StepReport operator()(const MixStep& step) const { return run_whole(step); }
-  StepReport operator()(const TransplantStep& step) const { return run_whole(step); }
-
- private:
-  // A step that leaves no deformer behind, and may change the triangles.
-  template <class SomeStep>
-  StepReport run_whole(const SomeStep& step) const {
-    result.deformed = {};
-    return run_step(step, base_directory, kernels, progress, result);
-  }
-};
-
 }  // namespace
-
-StepReport run_step(const Step& step, std::size_t number,
-                    const std::filesystem::path& base_directory, Kernels& kernels,
-                    const Progress& progress, RunResult& result) {
-  return std::visit(Runner{number, base_directory, kernels, progress, result}, step);
-}
 
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress, const RunOptions& options) {
@@ -102,7 +70,7 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
     const std::size_t number = result->report.steps.size() + 1;
     const Positions before = options.measure_vertices ? result->mesh.positions : Positions{};
     result->report.steps.push_back(
-        run_step(step, number, recipe.base_directory, kernels, progress, *result));
+        run_step(step, {number, recipe.base_directory, kernels, progress, *result}));
     StepReport& report = result->report.steps.back();
     if (!options.measure_vertices || changed_triangles(report)) continue;
     stage("measure_vertices", report.timings, progress, [&] {
@@ -121,8 +89,7 @@ void save_result(RunResult& result, const std::filesystem::path& path) {
   for (const std::string& line : written.not_carried) {
     result.report.warnings.push_back("not carried over: " + line);
   }
-  result.report.warnings.insert(result.report.warnings.end(), written.notes.begin(),
-                                written.notes.end());
+  result.warn(written.notes);
 }
 
 }  // namespace lapwing

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/session/run_recipe.h"
+#include "lapwing/step/step.h"
 #include "run/stages.h"
 
 namespace lapwing::bench {
@@ -69,7 +69,7 @@ void measure_step(BenchRun& run, const Subject& subject, const std::string& stag
     RunResult result;
     run.measure(
         stage, kLapwing, device, subject,
-        [&] { run_step(step, 1, "", *device.kernels, {}, result); },
+        [&] { run_step(step, {1, "", *device.kernels, {}, result}); },
         [&] {
           result = {};
           result.mesh = subject.mesh;

@@ -183,7 +183,7 @@ struct Classic {
 
 Row row_of(const std::string& name, const RunResult& result) {
   const StepReport& step = result.report.steps.at(0);
-  const Certificate& c = step.certificate;
+  const Certificate& c = step.deform->certificate;
   const auto weights =
       laplacian_weights(result.mesh.topology(), result.original, LaplacianWeights::uniform);
   Row row{name + (c.settled ? "" : ", cut short"),

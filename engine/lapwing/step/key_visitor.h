@@ -12,7 +12,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "lapwing/recipe/recipe.h"
+#include "lapwing/coating/coat_request.h"
+#include "lapwing/deform/deform_request.h"
+#include "lapwing/region/region_spec.h"
+#include "lapwing/transplant/transplant_request.h"
 
 namespace lapwing {
 
@@ -75,7 +78,7 @@ struct ListWords {
 };
 
 /// Goes through the keys of a step, in the order of the reference: reads them, writes them, makes
-/// flags of them. What a key is, is said once, by the `describe` of its step (step_keys.h).
+/// flags of them. What a key is, is said once, by the `describe` of its step (step.h).
 class KeyVisitor {
  public:
   virtual ~KeyVisitor() = default;

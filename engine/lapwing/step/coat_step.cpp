@@ -1,4 +1,11 @@
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/coat_step.h"
+
+#include "lapwing/base/stage.h"
+#include "lapwing/coating/prepared_coat.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/step/deform_step.h"
+#include "lapwing/step/key_visitor.h"
+#include "lapwing/step/step_run.h"
 
 namespace lapwing {
 namespace {
@@ -72,6 +79,45 @@ void require_pairs(const CoatSource& source, Domain domain, const std::string& p
       domain == Domain::disk
           ? "the disk takes one pair of boundary vertices, got " + got
           : "the square takes four pairs of boundary vertices, in order around, got " + got);
+}
+
+std::vector<SharedSource> read_sources(std::span<const FileSource> sources, const StepRun& on,
+                                       StageTimings& timings) {
+  std::vector<SharedSource> meshes;
+  stage("source", timings, on.progress,
+        [&] { meshes = read_source_meshes(sources, on.base_directory); });
+  return meshes;
+}
+
+// Leaves what `coat` came to at `positions` in `result`: mesh, region and warnings. `timings` are
+// those of what went before.
+StepReport take_over(const LayeredCoat& coat, StageTimings timings, Positions positions,
+                     RunResult& result) {
+  StepReport report;
+  report.roi = coat.target_patch().vertices.size();
+  report.belt = coat.target_patch().loop.size();
+  report.free = coat.free_count();
+  report.timings = std::move(timings);
+  const StageTimings own = coat.timings();
+  for (const auto& [name, ms] : own.stages()) report.timings.add(name, ms);
+  report.coat = coat.report(positions);
+  result.region = {coat.target_patch().vertices, border_of(coat.target_patch()), {}};
+  for (const TargetHandle& handle : coat.handles()) {
+    report.handles.push_back(handle.vertices.size());
+    result.region.handles.push_back(handle.vertices);
+  }
+  result.warn(coat.warnings());
+  if (const RemeshResult* remeshed = coat.remeshed()) {
+    // What was read of vertices that are new is where they are.
+    Positions original = remeshed->mesh.positions;
+    for (std::size_t v = 0; v < original.size(); ++v) {
+      if (remeshed->kept[v] != kNoIndex) original[v] = result.original[remeshed->kept[v]];
+    }
+    result.original = std::move(original);
+    result.mesh = remeshed->mesh;
+  }
+  result.mesh.positions = std::move(positions);
+  return report;
 }
 
 }  // namespace
@@ -176,6 +222,33 @@ void describe(MixStep& step, KeyVisitor& visitor) {
     require_pairs(step.sources[k], domain, "sources/" + std::to_string(k) + "/boundary_pairs",
                   visitor);
   }
+}
+
+std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources,
+                                             const std::filesystem::path& base_directory) {
+  std::vector<SharedSource> meshes;
+  for (const FileSource& source : sources) {
+    meshes.push_back(source.mesh.empty()
+                         ? nullptr
+                         : std::make_shared<const Mesh>(read_mesh(base_directory / source.mesh)));
+  }
+  return meshes;
+}
+
+StepReport run_step(const CoatStep& step, const StepRun& on) {
+  StageTimings timings;
+  const std::vector<SharedSource> sources = read_sources({&step.source, 1}, on, timings);
+  const PreparedCoat coat({step.source, step.target_patch, step.parameters, step.where},
+                          on.result.mesh, sources.front(), on.kernels, on.progress);
+  return take_over(coat.layers(), std::move(timings), coat.positions(step.source.amplitude),
+                   on.result);
+}
+
+StepReport run_step(const MixStep& step, const StepRun& on) {
+  StageTimings timings;
+  const std::vector<SharedSource> sources = read_sources(step.sources, on, timings);
+  const LayeredCoat mix(layered(step), on.result.mesh, sources, on.kernels, on.progress);
+  return take_over(mix, std::move(timings), mix.positions(1.0), on.result);
 }
 
 }  // namespace lapwing

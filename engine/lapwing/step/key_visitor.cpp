@@ -1,4 +1,4 @@
-#include "lapwing/recipe/key_visitor.h"
+#include "lapwing/step/key_visitor.h"
 
 #include <charconv>
 

@@ -1,7 +1,41 @@
+#include "lapwing/step/deform_step.h"
+
+#include <cmath>
+
+#include "lapwing/base/errors.h"
 #include "lapwing/deform/turn_tracker.h"
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/key_visitor.h"
+#include "lapwing/step/step_run.h"
 
 namespace lapwing {
+namespace {
+
+class Validation final : public KeyVisitor {
+ public:
+  void number(const StepKey& key, double& value, const Range& range) override {
+    if (range.contains(value) && std::isfinite(value)) return;
+    throw InputError(std::string(key.name) + ": expected " + range.words() + ", got " +
+                     std::to_string(value));
+  }
+  void number(const StepKey& key, std::optional<double>& value, const Range& range) override {
+    if (value) number(key, *value, range);
+  }
+  void whole(const StepKey& key, int& value, const Range& range) override {
+    double count = value;
+    number(key, count, range);
+  }
+
+ protected:
+  bool enter(const StepKey&, bool& given, ObjectForm, bool) override { return given; }
+};
+
+}  // namespace
+
+void describe(LaplacianWeights& weights, KeyVisitor& visitor) {
+  visitor.choice(
+      {.name = "weights", .help = "of the Laplacians"}, weights,
+      {{LaplacianWeights::uniform, "uniform"}, {LaplacianWeights::cotangent, "cotangent"}});
+}
 
 void describe(SettleOptions& settle, KeyVisitor& visitor) {
   visitor.number({.name = "tolerance",
@@ -66,6 +100,29 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                     "a matrix that mirrors cannot be carried out in parts; leave out "
                     "\"commit_every\"");
   }
+}
+
+StepReport run_step(const DeformRequest& step, const StepRun& on) {
+  DeformRequest named = step;
+  named.where = "step " + std::to_string(on.number);
+  RunResult& result = on.result;
+  Deformed done = deform(std::move(result.mesh), named, on.kernels, result.deformed, on.progress);
+  result.mesh = std::move(done.mesh);
+  result.warn(done.warnings);
+  StepReport report;
+  report.roi = done.region.roi.size();
+  report.free = done.free;
+  report.belt = done.region.belt.size();
+  for (const VertexSet& handle : done.region.handles) report.handles.push_back(handle.size());
+  report.timings = std::move(done.timings);
+  result.region = std::move(done.region);
+  report.deform = std::move(done);
+  return report;
+}
+
+void require_valid(DeformParameters parameters) {
+  Validation validation;
+  describe(parameters, validation);
 }
 
 }  // namespace lapwing

@@ -1,4 +1,11 @@
-#include "lapwing/recipe/step_keys.h"
+#include "lapwing/step/transplant_step.h"
+
+#include "lapwing/base/stage.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/step/deform_step.h"
+#include "lapwing/step/key_visitor.h"
+#include "lapwing/step/step_run.h"
+#include "lapwing/transplant/transplant.h"
 
 namespace lapwing {
 
@@ -62,6 +69,38 @@ void describe(TransplantStep& step, KeyVisitor& visitor) {
                   .required = true},
                  step.target_region);
   describe(step.parameters, visitor);
+}
+
+std::optional<Mesh> read_part_mesh(const TransplantStep& step,
+                                   const std::filesystem::path& base_directory) {
+  if (step.part.empty()) return std::nullopt;
+  return read_mesh(base_directory / step.part);
+}
+
+StepReport run_step(const TransplantStep& step, const StepRun& on) {
+  RunResult& result = on.result;
+  StepReport report;
+  std::optional<Mesh> read;
+  stage("part", report.timings, on.progress,
+        [&] { read = read_part_mesh(step, on.base_directory); });
+  const Mesh& part = read ? *read : result.mesh;
+  const std::string name = read ? step.part.stem().string() : "part";
+  Transplanted done = transplant(result.mesh, part, name, step, on.kernels, on.progress);
+  for (const auto& [stage_name, ms] : done.timings.stages()) report.timings.add(stage_name, ms);
+  result.warn(done.warnings);
+  report.roi = done.region.size();
+  report.belt = done.belt.size();
+  report.free = report.roi - report.belt;
+  report.transplant = std::move(done.report);
+  Positions original = std::move(done.placed);
+  for (std::size_t v = 0; v < original.size(); ++v) {
+    const Index host = done.host_vertices[v];
+    if (host != kNoIndex) original[v] = result.original[host];
+  }
+  result.original = std::move(original);
+  result.mesh = std::move(done.mesh);
+  result.region = {std::move(done.region), std::move(done.belt), {}};
+  return report;
 }
 
 }  // namespace lapwing

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "lapwing/deform/deform_request.h"
+#include "lapwing/step/operation_words.h"
+
+namespace lapwing {
+
+/// {"op": "deform"}: bend a region by its handles. The step is a DeformRequest.
+constexpr OperationWords words_of(const DeformRequest*) {
+  return {"deform", "bend a region by its handles"};
+}
+void describe(DeformRequest& step, KeyVisitor& visitor);
+StepReport run_step(const DeformRequest& step, const StepRun& on);
+
+/// The keys of parts of it, which panels show.
+void describe(DeformParameters& parameters, KeyVisitor& visitor);
+void describe(SettleOptions& settle, KeyVisitor& visitor);
+void describe(LaplacianWeights& weights, KeyVisitor& visitor);
+
+/// Throws InputError, naming the key and what it takes, for a number that a recipe would refuse.
+void require_valid(DeformParameters parameters);
+
+}  // namespace lapwing

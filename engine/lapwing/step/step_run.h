@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/mesh/mesh.h"
+#include "lapwing/region/edit_region.h"
+#include "lapwing/step/run_report.h"
+
+namespace lapwing {
+
+/// What the steps that ran so far leave behind.
+struct RunResult {
+  Mesh mesh;  ///< with the edited positions
+  /// The positions that were read, per vertex of `mesh`; a vertex that a step made is where it was
+  /// made.
+  Positions original;
+  /// What the last step leaves if that is a deform; empty after any other.
+  DeformWorkspace deformed;
+  /// What the last step concerned; nothing without steps.
+  EditRegion region;
+  RunReport report;
+
+  void warn(std::span<const std::string> texts) {
+    report.warnings.insert(report.warnings.end(), texts.begin(), texts.end());
+  }
+};
+
+/// One step on its way: what it is carried out with and on. Each step changes the mesh, the
+/// original, the region and the warnings of `result`.
+struct StepRun {
+  std::size_t number;                           ///< of the step in its recipe, from 1
+  const std::filesystem::path& base_directory;  ///< where the files that it names are looked for
+  Kernels& kernels;
+  const Progress& progress;
+  RunResult& result;
+};
+
+}  // namespace lapwing
