@@ -9,7 +9,6 @@
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/prepared_region.h"
-#include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/render/surface.h"
 #include "lapwing/settle/settle.h"
 #include "run/edit_parts.h"
@@ -37,22 +36,15 @@ std::shared_ptr<BlendResponse> uploaded(const DragResponse& response, const Subj
   return upload_response(device.context, response.columns(), subject.mesh.topology());
 }
 
-// A drag as a person sees it: the vertices follow by a response, and their normals them. On a
-// device that can draw they do in the surface that is drawn, else in double precision.
+// A drag as a person sees it: the vertices follow by a response, and their normals them, in the
+// surface that is drawn. Without a device that can draw, the vertices alone in double precision.
 class ShownDrag {
  public:
   ShownDrag(const Subject& subject, const BenchDevice& device,
             std::shared_ptr<const DragResponse> response)
-      : subject_(subject),
-        drag_(std::move(response)),
-        blend_(uploaded(*drag_.response(), subject, device)) {
-    if (device.context == nullptr) {
-      positions_ = subject.mesh.positions;
-      normals_.resize(positions_.size());
-      moved_ =
-          with_ring_neighbours(drag_.response()->columns().moving, subject.mesh.topology().rings);
-      return;
-    }
+      : drag_(std::move(response)), blend_(uploaded(*drag_.response(), subject, device)) {
+    positions_ = subject.mesh.positions;
+    if (device.context == nullptr) return;
     surface_.emplace(device.context, subject.mesh.positions, subject.mesh.topology());
     surface_->begin(*blend_, subject.mesh.positions);
   }
@@ -64,22 +56,17 @@ class ShownDrag {
       return;
     }
     drag_.move(motions, positions_);
-    vertex_normals(positions_, subject_.mesh.topology().triangles,
-                   subject_.mesh.topology().vertex_triangles, moved_, normals_);
   }
 
  private:
-  const Subject& subject_;
   Drag drag_;
   std::shared_ptr<BlendResponse> blend_;
   std::optional<Surface> surface_;
   Positions positions_;
-  std::vector<Eigen::Vector3d> normals_;
-  std::vector<Index> moved_;
 };
 
-// What a frame must read and write at least: blend (columns, rest, numbers, positions), then
-// normals (numbers, fans, positions, normals). Twelve columns, all in use.
+// What a frame must read and write at least: blend (columns, rest, numbers, positions), and where
+// it is drawn normals (numbers, fans, positions, normals). Twelve columns, all in use.
 std::uint64_t blend_bytes(const Subject& subject, bool on_device) {
   const std::uint64_t n = subject.vertices();
   const std::uint64_t number = on_device ? sizeof(float) : sizeof(double);
@@ -87,16 +74,10 @@ std::uint64_t blend_bytes(const Subject& subject, bool on_device) {
   return n * (36 * number + rest + sizeof(Index) + 3 * number);
 }
 
-std::uint64_t normals_bytes(const Subject& subject, bool on_device) {
+std::uint64_t normals_bytes(const Subject& subject) {
   const std::uint64_t n = subject.vertices();
-  const std::uint64_t vector = on_device ? 4 * sizeof(float) : 3 * sizeof(double);
   const std::uint64_t corners = subject.mesh.topology().vertex_triangles.values.size();
-  // The device reads fans; the processor each triangle, and which are around a vertex.
-  const std::uint64_t triangles =
-      on_device
-          ? sizeof(Index) * (corners + n)
-          : sizeof(Index) * corners + sizeof(Triangle) * subject.mesh.topology().triangles.size();
-  return triangles + n * (2 * sizeof(Index) + 2 * vector);
+  return sizeof(Index) * (corners + n) + n * (2 * sizeof(Index) + 8 * sizeof(float));
 }
 
 Measurement* measure_frame(BenchRun& run, const Subject& subject, const BenchDevice& device,
@@ -104,7 +85,8 @@ Measurement* measure_frame(BenchRun& run, const Subject& subject, const BenchDev
   const bool on_device = device.context != nullptr;
   Measurement* const row = run.measure(stage, kLapwing, device, subject, frame);
   if (row != nullptr) {
-    row->counts["bytes"] = blend_bytes(subject, on_device) + normals_bytes(subject, on_device);
+    row->counts["bytes"] =
+        blend_bytes(subject, on_device) + (on_device ? normals_bytes(subject) : 0);
   }
   return row;
 }
@@ -130,7 +112,7 @@ void measure_shader_frame(BenchRun& run, const Subject& subject, const BenchDevi
   };
   if (measure_frame(run, subject, staged, "shader frame", frame) == nullptr) return;
   run.add_kernel("blend_response", blend_bytes(subject, true));
-  run.add_kernel("vertex_normals", normals_bytes(subject, true));
+  run.add_kernel("vertex_normals", normals_bytes(subject));
 }
 
 void measure_preview(BenchRun& run, const Subject& subject, const BenchDevice& device) {
