@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "lapwing/doctor/fans.h"
+#include "lapwing/mesh/fans.h"
 #include "lapwing/mesh/edges.h"
 #include "lapwing/remesh/isotropic.h"
 

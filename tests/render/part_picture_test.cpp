@@ -5,7 +5,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 #include "lapwing/transplant/cut.h"
 #include "render/picture.h"
 #include "support/gpu.h"

@@ -9,7 +9,7 @@
 
 #include "lapwing/doctor/check.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 #include "lapwing/transplant/join.h"
 #include "lapwing/transplant/zip.h"
 

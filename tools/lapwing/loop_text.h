@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 
 namespace lapwing::cli {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/doctor/fans.h"
+#include "lapwing/mesh/fans.h"
 #include "lapwing/doctor/mend_faces.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/doctor/repeated_faces.h"

@@ -8,7 +8,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/union_find.h"
-#include "lapwing/doctor/fans.h"
+#include "lapwing/mesh/fans.h"
 #include "lapwing/doctor/mend_faces.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/doctor/repeated_faces.h"

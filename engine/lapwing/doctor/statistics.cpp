@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/doctor/fans.h"
+#include "lapwing/mesh/fans.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/mesh/edges.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lapwing/io/mesh_file.h"
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 
 namespace lapwing {
 

@@ -5,6 +5,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/patch/halve_chords.h"
+#include "lapwing/region/boundary_loops.h"
 #include "lapwing/region/disk_report.h"
 #include "lapwing/region/largest_disk.h"
 
@@ -28,24 +29,6 @@ namespace {
                    std::to_string(inside) + " of its " + std::to_string(size) + " vertices");
 }
 
-// From the smallest vertex on. Boundary sides run with the patch on their left.
-std::vector<Index> boundary_loop(std::span<const Triangle> triangles, const Adjacency& sides,
-                                 std::size_t vertex_count) {
-  std::vector<Index> next(vertex_count, kNoIndex);
-  std::size_t length = 0;
-  for (std::size_t e = 0; e < sides.row_count(); ++e) {
-    if (sides.size(e) != 1) continue;
-    next[side_start(triangles, sides[e][0])] = side_end(triangles, sides[e][0]);
-    ++length;
-  }
-  std::vector<Index> loop;
-  loop.reserve(length);
-  Index v = 0;
-  while (next[v] == kNoIndex) ++v;
-  for (; loop.size() < length; v = next[v]) loop.push_back(v);
-  return loop;
-}
-
 }  // namespace
 
 Index Patch::own_number(Index mesh_vertex) const {
@@ -65,7 +48,7 @@ Patch disk_patch(const VertexSet& region, const Topology& topology,
   patch.vertices = std::move(part.vertices);
   patch.triangles = std::move(part.triangles);
   patch.triangle_sources = std::move(part.sources);
-  patch.loop = boundary_loop(patch.triangles, sides, patch.vertices.size());
+  patch.loop = boundary_loops(patch.triangles, sides, where).front();
   halve_chords(patch, sides);
   return patch;
 }

@@ -4,8 +4,9 @@
 #include <map>
 
 #include "lapwing/base/union_find.h"
-#include "lapwing/mesh/edges.h"
+#include "lapwing/mesh/fans.h"
 #include "lapwing/mesh/triangle_sides.h"
+#include "lapwing/region/boundary_loops.h"
 
 namespace lapwing {
 namespace {
@@ -17,11 +18,12 @@ class Linker {
   Linker(const RegionTriangles& part, const Adjacency& sides)
       : part_(part),
         sides_(sides),
-        fans_(3 * part.triangles.size()),
+        fans_(linked_fans(
+            sides, 3 * part.triangles.size(),
+            [&](Index c) { return side_start(part.triangles, c); }, next)),
         pieces_(part.triangles.size()) {
     for (std::size_t e = 0; e < sides.row_count(); ++e) {
-      const auto on_edge = sides[e];
-      for (std::size_t k = 1; k < on_edge.size(); ++k) link(on_edge[0], on_edge[k]);
+      for (const Index side : sides[e]) pieces_.unite(sides[e][0] / 3, side / 3);
     }
   }
 
@@ -40,11 +42,8 @@ class Linker {
 
   // A pinched vertex counts as one vertex per fan.
   std::vector<DiskReport::Loop> loops() {
-    UnionFind joined(3 * part_.triangles.size());
-    for (std::size_t e = 0; e < sides_.row_count(); ++e) {
-      if (sides_.size(e) == 1)
-        joined.unite(fans_.find(sides_[e][0]), fans_.find(next(sides_[e][0])));
-    }
+    UnionFind joined = linked_loops(
+        sides_, 3 * part_.triangles.size(), [&](Index c) { return fans_.find(c); }, next);
     std::map<Index, DiskReport::Loop> found;
     for (std::size_t e = 0; e < sides_.row_count(); ++e) {
       if (sides_.size(e) != 1) continue;
@@ -77,13 +76,6 @@ class Linker {
  private:
   static Index next(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
   Index mesh_number(Index own) const { return part_.vertices[own]; }
-
-  void link(Index side, Index other) {
-    pieces_.unite(side / 3, other / 3);
-    const bool same_way = side_start(part_.triangles, side) == side_start(part_.triangles, other);
-    fans_.unite(side, same_way ? other : next(other));
-    fans_.unite(next(side), same_way ? next(other) : other);
-  }
 
   template <class Part>
   static std::vector<Part> by_vertex(const std::map<Index, Part>& found) {
@@ -157,7 +149,7 @@ DiskReport report_disk(const RegionTriangles& part, const Adjacency& sides) {
   }
   const auto edges = static_cast<long>(sides.row_count());
   const auto triangles = static_cast<long>(part.triangles.size());
-  report.euler_characteristic = static_cast<long>(part.vertices.size()) - edges + triangles;
+  report.euler_characteristic = euler_characteristic(part.triangles, sides);
   if (report.crowded_edges.empty() && report.turned_edges.empty()) {
     // Euler's formula for each piece, its pinched vertices taken apart: V - E + F = 2 - 2 g -
     // loops.

@@ -31,32 +31,39 @@ std::vector<Index> shortest_edge_path(const Topology& topology,
                                       Index to) {
   require_end(topology, from);
   require_end(topology, to);
+  return shortest_edge_path(topology.rings, positions, {&from, 1},
+                            {[&](Index v) { return v == to; }, [](Index) { return true; }});
+}
+
+std::vector<Index> shortest_edge_path(const Adjacency& rings,
+                                      std::span<const Eigen::Vector3d> positions,
+                                      std::span<const Index> starts, const PathSearch& search) {
   // A map, not an array per vertex: the paths of a loop are short on a large mesh.
   std::unordered_map<Index, Reached> reached;
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  reached[from] = {0.0, kNoIndex};
-  queue.emplace(0.0, from);
+  const auto offer = [&](Index v, double distance, Index from) {
+    Reached& there = reached[v];
+    if (!(distance < there.distance)) return;
+    there = {distance, from};
+    queue.emplace(distance, v);
+  };
+  for (const Index v : starts) offer(v, 0.0, kNoIndex);
   while (!queue.empty()) {
     const auto [distance, v] = queue.top();
     queue.pop();
-    if (v == to) break;
     if (distance > reached[v].distance) continue;
-    for (const Index w : topology.rings[v]) {
-      const double longer = distance + (positions[w] - positions[v]).norm();
-      Reached& there = reached[w];
-      if (longer < there.distance) {
-        there = {longer, v};
-        queue.emplace(longer, w);
-      }
+    if (search.ends_at(v)) {
+      std::vector<Index> path;
+      for (Index at = v; at != kNoIndex; at = reached[at].from) path.push_back(at);
+      std::reverse(path.begin(), path.end());
+      return path;
+    }
+    for (const Index w : rings[v]) {
+      if (search.may_reach(w)) offer(w, distance + (positions[w] - positions[v]).norm(), v);
     }
   }
-  std::vector<Index> path;
-  const auto end = reached.find(to);
-  if (end == reached.end()) return path;
-  for (Index v = to; v != kNoIndex; v = reached[v].from) path.push_back(v);
-  std::reverse(path.begin(), path.end());
-  return path;
+  return {};
 }
 
 }  // namespace lapwing

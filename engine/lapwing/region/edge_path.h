@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -13,5 +14,15 @@ namespace lapwing {
 std::vector<Index> shortest_edge_path(const Topology& topology,
                                       std::span<const Eigen::Vector3d> positions, Index from,
                                       Index to);
+
+/// A search for a path over `rings`.
+struct PathSearch {
+  std::function<bool(Index)> ends_at;
+  std::function<bool(Index)> may_reach;  ///< beside the starts
+};
+/// The shortest path from one of `starts` to the nearest vertex where the search ends.
+std::vector<Index> shortest_edge_path(const Adjacency& rings,
+                                      std::span<const Eigen::Vector3d> positions,
+                                      std::span<const Index> starts, const PathSearch& search);
 
 }  // namespace lapwing

@@ -96,17 +96,6 @@ class Parting {
   std::vector<char> is_core_;
 };
 
-long euler_characteristic(std::span<const Triangle> triangles, std::size_t vertex_count) {
-  std::vector<char> used(vertex_count, 0);
-  for (const Triangle& corners : triangles) {
-    for (const Index v : corners) used[v] = 1;
-  }
-  const auto vertices = std::count(used.begin(), used.end(), 1);
-  const auto edges = sides_by_edge(triangles, vertex_count).row_count();
-  return static_cast<long>(vertices) - static_cast<long>(edges) +
-         static_cast<long>(triangles.size());
-}
-
 BoundaryLoop from_smallest(BoundaryLoop loop) {
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
   return loop;
@@ -122,7 +111,8 @@ Collar make_collar(std::span<const Triangle> piece, const BoundaryLoop& seam,
   if (!parting.has_core()) return collar;
   collar.triangles = parting.collar();
   if (collar.triangles.empty()) return collar;
-  const auto loops = boundary_loops(collar.triangles, where);
+  const Adjacency sides = sides_by_edge(collar.triangles, distances.size());
+  const auto loops = boundary_loops(collar.triangles, sides, where);
   const BoundaryLoop wanted = from_smallest(seam);
   VertexSet others;
   for (const BoundaryLoop& loop : loops) {
@@ -135,7 +125,7 @@ Collar make_collar(std::span<const Triangle> piece, const BoundaryLoop& seam,
                      name_vertices(others) + "; make its \"width\" less than " +
                      std::to_string(width) + ", or close that hole before");
   }
-  if (euler_characteristic(collar.triangles, distances.size()) != 0) {
+  if (euler_characteristic(collar.triangles, sides) != 0) {
     throw InputError(where + ": there is a handle of the surface within the transition, around " +
                      name_vertices(collar.inner) + "; make its \"width\" less than " +
                      std::to_string(width));

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lapwing/mesh/mesh.h"
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 #include "lapwing/transplant/zip.h"
 
 namespace lapwing {

@@ -7,6 +7,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/parameterize/domain_locator.h"
+#include "lapwing/region/edge_path.h"
 
 namespace lapwing {
 namespace {
@@ -51,36 +52,9 @@ std::vector<Index> path_across(const OwnCollar& collar, std::span<const Index> s
   for (const Index v : collar.inner) place[v] = on_inner;
   const Adjacency around = triangles_around_vertices(n, collar.triangles);
   const Adjacency rings = rings_by_triangles(around, collar.triangles);
-
-  std::vector<double> lengths(n, std::numeric_limits<double>::infinity());
-  std::vector<Index> from(n, kNoIndex);
-  using Entry = std::pair<double, Index>;
-  std::vector<Entry> heap;
-  const auto push = [&](double length, Index v, Index before) {
-    if (length >= lengths[v]) return;
-    lengths[v] = length;
-    from[v] = before;
-    heap.emplace_back(length, v);
-    std::push_heap(heap.begin(), heap.end(), std::greater<>());
-  };
-  for (const Index v : starts) push(0.0, v, kNoIndex);
-  while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end(), std::greater<>());
-    const auto [length, v] = heap.back();
-    heap.pop_back();
-    if (length > lengths[v]) continue;
-    if (place[v] == on_inner) {
-      std::vector<Index> path;
-      for (Index at = v; at != kNoIndex; at = from[at]) path.push_back(at);
-      std::reverse(path.begin(), path.end());
-      return path;
-    }
-    for (const Index w : rings[v]) {
-      if (place[w] == on_seam) continue;
-      push(length + (collar.positions[w] - collar.positions[v]).norm(), w, v);
-    }
-  }
-  return {};
+  return shortest_edge_path(rings, collar.positions, starts,
+                            {[&](Index v) { return place[v] == on_inner; },
+                             [&](Index v) { return place[v] != on_seam; }});
 }
 
 // The triangles around `v` that can be reached from triangle `first` without crossing the path.

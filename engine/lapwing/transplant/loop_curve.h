@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 
 namespace lapwing {
 

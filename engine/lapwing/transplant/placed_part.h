@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 #include "lapwing/transplant/cut.h"
 #include "lapwing/transplant/transplant_request.h"
 

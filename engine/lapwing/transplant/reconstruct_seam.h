@@ -10,7 +10,7 @@
 #include "lapwing/coating/transition.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 
 namespace lapwing {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lapwing/mesh/topology.h"
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 
 namespace lapwing {
 

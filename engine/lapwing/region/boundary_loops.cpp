@@ -1,4 +1,4 @@
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 
 #include <algorithm>
 
@@ -17,15 +17,20 @@ struct Boundary {
   VertexSet odd_ends;           // ends of edges that are neither inner nor boundary
 };
 
-Boundary collect(std::span<const Triangle> triangles) {
-  std::size_t vertex_count = 0;
+// One more than the largest that a triangle names.
+std::size_t vertex_count_of(std::span<const Triangle> triangles) {
+  std::size_t count = 0;
   for (const Triangle& triangle : triangles) {
-    vertex_count = std::max<std::size_t>(vertex_count, std::ranges::max(triangle) + std::size_t{1});
+    count = std::max<std::size_t>(count, std::ranges::max(triangle) + std::size_t{1});
   }
+  return count;
+}
+
+Boundary collect(std::span<const Triangle> triangles, const Adjacency& sides) {
+  const std::size_t vertex_count = vertex_count_of(triangles);
   Boundary boundary;
   boundary.next.assign(vertex_count, kNoIndex);
   boundary.arrivals.assign(vertex_count, 0);
-  const Adjacency sides = sides_by_edge(triangles, vertex_count);
   for (std::size_t e = 0; e < sides.row_count(); ++e) {
     const auto on_edge = sides[e];
     const Index from = side_start(triangles, on_edge[0]);
@@ -67,7 +72,12 @@ void require_loops(const Boundary& boundary, const std::string& where) {
 
 std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
                                          const std::string& where) {
-  const Boundary boundary = collect(triangles);
+  return boundary_loops(triangles, sides_by_edge(triangles, vertex_count_of(triangles)), where);
+}
+
+std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
+                                         const Adjacency& sides, const std::string& where) {
+  const Boundary boundary = collect(triangles, sides);
   require_loops(boundary, where);
   std::vector<BoundaryLoop> loops;
   std::vector<char> seen(boundary.next.size(), 0);
@@ -80,6 +90,15 @@ std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
     }
   }
   return loops;
+}
+
+long euler_characteristic(std::span<const Triangle> triangles, const Adjacency& sides) {
+  std::vector<char> used(vertex_count_of(triangles), 0);
+  for (const Triangle& corners : triangles) {
+    for (const Index v : corners) used[v] = 1;
+  }
+  return static_cast<long>(std::count(used.begin(), used.end(), 1)) -
+         static_cast<long>(sides.row_count()) + static_cast<long>(triangles.size());
 }
 
 }  // namespace lapwing

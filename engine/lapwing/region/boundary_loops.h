@@ -17,5 +17,11 @@ using BoundaryLoop = std::vector<Index>;
 /// two that face opposite ways. Such edges elsewhere do not matter. Near-linear.
 std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
                                          const std::string& where);
+/// The same where `sides_by_edge` of the triangles is there already.
+std::vector<BoundaryLoop> boundary_loops(std::span<const Triangle> triangles,
+                                         const Adjacency& sides, const std::string& where);
+
+/// The sides of one edge each: vertices - edges + triangles, of the vertices in a triangle.
+long euler_characteristic(std::span<const Triangle> triangles, const Adjacency& sides);
 
 }  // namespace lapwing

@@ -1,4 +1,4 @@
-#include "lapwing/transplant/boundary_loops.h"
+#include "lapwing/region/boundary_loops.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
