@@ -56,15 +56,15 @@ TEST_F(ADisk, ScrollingChangesItsOwnPartWhenTheSceneHasGoneOn) {
 }
 
 TEST_F(ADisk, SaysWhetherItWasClicked) {
-  EXPECT_FALSE(tool_.was_clicked());
+  EXPECT_FALSE(tool_.may_change_choice());
   send(press(front_));
-  EXPECT_FALSE(tool_.was_clicked());
+  EXPECT_FALSE(tool_.may_change_choice());
   send(release(front_));
-  EXPECT_TRUE(tool_.was_clicked());
+  EXPECT_TRUE(tool_.may_change_choice());
   send(press(front_));
   send(move_to(front_ + Vector2d(60, 0)));
   send(release(front_ + Vector2d(60, 0)));
-  EXPECT_FALSE(tool_.was_clicked());
+  EXPECT_FALSE(tool_.may_change_choice());
 }
 
 TEST_F(ADisk, RimBesideTheSurfaceIsMeasuredStraight) {

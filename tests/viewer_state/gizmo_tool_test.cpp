@@ -17,7 +17,7 @@ using ::testing::Not;
 class AGizmoTool : public ::testing::Test {
  protected:
   ToolAnswer send(const InputEvent& event) {
-    return tool_.handle(event, {state_, 0, view_, keys_});
+    return tool_.handle(event, {state_, {}, view_, {}, {}, {}, 0, keys_});
   }
   void type(std::string_view text) {
     for (const char c : text) send(typed(static_cast<char32_t>(c)));
@@ -49,7 +49,7 @@ TEST_F(AGizmoTool, DragOfAnArmMovesTheHandleAlongIt) {
   EXPECT_EQ(tool_.part(), GizmoPart::x);
   EXPECT_TRUE(send(press(arm)).taken);
   send(move_to(arm + 0.5 * (arm - middle_)));
-  EXPECT_TRUE(tool_.live().has_value());
+  EXPECT_TRUE(tool_.move().has_value());
   const Vector3d moved = translation(performed(send(release(arm + (arm - middle_)))));
   EXPECT_GT(moved.x(), 0.1);
   EXPECT_NEAR(moved.tail<2>().norm(), 0.0, 1e-12);
@@ -74,7 +74,7 @@ TEST_F(AGizmoTool, NumberIsEditedWithBackspace) {
   send(key('X'));
   type("27");
   send(key(kBackspace));
-  EXPECT_NEAR(translation(*tool_.live()).x(), 2.0, 1e-12);
+  EXPECT_NEAR(translation(*tool_.move()).x(), 2.0, 1e-12);
 }
 
 TEST_F(AGizmoTool, TypedTurnKeepsWholeTurns) {
@@ -104,7 +104,7 @@ TEST_F(AGizmoTool, ShiftHoldsToThePlane) {
   send(key('Y', {.shift = true}));
   send(move_to(middle_ + Vector2d(40, 25)));
   EXPECT_EQ(tool_.part(), GizmoPart::without_y);
-  EXPECT_NEAR(translation(*tool_.live()).y(), 0.0, 1e-9);
+  EXPECT_NEAR(translation(*tool_.move()).y(), 0.0, 1e-9);
 }
 
 TEST_F(AGizmoTool, TheSameAxisAgainSetsItFree) {
@@ -121,7 +121,7 @@ TEST_F(AGizmoTool, EscapeAndTheRightButtonGiveUp) {
     send(key('G'));
     send(move_to(middle_ + Vector2d(40, 25)));
     EXPECT_FALSE(send(end).command.has_value());
-    EXPECT_FALSE(tool_.live().has_value());
+    EXPECT_FALSE(tool_.move().has_value());
   }
 }
 
@@ -140,7 +140,7 @@ TEST_F(AGizmoTool, TakenHoldOfAgainTheMoveIsTheSameBitForBit) {
   state_ = apply(state_, MoveHandle{0, before});
   for (const char mode : {'G', 'R', 'S'}) {
     send(key(mode));
-    EXPECT_EQ(*tool_.live(), state_.moves[0]);
+    EXPECT_EQ(*tool_.move(), state_.moves[0]);
     EXPECT_FALSE(send(key(kEnter)).command.has_value());
   }
 }
@@ -149,8 +149,8 @@ TEST_F(AGizmoTool, ControlSnaps) {
   send(move_to(middle_ + Vector2d(100, 0)));
   send(key('R'));
   send(move_to(middle_ + Vector2d(90, -60), {.control = true}));
-  EXPECT_NEAR(std::remainder(turn_of(*tool_.live()).degrees, 15.0), 0.0, 1e-9);
-  EXPECT_GT(turn_of(*tool_.live()).degrees, 1.0);
+  EXPECT_NEAR(std::remainder(turn_of(*tool_.move()).degrees, 15.0), 0.0, 1e-9);
+  EXPECT_GT(turn_of(*tool_.move()).degrees, 1.0);
 }
 
 TEST_F(AGizmoTool, KeysOfMayaChooseWhatIsShown) {
@@ -208,7 +208,7 @@ TEST_F(AGizmoTool, FrameOfADragAllocatesNothing) {
     const FailingNew counted(-1);
     for (int k = 0; k < 50; ++k) {
       send(move_to(middle_ + Vector2d(90 - k, 3 * k)));
-      motions_of(state_, 0, *tool_.live(), motions);
+      motions_of(state_, 0, *tool_.move(), motions);
     }
     EXPECT_EQ(FailingNew::calls(), 0) << static_cast<char>(drag);
     send(key(kEscape));
@@ -230,7 +230,7 @@ TEST_F(AGizmoTool, GoesWithItsHandle) {
   send(key('G'));
   send(key('X'));
   type("1.5");
-  EXPECT_LT((tool_.gizmo({state_, 0, view_}).center - center_ - Vector3d(1.5, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((tool_.gizmo(state_, 0).center - center_ - Vector3d(1.5, 0, 0)).norm(), 1e-12);
 }
 
 }  // namespace

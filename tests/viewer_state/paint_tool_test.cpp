@@ -22,7 +22,7 @@ class Painting : public ::testing::Test {
     sphere_.perform(send(release(way.back(), modifiers)));
   }
   bool any_hidden() const {
-    const SelectScene scene = sphere_.scene();
+    const ToolScene scene = sphere_.scene();
     return std::any_of(sphere_.roi().begin(), sphere_.roi().end(),
                        [&](Index v) { return !scene.is_visible(v); });
   }

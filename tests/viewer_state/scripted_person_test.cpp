@@ -32,7 +32,7 @@ class Person {
     const auto pick = [&](const Vector2d& pixel) {
       return pick_surface(topology, positions, view_.ray_through(pixel));
     };
-    const SelectScene scene{session_.state(), positions, view_, pick, {}, part};
+    const ToolScene scene{session_.state(), positions, view_, pick, {}, part};
     DiskTool tool;
     tool.handle(press(*view_.to_pixel(center)), scene);
     tool.handle(move_to(*view_.to_pixel(rim)), scene);
@@ -41,7 +41,7 @@ class Person {
 
   void move_handle(std::initializer_list<InputEvent> events) {
     for (const InputEvent& event : events) {
-      perform(gizmo_.handle(event, {session_.state(), 0, view_}));
+      perform(gizmo_.handle(event, {session_.state(), {}, view_}));
     }
     while (!session_.take_result()) {
       ASSERT_EQ(session_.preparation().status().message, "");

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lapwing/mesh/shapes.h"
-#include "tools/select_scene.h"
+#include "tools/tool_scene.h"
 #include "tools/tool_answer.h"
 #include "viewer_state/test_view.h"
 
@@ -13,7 +13,7 @@ struct SphereScene {
   Projection view = perspective({0.3, 0.4, 6}, {0, 0, 0});
   Part part;
 
-  SelectScene scene() const {
+  ToolScene scene() const {
     const auto& positions = state.rest->positions;
     return {state,
             positions,

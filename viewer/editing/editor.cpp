@@ -14,16 +14,6 @@ using Role = Part::Role;
 // So that between handle and belt something is left to follow.
 constexpr int kRingsAroundHandle = 6;
 
-bool is_paint(EditTool tool) {
-  return tool == EditTool::brush || tool == EditTool::lasso || tool == EditTool::box;
-}
-
-PaintTool::Shape shape_of(EditTool tool) {
-  return tool == EditTool::lasso ? PaintTool::Shape::lasso
-         : tool == EditTool::box ? PaintTool::Shape::box
-                                 : PaintTool::Shape::brush;
-}
-
 bool is_of_pointer(const InputEvent& event) {
   return event.kind != InputKind::key && event.kind != InputKind::text;
 }
@@ -51,7 +41,7 @@ Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Sa
   }
   if (handle_count() > 0) {
     part_ = {Role::handle, 0};
-    tool_ = EditTool::move;
+    take(Action::take_move);
   }
   shown_.take(state());
   shown_.use_device(context);
@@ -59,7 +49,7 @@ Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Sa
 }
 
 void Editor::release_device() {
-  gizmo_ = {};
+  tools_.gizmo = {};
   session_->cancel_preparation();
   shown_.release_device();
 }
@@ -71,15 +61,10 @@ void Editor::use_device(const std::shared_ptr<gpu::Context>& context) {
 }
 
 bool Editor::is_dragging() const {
-  return gizmo_.is_dragging() || disk_.is_dragging() || paint_.is_dragging() ||
-         (lent_ != nullptr && lent_->is_dragging());
+  return tools_.gizmo.is_dragging() || tool_->is_dragging();
 }
 
-GizmoScene Editor::gizmo_scene(const Projection& projection) const {
-  return {state(), handle_, projection, gizmo_keys_};
-}
-
-SelectScene Editor::select_scene(const ViewFrame& view, const Projection& projection) {
+ToolScene Editor::scene(const ViewFrame& view, const Projection& projection) {
   const auto pick = [this, &view](const Eigen::Vector2d& pixel) -> std::optional<SurfacePoint> {
     if (!shown_.has_triangles_of_state()) return {};
     return shown_.pick(view, pixel);
@@ -88,7 +73,7 @@ SelectScene Editor::select_scene(const ViewFrame& view, const Projection& projec
     return SeenVertices(shown_.picture(view), state().rest->topology(), positions(),
                         projection)(vertex);
   };
-  return {state(), positions(), projection, pick, is_visible, part_};
+  return {state(), positions(), projection, pick, is_visible, part_, handle_, gizmo_keys_};
 }
 
 Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
@@ -96,37 +81,37 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   if (event.kind == InputKind::press && event.modifiers.alt && !is_dragging()) return {};
   const Projection projection = view.projection();
   // A lent tool has the keys to itself.
-  const bool keys = !is_of_pointer(event) && tool_ != EditTool::lent;
-  if (handle_ < handle_count() && (has_gizmo() || gizmo_.is_dragging() || keys)) {
-    const GizmoPart before = gizmo_.part();
+  const bool keys = !is_of_pointer(event) && row_ != nullptr;
+  if (handle_ < handle_count() && (has_gizmo() || tools_.gizmo.is_dragging() || keys)) {
+    const GizmoPart before = tools_.gizmo.part();
     const ToolAnswer answer = send_to_gizmo(event, projection);
     if (answer.taken) return act_on(answer);
-    if (has_gizmo()) return {false, gizmo_.part() != before};
+    if (has_gizmo()) return {false, tools_.gizmo.part() != before};
   }
-  if (tool_ == EditTool::move) return {};
+  if (has_in_hand(tools_.gizmo)) return {};
   if (event.kind == InputKind::press) return_to_triangles_of_state();
-  const ToolAnswer answer = send_to_tool(event, select_scene(view, projection));
+  const ToolAnswer answer = tool_->handle(event, scene(view, projection));
   Handled handled = act_on(answer);
   classes_are_old_ = classes_are_old_ || answer.taken;
-  // The line to the cursor and the brush go with it.
   if (event.kind == InputKind::move) {
-    handled.changed = handled.taken || tool_ == EditTool::brush || tool_ == EditTool::lent ||
-                      !loop_.corners().empty();
+    handled.changed = handled.taken || row_ == nullptr || tool_->follows_cursor();
   }
   return handled;
 }
 
 // Whoever chooses must see what there is to choose of.
 void Editor::return_to_triangles_of_state() {
-  if (shown_.has_triangles_of_state() || (lent_ != nullptr && lent_->draws_preview())) return;
+  if (shown_.has_triangles_of_state() || tool_->draws_preview()) return;
   shown_.end_preview();
   show_before(false);
 }
 
 ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& projection) {
-  const bool was_dragging = gizmo_.is_dragging();
-  ToolAnswer answer = gizmo_.handle(event, gizmo_scene(projection));
-  if (gizmo_.is_dragging() && !was_dragging) {
+  GizmoTool& gizmo = tools_.gizmo;
+  const bool was_dragging = gizmo.is_dragging();
+  ToolAnswer answer =
+      gizmo.handle(event, {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
+  if (gizmo.is_dragging() && !was_dragging) {
     shown_.end_preview();
     shown_.show_before(false);
     pointed_at_.clear();
@@ -136,7 +121,7 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
     dragged_from_ = shown_.pose();
   }
   // Then it is of use again: nothing has come in its place.
-  const bool given_up = was_dragging && !gizmo_.is_dragging() && !answer.command;
+  const bool given_up = was_dragging && !gizmo.is_dragging() && !answer.command;
   if (given_up && needs_settling(state())) {
     shown_.follow_from(dragged_from_);
     settle();
@@ -144,31 +129,13 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
   return answer;
 }
 
-ToolAnswer Editor::send_to_tool(const InputEvent& event, const SelectScene& scene) {
-  switch (tool_) {
-    case EditTool::disk:
-      return disk_.handle(event, scene);
-    case EditTool::loop:
-      return loop_.handle(event, scene);
-    case EditTool::brush:
-    case EditTool::lasso:
-    case EditTool::box:
-      return paint_.handle(event, scene);
-    case EditTool::lent:
-      return lent_->handle(event, scene);
-    case EditTool::move:
-      break;
-  }
-  return ToolAnswer::passed_on();
-}
-
 Editor::Handled Editor::act_on(const ToolAnswer& answer) {
   if (!answer.message.empty()) say_(answer.message);
   if (answer.command) {
     const Part part = part_;
-    const bool by_click = tool_ == EditTool::disk && disk_.was_clicked();
+    const bool may_change = tool_->may_change_choice();
     perform(*answer.command);
-    if (std::holds_alternative<Choose>(*answer.command) && !by_click) after_choice(part);
+    if (std::holds_alternative<Choose>(*answer.command) && !may_change) after_choice(part);
   }
   return {answer.taken, answer.taken};
 }
@@ -291,40 +258,47 @@ void Editor::enlarge_roi() {
   perform(Paint{{Role::roi}, subtract(wanted, selection.roi.vertices), {}});
 }
 
-void Editor::take(EditTool tool) {
+void Editor::take(const ToolRow& row) {
   if (is_dragging()) return;
-  tool_ = tool;
-  lent_ = nullptr;
-  loop_.reset();
-  if (is_paint(tool)) paint_.options().shape = shape_of(tool);
+  tool_ = &row.take(tools_);
+  row_ = &row;
+  tools_.loop.reset();
+}
+
+bool Editor::take(Action action) {
+  const auto row = std::ranges::find(tool_rows(), action, &ToolRow::action);
+  if (row == tool_rows().end()) return false;
+  take(*row);
+  return true;
 }
 
 void Editor::lend(SceneTool& tool) {
   if (is_dragging()) return;
-  take(EditTool::lent);
-  lent_ = &tool;
+  tools_.loop.reset();
+  tool_ = &tool;
+  row_ = nullptr;
 }
 
 void Editor::give_back(const SceneTool& tool) {
-  if (lent_ != &tool) return;
-  lent_ = nullptr;
-  tool_ = EditTool::disk;
+  if (!has_in_hand(tool)) return;
+  row_ = &tool_rows().front();
+  tool_ = &row_->take(tools_);
 }
 
 void Editor::choose(const Part& part) {
   if (is_dragging()) return;
   part_ = part;
-  loop_.reset();
+  tools_.loop.reset();
   if (part.role == Role::handle && part.handle < handle_count()) handle_ = part.handle;
 }
 
 void Editor::go_on() {
   if (part_.role == Role::roi && !state().selection.roi.vertices.empty()) {
     choose({Role::handle, 0});
-    if (handle_count() > 0) take(EditTool::move);
+    if (handle_count() > 0) take(Action::take_move);
   } else if (part_.role == Role::handle && part_.handle < handle_count()) {
     handle_ = part_.handle;
-    take(EditTool::move);
+    take(Action::take_move);
   }
 }
 
@@ -332,32 +306,6 @@ std::vector<Index> Editor::selected() const {
   const EditSelection& selection = state().selection;
   const VertexSet& vertices = vertices_of(selection, part_);
   return vertices.empty() ? selection.roi.vertices : vertices;
-}
-
-const char* Editor::hint() const {
-  if (lent_ != nullptr) return lent_->hint();
-  if (loop_.is_closed()) return "click the side to keep";
-  if (!loop_.corners().empty()) {
-    return "keep clicking around; Enter or a click on the first point closes the loop";
-  }
-  if (tool_ == EditTool::move) {
-    return handle_count() == 0 ? "H chooses a handle" : "drag the gizmo, or press G, R or S";
-  }
-  if (tool_ == EditTool::disk && disk_.was_clicked() &&
-      !vertices_of(state().selection, part_).empty()) {
-    return "the wheel changes the radius; Enter accepts it";
-  }
-  if (part_.role == Role::roi) {
-    return is_paint(tool_)           ? "paint the region to edit (ROI)"
-           : tool_ == EditTool::loop ? "click around the region to edit (ROI)"
-                                     : "drag from the middle of the region to edit to its rim";
-  }
-  if (part_.role == Role::belt) {
-    return is_paint(tool_) ? "paint the belt" : "choose the belt, between ROI and handle";
-  }
-  return is_paint(tool_)           ? "paint a handle in the ROI"
-         : tool_ == EditTool::loop ? "click around a handle in the ROI"
-                                   : "drag from the middle of a handle in the ROI to its rim";
 }
 
 }  // namespace lapwing::viewer

@@ -7,18 +7,11 @@
 #include <vector>
 
 #include "editing/shown_surface.h"
+#include "editing/tool_table.h"
 #include "tools/certificate_words.h"
-#include "tools/disk_tool.h"
 #include "tools/edit_session.h"
-#include "tools/gizmo_tool.h"
-#include "tools/loop_tool.h"
-#include "tools/paint_tool.h"
-#include "tools/scene_tool.h"
 
 namespace lapwing::viewer {
-
-/// What the left button does on the surface; `lent` is a panel's tool.
-enum class EditTool { move, disk, loop, brush, lasso, box, lent };
 
 /// An edit to begin with.
 struct EditStart {
@@ -40,6 +33,8 @@ class Editor {
   /// calls `wake` when it has news.
   Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
          std::function<void()> wake);
+  Editor(const Editor&) = delete;
+  Editor& operator=(const Editor&) = delete;
 
   struct Handled {
     bool taken = false;    ///< nobody else should act on the event
@@ -83,25 +78,27 @@ class Editor {
   EditSession& session() { return *session_; }
   const AppState& state() const { return session_->state(); }
 
-  EditTool tool() const { return tool_; }
-  void take(EditTool tool);
+  /// The tool in hand.
+  const SceneTool& tool() const { return *tool_; }
+  bool has_in_hand(const SceneTool& tool) const { return tool_ == &tool; }
+  /// Its row of `tool_rows`; null for a panel's tool.
+  const ToolRow* row() const { return row_; }
+  void take(const ToolRow& row);
+  /// The tool that the action takes; true if there is one.
+  bool take(Action action);
   /// Takes a panel's tool in hand, or gives it back if it is. It must live until then.
   void lend(SceneTool& tool);
   void give_back(const SceneTool& tool);
-  bool has_in_hand(const SceneTool& tool) const { return lent_ == &tool; }
   /// What the tools choose.
   const Part& part() const { return part_; }
   void choose(const Part& part);
   /// To what usually comes next: from the ROI to a handle, from there to moving it.
   void go_on();
 
-  PaintTool& paint_tool() { return paint_; }
-  const PaintTool& paint_tool() const { return paint_; }
-  const LoopTool& loop_tool() const { return loop_; }
-  const GizmoTool& gizmo_tool() const { return gizmo_; }
-  bool has_gizmo() const { return tool_ == EditTool::move && handle_ < handle_count(); }
-  void show_gizmo(GizmoMode mode) { gizmo_.show(mode); }
-  GizmoScene gizmo_scene(const Projection& projection) const;
+  PaintTool& paint_tool() { return tools_.paint; }
+  const GizmoTool& gizmo_tool() const { return tools_.gizmo; }
+  bool has_gizmo() const { return has_in_hand(tools_.gizmo) && handle_ < handle_count(); }
+  void show_gizmo(GizmoMode mode) { tools_.gizmo.show(mode); }
   std::size_t handle() const { return handle_; }  ///< the one that is moved
   void set_gizmo_keys(GizmoKeys keys) { gizmo_keys_ = keys; }
   bool is_dragging() const;
@@ -132,12 +129,11 @@ class Editor {
   Bounds bounds() const;
   /// Of what is chosen: the part, or else the ROI; of everything without.
   std::vector<Index> selected() const;
-  const char* hint() const;  ///< what to do next
+  const char* hint() const { return tool_->hint(state(), part_); }  ///< what to do next
 
  private:
-  SelectScene select_scene(const ViewFrame& view, const Projection& projection);
+  ToolScene scene(const ViewFrame& view, const Projection& projection);
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
-  ToolAnswer send_to_tool(const InputEvent& event, const SelectScene& scene);
   void return_to_triangles_of_state();
   Handled act_on(const ToolAnswer& answer);
   void after_choice(const Part& part);
@@ -150,21 +146,17 @@ class Editor {
   void hold_pose();
   void settle_live();
   void show_classes();  ///< where they have changed
-  VertexSet live() const;
 
   Say say_;
   ShownSurface shown_;
   std::unique_ptr<EditSession> session_;
 
-  EditTool tool_ = EditTool::disk;
+  Tools tools_;
+  SceneTool* tool_ = &tools_.disk;
+  const ToolRow* row_ = &tool_rows().front();
   Part part_;
   std::size_t handle_ = 0;
-  DiskTool disk_;
-  LoopTool loop_;
-  PaintTool paint_;
-  GizmoTool gizmo_;
   GizmoKeys gizmo_keys_ = GizmoKeys::blender;
-  SceneTool* lent_ = nullptr;
 
   std::vector<CertificateWarning> warnings_;
   std::vector<Eigen::Affine3d> motions_;

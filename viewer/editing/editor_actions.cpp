@@ -8,8 +8,9 @@ bool perform_on(Editor& editor, Action action) {
   const std::size_t handles = editor.state().selection.handles.size();
   const auto choose = [&](const Part& part) {
     editor.choose(part);
-    if (editor.tool() == EditTool::move) editor.take(EditTool::disk);
+    if (editor.has_in_hand(editor.gizmo_tool())) editor.take(Action::take_disk);
   };
+  if (editor.take(action)) return true;
   switch (action) {
     case Action::choose_roi:
       choose({Role::roi});
@@ -22,24 +23,6 @@ bool perform_on(Editor& editor, Action action) {
       return true;
     case Action::choose_belt:
       choose({Role::belt});
-      return true;
-    case Action::take_move:
-      editor.take(EditTool::move);
-      return true;
-    case Action::take_disk:
-      editor.take(EditTool::disk);
-      return true;
-    case Action::take_loop:
-      editor.take(EditTool::loop);
-      return true;
-    case Action::take_brush:
-      editor.take(EditTool::brush);
-      return true;
-    case Action::take_lasso:
-      editor.take(EditTool::lasso);
-      return true;
-    case Action::take_box:
-      editor.take(EditTool::box);
       return true;
     case Action::go_on:
       editor.go_on();

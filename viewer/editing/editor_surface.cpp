@@ -14,8 +14,8 @@ void Editor::state_changed() {
   if (part_.role == Part::Role::handle) part_.handle = std::min(part_.handle, handle_count());
   handle_ = handle_count() == 0 ? 0 : std::min(handle_, handle_count() - 1);
   if (shown_.take(now)) {
-    disk_.reset();
-    loop_.reset();
+    tools_.disk.reset();
+    tools_.loop.reset();
   }
   warnings_.clear();
   if (const Certificate* certificate = session_->certificate()) {
@@ -44,7 +44,7 @@ void Editor::update() {
   if (!is_dragging()) take_step();
   follow_hand();
   show_classes();
-  if (!gizmo_.is_dragging()) shown_.renew_measure();
+  if (!tools_.gizmo.is_dragging()) shown_.renew_measure();
 }
 
 void Editor::take_step() {
@@ -65,7 +65,7 @@ void Editor::take_step() {
 }
 
 void Editor::follow_hand() {
-  const bool dragging = gizmo_.is_dragging();
+  const bool dragging = tools_.gizmo.is_dragging();
   if (shown_.shows_before() || shown_.previews()) return;
   if (!dragging && !needs_settling(state())) {
     if (shown_.follows()) {  // the drag was given up
@@ -76,7 +76,7 @@ void Editor::follow_hand() {
   }
   if (dragging) hold_pose();
   if (dragging && settles_while_dragging()) settle_live();
-  motions_of(state(), handle_, dragging ? *gizmo_.live() : state().moves[handle_], motions_);
+  motions_of(state(), handle_, dragging ? *tools_.gizmo.move() : state().moves[handle_], motions_);
   shown_.follow(session_->preparation(), motions_);
 }
 
@@ -90,7 +90,7 @@ void Editor::hold_pose() {
 // left to settle.
 void Editor::settle_live() {
   live_moves_.assign(state().moves.begin(), state().moves.end());
-  live_moves_[handle_] = *gizmo_.live();
+  live_moves_[handle_] = *tools_.gizmo.move();
   if (auto result = session_->take_live_result()) {
     shown_.follow_from(result->pose);
     live_ = std::move(result);
@@ -103,21 +103,12 @@ void Editor::settle_live() {
 void Editor::show_classes() {
   if (!std::exchange(classes_are_old_, false) && !shown_.needs_classes()) return;
   shown_.set_classes(
-      shown_classes(state(), part_, live(), paint_.is_dragging() && paint_.erases()));
-}
-
-// What a tool is choosing.
-VertexSet Editor::live() const {
-  if (tool_ == EditTool::disk && disk_.is_dragging()) return disk_.live();
-  return paint_.is_dragging() ? paint_.live() : VertexSet{};
+      shown_classes(state(), part_, tool_->live(), tool_->is_dragging() && tool_->erases()));
 }
 
 std::size_t Editor::count(const Part& part) const {
   const VertexSet& chosen = vertices_of(state().selection, part);
-  if (part != part_) return chosen.size();
-  if (disk_.is_dragging()) return live().size();
-  if (!paint_.is_dragging()) return chosen.size();
-  return (paint_.erases() ? subtract(chosen, live()) : unite(chosen, live())).size();
+  return part == part_ && tool_->is_dragging() ? tool_->chosen_with(chosen).size() : chosen.size();
 }
 
 Bounds Editor::bounds() const {

@@ -29,7 +29,7 @@ bool is_nothing(const RegionSpec& region) {
 
 }  // namespace
 
-ToolAnswer PointTool::handle(const InputEvent& event, const SelectScene& scene) {
+ToolAnswer PointTool::handle(const InputEvent& event, const ToolScene& scene) {
   if (event.kind != InputKind::press || event.button != MouseButton::left) return {};
   const auto point = scene.pick(event.position);
   if (!point) return ToolAnswer::passed_on();
@@ -178,10 +178,8 @@ void LayerDesk::update(Editor& editor) {
     if (editor.state().steps != steps_before_) return close(editor);
   }
   // Another tool was taken in hand.
-  if (editor.tool() != EditTool::lent) {
-    if (is_painting_) paint_weight(false, editor);
-    if (picking_ != Picking::none) pick(Picking::none, editor);
-  }
+  if (is_painting_ && !editor.has_in_hand(weight_paint_)) paint_weight(false, editor);
+  if (picking_ != Picking::none && !editor.has_in_hand(point_tool_)) pick(Picking::none, editor);
   take_read();
   read_next();
   if (needs_settling(editor.state())) return;

@@ -15,8 +15,10 @@ namespace lapwing::viewer {
 /// Takes the points that a person clicks on the target.
 class PointTool final : public SceneTool {
  public:
-  ToolAnswer handle(const InputEvent& event, const SelectScene& scene) override;
-  const char* hint() const override { return "click the same place on the source and here"; }
+  ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
+  const char* hint(const AppState&, const Part&) const override {
+    return "click the same place on the source and here";
+  }
   /// The vertex clicked last, until it is let go of.
   std::optional<Index> picked;
 };

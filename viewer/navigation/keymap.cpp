@@ -30,63 +30,68 @@ constexpr std::array kMeshLabDrags{DragBinding{MouseButton::left, kPlain, Motion
 constexpr std::array kKeymaps{Keymap{"Blender", kBlenderDrags}, Keymap{"Maya", kMayaDrags},
                               Keymap{"MeshLab", kMeshLabDrags}};
 
-constexpr std::array kKeyBindings{KeyBinding{kHome, kPlain, Action::frame_all},
-                                  KeyBinding{'F', kPlain, Action::frame_selection},
-                                  KeyBinding{'.', kPlain, Action::frame_selection},
-                                  KeyBinding{'1', kPlain, Action::view_front},
-                                  KeyBinding{'1', kControl, Action::view_back},
-                                  KeyBinding{'3', kPlain, Action::view_right},
-                                  KeyBinding{'3', kControl, Action::view_left},
-                                  KeyBinding{'7', kPlain, Action::view_top},
-                                  KeyBinding{'7', kControl, Action::view_bottom},
-                                  KeyBinding{'0', kPlain, Action::view_three_quarter},
-                                  KeyBinding{'5', kPlain, Action::toggle_projection},
-                                  KeyBinding{kLeft, kPlain, Action::orbit_left},
-                                  KeyBinding{kRight, kPlain, Action::orbit_right},
-                                  KeyBinding{kUp, kPlain, Action::orbit_up},
-                                  KeyBinding{kDown, kPlain, Action::orbit_down},
-                                  KeyBinding{'=', kPlain, Action::zoom_in},
-                                  KeyBinding{'-', kPlain, Action::zoom_out},
-                                  KeyBinding{'Z', kShift, Action::toggle_wireframe},
-                                  KeyBinding{'L', kShift, Action::toggle_flat},
-                                  KeyBinding{kTab, kPlain, Action::toggle_panels},
-                                  KeyBinding{'?', kPlain, Action::toggle_controls},
-                                  KeyBinding{kF1, kPlain, Action::toggle_controls},
-                                  KeyBinding{'I', kPlain, Action::choose_roi},
-                                  KeyBinding{'H', kPlain, Action::choose_handle},
-                                  KeyBinding{'H', kShift, Action::add_handle},
-                                  KeyBinding{'T', kPlain, Action::choose_belt},
-                                  KeyBinding{'D', kPlain, Action::take_disk},
-                                  KeyBinding{'O', kPlain, Action::take_loop},
-                                  KeyBinding{'P', kPlain, Action::take_brush},
-                                  KeyBinding{'L', kPlain, Action::take_lasso},
-                                  KeyBinding{'B', kPlain, Action::take_box},
-                                  KeyBinding{'M', kPlain, Action::take_move},
-                                  KeyBinding{kEscape, kPlain, Action::take_move},
-                                  KeyBinding{kEnter, kPlain, Action::go_on},
-                                  KeyBinding{'=', kControl, Action::grow},
-                                  KeyBinding{'-', kControl, Action::shrink},
-                                  KeyBinding{'I', kControl, Action::invert},
-                                  KeyBinding{kDelete, kPlain, Action::remove_handle},
-                                  KeyBinding{'N', kPlain, Action::take_part},
-                                  KeyBinding{'N', kShift, Action::take_up_part},
-                                  KeyBinding{'C', kPlain, Action::toggle_before},
-                                  KeyBinding{'K', kControl, Action::begin_coat},
-                                  KeyBinding{'M', kControl, Action::begin_mix},
-                                  KeyBinding{'K', kControlShift, Action::open_source},
-                                  KeyBinding{'K', kShift, Action::other_source},
-                                  KeyBinding{'K', kPlain, Action::pick_pairs},
-                                  KeyBinding{kEnter, kControl, Action::apply_step},
-                                  KeyBinding{'Z', kControl, Action::undo},
-                                  KeyBinding{'Z', kControlShift, Action::redo},
-                                  KeyBinding{'Y', kControl, Action::redo},
-                                  KeyBinding{'O', kControl, Action::open},
-                                  KeyBinding{'S', kControl, Action::save},
-                                  KeyBinding{'S', kControlShift, Action::save_as},
-                                  KeyBinding{'E', kControl, Action::save_recipe},
-                                  KeyBinding{'R', kControl, Action::replay_recipe},
-                                  KeyBinding{'P', kControl, Action::save_picture},
-                                  KeyBinding{'Q', kControl, Action::quit}};
+// In the order of the list of controls; other keys for the same follow with the words left out.
+constexpr auto kKeyBindings = std::to_array<KeyBinding>(
+    {{kHome, kPlain, Action::frame_all, "show all of the mesh"},
+     {'F', kPlain, Action::frame_selection, "show the selection, or all"},
+     {'.', kPlain, Action::frame_selection},
+     {'1', kPlain, Action::view_front, "from the front"},
+     {'1', kControl, Action::view_back, "from the back"},
+     {'3', kPlain, Action::view_right, "from the right"},
+     {'3', kControl, Action::view_left, "from the left"},
+     {'7', kPlain, Action::view_top, "from above"},
+     {'7', kControl, Action::view_bottom, "from below"},
+     {'0', kPlain, Action::view_three_quarter, "from the front, a little aside and above"},
+     {'5', kPlain, Action::toggle_projection, "perspective or parallel"},
+     {kLeft, kPlain, Action::orbit_left, "turn the view to the left"},
+     {kRight, kPlain, Action::orbit_right, "turn the view to the right"},
+     {kUp, kPlain, Action::orbit_up, "turn the view upwards"},
+     {kDown, kPlain, Action::orbit_down, "turn the view downwards"},
+     {'=', kPlain, Action::zoom_in, "zoom in"},
+     {'-', kPlain, Action::zoom_out, "zoom out"},
+     {'Z', kShift, Action::toggle_wireframe, "edges of the polygons"},
+     {'L', kShift, Action::toggle_flat, "smooth or flat"},
+     {kTab, kPlain, Action::toggle_panels, "hide or show the panels"},
+     {'?', kPlain, Action::toggle_controls, "this list"},
+     {kF1, kPlain, Action::toggle_controls},
+     {'I', kPlain, Action::choose_roi, "choose the region to edit (ROI)"},
+     {'H', kPlain, Action::choose_handle, "choose the handle"},
+     {'H', kShift, Action::add_handle, "choose one more handle"},
+     {'T', kPlain, Action::choose_belt, "choose the belt by hand"},
+     {'D', kPlain, Action::take_disk,
+      "choose by a disk: drag from its middle to its rim, or click and scroll"},
+     {'O', kPlain, Action::take_loop,
+      "choose by a loop: click around, close it, click the side to keep"},
+     {'P', kPlain, Action::take_brush, "choose by a brush: [ and ] size it, Ctrl erases"},
+     {'L', kPlain, Action::take_lasso, "choose by a lasso: Ctrl erases"},
+     {'B', kPlain, Action::take_box, "choose by a box: Ctrl erases"},
+     {'M', kPlain, Action::take_move, "move: the gizmo, and the left button turns the view"},
+     {kEscape, kPlain, Action::take_move},
+     {kEnter, kPlain, Action::go_on,
+      "go on from the ROI to the handle, and from there to moving it"},
+     {'=', kControl, Action::grow, "grow what is chosen by a ring"},
+     {'-', kControl, Action::shrink, "shrink what is chosen by a ring"},
+     {'I', kControl, Action::invert, "choose what is not chosen"},
+     {kDelete, kPlain, Action::remove_handle, "remove the handle"},
+     {'N', kPlain, Action::take_part, "take a part of the folder in hand, then the next one"},
+     {'N', kShift, Action::take_up_part, "take the transplant made last up again"},
+     {'C', kPlain, Action::toggle_before, "compare with the mesh as it was opened"},
+     {'K', kControl, Action::begin_coat, "coat the ROI with the detail of another patch"},
+     {'M', kControl, Action::begin_mix, "mix the details of two patches on the ROI"},
+     {'K', kControlShift, Action::open_source, "take a coat or mix from another mesh"},
+     {'K', kShift, Action::other_source, "the other source of a mix"},
+     {'K', kPlain, Action::pick_pairs, "pick corresponding points for a coat or mix, or no longer"},
+     {kEnter, kControl, Action::apply_step, "apply the coat or mix"},
+     {'Z', kControl, Action::undo, "undo"},
+     {'Z', kControlShift, Action::redo, "redo"},
+     {'Y', kControl, Action::redo},
+     {'O', kControl, Action::open, "open"},
+     {'S', kControl, Action::save, "save the mesh"},
+     {'S', kControlShift, Action::save_as, "save the mesh as another file"},
+     {'E', kControl, Action::save_recipe, "save the steps as a recipe"},
+     {'R', kControl, Action::replay_recipe, "replay a recipe on this mesh"},
+     {'P', kControl, Action::save_picture, "save a picture"},
+     {'Q', kControl, Action::quit, "quit"}});
 
 std::string_view words(Motion motion) {
   switch (motion) {
@@ -96,118 +101,6 @@ std::string_view words(Motion motion) {
       return "move the view sideways";
     case Motion::zoom:
       return "zoom";
-  }
-  return {};
-}
-
-std::string_view words(Action action) {
-  switch (action) {
-    case Action::frame_all:
-      return "show all of the mesh";
-    case Action::frame_selection:
-      return "show the selection, or all";
-    case Action::view_front:
-      return "from the front";
-    case Action::view_back:
-      return "from the back";
-    case Action::view_right:
-      return "from the right";
-    case Action::view_left:
-      return "from the left";
-    case Action::view_top:
-      return "from above";
-    case Action::view_bottom:
-      return "from below";
-    case Action::view_three_quarter:
-      return "from the front, a little aside and above";
-    case Action::toggle_projection:
-      return "perspective or parallel";
-    case Action::orbit_left:
-      return "turn the view to the left";
-    case Action::orbit_right:
-      return "turn the view to the right";
-    case Action::orbit_up:
-      return "turn the view upwards";
-    case Action::orbit_down:
-      return "turn the view downwards";
-    case Action::zoom_in:
-      return "zoom in";
-    case Action::zoom_out:
-      return "zoom out";
-    case Action::toggle_wireframe:
-      return "edges of the polygons";
-    case Action::toggle_flat:
-      return "smooth or flat";
-    case Action::toggle_panels:
-      return "hide or show the panels";
-    case Action::toggle_controls:
-      return "this list";
-    case Action::choose_roi:
-      return "choose the region to edit (ROI)";
-    case Action::choose_handle:
-      return "choose the handle";
-    case Action::add_handle:
-      return "choose one more handle";
-    case Action::choose_belt:
-      return "choose the belt by hand";
-    case Action::take_move:
-      return "move: the gizmo, and the left button turns the view";
-    case Action::take_disk:
-      return "choose by a disk: drag from its middle to its rim, or click and scroll";
-    case Action::take_loop:
-      return "choose by a loop: click around, close it, click the side to keep";
-    case Action::take_brush:
-      return "choose by a brush: [ and ] size it, Ctrl erases";
-    case Action::take_lasso:
-      return "choose by a lasso: Ctrl erases";
-    case Action::take_box:
-      return "choose by a box: Ctrl erases";
-    case Action::go_on:
-      return "go on from the ROI to the handle, and from there to moving it";
-    case Action::grow:
-      return "grow what is chosen by a ring";
-    case Action::shrink:
-      return "shrink what is chosen by a ring";
-    case Action::invert:
-      return "choose what is not chosen";
-    case Action::remove_handle:
-      return "remove the handle";
-    case Action::take_part:
-      return "take a part of the folder in hand, then the next one";
-    case Action::take_up_part:
-      return "take the transplant made last up again";
-    case Action::toggle_before:
-      return "compare with the mesh as it was opened";
-    case Action::begin_coat:
-      return "coat the ROI with the detail of another patch";
-    case Action::begin_mix:
-      return "mix the details of two patches on the ROI";
-    case Action::open_source:
-      return "take a coat or mix from another mesh";
-    case Action::other_source:
-      return "the other source of a mix";
-    case Action::pick_pairs:
-      return "pick corresponding points for a coat or mix, or no longer";
-    case Action::apply_step:
-      return "apply the coat or mix";
-    case Action::undo:
-      return "undo";
-    case Action::redo:
-      return "redo";
-    case Action::open:
-      return "open";
-    case Action::save:
-      return "save the mesh";
-    case Action::save_as:
-      return "save the mesh as another file";
-    case Action::save_recipe:
-      return "save the steps as a recipe";
-    case Action::replay_recipe:
-      return "replay a recipe on this mesh";
-    case Action::save_picture:
-      return "save a picture";
-    case Action::quit:
-      return "quit";
   }
   return {};
 }
@@ -333,11 +226,10 @@ std::vector<ControlLine> key_controls() {
   std::vector<ControlLine> lines = gizmo_controls();
   for (const KeyBinding& binding : kKeyBindings) {
     std::string how = words(binding.modifiers) + key_name(binding.key);
-    const std::string_view what = words(binding.action);
-    if (!lines.empty() && lines.back().what == what) {
+    if (binding.words.empty()) {
       lines.back().how += " or " + how;
     } else {
-      lines.push_back({std::move(how), std::string(what)});
+      lines.push_back({std::move(how), std::string(binding.words)});
     }
   }
   for (ControlLine& line : part_controls()) lines.push_back(std::move(line));

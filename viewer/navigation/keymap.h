@@ -83,6 +83,7 @@ struct KeyBinding {
   int key = 0;
   Modifiers modifiers;
   Action action = Action::frame_all;
+  std::string_view words = "";  ///< what it does; empty: what the one before does
 };
 
 /// Who is used to what.

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/region/geodesic.h"
+#include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -33,7 +34,7 @@ Vector3d barycentric(const Vector3d& a, const Vector3d& b, const Vector3d& c, co
 
 }  // namespace
 
-ToolAnswer DiskTool::handle(const InputEvent& event, const SelectScene& scene) {
+ToolAnswer DiskTool::handle(const InputEvent& event, const ToolScene& scene) {
   if (event.kind == InputKind::press && event.button == MouseButton::left) {
     const auto pick = scene.pick(event.position);
     if (!pick) return ToolAnswer::passed_on();
@@ -58,7 +59,7 @@ ToolAnswer DiskTool::handle(const InputEvent& event, const SelectScene& scene) {
   return chosen();
 }
 
-void DiskTool::begin(const SurfacePoint& pick, const InputEvent& event, const SelectScene& scene) {
+void DiskTool::begin(const SurfacePoint& pick, const InputEvent& event, const ToolScene& scene) {
   dragging_ = true;
   has_moved_ = false;
   part_ = scene.part;
@@ -69,7 +70,7 @@ void DiskTool::begin(const SurfacePoint& pick, const InputEvent& event, const Se
 }
 
 // The distance along the surface where the cursor is on it, else straight across the view.
-double DiskTool::radius_at(const Vector2d& pixel, const SelectScene& scene) const {
+double DiskTool::radius_at(const Vector2d& pixel, const ToolScene& scene) const {
   if (const auto pick = scene.pick(pixel)) {
     const Triangle& t = scene.state.rest->topology().triangles[pick->triangle];
     const Vector3d shares = barycentric(scene.positions[t[0]], scene.positions[t[1]],
@@ -83,6 +84,21 @@ double DiskTool::radius_at(const Vector2d& pixel, const SelectScene& scene) cons
 
 ToolAnswer DiskTool::chosen() const {
   return {true, Choose{part_, {GeodesicDisk{center_, radius_}, "disk"}}, {}};
+}
+
+const char* DiskTool::hint(const AppState& state, const Part& part) const {
+  if (may_change_choice() && !vertices_of(state.selection, part).empty()) {
+    return "the wheel changes the radius; Enter accepts it";
+  }
+  switch (part.role) {
+    case Part::Role::roi:
+      return "drag from the middle of the region to edit to its rim";
+    case Part::Role::belt:
+      return "choose the belt, between ROI and handle";
+    case Part::Role::handle:
+      break;
+  }
+  return "drag from the middle of a handle in the ROI to its rim";
 }
 
 VertexSet DiskTool::live() const {

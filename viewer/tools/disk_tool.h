@@ -3,33 +3,37 @@
 #include <optional>
 #include <vector>
 
-#include "tools/input.h"
-#include "tools/select_scene.h"
-#include "tools/tool_answer.h"
+#include "tools/scene_tool.h"
 
 namespace lapwing::viewer {
 
 /// Chooses a geodesic disk: press on its centre and drag to its rim, or click and scroll. Scrolling
 /// changes the disk chosen last, too, also where the scene has gone on to another part since.
 /// Escape gives up.
-class DiskTool {
+class DiskTool final : public SceneTool {
  public:
-  ToolAnswer handle(const InputEvent& event, const SelectScene& scene);
-
-  bool is_dragging() const { return dragging_; }
+  ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
+  bool is_dragging() const override { return dragging_; }
+  const char* hint(const AppState& state, const Part& part) const override;
   /// The vertices in the disk while it is dragged.
-  VertexSet live() const;
-  double radius() const { return radius_; }
+  VertexSet live() const override;
+  VertexSet chosen_with(const VertexSet& chosen) const override {
+    return dragging_ ? live() : chosen;
+  }
   /// Whether the disk chosen last came by a click, its radius still to be scrolled; false while one
   /// is dragged, and before the first.
-  bool was_clicked() const { return center_ != kNoIndex && !dragging_ && !has_moved_; }
+  bool may_change_choice() const override {
+    return center_ != kNoIndex && !dragging_ && !has_moved_;
+  }
+
+  double radius() const { return radius_; }
 
   /// Another surface, or a part chosen by other means: nothing of the last disk counts any more.
   void reset() { *this = {}; }
 
  private:
-  void begin(const SurfacePoint& pick, const InputEvent& event, const SelectScene& scene);
-  double radius_at(const Eigen::Vector2d& pixel, const SelectScene& scene) const;
+  void begin(const SurfacePoint& pick, const InputEvent& event, const ToolScene& scene);
+  double radius_at(const Eigen::Vector2d& pixel, const ToolScene& scene) const;
   ToolAnswer chosen() const;
 
   bool dragging_ = false;

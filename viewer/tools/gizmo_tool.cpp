@@ -61,13 +61,18 @@ bool belongs_to_number(char32_t c) {
 
 }  // namespace
 
-Gizmo GizmoTool::gizmo(const GizmoScene& scene) const {
-  const Eigen::Vector3d centroid = handle_centroid(scene.state, scene.handle);
-  const Move& move = live_ ? *live_ : scene.state.moves[scene.handle];
+const char* GizmoTool::hint(const AppState& state, const Part&) const {
+  return state.selection.handles.empty() ? "H chooses a handle"
+                                         : "drag the gizmo, or press G, R or S";
+}
+
+Gizmo GizmoTool::gizmo(const AppState& state, std::size_t handle) const {
+  const Eigen::Vector3d centroid = handle_centroid(state, handle);
+  const Move& move = move_ ? *move_ : state.moves[handle];
   return {mode(), to_affine(move, centroid) * centroid, Eigen::Matrix3d::Identity()};
 }
 
-ToolAnswer GizmoTool::handle(const InputEvent& event, const GizmoScene& scene) {
+ToolAnswer GizmoTool::handle(const InputEvent& event, const ToolScene& scene) {
   snaps_ = event.modifiers.control;
   if (event.kind == InputKind::key) return handle_key(event, scene);
   if (event.kind == InputKind::text) return handle_text(event, scene);
@@ -75,7 +80,7 @@ ToolAnswer GizmoTool::handle(const InputEvent& event, const GizmoScene& scene) {
   cursor_ = event.position;
   if (!drag_) {
     if (event.kind == InputKind::release) return ToolAnswer::passed_on();
-    hovered_ = hit_gizmo(gizmo(scene), scene.projection, cursor_);
+    hovered_ = hit_gizmo(gizmo(scene.state, scene.handle), scene.projection, cursor_);
     if (event.kind == InputKind::move || event.button != MouseButton::left ||
         hovered_ == GizmoPart::none) {
       return ToolAnswer::passed_on();
@@ -95,7 +100,7 @@ ToolAnswer GizmoTool::handle(const InputEvent& event, const GizmoScene& scene) {
   return ToolAnswer::only_taken();
 }
 
-ToolAnswer GizmoTool::handle_key(const InputEvent& event, const GizmoScene& scene) {
+ToolAnswer GizmoTool::handle_key(const InputEvent& event, const ToolScene& scene) {
   if (drag_) return handle_drag_key(event, scene);
   // Control+S and the like are somebody else's.
   if (event.modifiers.control || event.modifiers.alt) return ToolAnswer::passed_on();
@@ -111,7 +116,7 @@ ToolAnswer GizmoTool::handle_key(const InputEvent& event, const GizmoScene& scen
   return ToolAnswer::passed_on();
 }
 
-ToolAnswer GizmoTool::handle_drag_key(const InputEvent& event, const GizmoScene& scene) {
+ToolAnswer GizmoTool::handle_drag_key(const InputEvent& event, const ToolScene& scene) {
   if (event.key == kEscape) {
     give_up();
     return ToolAnswer::only_taken();
@@ -145,7 +150,7 @@ ToolAnswer GizmoTool::handle_drag_key(const InputEvent& event, const GizmoScene&
   return ToolAnswer::only_taken();
 }
 
-ToolAnswer GizmoTool::handle_text(const InputEvent& event, const GizmoScene& scene) {
+ToolAnswer GizmoTool::handle_text(const InputEvent& event, const ToolScene& scene) {
   if (!drag_) return ToolAnswer::passed_on();
   if (belongs_to_number(event.text)) {
     typed_ += static_cast<char>(event.text);
@@ -154,8 +159,8 @@ ToolAnswer GizmoTool::handle_text(const InputEvent& event, const GizmoScene& sce
   return ToolAnswer::only_taken();
 }
 
-void GizmoTool::begin(GizmoMode mode, GizmoPart part, const GizmoScene& scene) {
-  Gizmo there = gizmo(scene);
+void GizmoTool::begin(GizmoMode mode, GizmoPart part, const ToolScene& scene) {
+  Gizmo there = gizmo(scene.state, scene.handle);
   there.mode = mode;
   start_ = cursor_;
   snap_length_ = snap_length(there, scene.projection);
@@ -163,26 +168,26 @@ void GizmoTool::begin(GizmoMode mode, GizmoPart part, const GizmoScene& scene) {
   renew(scene);
 }
 
-void GizmoTool::renew(const GizmoScene& scene) {
+void GizmoTool::renew(const ToolScene& scene) {
   std::optional<SnapSteps> snap;
   if (snaps_) snap = SnapSteps{.length = snap_length_};
   amount_ = drag_->amount(snap, typed_number());
-  live_ = drag_->move_after(scene.state.moves[scene.handle],
+  move_ = drag_->move_after(scene.state.moves[scene.handle],
                             handle_centroid(scene.state, scene.handle), amount_);
   turns_too_far_ = !scene.state.parameters.commit_every &&
-                   turn_of(*live_).degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
+                   turn_of(*move_).degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
 }
 
-ToolAnswer GizmoTool::confirm(const GizmoScene& scene) {
+ToolAnswer GizmoTool::confirm(const ToolScene& scene) {
   ToolAnswer answer = ToolAnswer::only_taken();
-  if (*live_ != scene.state.moves[scene.handle]) answer.command = MoveHandle{scene.handle, *live_};
+  if (*move_ != scene.state.moves[scene.handle]) answer.command = MoveHandle{scene.handle, *move_};
   give_up();
   return answer;
 }
 
 void GizmoTool::give_up() {
   drag_.reset();
-  live_.reset();
+  move_.reset();
   turns_too_far_ = false;
   typed_.clear();
 }
@@ -215,7 +220,7 @@ void GizmoTool::read_out(std::string& text) const {
     append(text,
            "; turned %.4g degrees in all: the surface may wind the other way round; commit on the "
            "way",
-           turn_of(*live_).degrees);
+           turn_of(*move_).degrees);
   }
 }
 

@@ -3,35 +3,23 @@
 #include <optional>
 #include <string>
 
-#include "state/command.h"
 #include "tools/gizmo_drag.h"
-#include "tools/input.h"
-#include "tools/tool_answer.h"
+#include "tools/scene_tool.h"
 
 namespace lapwing::viewer {
-
-/// What R does: it turns in Blender and scales in Maya. All other keys of both always work.
-enum class GizmoKeys { blender, maya };
-
-/// What the gizmo stands in.
-struct GizmoScene {
-  const AppState& state;
-  std::size_t handle = 0;  ///< of the state
-  const Projection& projection;
-  GizmoKeys keys = GizmoKeys::blender;
-};
 
 /// Moves a handle: by dragging a part of the gizmo, or by G, R or S and the mouse alone, held to an
 /// axis by X, Y, Z, to a plane by Shift with them, and by numbers typed. Control snaps. W, E and Q
 /// (in Maya R) choose what the gizmo shows. Enter or a click ends a drag, Escape or the right
 /// button gives it up.
-class GizmoTool {
+class GizmoTool final : public SceneTool {
  public:
-  ToolAnswer handle(const InputEvent& event, const GizmoScene& scene);
+  ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
+  bool is_dragging() const override { return drag_.has_value(); }
+  const char* hint(const AppState& state, const Part& part) const override;
 
   /// The handle's move while it is dragged.
-  const std::optional<Move>& live() const { return live_; }
-  bool is_dragging() const { return drag_.has_value(); }
+  const std::optional<Move>& move() const { return move_; }
   /// What the gizmo shows from now on; nothing while it is dragged.
   void show(GizmoMode mode) {
     if (!drag_) mode_ = mode;
@@ -40,7 +28,7 @@ class GizmoTool {
   /// The part dragged or under the cursor.
   GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
   /// Where the gizmo is drawn: it goes with its handle.
-  Gizmo gizmo(const GizmoScene& scene) const;
+  Gizmo gizmo(const AppState& state, std::size_t handle) const;
   /// Whether the handle, dragged as it is, has turned farther from rest than the surface surely
   /// follows at once (kLargestSettledTurnDegrees), and nothing is committed on the way.
   bool turns_too_far() const { return turns_too_far_; }
@@ -49,12 +37,12 @@ class GizmoTool {
   void read_out(std::string& text) const;
 
  private:
-  ToolAnswer handle_key(const InputEvent& event, const GizmoScene& scene);
-  ToolAnswer handle_drag_key(const InputEvent& event, const GizmoScene& scene);
-  ToolAnswer handle_text(const InputEvent& event, const GizmoScene& scene);
-  void begin(GizmoMode mode, GizmoPart part, const GizmoScene& scene);
-  void renew(const GizmoScene& scene);
-  ToolAnswer confirm(const GizmoScene& scene);
+  ToolAnswer handle_key(const InputEvent& event, const ToolScene& scene);
+  ToolAnswer handle_drag_key(const InputEvent& event, const ToolScene& scene);
+  ToolAnswer handle_text(const InputEvent& event, const ToolScene& scene);
+  void begin(GizmoMode mode, GizmoPart part, const ToolScene& scene);
+  void renew(const ToolScene& scene);
+  ToolAnswer confirm(const ToolScene& scene);
   void give_up();
   std::optional<double> typed_number() const;
 
@@ -69,7 +57,7 @@ class GizmoTool {
   double snap_length_ = 1.0;
   std::string typed_;
   GizmoAmount amount_;
-  std::optional<Move> live_;
+  std::optional<Move> move_;
   bool turns_too_far_ = false;  // of the live move
 };
 

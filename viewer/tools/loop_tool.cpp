@@ -9,13 +9,13 @@ namespace {
 constexpr double kClosingPixels = 10.0;
 constexpr std::size_t kFewestCorners = 3;
 
-std::vector<Index> path(Index from, Index to, const SelectScene& scene) {
+std::vector<Index> path(Index from, Index to, const ToolScene& scene) {
   return shortest_edge_path(scene.state.rest->topology(), scene.positions, from, to);
 }
 
 }  // namespace
 
-ToolAnswer LoopTool::handle(const InputEvent& event, const SelectScene& scene) {
+ToolAnswer LoopTool::handle(const InputEvent& event, const ToolScene& scene) {
   if (event.kind == InputKind::press && event.button == MouseButton::left) {
     return click(event, scene);
   }
@@ -36,14 +36,38 @@ ToolAnswer LoopTool::handle(const InputEvent& event, const SelectScene& scene) {
   return ToolAnswer::only_taken();
 }
 
-ToolAnswer LoopTool::click(const InputEvent& event, const SelectScene& scene) {
+const char* LoopTool::hint(const AppState&, const Part& part) const {
+  if (closed_) return "click the side to keep";
+  if (!corners_.empty()) {
+    return "keep clicking around; Enter or a click on the first point closes the loop";
+  }
+  switch (part.role) {
+    case Part::Role::roi:
+      return "click around the region to edit (ROI)";
+    case Part::Role::belt:
+      return "choose the belt, between ROI and handle";
+    case Part::Role::handle:
+      break;
+  }
+  return "click around a handle in the ROI";
+}
+
+ToolMarks LoopTool::marks() const {
+  ToolMarks marks;
+  marks.line = line();
+  marks.line_is_done = closed_;
+  marks.dots = corners_;
+  return marks;
+}
+
+ToolAnswer LoopTool::click(const InputEvent& event, const ToolScene& scene) {
   if (!closed_ && is_first(event.position, scene)) return close(scene);
   const auto pick = scene.pick(event.position);
   if (!pick) return ToolAnswer::passed_on();
   return closed_ ? choose_side(pick->vertex, scene) : add(pick->vertex, scene);
 }
 
-ToolAnswer LoopTool::add(Index corner, const SelectScene& scene) {
+ToolAnswer LoopTool::add(Index corner, const ToolScene& scene) {
   if (!corners_.empty()) {
     if (corner == corners_.back()) return ToolAnswer::only_taken();
     std::vector<Index> piece = path(corners_.back(), corner, scene);
@@ -55,7 +79,7 @@ ToolAnswer LoopTool::add(Index corner, const SelectScene& scene) {
   return ToolAnswer::only_taken();
 }
 
-ToolAnswer LoopTool::close(const SelectScene& scene) {
+ToolAnswer LoopTool::close(const ToolScene& scene) {
   if (corners_.size() < kFewestCorners) {
     return {true, {}, "a loop needs at least three points; keep clicking around"};
   }
@@ -65,7 +89,7 @@ ToolAnswer LoopTool::close(const SelectScene& scene) {
   return ToolAnswer::only_taken();
 }
 
-ToolAnswer LoopTool::choose_side(Index inside, const SelectScene& scene) {
+ToolAnswer LoopTool::choose_side(Index inside, const ToolScene& scene) {
   const RegionSpec spec{LoopRegion{corners_, inside}, "loop"};
   try {
     // On the surface that is seen: that is where the command will choose.
@@ -89,7 +113,7 @@ void LoopTool::take_back() {
   to_cursor_.clear();
 }
 
-void LoopTool::hover(const Eigen::Vector2d& pixel, const SelectScene& scene) {
+void LoopTool::hover(const Eigen::Vector2d& pixel, const ToolScene& scene) {
   if (corners_.empty() || closed_) return;
   const auto pick = scene.pick(pixel);
   const Index vertex = pick ? pick->vertex : kNoIndex;
@@ -99,7 +123,7 @@ void LoopTool::hover(const Eigen::Vector2d& pixel, const SelectScene& scene) {
   if (vertex != kNoIndex) to_cursor_ = path(corners_.back(), vertex, scene);
 }
 
-bool LoopTool::is_first(const Eigen::Vector2d& pixel, const SelectScene& scene) const {
+bool LoopTool::is_first(const Eigen::Vector2d& pixel, const ToolScene& scene) const {
   if (corners_.size() < kFewestCorners) return false;
   const auto first = scene.projection.to_pixel(scene.positions[corners_.front()]);
   return first && (*first - pixel).norm() < kClosingPixels;

@@ -2,18 +2,19 @@
 
 #include <vector>
 
-#include "tools/input.h"
-#include "tools/select_scene.h"
-#include "tools/tool_answer.h"
+#include "tools/scene_tool.h"
 
 namespace lapwing::viewer {
 
 /// Chooses one side of a closed loop: clicks are joined along the mesh; a click on the first one or
 /// Enter closes the loop; the next click says which side. Backspace takes the last click back,
 /// Escape all of them.
-class LoopTool {
+class LoopTool final : public SceneTool {
  public:
-  ToolAnswer handle(const InputEvent& event, const SelectScene& scene);
+  ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
+  const char* hint(const AppState& state, const Part& part) const override;
+  ToolMarks marks() const override;
+  bool follows_cursor() const override { return !corners_.empty(); }
 
   const std::vector<Index>& corners() const { return corners_; }
   /// The vertices of the line so far, the piece to the cursor included; the first again at the end
@@ -24,13 +25,13 @@ class LoopTool {
   void reset() { *this = {}; }
 
  private:
-  ToolAnswer click(const InputEvent& event, const SelectScene& scene);
-  ToolAnswer add(Index corner, const SelectScene& scene);
-  ToolAnswer close(const SelectScene& scene);
-  ToolAnswer choose_side(Index inside, const SelectScene& scene);
+  ToolAnswer click(const InputEvent& event, const ToolScene& scene);
+  ToolAnswer add(Index corner, const ToolScene& scene);
+  ToolAnswer close(const ToolScene& scene);
+  ToolAnswer choose_side(Index inside, const ToolScene& scene);
   void take_back();
-  void hover(const Eigen::Vector2d& pixel, const SelectScene& scene);
-  bool is_first(const Eigen::Vector2d& pixel, const SelectScene& scene) const;
+  void hover(const Eigen::Vector2d& pixel, const ToolScene& scene);
+  bool is_first(const Eigen::Vector2d& pixel, const ToolScene& scene) const;
 
   std::vector<Index> corners_;
   std::vector<std::vector<Index>> pieces_;  // from each corner to the next

@@ -17,7 +17,7 @@ constexpr double kLargestBrush = 500.0;
 
 }  // namespace
 
-ToolAnswer PaintTool::handle(const InputEvent& event, const SelectScene& scene) {
+ToolAnswer PaintTool::handle(const InputEvent& event, const ToolScene& scene) {
   if (event.kind == InputKind::key && (event.key == '[' || event.key == ']')) {
     resize_brush(event.key == ']' ? 1.0 : -1.0);
     return ToolAnswer::only_taken();
@@ -50,7 +50,7 @@ ToolAnswer PaintTool::handle(const InputEvent& event, const SelectScene& scene) 
   }
 }
 
-void PaintTool::begin(const InputEvent& event, const SelectScene& scene) {
+void PaintTool::begin(const InputEvent& event, const ToolScene& scene) {
   dragging_ = true;
   pixels_ = vertex_pixels(scene.positions, scene.projection);
   way_ = {event.position};
@@ -58,7 +58,7 @@ void PaintTool::begin(const InputEvent& event, const SelectScene& scene) {
   extend(event.position, scene);
 }
 
-void PaintTool::extend(const Vector2d& to, const SelectScene& scene) {
+void PaintTool::extend(const Vector2d& to, const ToolScene& scene) {
   switch (options_.shape) {
     case Shape::brush:
       touched_ = unite(touched_, seen(near_line(pixels_, way_.back(), to, options_.radius), scene));
@@ -74,14 +74,14 @@ void PaintTool::extend(const Vector2d& to, const SelectScene& scene) {
   }
 }
 
-VertexSet PaintTool::seen(VertexSet vertices, const SelectScene& scene) const {
+VertexSet PaintTool::seen(VertexSet vertices, const ToolScene& scene) const {
   if (!options_.through && scene.is_visible) {
     std::erase_if(vertices, [&](Index v) { return !scene.is_visible(v); });
   }
   return vertices;
 }
 
-ToolAnswer PaintTool::finish(const SelectScene& scene) {
+ToolAnswer PaintTool::finish(const ToolScene& scene) {
   ToolAnswer answer = ToolAnswer::only_taken();
   answer.command = paint(scene.state, scene.part, touched_, erases());
   give_up();
@@ -97,6 +97,30 @@ void PaintTool::give_up() {
 void PaintTool::resize_brush(double steps) {
   options_.radius =
       std::clamp(options_.radius * std::pow(kFactorOfStep, steps), kSmallestBrush, kLargestBrush);
+}
+
+const char* PaintTool::hint(const AppState&, const Part& part) const {
+  switch (part.role) {
+    case Part::Role::roi:
+      return "paint the region to edit (ROI)";
+    case Part::Role::belt:
+      return "paint the belt";
+    case Part::Role::handle:
+      break;
+  }
+  return "paint a handle in the ROI";
+}
+
+VertexSet PaintTool::chosen_with(const VertexSet& chosen) const {
+  if (!dragging_) return chosen;
+  return erases() ? subtract(chosen, touched_) : unite(chosen, touched_);
+}
+
+ToolMarks PaintTool::marks() const {
+  ToolMarks marks;
+  marks.outline = outline();
+  if (options_.shape == Shape::brush) marks.brush = options_.radius;
+  return marks;
 }
 
 std::vector<Vector2d> PaintTool::outline() const {

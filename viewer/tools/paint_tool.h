@@ -2,16 +2,14 @@
 
 #include <vector>
 
-#include "tools/input.h"
-#include "tools/select_scene.h"
-#include "tools/tool_answer.h"
+#include "tools/scene_tool.h"
 
 namespace lapwing::viewer {
 
 /// Chooses vertices by where they show: under a brush, in a lasso or in a box. Drag with the left
 /// button; Control turns painting into erasing and back. [ and ], and scrolling during a stroke,
 /// change the brush. Escape gives a stroke up.
-class PaintTool {
+class PaintTool final : public SceneTool {
  public:
   enum class Shape { brush, lasso, box };
   struct Options {
@@ -21,24 +19,25 @@ class PaintTool {
     double radius = 20.0;  ///< of the brush, in pixels
   };
 
-  ToolAnswer handle(const InputEvent& event, const SelectScene& scene);
+  ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
+  bool is_dragging() const override { return dragging_; }
+  const char* hint(const AppState& state, const Part& part) const override;
+  VertexSet live() const override { return touched_; }
+  bool erases() const override { return options_.erase != control_; }
+  VertexSet chosen_with(const VertexSet& chosen) const override;
+  ToolMarks marks() const override;
+  bool follows_cursor() const override { return options_.shape == Shape::brush; }
 
   Options& options() { return options_; }
-  const Options& options() const { return options_; }
-  bool is_dragging() const { return dragging_; }
-  bool erases() const { return options_.erase != control_; }
-  /// The vertices of the stroke so far.
-  const VertexSet& live() const { return touched_; }
-  /// What to draw of a lasso or box: a closed line, in pixels.
-  std::vector<Eigen::Vector2d> outline() const;
 
  private:
-  void begin(const InputEvent& event, const SelectScene& scene);
-  void extend(const Eigen::Vector2d& to, const SelectScene& scene);
-  VertexSet seen(VertexSet vertices, const SelectScene& scene) const;
-  ToolAnswer finish(const SelectScene& scene);
+  void begin(const InputEvent& event, const ToolScene& scene);
+  void extend(const Eigen::Vector2d& to, const ToolScene& scene);
+  VertexSet seen(VertexSet vertices, const ToolScene& scene) const;
+  ToolAnswer finish(const ToolScene& scene);
   void give_up();
   void resize_brush(double steps);
+  std::vector<Eigen::Vector2d> outline() const;
 
   Options options_;
   bool control_ = false;

@@ -71,7 +71,7 @@ void PlaceTool::set_down() {
   hovered_ = GizmoPart::none;
 }
 
-const char* PlaceTool::hint() const {
+const char* PlaceTool::hint(const AppState&, const Part&) const {
   switch (stage_) {
     case Stage::carried:
       return "click where the part goes; the wheel sizes it, Shift + wheel turns it";
@@ -89,7 +89,7 @@ std::optional<Gizmo> PlaceTool::gizmo() const {
   return Gizmo{mode_, frame.center, axes_of(draft_.placement, frame.normal)};
 }
 
-ToolAnswer PlaceTool::handle(const InputEvent& event, const SelectScene& scene) {
+ToolAnswer PlaceTool::handle(const InputEvent& event, const ToolScene& scene) {
   if (stage_ == Stage::empty || event.kind == InputKind::text) return ToolAnswer::passed_on();
   if (event.kind == InputKind::key) return handle_key(event);
   if (event.kind == InputKind::scroll) return handle_scroll(event);

@@ -33,10 +33,10 @@ class PlaceTool final : public SceneTool {
   /// It stays where it is, if it is anywhere.
   void set_down();
 
-  ToolAnswer handle(const InputEvent& event, const SelectScene& scene) override;
+  ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   bool is_dragging() const override { return drag_.has_value(); }
   bool draws_preview() const override { return stage_ != Stage::empty; }
-  const char* hint() const override;
+  const char* hint(const AppState& state, const Part& part) const override;
 
   Stage stage() const { return stage_; }
   const TransplantDraft& draft() const { return draft_; }

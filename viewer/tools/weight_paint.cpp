@@ -11,7 +11,7 @@ WeightPaint::WeightPaint() {
   paint_.options().shape = PaintTool::Shape::brush;
 }
 
-ToolAnswer WeightPaint::handle(const InputEvent& event, const SelectScene& scene) {
+ToolAnswer WeightPaint::handle(const InputEvent& event, const ToolScene& scene) {
   field_.resize(scene.state.rest->vertex_count(), 0.0);
   // A selection that the brush can add everything to, or take everything from.
   AppState canvas = open_state(scene.state.rest);

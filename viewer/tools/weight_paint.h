@@ -13,9 +13,12 @@ class WeightPaint final : public SceneTool {
  public:
   WeightPaint();
 
-  ToolAnswer handle(const InputEvent& event, const SelectScene& scene) override;
+  ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
   bool is_dragging() const override { return paint_.is_dragging(); }
-  const char* hint() const override { return "paint where the second source comes; Ctrl erases"; }
+  const char* hint(const AppState&, const Part&) const override {
+    return "paint where the second source comes; Ctrl erases";
+  }
+  ToolMarks marks() const override { return paint_.marks(); }
 
   /// One number per vertex; 0 everywhere for as many as there are now, where it was of other
   /// vertices.
@@ -28,7 +31,6 @@ class WeightPaint final : public SceneTool {
 
   double strength = 1.0;
   PaintTool::Options& brush() { return paint_.options(); }
-  const PaintTool& tool() const { return paint_; }
 
  private:
   PaintTool paint_;

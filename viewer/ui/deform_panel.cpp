@@ -105,7 +105,7 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
               {"scale", GizmoMode::scale}})) {
     editor.show_gizmo(mode);
   }
-  const Move& now = editor.gizmo_tool().live() ? *editor.gizmo_tool().live() : state.moves[handle];
+  const Move& now = editor.gizmo_tool().move() ? *editor.gizmo_tool().move() : state.moves[handle];
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {
     ImGui::TextDisabled("stretched along axes: moved by a matrix");

@@ -135,7 +135,7 @@ void draw_gizmo(Pen& pen, const Gizmo& gizmo, GizmoPart taken_part, GizmoLines& 
 
 void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& readout) {
   const GizmoTool& tool = editor.gizmo_tool();
-  const Gizmo gizmo = tool.gizmo(editor.gizmo_scene(pen.projection()));
+  const Gizmo gizmo = tool.gizmo(editor.state(), editor.handle());
   draw_gizmo(pen, gizmo, tool.part(), lines);
   if (!tool.is_dragging()) return;
   if (const auto center = pen.projection().to_pixel(gizmo.center)) {
@@ -144,11 +144,13 @@ void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& 
   }
 }
 
-void draw_loop(Pen& pen, const Editor& editor) {
-  const LoopTool& loop = editor.loop_tool();
-  pen.line(pen.pixels_of(editor, loop.line()), false, loop.is_closed() ? kHighlight : kLine,
-           kThick);
-  for (const Vector2d& corner : pen.pixels_of(editor, loop.corners())) pen.dot(corner, kHighlight);
+void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
+  const ToolMarks marks = editor.tool().marks();
+  const ImU32 color = marks.line_is_done ? kHighlight : kLine;
+  pen.line(pen.pixels_of(editor, marks.line), false, color, kThick);
+  for (const Vector2d& dot : pen.pixels_of(editor, marks.dots)) pen.dot(dot, kHighlight);
+  if (marks.brush > 0.0) pen.circle(cursor, marks.brush, kLine);
+  pen.line(marks.outline, true, kLine, 1.5F);
 }
 
 // One end of each pair, 0 on the source and 1 on the target.
@@ -173,7 +175,7 @@ void draw_ends(Pen& pen, const CoatSource& source, std::size_t end, std::optiona
 }  // namespace
 
 void EditMarks::draw(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
-                     const Vector2d& corner, double pixels_per_unit, const Vector2d& cursor) {
+                     const Vector2d& corner, double pixels_per_unit) {
   if (desk.view() == nullptr) return;
   const double right = corner.x() + desk.view()->view_frame().size.x();
   const std::array<Vector2d, 2> seam{Vector2d(right, 0.0), Vector2d(right, view.size.y())};
@@ -185,7 +187,6 @@ void EditMarks::draw(const LayerDesk& desk, const Editor& editor, const ViewFram
   if (!editor.shown().has_triangles_of_state()) return;
   Pen pen(view, pixels_per_unit, points_);
   draw_ends(pen, source, 1, desk.picked_target(), editor.positions());
-  if (desk.is_painting()) pen.circle(cursor, desk.weight_paint().tool().options().radius, kLine);
 }
 
 void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
@@ -194,10 +195,7 @@ void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_
   if (editor.has_gizmo() || editor.gizmo_tool().is_dragging()) {
     draw_gizmo(pen, editor, gizmo_, readout_);
   }
-  if (editor.tool() == EditTool::loop) draw_loop(pen, editor);
-  const PaintTool& paint = editor.paint_tool();
-  if (editor.tool() == EditTool::brush) pen.circle(cursor, paint.options().radius, kLine);
-  pen.line(paint.outline(), true, kLine, 1.5F);
+  draw_marks(pen, editor, cursor);
   for (const Vector2d& pixel : pen.pixels_of(editor, editor.pointed_at())) {
     pen.circle(pixel, 14.0, kPointer);
   }

@@ -84,9 +84,9 @@ class EditMarks {
   void draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,
             const Eigen::Vector2d& cursor);
   /// Of a coat or mix: the pairs of points, numbered, on the target and on the source, whose view
-  /// is at `corner`; the brush that paints a weight.
+  /// is at `corner`.
   void draw(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
-            const Eigen::Vector2d& corner, double pixels_per_unit, const Eigen::Vector2d& cursor);
+            const Eigen::Vector2d& corner, double pixels_per_unit);
   /// Of a transplant: the loops of part and hole, and the part's gizmo.
   void draw_transplant(const TransplantDesk& desk, const ViewFrame& view, double pixels_per_unit);
 

@@ -1,4 +1,3 @@
-#include <array>
 #include <imgui.h>
 #include <utility>
 
@@ -41,18 +40,11 @@ void draw_parts(Editor& editor) {
 }
 
 void draw_tools(Editor& editor) {
-  struct Item {
-    const char* name;
-    EditTool tool;
-  };
-  constexpr std::array kTools{Item{"Disk", EditTool::disk},   Item{"Loop", EditTool::loop},
-                              Item{"Brush", EditTool::brush}, Item{"Lasso", EditTool::lasso},
-                              Item{"Box", EditTool::box},     Item{"Move", EditTool::move}};
-  for (std::size_t t = 0; t < kTools.size(); ++t) {
-    if (t % 3 != 0) ImGui::SameLine(static_cast<float>(t % 3) * 6.5F * ImGui::GetFontSize());
-    if (ImGui::RadioButton(kTools[t].name, editor.tool() == kTools[t].tool)) {
-      editor.take(kTools[t].tool);
-    }
+  std::size_t column = 0;
+  for (const ToolRow& row : tool_rows()) {
+    if (column > 0) ImGui::SameLine(static_cast<float>(column) * 6.5F * ImGui::GetFontSize());
+    column = (column + 1) % 3;
+    if (ImGui::RadioButton(row.name, editor.row() == &row)) editor.take(row);
   }
 }
 
@@ -61,7 +53,7 @@ void draw_paint_options(Editor& editor) {
   ImGui::Checkbox("through", &options.through);
   ImGui::SameLine();
   ImGui::Checkbox("erase", &options.erase);
-  if (editor.tool() != EditTool::brush) return;
+  if (options.shape != PaintTool::Shape::brush) return;
   float radius = static_cast<float>(options.radius);
   if (ImGui::SliderFloat("brush", &radius, 1.0F, 200.0F, "%.0f pixels")) options.radius = radius;
 }
@@ -84,10 +76,7 @@ void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
   draw_parts(editor);
   ImGui::Separator();
   draw_tools(editor);
-  const EditTool tool = editor.tool();
-  if (tool == EditTool::brush || tool == EditTool::lasso || tool == EditTool::box) {
-    draw_paint_options(editor);
-  }
+  if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor);
   if (ImGui::Button("Grow")) editor.grow();
   ImGui::SameLine();
   if (ImGui::Button("Shrink")) editor.shrink();

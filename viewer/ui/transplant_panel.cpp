@@ -136,7 +136,7 @@ void draw_place(TransplantDesk& desk, Editor& editor) {
         {{"move", GizmoMode::translate}, {"turn", GizmoMode::rotate}, {"scale", GizmoMode::scale}});
     tool.show(mode);
   } else {
-    ImGui::TextWrapped("%s", tool.hint());
+    ImGui::TextWrapped("%s", editor.hint());
     ImGui::Checkbox("snap its loop onto the surface", &tool.snaps);
   }
 }

@@ -81,8 +81,7 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
     marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
     marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
     if (const auto area = source_area()) {
-      marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit,
-                  cursor_);
+      marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
     }
     if (show_panels_) draw_sidebar(last);
   }

@@ -1,0 +1,30 @@
+#include "editing/tool_table.h"
+
+#include <array>
+
+namespace lapwing::viewer {
+namespace {
+
+template <PaintTool::Shape shape>
+SceneTool& take_paint(Tools& tools) {
+  tools.paint.options().shape = shape;
+  return tools.paint;
+}
+
+using Shape = PaintTool::Shape;
+
+constexpr std::array kRows{
+    ToolRow{"Disk", Action::take_disk, [](Tools& tools) -> SceneTool& { return tools.disk; }},
+    ToolRow{"Loop", Action::take_loop, [](Tools& tools) -> SceneTool& { return tools.loop; }},
+    ToolRow{"Brush", Action::take_brush, take_paint<Shape::brush>},
+    ToolRow{"Lasso", Action::take_lasso, take_paint<Shape::lasso>},
+    ToolRow{"Box", Action::take_box, take_paint<Shape::box>},
+    ToolRow{"Move", Action::take_move, [](Tools& tools) -> SceneTool& { return tools.gizmo; }}};
+
+}  // namespace
+
+std::span<const ToolRow> tool_rows() {
+  return kRows;
+}
+
+}  // namespace lapwing::viewer
