@@ -108,7 +108,7 @@ void Editor::show_classes() {
 
 std::size_t Editor::count(const Part& part) const {
   const VertexSet& chosen = vertices_of(state().selection, part);
-  return part == part_ && tool_->is_dragging() ? tool_->chosen_with(chosen).size() : chosen.size();
+  return part == part_ ? tool_->count_with(chosen) : chosen.size();
 }
 
 Bounds Editor::bounds() const {

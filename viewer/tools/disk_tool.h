@@ -17,8 +17,8 @@ class DiskTool final : public SceneTool {
   const char* hint(const AppState& state, const Part& part) const override;
   /// The vertices in the disk while it is dragged.
   VertexSet live() const override;
-  VertexSet chosen_with(const VertexSet& chosen) const override {
-    return dragging_ ? live() : chosen;
+  std::size_t count_with(const VertexSet& chosen) const override {
+    return dragging_ ? live().size() : chosen.size();
   }
   /// Whether the disk chosen last came by a click, its radius still to be scrolled; false while one
   /// is dragged, and before the first.

@@ -7,21 +7,16 @@
 namespace lapwing::viewer {
 
 JobThread::JobThread(MakeKernels make_kernels, std::function<void()> wake)
-    : wake_(std::move(wake)), make_kernels_(std::move(make_kernels)), worker_([this] { run(); }) {}
+    : make_kernels_(std::move(make_kernels)), worker_([this] { return next(); }, std::move(wake)) {}
 
 JobThread::~JobThread() {
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-    ++ticket_;
-  }
-  asked_.notify_one();
-  worker_.join();
+  const std::lock_guard lock(worker_.mutex());
+  ++ticket_;
 }
 
 void JobThread::start(Work work) {
   {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(worker_.mutex());
     ++ticket_;
     unfinished_ = std::move(work);
     to_start_ = true;
@@ -29,11 +24,11 @@ void JobThread::start(Work work) {
     error_ = nullptr;
     status_ = {true, {}, 0.0};
   }
-  asked_.notify_one();
+  worker_.notify();
 }
 
 void JobThread::cancel() {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   ++ticket_;
   unfinished_ = {};
   to_start_ = false;
@@ -45,7 +40,7 @@ void JobThread::cancel() {
 void JobThread::use_kernels(MakeKernels make_kernels) {
   Work again;
   {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(worker_.mutex());
     make_kernels_ = std::move(make_kernels);
     again = unfinished_;
   }
@@ -53,46 +48,30 @@ void JobThread::use_kernels(MakeKernels make_kernels) {
 }
 
 WorkStatus JobThread::status() const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   return status_;
 }
 
 bool JobThread::take_done() {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   if (!std::exchange(done_, false)) return false;
   if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
   return true;
 }
 
-void JobThread::run() {
-  std::unique_lock lock(mutex_);
-  for (;;) {
-    asked_.wait(lock, [this] { return stop_ || to_start_; });
-    if (stop_) return;
-    to_start_ = false;
-    {
-      const Work work = unfinished_;
-      const std::uint64_t ticket = ticket_;
-      const MakeKernels make_kernels = make_kernels_;
-      lock.unlock();
-      carry_out(work, ticket, make_kernels);
-    }
-    if (wake_) wake_();
-    lock.lock();
-  }
+Worker::Work JobThread::next() {
+  if (!std::exchange(to_start_, false)) return {};
+  return [this, work = unfinished_, ticket = ticket_, make_kernels = make_kernels_] {
+    carry_out(work, ticket, make_kernels);
+  };
 }
 
 void JobThread::carry_out(const Work& work, std::uint64_t ticket, const MakeKernels& make_kernels) {
-  const Progress progress = [this, ticket](std::string_view stage, double fraction) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (ticket_ != ticket) return false;
-      status_.stage = stage;
-      status_.fraction = fraction;
-    }
-    if (wake_) wake_();
-    return true;
-  };
+  const Progress progress =
+      worker_.progress(ticket_, ticket, [this](std::string_view stage, double fraction) {
+        status_.stage = stage;
+        status_.fraction = fraction;
+      });
   std::exception_ptr error;
   bool finished = true;
   try {
@@ -105,7 +84,7 @@ void JobThread::carry_out(const Work& work, std::uint64_t ticket, const MakeKern
   } catch (...) {
     error = std::current_exception();
   }
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   if (ticket_ != ticket) return;
   if (finished) unfinished_ = {};
   status_ = {};

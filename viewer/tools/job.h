@@ -1,17 +1,14 @@
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
-#include "lapwing/base/progress.h"
 #include "lapwing/kernels/kernels.h"
+#include "tools/worker.h"
 
 namespace lapwing::viewer {
 
@@ -50,24 +47,20 @@ class JobThread {
   bool take_done();
 
  private:
-  void run();
+  Worker::Work next();
   void carry_out(const Work& work, std::uint64_t ticket, const MakeKernels& make_kernels);
 
-  const std::function<void()> wake_;
-
-  mutable std::mutex mutex_;
-  std::condition_variable asked_;
-  // All below is guarded by the mutex. Work under a ticket that is not the current one is void.
+  // All but the worker is guarded by its mutex. Work under a ticket that is not the current one is
+  // void.
   MakeKernels make_kernels_;
   std::uint64_t ticket_ = 0;
-  bool stop_ = false;
   Work unfinished_;  // under way, or ended by a lost device
   bool to_start_ = false;
   bool done_ = false;
   std::exception_ptr error_;
   WorkStatus status_;
 
-  std::thread worker_;  // last: it uses all the others
+  Worker worker_;  // last: it uses all the others
 };
 
 /// A JobThread whose work has a result.

@@ -111,9 +111,9 @@ const char* PaintTool::hint(const AppState&, const Part& part) const {
   return "paint a handle in the ROI";
 }
 
-VertexSet PaintTool::chosen_with(const VertexSet& chosen) const {
-  if (!dragging_) return chosen;
-  return erases() ? subtract(chosen, touched_) : unite(chosen, touched_);
+std::size_t PaintTool::count_with(const VertexSet& chosen) const {
+  if (!dragging_) return chosen.size();
+  return (erases() ? subtract(chosen, touched_) : unite(chosen, touched_)).size();
 }
 
 ToolMarks PaintTool::marks() const {

@@ -24,7 +24,7 @@ class PaintTool final : public SceneTool {
   const char* hint(const AppState& state, const Part& part) const override;
   VertexSet live() const override { return touched_; }
   bool erases() const override { return options_.erase != control_; }
-  VertexSet chosen_with(const VertexSet& chosen) const override;
+  std::size_t count_with(const VertexSet& chosen) const override;
   ToolMarks marks() const override;
   bool follows_cursor() const override { return options_.shape == Shape::brush; }
 

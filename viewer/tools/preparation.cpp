@@ -48,20 +48,14 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
 }  // namespace
 
 Preparation::Preparation(MakeKernels make_kernels, std::function<void()> wake, Upload upload)
-    : wake_(std::move(wake)),
-      make_kernels_(std::move(make_kernels)),
+    : make_kernels_(std::move(make_kernels)),
       upload_(std::move(upload)),
-      worker_([this] { run(); }) {}
+      worker_([this] { return next(); }, std::move(wake)) {}
 
 Preparation::~Preparation() {
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-    ++ticket_;
-    ++settle_ticket_;
-  }
-  asked_.notify_one();
-  worker_.join();
+  const std::lock_guard lock(worker_.mutex());
+  ++ticket_;
+  ++settle_ticket_;
 }
 
 // Cancels all. What was ready is the caller's to destroy, without the lock: factors are large.
@@ -79,7 +73,7 @@ Preparation::Ready Preparation::let_go() {
 void Preparation::follow(const AppState& state) {
   Ready old;
   {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(worker_.mutex());
     if (followed_ && same_preparation(*followed_, state)) return;
     old = let_go();
     followed_ = state;
@@ -88,43 +82,43 @@ void Preparation::follow(const AppState& state) {
       status_.phase = Phase::previewing;
     }
   }
-  asked_.notify_one();
+  worker_.notify();
 }
 
 void Preparation::settle(const AppState& state) {
   {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(worker_.mutex());
     result_.reset();
     live_result_.reset();
     to_settle_ = Request{state, ++settle_ticket_, false, nullptr};
     if (status_.phase == Phase::ready) status_.phase = Phase::settling;
   }
-  asked_.notify_one();
+  worker_.notify();
 }
 
 std::optional<SettledResult> Preparation::take_result() {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   return std::exchange(result_, std::nullopt);
 }
 
 bool Preparation::settle_live(const AppState& state, std::shared_ptr<const SettledPose> from) {
   {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(worker_.mutex());
     if (status_.phase != Phase::ready || result_ || live_result_) return false;
     to_settle_ = Request{state, ++settle_ticket_, true, std::move(from)};
     status_.phase = Phase::settling;
   }
-  asked_.notify_one();
+  worker_.notify();
   return true;
 }
 
 std::optional<LiveResult> Preparation::take_live_result() {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   return std::exchange(live_result_, std::nullopt);
 }
 
 void Preparation::cancel_settling() {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   ++settle_ticket_;
   result_.reset();
   live_result_.reset();
@@ -135,29 +129,29 @@ void Preparation::cancel_settling() {
 void Preparation::cancel() {
   Ready old;
   std::shared_ptr<Kept> kept;
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   old = let_go();
   kept = std::exchange(kept_, nullptr);
   followed_.reset();
 }
 
 PreparationStatus Preparation::status() const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   return status_;
 }
 
 std::shared_ptr<const DragPreview> Preparation::preview() const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   return ready_.preview;
 }
 
 std::shared_ptr<const Deformer> Preparation::exact() const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   return ready_.exact;
 }
 
 std::shared_ptr<BlendResponse> Preparation::on_device(const DragResponse& response) const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   if (ready_.exact && ready_.exact->response().get() == &response) return ready_.exact_on_device;
   if (ready_.preview && ready_.preview->response().get() == &response) {
     return ready_.preview_on_device;
@@ -167,61 +161,43 @@ std::shared_ptr<BlendResponse> Preparation::on_device(const DragResponse& respon
 
 void Preparation::use_kernels(MakeKernels make_kernels, Upload upload) {
   cancel();
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   make_kernels_ = std::move(make_kernels);
   upload_ = std::move(upload);
 }
 
 std::unique_ptr<Kernels> Preparation::make_kernels() const {
-  std::unique_lock lock(mutex_);
+  std::unique_lock lock(worker_.mutex());
   const MakeKernels make = make_kernels_;
   lock.unlock();
   return make();
 }
 
 std::shared_ptr<BlendResponse> Preparation::upload(const DragResponse& response) const {
-  std::unique_lock lock(mutex_);
+  std::unique_lock lock(worker_.mutex());
   const Upload upload = upload_;
   lock.unlock();
   return upload ? upload(response) : nullptr;
 }
 
-void Preparation::wake() const {
-  if (wake_) wake_();
-}
-
-void Preparation::run() {
-  std::unique_lock lock(mutex_);
-  for (;;) {
-    asked_.wait(lock, [this] { return stop_ || to_prepare_ || (to_settle_ && ready_.exact); });
-    if (stop_) return;
-    if (to_prepare_) {
-      const AppState state = *std::exchange(to_prepare_, std::nullopt);
-      const std::uint64_t ticket = ticket_;
-      lock.unlock();
+Worker::Work Preparation::next() {
+  if (to_prepare_) {
+    return [this, state = *std::exchange(to_prepare_, std::nullopt), ticket = ticket_] {
       prepare(state, ticket);
-    } else {
-      const Request request = *std::exchange(to_settle_, std::nullopt);
-      const Ready ready = ready_;
-      lock.unlock();
-      settle_now(request, ready);
-    }
-    wake();
-    lock.lock();
+    };
   }
+  if (!to_settle_ || !ready_.exact) return {};
+  return [this, request = *std::exchange(to_settle_, std::nullopt), ready = ready_] {
+    settle_now(request, ready);
+  };
 }
 
 void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
-  const Progress progress = [this, ticket](std::string_view stage, double fraction) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (ticket_ != ticket) return false;
-      status_.stage = stage;
-      status_.fraction = fraction_of_preparation(stage, fraction);
-    }
-    wake();
-    return true;
-  };
+  const Progress progress =
+      worker_.progress(ticket_, ticket, [this](std::string_view stage, double fraction) {
+        status_.stage = stage;
+        status_.fraction = fraction_of_preparation(stage, fraction);
+      });
   last_live_.reset();
   try {
     Ready ready;
@@ -252,7 +228,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
 std::shared_ptr<Preparation::Kept> Preparation::kept_for(const AppState& state,
                                                          std::uint64_t ticket) {
   std::shared_ptr<Kept> before;
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   if (ticket_ != ticket) throw Cancelled();
   if (kept_ == nullptr || kept_->topology.get() != &state.rest->topology()) {
     before = std::exchange(kept_, std::make_shared<Kept>(state.rest->shared_topology()));
@@ -262,37 +238,33 @@ std::shared_ptr<Preparation::Kept> Preparation::kept_for(const AppState& state,
 
 bool Preparation::publish(std::uint64_t ticket, Ready ready, Phase phase) {
   {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(worker_.mutex());
     if (ticket_ != ticket) return false;
     ready_ = std::move(ready);
     // A result that was asked for comes next, and the exact one is never free in between.
     status_.phase = phase == Phase::ready && to_settle_ ? Phase::settling : phase;
     if (phase == Phase::ready) status_.fraction = 1.0;
   }
-  wake();
+  worker_.wake();
   return true;
 }
 
 void Preparation::fail(std::uint64_t ticket, Phase phase, const std::string& message) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   if (ticket_ != ticket) return;
   status_.phase = phase;
   status_.message = message;
 }
 
 void Preparation::settle_now(const Request& request, const Ready& ready) {
-  const Progress progress = [this, ticket = request.ticket, is_live = request.is_live](
-                                std::string_view stage, double fraction) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (settle_ticket_ != ticket) return false;
-      status_.stage = stage;
-      status_.fraction = fraction;
-    }
-    // A live result comes sooner than anybody could read how far it is.
-    if (!is_live) wake();
-    return true;
-  };
+  // A live result comes sooner than anybody could read how far it is.
+  const Progress progress = worker_.progress(
+      settle_ticket_, request.ticket,
+      [this](std::string_view stage, double fraction) {
+        status_.stage = stage;
+        status_.fraction = fraction;
+      },
+      !request.is_live);
   const AppState& state = request.state;
   std::optional<SettledResult> result;
   std::optional<LiveResult> live;
@@ -310,7 +282,7 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
     // Asked for again it would fail again.
     if (request.is_live) live = LiveResult{state.moves, request.from, true};
   }
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(worker_.mutex());
   if (ready_.exact != ready.exact) return;  // another preparation has begun
   status_.phase = to_settle_ ? Phase::settling : Phase::ready;
   if (settle_ticket_ != request.ticket) return;

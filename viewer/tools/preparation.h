@@ -1,19 +1,17 @@
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/prepared_region.h"
 #include "state/app_state.h"
+#include "tools/worker.h"
 
 namespace lapwing {
 class BlendResponse;
@@ -140,7 +138,7 @@ class Preparation {
     std::shared_ptr<const SettledPose> from;  ///< of a live one
   };
 
-  void run();
+  Worker::Work next();
   void prepare(const AppState& state, std::uint64_t ticket);
   void settle_now(const Request& request, const Ready& ready);
   LiveResult live_result(const Request& request, const Ready& ready, const Progress& progress);
@@ -151,18 +149,13 @@ class Preparation {
   Ready let_go();
   std::unique_ptr<Kernels> make_kernels() const;
   std::shared_ptr<BlendResponse> upload(const DragResponse& response) const;
-  void wake() const;
 
-  const std::function<void()> wake_;
-
-  mutable std::mutex mutex_;
-  std::condition_variable asked_;
-  // All below is guarded by the mutex. Work under a ticket that is not the current one is void.
+  // All below is guarded by the worker's mutex. Work under a ticket that is not the current one is
+  // void.
   MakeKernels make_kernels_;
   Upload upload_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
-  bool stop_ = false;
   std::optional<AppState> followed_;
   std::optional<AppState> to_prepare_;
   std::optional<Request> to_settle_;
@@ -173,7 +166,7 @@ class Preparation {
   Ready ready_;
 
   std::shared_ptr<const SettledPose> last_live_;  // the worker's alone
-  std::thread worker_;                            // last: it uses all the others
+  Worker worker_;                                 // last: it uses all the others
 };
 
 }  // namespace lapwing::viewer

@@ -34,8 +34,8 @@ class SceneTool {
   /// The vertices of the stroke under way, and whether it takes them away.
   virtual VertexSet live() const { return {}; }
   virtual bool erases() const { return false; }
-  /// What would be chosen instead of `chosen` if the stroke under way ended here.
-  virtual VertexSet chosen_with(const VertexSet& chosen) const { return chosen; }
+  /// How many vertices would be chosen, in place of `chosen`, if the stroke under way ended here.
+  virtual std::size_t count_with(const VertexSet& chosen) const { return chosen.size(); }
   /// Whether what was chosen last may still be changed, so that nothing else should follow yet.
   virtual bool may_change_choice() const { return false; }
 

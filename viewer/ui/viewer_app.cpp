@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "editing/kernels_like.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/render/render_image.h"
 #include "window/window.h"
@@ -22,7 +23,7 @@ std::filesystem::path edited_path(const OpenedMesh& opened) {
 ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals)
     : context_(context),
       journals_(std::move(journals)),
-      loader_(context),
+      loader_(kernels_like(context), &Window::wake),
       samples_(find_samples()) {}
 
 void ViewerApp::offer_interrupted() {
@@ -41,7 +42,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
     document_->desk.release_device();
     document_->editor.release_device();
   }
-  loader_.use_device(context);
+  loader_.use_kernels(kernels_like(context));
   context_ = std::move(context);
   if (document_) {
     document_->editor.use_device(context_);
@@ -59,20 +60,23 @@ void ViewerApp::open(const std::filesystem::path& file) {
   });
 }
 
-void ViewerApp::load(std::string name, FileLoader::Load load) {
+void ViewerApp::load(std::string name, Load load) {
   show_start_ = false;
-  loader_.start(std::move(name), std::move(load));
+  loading_ = std::move(name);
+  loader_.start(
+      [load = std::move(load)](const std::shared_ptr<Kernels>& kernels, const Progress& progress) {
+        return load(*kernels, progress);
+      });
 }
 
 void ViewerApp::take_loaded() {
-  auto outcome = loader_.take();
-  if (!outcome) return;
   try {
-    if (outcome->error) std::rethrow_exception(outcome->error);
-    if (outcome->file && outcome->file->replayed_from) {
-      go_on_with(std::move(*outcome->file));
-    } else if (outcome->file) {
-      show(std::move(*outcome->file));
+    std::optional<LoadedFile> file = loader_.take();
+    if (!file) return;
+    if (file->replayed_from) {
+      go_on_with(std::move(*file));
+    } else {
+      show(std::move(*file));
     }
   } catch (const Error& error) {
     if (order_) throw;

@@ -10,8 +10,9 @@
 
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "navigation/keymap.h"
+#include "tools/job.h"
 #include "ui/document.h"
-#include "ui/file_loader.h"
+#include "ui/load_file.h"
 #include "ui/panels.h"
 #include "window/app.h"
 
@@ -47,7 +48,10 @@ class ViewerApp final : public App {
 
  private:
   // Files.
-  void load(std::string name, FileLoader::Load load);
+  using Load = std::function<LoadedFile(Kernels& kernels, const Progress& progress)>;
+  /// Begins with `load`, beside the window, and calls it `name`; what is still being loaded is
+  /// given up.
+  void load(std::string name, Load load);
   void show(LoadedFile file);
   void go_on_with(LoadedFile replay);
   void take_loaded();
@@ -107,7 +111,8 @@ class ViewerApp final : public App {
 
   std::shared_ptr<gpu::Context> context_;
   std::filesystem::path journals_;
-  FileLoader loader_;
+  Job<LoadedFile> loader_;
+  std::string loading_;  // what is loaded, in words
   std::unique_ptr<Document> document_;
   Camera camera_;
   UpAxis up_axis_ = UpAxis::y;

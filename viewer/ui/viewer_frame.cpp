@@ -113,7 +113,7 @@ void ViewerApp::update_document() {
 void ViewerApp::draw_dialogs() {
   if (!interrupted_.empty()) {
     draw_interrupted();
-  } else if (show_start_ && !loader_.busy()) {
+  } else if (show_start_ && !loader_.status().busy) {
     draw_start();
   }
   if (picture_plan_.open && document_ && draw_picture_panel(picture_plan_)) {
@@ -322,8 +322,8 @@ const std::string& ViewerApp::status_text() {
     append_state(text, editor);
   }
   text += "  |  ";
-  if (loader_.busy()) {
-    text.append(loader_.stage()).append(" (Escape cancels)");
+  if (const WorkStatus loading = loader_.status(); loading.busy) {
+    text.append(loading_).append(": ").append(loading.stage).append(" (Escape cancels)");
   } else if (!status_.empty()) {
     text += status_;
   } else {

@@ -202,7 +202,7 @@ void ViewerApp::escape() {
   path_plan_.purpose.reset();
   leaving_for_ = nullptr;
   interrupted_.clear();
-  if (document_) show_start_ = false;
+  show_start_ = !document_;
   loader_.cancel();
 }
 
