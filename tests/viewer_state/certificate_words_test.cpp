@@ -1,4 +1,4 @@
-#include "tools/certificate_words.h"
+#include "work/certificate_words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "tools/edit_session.h"
+#include "work/edit_session.h"
 
 #include <chrono>
 #include <thread>

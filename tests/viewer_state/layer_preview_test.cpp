@@ -1,6 +1,6 @@
 // A coat or mix in the making: what is missing, what changes at once, and that what is shown is
 // what comes of it.
-#include "tools/layer_preview.h"
+#include "work/layer_preview.h"
 
 #include <chrono>
 #include <thread>

@@ -10,10 +10,10 @@
 #include "lapwing/session/run_recipe.h"
 #include "support/models.h"
 #include "tools/disk_tool.h"
-#include "tools/edit_session.h"
 #include "tools/gizmo_tool.h"
 #include "viewer_state/test_view.h"
 #include "viewer_state/tube_edit.h"
+#include "work/edit_session.h"
 
 namespace lapwing::viewer::test {
 namespace {

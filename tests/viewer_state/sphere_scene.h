@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lapwing/mesh/shapes.h"
-#include "tools/tool_scene.h"
 #include "tools/tool_answer.h"
+#include "tools/tool_scene.h"
 #include "viewer_state/test_view.h"
 
 namespace lapwing::viewer::test {

@@ -7,9 +7,9 @@
 
 #include "lapwing/base/errors.h"
 #include "support/error_message.h"
-#include "tools/edit_session.h"
 #include "viewer_state/sheet_edit.h"
 #include "viewer_state/tube_edit.h"
+#include "work/edit_session.h"
 
 namespace lapwing::viewer::test {
 namespace {

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "state/draft.h"
-#include "tools/transplant_preview.h"
 #include "viewer_state/part_scene.h"
 #include "viewer_state/sheet_edit.h"
+#include "work/transplant_preview.h"
 
 namespace lapwing::viewer::test {
 namespace {

@@ -10,7 +10,7 @@
 #include "lapwing/render/surface.h"
 #include "lapwing/render/surface_paint.h"
 #include "state/command.h"
-#include "tools/preparation.h"
+#include "work/preparation.h"
 
 namespace lapwing::viewer {
 

@@ -8,8 +8,8 @@
 
 #include "editing/shown_surface.h"
 #include "editing/tool_table.h"
-#include "tools/certificate_words.h"
-#include "tools/edit_session.h"
+#include "work/certificate_words.h"
+#include "work/edit_session.h"
 
 namespace lapwing::viewer {
 

@@ -1,8 +1,27 @@
 #include "editing/editor_actions.h"
 
+#include <algorithm>
+#include <array>
+
 namespace lapwing::viewer {
 
+namespace {
+
 using Role = Part::Role;
+
+struct PlainAction {
+  Action action;
+  void (Editor::*perform)();
+};
+constexpr std::array kPlainActions{PlainAction{Action::go_on, &Editor::go_on},
+                                   PlainAction{Action::grow, &Editor::grow},
+                                   PlainAction{Action::shrink, &Editor::shrink},
+                                   PlainAction{Action::invert, &Editor::invert},
+                                   PlainAction{Action::remove_handle, &Editor::remove_handle},
+                                   PlainAction{Action::undo, &Editor::undo},
+                                   PlainAction{Action::redo, &Editor::redo}};
+
+}  // namespace
 
 bool perform_on(Editor& editor, Action action) {
   const std::size_t handles = editor.state().selection.handles.size();
@@ -11,6 +30,11 @@ bool perform_on(Editor& editor, Action action) {
     if (editor.has_in_hand(editor.gizmo_tool())) editor.take(Action::take_disk);
   };
   if (editor.take(action)) return true;
+  const auto plain = std::ranges::find(kPlainActions, action, &PlainAction::action);
+  if (plain != kPlainActions.end()) {
+    (editor.*plain->perform)();
+    return true;
+  }
   switch (action) {
     case Action::choose_roi:
       choose({Role::roi});
@@ -24,29 +48,8 @@ bool perform_on(Editor& editor, Action action) {
     case Action::choose_belt:
       choose({Role::belt});
       return true;
-    case Action::go_on:
-      editor.go_on();
-      return true;
-    case Action::grow:
-      editor.grow();
-      return true;
-    case Action::shrink:
-      editor.shrink();
-      return true;
-    case Action::invert:
-      editor.invert();
-      return true;
-    case Action::remove_handle:
-      editor.remove_handle();
-      return true;
     case Action::toggle_before:
       editor.show_before(!editor.shown().shows_before());
-      return true;
-    case Action::undo:
-      editor.undo();
-      return true;
-    case Action::redo:
-      editor.redo();
       return true;
     default:
       return false;

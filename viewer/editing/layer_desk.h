@@ -7,8 +7,8 @@
 
 #include "editing/editor.h"
 #include "editing/source_view.h"
-#include "tools/layer_preview.h"
 #include "tools/weight_paint.h"
+#include "work/layer_preview.h"
 
 namespace lapwing::viewer {
 

@@ -11,7 +11,7 @@
 
 #include "lapwing/render/image.h"
 #include "state/app_state.h"
-#include "tools/job.h"
+#include "work/job.h"
 
 namespace lapwing::gpu {
 class Context;

@@ -8,7 +8,7 @@
 #include "editing/editor.h"
 #include "editing/part_shelf.h"
 #include "tools/place_tool.h"
-#include "tools/transplant_preview.h"
+#include "work/transplant_preview.h"
 
 namespace lapwing::viewer {
 

@@ -10,11 +10,11 @@
 
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "navigation/keymap.h"
-#include "tools/job.h"
 #include "ui/document.h"
 #include "ui/load_file.h"
 #include "ui/panels.h"
 #include "window/app.h"
+#include "work/job.h"
 
 namespace lapwing::viewer {
 

@@ -1,4 +1,4 @@
-#include "tools/transplant_preview.h"
+#include "work/transplant_preview.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "tools/layer_draft.h"
+#include "work/layer_draft.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "lapwing/kernels/kernels.h"
-#include "tools/worker.h"
+#include "work/worker.h"
 
 namespace lapwing::viewer {
 

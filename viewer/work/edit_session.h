@@ -12,8 +12,8 @@
 #include "state/history.h"
 #include "state/journal.h"
 #include "state/revision.h"
-#include "tools/job.h"
-#include "tools/preparation.h"
+#include "work/job.h"
+#include "work/preparation.h"
 
 namespace lapwing::viewer {
 

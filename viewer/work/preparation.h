@@ -11,7 +11,7 @@
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/prepared_region.h"
 #include "state/app_state.h"
-#include "tools/worker.h"
+#include "work/worker.h"
 
 namespace lapwing {
 class BlendResponse;

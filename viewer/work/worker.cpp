@@ -1,4 +1,4 @@
-#include "tools/worker.h"
+#include "work/worker.h"
 
 #include <utility>
 

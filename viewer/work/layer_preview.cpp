@@ -1,4 +1,4 @@
-#include "tools/layer_preview.h"
+#include "work/layer_preview.h"
 
 #include "lapwing/base/errors.h"
 #include "lapwing/step/coat_step.h"

@@ -1,4 +1,4 @@
-#include "tools/job.h"
+#include "work/job.h"
 
 #include <utility>
 

@@ -6,8 +6,8 @@
 
 #include "lapwing/coating/layered_coat.h"
 #include "state/app_state.h"
-#include "tools/job.h"
-#include "tools/layer_draft.h"
+#include "work/job.h"
+#include "work/layer_draft.h"
 
 namespace lapwing::viewer {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "state/applied_step.h"
-#include "tools/job.h"
+#include "work/job.h"
 
 namespace lapwing::viewer {
 

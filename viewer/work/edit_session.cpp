@@ -1,4 +1,4 @@
-#include "tools/edit_session.h"
+#include "work/edit_session.h"
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"

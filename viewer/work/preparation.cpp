@@ -1,4 +1,4 @@
-#include "tools/preparation.h"
+#include "work/preparation.h"
 
 #include <algorithm>
 #include <array>
