@@ -13,7 +13,7 @@
 #include "run/bench_run.h"
 #include "run/host.h"
 #include "run/targets.h"
-#include "text_file.h"
+#include "report/text_file.h"
 
 namespace lapwing::bench {
 namespace {

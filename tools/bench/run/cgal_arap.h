@@ -7,7 +7,7 @@
 
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
-#include "studies/measure.h"
+#include "run/measure.h"
 
 namespace lapwing::bench {
 

@@ -18,7 +18,7 @@
 #include "lapwing/region/largest_disk.h"
 #include "lapwing/step/step.h"
 #include "lapwing/vulkan/open_device.h"
-#include "studies/measure.h"
+#include "run/measure.h"
 #include "studies/studies.h"
 
 namespace lapwing::bench {

@@ -11,7 +11,7 @@
 #include "lapwing/render/surface.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "run/subject.h"
-#include "studies/measure.h"
+#include "run/measure.h"
 #include "studies/studies.h"
 #include "ui/panels.h"
 #include "window/frame_painter.h"

@@ -13,7 +13,7 @@
 #include "studies/real/real_table.h"
 #include "studies/real_ways.h"
 #include "studies/studies.h"
-#include "text_file.h"
+#include "report/text_file.h"
 
 namespace lapwing::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include "lapwing/session/run_recipe.h"
 #include "lapwing/vulkan/open_device.h"
 #include "run/cgal_arap.h"
-#include "studies/measure.h"
+#include "run/measure.h"
 #include "studies/pictures.h"
 #include "studies/studies.h"
 

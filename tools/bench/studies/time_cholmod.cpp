@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "solvers/cholmod_solver.h"
-#include "studies/measure.h"
+#include "run/measure.h"
 #include "studies/solver_rows.h"
 
 namespace lapwing::bench {

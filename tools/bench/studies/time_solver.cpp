@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "studies/measure.h"
+#include "run/measure.h"
 #include "studies/solver_rows.h"
 
 namespace lapwing::bench {

@@ -1,4 +1,4 @@
-#include "text_file.h"
+#include "report/text_file.h"
 
 #include <fstream>
 
