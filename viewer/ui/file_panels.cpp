@@ -110,8 +110,11 @@ std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const Interrup
       if (ImGui::Button("Discard")) choice = {e, What::discard};
       ImGui::SameLine();
       const std::size_t count = edits[e].step_count();
-      ImGui::Text("%s, %zu %s, %s", edits[e].opened.filename().c_str(), count,
-                  count == 1 ? "edit" : "edits", in_words(edits[e].last_step).c_str());
+      const std::string steps = count == 0   ? "a selection"
+                                : count == 1 ? "1 edit"
+                                             : std::to_string(count) + " edits";
+      ImGui::Text("%s, %s, %s", edits[e].opened.filename().c_str(), steps.c_str(),
+                  in_words(edits[e].last_step).c_str());
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", edits[e].opened.c_str());
       ImGui::PopID();
     }
