@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/session/report.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "session/coat_runs.h"
 #include "support/bent_tube.h"

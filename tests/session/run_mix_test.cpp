@@ -6,6 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/prepared_coat.h"
+#include "lapwing/session/report.h"
 #include "lapwing/step/coat_step.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "session/coat_runs.h"

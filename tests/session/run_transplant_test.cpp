@@ -8,6 +8,7 @@
 #include "lapwing/coating/transition.h"
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/region/geodesic.h"
+#include "lapwing/session/report.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "session/transplant_runs.h"
 #include "support/gpu.h"

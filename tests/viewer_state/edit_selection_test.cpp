@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/mesh/topology.h"
 
 namespace lapwing::viewer {
 namespace {

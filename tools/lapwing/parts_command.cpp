@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/gpu/context.h"
 #include "lapwing/parts/part_library.h"
 #include "lapwing/render/part_picture.h"
 #include "loop_text.h"

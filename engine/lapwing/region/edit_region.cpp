@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/topology.h"
 
 namespace lapwing {
 namespace {

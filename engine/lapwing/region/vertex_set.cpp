@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "lapwing/base/errors.h"
+
 namespace lapwing {
 
 VertexSet make_vertex_set(std::vector<Index> vertices) {

@@ -2,6 +2,7 @@
 
 #include "lapwing/base/stage.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/step/coat_step.h"
 #include "lapwing/step/deform_step.h"
 #include "lapwing/step/key_visitor.h"
 #include "lapwing/step/step_run.h"
