@@ -90,15 +90,9 @@ const char* DiskTool::hint(const AppState& state, const Part& part) const {
   if (may_change_choice() && !vertices_of(state.selection, part).empty()) {
     return "the wheel changes the radius; Enter accepts it";
   }
-  switch (part.role) {
-    case Part::Role::roi:
-      return "drag from the middle of the region to edit to its rim";
-    case Part::Role::belt:
-      return "choose the belt, between ROI and handle";
-    case Part::Role::handle:
-      break;
-  }
-  return "drag from the middle of a handle in the ROI to its rim";
+  return of_part(part, "drag from the middle of the region to edit to its rim",
+                 "choose the belt, between ROI and handle",
+                 "drag from the middle of a handle in the ROI to its rim");
 }
 
 VertexSet DiskTool::live() const {

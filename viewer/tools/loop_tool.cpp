@@ -41,15 +41,8 @@ const char* LoopTool::hint(const AppState&, const Part& part) const {
   if (!corners_.empty()) {
     return "keep clicking around; Enter or a click on the first point closes the loop";
   }
-  switch (part.role) {
-    case Part::Role::roi:
-      return "click around the region to edit (ROI)";
-    case Part::Role::belt:
-      return "choose the belt, between ROI and handle";
-    case Part::Role::handle:
-      break;
-  }
-  return "click around a handle in the ROI";
+  return of_part(part, "click around the region to edit (ROI)",
+                 "choose the belt, between ROI and handle", "click around a handle in the ROI");
 }
 
 ToolMarks LoopTool::marks() const {

@@ -100,15 +100,8 @@ void PaintTool::resize_brush(double steps) {
 }
 
 const char* PaintTool::hint(const AppState&, const Part& part) const {
-  switch (part.role) {
-    case Part::Role::roi:
-      return "paint the region to edit (ROI)";
-    case Part::Role::belt:
-      return "paint the belt";
-    case Part::Role::handle:
-      break;
-  }
-  return "paint a handle in the ROI";
+  return of_part(part, "paint the region to edit (ROI)", "paint the belt",
+                 "paint a handle in the ROI");
 }
 
 std::size_t PaintTool::count_with(const VertexSet& chosen) const {

@@ -42,6 +42,13 @@ class SceneTool {
   virtual ToolMarks marks() const { return {}; }
   /// Whether the marks go with the cursor.
   virtual bool follows_cursor() const { return false; }
+
+ protected:
+  /// The hint that goes with the part that is chosen.
+  static const char* of_part(const Part& part, const char* roi, const char* belt,
+                             const char* handle) {
+    return part.role == Part::Role::roi ? roi : part.role == Part::Role::belt ? belt : handle;
+  }
 };
 
 }  // namespace lapwing::viewer

@@ -55,10 +55,6 @@ VertexMeasures measure_step(const SomeStep& step, const Positions& before,
   return measure_vertices(result.region.roi, topology, weights, before, result.mesh.positions);
 }
 
-bool changed_triangles(const StepReport& report) {
-  return report.transplant || (report.coat && report.coat->vertices_before_remeshing > 0);
-}
-
 }  // namespace
 
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
@@ -68,14 +64,14 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
   load_mesh(recipe, progress, *result);
   for (const Step& step : recipe.steps) {
     const std::size_t number = result->report.steps.size() + 1;
-    const Positions before = options.measure_vertices ? result->mesh.positions : Positions{};
+    const Mesh before = options.measure_vertices ? result->mesh : Mesh();
     result->report.steps.push_back(
         run_step(step, {number, recipe.base_directory, kernels, progress, *result}));
     StepReport& report = result->report.steps.back();
-    if (!options.measure_vertices || changed_triangles(report)) continue;
+    if (!options.measure_vertices || !before.shares_faces_with(result->mesh)) continue;
     stage("measure_vertices", report.timings, progress, [&] {
-      report.vertices =
-          std::visit([&](const auto& s) { return measure_step(s, before, *result); }, step);
+      report.vertices = std::visit(
+          [&](const auto& s) { return measure_step(s, before.positions, *result); }, step);
     });
   }
   result->report.peak_memory_bytes = peak_memory_bytes();
