@@ -9,8 +9,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "lapwing/mesh/fans.h"
 #include "lapwing/mesh/edges.h"
+#include "lapwing/mesh/fans.h"
 #include "lapwing/remesh/isotropic.h"
 
 namespace lapwing::test {

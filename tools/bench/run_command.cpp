@@ -10,10 +10,10 @@
 #include "lapwing/base/errors.h"
 #include "report/report_json.h"
 #include "report/table.h"
+#include "report/text_file.h"
 #include "run/bench_run.h"
 #include "run/host.h"
 #include "run/targets.h"
-#include "report/text_file.h"
 
 namespace lapwing::bench {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "commands.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/region/disk_report.h"
 #include "lapwing/region/boundary_loops.h"
+#include "lapwing/region/disk_report.h"
 #include "lapwing/transplant/cut.h"
 #include "loop_text.h"
 #include "mesh_output.h"

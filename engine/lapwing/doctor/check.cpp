@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/mesh/fans.h"
 #include "lapwing/doctor/mend_faces.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/doctor/repeated_faces.h"
@@ -13,6 +12,7 @@
 #include "lapwing/doctor/self_intersections.h"
 #include "lapwing/mesh/coincident.h"
 #include "lapwing/mesh/edges.h"
+#include "lapwing/mesh/fans.h"
 
 namespace lapwing {
 namespace {

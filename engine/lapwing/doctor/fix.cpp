@@ -8,7 +8,6 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/union_find.h"
-#include "lapwing/mesh/fans.h"
 #include "lapwing/doctor/mend_faces.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/doctor/repeated_faces.h"
@@ -16,6 +15,7 @@
 #include "lapwing/mesh/coincident.h"
 #include "lapwing/mesh/compact.h"
 #include "lapwing/mesh/edges.h"
+#include "lapwing/mesh/fans.h"
 #include "lapwing/mesh/transform.h"
 
 namespace lapwing {

@@ -7,9 +7,9 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/mesh/fans.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/mesh/edges.h"
+#include "lapwing/mesh/fans.h"
 
 namespace lapwing {
 namespace {

@@ -43,8 +43,10 @@ class ShownDrag {
   ShownDrag(const Subject& subject, const BenchDevice& device,
             std::shared_ptr<const DragResponse> response)
       : drag_(std::move(response)), blend_(uploaded(*drag_.response(), subject, device)) {
-    positions_ = subject.mesh.positions;
-    if (device.context == nullptr) return;
+    if (device.context == nullptr) {
+      positions_ = subject.mesh.positions;
+      return;
+    }
     surface_.emplace(device.context, subject.mesh.positions, subject.mesh.topology());
     surface_->begin(*blend_, subject.mesh.positions);
   }

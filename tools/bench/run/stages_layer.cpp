@@ -69,7 +69,9 @@ void measure_step(BenchRun& run, const Subject& subject, const std::string& stag
     RunResult result;
     run.measure(
         stage, kLapwing, device, subject,
-        [&] { run_step(step, {1, "", *device.kernels, {}, result}); },
+        [&] {
+          run_step(step, {1, "", *device.kernels, {}, result});
+        },
         [&] {
           result = {};
           result.mesh = subject.mesh;

@@ -6,6 +6,7 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/io/mesh_format.h"
+#include "report/text_file.h"
 #include "run/apart.h"
 #include "run/host.h"
 #include "studies/real/ends_motion.h"
@@ -13,7 +14,6 @@
 #include "studies/real/real_table.h"
 #include "studies/real_ways.h"
 #include "studies/studies.h"
-#include "report/text_file.h"
 
 namespace lapwing::bench {
 namespace {

@@ -1,8 +1,8 @@
 #include <dlfcn.h>
 #include <optional>
 
-#include "solvers/cholmod_solver.h"
 #include "run/measure.h"
+#include "solvers/cholmod_solver.h"
 #include "studies/solver_rows.h"
 
 namespace lapwing::bench {
