@@ -85,6 +85,8 @@ class AnEditor : public ::testing::Test {
       std::this_thread::yield();
     }
   }
+  // At the next stage that it reports, so that no result comes.
+  void hold_worker() { by_steps_ = true; }
   void let_worker_go() {
     by_steps_ = false;
     steps_.release();
@@ -253,9 +255,11 @@ TEST_F(AnEditor, WhatADragShowsIsWhatItComesTo) {
   wait_until_drag_is_settled();
   EXPECT_TRUE(editor_->shows_live_result());
   const Positions seen = on_screen();
+  hold_worker();
   send(key(kEnter));
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), seen), kNothing * diagonal()) << "until it comes";
+  let_worker_go();
   wait_until_ready();
   EXPECT_EQ(editor_->surface().source(), SurfaceSource::still);
   EXPECT_LT(largest_distance(on_screen(), seen), kSettled * diagonal());
