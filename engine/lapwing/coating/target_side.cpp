@@ -59,10 +59,7 @@ std::string TargetSide::remesh(const std::function<double(const Vector3d&)>& len
     extras.pop_back();
   }
   const RemeshResult& remeshed = finer->remeshed;
-  finer->now.assign(given_mesh_.vertex_count(), kNoIndex);
-  for (Index v = 0; v < remeshed.kept.size(); ++v) {
-    if (remeshed.kept[v] != kNoIndex) finer->now[remeshed.kept[v]] = v;
-  }
+  finer->now = places_in(remeshed.kept, given_mesh_.vertex_count());
   finer->inner = remeshed.region;
   std::erase_if(finer->inner, [&](Index v) { return remeshed.kept[v] != kNoIndex; });
   if (finer->inner.empty()) finer->inner = remeshed.region;

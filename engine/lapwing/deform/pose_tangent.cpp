@@ -43,10 +43,8 @@ bool PoseTangent::take_memory() {
   if (bytes > allowed_memory(memory_limit_)) return false;
   factor_ = std::move(factor);
   const RegionRings& rings = laplacian_.rings();
-  std::vector<Index> row_of_vertex(rest_.size(), kNoIndex);
-  for (std::size_t r = 0; r < rings.row_count(); ++r) {
-    row_of_vertex[rings.vertices[r]] = static_cast<Index>(r);
-  }
+  const std::vector<Index> row_of_vertex =
+      places_in(std::span(rings.vertices).first(rings.row_count()), rest_.size());
   for (const Index v : roi_) row_of_.push_back(row_of_vertex[v]);
   const EnergyWeights& weights = laplacian_.weights();
   at_rest_ = rsi_rows(topology_.rings, roi_);

@@ -38,9 +38,7 @@ BlockRows laplacian_rows(const Adjacency& rings, std::span<const double> weights
 }
 
 Unknowns::Unknowns(std::vector<Index> list, std::size_t vertex_count)
-    : vertices(std::move(list)), of_vertex(vertex_count, kNoIndex) {
-  for (std::size_t u = 0; u < vertices.size(); ++u) of_vertex[vertices[u]] = static_cast<Index>(u);
-}
+    : vertices(std::move(list)), of_vertex(places_in(vertices, vertex_count)) {}
 
 void multiply(const BlockRows& M, std::span<const Eigen::Vector3d> displacement,
               std::span<double> r) {

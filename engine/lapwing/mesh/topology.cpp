@@ -92,6 +92,32 @@ Components connected_components(const Adjacency& rings) {
   return components;
 }
 
+std::vector<Index> places_in(std::span<const Index> list, std::size_t count) {
+  std::vector<Index> places(count, kNoIndex);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (list[k] != kNoIndex) places[list[k]] = static_cast<Index>(k);
+  }
+  return places;
+}
+
+NumberedTriangles numbered(std::span<const Triangle> triangles) {
+  Index end = 0;
+  for (const Triangle& t : triangles) end = std::max(end, std::ranges::max(t) + 1);
+  std::vector<Index> own(end, kNoIndex);
+  for (const Triangle& t : triangles) {
+    for (const Index v : t) own[v] = 0;
+  }
+  NumberedTriangles result;
+  for (Index v = 0; v < end; ++v) {
+    if (own[v] == kNoIndex) continue;
+    own[v] = static_cast<Index>(result.vertices.size());
+    result.vertices.push_back(v);
+  }
+  result.triangles.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) result.triangles.push_back({own[a], own[b], own[c]});
+  return result;
+}
+
 std::vector<Index> with_ring_neighbours(std::span<const Index> vertices, const Adjacency& rings) {
   std::vector<char> listed(rings.row_count(), 0);
   for (const Index v : vertices) {

@@ -61,6 +61,18 @@ struct Components {
 };
 Components connected_components(const Adjacency& rings);
 
+/// Where each of 0 .. count - 1 is in `list`, whose entries differ; kNoIndex where it is not.
+/// Entries that are kNoIndex are passed over.
+std::vector<Index> places_in(std::span<const Index> list, std::size_t count);
+
+/// Triangles in numbers of their own.
+struct NumberedTriangles {
+  std::vector<Index> vertices;      ///< own number -> the vertex it was, ascending
+  std::vector<Triangle> triangles;  ///< own numbers, in the order given
+};
+/// Linear in the largest vertex that is named.
+NumberedTriangles numbered(std::span<const Triangle> triangles);
+
 /// `vertices` and their ring neighbours, ascending.
 std::vector<Index> with_ring_neighbours(std::span<const Index> vertices, const Adjacency& rings);
 

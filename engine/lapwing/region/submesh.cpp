@@ -21,18 +21,8 @@ std::vector<Index> triangles_at(const VertexSet& region, const Topology& topolog
 
 Submesh submesh_around(const VertexSet& region, const Topology& topology) {
   Submesh part;
-  std::vector<Index> own_number(topology.vertex_count(), kNoIndex);
-  const auto take = [&](Index v) {
-    if (own_number[v] != kNoIndex) return;
-    own_number[v] = 0;
-    part.vertices.push_back(v);
-  };
-  for (const Index v : region) {
-    take(v);
-    for (const Index j : topology.rings[v]) take(j);
-  }
-  std::sort(part.vertices.begin(), part.vertices.end());
-  for (Index own = 0; own < part.vertices.size(); ++own) own_number[part.vertices[own]] = own;
+  part.vertices = with_ring_neighbours(region, topology.rings);
+  const std::vector<Index> own_number = places_in(part.vertices, topology.vertex_count());
   for (const Index v : region) part.region.push_back(own_number[v]);
 
   for (const Index t : triangles_at(region, topology)) {

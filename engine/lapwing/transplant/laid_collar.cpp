@@ -15,29 +15,17 @@ namespace {
 using Eigen::Vector3d;
 
 // A collar in numbers of its own.
-struct OwnCollar {
-  std::vector<Index> vertices;  // own number -> vertex of the mesh
-  std::vector<Triangle> triangles;
+struct OwnCollar : NumberedTriangles {
   BoundaryLoop seam;
   BoundaryLoop inner;
   std::vector<Vector3d> positions;
 };
 
 OwnCollar own_collar(const Collar& collar, std::span<const Vector3d> positions) {
-  OwnCollar own;
-  for (const Triangle& corners : collar.triangles) {
-    own.vertices.insert(own.vertices.end(), corners.begin(), corners.end());
-  }
-  own.vertices = make_vertex_set(std::move(own.vertices));
-  const auto number = [&](Index v) {
-    return static_cast<Index>(std::lower_bound(own.vertices.begin(), own.vertices.end(), v) -
-                              own.vertices.begin());
-  };
-  for (const Triangle& t : collar.triangles) {
-    own.triangles.push_back({number(t[0]), number(t[1]), number(t[2])});
-  }
-  for (const Index v : collar.seam) own.seam.push_back(number(v));
-  for (const Index v : collar.inner) own.inner.push_back(number(v));
+  OwnCollar own{numbered(collar.triangles), {}, {}, {}};
+  const std::vector<Index> numbers = places_in(own.vertices, positions.size());
+  for (const Index v : collar.seam) own.seam.push_back(numbers[v]);
+  for (const Index v : collar.inner) own.inner.push_back(numbers[v]);
   for (const Index v : own.vertices) own.positions.push_back(positions[v]);
   return own;
 }

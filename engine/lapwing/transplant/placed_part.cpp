@@ -156,8 +156,7 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh) {
         ". Choose another one, or write {\"disk_in\": REGION} in its place");
   }
   hole.loop = loops.front();
-  std::vector<Index> numbers(mesh.vertex_count(), kNoIndex);
-  for (Index v = 0; v < hole.rest.vertices.size(); ++v) numbers[hole.rest.vertices[v]] = v;
+  const std::vector<Index> numbers = places_in(hole.rest.vertices, mesh.vertex_count());
   const VertexSet open = without_other_side(hole.loop, hole.rest, numbers);
   if (!open.empty()) {
     throw InputError(where + ": the region reaches the boundary of the mesh at " +

@@ -19,13 +19,9 @@ SeamZone seam_zone(const TransplantHost& host, const TransplantJoined& joined,
                    const TransplantOptions& options) {
   SeamZone zone;
   const std::size_t count = joined.positions.size();
-  std::vector<Index> of_host(host.positions.size(), kNoIndex);
+  const std::vector<Index> of_host = places_in(joined.host_vertices, host.positions.size());
   std::vector<char> allowed(count, 0);
-  for (Index v = 0; v < count; ++v) {
-    if (joined.host_vertices[v] == kNoIndex) continue;
-    of_host[joined.host_vertices[v]] = v;
-    allowed[v] = 1;
-  }
+  for (Index v = 0; v < count; ++v) allowed[v] = joined.host_vertices[v] != kNoIndex ? 1 : 0;
   for (const Index v : host.hole) zone.seam.push_back(of_host[v]);
   zone.distances = geodesic_distances(joined.topology, joined.positions, zone.seam,
                                       options.padding + options.belt, allowed);

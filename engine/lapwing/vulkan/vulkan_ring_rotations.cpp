@@ -14,14 +14,6 @@ namespace {
 // Flag of shaders/rotations.glsl.
 constexpr std::uint32_t kStiffness = 1;
 
-std::vector<Index> unknowns_of_rows(const RegionRings& rings) {
-  std::vector<Index> unknown_of_row(rings.row_count(), kNoIndex);
-  for (std::size_t k = 0; k < rings.unknown_rows.size(); ++k) {
-    unknown_of_row[rings.unknown_rows[k]] = static_cast<Index>(k);
-  }
-  return unknown_of_row;
-}
-
 // The end of the longest range from `first` with at most `most` entries; one row at least.
 std::size_t end_of_range(const RegionRings& rings, std::size_t first, std::size_t most) {
   std::size_t last = first + 1;
@@ -48,7 +40,7 @@ VulkanRingRotations::VulkanRingRotations(std::shared_ptr<VulkanState> state,
     most_entries = state_->context->limits().maxStorageBufferRange / real_bytes(*state_, 3);
   }
   const std::uint32_t flags = rings.stiffness.empty() ? 0 : kStiffness;
-  const std::vector<Index> unknown_of_row = unknowns_of_rows(rings);
+  const std::vector<Index> unknown_of_row = places_in(rings.unknown_rows, rings.row_count());
   for (std::size_t first = 0; first < row_count_;) {
     const std::size_t last = end_of_range(rings, first, most_entries);
     add_range(rings, first, last, unknown_of_row, flags);
