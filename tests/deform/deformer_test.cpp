@@ -433,7 +433,7 @@ TEST(Deformer, ProgressCanCancelAtEveryStage) {
   };
   const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels, record);
   EXPECT_THAT(stages, ::testing::ElementsAre("pattern", "order", "laplacian", "assemble", "analyze",
-                                             "normal_matrix", "factor", "response", "upload"));
+                                             "normal_matrix", "factor", "shares", "upload"));
   for (const std::string& stop : stages) {
     EXPECT_THROW(Deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels,
                           [&](std::string_view stage, double) { return stage != stop; }),

@@ -95,11 +95,10 @@ struct Change {
   std::vector<std::string> stages;  // of the preparation after it
 };
 
-const std::vector<std::string> kFactored{"constraints", "laplacian", "factor", "response",
-                                         "upload"};
+const std::vector<std::string> kFactored{"constraints", "laplacian", "factor", "shares", "upload"};
 const std::vector<std::string> kAssembled{"constraints", "laplacian", "assemble", "normal_matrix",
-                                          "factor",      "response",  "upload"};
-const std::vector<std::string> kSameFactor{"constraints", "laplacian", "response", "upload"};
+                                          "factor",      "shares",    "upload"};
+const std::vector<std::string> kSameFactor{"constraints", "laplacian", "shares", "upload"};
 
 class SameRoi : public PreparedTube, public ::testing::WithParamInterface<Change> {};
 
@@ -177,7 +176,7 @@ TEST_F(PreparedTube, AnotherRoiIsPreparedInFull) {
   const Deformer next = prepare(edit);
   EXPECT_THAT(stages_of(next.timings()),
               ElementsAre("pattern", "order", "laplacian", "assemble", "analyze", "normal_matrix",
-                          "factor", "response", "upload"));
+                          "factor", "shares", "upload"));
   EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
 }
 
@@ -267,7 +266,7 @@ TEST_F(PreparedTube, RegionThatDidNotFitIsExactOnceItMayBe) {
   EXPECT_FALSE(without.is_exact());
   const Deformer again = prepare(edit);
   EXPECT_THAT(stages_of(again.timings()),
-              ElementsAre("constraints", "laplacian", "response", "upload"));
+              ElementsAre("constraints", "laplacian", "shares", "upload"));
   edit.options.memory_limit_bytes = 0;
   const Deformer exact = prepare(edit);
   EXPECT_TRUE(exact.is_exact());

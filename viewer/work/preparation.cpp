@@ -12,9 +12,9 @@ namespace {
 
 using Phase = PreparationStatus::Phase;
 
-constexpr std::array<std::string_view, 11> kStages{
+constexpr std::array<std::string_view, 12> kStages{
     "pattern", "constraints",   "order",  "laplacian", "preview", "assemble",
-    "analyze", "normal_matrix", "factor", "response",  "upload"};
+    "analyze", "normal_matrix", "factor", "shares",    "upload",  "response"};
 
 // By stages, not by time, which depends on the mesh and the device.
 double fraction_of_preparation(std::string_view stage, double fraction) {
@@ -215,7 +215,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
         [kernels = ready.exact_kernels, topology = state.rest->shared_topology()](Deformer* d) {
           delete d;
         });
-    ready.exact_on_device = upload(*ready.exact->response());
+    ready.exact_on_device = upload(*ready.exact->response(progress));
     publish(ticket, ready, Phase::ready);
   } catch (const Cancelled&) {
     // Whoever cancelled has set the status.

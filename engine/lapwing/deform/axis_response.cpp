@@ -49,4 +49,19 @@ Numbers axis_response(const EditSystem& system) {
   return columns;
 }
 
+std::vector<Vector3d> axis_displacement(const EditSystem& system,
+                                        std::span<const Vector3d> wanted) {
+  const LaplacianSystem& laplacian = system.systems->laplacian();
+  const std::size_t n = laplacian.size();
+  std::vector<double> x(3 * n);
+  laplacian.right_hand_side(wanted, x);
+  laplacian.solve_in_place(x, 3);
+  std::vector<Vector3d> displacement(system.rest->size(), Vector3d::Zero());
+  for (const Index v : system.moving) {
+    const Index u = system.constraints.unknowns.of_vertex[v];
+    displacement[v] = u == kNoIndex ? wanted[v] : Vector3d(x[u], x[n + u], x[2 * n + u]);
+  }
+  return displacement;
+}
+
 }  // namespace lapwing

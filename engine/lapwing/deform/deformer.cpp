@@ -3,6 +3,7 @@
 #include "lapwing/deform/deformer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -95,11 +96,15 @@ struct Deformer::State {
   std::unique_ptr<HandleShares> shares;
   std::vector<double> weights;  ///< of the Laplacians that certificates measure
   std::shared_ptr<const DragResponse> response;
-  ScaleForces scale_forces;  ///< none of the RSI system
+  std::atomic<bool> has_response = false;  ///< `response` does not change from then on
   std::string why_not_exact;
 
   bool hold_response(const Progress& progress);
   void make_settler(Kernels& on);
+  bool has_scale_forces() const;
+  Numbers forces_of(std::span<const double> q) const;
+  std::vector<Vector3d> linear_displacement(std::span<const Vector3d> wanted,
+                                            std::span<const double> forces) const;
   std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
   std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
@@ -133,7 +138,29 @@ void Deformer::State::make_settler(Kernels& on) {
   settler = std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get());
 }
 
-// The displacement of every vertex, in double precision.
+// The RSI system has none.
+bool Deformer::State::has_scale_forces() const {
+  return system->options.response == LinearResponse::tangent;
+}
+
+Numbers Deformer::State::forces_of(std::span<const double> q) const {
+  if (!has_scale_forces() || !why_not_exact.empty()) return {};
+  std::vector<double> growth;
+  for (std::size_t h = 0; h < system->frames.size(); ++h) {
+    growth.push_back(growth_of(system->frames[h], q.subspan(h * kMotionParameters)));
+  }
+  if (std::all_of(growth.begin(), growth.end(), [](double g) { return g == 0.0; })) return {};
+  return scale_forces(*system, shares->spread(growth));
+}
+
+// Of one motion, by one right-hand side and without columns.
+std::vector<Vector3d> Deformer::State::linear_displacement(std::span<const Vector3d> wanted,
+                                                           std::span<const double> forces) const {
+  if (why_not_exact.empty()) return lapwing::linear_displacement(*system, wanted, forces);
+  return axis_displacement(*system, wanted);
+}
+
+// The same by the columns, for drags.
 std::vector<Vector3d> Deformer::State::blended_displacement(std::span<const double> q) const {
   std::vector<Vector3d> u(system->rest->size(), Vector3d::Zero());
   blend_response(u, response->columns(), q, u);
@@ -203,23 +230,15 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   const EditSystem& edit = *s.system;
   s.timings = edit.timings;
   const auto lock = edit.systems->lock();
-  const bool exact = s.hold_response(progress);
+  s.hold_response(progress);
   edit.hold_laplacian();
   s.weights = edit.systems->laplacian().weights().laplacian;
+  report_progress(progress, "shares", 0.0);
   Stopwatch watch;
   if (edit.options.settle || edit.options.response == LinearResponse::tangent) {
     s.shares = std::make_unique<HandleShares>(edit);
   }
-  Numbers columns;
-  if (exact) {
-    if (edit.options.response == LinearResponse::tangent) s.scale_forces = {edit, *s.shares};
-    columns = response_basis(edit, s.scale_forces, progress);
-  } else {
-    report_progress(progress, "response", 0.0);
-    columns = axis_response(edit);
-  }
-  s.response = std::make_shared<const DragResponse>(s.system, std::move(columns), !exact);
-  s.timings.add("response", watch.elapsed_ms());
+  s.timings.add("shares", watch.elapsed_ms());
 
   watch.restart();
   report_progress(progress, "upload", 0.0);
@@ -246,8 +265,22 @@ Deformer::~Deformer() = default;
 Deformer::Deformer(Deformer&&) noexcept = default;
 Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 
-const std::shared_ptr<const DragResponse>& Deformer::response() const {
-  return state_->response;
+const std::shared_ptr<const DragResponse>& Deformer::response(const Progress& progress) const {
+  State& s = *state_;
+  if (s.has_response) return s.response;
+  const EditSystem& edit = *s.system;
+  const auto lock = edit.systems->lock();
+  if (s.has_response) return s.response;
+  hold(progress);
+  report_progress(progress, "response", 0.0);
+  const Stopwatch watch;
+  Numbers columns =
+      is_exact() ? response_basis(edit, s.has_scale_forces() ? s.shares.get() : nullptr, progress)
+                 : axis_response(edit);
+  s.response = std::make_shared<const DragResponse>(s.system, std::move(columns), !is_exact());
+  s.timings.add("response", watch.elapsed_ms());
+  s.has_response = true;
+  return s.response;
 }
 
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
@@ -274,15 +307,12 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   const State& s = *state_;
   const EditSystem& edit = *s.system;
   const auto lock = edit.systems->lock();
-  if (s.settler != nullptr) {
-    hold_for_settling();
-  } else {
-    hold(progress);
-  }
+  hold(progress);
   std::vector<double> q(edit.column_count());
   edit.set_parameters(motions, q);
   const std::vector<Vector3d> wanted = edit.wanted_displacement(q);
-  std::vector<Vector3d> u = s.blended_displacement(q);
+  const Numbers forces = s.forces_of(q);
+  std::vector<Vector3d> u = s.linear_displacement(wanted, forces);
   std::vector<double> scales;
   if (s.shares != nullptr) scales = s.asked_scales(motions);
 
@@ -292,8 +322,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   const bool still =
       std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.isZero(0.0); });
   if (s.settler == nullptr) {
-    certificate.relative_residual =
-        edit.systems->response().refine(wanted, s.scale_forces.of(q), u);
+    certificate.relative_residual = edit.systems->response().refine(wanted, forces, u);
   } else if (!still || any_far(turns)) {
     const SettleTarget target{wanted, scales};
     choose_start(motions, turns, target, u);
@@ -343,6 +372,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   next.turns.assign(turns.begin(), turns.end());
   edit.set_parameters(motions, next.parameters);
   if (pose.settled.settled && next.parameters == pose.parameters) return;
+  response(progress);
   const auto lock = edit.systems->lock();
   hold_for_settling();
   const std::vector<Vector3d> wanted = edit.wanted_displacement(next.parameters);

@@ -30,23 +30,26 @@ struct DeformResult {
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
 /// and 4; DESIGN section 3). Construction prepares: it assembles the tangent of the energy over the
-/// region (or the RSI system, see LinearResponse), factors it, and solves for the response of the
-/// surface to each of a handle's 12 degrees of freedom. After that a motion is a product with those
-/// columns, and what it leaves is settled:
+/// region (or the RSI system, see LinearResponse) and factors it. After that a motion is one
+/// right-hand side, and what it leaves is settled:
 ///
 ///     Deformer deformer(mesh.positions, topology, region, {}, kernels);
-///     Drag drag(deformer.response());
-///     drag.move(motions, mesh.positions);                  // every frame
 ///     mesh.positions = deformer.solve(motions).positions;
 ///
+/// A drag asks for the response of the surface to each of a handle's 12 degrees of freedom once,
+/// and each frame is a product with those columns:
+///
+///     Drag drag(deformer.response());
+///     drag.move(motions, mesh.positions);  // every frame
+///
 /// `topology` and `kernels` must outlive the deformer; positions are copied. Memory is dominated by
-/// the factor (about 8 kB a vertex, more in large regions) and the response (300 bytes a vertex and
-/// handle). Where the options' memory limit does not allow for that factor, a deformer that settles
-/// does without: `is_exact`.
+/// the factor (about 8 kB a vertex, more in large regions) and, once asked for, the response (300
+/// bytes a vertex and handle). Where the options' memory limit does not allow for that factor, a
+/// deformer that settles does without: `is_exact`.
 class Deformer {
  public:
   /// Prepares. Stages reported and timed: "pattern", "order", with settling "laplacian",
-  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", "response", "upload"
+  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", "shares", "upload"
   /// (of what settling needs). Throws InputError for a region that does not fit the mesh,
   /// SolverError when a component of the region is not anchored or its exact system exceeds the
   /// memory limit and nothing settles, GpuError when the device fails, Cancelled when `progress`
@@ -68,8 +71,10 @@ class Deformer {
   Deformer(Deformer&&) noexcept;
   Deformer& operator=(Deformer&&) noexcept;
 
-  /// How the surface follows the handles linearly, which is what a Drag goes by.
-  const std::shared_ptr<const DragResponse>& response() const;
+  /// How the surface follows the handles linearly, which is what a Drag goes by. Solved for when
+  /// first asked for, stage "response", which is timed, reported and cancelled there; from then on
+  /// it returns at once, on any thread.
+  const std::shared_ptr<const DragResponse>& response(const Progress& progress = {}) const;
 
   /// The result in double precision, settled if the options say so, with its certificate; stage
   /// "settle" is reported to `progress`, which can cancel it. A motion that is the identity returns

@@ -1,6 +1,7 @@
 #include "lapwing/deform/handle_shares.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -27,43 +28,91 @@ bool handles_hold_all(const EditSystem& system) {
 
 }  // namespace
 
-HandleShares::HandleShares(const EditSystem& system) : system_(system) {
-  const LaplacianSystem& laplacian = system.systems->laplacian();
-  const Unknowns& unknowns = system.constraints.unknowns;
-  const VertexSet& roi = system.region.roi;
-  const std::size_t n = laplacian.size();
-  std::vector<double> b(3 * n);
-  for (const VertexSet& handle : system.region.handles) {
-    std::vector<Vector3d> one(system.rest->size(), Vector3d::Zero());
-    for (const Index v : handle) one[v].x() = 1.0;
-    laplacian.right_hand_side(one, b);
-    laplacian.solve_in_place(std::span(b).first(n), 1);
-    for (const Index v : roi) {
-      const Index u = unknowns.of_vertex[v];
-      shares_.push_back(u == kNoIndex ? one[v].x() : std::clamp(b[u], 0.0, 1.0));
-    }
-  }
+HandleShares::HandleShares(const EditSystem& system)
+    : system_(system), factor_(system.region.roi.size(), 1.0) {
+  sum_ = solved_columns({0}, [](std::size_t, std::size_t) { return 1.0; }).front();
   const bool all = handles_hold_all(system);
-  for (std::size_t r = 0; r < roi.size(); ++r) {
-    double sum = 0.0;
-    for (std::size_t at = r; at < shares_.size(); at += roi.size()) sum += shares_[at];
-    if (sum == 0.0 || (sum <= 1.0 && !all)) continue;
-    for (std::size_t at = r; at < shares_.size(); at += roi.size()) shares_[at] /= sum;
+  for (std::size_t r = 0; r < sum_.size(); ++r) {
+    const double sum = sum_[r];
+    if (sum > 0.0) sum_[r] = all ? 1.0 : std::min(sum, 1.0);
+    if (sum <= 0.0) sum_[r] = 0.0;
+    factor_[r] = sum > 0.0 ? sum_[r] / sum : 0.0;
   }
 }
 
-std::span<const double> HandleShares::of_handle(std::size_t handle) const {
-  const std::size_t count = system_.region.roi.size();
-  return std::span(shares_).subspan(handle * count, count);
+std::vector<std::vector<double>> HandleShares::solved_columns(
+    const std::vector<std::size_t>& columns, const ValueOfHandle& value) const {
+  const LaplacianSystem& laplacian = system_.systems->laplacian();
+  const VertexSet& roi = system_.region.roi;
+  const std::size_t n = laplacian.size();
+  std::vector<std::vector<double>> fields;
+  std::vector<double> b(3 * n);
+  std::vector<Vector3d> wanted(system_.rest->size(), Vector3d::Zero());
+  // Three at a time, as x, y and z.
+  for (std::size_t first = 0; first < columns.size(); first += 3) {
+    const std::size_t count = std::min<std::size_t>(3, columns.size() - first);
+    for (std::size_t h = 0; h < system_.region.handles.size(); ++h) {
+      Vector3d values = Vector3d::Zero();
+      for (std::size_t k = 0; k < count; ++k) {
+        values[static_cast<Eigen::Index>(k)] = value(h, columns[first + k]);
+      }
+      for (const Index v : system_.region.handles[h]) wanted[v] = values;
+    }
+    laplacian.right_hand_side(wanted, b);
+    laplacian.solve_in_place(std::span(b).first(count * n), count);
+    for (std::size_t k = 0; k < count; ++k) {
+      std::vector<double>& field = fields.emplace_back();
+      for (std::size_t r = 0; r < roi.size(); ++r) {
+        const Index u = system_.constraints.unknowns.of_vertex[roi[r]];
+        field.push_back(factor_[r] * (u == kNoIndex ? wanted[roi[r]][static_cast<Eigen::Index>(k)]
+                                                    : b[k * n + u]));
+      }
+    }
+  }
+  return fields;
+}
+
+std::vector<std::vector<double>> HandleShares::spread_columns(std::size_t count,
+                                                              const ValueOfHandle& value) const {
+  // Rounding of a rotation makes its scale differ from 1 by less.
+  constexpr double kRounding = 1e-12;
+  std::vector<std::size_t> differing;
+  std::vector<std::vector<double>> fields(count);
+  for (std::size_t c = 0; c < count; ++c) {
+    double least = value(0, c);
+    double most = least;
+    for (std::size_t h = 1; h < system_.region.handles.size(); ++h) {
+      least = std::min(least, value(h, c));
+      most = std::max(most, value(h, c));
+    }
+    if (most - least > kRounding * std::max(std::abs(least), std::abs(most))) {
+      differing.push_back(c);
+      continue;
+    }
+    fields[c] = sum_;
+    for (double& number : fields[c]) number *= value(0, c);
+  }
+  std::vector<std::vector<double>> solved = solved_columns(differing, value);
+  for (std::size_t k = 0; k < differing.size(); ++k) fields[differing[k]] = std::move(solved[k]);
+  return fields;
+}
+
+std::vector<double> HandleShares::spread(std::span<const double> values) const {
+  return spread_columns(1, [&](std::size_t h, std::size_t) { return values[h]; }).front();
+}
+
+std::vector<double> HandleShares::of_handle(std::size_t handle) const {
+  return spread_columns(1, [&](std::size_t h, std::size_t) { return h == handle ? 1.0 : 0.0; })
+      .front();
 }
 
 std::vector<double> HandleShares::scales(std::span<const double> handle_scales) const {
+  std::vector<double> growth(handle_scales.begin(), handle_scales.end());
+  for (double& number : growth) number -= 1.0;
+  const std::vector<double> of_roi = spread(growth);
   std::vector<double> scales(system_.rest->size(), 1.0);
-  for (std::size_t h = 0; h < handle_scales.size(); ++h) {
-    const auto shares = of_handle(h);
-    for (std::size_t r = 0; r < shares.size(); ++r) {
-      scales[system_.region.roi[r]] += shares[r] * (handle_scales[h] - 1.0);
-    }
+  for (std::size_t r = 0; r < of_roi.size(); ++r) {
+    scales[system_.region.roi[r]] = std::max(kLeastScale, 1.0 + of_roi[r]);
   }
   return scales;
 }
@@ -72,30 +121,31 @@ std::vector<Vector3d> HandleShares::turned(std::span<const Affine3d> motions,
                                            std::span<const AngleAxisd> turns) const {
   const EditSystem& s = system_;
   const VertexSet& roi = s.region.roi;
-  std::vector<Matrix3d> stretches;  // of each handle, less the identity
+  // Of each handle: its turn, its centroid, how that moves, and its stretch less the identity.
+  constexpr std::size_t kNumbers = 18;
+  std::vector<std::array<double, kNumbers>> of_handle(motions.size());
   for (std::size_t h = 0; h < motions.size(); ++h) {
-    stretches.push_back(turns[h].toRotationMatrix().transpose() * motions[h].linear() -
-                        Matrix3d::Identity());
+    const Vector3d& centroid = s.frames[h].centroid;
+    double* out = of_handle[h].data();
+    Eigen::Map<Vector3d>{out} = turns[h].angle() * turns[h].axis();
+    Eigen::Map<Vector3d>{out + 3} = centroid;
+    Eigen::Map<Vector3d>{out + 6} = motions[h] * centroid - centroid;
+    Eigen::Map<Matrix3d>{out + 9} =
+        turns[h].toRotationMatrix().transpose() * motions[h].linear() - Matrix3d::Identity();
   }
+  const std::vector<std::vector<double>> fields =
+      spread_columns(kNumbers, [&](std::size_t h, std::size_t k) { return of_handle[h][k]; });
   std::vector<Vector3d> u(s.rest->size(), Vector3d::Zero());
   for (std::size_t r = 0; r < roi.size(); ++r) {
-    double sum = 0.0;
-    Vector3d turn = Vector3d::Zero();
-    Matrix3d stretch = Matrix3d::Identity();
-    Vector3d pivot = Vector3d::Zero();
-    Vector3d move = Vector3d::Zero();
-    for (std::size_t h = 0; h < motions.size(); ++h) {
-      const double share = shares_[h * roi.size() + r];
-      const Vector3d& centroid = s.frames[h].centroid;
-      sum += share;
-      turn += share * turns[h].angle() * turns[h].axis();
-      stretch += share * stretches[h];
-      pivot += share * centroid;
-      move += share * (motions[h] * centroid - centroid);
-    }
-    if (sum == 0.0) continue;
-    const Vector3d arm = (*s.rest)[roi[r]] - pivot / sum;
-    const Vector3d stretched = stretch * arm;
+    if (sum_[r] == 0.0) continue;
+    std::array<double, kNumbers> at;
+    for (std::size_t k = 0; k < kNumbers; ++k) at[k] = fields[k][r];
+    const Eigen::Map<const Vector3d> turn(at.data());
+    const Eigen::Map<const Vector3d> pivot(at.data() + 3);
+    const Eigen::Map<const Vector3d> move(at.data() + 6);
+    const Eigen::Map<const Matrix3d> stretch(at.data() + 9);
+    const Vector3d arm = (*s.rest)[roi[r]] - pivot / sum_[r];
+    const Vector3d stretched = arm + stretch * arm;
     const double angle = turn.norm();
     u[roi[r]] = move - arm +
                 (angle > 0.0 ? Vector3d(AngleAxisd(angle, turn / angle) * stretched) : stretched);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -9,18 +10,22 @@
 
 namespace lapwing {
 
-/// How far every vertex goes along with each handle: 1 on it, 0 on the belt, smoothly between. From
-/// these follow the scale s_i that the handles ask of the surface there, and where large rotations
-/// settle from.
+/// How far every vertex goes along with each handle: 1 on it, 0 on the belt, smoothly between; in
+/// all at most 1, and 1 where nothing but handles holds the region. From these follow the scale s_i
+/// that the handles ask of the surface, and where large rotations settle from. What is spread over
+/// the surface by its shares costs one column of the n x n system, however many handles there are.
 class HandleShares {
  public:
-  /// Solves for the shares, one column of the n x n system for each handle. `system` holds that
-  /// system, and must outlive the object.
+  /// Solves for the shares of all handles together. `system` holds the n x n system, as for every
+  /// call, and must outlive the object.
   explicit HandleShares(const EditSystem& system);
 
-  /// Of a handle, per vertex of the region, in the order of EditRegion::roi; 0 to 1. Those of all
-  /// handles sum to at most 1, and to 1 where nothing else holds the region.
-  std::span<const double> of_handle(std::size_t handle) const;
+  /// sum_h share_h value_h per vertex of the region, in the order of EditRegion::roi. Solves
+  /// nothing where the values of all handles are the same but for rounding.
+  std::vector<double> spread(std::span<const double> values) const;
+
+  /// Of one handle, per vertex of the region.
+  std::vector<double> of_handle(std::size_t handle) const;
 
   /// s_i, per vertex of the mesh, for handles that scale by `handle_scales`: those by their shares,
   /// and the rest 1.
@@ -28,14 +33,22 @@ class HandleShares {
 
   /// The displacement of every vertex where each makes a share of the handles' motions, and with it
   /// of their whole turns, whose rotations came about by `turns`: the surface is wound the way the
-  /// handles went. A linear response knows a handle's
-  /// rotation but not its turn.
+  /// handles went. A linear response knows a handle's rotation but not its turn.
   std::vector<Eigen::Vector3d> turned(std::span<const Eigen::Affine3d> motions,
                                       std::span<const Eigen::AngleAxisd> turns) const;
 
  private:
+  // Fields over the region, one for each number of a value: `spread_columns(3, f)[c]` for
+  // f(handle, c).
+  using ValueOfHandle = std::function<double(std::size_t, std::size_t)>;
+  std::vector<std::vector<double>> spread_columns(std::size_t count,
+                                                  const ValueOfHandle& value) const;
+  std::vector<std::vector<double>> solved_columns(const std::vector<std::size_t>& columns,
+                                                  const ValueOfHandle& value) const;
+
   const EditSystem& system_;
-  std::vector<double> shares_;  ///< handle after handle
+  std::vector<double> sum_;     ///< of all handles' shares, per vertex of the region
+  std::vector<double> factor_;  ///< by which a solution is to be taken, likewise
 };
 
 /// By how much a handle's motion scales it: the cube root of the determinant of its linear part, of

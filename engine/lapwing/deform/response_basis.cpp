@@ -6,52 +6,58 @@ namespace lapwing {
 
 using Eigen::Vector3d;
 
-ScaleForces::ScaleForces(const EditSystem& system, const HandleShares& shares) {
+Numbers scale_forces(const EditSystem& system, std::span<const double> growth) {
   const EnergyWeights& weights = system.systems->laplacian().weights();
   const Adjacency& rings = system.topology.rings;
   const Positions& rest = *system.rest;
   const Unknowns& unknowns = system.constraints.unknowns;
-  for (std::size_t h = 0; h < system.frames.size(); ++h) {
-    // Minus half of the gradient of E by the unknowns, for s_i that grow by the handle's shares.
-    const auto shares_of_handle = shares.of_handle(h);
-    std::vector<Vector3d> force(rest.size(), Vector3d::Zero());
-    for (std::size_t r = 0; r < system.region.roi.size(); ++r) {
-      const Index i = system.region.roi[r];
-      const double share = shares_of_handle[r];
-      if (share == 0.0) continue;
-      Vector3d delta = Vector3d::Zero();
-      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
-        delta += weights.laplacian[e] * (rest[i] - rest[rings.values[e]]);
-      }
-      const Vector3d pull = share * weights.rows[i] * delta;
-      force[i] += pull;
-      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
-        const Index j = rings.values[e];
-        const Vector3d of_edge = share * weights.stiffness[e] * (rest[i] - rest[j]);
-        force[i] += of_edge;
-        force[j] -= weights.laplacian[e] * pull + of_edge;
-      }
+  // Minus half of the gradient of E by the unknowns.
+  std::vector<Vector3d> force(rest.size(), Vector3d::Zero());
+  for (std::size_t r = 0; r < system.region.roi.size(); ++r) {
+    const Index i = system.region.roi[r];
+    if (growth[r] == 0.0) continue;
+    Vector3d delta = Vector3d::Zero();
+    for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+      delta += weights.laplacian[e] * (rest[i] - rest[rings.values[e]]);
     }
-    Numbers& of_unknowns = per_scale_.emplace_back(3 * unknowns.size());
-    for (std::size_t u = 0; u < unknowns.size(); ++u) {
-      Eigen::Map<Vector3d>(of_unknowns.data() + 3 * u) = force[unknowns.vertices[u]];
+    const Vector3d pull = growth[r] * weights.rows[i] * delta;
+    force[i] += pull;
+    for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+      const Index j = rings.values[e];
+      const Vector3d of_edge = growth[r] * weights.stiffness[e] * (rest[i] - rest[j]);
+      force[i] += of_edge;
+      force[j] -= weights.laplacian[e] * pull + of_edge;
     }
-    radii_.push_back(system.frames[h].radius);
   }
+  Numbers of_unknowns(3 * unknowns.size());
+  for (std::size_t u = 0; u < unknowns.size(); ++u) {
+    Eigen::Map<Vector3d>(of_unknowns.data() + 3 * u) = force[unknowns.vertices[u]];
+  }
+  return of_unknowns;
 }
 
-Numbers ScaleForces::of(std::span<const double> q) const {
-  Numbers sum;
-  for (std::size_t h = 0; h < per_scale_.size(); ++h) {
-    sum.resize(per_scale_[h].size(), 0.0);
-    const double* own = q.data() + h * kMotionParameters;
-    const double growth = (own[0] + own[5] + own[10]) / (3.0 * radii_[h]);
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += growth * per_scale_[h][i];
-  }
-  return sum;
+double growth_of(const HandleFrame& frame, std::span<const double> parameters) {
+  return (parameters[0] + parameters[5] + parameters[10]) / (3.0 * frame.radius);
 }
 
-Numbers response_basis(const EditSystem& system, const ScaleForces& forces,
+std::vector<Vector3d> linear_displacement(const EditSystem& system,
+                                          std::span<const Vector3d> wanted,
+                                          std::span<const double> forces) {
+  const ResponseSystem& response = system.systems->response();
+  const Unknowns& unknowns = system.constraints.unknowns;
+  Numbers x(3 * unknowns.size());
+  response.right_hand_side(wanted, x);
+  for (std::size_t i = 0; i < forces.size(); ++i) x[i] += forces[i];
+  response.solve_in_place(x, 1);
+  std::vector<Vector3d> u(system.rest->size(), Vector3d::Zero());
+  for (const Index v : system.moving) {
+    const Index at = unknowns.of_vertex[v];
+    u[v] = at == kNoIndex ? wanted[v] : Vector3d(Eigen::Map<const Vector3d>(x.data() + 3 * at));
+  }
+  return u;
+}
+
+Numbers response_basis(const EditSystem& system, const HandleShares* shares,
                        const Progress& progress) {
   const Unknowns& unknowns = system.constraints.unknowns;
   const ResponseSystem& response = system.systems->response();
@@ -67,13 +73,17 @@ Numbers response_basis(const EditSystem& system, const ScaleForces& forces,
       q[h * kMotionParameters + k] = 1.0;
       return q;
     };
+    Numbers force;  // of one more unit of the handle's scale
+    if (shares != nullptr) force = scale_forces(system, shares->of_handle(h));
     parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const auto b = std::span(x).subspan(k * n, n);
         const std::vector<double> q = unit(k);
         response.right_hand_side(system.wanted_displacement(q), b);
-        const Numbers f = forces.of(q);
-        for (std::size_t i = 0; i < f.size(); ++i) b[i] += f[i];
+        const double growth =
+            growth_of(system.frames[h], std::span(q).subspan(h * kMotionParameters));
+        if (growth == 0.0) continue;
+        for (std::size_t i = 0; i < force.size(); ++i) b[i] += growth * force[i];
       }
     });
     response.solve_in_place(x, kMotionParameters);

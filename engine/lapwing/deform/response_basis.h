@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "lapwing/base/numbers.h"
 #include "lapwing/base/progress.h"
@@ -10,26 +9,24 @@
 
 namespace lapwing {
 
-/// What pulls at the unknowns at rest where the handles ask for another scale (DESIGN section 3:
-/// the s_i of the energy): the forces f of ResponseSystem. The RSI system has none.
-class ScaleForces {
- public:
-  ScaleForces() = default;  ///< none
-  /// Of the tangent; the n x n system of `system` is held.
-  ScaleForces(const EditSystem& system, const HandleShares& shares);
+/// What pulls at the unknowns at rest where the surface is asked to have another scale, s_i = 1 +
+/// `growth` per vertex of the region, to first order (DESIGN section 3): the forces f of
+/// ResponseSystem for the tangent, 3 numbers per unknown.
+Numbers scale_forces(const EditSystem& system, std::span<const double> growth);
 
-  /// Of motions with parameters q, to first order, where a handle's scale is the mean of its
-  /// diagonal: 3 numbers per unknown, or nothing for none.
-  Numbers of(std::span<const double> q) const;
-
- private:
-  std::vector<Numbers> per_scale_;  ///< for each handle, of one more unit of its scale
-  std::vector<double> radii_;       ///< of HandleFrame
-};
+/// By how much the parameters of a handle's motion scale it to first order, less 1.
+double growth_of(const HandleFrame& frame, std::span<const double> parameters);
 
 /// How the surface answers each of the handles' parameters: columns as in ResponseColumns. The
-/// 3n x 3n system of `system` is held. Stage "response" is reported, handle by handle.
-Numbers response_basis(const EditSystem& system, const ScaleForces& forces,
+/// 3n x 3n system of `system` is held. `shares` null: no scale forces, as the RSI system has it.
+/// Stage "response" is reported, handle by handle.
+Numbers response_basis(const EditSystem& system, const HandleShares* shares,
                        const Progress& progress);
+
+/// The same for one motion, whose parameters ask for `wanted` and `forces` (empty for none): the
+/// displacement of every vertex, by a single right-hand side.
+std::vector<Eigen::Vector3d> linear_displacement(const EditSystem& system,
+                                                 std::span<const Eigen::Vector3d> wanted,
+                                                 std::span<const double> forces);
 
 }  // namespace lapwing
