@@ -9,6 +9,7 @@
 #include "doctor/broken_meshes.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/joined_meshes.h"
 
 namespace lapwing {
 namespace {
@@ -21,17 +22,9 @@ MeshStatistics statistics_of(const Mesh& mesh) {
 }
 
 // `other` as a second piece beside `mesh`.
-Mesh joined(Mesh mesh, const Mesh& other) {
-  const auto offset = static_cast<Index>(mesh.vertex_count());
-  for (const Eigen::Vector3d& p : other.positions) {
-    mesh.positions.push_back(p + Eigen::Vector3d(100, 0, 0));
-  }
-  for (std::size_t f = 0; f < other.face_count(); ++f) {
-    std::vector<Index> face(other.face(f).begin(), other.face(f).end());
-    for (Index& v : face) v += offset;
-    mesh.add_face(face);
-  }
-  return mesh;
+Mesh beside(const Mesh& mesh, Mesh other) {
+  for (Eigen::Vector3d& p : other.positions) p.x() += 100.0;
+  return test::joined(mesh, other);
 }
 
 TEST(MeshStatistics, SphereIsClosedWithoutHandles) {
@@ -71,7 +64,7 @@ TEST(MeshStatistics, GridMeasuresTheUnitSquare) {
 
 TEST(MeshStatistics, GenusAddsUpOverComponents) {
   const MeshStatistics s =
-      statistics_of(joined(torus(8, 6, 2.0, 0.5), joined(grid(2, 2), torus(8, 6, 2.0, 0.5))));
+      statistics_of(beside(torus(8, 6, 2.0, 0.5), beside(grid(2, 2), torus(8, 6, 2.0, 0.5))));
   EXPECT_THAT(s.component_sizes, ElementsAre(48, 48, 9));
   EXPECT_THAT(s.genus, Optional(2));
 }

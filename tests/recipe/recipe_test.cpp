@@ -224,7 +224,8 @@ TEST(Recipe, IsWrittenForReaders) {
       "response": "tangent",
       "constraint_weight": 2,
       "hard": true,
-      "settle": false
+      "settle": false,
+      "loose": "carry"
     }
   ],
   "save": "out.obj"

@@ -11,6 +11,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/error_message.h"
+#include "support/joined_meshes.h"
 
 namespace lapwing {
 namespace {
@@ -32,7 +33,7 @@ RegionSpec handle(std::vector<Index> vertices) {
 
 EditRegion bind(const Mesh& mesh, const RegionSpec& roi, const BeltSpec& belt,
                 const std::vector<RegionSpec>& handles) {
-  return resolve_edit_region(roi, belt, handles, mesh);
+  return resolve_edit_region(roi, belt, handles, mesh, LoosePolicy::refuse);
 }
 
 std::string error_of(const Mesh& mesh, const RegionSpec& roi, const BeltSpec& belt,
@@ -40,16 +41,9 @@ std::string error_of(const Mesh& mesh, const RegionSpec& roi, const BeltSpec& be
   return error_message<InputError>([&] { bind(mesh, roi, belt, handles); });
 }
 
-Mesh beside(const Mesh& a, const Mesh& b) {
-  Mesh both = a;
-  const auto first = static_cast<Index>(a.vertex_count());
-  for (const Vector3d& p : b.positions) both.positions.push_back(p + Vector3d(5, 0, 0));
-  for (std::size_t f = 0; f < b.face_count(); ++f) {
-    std::vector<Index> face(b.face(f).begin(), b.face(f).end());
-    for (Index& v : face) v += first;
-    both.add_face(face);
-  }
-  return both;
+Mesh beside(const Mesh& a, Mesh b) {
+  for (Vector3d& p : b.positions) p.x() += 5.0;
+  return test::joined(a, b);
 }
 
 TEST(BorderBelt, OfADiskIsARingOfTheFractionsWidth) {

@@ -1,4 +1,4 @@
-#include "lapwing/remesh/closest_point.h"
+#include "lapwing/closest/closest_point.h"
 
 #include <limits>
 #include <optional>
@@ -9,7 +9,7 @@
 
 #include "lapwing/mesh/shapes.h"
 
-namespace lapwing::remeshing {
+namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
@@ -117,4 +117,4 @@ TEST_F(ClosestPointOnTorus, FindsOneAllTheSameWhereAllLookTheOtherWay) {
 }
 
 }  // namespace
-}  // namespace lapwing::remeshing
+}  // namespace lapwing

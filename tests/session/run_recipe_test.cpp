@@ -10,10 +10,12 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/joined_meshes.h"
 
 namespace lapwing {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 class RunRecipe : public ::testing::Test {
@@ -109,20 +111,15 @@ TEST_F(RunRecipe, RegionThatDoesNotFitTheMeshIsNamedByItsPlace) {
   }
 }
 
-TEST_F(RunRecipe, ComponentWithoutAnchorIsRefused) {
+TEST_F(RunRecipe, ComponentWithoutAnchorIsCarriedOrRefused) {
   Mesh two = cylinder(12, 20, 0.5, 3.0);
   Mesh far = icosphere(1);
   for (auto& p : far.positions) p.x() += 10.0;
-  const auto offset = static_cast<Index>(two.vertex_count());
-  two.positions.insert(two.positions.end(), far.positions.begin(), far.positions.end());
-  for (std::size_t f = 0; f < far.face_count(); ++f) {
-    std::vector<Index> face(far.face(f).begin(), far.face(f).end());
-    for (Index& v : face) v += offset;
-    two.add_face(face);
-  }
+  two = test::joined(std::move(two), far);
   write_mesh(two, folder_.path() / "tube.obj");
+  EXPECT_THAT(run(kLift)->report.warnings, Contains(HasSubstr("1 loose part of 42 vertices")));
   try {
-    run(kLift);
+    run(std::string(kLift).insert(1, R"("loose": "refuse", )"));
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("/steps/0/roi"));

@@ -87,7 +87,7 @@ Mesh mesh_of(const AppState& state) {
 
 EditRegion edit_region(const AppState& state) {
   return resolve_edit_region(spec_of(state.selection.roi, "ROI"), belt_spec(state.selection),
-                             handle_specs(state.selection), *state.rest);
+                             handle_specs(state.selection), *state.rest, state.parameters.loose);
 }
 
 std::vector<Affine3d> motions_of(const AppState& state) {

@@ -120,7 +120,7 @@ CarriedLength::CarriedLength(const Coating& coating, const Patch& target,
 }
 
 double CarriedLength::operator()(const Vector3d& point) const {
-  const remeshing::TrianglePoint nearest = closest_->find(0, point);
+  const TrianglePoint nearest = closest_->find(0, point);
   return SurfacePoint{triangles_[nearest.triangle], nearest.weights}.of<double>(lengths_);
 }
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "lapwing/closest/closest_point.h"
 #include "lapwing/coating/patch_coating.h"
 #include "lapwing/mesh/surface_point.h"
-#include "lapwing/remesh/closest_point.h"
 
 namespace lapwing {
 
@@ -42,7 +42,7 @@ class CarriedLength {
   std::vector<Triangle> triangles_;
   std::vector<double> lengths_;  ///< per own number
   /// None where nothing asks for remeshing: it costs more than all the rest.
-  std::optional<remeshing::ClosestPoint> closest_;
+  std::optional<ClosestPoint> closest_;
   bool too_coarse_ = false;
   double vertex_estimate_ = 0.0;
 };

@@ -15,9 +15,15 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
   const LaplacianSystem& laplacian = system.systems->laplacian();
   std::vector<Vector3d> coordinates(rest.size(), Vector3d::Zero());
   std::vector<Vector3d> one(rest.size(), Vector3d::Zero());
-  for (const Index v : system.region.handles[h]) {
+  const auto give = [&](Index v) {
     coordinates[v] = (rest[v] - frame.centroid) / frame.radius;
     one[v].x() = 1.0;
+  };
+  for (const Index v : system.region.handles[h]) give(v);
+  for (const LoosePart& part : system.region.loose) {
+    for (const LooseAnchor& anchor : part.anchors) {
+      if (anchor.handle == h) give(anchor.vertex);
+    }
   }
   const std::size_t n = laplacian.size();
   std::vector<double> x(6 * n);
@@ -25,15 +31,19 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
   laplacian.right_hand_side(one, std::span(x).subspan(3 * n));
   laplacian.solve_in_place(std::span(x).first(kCoordinates * n), kCoordinates);
 
+  std::vector<Vector3d> displaced = coordinates;
+  std::vector<Vector3d> displaced_one = one;
+  for (std::size_t u = 0; u < n; ++u) {
+    const Index v = system.constraints.unknowns.vertices[u];
+    displaced[v] = {x[u], x[n + u], x[2 * n + u]};
+    displaced_one[v].x() = x[3 * n + u];
+  }
+  system.loose.carry_straight(coordinates, displaced);
+  system.loose.carry_straight(one, displaced_one);
   for (std::size_t k = 0; k < kCoordinates; ++k) {
     double* out = columns.data() + k * system.moving.size();
     for (const Index v : system.moving) {
-      const Index u = system.constraints.unknowns.of_vertex[v];
-      if (u != kNoIndex) {
-        *out++ = x[k * n + u];
-      } else {  // of a handle with hard constraints, this one or another
-        *out++ = k == 3 ? one[v].x() : coordinates[v][static_cast<Eigen::Index>(k)];
-      }
+      *out++ = k == 3 ? displaced_one[v].x() : displaced[v][static_cast<Eigen::Index>(k)];
     }
   }
 }

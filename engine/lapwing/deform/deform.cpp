@@ -56,7 +56,37 @@ struct Work {
 EditRegion region_of(const DeformRequest& request, const Mesh& mesh) {
   std::vector<RegionSpec> handles;
   for (const MovedHandle& handle : request.handles) handles.push_back(handle.region);
-  return resolve_edit_region(request.roi, request.belt, handles, mesh);
+  return resolve_edit_region(request.roi, request.belt, handles, mesh, request.parameters.loose);
+}
+
+// "3 loose parts of 310 vertices (from vertices 4, 90 and 200 on)".
+std::string words_of_parts(const std::vector<const VertexSet*>& parts) {
+  constexpr std::size_t kNamed = 8;
+  std::size_t vertices = 0;
+  std::string names;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    vertices += parts[k]->size();
+    if (k < kNamed) names += (k == 0 ? "" : ", ") + std::to_string(parts[k]->front());
+    if (k == kNamed) names += ", ...";
+  }
+  return std::to_string(parts.size()) + (parts.size() == 1 ? " loose part" : " loose parts") +
+         " of " + std::to_string(vertices) + (vertices == 1 ? " vertex" : " vertices") +
+         " (from vertex " + names + " on)";
+}
+
+void add_loose_parts(const EditRegion& region, const auto& add) {
+  std::vector<const VertexSet*> parts;
+  for (const LoosePart& part : region.loose) parts.push_back(&part.vertices);
+  if (!parts.empty()) {
+    add(words_of_parts(parts) + ": carried along with the surface nearest to them");
+  }
+  if (region.turns_freely) {
+    add("belt and handles hold the surface on one line alone, about which it could turn freely; it "
+        "turns as little as it can");
+  }
+  parts.clear();
+  for (const VertexSet& part : region.left_out) parts.push_back(&part);
+  if (!parts.empty()) add(words_of_parts(parts) + ": left where they are");
 }
 
 void add_warnings(const DeformRequest& request, Deformed& result) {
@@ -66,6 +96,7 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
   if (const std::string text = winding_warning(request, result.wound_degrees); !text.empty()) {
     add(text);
   }
+  add_loose_parts(result.region, add);
   for (const std::string& text : warnings_of(result.certificate)) add(text);
   if (const std::string& why = result.certificate.why_not_exact; !why.empty()) {
     add(why + "; the surface is settled without");

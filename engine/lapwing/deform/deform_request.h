@@ -7,6 +7,7 @@
 #include "lapwing/deform/deform_options.h"
 #include "lapwing/deform/move.h"
 #include "lapwing/region/border_belt.h"
+#include "lapwing/region/edit_region.h"
 #include "lapwing/region/region_spec.h"
 
 namespace lapwing {
@@ -16,6 +17,7 @@ struct DeformParameters : DeformOptions {
   /// A larger turn of a handle is made in equal parts of at most this many degrees, each committed:
   /// its result is the rest shape of the next. Above 0, at most kLargestSettledTurnDegrees.
   std::optional<double> commit_every = {};
+  LoosePolicy loose = LoosePolicy::carry;
   bool operator==(const DeformParameters&) const = default;
 };
 

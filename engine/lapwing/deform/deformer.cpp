@@ -332,6 +332,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
     certificate.settle_last_step = settled.last_step;
     certificate.relative_gradient = settled.relative_gradient;
   }
+  edit.loose.carry(wanted, scales, u);
   result.positions = *edit.rest;
   for (const Index v : edit.moving) {
     // Adding 0 would turn a coordinate of -0 into +0.
@@ -387,6 +388,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
     next.displacement = s.gone_on(pose, next.parameters);
   }
   next.settled = s.settler->follow(target, next.displacement, go_on, progress);
+  edit.loose.carry(wanted, scales, next.displacement);
   Certificate certificate;
   certificate.all_finite = std::all_of(next.displacement.begin(), next.displacement.end(),
                                        [](const Vector3d& v) { return v.allFinite(); });

@@ -30,6 +30,9 @@ std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unk
       if (unknowns.of_vertex[v] == kNoIndex) moving.push_back(v);
     }
   }
+  for (const LoosePart& part : region.loose) {
+    moving.insert(moving.end(), part.vertices.begin(), part.vertices.end());
+  }
   std::sort(moving.begin(), moving.end());
   return moving;
 }
@@ -73,11 +76,12 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
 void EditSystem::check_and_frame() {
   check_anchors(region, *rest, topology, "region");
   for (const auto& handle : region.handles) frames.push_back(handle_frame(handle, *rest));
+  loose = LooseParts(region, *rest, topology);
   moving = moving_vertices(region, constraints.unknowns);
 }
 
 SystemTerms EditSystem::terms() const {
-  return {rest, {options.weights, options.detail_length}};
+  return {rest, {options.weights, options.detail_length}, region.turns_freely};
 }
 
 void EditSystem::hold_laplacian() const {
@@ -103,12 +107,18 @@ void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
 
 std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> parameters) const {
   std::vector<Vector3d> wanted(rest->size(), Vector3d::Zero());
-  for (std::size_t h = 0; h < frames.size(); ++h) {
+  const auto ask = [&](std::size_t h, Index v) {
     const auto own = parameters.subspan(h * kMotionParameters, kMotionParameters);
-    for (const Index v : region.handles[h]) {
-      for (std::size_t k = 0; k < kMotionParameters; ++k) {
-        wanted[v] += own[k] * unit_displacement(frames[h], (*rest)[v], k);
-      }
+    for (std::size_t k = 0; k < kMotionParameters; ++k) {
+      wanted[v] += own[k] * unit_displacement(frames[h], (*rest)[v], k);
+    }
+  };
+  for (std::size_t h = 0; h < frames.size(); ++h) {
+    for (const Index v : region.handles[h]) ask(h, v);
+  }
+  for (const LoosePart& part : region.loose) {
+    for (const LooseAnchor& anchor : part.anchors) {
+      if (anchor.handle < frames.size()) ask(anchor.handle, anchor.vertex);
     }
   }
   return wanted;

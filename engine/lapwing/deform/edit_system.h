@@ -10,6 +10,7 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deform_options.h"
 #include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/loose_parts.h"
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/deform/region_system.h"
 #include "lapwing/laplacian/constraints.h"
@@ -34,8 +35,9 @@ struct EditSystem {
   std::vector<HandleFrame> frames;  ///< per handle
   Constraints constraints;
   std::shared_ptr<RegionSystem> systems;  ///< of all edits over these unknowns
-  /// The vertices that any motion can displace: all of the region but loose vertices outside the
-  /// handles and, with hard constraints, the belt.
+  LooseParts loose;                       ///< of the region
+  /// The vertices that any motion can displace: all of the region but vertices without a ring
+  /// outside the handles and, with hard constraints, the belt; and the loose parts.
   std::vector<Index> moving;
 
   /// Makes the n x n system that of this edit, for previews and settling.
@@ -48,7 +50,8 @@ struct EditSystem {
   /// The column_count() parameters of one motion per handle. Throws InputError for another number.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
 
-  /// What the handles' motions ask for, over the whole mesh; 0 off the handles.
+  /// What the handles' motions ask for, over the whole mesh; 0 off the handles and the anchors of
+  /// loose parts.
   std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;
 
  private:

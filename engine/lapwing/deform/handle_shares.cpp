@@ -15,6 +15,19 @@ using Eigen::Vector3d;
 
 namespace {
 
+// Whether `value` of all handles is the same: the rounding of a rotation makes its scale differ
+// from 1 by less.
+bool is_one_number(std::size_t handles, const auto& value) {
+  constexpr double kRounding = 1e-12;
+  double least = value(0);
+  double most = least;
+  for (std::size_t h = 1; h < handles; ++h) {
+    least = std::min(least, value(h));
+    most = std::max(most, value(h));
+  }
+  return most - least <= kRounding * std::max(std::abs(least), std::abs(most));
+}
+
 // Whether the surface is held by handles alone: no belt, and no neighbour outside the region.
 bool handles_hold_all(const EditSystem& system) {
   if (!system.region.belt.empty()) return false;
@@ -74,18 +87,10 @@ std::vector<std::vector<double>> HandleShares::solved_columns(
 
 std::vector<std::vector<double>> HandleShares::spread_columns(std::size_t count,
                                                               const ValueOfHandle& value) const {
-  // Rounding of a rotation makes its scale differ from 1 by less.
-  constexpr double kRounding = 1e-12;
   std::vector<std::size_t> differing;
   std::vector<std::vector<double>> fields(count);
   for (std::size_t c = 0; c < count; ++c) {
-    double least = value(0, c);
-    double most = least;
-    for (std::size_t h = 1; h < system_.region.handles.size(); ++h) {
-      least = std::min(least, value(h, c));
-      most = std::max(most, value(h, c));
-    }
-    if (most - least > kRounding * std::max(std::abs(least), std::abs(most))) {
+    if (!is_one_number(system_.region.handles.size(), [&](std::size_t h) { return value(h, c); })) {
       differing.push_back(c);
       continue;
     }
@@ -107,12 +112,19 @@ std::vector<double> HandleShares::of_handle(std::size_t handle) const {
 }
 
 std::vector<double> HandleShares::scales(std::span<const double> handle_scales) const {
+  const VertexSet& roi = system_.region.roi;
+  std::vector<double> scales(system_.rest->size(), 1.0);
+  if (is_one_number(handle_scales.size(), [&](std::size_t h) { return handle_scales[h]; })) {
+    for (std::size_t r = 0; r < roi.size(); ++r) {
+      scales[roi[r]] += sum_[r] * (handle_scales.front() - 1.0);
+    }
+    return scales;
+  }
   std::vector<double> growth(handle_scales.begin(), handle_scales.end());
   for (double& number : growth) number -= 1.0;
   const std::vector<double> of_roi = spread(growth);
-  std::vector<double> scales(system_.rest->size(), 1.0);
-  for (std::size_t r = 0; r < of_roi.size(); ++r) {
-    scales[system_.region.roi[r]] = std::max(kLeastScale, 1.0 + of_roi[r]);
+  for (std::size_t r = 0; r < roi.size(); ++r) {
+    scales[roi[r]] = std::max(kLeastScale, 1.0 + of_roi[r]);
   }
   return scales;
 }

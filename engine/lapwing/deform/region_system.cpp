@@ -67,7 +67,7 @@ void RegionSystem::hold_response(const SystemTerms& terms, std::span<const doubl
   if (terms != response_terms_) {
     response_terms_ = {};
     assemble_laplacian(terms);
-    response_->assemble(*terms.rest, kernels, progress, timings);
+    response_->assemble(*terms.rest, terms.turns_freely, kernels, progress, timings);
     response_terms_ = terms;
   }
   require_memory(options.memory_limit_bytes);

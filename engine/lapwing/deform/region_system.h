@@ -33,6 +33,7 @@ class DoesNotFit : public SolverError {
 struct SystemTerms {
   std::shared_ptr<const Positions> rest;  ///< the same pointer for the same positions
   EnergyTerms energy;
+  bool turns_freely = false;  ///< EditRegion::turns_freely
 
   bool operator==(const SystemTerms&) const = default;
 };

@@ -73,8 +73,13 @@ Numbers response_basis(const EditSystem& system, const HandleShares* shares,
       q[h * kMotionParameters + k] = 1.0;
       return q;
     };
-    Numbers force;  // of one more unit of the handle's scale
-    if (shares != nullptr) force = scale_forces(system, shares->of_handle(h));
+    // Of one more unit of the handle's scale.
+    std::vector<double> growth_of_roi(system.region.roi.size(), 0.0);
+    Numbers force;
+    if (shares != nullptr) {
+      growth_of_roi = shares->of_handle(h);
+      force = scale_forces(system, growth_of_roi);
+    }
     parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const auto b = std::span(x).subspan(k * n, n);
@@ -89,14 +94,25 @@ Numbers response_basis(const EditSystem& system, const HandleShares* shares,
     response.solve_in_place(x, kMotionParameters);
     parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        // Vertices that move but are not solved for are handles with hard constraints.
-        const std::vector<Vector3d> given = system.wanted_displacement(unit(k));
+        // Vertices that move but are not solved for are handles with hard constraints, and loose.
+        const std::vector<double> q = unit(k);
+        const std::vector<Vector3d> given = system.wanted_displacement(q);
+        std::vector<Vector3d> u = given;
+        for (std::size_t i = 0; i < unknowns.size(); ++i) {
+          u[unknowns.vertices[i]] = Eigen::Map<const Vector3d>(x.data() + k * n + 3 * i);
+        }
+        if (!system.loose.empty()) {
+          const double of_column =
+              growth_of(system.frames[h], std::span(q).subspan(h * kMotionParameters));
+          std::vector<double> growth(u.size(), 0.0);
+          for (std::size_t r = 0; r < growth_of_roi.size(); ++r) {
+            growth[system.region.roi[r]] = of_column * growth_of_roi[r];
+          }
+          system.loose.carry_linear(given, growth, u);
+        }
         double* out = basis.data() + (h * kMotionParameters + k) * column;
         for (std::size_t m = 0; m < system.moving.size(); ++m) {
-          const Index u = unknowns.of_vertex[system.moving[m]];
-          Eigen::Map<Vector3d>(out + 3 * m) =
-              u == kNoIndex ? given[system.moving[m]]
-                            : Vector3d(Eigen::Map<const Vector3d>(x.data() + k * n + 3 * u));
+          Eigen::Map<Vector3d>(out + 3 * m) = u[system.moving[m]];
         }
       }
     });

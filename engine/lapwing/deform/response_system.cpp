@@ -18,6 +18,9 @@ using Eigen::Vector3d;
 constexpr double kGoodResidual = 1e-10;
 constexpr int kMostRefinements = 2;
 
+// Of G'G in the tangent of what turns freely: A keeps 1e-6, far more than rounding takes.
+const double kRootOfTurningShare = std::sqrt(1.0 - 1e-6);
+
 double norm(std::span<const double> v) {
   return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
 }
@@ -80,7 +83,7 @@ std::size_t ResponseSystem::memory_bytes() const {
   return 9 * sizeof(double) * blocks + factor_.solver().statistics().peak_bytes;
 }
 
-void ResponseSystem::assemble(std::span<const Vector3d> rest, Kernels& kernels,
+void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely, Kernels& kernels,
                               const Progress& progress, StageTimings& timings) {
   Stopwatch watch;
   const auto stage_is_done = [&](const char* stage) {
@@ -94,6 +97,9 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, Kernels& kernels,
     const RingProblem rings{rest, topology_.rings, weights.laplacian, roi_};
     if (kind_ == LinearResponse::tangent) {
       kernels.assemble_tangent({rings, weights.rows, weights.stiffness}, rows_.values);
+      if (turns_freely) {
+        for (double& value : rows_.values) value *= kRootOfTurningShare;
+      }
     } else {
       kernels.assemble_rsi(rings, rows_.values);
     }

@@ -39,10 +39,12 @@ class ResponseSystem {
   std::size_t memory_bytes() const;
 
   /// The rows and N, with the weights of the n x n system, which is assembled; beside it the
-  /// symbolic factorization where that is still to be done. Stages "assemble", "analyze" (what was
+  /// symbolic factorization where that is still to be done. A tangent that `turns_freely` has
+  /// components that may turn about a line: a little of A stays in it, by which they turn as little
+  /// as they can. Stages "assemble", "analyze" (what was
   /// left of that) and "normal_matrix".
-  void assemble(std::span<const Eigen::Vector3d> rest, Kernels& kernels, const Progress& progress,
-                StageTimings& timings);
+  void assemble(std::span<const Eigen::Vector3d> rest, bool turns_freely, Kernels& kernels,
+                const Progress& progress, StageTimings& timings);
 
   /// The factor under `W`, one number per unknown, after `assemble`; redoes what has changed since
   /// the last time. Stage "factor". Throws SolverError, naming the vertex and its component, when

@@ -47,28 +47,93 @@ std::string describe(const VertexSet& component) {
          std::to_string(component.front()) + " on";
 }
 
+// A component of the ROI, and why it cannot be solved for: empty where it can.
+struct CheckedComponent {
+  VertexSet vertices;
+  std::string fault;
+  bool has_anchor;
+};
+
+std::vector<CheckedComponent> checked_components(const EditRegion& region,
+                                                 std::span<const Vector3d> positions,
+                                                 const Topology& topology) {
+  std::vector<char> is_held = vertex_mask(topology.vertex_count(), region.belt);
+  for (const VertexSet& handle : region.handles) {
+    for (const Index v : handle) is_held[v] = 1;
+  }
+  const std::vector<char> in_roi = vertex_mask(topology.vertex_count(), region.roi);
+  std::vector<CheckedComponent> components;
+  for (VertexSet& component : region_components(region.roi, topology)) {
+    const VertexSet anchors = anchors_of(component, in_roi, is_held, topology);
+    std::string fault;
+    if (anchors.empty()) {
+      fault = describe(component) +
+              " has no anchor: no handle, belt or vertex outside the roi holds it; add a belt "
+              "there, or leave it out of the roi";
+    } else if (are_collinear(anchors, positions)) {
+      fault = describe(component) + " can turn freely: its anchors (" + name_vertices(anchors) +
+              ") lie on one line; add a belt vertex off that line, or leave the component out of "
+              "the roi";
+    }
+    components.push_back({std::move(component), std::move(fault), !anchors.empty()});
+  }
+  return components;
+}
+
+LoosePart loose_part(VertexSet vertices, const EditRegion& region, const Topology& topology) {
+  LoosePart part{std::move(vertices), {}};
+  const std::size_t stays = region.handles.size();
+  for (std::size_t h = 0; h < stays; ++h) {
+    for (const Index v : intersect(part.vertices, region.handles[h])) {
+      part.anchors.push_back({v, h});
+    }
+  }
+  for (const Index v : intersect(part.vertices, region.belt)) part.anchors.push_back({v, stays});
+  // A neighbour outside the ROI stays, too.
+  VertexSet outside =
+      subtract(make_vertex_set(with_ring_neighbours(part.vertices, topology.rings)), part.vertices);
+  for (const Index v : outside) part.anchors.push_back({v, stays});
+  return part;
+}
+
 }  // namespace
 
 void check_anchors(const EditRegion& region, std::span<const Vector3d> positions,
                    const Topology& topology, const std::string& where) {
-  VertexSet held = region.belt;
-  for (const VertexSet& handle : region.handles) held = unite(held, handle);
-  const std::vector<char> is_held = vertex_mask(topology.vertex_count(), held);
-  const std::vector<char> in_roi = vertex_mask(topology.vertex_count(), region.roi);
-  for (const VertexSet& component : region_components(region.roi, topology)) {
-    const VertexSet anchors = anchors_of(component, in_roi, is_held, topology);
-    if (anchors.empty()) {
-      throw InputError(where + ": " + describe(component) +
-                       " has no anchor: no handle, belt or vertex outside the roi holds it; add a "
-                       "belt there, or leave it out of the roi");
-    }
-    if (are_collinear(anchors, positions)) {
-      throw InputError(where + ": " + describe(component) + " can turn freely: its anchors (" +
-                       name_vertices(anchors) +
-                       ") lie on one line; add a belt vertex off that line, or leave the "
-                       "component out of the roi");
+  for (const CheckedComponent& component : checked_components(region, positions, topology)) {
+    if (component.fault.empty() || (region.turns_freely && component.has_anchor)) continue;
+    throw InputError(where + ": " + component.fault);
+  }
+}
+
+void set_loose_parts_aside(EditRegion& region, std::span<const Vector3d> positions,
+                           const Topology& topology, LoosePolicy policy, const std::string& where) {
+  std::vector<CheckedComponent> components = checked_components(region, positions, topology);
+  const auto first_fault = std::find_if(components.begin(), components.end(),
+                                        [](const auto& c) { return !c.fault.empty(); });
+  if (first_fault == components.end()) return;
+  if (policy == LoosePolicy::refuse) throw InputError(where + ": " + first_fault->fault);
+  EditRegion held = region;
+  held.turns_freely = std::none_of(components.begin(), components.end(),
+                                   [](const auto& c) { return c.fault.empty(); });
+  std::vector<Index> aside;
+  for (CheckedComponent& component : components) {
+    if (component.fault.empty() || (held.turns_freely && component.has_anchor)) continue;
+    aside.insert(aside.end(), component.vertices.begin(), component.vertices.end());
+    if (policy == LoosePolicy::carry) {
+      held.loose.push_back(loose_part(std::move(component.vertices), region, topology));
+    } else {
+      held.left_out.push_back(std::move(component.vertices));
     }
   }
+  const VertexSet loose = make_vertex_set(std::move(aside));
+  held.roi = subtract(held.roi, loose);
+  held.belt = subtract(held.belt, loose);
+  for (VertexSet& handle : held.handles) {
+    handle = subtract(handle, loose);
+    if (handle.empty()) throw InputError(where + ": " + first_fault->fault);
+  }
+  region = std::move(held);
 }
 
 }  // namespace lapwing

@@ -60,7 +60,8 @@ VertexSet resolve_belt(const BeltSpec& spec, const VertexSet& roi,
 }  // namespace
 
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
-                               std::span<const RegionSpec> handles, const Mesh& mesh) {
+                               std::span<const RegionSpec> handles, const Mesh& mesh,
+                               LoosePolicy policy) {
   EditRegion region;
   region.roi = resolve(roi, mesh);
   require_members(region.roi, roi.where, "roi");
@@ -78,7 +79,7 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
   for (std::size_t k = 0; k < handles.size(); ++k) {
     require_disjoint(region.handles[k], region.belt, handles[k].where, "the belt");
   }
-  check_anchors(region, mesh.positions, mesh.topology(), roi.where);
+  set_loose_parts_aside(region, mesh.positions, mesh.topology(), policy, roi.where);
   return region;
 }
 

@@ -8,26 +8,58 @@
 
 namespace lapwing {
 
+/// What becomes of a component that nothing holds, or that could turn freely.
+enum class LoosePolicy {
+  carry,   ///< it rides along with the surface nearest to it
+  leave,   ///< it stays where it is
+  refuse,  ///< an error
+};
+
+/// A vertex of a loose part that belt or handle hold all the same.
+struct LooseAnchor {
+  Index vertex = 0;
+  std::size_t handle = 0;  ///< EditRegion::handles.size() for one that stays
+};
+
+/// A component of the ROI that is not solved for, since too little holds it.
+struct LoosePart {
+  VertexSet vertices;
+  std::vector<LooseAnchor> anchors;  ///< all on one line
+};
+
 /// What one edit concerns. Vertices of the ROI in neither belt nor handle are free; vertices
-/// outside the ROI do not move.
+/// outside the ROI do not move, loose parts excepted.
 struct EditRegion {
   VertexSet roi;
   VertexSet belt;                  ///< in the ROI; stays where it is
   std::vector<VertexSet> handles;  ///< in the ROI, disjoint, not empty, none shared with the belt
+  std::vector<LoosePart> loose = {};     ///< to be carried; in none of the above
+  std::vector<VertexSet> left_out = {};  ///< loose parts that stay; likewise
+  /// Components of the ROI may turn freely about a line of anchors: nothing firmer is there that
+  /// could carry them. They turn as little as they can.
+  bool turns_freely = false;
 };
 
 /// Binds what a person chose to a mesh. A belt by fraction leaves the handles out; every other
 /// overlap is an error. Throws InputError, naming place and vertices: whatever `resolve` throws, an
 /// empty ROI or handle, a handle or belt outside the ROI, a handle that overlaps the belt or
-/// another handle, a vertex of the ROI or of its rings that is not finite, and what `check_anchors`
-/// throws.
+/// another handle, a vertex of the ROI or of its rings that is not finite, and what
+/// `set_loose_parts_aside` throws.
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
-                               std::span<const RegionSpec> handles, const Mesh& mesh);
+                               std::span<const RegionSpec> handles, const Mesh& mesh,
+                               LoosePolicy policy = LoosePolicy::carry);
+
+/// Moves the components of the ROI that `check_anchors` would refuse to `loose` or `left_out`;
+/// where no other is there those stay that have an anchor, and the region `turns_freely`. Throws as
+/// that does for LoosePolicy::refuse, and where no component, or no vertex of a handle, would be
+/// left that is held.
+void set_loose_parts_aside(EditRegion& region, std::span<const Eigen::Vector3d> positions,
+                           const Topology& topology, LoosePolicy policy, const std::string& where);
 
 /// Throws InputError unless every component of the ROI is held: its anchors are its handle and belt
 /// vertices and its neighbours outside the ROI, and three of them must not lie on one line, or the
-/// component could turn freely. Names the component by size and smallest vertex, and `where`.
-/// Vertices with an empty ring need no anchor.
+/// component could turn freely (which a region may that `turns_freely`). Names the component by
+/// size and smallest vertex, and `where`. Vertices with an empty ring need no anchor.
 void check_anchors(const EditRegion& region, std::span<const Eigen::Vector3d> positions,
                    const Topology& topology, const std::string& where);
 

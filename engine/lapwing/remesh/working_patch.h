@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lapwing/remesh/closest_point.h"
+#include "lapwing/closest/closest_point.h"
 #include "lapwing/remesh/original_patch.h"
 #include "lapwing/remesh/target_length.h"
 

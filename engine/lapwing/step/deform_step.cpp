@@ -78,6 +78,13 @@ void describe(DeformParameters& parameters, KeyVisitor& visitor) {
                   .takes_least = false,
                   .reason = "past half a turn the other way round is shorter",
                   .first = 90.0});
+  visitor.choice({.name = "loose",
+                  .help = "components that no handle, belt or vertex outside the ROI holds: they "
+                          "ride along with the surface nearest to them, stay, or are an error"},
+                 parameters.loose,
+                 {{LoosePolicy::carry, "carry"},
+                  {LoosePolicy::leave, "leave"},
+                  {LoosePolicy::refuse, "refuse"}});
 }
 
 void describe(DeformRequest& step, KeyVisitor& visitor) {

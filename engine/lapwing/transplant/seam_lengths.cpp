@@ -129,7 +129,7 @@ bool SeamLengths::asks_for_remeshing() const {
 }
 
 double SeamLengths::operator()(const Vector3d& point) const {
-  const remeshing::TrianglePoint found = closest_->find(0, point);
+  const TrianglePoint found = closest_->find(0, point);
   const Triangle& corners = triangles_[found.triangle];
   double length = 0.0;
   for (std::size_t k = 0; k < 3; ++k) length += found.weights[k] * lengths_[corners[k]];

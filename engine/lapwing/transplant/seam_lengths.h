@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "lapwing/closest/closest_point.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/vertex_set.h"
-#include "lapwing/remesh/closest_point.h"
 #include "lapwing/transplant/zip.h"
 
 namespace lapwing {
@@ -45,7 +45,7 @@ class SeamLengths {
   double part_length_ = 0.0;
   std::vector<Triangle> triangles_;
   std::vector<double> lengths_;  ///< per vertex
-  std::optional<remeshing::ClosestPoint> closest_;
+  std::optional<ClosestPoint> closest_;
 };
 
 }  // namespace lapwing

@@ -98,7 +98,7 @@ SurfaceSnap::Contacts SurfaceSnap::contacts(std::span<const Vector3d> points,
   Contacts contacts;
   Index hint = kNoIndex;
   for (const Vector3d& p : points) {
-    remeshing::TrianglePoint nearest = surface_.find(0, p, Vector3d::Zero(), hint);
+    TrianglePoint nearest = surface_.find(0, p, Vector3d::Zero(), hint);
     if (nearest.triangle == kNoIndex) continue;  // beyond what a square of a length can be
     if (normals_[nearest.triangle].dot(frame.normal) < kBehind) {
       nearest = surface_.find(0, p, frame.normal);

@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/closest/closest_point.h"
 #include "lapwing/mesh/topology.h"
-#include "lapwing/remesh/closest_point.h"
 #include "lapwing/transplant/loop_curve.h"
 
 namespace lapwing {
@@ -36,7 +36,7 @@ class SurfaceSnap {
   Contacts contacts(std::span<const Eigen::Vector3d> points, const LoopFrame& frame) const;
 
   std::vector<Eigen::Vector3d> normals_;  ///< per triangle, of length 1; 0 without area
-  remeshing::ClosestPoint surface_;
+  ClosestPoint surface_;
 };
 
 }  // namespace lapwing

@@ -8,7 +8,7 @@
 
 #include "lapwing/mesh/topology.h"
 
-namespace lapwing::remeshing {
+namespace lapwing {
 
 /// Where on a triangle: sum_k weights[k] * corner k.
 struct TrianglePoint {
@@ -61,4 +61,4 @@ class ClosestPoint {
 std::array<double, 3> closest_weights(const std::array<Eigen::Vector3d, 3>& corners,
                                       const Eigen::Vector3d& point);
 
-}  // namespace lapwing::remeshing
+}  // namespace lapwing

@@ -1,12 +1,12 @@
 // Closest point on a triangle: Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
-#include "lapwing/remesh/closest_point.h"
+#include "lapwing/closest/closest_point.h"
 
 #include <algorithm>
 #include <limits>
 
 #include <Eigen/Geometry>
 
-namespace lapwing::remeshing {
+namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
@@ -170,4 +170,4 @@ TrianglePoint ClosestPoint::find(Index group, const Vector3d& point, const Vecto
   return search.best;
 }
 
-}  // namespace lapwing::remeshing
+}  // namespace lapwing
