@@ -118,6 +118,7 @@ TEST_F(CommandLine, DeviceThatDoesNotExistIsRefusedWithTheOnesThatDo) {
 TEST_F(CommandLine, WrongArgumentsAreUsageErrors) {
   EXPECT_EQ(lapwing("").exit_code, 2);
   EXPECT_EQ(lapwing("fly tube.obj").exit_code, 2);
+  EXPECT_THAT(lapwing("deform tube.obj --save a.obj").output, HasSubstr("--targets"));
   EXPECT_EQ(lapwing("deform tube.obj --save a.obj").exit_code, 2);
   const Outcome region = lapwing("deform tube.obj --handle disk:3 --save a.obj --device cpu");
   EXPECT_EQ(region.exit_code, 2);
@@ -144,6 +145,37 @@ TEST_F(CommandLine, EveryKeyOfADeformIsAFlag) {
         "\"max_iterations\": 50", "\"commit_every\": 90"}) {
     EXPECT_THAT(read("a.recipe.json"), HasSubstr(key));
   }
+}
+
+TEST_F(CommandLine, TargetsComeFromATable) {
+  write("marks.csv", "vertex,x,y,z\n100,0.9,0.1,1.5\n");
+  const std::string draw = "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --device cpu ";
+  const Outcome flags = lapwing(draw +
+                                "--targets marks.csv --hard-targets --save a.obj "
+                                "--recipe a.recipe.json --report a.json");
+  ASSERT_EQ(flags.exit_code, 0) << flags.output;
+  EXPECT_THAT(read("a.recipe.json"),
+              HasSubstr(R"("targets": {"file": "marks.csv", "hard": true})"));
+  EXPECT_THAT(read("a.json"), HasSubstr("\"target_error\": 0.0"));
+  EXPECT_THAT(read("a.obj"), HasSubstr("v 0.9 0.1 1.5"));
+  ASSERT_EQ(lapwing("run a.recipe.json --device cpu --save b.obj").exit_code, 0);
+  EXPECT_EQ(read("a.obj"), read("b.obj"));
+}
+
+TEST_F(CommandLine, TargetsThatCannotBeAreNamedByTheirLineAndNothingIsWritten) {
+  const auto refused = [&](const std::string& table) {
+    write("marks.csv", table);
+    const Outcome outcome =
+        lapwing("deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --targets marks.csv --save no.obj");
+    EXPECT_EQ(outcome.exit_code, 3) << table;
+    EXPECT_FALSE(std::filesystem::exists(file("no.obj"))) << table;
+    return outcome.output;
+  };
+  EXPECT_THAT(refused("100,1,2,3\n100,1,2,4\n"), HasSubstr("marks.csv: row 1: vertex 100 has"));
+  EXPECT_THAT(refused("100,1,2,3\n9999,1,2,3\n"), HasSubstr("row 1: the mesh has no vertex 9999"));
+  EXPECT_THAT(refused("100,1,nan,3\n"), HasSubstr("row 0: its position is not finite"));
+  EXPECT_THAT(refused("100,1,2\n"), HasSubstr("marks.csv:1: expected 4 numbers"));
+  EXPECT_THAT(refused(""), HasSubstr("no row"));
 }
 
 TEST_F(CommandLine, FlagOutOfItsRangeIsAUsageErrorThatSaysTheRange) {

@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoRoi", step(R"("handles": [])"),
                 ": /steps/0: the key \"roi\" is missing; add it"},
         Mistake{"NoHandle", step(R"("roi": {"all": true}, "handles": [])"),
-                ": /steps/0/handles: expected at least one handle"},
+                ": /steps/0/handles: nothing is moved; give at least one handle or target"},
         Mistake{"NoMove", step(R"("roi": {"all": true}, "handles": [{"region": {"all": true}}])"),
                 ": /steps/0/handles/0: the key \"move\" is missing; add it"},
         Mistake{"UnknownWeights", with_option(R"("weights": "cotan")"),

@@ -65,6 +65,18 @@ class AnEdit : public ::testing::Test {
   CpuKernels kernels_;
 };
 
+TEST_F(AnEdit, OfARecipeWithTargetsIsAStepOfItsOwn) {
+  const Recipe recipe = parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
+      {"op": "deform", "roi": {"all": true}, "belt": {"vertices": [0, 4, 8, 15]},
+       "targets": {"rows": [[100, 0.9, 0.1, 1.5]], "hard": true}}]})",
+                                     folder_.path(), "test");
+  const History history = from_recipe(open_state(mesh_), recipe, carry_out_with(kernels_, {}));
+  EXPECT_EQ(positions_of(history.state())[100], Eigen::Vector3d(0.9, 0.1, 1.5));
+  const Recipe again = recipe_of(history);
+  EXPECT_EQ(again.steps, recipe.steps);
+  EXPECT_EQ(replayed(again), positions_of(history.state()));
+}
+
 TEST_F(AnEdit, ReplayedHeadlessGivesTheSameMesh) {
   const History history = edited();
   const Recipe recipe = recipe_of(history);

@@ -220,6 +220,23 @@ void FlagVisitor::handles(const StepKey& key, std::vector<MovedHandle>&) {
   });
 }
 
+void FlagVisitor::targets(const StepKey& key, TargetSpec&) {
+  auto file = std::make_shared<std::string>();
+  auto hard = std::make_shared<bool>(false);
+  auto* option =
+      command_.add_option("--targets", *file, "a table, .csv or .npy: " + std::string(key.help));
+  command_.add_flag("--hard-targets", *hard, "reach the targets exactly")->needs(option);
+  draft_->at_end.emplace_back(
+      [file, hard, place = place_of(key)](Json& step, const StepFlags& step_flags) {
+        if (file->empty()) {
+          if (!step.contains("handles")) throw CLI::RequiredError("one of --handle and --targets");
+          return;
+        }
+        step[place]["file"] = step_flags.from_recipe(*file);
+        if (*hard) step[place]["hard"] = true;
+      });
+}
+
 void FlagVisitor::pairs(const StepKey& key, std::vector<VertexPair>&) {
   auto pairs = std::make_shared<std::vector<std::vector<Index>>>();
   command_.add_option(flag(key), *pairs, "S,T: " + help_of(key))

@@ -26,6 +26,7 @@ class FlagVisitor final : public KeyVisitor {
   void region(const StepKey& key, RegionSpec& value) override;
   void belt(const StepKey& key, BeltSpec& value) override;
   void handles(const StepKey& key, std::vector<MovedHandle>& value) override;
+  void targets(const StepKey& key, TargetSpec& value) override;
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override;
   void weight(const StepKey& key, MixWeight& value) override;
   void file(const StepKey& key, std::filesystem::path& value) override;

@@ -95,7 +95,9 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
 }
 
 void perform(History& history, const Step& step, const CarryOut& carry_out) {
-  if (const auto* deform = std::get_if<DeformRequest>(&step)) {
+  const auto* deform = std::get_if<DeformRequest>(&step);
+  // Targets are no part of a selection.
+  if (deform != nullptr && deform->targets.empty()) {
     perform(history, *deform, carry_out.solve);
   } else {
     history.perform(Apply{step, carry_out.apply(history.state(), step)});

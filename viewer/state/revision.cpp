@@ -23,9 +23,11 @@ bool leads_to(const AppState& state, const std::vector<Step>& steps, std::size_t
 }
 
 DeformRequest as_open(const Step& step) {
-  if (const auto* deform = std::get_if<DeformRequest>(&step)) return *deform;
+  const auto* deform = std::get_if<DeformRequest>(&step);
+  if (deform != nullptr && deform->targets.empty()) return *deform;
   throw InputError(
-      "a deform step can only be replaced by another deform; undo it, then apply the new step");
+      "a deform step can only be replaced by another deform, without targets; undo it, then apply "
+      "the new step");
 }
 
 }  // namespace

@@ -15,6 +15,9 @@ class StepFiles final : public KeyVisitor {
   explicit StepFiles(std::function<void(fs::path&)> visit) : visit_(std::move(visit)) {}
 
   void file(const StepKey&, fs::path& value) override { visit_(value); }
+  void targets(const StepKey&, TargetSpec& value) override {
+    if (!value.file.empty()) visit_(value.file);
+  }
   void part(const StepKey&, fs::path& mesh, std::optional<RegionSpec>&) override { visit_(mesh); }
 
  private:

@@ -65,6 +65,7 @@ std::vector<Vector3d> axis_displacement(const EditSystem& system,
   const std::size_t n = laplacian.size();
   std::vector<double> x(3 * n);
   laplacian.right_hand_side(wanted, x);
+  laplacian.add_spring_forces(x);
   laplacian.solve_in_place(x, 3);
   std::vector<Vector3d> displacement(system.rest->size(), Vector3d::Zero());
   for (const Index v : system.moving) {

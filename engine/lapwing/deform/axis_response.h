@@ -13,7 +13,8 @@ namespace lapwing {
 /// system of `system` is held.
 Numbers axis_response(const EditSystem& system);
 
-/// The same for one motion, which asks for `wanted`: the displacement of every vertex.
+/// The same for one motion, which asks for `wanted`, and the springs: the displacement of every
+/// vertex.
 std::vector<Eigen::Vector3d> axis_displacement(const EditSystem& system,
                                                std::span<const Eigen::Vector3d> wanted);
 

@@ -23,6 +23,8 @@ struct Certificate {
   /// Largest distance between where a handle vertex is and where the motion wants it, mesh units.
   /// Not zero with soft constraints: they share the error with the surface.
   double handle_error = 0.0;
+  /// The largest distance between a target's point and where it is to go, mesh units.
+  double target_error = 0.0;
   /// Smallest and largest scale s_i of a ring's best similarity s_i R_i over the region; 1 is no
   /// change of size. For small angles the s of T_i in eq. 8.
   double smallest_scale = 1.0;

@@ -51,6 +51,10 @@ Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
       certificate.handle_error = std::max(certificate.handle_error, error);
     }
   }
+  for (const Target& target : region.targets) {
+    const double off = (point_of(target, end) - target.position).norm();
+    certificate.target_error = std::max(certificate.target_error, off);
+  }
   const auto weights = laplacian_weights(bound.topology, start, bound.request.parameters.weights);
   measure_region(region, bound.topology, weights, start, end, certificate);
   require_valid(certificate);

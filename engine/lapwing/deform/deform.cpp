@@ -1,5 +1,6 @@
 #include "lapwing/deform/deform.h"
 
+#include "lapwing/base/errors.h"
 #include "lapwing/base/stage.h"
 #include "lapwing/deform/bound_request.h"
 #include "lapwing/deform/commits.h"
@@ -19,11 +20,23 @@ struct Work {
   DeformWorkspace& workspace;
   const Progress& progress;
   Deformed& result;
+  const Positions& start;
+
+  // Targets are approached in parts, as handles are.
+  EditRegion region_at(double to) const {
+    EditRegion region = bound.region;
+    if (to == 1.0) return region;
+    for (Target& target : region.targets) {
+      const Vector3d from = point_of(target, start);
+      target.position = from + to * (target.position - from);
+    }
+    return region;
+  }
 
   // From share `from` of the motions to share `to`.
   Certificate carry_out(double from, double to) const {
     if (!workspace.prepared) workspace.prepared = std::make_unique<PreparedRegion>(bound.topology);
-    const Deformer deformer(*workspace.prepared, result.mesh.positions, bound.region,
+    const Deformer deformer(*workspace.prepared, result.mesh.positions, region_at(to),
                             bound.request.parameters, kernels, progress);
     for (const auto& [name, ms] : deformer.timings().stages()) result.timings.add(name, ms);
     const std::vector<Eigen::Affine3d> motions = bound.motions(from, to);
@@ -38,7 +51,7 @@ struct Work {
     return certificate;
   }
 
-  Certificate carry_out_in_parts(const Positions& start) const {
+  Certificate carry_out_in_parts() const {
     const auto share = [&](std::size_t parts) {
       return static_cast<double>(parts) / static_cast<double>(result.commits);
     };
@@ -56,7 +69,8 @@ struct Work {
 EditRegion region_of(const DeformRequest& request, const Mesh& mesh) {
   std::vector<RegionSpec> handles;
   for (const MovedHandle& handle : request.handles) handles.push_back(handle.region);
-  return resolve_edit_region(request.roi, request.belt, handles, mesh, request.parameters.loose);
+  return resolve_edit_region(request.roi, request.belt, handles, mesh, request.parameters.loose,
+                             request.targets);
 }
 
 // "3 loose parts of 310 vertices (from vertices 4, 90 and 200 on)".
@@ -107,6 +121,13 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
 
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress) {
+  if (request.targets.rows.empty() && !request.targets.file.empty()) {
+    throw InputError(request.targets.where + ": " + request.targets.file.string() +
+                     " has not been read; give its rows");
+  }
+  if (request.handles.empty() && request.targets.empty()) {
+    throw InputError(request.where + ": nothing is moved; give at least one handle or target");
+  }
   Deformed result;
   const LargestTurn largest = largest_turn(request);
   result.turn_degrees = largest.turn.degrees;
@@ -120,9 +141,8 @@ Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
     centroids.push_back(handle_frame(handle, start).centroid);
   }
   const BoundRequest bound{request, result.region, result.mesh.topology(), centroids};
-  const Work work{bound, kernels, workspace, progress, result};
-  result.certificate =
-      result.commits == 1 ? work.carry_out(0.0, 1.0) : work.carry_out_in_parts(start);
+  const Work work{bound, kernels, workspace, progress, result, start};
+  result.certificate = result.commits == 1 ? work.carry_out(0.0, 1.0) : work.carry_out_in_parts();
   result.wound_degrees = wound_degrees(bound, largest, start, result.mesh.positions);
   add_warnings(request, result);
   return result;

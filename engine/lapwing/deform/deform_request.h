@@ -31,12 +31,13 @@ struct MovedHandle {
 struct DeformRequest {
   RegionSpec roi;
   BeltSpec belt = BorderBelt{};
-  std::vector<MovedHandle> handles;  ///< at least one
+  std::vector<MovedHandle> handles;
+  TargetSpec targets;  ///< with the handles, at least one
   DeformParameters parameters;
   std::string where = "deform";  ///< as in RegionSpec; no part of the value
   bool operator==(const DeformRequest& other) const {
     return roi == other.roi && belt == other.belt && handles == other.handles &&
-           parameters == other.parameters;
+           targets == other.targets && parameters == other.parameters;
   }
 };
 

@@ -143,14 +143,19 @@ bool Deformer::State::has_scale_forces() const {
   return system->options.response == LinearResponse::tangent;
 }
 
+// What else pulls at the unknowns: the scale that handles ask for, and the springs.
 Numbers Deformer::State::forces_of(std::span<const double> q) const {
-  if (!has_scale_forces() || !why_not_exact.empty()) return {};
+  const LaplacianSystem& laplacian = system->systems->laplacian();
+  Numbers forces = spring_forces(laplacian.springs(), system->constraints.unknowns);
+  if (!has_scale_forces() || !why_not_exact.empty()) return forces;
   std::vector<double> growth;
   for (std::size_t h = 0; h < system->frames.size(); ++h) {
     growth.push_back(growth_of(system->frames[h], q.subspan(h * kMotionParameters)));
   }
-  if (std::all_of(growth.begin(), growth.end(), [](double g) { return g == 0.0; })) return {};
-  return scale_forces(*system, shares->spread(growth));
+  if (std::all_of(growth.begin(), growth.end(), [](double g) { return g == 0.0; })) return forces;
+  Numbers of_scales = scale_forces(*system, shares->spread(growth));
+  for (std::size_t i = 0; i < forces.size(); ++i) of_scales[i] += forces[i];
+  return of_scales;
 }
 
 // Of one motion, by one right-hand side and without columns.
@@ -296,6 +301,12 @@ void Deformer::choose_start(std::span<const Eigen::Affine3d> motions,
                             std::vector<Vector3d>& u) const {
   const State& s = *state_;
   std::vector<Vector3d> turned = s.shares->turned(motions, turns);
+  if (!s.system->region.targets.empty()) {
+    const std::vector<double> still(s.system->column_count(), 0.0);
+    const std::vector<Vector3d> drawn =
+        axis_displacement(*s.system, s.system->asked_displacement(still));
+    for (const Index v : s.system->moving) turned[v] += drawn[v];
+  }
   if (any_far(turns) || s.settler->energy(target, turned) < s.settler->energy(target, u)) {
     u = std::move(turned);
   }
@@ -310,7 +321,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   hold(progress);
   std::vector<double> q(edit.column_count());
   edit.set_parameters(motions, q);
-  const std::vector<Vector3d> wanted = edit.wanted_displacement(q);
+  const std::vector<Vector3d> wanted = edit.asked_displacement(q);
   const Numbers forces = s.forces_of(q);
   std::vector<Vector3d> u = s.linear_displacement(wanted, forces);
   std::vector<double> scales;
@@ -338,10 +349,20 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
     // Adding 0 would turn a coordinate of -0 into +0.
     if (!u[v].isZero(0.0)) result.positions[v] += u[v];
   }
+  for (const Target& target : edit.region.targets) {
+    // To the bit: the sum of place and displacement is rounded.
+    if (edit.region.hard_targets && target.is_vertex()) {
+      result.positions[target.corners[0]] = target.position;
+    }
+  }
   for (const auto& handle : edit.region.handles) {
     for (const Index v : handle) {
       certificate.handle_error = std::max(certificate.handle_error, (u[v] - wanted[v]).norm());
     }
+  }
+  for (const Target& target : edit.region.targets) {
+    const double off = (point_of(target, result.positions) - target.position).norm();
+    certificate.target_error = std::max(certificate.target_error, off);
   }
   measure_region(edit.region, edit.topology, s.weights, *edit.rest, result.positions, certificate,
                  scales);
@@ -376,13 +397,14 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   response(progress);
   const auto lock = edit.systems->lock();
   hold_for_settling();
-  const std::vector<Vector3d> wanted = edit.wanted_displacement(next.parameters);
+  const std::vector<Vector3d> wanted = edit.asked_displacement(next.parameters);
   const std::vector<double> scales = s.asked_scales(motions);
   const SettleTarget target{wanted, scales};
   const bool begins = pose.parameters.empty() || any_far(turns, pose.turns);
   if (begins) {
     s.settler->begin_drag();
-    next.displacement = s.blended_displacement(next.parameters);
+    next.displacement = edit.region.targets.empty() ? s.blended_displacement(next.parameters)
+                                                    : axis_displacement(edit, wanted);
     choose_start(motions, turns, target, next.displacement);
   } else {
     next.displacement = s.gone_on(pose, next.parameters);

@@ -30,6 +30,10 @@ std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unk
       if (unknowns.of_vertex[v] == kNoIndex) moving.push_back(v);
     }
   }
+  for (const Target& target : region.targets) {
+    const Index v = target.corners[0];
+    if (target.is_vertex() && unknowns.of_vertex[v] == kNoIndex) moving.push_back(v);
+  }
   for (const LoosePart& part : region.loose) {
     moving.insert(moving.end(), part.vertices.begin(), part.vertices.end());
   }
@@ -51,6 +55,7 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   };
   constraints = constraints_of(region, topology, options.constraint_weight, options.hard);
   rest = prepared.copy_of(rest_positions);
+  make_springs();
   const bool finds_pattern = !prepared.serves(region.roi, constraints.unknowns);
   if (finds_pattern) begin("pattern");
   systems = prepared.system_of(region.roi, constraints.unknowns);
@@ -80,8 +85,19 @@ void EditSystem::check_and_frame() {
   moving = moving_vertices(region, constraints.unknowns);
 }
 
+void EditSystem::make_springs() {
+  std::vector<Spring> made;
+  for (const Target& target : region.targets) {
+    if (region.hard_targets && target.is_vertex()) continue;
+    const double weight = target.weight * options.constraint_weight;
+    made.push_back({target.corners, target.shares, target.position - point_of(target, *rest),
+                    region.hard_targets ? kStiff : weight * weight});
+  }
+  if (!made.empty()) springs = std::make_shared<const std::vector<Spring>>(std::move(made));
+}
+
 SystemTerms EditSystem::terms() const {
-  return {rest, {options.weights, options.detail_length}, region.turns_freely};
+  return {rest, {options.weights, options.detail_length}, region.turns_freely, springs};
 }
 
 void EditSystem::hold_laplacian() const {
@@ -122,6 +138,21 @@ std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> pa
     }
   }
   return wanted;
+}
+
+std::vector<Vector3d> EditSystem::asked_displacement(std::span<const double> parameters) const {
+  std::vector<Vector3d> asked = wanted_displacement(parameters);
+  for (const Target& target : region.targets) {
+    const Index v = target.corners[0];
+    if (!target.is_vertex() || constraints.unknowns.of_vertex[v] != kNoIndex) continue;
+    asked[v] = target.position - (*rest)[v];
+  }
+  for (const LoosePart& part : region.loose) {
+    for (const LooseAnchor& anchor : part.anchors) {
+      if (anchor.handle == frames.size()) asked[anchor.vertex] = anchor.displacement;
+    }
+  }
+  return asked;
 }
 
 }  // namespace lapwing

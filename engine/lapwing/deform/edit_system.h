@@ -34,8 +34,9 @@ struct EditSystem {
   StageTimings timings;
   std::vector<HandleFrame> frames;  ///< per handle
   Constraints constraints;
-  std::shared_ptr<RegionSystem> systems;  ///< of all edits over these unknowns
-  LooseParts loose;                       ///< of the region
+  std::shared_ptr<const std::vector<Spring>> springs;  ///< the targets that are not given; or null
+  std::shared_ptr<RegionSystem> systems;               ///< of all edits over these unknowns
+  LooseParts loose;                                    ///< of the region
   /// The vertices that any motion can displace: all of the region but vertices without a ring
   /// outside the handles and, with hard constraints, the belt; and the loose parts.
   std::vector<Index> moving;
@@ -54,9 +55,13 @@ struct EditSystem {
   /// loose parts.
   std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;
 
+  /// That and what hard targets ask for.
+  std::vector<Eigen::Vector3d> asked_displacement(std::span<const double> parameters) const;
+
  private:
   SystemTerms terms() const;
   void check_and_frame();
+  void make_springs();
 };
 
 }  // namespace lapwing

@@ -19,6 +19,7 @@ namespace {
 // from 1 by less.
 bool is_one_number(std::size_t handles, const auto& value) {
   constexpr double kRounding = 1e-12;
+  if (handles == 0) return true;
   double least = value(0);
   double most = least;
   for (std::size_t h = 1; h < handles; ++h) {
@@ -30,7 +31,7 @@ bool is_one_number(std::size_t handles, const auto& value) {
 
 // Whether the surface is held by handles alone: no belt, and no neighbour outside the region.
 bool handles_hold_all(const EditSystem& system) {
-  if (!system.region.belt.empty()) return false;
+  if (!system.region.belt.empty() || !system.region.targets.empty()) return false;
   std::vector<char> in_roi(system.rest->size(), 0);
   for (const Index v : system.region.roi) in_roi[v] = 1;
   return std::all_of(system.region.roi.begin(), system.region.roi.end(), [&](Index v) {
@@ -95,6 +96,7 @@ std::vector<std::vector<double>> HandleShares::spread_columns(std::size_t count,
       continue;
     }
     fields[c] = sum_;
+    if (system_.region.handles.empty()) continue;
     for (double& number : fields[c]) number *= value(0, c);
   }
   std::vector<std::vector<double>> solved = solved_columns(differing, value);
@@ -114,6 +116,7 @@ std::vector<double> HandleShares::of_handle(std::size_t handle) const {
 std::vector<double> HandleShares::scales(std::span<const double> handle_scales) const {
   const VertexSet& roi = system_.region.roi;
   std::vector<double> scales(system_.rest->size(), 1.0);
+  if (handle_scales.empty()) return scales;
   if (is_one_number(handle_scales.size(), [&](std::size_t h) { return handle_scales[h]; })) {
     for (std::size_t r = 0; r < roi.size(); ++r) {
       scales[roi[r]] += sum_[r] * (handle_scales.front() - 1.0);

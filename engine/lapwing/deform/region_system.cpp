@@ -29,7 +29,8 @@ bool RegionSystem::serves(const VertexSet& roi, const Unknowns& unknowns) const 
 void RegionSystem::assemble_laplacian(const SystemTerms& terms) {
   if (terms == laplacian_terms_) return;
   laplacian_terms_ = {};
-  laplacian_.assemble(*terms.rest, terms.energy);
+  laplacian_.assemble(*terms.rest, terms.energy,
+                      terms.springs ? *terms.springs : std::vector<Spring>());
   laplacian_terms_ = terms;
 }
 

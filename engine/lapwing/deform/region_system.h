@@ -33,7 +33,8 @@ class DoesNotFit : public SolverError {
 struct SystemTerms {
   std::shared_ptr<const Positions> rest;  ///< the same pointer for the same positions
   EnergyTerms energy;
-  bool turns_freely = false;  ///< EditRegion::turns_freely
+  bool turns_freely = false;                           ///< EditRegion::turns_freely
+  std::shared_ptr<const std::vector<Spring>> springs;  ///< null for none
 
   bool operator==(const SystemTerms&) const = default;
 };

@@ -123,7 +123,9 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   if (kind_ == LinearResponse::tangent) {
     factor_.set_matrix(tangent_matrix(pattern_, laplacian_, rows_, std::move(memory)));
   } else {
-    factor_.set_matrix(pattern_.normal().normal_matrix(rows_, {}, std::move(memory)));
+    BlockMatrix N = pattern_.normal().normal_matrix(rows_, {}, std::move(memory));
+    add_springs(laplacian_.springs(), constraints_.unknowns, N);
+    factor_.set_matrix(std::move(N));
   }
   stage_is_done("normal_matrix");
 }
@@ -151,7 +153,9 @@ void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) 
   std::vector<double> rows(3 * rows_.size());
   lapwing::multiply(rows_, u, rows);
   pattern_.normal().multiply_transposed(rows_, rows, y);
-  if (kind_ == LinearResponse::rsi) return;
+  if (kind_ == LinearResponse::rsi) {
+    return add_spring_product(laplacian_.springs(), constraints_.unknowns, u, y);
+  }
   std::vector<double> held(y.size());
   laplacian_.multiply(u, held);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = held[i] - y[i];

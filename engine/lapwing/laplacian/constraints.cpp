@@ -9,11 +9,18 @@ Constraints constraints_of(const EditRegion& region, const Topology& topology, d
   for (const auto& handle : region.handles) {
     for (const Index v : handle) anchored[v] = 1;
   }
+  std::vector<char> is_given(topology.vertex_count(), 0);
+  std::vector<char> is_drawn(topology.vertex_count(), 0);
+  for (const Target& target : region.targets) {
+    if (region.hard_targets && target.is_vertex()) is_given[target.corners[0]] = 1;
+    is_drawn[target.corners[0]] = 1;
+  }
   Constraints constraints;
   std::vector<Index> vertices;
   for (const Index v : region.roi) {
     const bool held = anchored[v] != 0;
-    if (held ? hard : topology.rings[v].empty()) continue;
+    if (is_given[v] != 0) continue;
+    if (held ? hard : (topology.rings[v].empty() && is_drawn[v] == 0)) continue;
     vertices.push_back(v);
     constraints.W.push_back(held ? weight * weight : 0.0);
   }

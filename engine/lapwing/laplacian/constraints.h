@@ -15,7 +15,8 @@ struct Constraints {
 };
 
 /// Soft constraints: the unknowns are the region's vertices. Hard ones: only the free vertices; the
-/// motion of handle and belt is given. Vertices without a ring that nothing holds are no unknowns:
+/// motion of handle and belt is given, likewise that of vertices with hard targets. Soft targets
+/// and points in triangles are springs. Vertices without a ring that nothing holds are no unknowns:
 /// they stay.
 Constraints constraints_of(const EditRegion& region, const Topology& topology, double weight,
                            bool hard);

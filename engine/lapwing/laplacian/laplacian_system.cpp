@@ -38,7 +38,8 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
   timings.add("laplacian", watch.elapsed_ms());
 }
 
-void LaplacianSystem::assemble(std::span<const Vector3d> rest, const EnergyTerms& terms) {
+void LaplacianSystem::assemble(std::span<const Vector3d> rest, const EnergyTerms& terms,
+                               std::span<const Spring> springs) {
   has_rings_ = false;
   weights_ = energy_weights(topology_, rest, roi_, terms);
   L_ = laplacian_rows(topology_.rings, weights_.laplacian, roi_);
@@ -50,6 +51,8 @@ void LaplacianSystem::assemble(std::span<const Vector3d> rest, const EnergyTerms
   }
   BlockMatrix A = pattern_.normal().normal_matrix(L_, {}, factor_.take_memory());
   if (!weights_.stiffness.empty()) add_edge_terms(A);
+  springs_ = with_finite_stiffness(springs, A);
+  add_springs(springs_, constraints_.unknowns, A);
   factor_.set_matrix(std::move(A));
 }
 
@@ -116,6 +119,7 @@ void LaplacianSystem::multiply(std::span<const Vector3d> u, std::span<double> y)
   std::vector<double> rows(3 * L_.size());
   lapwing::multiply(L_, u, rows);
   pattern_.normal().multiply_transposed(L_, rows, y);
+  add_spring_product(springs_, constraints_.unknowns, u, y);
   if (weights_.stiffness.empty()) return;
   const Adjacency& rings = topology_.rings;
   parallel_for(size(), kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
@@ -147,6 +151,13 @@ void LaplacianSystem::right_hand_side(std::span<const Vector3d> wanted, std::spa
       const double d = wanted[unknowns.vertices[k]][static_cast<Eigen::Index>(axis)];
       b[axis * n + k] = constraints_.W[k] * d - moved[3 * k + axis];
     }
+  }
+}
+
+void LaplacianSystem::add_spring_forces(std::span<double> b) const {
+  const Numbers forces = spring_forces(springs_, constraints_.unknowns);
+  for (std::size_t k = 0; 3 * k < forces.size(); ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) b[axis * size() + k] += forces[3 * k + axis];
   }
 }
 

@@ -10,6 +10,7 @@
 #include "lapwing/laplacian/held_factor.h"
 #include "lapwing/laplacian/region_rings.h"
 #include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/laplacian/springs.h"
 #include "lapwing/laplacian/system_pattern.h"
 
 namespace lapwing {
@@ -17,7 +18,7 @@ namespace lapwing {
 /// The factored n x n system (L'Om L + K + W) u = b of one region, the same for x, y and z (DESIGN
 /// sections 3 and 4). Om are the weights of the rows and K the matrix of the edge energy
 /// sum_ij k_ij |u_i - u_j|^2, each row counting the edges of its ring (EnergyWeights); without a
-/// detail length this is L'L + W.
+/// detail length this is L'L + W. Springs, where there are any, are part of K.
 class LaplacianSystem {
  public:
   /// Assembles and factors; stage "laplacian". `topology` and `pattern` must outlive the object.
@@ -33,9 +34,12 @@ class LaplacianSystem {
                   const SystemPattern& pattern);
 
   /// L and L'Om L + K, for which neither order nor constraints are needed.
-  void assemble(std::span<const Eigen::Vector3d> rest, const EnergyTerms& terms);
+  void assemble(std::span<const Eigen::Vector3d> rest, const EnergyTerms& terms,
+                std::span<const Spring> springs = {});
   /// As last assembled.
   const EnergyWeights& weights() const { return weights_; }
+  /// Likewise, none kStiff any more.
+  std::span<const Spring> springs() const { return springs_; }
   /// L'Om L + K, without W.
   BlockMatrix unheld_matrix() const { return factor_.unheld_matrix(); }
   /// (L'Om L + K) u over the unknowns, u given for the whole mesh and 0 outside the region: 3
@@ -63,6 +67,9 @@ class LaplacianSystem {
   /// unknowns, then y, then z.
   void right_hand_side(std::span<const Eigen::Vector3d> wanted, std::span<double> b) const;
 
+  /// b += what the springs pull by, in that order.
+  void add_spring_forces(std::span<double> b) const;
+
   /// Replaces `columns` right-hand sides of `size()` numbers, one after the other, by their
   /// solutions. Allocates nothing from the second call on. One thread at a time.
   void solve_in_place(std::span<double> columns_of_b, std::size_t columns) const;
@@ -80,6 +87,7 @@ class LaplacianSystem {
   std::vector<char> is_row_;  ///< per vertex of the mesh
   BlockRows L_;               ///< each row times the root of its weight
   EnergyWeights weights_;
+  std::vector<Spring> springs_;
   bool has_rings_ = false;
   RegionRings rings_;
   std::vector<Index> places_;  ///< unknown -> where it stands in the order of elimination

@@ -77,6 +77,9 @@ class KeyReader final : public KeyVisitor {
     for (const JsonNode& handle : found->elements()) value.push_back(read_handle(handle));
     if (key.required && value.empty()) found->fail("expected at least one handle");
   }
+  void targets(const StepKey& key, TargetSpec& value) override {
+    if (const auto found = find(key)) value = read_targets(*found);
+  }
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override {
     if (const auto found = find(key)) value = read_pairs(*found);
   }

@@ -38,6 +38,9 @@ class KeyTable final : public KeyVisitor {
   void handles(const StepKey& key, std::vector<MovedHandle>&) override {
     add(key, "a list of `{\"region\": REGION, \"move\": MOVE}`");
   }
+  void targets(const StepKey& key, TargetSpec&) override {
+    add(key, "rows, or `{\"rows\" or \"file\", \"hard\"}`");
+  }
   void pairs(const StepKey& key, std::vector<VertexPair>&) override { add(key, "`[[s, t], ...]`"); }
   void weight(const StepKey& key, MixWeight&) override { add(key, "an object"); }
   void file(const StepKey& key, std::filesystem::path&) override { add(key, "a file"); }

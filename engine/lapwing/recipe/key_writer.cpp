@@ -28,6 +28,9 @@ class KeyWriter final : public KeyVisitor {
   void handles(const StepKey& key, std::vector<MovedHandle>& value) override {
     if (key.required || !value.empty()) put(key, json_of(value));
   }
+  void targets(const StepKey& key, TargetSpec& value) override {
+    if (!value.empty()) put(key, json_of(value));
+  }
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override {
     if (!value.empty()) put(key, value);
   }

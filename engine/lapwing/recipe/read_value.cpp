@@ -84,6 +84,29 @@ MovedHandle read_handle(const JsonNode& node) {
   return {read_region(node.at("region")), read_move(node.at("move"))};
 }
 
+TargetSpec read_targets(const JsonNode& node) {
+  TargetSpec targets;
+  targets.where = node.where();
+  const auto add_rows = [&](const JsonNode& rows) {
+    for (const JsonNode& row : rows.elements()) {
+      targets.rows.push_back(target_row(row.numbers(), row.where()));
+    }
+  };
+  if (!node.is_object()) {
+    add_rows(node);
+    return targets;
+  }
+  node.require_keys({"rows", "file", "hard"});
+  const std::string_view form = node.only_key_of({"rows", "file"}, "targets");
+  if (form == "rows") {
+    add_rows(node.at("rows"));
+  } else {
+    targets.file = node.at("file").file_name();
+  }
+  if (const auto hard = node.find("hard")) targets.hard = hard->boolean();
+  return targets;
+}
+
 std::vector<VertexPair> read_pairs(const JsonNode& node) {
   std::vector<VertexPair> pairs;
   for (const JsonNode& element : node.elements()) {

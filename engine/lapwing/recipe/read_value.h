@@ -9,6 +9,7 @@ namespace lapwing {
 // JSON pointer of what does not fit.
 Move read_move(const JsonNode& node);
 MovedHandle read_handle(const JsonNode& node);
+TargetSpec read_targets(const JsonNode& node);
 std::vector<VertexPair> read_pairs(const JsonNode& node);
 MixWeight read_weight(const JsonNode& node);
 PartPlace read_place(const JsonNode& node);

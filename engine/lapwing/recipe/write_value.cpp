@@ -107,6 +107,29 @@ Json json_of(const std::vector<MovedHandle>& handles) {
   }
   return list;
 }
+Json json_of(const TargetSpec& targets) {
+  Json rows = Json::array();
+  for (const TargetRow& row : targets.rows) {
+    Json numbers = Json::array();
+    if (const auto* vertex = std::get_if<Index>(&row.point)) {
+      numbers.push_back(*vertex);
+    } else {
+      for (const double number : std::get<Eigen::Vector3d>(row.point)) numbers.push_back(number);
+    }
+    for (const double number : row.position) numbers.push_back(number);
+    if (row.weight != 1.0) numbers.push_back(row.weight);
+    rows.push_back(std::move(numbers));
+  }
+  if (targets.file.empty() && !targets.hard) return rows;
+  Json json;
+  if (targets.file.empty()) {
+    json["rows"] = std::move(rows);
+  } else {
+    json["file"] = targets.file.string();
+  }
+  if (targets.hard) json["hard"] = true;
+  return json;
+}
 Json json_of(const MixWeight& weight) {
   return json_of_any(weight.form);
 }

@@ -61,6 +61,7 @@ std::vector<CheckedComponent> checked_components(const EditRegion& region,
   for (const VertexSet& handle : region.handles) {
     for (const Index v : handle) is_held[v] = 1;
   }
+  for (const Index v : corners_of(region.targets)) is_held[v] = 1;
   const std::vector<char> in_roi = vertex_mask(topology.vertex_count(), region.roi);
   std::vector<CheckedComponent> components;
   for (VertexSet& component : region_components(region.roi, topology)) {
@@ -80,19 +81,27 @@ std::vector<CheckedComponent> checked_components(const EditRegion& region,
   return components;
 }
 
-LoosePart loose_part(VertexSet vertices, const EditRegion& region, const Topology& topology) {
+LoosePart loose_part(VertexSet vertices, const EditRegion& region,
+                     std::span<const Vector3d> positions, const Topology& topology) {
   LoosePart part{std::move(vertices), {}};
   const std::size_t stays = region.handles.size();
   for (std::size_t h = 0; h < stays; ++h) {
     for (const Index v : intersect(part.vertices, region.handles[h])) {
-      part.anchors.push_back({v, h});
+      part.anchors.push_back({v, h, Vector3d::Zero()});
     }
   }
-  for (const Index v : intersect(part.vertices, region.belt)) part.anchors.push_back({v, stays});
+  for (const Index v : intersect(part.vertices, region.belt))
+    part.anchors.push_back({v, stays, Vector3d::Zero()});
+  for (const Target& target : region.targets) {
+    if (!std::binary_search(part.vertices.begin(), part.vertices.end(), target.corners[0]))
+      continue;
+    part.anchors.push_back(
+        {target.corners[0], stays, target.position - point_of(target, positions)});
+  }
   // A neighbour outside the ROI stays, too.
   VertexSet outside =
       subtract(make_vertex_set(with_ring_neighbours(part.vertices, topology.rings)), part.vertices);
-  for (const Index v : outside) part.anchors.push_back({v, stays});
+  for (const Index v : outside) part.anchors.push_back({v, stays, Vector3d::Zero()});
   return part;
 }
 
@@ -121,12 +130,15 @@ void set_loose_parts_aside(EditRegion& region, std::span<const Vector3d> positio
     if (component.fault.empty() || (held.turns_freely && component.has_anchor)) continue;
     aside.insert(aside.end(), component.vertices.begin(), component.vertices.end());
     if (policy == LoosePolicy::carry) {
-      held.loose.push_back(loose_part(std::move(component.vertices), region, topology));
+      held.loose.push_back(loose_part(std::move(component.vertices), region, positions, topology));
     } else {
       held.left_out.push_back(std::move(component.vertices));
     }
   }
   const VertexSet loose = make_vertex_set(std::move(aside));
+  std::erase_if(held.targets, [&](const Target& target) {
+    return std::binary_search(loose.begin(), loose.end(), target.corners[0]);
+  });
   held.roi = subtract(held.roi, loose);
   held.belt = subtract(held.belt, loose);
   for (VertexSet& handle : held.handles) {

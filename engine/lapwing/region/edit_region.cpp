@@ -61,7 +61,7 @@ VertexSet resolve_belt(const BeltSpec& spec, const VertexSet& roi,
 
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
                                std::span<const RegionSpec> handles, const Mesh& mesh,
-                               LoosePolicy policy) {
+                               LoosePolicy policy, const TargetSpec& targets) {
   EditRegion region;
   region.roi = resolve(roi, mesh);
   require_members(region.roi, roi.where, "roi");
@@ -76,6 +76,13 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
     region.handles.push_back(std::move(handle));
   }
   region.belt = resolve_belt(belt, region.roi, region.handles, mesh);
+  const bool belt_gives_way = std::holds_alternative<BorderBelt>(belt);
+  VertexSet held = belt_gives_way ? VertexSet() : region.belt;
+  for (const VertexSet& handle : region.handles)
+    held.insert(held.end(), handle.begin(), handle.end());
+  region.targets = resolve_targets(targets, region.roi, make_vertex_set(std::move(held)), mesh);
+  region.hard_targets = targets.hard;
+  if (belt_gives_way) region.belt = subtract(region.belt, corners_of(region.targets));
   for (std::size_t k = 0; k < handles.size(); ++k) {
     require_disjoint(region.handles[k], region.belt, handles[k].where, "the belt");
   }

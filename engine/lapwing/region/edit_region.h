@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapwing/region/border_belt.h"
+#include "lapwing/region/targets.h"
 
 namespace lapwing {
 
@@ -15,10 +16,11 @@ enum class LoosePolicy {
   refuse,  ///< an error
 };
 
-/// A vertex of a loose part that belt or handle hold all the same.
+/// A vertex of a loose part that belt, handle or target hold all the same.
 struct LooseAnchor {
   Index vertex = 0;
-  std::size_t handle = 0;  ///< EditRegion::handles.size() for one that stays
+  std::size_t handle = 0;                                  ///< EditRegion::handles.size() for none
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< without a handle
 };
 
 /// A component of the ROI that is not solved for, since too little holds it.
@@ -31,8 +33,10 @@ struct LoosePart {
 /// outside the ROI do not move, loose parts excepted.
 struct EditRegion {
   VertexSet roi;
-  VertexSet belt;                  ///< in the ROI; stays where it is
-  std::vector<VertexSet> handles;  ///< in the ROI, disjoint, not empty, none shared with the belt
+  VertexSet belt;                    ///< in the ROI; stays where it is
+  std::vector<VertexSet> handles;    ///< in the ROI, disjoint, not empty, none shared with the belt
+  std::vector<Target> targets = {};  ///< in the ROI, none at a vertex of belt or handles
+  bool hard_targets = false;         ///< they are reached exactly
   std::vector<LoosePart> loose = {};     ///< to be carried; in none of the above
   std::vector<VertexSet> left_out = {};  ///< loose parts that stay; likewise
   /// Components of the ROI may turn freely about a line of anchors: nothing firmer is there that
@@ -40,14 +44,15 @@ struct EditRegion {
   bool turns_freely = false;
 };
 
-/// Binds what a person chose to a mesh. A belt by fraction leaves the handles out; every other
-/// overlap is an error. Throws InputError, naming place and vertices: whatever `resolve` throws, an
-/// empty ROI or handle, a handle or belt outside the ROI, a handle that overlaps the belt or
-/// another handle, a vertex of the ROI or of its rings that is not finite, and what
-/// `set_loose_parts_aside` throws.
+/// Binds what a person chose to a mesh. A belt by fraction leaves handles and targets out; every
+/// other overlap is an error. Throws InputError, naming place and vertices: whatever `resolve`
+/// throws, an empty ROI or handle, a handle or belt outside the ROI, a handle that overlaps the
+/// belt or another handle, a vertex of the ROI or of its rings that is not finite, and what
+/// `resolve_targets` and `set_loose_parts_aside` throw.
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
                                std::span<const RegionSpec> handles, const Mesh& mesh,
-                               LoosePolicy policy = LoosePolicy::carry);
+                               LoosePolicy policy = LoosePolicy::carry,
+                               const TargetSpec& targets = {});
 
 /// Moves the components of the ROI that `check_anchors` would refuse to `loose` or `left_out`;
 /// where no other is there those stay that have an anchor, and the region `turns_freely`. Throws as
@@ -57,9 +62,10 @@ void set_loose_parts_aside(EditRegion& region, std::span<const Eigen::Vector3d> 
                            const Topology& topology, LoosePolicy policy, const std::string& where);
 
 /// Throws InputError unless every component of the ROI is held: its anchors are its handle and belt
-/// vertices and its neighbours outside the ROI, and three of them must not lie on one line, or the
-/// component could turn freely (which a region may that `turns_freely`). Names the component by
-/// size and smallest vertex, and `where`. Vertices with an empty ring need no anchor.
+/// vertices, the corners of its targets and its neighbours outside the ROI, and three of them must
+/// not lie on one line, or the component could turn freely (which a region may that
+/// `turns_freely`). Names the component by size and smallest vertex, and `where`. Vertices with an
+/// empty ring need no anchor.
 void check_anchors(const EditRegion& region, std::span<const Eigen::Vector3d> positions,
                    const Topology& topology, const std::string& where);
 

@@ -37,6 +37,7 @@ Json as_json(const Certificate& c) {
   return {{"relative_residual", number(c.relative_residual)},
           {"relative_gradient", number(c.relative_gradient)},
           {"handle_error", number(c.handle_error)},
+          {"target_error", number(c.target_error)},
           {"smallest_scale", number(c.smallest_scale)},
           {"smallest_scale_vertex", vertex(c.smallest_scale_vertex)},
           {"largest_scale", number(c.largest_scale)},

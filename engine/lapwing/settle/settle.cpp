@@ -5,6 +5,7 @@
 #include "lapwing/settle/settle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -82,6 +83,14 @@ struct Settler::State {
   Point at;
   Point next;
 
+  // A spring of the system, by rows and by places among the unknowns; kNoIndex for a given corner.
+  struct PlacedSpring {
+    Spring spring;
+    std::array<Index, 3> rows{};
+    std::array<Index, 3> places{};
+  };
+  std::vector<PlacedSpring> springs;
+
   struct Sums {
     double energy = 0.0;
     double force = 0.0;
@@ -111,7 +120,9 @@ struct Settler::State {
 
   void begin(const SettleTarget& target, std::span<const Vector3d> u);
   void finish(std::span<Vector3d> u) const;
+  void place_springs();
   void evaluate(Point& point);
+  Sums pull_by_springs(Point& point) const;
   void turn_tangent(int iteration);
   void leave_tangent(int iteration);
   Sums find_direction();
@@ -157,6 +168,7 @@ void Settler::State::begin(const SettleTarget& target, std::span<const Vector3d>
     scales[r] = target.scales[rings.vertices[r]];
   }
   rotations->set_scales(scales);
+  place_springs();
   for (std::size_t k = 0; k < n; ++k) {
     const Index v = vertex(k);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -165,6 +177,43 @@ void Settler::State::begin(const SettleTarget& target, std::span<const Vector3d>
     }
   }
   evaluate(at);
+}
+
+void Settler::State::place_springs() {
+  springs.clear();
+  if (system.springs().empty()) return;
+  const Unknowns& unknowns = system.constraints().unknowns;
+  const std::vector<Index> row_of = places_in(rings.vertices, unknowns.of_vertex.size());
+  const std::vector<Index> place_of = places_in(rings.unknown_rows, rings.vertices.size());
+  for (const Spring& spring : system.springs()) {
+    PlacedSpring& placed = springs.emplace_back(PlacedSpring{spring, {}, {}});
+    for (std::size_t c = 0; c < 3; ++c) {
+      placed.rows[c] = row_of[spring.corners[c]];
+      placed.places[c] = place_of[placed.rows[c]];
+    }
+  }
+}
+
+// Adds to the gradient; returns energy and squared force.
+Settler::State::Sums Settler::State::pull_by_springs(Point& point) const {
+  const std::size_t n = system.size();
+  Sums sum;
+  for (const PlacedSpring& placed : springs) {
+    const auto& [spring, rows, places] = placed;
+    Vector3d off = -spring.wanted;
+    for (std::size_t c = 0; c < 3; ++c) off += spring.shares[c] * displacement[rows[c]];
+    const Vector3d force = spring.stiffness * off;
+    sum.energy += force.dot(off);
+    sum.force += force.squaredNorm();
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (places[c] == kNoIndex) continue;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        point.gradient[axis * n + places[c]] +=
+            spring.shares[c] * force[static_cast<Eigen::Index>(axis)];
+      }
+    }
+  }
+  return sum;
 }
 
 void Settler::State::finish(std::span<Vector3d> u) const {
@@ -192,10 +241,12 @@ void Settler::State::evaluate(Point& point) {
       point.gradient[axis * n + k] += force[static_cast<Eigen::Index>(axis)];
     }
   });
-  point.force = std::sqrt(held.force);
-  point.energy = held.energy + Eigen::Map<const Eigen::ArrayXd>(
-                                   energies.data(), static_cast<Eigen::Index>(energies.size()))
-                                   .sum();
+  const Sums drawn = pull_by_springs(point);
+  point.force = std::sqrt(held.force + drawn.force);
+  point.energy =
+      held.energy + drawn.energy +
+      Eigen::Map<const Eigen::ArrayXd>(energies.data(), static_cast<Eigen::Index>(energies.size()))
+          .sum();
 }
 
 // At `at`, where the rotations were fitted last. The history tells what another first Hessian does

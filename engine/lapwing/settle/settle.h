@@ -52,7 +52,7 @@ class TurnedTangent {
 ///
 ///     E(u) = sum_i min over R_i of om_i |L(v'_i) - s_i R_i delta_i|^2
 ///                                + sum_j k_ij |(v'_i - v'_j) - s_i R_i (v_i - v_j)|^2
-///          + sum_held w^2 |u - d|^2
+///          + sum_held w^2 |u - d|^2 + the springs of the system
 ///
 /// (EnergyWeights, DESIGN section 3), by L-BFGS: each step takes the rotations (kernel
 /// fit_rotations), the gradient (kernel energy_gradient) and one solve, at first with the one n x n

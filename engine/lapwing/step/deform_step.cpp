@@ -4,6 +4,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/turn_tracker.h"
+#include "lapwing/io/number_table.h"
 #include "lapwing/step/key_visitor.h"
 #include "lapwing/step/step_run.h"
 
@@ -98,8 +99,16 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                step.belt);
   visitor.handles({.name = "handles",
                    .help = "the parts that are placed: each a region and its move",
-                   .required = true},
+                   .absent = "none"},
                   step.handles);
+  visitor.targets(
+      {.name = "targets",
+       .help = "points of the surface, and where each goes: rows of vertex, x, y, z, or "
+               "of a place whose nearest point is meant and x, y, z; a weight may follow",
+       .absent = "none"},
+      step.targets);
+  visitor.require(!step.handles.empty() || !step.targets.empty(), "handles",
+                  "nothing is moved; give at least one handle or target");
   describe(step.parameters, visitor);
   // Between a handle and its mirror image there is no motion that a part could be.
   for (std::size_t k = 0; k < step.handles.size() && step.parameters.commit_every; ++k) {
@@ -112,6 +121,13 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
 StepReport run_step(const DeformRequest& step, const StepRun& on) {
   DeformRequest named = step;
   named.where = "step " + std::to_string(on.number);
+  if (!named.targets.file.empty()) {
+    const NumberTable table = read_number_table(on.base_directory / named.targets.file);
+    for (std::size_t r = 0; r < table.row_count(); ++r) {
+      named.targets.rows.push_back(target_row(table.row(r), table.place(r)));
+    }
+    named.targets.where = table.name;
+  }
   RunResult& result = on.result;
   Deformed done = deform(std::move(result.mesh), named, on.kernels, result.deformed, on.progress);
   result.mesh = std::move(done.mesh);

@@ -1,0 +1,200 @@
+// NPY: "A Simple File Format for NumPy Arrays", numpy.lib.format, versions 1 to 3.
+#include "lapwing/io/number_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/binary_numbers.h"
+#include "lapwing/io/file_bytes.h"
+#include "lapwing/io/text_scanner.h"
+
+namespace lapwing {
+namespace {
+
+bool is_separator(char c) {
+  return c == ',' || c == ';' || c == ' ' || c == '\t' || c == '\r';
+}
+
+[[noreturn]] void fail_too_many(const std::string& name) {
+  throw InputError(name + ": more than " + std::to_string(kMostTableRows) +
+                   " rows; is this the right file?");
+}
+
+// The numbers of a line; nothing where a field is none, which `bad` then holds.
+bool read_fields(std::string_view line, std::vector<double>& numbers, std::string_view& bad) {
+  const char* here = line.data();
+  const char* const end = here + line.size();
+  while (true) {
+    while (here != end && is_separator(*here)) ++here;
+    if (here == end) return true;
+    const char* stop = here;
+    while (stop != end && !is_separator(*stop)) ++stop;
+    double value = 0.0;
+    if (parse_number(here, stop, value) != stop) {
+      bad = {here, static_cast<std::size_t>(stop - here)};
+      return false;
+    }
+    numbers.push_back(value);
+    here = stop;
+  }
+}
+
+NumberTable read_text(const std::string& name, std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  NumberTable table{.name = name};
+  std::size_t line_number = 0;
+  while (!text.empty()) {
+    ++line_number;
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, length);
+    text.remove_prefix(std::min(length + 1, text.size()));
+    if (line.starts_with('#')) continue;
+    std::string_view bad;
+    const bool is_header = table.row_count() == 0;
+    if (!read_fields(line, table.numbers, bad)) {
+      const bool any_number = table.numbers.size() > table.starts.back();
+      if (is_header && !any_number) continue;
+      throw InputError(name + ":" + std::to_string(line_number) + ": expected a number, found \"" +
+                       std::string(bad.substr(0, 40)) + "\"");
+    }
+    if (table.numbers.size() == table.starts.back()) continue;
+    table.starts.push_back(table.numbers.size());
+    table.lines.push_back(line_number);
+    if (table.row_count() > kMostTableRows) fail_too_many(name);
+  }
+  return table;
+}
+
+// The header of an NPY file.
+struct NpyHeader {
+  char kind = 'f';  ///< f, i or u
+  std::size_t bytes = 8;
+  Encoding encoding = Encoding::little_endian;
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::size_t begin = 0;  ///< of the numbers
+};
+
+// What follows `key` in the dictionary of the header.
+std::string_view after_key(std::string_view header, std::string_view key) {
+  const std::size_t at = header.find(key);
+  if (at == std::string_view::npos) return {};
+  std::string_view rest = header.substr(at + key.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of(" :"), rest.size()));
+  return rest;
+}
+
+std::optional<std::size_t> read_whole(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" (,"), text.size()));
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{}) return {};
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+NpyHeader read_header(const std::string& name, std::string_view bytes) {
+  const auto fail = [&](const std::string& what) {
+    throw InputError(name + ": " + what +
+                     "; numpy.save(file, array) of rows and columns of "
+                     "numbers makes one that can be read");
+  };
+  if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) fail("no NPY file");
+  const bool is_short = bytes[6] == 1;
+  const std::size_t at = is_short ? 10 : 12;
+  std::size_t length = 0;
+  for (std::size_t k = at; k-- > 8;) length = 256 * length + static_cast<unsigned char>(bytes[k]);
+  if (length > bytes.size() - at) fail("the file ends within its header");
+  const std::string_view header = bytes.substr(at, length);
+
+  NpyHeader read;
+  read.begin = at + length;
+  const std::string_view type = after_key(header, "'descr'");
+  constexpr std::string_view kKinds = "fiu";
+  if (type.size() < 4 || kKinds.find(type[2]) == std::string_view::npos) {
+    fail("its numbers are neither floats nor integers");
+  }
+  read.kind = type[2];
+  read.bytes = static_cast<std::size_t>(type[3] - '0');
+  read.encoding = type[1] == '>' ? Encoding::big_endian : Encoding::little_endian;
+  const bool fits = read.bytes == 4 || read.bytes == 8 ||
+                    (read.kind != 'f' && (read.bytes == 1 || read.bytes == 2));
+  if (!fits || type[4] != type[0])
+    fail("its numbers are neither floats nor integers of 8 to 64 bits");
+  if (!after_key(header, "'fortran_order'").starts_with("False")) {
+    fail("its columns come first (Fortran order), and should not");
+  }
+  std::string_view shape = after_key(header, "'shape'");
+  const auto rows = read_whole(shape);
+  const auto columns = read_whole(shape);
+  if (!rows || !columns || read_whole(shape)) fail("it has not two dimensions");
+  read.rows = *rows;
+  read.columns = *columns;
+  if (read.rows > kMostTableRows) fail_too_many(name);
+  const std::size_t numbers = (bytes.size() - read.begin) / read.bytes;
+  if (read.columns > 0 && read.rows > numbers / read.columns) {
+    fail("the file ends within its " + std::to_string(read.rows) + " rows");
+  }
+  return read;
+}
+
+double load(const char* from, const NpyHeader& header) {
+  if (header.kind == 'f') {
+    return load_number(from, header.bytes == 4 ? Scalar::float32 : Scalar::float64,
+                       header.encoding);
+  }
+  // Of any number of bytes, the most significant first.
+  std::uint64_t bits = 0;
+  for (std::size_t k = 0; k < header.bytes; ++k) {
+    const bool forward = header.encoding == Encoding::big_endian;
+    bits = bits << 8U | static_cast<unsigned char>(from[forward ? k : header.bytes - 1 - k]);
+  }
+  if (header.kind == 'u') return static_cast<double>(bits);
+  const std::size_t unused = 64 - 8 * header.bytes;
+  return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
+}
+
+NumberTable read_npy(const std::string& name, std::string_view bytes) {
+  const NpyHeader header = read_header(name, bytes);
+  NumberTable table{.name = name};
+  const char* from = bytes.data() + header.begin;
+  for (std::size_t r = 0; r < header.rows; ++r) {
+    for (std::size_t c = 0; c < header.columns; ++c, from += header.bytes) {
+      table.numbers.push_back(load(from, header));
+    }
+    table.starts.push_back(table.numbers.size());
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string NumberTable::place(std::size_t row) const {
+  if (!lines.empty()) return name + ":" + std::to_string(lines[row]);
+  return name + ", row " + std::to_string(row);
+}
+
+NumberTable read_number_table(const std::filesystem::path& path) {
+  const FileBytes bytes = FileBytes::read(path);
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = path.string();
+  const bool is_text = ending == ".csv" || ending == ".txt" || ending == ".tsv";
+  if (!is_text && ending != ".npy") {
+    throw InputError(name + ": expected a table, .csv, .txt, .tsv or .npy");
+  }
+  NumberTable table = is_text ? read_text(name, bytes.view()) : read_npy(name, bytes.view());
+  if (table.row_count() == 0) throw InputError(name + ": the table has no row");
+  return table;
+}
+
+}  // namespace lapwing
