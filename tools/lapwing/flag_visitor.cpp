@@ -237,6 +237,15 @@ void FlagVisitor::targets(const StepKey& key, TargetSpec&) {
       });
 }
 
+void FlagVisitor::mirror(const StepKey& key, std::optional<MirrorSpec>&) {
+  const std::string name = flag(key);
+  const auto keep = [draft = draft_, place = place_of(key), name](const std::string& text) {
+    draft->given.emplace_back(place, mirror_json(name, text));
+  };
+  finish(key, command_.add_option_function<std::string>(
+                  name, keep, std::string(kMirrorHelp) + ": " + std::string(key.help)));
+}
+
 void FlagVisitor::pairs(const StepKey& key, std::vector<VertexPair>&) {
   auto pairs = std::make_shared<std::vector<std::vector<Index>>>();
   command_.add_option(flag(key), *pairs, "S,T: " + help_of(key))

@@ -27,6 +27,7 @@ class FlagVisitor final : public KeyVisitor {
   void belt(const StepKey& key, BeltSpec& value) override;
   void handles(const StepKey& key, std::vector<MovedHandle>& value) override;
   void targets(const StepKey& key, TargetSpec& value) override;
+  void mirror(const StepKey& key, std::optional<MirrorSpec>& value) override;
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override;
   void weight(const StepKey& key, MixWeight& value) override;
   void file(const StepKey& key, std::filesystem::path& value) override;

@@ -13,28 +13,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-[[noreturn]] void fail(const std::string& flag, const std::string& text) {
-  throw CLI::ValidationError(flag, "cannot read \"" + text + "\"; expected " + kRegionHelp);
+[[noreturn]] void fail(const std::string& flag, const std::string& text,
+                       const char* expected = kRegionHelp) {
+  throw CLI::ValidationError(flag, "cannot read \"" + text + "\"; expected " + expected);
 }
 
 // Numbers between commas, exactly `count` of them unless that is 0.
 std::vector<Json> numbers(const std::string& flag, const std::string& text, const std::string& list,
-                          std::size_t count) {
+                          std::size_t count, const char* expected = kRegionHelp) {
   std::vector<Json> values;
   const char* at = list.data();
   const char* end = at + list.size();
   for (;;) {
     double value = 0.0;
     const auto [next, error] = std::from_chars(at, end, value);
-    if (error != std::errc()) fail(flag, text);
+    if (error != std::errc()) fail(flag, text, expected);
     // Vertex numbers must reach the recipe as integers.
     const auto whole = static_cast<long long>(value);
     values.push_back(static_cast<double>(whole) == value ? Json(whole) : Json(value));
     if (next == end) break;
-    if (*next != ',') fail(flag, text);
+    if (*next != ',') fail(flag, text, expected);
     at = next + 1;
   }
-  if (count != 0 && values.size() != count) fail(flag, text);
+  if (count != 0 && values.size() != count) fail(flag, text, expected);
   return values;
 }
 
@@ -70,6 +71,13 @@ Json region_json(const std::string& flag, const std::string& text) {
 
 RegionSpec region_spec(const std::string& flag, const std::string& text) {
   return read_region(JsonNode::parse(region_json(flag, text).dump(), flag));
+}
+
+Json mirror_json(const std::string& flag, const std::string& text) {
+  if (text == "auto") return text;
+  if (text == "x" || text == "y" || text == "z") return {{"plane", text}};
+  const auto v = numbers(flag, text, text, 6, kMirrorHelp);
+  return {{"point", Json::array({v[0], v[1], v[2]})}, {"normal", Json::array({v[3], v[4], v[5]})}};
 }
 
 }  // namespace lapwing::cli

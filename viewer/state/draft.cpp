@@ -96,8 +96,8 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
 
 void perform(History& history, const Step& step, const CarryOut& carry_out) {
   const auto* deform = std::get_if<DeformRequest>(&step);
-  // Targets are no part of a selection.
-  if (deform != nullptr && deform->targets.empty()) {
+  // Targets and a mirror are no part of a selection.
+  if (deform != nullptr && deform->targets.empty() && !deform->mirror) {
     perform(history, *deform, carry_out.solve);
   } else {
     history.perform(Apply{step, carry_out.apply(history.state(), step)});

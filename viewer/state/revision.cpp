@@ -24,9 +24,9 @@ bool leads_to(const AppState& state, const std::vector<Step>& steps, std::size_t
 
 DeformRequest as_open(const Step& step) {
   const auto* deform = std::get_if<DeformRequest>(&step);
-  if (deform != nullptr && deform->targets.empty()) return *deform;
+  if (deform != nullptr && deform->targets.empty() && !deform->mirror) return *deform;
   throw InputError(
-      "a deform step can only be replaced by another deform, without targets; undo it, then apply "
+      "a deform step can only be replaced by another deform, without targets and mirror; undo it, then apply "
       "the new step");
 }
 

@@ -5,6 +5,7 @@
 #include "lapwing/deform/bound_request.h"
 #include "lapwing/deform/commits.h"
 #include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/mirrored_request.h"
 #include "lapwing/deform/winding.h"
 #include "lapwing/kernels/cpu_kernels.h"
 
@@ -121,6 +122,14 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
 
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress) {
+  if (request.mirror) {
+    const MirroredRequest both = mirrored_request(request, mesh);
+    Deformed result = deform(std::move(mesh), both.request, kernels, workspace, progress);
+    for (const std::string& note : both.notes) {
+      result.warnings.insert(result.warnings.begin(), request.where + ": " + note);
+    }
+    return result;
+  }
   if (request.targets.rows.empty() && !request.targets.file.empty()) {
     throw InputError(request.targets.where + ": " + request.targets.file.string() +
                      " has not been read; give its rows");

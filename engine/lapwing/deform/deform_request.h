@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapwing/deform/deform_options.h"
+#include "lapwing/deform/mirror.h"
 #include "lapwing/deform/move.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/edit_region.h"
@@ -34,10 +35,12 @@ struct DeformRequest {
   std::vector<MovedHandle> handles;
   TargetSpec targets;  ///< with the handles, at least one
   DeformParameters parameters;
+  /// All of the above is done on both sides of a plane (`mirrored_request`).
+  std::optional<MirrorSpec> mirror = {};
   std::string where = "deform";  ///< as in RegionSpec; no part of the value
   bool operator==(const DeformRequest& other) const {
     return roi == other.roi && belt == other.belt && handles == other.handles &&
-           targets == other.targets && parameters == other.parameters;
+           targets == other.targets && parameters == other.parameters && mirror == other.mirror;
   }
 };
 

@@ -80,6 +80,9 @@ class KeyReader final : public KeyVisitor {
   void targets(const StepKey& key, TargetSpec& value) override {
     if (const auto found = find(key)) value = read_targets(*found);
   }
+  void mirror(const StepKey& key, std::optional<MirrorSpec>& value) override {
+    if (const auto found = find(key)) value = read_mirror(*found);
+  }
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override {
     if (const auto found = find(key)) value = read_pairs(*found);
   }

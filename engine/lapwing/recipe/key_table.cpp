@@ -41,6 +41,9 @@ class KeyTable final : public KeyVisitor {
   void targets(const StepKey& key, TargetSpec&) override {
     add(key, "rows, or `{\"rows\" or \"file\", \"hard\"}`");
   }
+  void mirror(const StepKey& key, std::optional<MirrorSpec>&) override {
+    add(key, "`\"auto\"`, `{\"plane\": \"x\"}` or `{\"point\", \"normal\"}`");
+  }
   void pairs(const StepKey& key, std::vector<VertexPair>&) override { add(key, "`[[s, t], ...]`"); }
   void weight(const StepKey& key, MixWeight&) override { add(key, "an object"); }
   void file(const StepKey& key, std::filesystem::path&) override { add(key, "a file"); }

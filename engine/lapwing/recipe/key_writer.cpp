@@ -31,6 +31,9 @@ class KeyWriter final : public KeyVisitor {
   void targets(const StepKey& key, TargetSpec& value) override {
     if (!value.empty()) put(key, json_of(value));
   }
+  void mirror(const StepKey& key, std::optional<MirrorSpec>& value) override {
+    if (value) put(key, json_of(*value));
+  }
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override {
     if (!value.empty()) put(key, value);
   }

@@ -107,6 +107,30 @@ TargetSpec read_targets(const JsonNode& node) {
   return targets;
 }
 
+MirrorSpec read_mirror(const JsonNode& node) {
+  MirrorSpec mirror{AutomaticMirror{}, node.where()};
+  if (node.is_string()) {
+    node.one_of("mirror", {"auto"});
+    return mirror;
+  }
+  node.require_keys({"plane", "point", "normal"});
+  MirrorPlane plane;
+  if (const auto axis = node.find("plane")) {
+    if (node.has("point") || node.has("normal")) {
+      axis->fail("\"plane\" names a coordinate plane; leave out \"point\" and \"normal\"");
+    }
+    plane.normal = Eigen::Vector3d::Unit(
+        static_cast<Eigen::Index>(axis->one_of("plane", {"x", "y", "z"})));
+  } else {
+    plane = {node.at("point").vector3(), node.at("normal").vector3()};
+    if (!(plane.normal.norm() > 0.0)) {
+      node.at("normal").fail("the normal has no length; name a direction");
+    }
+  }
+  mirror.plane = plane;
+  return mirror;
+}
+
 std::vector<VertexPair> read_pairs(const JsonNode& node) {
   std::vector<VertexPair> pairs;
   for (const JsonNode& element : node.elements()) {

@@ -130,6 +130,11 @@ Json json_of(const TargetSpec& targets) {
   if (targets.hard) json["hard"] = true;
   return json;
 }
+Json json_of(const MirrorSpec& mirror) {
+  const auto* plane = std::get_if<MirrorPlane>(&mirror.plane);
+  if (plane == nullptr) return "auto";
+  return {{"point", json_of(plane->point)}, {"normal", json_of(plane->normal)}};
+}
 Json json_of(const MixWeight& weight) {
   return json_of_any(weight.form);
 }

@@ -107,6 +107,11 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                "of a place whose nearest point is meant and x, y, z; a weight may follow",
        .absent = "none"},
       step.targets);
+  visitor.mirror({.name = "mirror",
+                  .help = "ROI, belt, handles and targets on both sides of a plane: found from the "
+                          "shape, a coordinate plane (x = 0), or any",
+                  .absent = "none"},
+                 step.mirror);
   visitor.require(!step.handles.empty() || !step.targets.empty(), "handles",
                   "nothing is moved; give at least one handle or target");
   describe(step.parameters, visitor);

@@ -50,6 +50,9 @@ void KeyVisitor::region(const StepKey& key, RegionSpec&) {
 void KeyVisitor::belt(const StepKey& key, BeltSpec&) {
   other(key);
 }
+void KeyVisitor::mirror(const StepKey& key, std::optional<MirrorSpec>&) {
+  other(key);
+}
 void KeyVisitor::targets(const StepKey& key, TargetSpec&) {
   other(key);
 }
