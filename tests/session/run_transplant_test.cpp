@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/coating/transition.h"
+#include "lapwing/region/transition.h"
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/session/report.h"

@@ -33,13 +33,43 @@ CLI::Validator in(const Range& range, bool whole) {
 }
 
 // The numbers of a vertex property of the mesh, which `lapwing peel` and other programs write.
-std::vector<double> property(const std::string& mesh, const std::string& name) {
+std::vector<double> property(const std::string& flag, const std::string& mesh,
+                             const std::string& name) {
   for (const ExtraAttribute& extra : read_mesh(mesh).attributes().vertex_extras) {
     if (extra.name == name && extra.components == 1) return extra.values;
   }
-  throw InputError("--field: " + mesh + " has no vertex property \"" + name +
+  throw InputError(flag + ": " + mesh + " has no vertex property \"" + name +
                    "\" of one number; PLY files hold such");
 }
+
+struct HandleFlags {
+  std::string region;
+  MoveFlags move;
+  double falloff = 0.0;
+  std::string profile = "smooth";
+  std::string field;
+
+  void add_grading(CLI::App& command, CLI::Option& handle) {
+    auto* width = command.add_option("--falloff", falloff,
+                                     "length beyond the handle over which its hold fades");
+    width->check(CLI::PositiveNumber)->needs(&handle);
+    command.add_option("--falloff-profile", profile, "of the falloff")
+        ->check(CLI::IsMember({"smooth", "linear"}))
+        ->capture_default_str()
+        ->needs(width);
+    command
+        .add_option("--handle-field", field,
+                    "vertex property of MESH that says how firmly the handle holds, 0 to 1")
+        ->needs(&handle)
+        ->excludes(width);
+  }
+  Json json(const std::string& mesh) const {
+    Json handle{{"region", region_json("--handle", region)}, {"move", move.json()}};
+    if (falloff > 0.0) handle["falloff"] = {{"width", falloff}, {"profile", profile}};
+    if (!field.empty()) handle["weight"] = {{"field", property("--handle-field", mesh, field)}};
+    return handle;
+  }
+};
 
 // The flags of a mix's weight.
 struct WeightFlags {
@@ -69,7 +99,7 @@ struct WeightFlags {
   }
   Json json(const std::string& mesh) const {
     if (!domain_v.empty()) return {{"domain_v", domain_v}};
-    if (!field.empty()) return {{"field", property(mesh, field)}};
+    if (!field.empty()) return {{"field", property("--field", mesh, field)}};
     if (distance_to.empty()) {
       throw CLI::RequiredError("one of --domain-v, --distance-to and --field");
     }
@@ -203,21 +233,18 @@ void FlagVisitor::belt(const StepKey& key, BeltSpec& value) {
              border == nullptr ? "" : "fraction:" + digits(border->fraction));
 }
 
-void FlagVisitor::handles(const StepKey& key, std::vector<MovedHandle>&) {
-  struct HandleFlags {
-    std::string region;
-    MoveFlags move;
-  };
+void FlagVisitor::handles(const StepKey& key, std::vector<MovedHandle>&, HandleForm form) {
   auto flags = std::make_shared<HandleFlags>();
   auto* option = command_.add_option("--handle", flags->region,
                                      std::string("the part that is placed: ") + kRegionHelp);
   flags->move.add_to(command_, "the handle", "the handle's centroid");
+  if (form == HandleForm::graded) flags->add_grading(command_, *option);
   finish(key, option);
-  draft_->at_end.emplace_back([flags, place = place_of(key)](Json& step, const StepFlags&) {
-    if (flags->region.empty()) return;
-    step[place] = Json::array(
-        {Json{{"region", region_json("--handle", flags->region)}, {"move", flags->move.json()}}});
-  });
+  draft_->at_end.emplace_back(
+      [flags, place = place_of(key)](Json& step, const StepFlags& step_flags) {
+        if (flags->region.empty()) return;
+        step[place] = Json::array({flags->json(step_flags.mesh)});
+      });
 }
 
 void FlagVisitor::targets(const StepKey& key, TargetSpec&) {

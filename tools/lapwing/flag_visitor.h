@@ -25,7 +25,7 @@ class FlagVisitor final : public KeyVisitor {
   void boolean(const StepKey& key, bool& value) override;
   void region(const StepKey& key, RegionSpec& value) override;
   void belt(const StepKey& key, BeltSpec& value) override;
-  void handles(const StepKey& key, std::vector<MovedHandle>& value) override;
+  void handles(const StepKey& key, std::vector<MovedHandle>& value, HandleForm form) override;
   void targets(const StepKey& key, TargetSpec& value) override;
   void mirror(const StepKey& key, std::optional<MirrorSpec>& value) override;
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override;

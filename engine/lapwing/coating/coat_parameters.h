@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "lapwing/coating/transition.h"
+#include "lapwing/region/transition.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/parameterize/domain_map.h"
 

@@ -6,6 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/coating/patch_fades.h"
 #include "lapwing/coating/ring_areas.h"
 #include "lapwing/coating/ring_columns.h"
 #include "lapwing/coating/sample_coating.h"

@@ -8,9 +8,9 @@
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/coating/patch_coating.h"
-#include "lapwing/coating/transition.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
+#include "lapwing/region/transition.h"
 
 namespace lapwing {
 

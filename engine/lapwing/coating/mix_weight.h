@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lapwing/coating/correspondence.h"
-#include "lapwing/coating/transition.h"
+#include "lapwing/region/transition.h"
 #include "lapwing/region/region_spec.h"
 
 namespace lapwing {

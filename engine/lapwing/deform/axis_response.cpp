@@ -20,6 +20,9 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
     one[v].x() = 1.0;
   };
   for (const Index v : system.region.handles[h]) give(v);
+  for (const GradedVertex& graded : system.region.graded) {
+    if (graded.handle == h) give(graded.vertex);
+  }
   for (const LoosePart& part : system.region.loose) {
     for (const LooseAnchor& anchor : part.anchors) {
       if (anchor.handle == h) give(anchor.vertex);

@@ -68,8 +68,10 @@ struct Work {
 };
 
 EditRegion region_of(const DeformRequest& request, const Mesh& mesh) {
-  std::vector<RegionSpec> handles;
-  for (const MovedHandle& handle : request.handles) handles.push_back(handle.region);
+  std::vector<HandleSpec> handles;
+  for (const MovedHandle& handle : request.handles) {
+    handles.push_back({handle.region, handle.grading});
+  }
   return resolve_edit_region(request.roi, request.belt, handles, mesh, request.parameters.loose,
                              request.targets);
 }

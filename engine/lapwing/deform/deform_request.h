@@ -25,6 +25,7 @@ struct DeformParameters : DeformOptions {
 struct MovedHandle {
   RegionSpec region;
   Move move;
+  Grading grading = {};
   bool operator==(const MovedHandle&) const = default;
 };
 

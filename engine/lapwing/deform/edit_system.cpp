@@ -132,6 +132,7 @@ std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> pa
   for (std::size_t h = 0; h < frames.size(); ++h) {
     for (const Index v : region.handles[h]) ask(h, v);
   }
+  for (const GradedVertex& graded : region.graded) ask(graded.handle, graded.vertex);
   for (const LoosePart& part : region.loose) {
     for (const LooseAnchor& anchor : part.anchors) {
       if (anchor.handle < frames.size()) ask(anchor.handle, anchor.vertex);

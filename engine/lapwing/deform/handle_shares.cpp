@@ -65,13 +65,16 @@ std::vector<std::vector<double>> HandleShares::solved_columns(
   // Three at a time, as x, y and z.
   for (std::size_t first = 0; first < columns.size(); first += 3) {
     const std::size_t count = std::min<std::size_t>(3, columns.size() - first);
+    std::vector<Vector3d> of_handle;
     for (std::size_t h = 0; h < system_.region.handles.size(); ++h) {
       Vector3d values = Vector3d::Zero();
       for (std::size_t k = 0; k < count; ++k) {
         values[static_cast<Eigen::Index>(k)] = value(h, columns[first + k]);
       }
       for (const Index v : system_.region.handles[h]) wanted[v] = values;
+      of_handle.push_back(values);
     }
+    for (const GradedVertex& g : system_.region.graded) wanted[g.vertex] = of_handle[g.handle];
     laplacian.right_hand_side(wanted, b);
     laplacian.solve_in_place(std::span(b).first(count * n), count);
     for (std::size_t k = 0; k < count; ++k) {

@@ -50,18 +50,36 @@ class Mirroring {
     return listed(unite(set, mirrored(set, images_)), spec);
   }
 
+  std::vector<double> mirrored_field(const std::vector<double>& field) const {
+    if (field.size() != images_.size()) return field;  // which is an error elsewhere, or none
+    std::vector<double> mirrored;
+    for (const Index image : images_) mirrored.push_back(field[image]);
+    return mirrored;
+  }
+
+  Grading with_image(Grading grading) const {
+    const std::vector<double> mirrored = mirrored_field(grading.field);
+    for (std::size_t v = 0; v < mirrored.size(); ++v) {
+      grading.field[v] = std::max(grading.field[v], mirrored[v]);
+    }
+    return grading;
+  }
+
   void add_handles(DeformRequest& both) const {
     std::vector<MovedHandle> images;
     for (MovedHandle& handle : both.handles) {
       VertexSet set = resolve(handle.region, mesh_);
       VertexSet image = mirrored(set, images_);
       if (!intersect(set, image).empty()) {
-        handle = {listed(unite(set, image), handle.region), along_mirror(handle.move, plane_)};
+        handle = {listed(unite(set, image), handle.region), along_mirror(handle.move, plane_),
+                  with_image(handle.grading)};
         continue;
       }
       RegionSpec region = listed(std::move(image), handle.region);
       region.where += " (its image)";
-      images.push_back({std::move(region), mirror_image(handle.move, plane_)});
+      images.push_back({std::move(region), mirror_image(handle.move, plane_),
+                        {handle.grading.weight, handle.grading.falloff,
+                         mirrored_field(handle.grading.field)}});
     }
     both.handles.insert(both.handles.end(), images.begin(), images.end());
   }

@@ -71,10 +71,10 @@ class KeyReader final : public KeyVisitor {
     value = found ? read_belt(*found)
                   : BorderBelt{.where = open_.back().where() + "/" + std::string(key.name)};
   }
-  void handles(const StepKey& key, std::vector<MovedHandle>& value) override {
+  void handles(const StepKey& key, std::vector<MovedHandle>& value, HandleForm form) override {
     const auto found = find(key);
     if (!found) return;
-    for (const JsonNode& handle : found->elements()) value.push_back(read_handle(handle));
+    for (const JsonNode& handle : found->elements()) value.push_back(read_handle(handle, form));
     if (key.required && value.empty()) found->fail("expected at least one handle");
   }
   void targets(const StepKey& key, TargetSpec& value) override {

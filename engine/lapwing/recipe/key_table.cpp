@@ -35,8 +35,11 @@ class KeyTable final : public KeyVisitor {
     add(key, "a fraction or a region",
         border == nullptr ? "" : "`{\"fraction\": " + digits(border->fraction) + "}`");
   }
-  void handles(const StepKey& key, std::vector<MovedHandle>&) override {
-    add(key, "a list of `{\"region\": REGION, \"move\": MOVE}`");
+  void handles(const StepKey& key, std::vector<MovedHandle>&, HandleForm form) override {
+    add(key, form == HandleForm::firm
+                 ? "a list of `{\"region\": REGION, \"move\": MOVE}`"
+                 : "a list of `{\"region\": REGION, \"move\": MOVE}`, each perhaps with "
+                   "`\"falloff\"` or `\"weight\"`");
   }
   void targets(const StepKey& key, TargetSpec&) override {
     add(key, "rows, or `{\"rows\" or \"file\", \"hard\"}`");

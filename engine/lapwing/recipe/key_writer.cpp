@@ -25,7 +25,7 @@ class KeyWriter final : public KeyVisitor {
 
   void region(const StepKey& key, RegionSpec& value) override { put(key, json_of(value)); }
   void belt(const StepKey& key, BeltSpec& value) override { put(key, json_of(value)); }
-  void handles(const StepKey& key, std::vector<MovedHandle>& value) override {
+  void handles(const StepKey& key, std::vector<MovedHandle>& value, HandleForm) override {
     if (key.required || !value.empty()) put(key, json_of(value));
   }
   void targets(const StepKey& key, TargetSpec& value) override {

@@ -1,6 +1,7 @@
 #include "lapwing/recipe/read_value.h"
 
 #include <algorithm>
+#include <array>
 
 #include "lapwing/recipe/read_region.h"
 
@@ -40,14 +41,42 @@ DomainRamp read_domain_ramp(const JsonNode& node) {
   return {ends[0], ends[1]};
 }
 
-PaintedWeight read_field(const JsonNode& node) {
-  PaintedWeight painted;
+// Shares from 0 to 1; `what` they are of.
+std::vector<double> read_field(const JsonNode& node, const std::string& what) {
+  std::vector<double> field;
   for (const JsonNode& element : node.elements()) {
     const double w = element.number();
-    if (!(w >= 0.0 && w <= 1.0)) element.fail("expected 0 to 1, the second source's share");
-    painted.field.push_back(w);
+    if (!(w >= 0.0 && w <= 1.0)) element.fail("expected 0 to 1, " + what);
+    field.push_back(w);
   }
-  return painted;
+  return field;
+}
+
+Transition read_falloff(const JsonNode& node) {
+  node.require_keys({"width", "profile"});
+  Transition falloff{node.at("width").positive_number()};
+  if (const auto profile = node.find("profile")) {
+    constexpr std::array kProfiles{Transition::Profile::smooth, Transition::Profile::linear};
+    falloff.profile = kProfiles[profile->one_of("profile", {"smooth", "linear"})];
+  }
+  return falloff;
+}
+
+Grading read_grading(const JsonNode& handle) {
+  Grading grading;
+  if (const auto falloff = handle.find("falloff")) grading.falloff = read_falloff(*falloff);
+  if (const auto weight = handle.find("weight")) {
+    if (!weight->is_object()) {
+      grading.weight = weight->positive_number();
+      return grading;
+    }
+    if (grading.falloff) {
+      weight->fail("a painted weight stands in place of \"falloff\"; remove one of the two");
+    }
+    weight->require_keys({"field"});
+    grading.field = read_field(weight->at("field"), "how firmly the handle holds the vertex");
+  }
+  return grading;
 }
 
 LoopFit read_fit(const JsonNode& node) {
@@ -79,9 +108,17 @@ Move read_move(const JsonNode& node) {
   return move;
 }
 
-MovedHandle read_handle(const JsonNode& node) {
-  node.require_keys({"region", "move"});
-  return {read_region(node.at("region")), read_move(node.at("move"))};
+MovedHandle read_handle(const JsonNode& node, HandleForm form) {
+  MovedHandle handle;
+  if (form == HandleForm::graded) {
+    node.require_keys({"region", "move", "falloff", "weight"});
+    handle.grading = read_grading(node);
+  } else {
+    node.require_keys({"region", "move"});
+  }
+  handle.region = read_region(node.at("region"));
+  handle.move = read_move(node.at("move"));
+  return handle;
 }
 
 TargetSpec read_targets(const JsonNode& node) {
@@ -154,7 +191,7 @@ MixWeight read_weight(const JsonNode& node) {
     width->fail("a width belongs to \"distance_to\"; remove it");
   }
   if (form == "domain_v") return {read_domain_ramp(node.at(form))};
-  return {read_field(node.at(form))};
+  return {PaintedWeight{read_field(node.at(form), "the second source's share")}};
 }
 
 PartPlace read_place(const JsonNode& node) {

@@ -2,13 +2,14 @@
 
 #include "lapwing/recipe/json_node.h"
 #include "lapwing/recipe/recipe.h"
+#include "lapwing/step/key_visitor.h"
 
 namespace lapwing {
 
 // What stands behind a key and is more than a number or a name. Each throws InputError with the
 // JSON pointer of what does not fit.
 Move read_move(const JsonNode& node);
-MovedHandle read_handle(const JsonNode& node);
+MovedHandle read_handle(const JsonNode& node, HandleForm form);
 TargetSpec read_targets(const JsonNode& node);
 MirrorSpec read_mirror(const JsonNode& node);
 std::vector<VertexPair> read_pairs(const JsonNode& node);

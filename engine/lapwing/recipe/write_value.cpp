@@ -76,6 +76,12 @@ Json json_of(const PaintedWeight& painted) {
   return {{"field", painted.field}};
 }
 
+Json json_of(const Transition& transition) {
+  Json keys{{"width", transition.width}};
+  if (transition.profile == Transition::Profile::linear) keys["profile"] = "linear";
+  return keys;
+}
+
 Json json_of(const LoopFit& fit) {
   Json keys{{"rotate_degrees", fit.rotate_degrees}};
   if (fit.scale != 1.0) keys["scale"] = fit.scale;
@@ -103,7 +109,14 @@ Json json_of(const Move& move) {
 Json json_of(const std::vector<MovedHandle>& handles) {
   Json list = Json::array();
   for (const MovedHandle& handle : handles) {
-    list.push_back({{"region", json_of(handle.region)}, {"move", json_of_any(handle.move)}});
+    Json keys{{"region", json_of(handle.region)}, {"move", json_of_any(handle.move)}};
+    if (const auto& falloff = handle.grading.falloff) keys["falloff"] = json_of(*falloff);
+    if (const auto& field = handle.grading.field; !field.empty()) {
+      keys["weight"] = {{"field", field}};
+    } else if (handle.grading.weight != 1.0) {
+      keys["weight"] = handle.grading.weight;
+    }
+    list.push_back(std::move(keys));
   }
   return list;
 }

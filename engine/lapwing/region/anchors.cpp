@@ -136,6 +136,9 @@ void set_loose_parts_aside(EditRegion& region, std::span<const Vector3d> positio
     }
   }
   const VertexSet loose = make_vertex_set(std::move(aside));
+  std::erase_if(held.graded, [&](const GradedVertex& graded) {
+    return std::binary_search(loose.begin(), loose.end(), graded.vertex);
+  });
   std::erase_if(held.targets, [&](const Target& target) {
     return std::binary_search(loose.begin(), loose.end(), target.corners[0]);
   });

@@ -1,6 +1,7 @@
 #include "lapwing/region/edit_region.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/topology.h"
@@ -57,24 +58,74 @@ VertexSet resolve_belt(const BeltSpec& spec, const VertexSet& roi,
   return belt;
 }
 
+void require_field(std::span<const double> field, const Mesh& mesh, const std::string& where) {
+  if (field.size() != mesh.vertex_count()) {
+    throw InputError(where + ": expected a weight for each of the mesh's " +
+                     std::to_string(mesh.vertex_count()) + " vertices, got " +
+                     std::to_string(field.size()));
+  }
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    if (field[v] >= 0.0 && field[v] <= 1.0) continue;
+    throw InputError(where + ": the weight of vertex " + std::to_string(v) +
+                     " is to be from 0 to 1, not " + std::to_string(field[v]));
+  }
+}
+
+// The full handles, and in `region.graded` what their fields hold by less.
+void resolve_handles(std::span<const HandleSpec> handles, const Mesh& mesh, EditRegion& region) {
+  for (const auto& [spec, grading] : handles) {
+    VertexSet handle = resolve(spec, mesh);
+    require_members(handle, spec.where, "handle");
+    require_inside(handle, region.roi, spec.where, "handle");
+    if (!grading.field.empty()) {
+      require_field(grading.field, mesh, spec.where);
+      const VertexSet all = std::move(handle);
+      split_by_field(all, grading.field, region.handles.size(), spec.where, handle, region.graded);
+    }
+    for (std::size_t k = 0; k < region.handles.size(); ++k) {
+      require_disjoint(handle, region.handles[k], spec.where, "handle " + std::to_string(k));
+    }
+    if (!(grading.weight > 0.0) || !std::isfinite(grading.weight)) {
+      throw InputError(spec.where + ": expected a weight above 0, got " +
+                       std::to_string(grading.weight));
+    }
+    region.handles.push_back(std::move(handle));
+    region.handle_weights.push_back(grading.weight);
+  }
+}
+
+// Falloffs around the handles, over what nothing else holds.
+void grade(std::span<const HandleSpec> handles, const Mesh& mesh, EditRegion& region) {
+  std::vector<char> allowed = vertex_mask(mesh.vertex_count(), region.roi);
+  for (const Index v : region.belt) allowed[v] = 0;
+  for (const Target& target : region.targets) {
+    if (region.hard_targets && target.is_vertex()) allowed[target.corners[0]] = 0;
+  }
+  for (const VertexSet& handle : region.handles) {
+    for (const Index v : handle) allowed[v] = 0;
+  }
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    if (!handles[h].grading.falloff) continue;
+    for (const Index v : region.handles[h]) allowed[v] = 1;
+    const std::vector<GradedVertex> around =
+        falloff_of(region.handles[h], *handles[h].grading.falloff, h, allowed, mesh);
+    region.graded.insert(region.graded.end(), around.begin(), around.end());
+    for (const Index v : region.handles[h]) allowed[v] = 0;
+  }
+  std::erase_if(region.graded, [&](const GradedVertex& g) { return allowed[g.vertex] == 0; });
+  region.graded = without_shared(std::move(region.graded));
+}
+
 }  // namespace
 
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
-                               std::span<const RegionSpec> handles, const Mesh& mesh,
+                               std::span<const HandleSpec> handles, const Mesh& mesh,
                                LoosePolicy policy, const TargetSpec& targets) {
   EditRegion region;
   region.roi = resolve(roi, mesh);
   require_members(region.roi, roi.where, "roi");
   require_finite(region.roi, mesh, roi.where);
-  for (const RegionSpec& spec : handles) {
-    VertexSet handle = resolve(spec, mesh);
-    require_members(handle, spec.where, "handle");
-    require_inside(handle, region.roi, spec.where, "handle");
-    for (std::size_t k = 0; k < region.handles.size(); ++k) {
-      require_disjoint(handle, region.handles[k], spec.where, "handle " + std::to_string(k));
-    }
-    region.handles.push_back(std::move(handle));
-  }
+  resolve_handles(handles, mesh, region);
   region.belt = resolve_belt(belt, region.roi, region.handles, mesh);
   const bool belt_gives_way = std::holds_alternative<BorderBelt>(belt);
   VertexSet held = belt_gives_way ? VertexSet() : region.belt;
@@ -84,8 +135,9 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
   region.hard_targets = targets.hard;
   if (belt_gives_way) region.belt = subtract(region.belt, corners_of(region.targets));
   for (std::size_t k = 0; k < handles.size(); ++k) {
-    require_disjoint(region.handles[k], region.belt, handles[k].where, "the belt");
+    require_disjoint(region.handles[k], region.belt, handles[k].region.where, "the belt");
   }
+  grade(handles, mesh, region);
   set_loose_parts_aside(region, mesh.positions, mesh.topology(), policy, roi.where);
   return region;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapwing/region/border_belt.h"
+#include "lapwing/region/grading.h"
 #include "lapwing/region/targets.h"
 
 namespace lapwing {
@@ -29,12 +30,15 @@ struct LoosePart {
   std::vector<LooseAnchor> anchors;  ///< all on one line
 };
 
-/// What one edit concerns. Vertices of the ROI in neither belt nor handle are free; vertices
-/// outside the ROI do not move, loose parts excepted.
+/// What one edit concerns. Vertices of the ROI in neither belt nor handle are free, those that a
+/// handle draws by less than its full weight included; vertices outside the ROI do not move, loose
+/// parts excepted.
 struct EditRegion {
   VertexSet roi;
   VertexSet belt;                    ///< in the ROI; stays where it is
   std::vector<VertexSet> handles;    ///< in the ROI, disjoint, not empty, none shared with the belt
+  std::vector<double> handle_weights = {};  ///< Grading::weight of each; empty: all 1
+  std::vector<GradedVertex> graded = {};  ///< ascending, free; none has a hard target
   std::vector<Target> targets = {};  ///< in the ROI, none at a vertex of belt or handles
   bool hard_targets = false;         ///< they are reached exactly
   std::vector<LoosePart> loose = {};     ///< to be carried; in none of the above
@@ -44,13 +48,15 @@ struct EditRegion {
   bool turns_freely = false;
 };
 
-/// Binds what a person chose to a mesh. A belt by fraction leaves handles and targets out; every
-/// other overlap is an error. Throws InputError, naming place and vertices: whatever `resolve`
+/// Binds what a person chose to a mesh. A belt by fraction leaves handles and targets out, a falloff
+/// ends at the belt, at other handles and at hard targets, and where two meet a vertex goes with the
+/// handle that has more weight there; every other overlap is an error. Throws InputError, naming place and vertices: whatever `resolve`
 /// throws, an empty ROI or handle, a handle or belt outside the ROI, a handle that overlaps the
-/// belt or another handle, a vertex of the ROI or of its rings that is not finite, and what
-/// `resolve_targets` and `set_loose_parts_aside` throw.
+/// belt or another handle, a field that is not one of weights of the mesh, a vertex of the ROI or of
+/// its rings that is not finite, and what `split_by_field`, `resolve_targets` and
+/// `set_loose_parts_aside` throw.
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
-                               std::span<const RegionSpec> handles, const Mesh& mesh,
+                               std::span<const HandleSpec> handles, const Mesh& mesh,
                                LoosePolicy policy = LoosePolicy::carry,
                                const TargetSpec& targets = {});
 

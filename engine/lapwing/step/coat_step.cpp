@@ -210,7 +210,7 @@ void describe(MixStep& step, KeyVisitor& visitor) {
   visitor.handles({.name = "handles",
                    .help = "as those of deform, inside the patch: moved in the same solve",
                    .absent = "none"},
-                  step.handles);
+                  step.handles, HandleForm::firm);
   describe_surface(step.parameters, visitor);
   describe_fading(step.parameters, visitor);
   const Domain domain = step.parameters.domain;

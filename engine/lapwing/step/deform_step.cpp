@@ -100,7 +100,7 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
   visitor.handles({.name = "handles",
                    .help = "the parts that are placed: each a region and its move",
                    .absent = "none"},
-                  step.handles);
+                  step.handles, HandleForm::graded);
   visitor.targets(
       {.name = "targets",
        .help = "points of the surface, and where each goes: rows of vertex, x, y, z, or "

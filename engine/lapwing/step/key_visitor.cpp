@@ -56,7 +56,7 @@ void KeyVisitor::mirror(const StepKey& key, std::optional<MirrorSpec>&) {
 void KeyVisitor::targets(const StepKey& key, TargetSpec&) {
   other(key);
 }
-void KeyVisitor::handles(const StepKey& key, std::vector<MovedHandle>&) {
+void KeyVisitor::handles(const StepKey& key, std::vector<MovedHandle>&, HandleForm) {
   other(key);
 }
 void KeyVisitor::pairs(const StepKey& key, std::vector<VertexPair>&) {

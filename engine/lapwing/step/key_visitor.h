@@ -64,6 +64,9 @@ struct Choice {
   std::string_view name;
 };
 
+/// Whether handles may hold some vertices less than others (Grading).
+enum class HandleForm { firm, graded };
+
 /// How an object that may be missing is written.
 enum class ObjectForm {
   optional,  ///< left out where there is none
@@ -103,7 +106,7 @@ class KeyVisitor {
 
   virtual void region(const StepKey& key, RegionSpec& value);
   virtual void belt(const StepKey& key, BeltSpec& value);
-  virtual void handles(const StepKey& key, std::vector<MovedHandle>& value);
+  virtual void handles(const StepKey& key, std::vector<MovedHandle>& value, HandleForm form);
   virtual void targets(const StepKey& key, TargetSpec& value);
   virtual void mirror(const StepKey& key, std::optional<MirrorSpec>& value);
   virtual void pairs(const StepKey& key, std::vector<VertexPair>& value);

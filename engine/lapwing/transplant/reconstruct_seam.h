@@ -7,7 +7,7 @@
 
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/coating/transition.h"
+#include "lapwing/region/transition.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/region/boundary_loops.h"

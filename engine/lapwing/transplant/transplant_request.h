@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "lapwing/coating/coat_parameters.h"
-#include "lapwing/coating/transition.h"
+#include "lapwing/region/transition.h"
 #include "lapwing/deform/move.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"

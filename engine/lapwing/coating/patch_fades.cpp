@@ -1,16 +1,8 @@
-#include "lapwing/coating/transition.h"
-
-#include <algorithm>
+#include "lapwing/coating/patch_fades.h"
 
 #include "lapwing/region/geodesic.h"
 
 namespace lapwing {
-
-double fade(const Transition& transition, double distance) {
-  if (transition.width <= 0.0) return 1.0;
-  const double x = std::clamp(distance / transition.width, 0.0, 1.0);
-  return transition.profile == Transition::Profile::linear ? x : x * x * (3.0 - 2.0 * x);
-}
 
 std::vector<double> fades(const Transition& transition, const Patch& patch,
                           const Topology& topology, std::span<const Eigen::Vector3d> positions) {
