@@ -114,7 +114,7 @@ TEST_F(ALoosePart, KeepsItsBitsWhereNothingMoves) {
 TEST_F(ALoosePart, FollowsADragToFirstOrder) {
   CpuKernels kernels;
   const EditRegion region = resolve_edit_region(request_.roi, request_.belt,
-                                                std::array{request_.handles[0].region}, mesh_);
+                                                std::array{HandleSpec{request_.handles[0].region}}, mesh_);
   const Deformer deformer(mesh_.positions, mesh_.topology(), region, {}, kernels);
   Drag drag(deformer.response());
   const double step = 1e-5;

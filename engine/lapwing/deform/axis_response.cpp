@@ -53,22 +53,22 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
 
 }  // namespace
 
-Numbers axis_response(const EditSystem& system) {
+Numbers axis_response(const EditSystem& system, std::span<const std::size_t> handles) {
   const std::size_t of_handle = system.moving.size() * kCoordinates;
-  Numbers columns(of_handle * system.frames.size());
-  for (std::size_t h = 0; h < system.frames.size(); ++h) {
-    add_columns(system, h, std::span(columns).subspan(h * of_handle, of_handle));
+  Numbers columns(of_handle * handles.size());
+  for (std::size_t k = 0; k < handles.size(); ++k) {
+    add_columns(system, handles[k], std::span(columns).subspan(k * of_handle, of_handle));
   }
   return columns;
 }
 
 std::vector<Vector3d> axis_displacement(const EditSystem& system,
-                                        std::span<const Vector3d> wanted) {
+                                        std::span<const Vector3d> wanted, Springs springs) {
   const LaplacianSystem& laplacian = system.systems->laplacian();
   const std::size_t n = laplacian.size();
   std::vector<double> x(3 * n);
   laplacian.right_hand_side(wanted, x);
-  laplacian.add_spring_forces(x);
+  if (springs == Springs::pull) laplacian.add_spring_forces(x);
   laplacian.solve_in_place(x, 3);
   std::vector<Vector3d> displacement(system.rest->size(), Vector3d::Zero());
   for (const Index v : system.moving) {

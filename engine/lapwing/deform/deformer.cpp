@@ -97,15 +97,18 @@ struct Deformer::State {
   std::vector<double> weights;  ///< of the Laplacians that certificates measure
   std::shared_ptr<const DragResponse> response;
   std::atomic<bool> has_response = false;  ///< `response` does not change from then on
+  std::shared_ptr<const DragResponse> latest;  ///< asked for last
   std::string why_not_exact;
 
   bool hold_response(const Progress& progress);
   void make_settler(Kernels& on);
   bool has_scale_forces() const;
+  Numbers forces_of_scales(std::span<const double> q) const;
   Numbers forces_of(std::span<const double> q) const;
   std::vector<Vector3d> linear_displacement(std::span<const Vector3d> wanted,
                                             std::span<const double> forces) const;
-  std::vector<Vector3d> blended_displacement(std::span<const double> q) const;
+  bool has_columns_for(std::span<const double> q) const;
+  std::vector<Vector3d> displacement_by(std::span<const double> q) const;
   std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
@@ -143,17 +146,23 @@ bool Deformer::State::has_scale_forces() const {
   return system->options.response == LinearResponse::tangent;
 }
 
-// What else pulls at the unknowns: the scale that handles ask for, and the springs.
-Numbers Deformer::State::forces_of(std::span<const double> q) const {
-  const LaplacianSystem& laplacian = system->systems->laplacian();
-  Numbers forces = spring_forces(laplacian.springs(), system->constraints.unknowns);
-  if (!has_scale_forces() || !why_not_exact.empty()) return forces;
+// What the scale that handles ask for pulls the unknowns by; empty for nothing.
+Numbers Deformer::State::forces_of_scales(std::span<const double> q) const {
+  if (!has_scale_forces() || !why_not_exact.empty()) return {};
   std::vector<double> growth;
   for (std::size_t h = 0; h < system->frames.size(); ++h) {
     growth.push_back(growth_of(system->frames[h], q.subspan(h * kMotionParameters)));
   }
-  if (std::all_of(growth.begin(), growth.end(), [](double g) { return g == 0.0; })) return forces;
-  Numbers of_scales = scale_forces(*system, shares->spread(growth));
+  if (std::all_of(growth.begin(), growth.end(), [](double g) { return g == 0.0; })) return {};
+  return scale_forces(*system, shares->spread(growth));
+}
+
+// That, and what the springs pull them by.
+Numbers Deformer::State::forces_of(std::span<const double> q) const {
+  const LaplacianSystem& laplacian = system->systems->laplacian();
+  Numbers forces = spring_forces(laplacian.springs(), system->constraints.unknowns);
+  Numbers of_scales = forces_of_scales(q);
+  if (of_scales.empty()) return forces;
   for (std::size_t i = 0; i < forces.size(); ++i) of_scales[i] += forces[i];
   return of_scales;
 }
@@ -165,11 +174,38 @@ std::vector<Vector3d> Deformer::State::linear_displacement(std::span<const Vecto
   return axis_displacement(*system, wanted);
 }
 
-// The same by the columns, for drags.
-std::vector<Vector3d> Deformer::State::blended_displacement(std::span<const double> q) const {
+bool Deformer::State::has_columns_for(std::span<const double> q) const {
+  if (latest == nullptr) return false;
+  std::size_t covered = 0;
+  for (const std::size_t h : latest->handles()) {
+    const auto own = q.subspan(h * kMotionParameters, kMotionParameters);
+    covered += static_cast<std::size_t>(
+        std::count_if(own.begin(), own.end(), [](double number) { return number != 0.0; }));
+  }
+  return covered == static_cast<std::size_t>(
+                        std::count_if(q.begin(), q.end(), [](double n) { return n != 0.0; }));
+}
+
+// What the handles alone make of the surface, for drags: by the columns at hand, or else by one
+// right-hand side.
+std::vector<Vector3d> Deformer::State::displacement_by(std::span<const double> q) const {
   std::vector<Vector3d> u(system->rest->size(), Vector3d::Zero());
-  blend_response(u, response->columns(), q, u);
-  return u;
+  if (has_columns_for(q)) {
+    std::vector<double> of_columns;
+    for (const std::size_t h : latest->handles()) {
+      const auto own = q.subspan(h * kMotionParameters, kMotionParameters);
+      of_columns.insert(of_columns.end(), own.begin(), own.end());
+    }
+    blend_response(u, latest->columns(), of_columns, u);
+    return u;
+  }
+  const std::vector<Vector3d> wanted = system->wanted_displacement(q);
+  if (why_not_exact.empty()) {
+    StageTimings untold;
+    system->hold_response(*kernels, {}, untold);
+    return lapwing::linear_displacement(*system, wanted, forces_of_scales(q));
+  }
+  return axis_displacement(*system, wanted, Springs::rest);
 }
 
 // How much of the recent change of a pose handles go through again whose parameters change by
@@ -201,12 +237,12 @@ Positions Deformer::State::gone_on(const SettledPose& pose,
   for (std::size_t k = 0; k < change.size(); ++k) change[k] -= pose.parameters[k];
   const double share = kTrust * share_of_recent(pose, change);
   if (share == 0.0) {
-    Positions u = blended_displacement(change);
+    Positions u = displacement_by(change);
     for (const Index v : system->moving) u[v] += pose.displacement[v];
     return u;
   }
   for (std::size_t k = 0; k < change.size(); ++k) change[k] -= share * pose.recent_parameters[k];
-  Positions u = blended_displacement(change);
+  Positions u = displacement_by(change);
   for (const Index v : system->moving) {
     u[v] += pose.displacement[v] + share * pose.recent_displacement[v];
   }
@@ -273,19 +309,38 @@ Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 const std::shared_ptr<const DragResponse>& Deformer::response(const Progress& progress) const {
   State& s = *state_;
   if (s.has_response) return s.response;
-  const EditSystem& edit = *s.system;
-  const auto lock = edit.systems->lock();
-  if (s.has_response) return s.response;
-  hold(progress);
-  report_progress(progress, "response", 0.0);
+  const auto lock = s.system->systems->lock();
+  if (!s.has_response) make_response(progress);
+  return s.response;
+}
+
+// Under the lock.
+void Deformer::make_response(const Progress& progress) const {
+  State& s = *state_;
   const Stopwatch watch;
-  Numbers columns =
-      is_exact() ? response_basis(edit, s.has_scale_forces() ? s.shares.get() : nullptr, progress)
-                 : axis_response(edit);
-  s.response = std::make_shared<const DragResponse>(s.system, std::move(columns), !is_exact());
+  s.response = columns_of(s.system->all_handles(), progress);
   s.timings.add("response", watch.elapsed_ms());
   s.has_response = true;
-  return s.response;
+}
+
+std::shared_ptr<const DragResponse> Deformer::response_of(std::span<const std::size_t> handles,
+                                                          const Progress& progress) const {
+  const auto lock = state_->system->systems->lock();
+  return columns_of({handles.begin(), handles.end()}, progress);
+}
+
+// Under the lock.
+std::shared_ptr<const DragResponse> Deformer::columns_of(std::vector<std::size_t> handles,
+                                                         const Progress& progress) const {
+  State& s = *state_;
+  hold(progress);
+  report_progress(progress, "response", 0.0);
+  const HandleShares* shares = s.has_scale_forces() ? s.shares.get() : nullptr;
+  Numbers columns = is_exact() ? response_basis(*s.system, handles, shares, progress)
+                               : axis_response(*s.system, handles);
+  s.latest = std::make_shared<const DragResponse>(s.system, std::move(handles), std::move(columns),
+                                                  !is_exact());
+  return s.latest;
 }
 
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
@@ -394,8 +449,8 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   next.turns.assign(turns.begin(), turns.end());
   edit.set_parameters(motions, next.parameters);
   if (pose.settled.settled && next.parameters == pose.parameters) return;
-  response(progress);
   const auto lock = edit.systems->lock();
+  if (s.latest == nullptr) make_response(progress);
   hold_for_settling();
   const std::vector<Vector3d> wanted = edit.asked_displacement(next.parameters);
   const std::vector<double> scales = s.asked_scales(motions);
@@ -403,7 +458,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   const bool begins = pose.parameters.empty() || any_far(turns, pose.turns);
   if (begins) {
     s.settler->begin_drag();
-    next.displacement = edit.region.targets.empty() ? s.blended_displacement(next.parameters)
+    next.displacement = edit.region.targets.empty() ? s.displacement_by(next.parameters)
                                                     : axis_displacement(edit, wanted);
     choose_start(motions, turns, target, next.displacement);
   } else {

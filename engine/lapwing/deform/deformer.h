@@ -76,6 +76,11 @@ class Deformer {
   /// it returns at once, on any thread.
   const std::shared_ptr<const DragResponse>& response(const Progress& progress = {}) const;
 
+  /// The same for a drag that moves `handles` alone, of any number that the edit has: 12 right-hand
+  /// sides each, solved for at every call. Waits for what solves on another thread.
+  std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles,
+                                                  const Progress& progress = {}) const;
+
   /// The result in double precision, settled if the options say so, with its certificate; stage
   /// "settle" is reported to `progress`, which can cancel it. A motion that is the identity returns
   /// the rest positions bit for bit. Throws SolverError when the certificate does not hold.
@@ -89,7 +94,8 @@ class Deformer {
 
   /// One settled frame of a drag: moves `pose` on to where the handles' motions take it. It begins
   /// where the last frames lead as far as the handles go on as they did, and goes the rest of the
-  /// way by the linear response. Every frame is a better surface than that, and as good as `go_on`
+  /// way by the linear response: that of `response` or `response_of`, which was asked for last, as
+  /// long as the other handles rest. Every frame is a better surface than that, and as good as `go_on`
   /// (Settler::follow) leaves time for; with the same motions again it goes on, and once settled
   /// nothing moves. `turns` are those of `solve`. From an empty pose it begins where `solve` does,
   /// and so does a frame in which a handle has turned by more than 90 degrees since the last, for
@@ -124,6 +130,9 @@ class Deformer {
   struct State;
   Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, const Progress& progress);
   void hold(const Progress& progress) const;
+  void make_response(const Progress& progress) const;
+  std::shared_ptr<const DragResponse> columns_of(std::vector<std::size_t> handles,
+                                                 const Progress& progress) const;
   void hold_for_settling() const;
   void choose_start(std::span<const Eigen::Affine3d> motions,
                     std::span<const Eigen::AngleAxisd> turns, const SettleTarget& target,

@@ -9,9 +9,12 @@ namespace lapwing {
 
 using Eigen::Vector3d;
 
-DragResponse::DragResponse(std::shared_ptr<const EditSystem> system, Numbers numbers,
-                           bool along_axes)
-    : system_(std::move(system)), numbers_(std::move(numbers)), along_axes_(along_axes) {}
+DragResponse::DragResponse(std::shared_ptr<const EditSystem> system,
+                           std::vector<std::size_t> handles, Numbers numbers, bool along_axes)
+    : system_(std::move(system)),
+      handles_(std::move(handles)),
+      numbers_(std::move(numbers)),
+      along_axes_(along_axes) {}
 
 const Positions& DragResponse::rest() const {
   return *system_->rest;
@@ -20,12 +23,12 @@ const Topology& DragResponse::topology() const {
   return system_->topology;
 }
 ResponseColumns DragResponse::columns() const {
-  return {system_->moving, system_->column_count(), numbers_, along_axes_};
+  return {system_->moving, kMotionParameters * handles_.size(), numbers_, along_axes_};
 }
 
 void DragResponse::set_parameters(std::span<const Eigen::Affine3d> motions,
                                   std::span<double> parameters) const {
-  system_->set_parameters(motions, parameters);
+  system_->set_parameters(motions, handles_, parameters);
 }
 
 SettledPose DragResponse::pose_at(std::span<const Vector3d> positions,
@@ -33,7 +36,7 @@ SettledPose DragResponse::pose_at(std::span<const Vector3d> positions,
                                   std::span<const Eigen::AngleAxisd> turns) const {
   SettledPose pose;
   pose.parameters.resize(system_->column_count());
-  set_parameters(motions, pose.parameters);
+  system_->set_parameters(motions, pose.parameters);
   pose.turns.assign(turns.begin(), turns.end());
   pose.displacement.assign(rest().size(), Vector3d::Zero());
   for (const Index v : system_->moving) pose.displacement[v] = positions[v] - rest()[v];
@@ -43,15 +46,18 @@ SettledPose DragResponse::pose_at(std::span<const Vector3d> positions,
 Drag::Drag(std::shared_ptr<const DragResponse> response, std::shared_ptr<const SettledPose> pose)
     : response_(std::move(response)),
       pose_(std::move(pose)),
-      parameters_(response_->columns().count) {}
+      of_pose_(response_->columns().count, 0.0),
+      parameters_(response_->columns().count) {
+  if (!pose_ || pose_->parameters.empty()) return;
+  for (std::size_t k = 0; k < of_pose_.size(); ++k) {
+    const std::size_t handle = response_->handles()[k / kMotionParameters];
+    of_pose_[k] = pose_->parameters[handle * kMotionParameters + k % kMotionParameters];
+  }
+}
 
 std::span<const double> Drag::parameters(std::span<const Eigen::Affine3d> motions) {
   response_->set_parameters(motions, parameters_);
-  if (pose_) {
-    for (std::size_t k = 0; k < pose_->parameters.size(); ++k) {
-      parameters_[k] -= pose_->parameters[k];
-    }
-  }
+  for (std::size_t k = 0; k < of_pose_.size(); ++k) parameters_[k] -= of_pose_[k];
   return parameters_;
 }
 

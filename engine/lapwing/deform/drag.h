@@ -14,19 +14,23 @@ namespace lapwing {
 
 struct EditSystem;
 
-/// How the surface of an edit follows its handles linearly: a column for each of the 12 numbers of
-/// each handle. Not changed after construction, so that one thread may drag by it while another
+/// How the surface of an edit follows some of its handles linearly: a column for each of the 12
+/// numbers of each. Not changed after construction, so that one thread may drag by it while another
 /// settles.
 class DragResponse {
  public:
-  /// `numbers` as ResponseColumns has them.
-  DragResponse(std::shared_ptr<const EditSystem> system, Numbers numbers, bool along_axes);
+  /// `numbers` as ResponseColumns has them, for each of `handles` in turn.
+  DragResponse(std::shared_ptr<const EditSystem> system, std::vector<std::size_t> handles,
+               Numbers numbers, bool along_axes);
 
   const Positions& rest() const;  ///< of the whole mesh
   const Topology& topology() const;
   ResponseColumns columns() const;
+  /// Those that a drag by it may move; the others stay where its pose has them.
+  const std::vector<std::size_t>& handles() const { return handles_; }
 
-  /// The parameters of one motion per handle. Throws InputError for another number of them.
+  /// The parameters of handles() among one motion per handle of the edit. Throws InputError for
+  /// another number of motions. Allocates nothing.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
 
   /// A pose of this region: the surface at `positions`, of the whole mesh, for handles moved by
@@ -37,6 +41,7 @@ class DragResponse {
 
  private:
   std::shared_ptr<const EditSystem> system_;
+  std::vector<std::size_t> handles_;
   Numbers numbers_;
   bool along_axes_;
 };
@@ -53,8 +58,8 @@ class Drag {
   explicit Drag(std::shared_ptr<const DragResponse> response,
                 std::shared_ptr<const SettledPose> pose = nullptr);
 
-  /// By how much each column of the response counts once the handles have moved by `motions`, one
-  /// per handle, each a map of space that acts on the rest position of the handle's vertices. Valid
+  /// By how much each column of the response counts once its handles have moved by `motions`, one
+  /// per handle of the edit, each a map of space that acts on the rest position of the handle's vertices. Valid
   /// until the next call. Allocates nothing.
   std::span<const double> parameters(std::span<const Eigen::Affine3d> motions);
   /// Puts the vertices that can move where they are then; `positions` is of the whole mesh.
@@ -67,6 +72,7 @@ class Drag {
  private:
   std::shared_ptr<const DragResponse> response_;
   std::shared_ptr<const SettledPose> pose_;
+  std::vector<double> of_pose_;     ///< the pose's parameters of the response's handles
   std::vector<double> parameters_;  ///< of the frame at hand
 };
 

@@ -17,15 +17,33 @@ DragPreview::DragPreview(std::span<const Vector3d> rest, const Topology& topolog
 DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> rest,
                          EditRegion region, const DeformOptions& options, const Progress& progress)
     : system_(
-          std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress)),
-      timings_(system_->timings) {
+          std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress)) {
+  *this = DragPreview(system_, system_->all_handles(), progress);
+}
+
+DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> rest,
+                         EditRegion region, const DeformOptions& options,
+                         std::span<const std::size_t> handles, const Progress& progress)
+    : DragPreview(
+          std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress),
+          handles, progress) {}
+
+DragPreview::DragPreview(std::shared_ptr<const EditSystem> system,
+                         std::span<const std::size_t> handles, const Progress& progress)
+    : system_(std::move(system)), timings_(system_->timings) {
   report_progress(progress, "preview", 0.0);
   const Stopwatch watch;
-  const auto lock = system_->systems->lock();
-  system_->hold_laplacian();
-  response_ = std::make_shared<const DragResponse>(system_, axis_response(*system_), true);
+  response_ = response_of(handles);
   timings_.add("preview", watch.elapsed_ms());
   report_progress(progress, "preview", 1.0);
+}
+
+std::shared_ptr<const DragResponse> DragPreview::response_of(
+    std::span<const std::size_t> handles) const {
+  const auto lock = system_->systems->lock();
+  system_->hold_laplacian();
+  return std::make_shared<const DragResponse>(
+      system_, std::vector(handles.begin(), handles.end()), axis_response(*system_, handles), true);
 }
 
 const EditRegion& DragPreview::region() const {

@@ -33,9 +33,15 @@ class DragPreview {
   /// with "constraints" in their place.
   DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
               const DeformOptions& options, const Progress& progress = {});
+  /// The same for a drag that moves `handles` alone: response() has columns for those.
+  DragPreview(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
+              const DeformOptions& options, std::span<const std::size_t> handles,
+              const Progress& progress = {});
 
   /// As Deformer's. The poses of a preview and of a deformer made from it are the same.
   const std::shared_ptr<const DragResponse>& response() const { return response_; }
+  /// For a drag of other handles: four right-hand sides each.
+  std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles) const;
 
   const EditRegion& region() const;
   const StageTimings& timings() const { return timings_; }
@@ -44,6 +50,9 @@ class DragPreview {
   const std::shared_ptr<const EditSystem>& system() const { return system_; }
 
  private:
+  DragPreview(std::shared_ptr<const EditSystem> system, std::span<const std::size_t> handles,
+              const Progress& progress);
+
   std::shared_ptr<const EditSystem> system_;
   std::shared_ptr<const DragResponse> response_;
   StageTimings timings_;

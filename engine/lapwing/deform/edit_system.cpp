@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "lapwing/base/errors.h"
@@ -111,14 +112,26 @@ void EditSystem::hold_response(Kernels& kernels, const Progress& progress,
 
 void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
                                 std::span<double> parameters) const {
+  set_parameters(motions, all_handles(), parameters);
+}
+
+void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
+                                std::span<const std::size_t> handles,
+                                std::span<double> parameters) const {
   if (motions.size() != frames.size()) {
     throw InputError("the region has " + std::to_string(frames.size()) + " handles, but " +
                      std::to_string(motions.size()) + " motions were given; give one per handle");
   }
-  for (std::size_t h = 0; h < frames.size(); ++h) {
-    motion_parameters(frames[h], motions[h],
-                      parameters.subspan(h * kMotionParameters, kMotionParameters));
+  for (std::size_t k = 0; k < handles.size(); ++k) {
+    motion_parameters(frames[handles[k]], motions[handles[k]],
+                      parameters.subspan(k * kMotionParameters, kMotionParameters));
   }
+}
+
+std::vector<std::size_t> EditSystem::all_handles() const {
+  std::vector<std::size_t> all(frames.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
 }
 
 std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> parameters) const {

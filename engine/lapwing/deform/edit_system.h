@@ -50,6 +50,12 @@ struct EditSystem {
 
   /// The column_count() parameters of one motion per handle. Throws InputError for another number.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
+  /// Of those of `handles` alone, one after the other.
+  void set_parameters(std::span<const Eigen::Affine3d> motions,
+                      std::span<const std::size_t> handles, std::span<double> parameters) const;
+
+  /// 0, 1, ... to the last.
+  std::vector<std::size_t> all_handles() const;
 
   /// What the handles' motions ask for, over the whole mesh; 0 off the handles and the anchors of
   /// loose parts.

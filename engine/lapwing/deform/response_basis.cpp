@@ -57,17 +57,18 @@ std::vector<Vector3d> linear_displacement(const EditSystem& system,
   return u;
 }
 
-Numbers response_basis(const EditSystem& system, const HandleShares* shares,
-                       const Progress& progress) {
+Numbers response_basis(const EditSystem& system, std::span<const std::size_t> handles,
+                       const HandleShares* shares, const Progress& progress) {
   const Unknowns& unknowns = system.constraints.unknowns;
   const ResponseSystem& response = system.systems->response();
   const std::size_t column = 3 * system.moving.size();
   const std::size_t n = 3 * unknowns.size();
-  Numbers basis(column * system.column_count());
+  Numbers basis(column * kMotionParameters * handles.size());
   Numbers x(kMotionParameters * n);
-  for (std::size_t h = 0; h < system.frames.size(); ++h) {
+  for (std::size_t at = 0; at < handles.size(); ++at) {
+    const std::size_t h = handles[at];
     report_progress(progress, "response",
-                    static_cast<double>(h) / static_cast<double>(system.frames.size()));
+                    static_cast<double>(at) / static_cast<double>(handles.size()));
     const auto unit = [&](std::size_t k) {
       std::vector<double> q(system.column_count(), 0.0);
       q[h * kMotionParameters + k] = 1.0;
@@ -110,7 +111,7 @@ Numbers response_basis(const EditSystem& system, const HandleShares* shares,
           }
           system.loose.carry_linear(given, growth, u);
         }
-        double* out = basis.data() + (h * kMotionParameters + k) * column;
+        double* out = basis.data() + (at * kMotionParameters + k) * column;
         for (std::size_t m = 0; m < system.moving.size(); ++m) {
           Eigen::Map<Vector3d>(out + 3 * m) = u[system.moving[m]];
         }
