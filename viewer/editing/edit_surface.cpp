@@ -39,19 +39,22 @@ void EditSurface::place(std::span<const Eigen::Vector3d> positions) {
 }
 
 bool EditSurface::drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions) {
-  const auto exact = preparation.exact();
-  const auto preview = preparation.preview();
-  if (!preview) return false;
-  const auto& response = exact ? exact->response() : preview->response();
-  if (!drag_ || drag_->response() != response || drag_->pose() != pose_) {
-    if (!drag_ || drag_->response() != response) on_device_ = preparation.on_device(*response);
-    drag_.emplace(response, pose_);
-    surface_->begin(*on_device_, response->rest(),
+  const Preparation::ToDragBy ready = preparation.drag_response();
+  if (!ready.response) return false;
+  if (!drag_ || drag_->response() != ready.response || drag_->pose() != pose_) {
+    on_device_ = ready.on_device;
+    drag_.emplace(ready.response, pose_);
+    surface_->begin(*on_device_, ready.response->rest(),
                     pose_ ? std::span(pose_->displacement) : std::span<const Eigen::Vector3d>());
   }
   surface_->blend(on_device_, drag_->parameters(motions));
-  changed(exact && exact->is_exact() ? SurfaceSource::exact : SurfaceSource::preview);
+  changed(ready.is_exact ? SurfaceSource::exact : SurfaceSource::preview);
   return true;
+}
+
+bool EditSurface::drags_by(const Preparation& preparation) const {
+  return drag_ && drag_->pose() == pose_ &&
+         drag_->response() == preparation.drag_response().response;
 }
 
 std::vector<VertexClass> shown_classes(const AppState& state, const Part& part,

@@ -40,6 +40,8 @@ class EditSurface {
   /// as it is ready, until then by the preview. False, and nothing changes, while neither is.
   /// Vertices are uploaded for the first time from a pose only, and only those that move.
   bool drag(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
+  /// Whether `drag` would go by the same response, from the same pose, as the last time.
+  bool drags_by(const Preparation& preparation) const;
 
   /// What to draw.
   Surface& shown() const { return *surface_; }

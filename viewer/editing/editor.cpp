@@ -242,9 +242,9 @@ void Editor::remove_handle() {
 }
 
 bool Editor::handles_leave_roi() const {
-  const auto& [roi, handles, fraction, belt] = state().selection;
-  return std::any_of(handles.begin(), handles.end(), [&roi = roi](const ChosenRegion& handle) {
-    return !subtract(handle.vertices, roi.vertices).empty();
+  const EditSelection& chosen = state().selection;
+  return std::any_of(chosen.handles.begin(), chosen.handles.end(), [&](const auto& handle) {
+    return !subtract(handle.vertices, chosen.roi.vertices).empty();
   });
 }
 

@@ -160,6 +160,7 @@ class Editor {
 
   std::vector<CertificateWarning> warnings_;
   std::vector<Eigen::Affine3d> motions_;
+  std::vector<std::size_t> dragged_;
   std::vector<Move> live_moves_;
   std::optional<LiveResult> live_;                   // the last one of a drag
   std::shared_ptr<const SettledPose> dragged_from_;  // before any

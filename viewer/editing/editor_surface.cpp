@@ -66,6 +66,8 @@ void Editor::take_step() {
 
 void Editor::follow_hand() {
   const bool dragging = tools_.gizmo.is_dragging();
+  dragged_handles(state(), handle_, shown_.pose() == nullptr, dragged_);
+  session_->drag_by(dragged_);
   if (shown_.shows_before() || shown_.previews()) return;
   if (!dragging && !needs_settling(state())) {
     if (shown_.follows()) {  // the drag was given up

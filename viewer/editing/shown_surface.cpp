@@ -55,13 +55,10 @@ void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
 
 void ShownSurface::follow(const Preparation& preparation,
                           std::span<const Eigen::Affine3d> motions) {
-  const auto exact = preparation.exact();
-  const bool could_be_exact =
-      device_->surface.source() != SurfaceSource::exact && exact && exact->is_exact();
   const bool same =
       std::equal(motions.begin(), motions.end(), followed_.begin(), followed_.end(),
                  [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });
-  if (same && !could_be_exact) return;
+  if (same && device_->surface.drags_by(preparation)) return;
   if (!device_->surface.drag(preparation, motions)) return;
   follows_ = true;
   followed_.assign(motions.begin(), motions.end());

@@ -115,8 +115,22 @@ std::vector<AngleAxisd> turns_of(const AppState& state) {
   return turns;
 }
 
+void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
+                     std::vector<std::size_t>& dragged) {
+  dragged.clear();
+  for (std::size_t h = 0; h < state.moves.size(); ++h) {
+    const bool is_moved_already = from_rest && state.moves[h] != Move(SimilarityMove{});
+    if (h == handle || is_moved_already) dragged.push_back(h);
+  }
+}
+
 Vector3d handle_centroid(const AppState& state, std::size_t handle) {
-  return handle_frame(state.selection.handles[handle].vertices, state.rest->positions).centroid;
+  const ChosenHandle& chosen = state.selection.handles[handle];
+  // In every frame of a drag: without a copy where there is no need of one.
+  if (chosen.grading.field.empty()) {
+    return handle_frame(chosen.vertices, state.rest->positions).centroid;
+  }
+  return handle_frame(fully_held(chosen), state.rest->positions).centroid;
 }
 
 Move to_move(const Affine3d& motion, const AngleAxisd& turn, const Vector3d& centroid) {
@@ -138,8 +152,8 @@ DeformRequest open_step(const AppState& state) {
   DeformRequest step;
   step.roi = spec_of(state.selection.roi, "ROI");
   step.belt = belt_spec(state.selection);
-  for (const RegionSpec& spec : handle_specs(state.selection)) {
-    step.handles.push_back({spec, state.moves[step.handles.size()]});
+  for (const auto& [spec, grading] : handle_specs(state.selection)) {
+    step.handles.push_back({spec, state.moves[step.handles.size()], grading});
   }
   step.parameters = state.parameters;
   return step;

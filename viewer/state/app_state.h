@@ -73,6 +73,11 @@ std::vector<Eigen::Affine3d> motions_of(const AppState& state);
 void motions_of(const AppState& state, std::size_t handle, const Move& move,
                 std::vector<Eigen::Affine3d>& motions);
 std::vector<Eigen::AngleAxisd> turns_of(const AppState& state);
+/// The handles that a frame moves in which `handle` is dragged, ascending: with `from_rest`, the
+/// rest shape being where it moves them from, those that are moved already, too. Allocates nothing
+/// once `dragged` has had as many.
+void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
+                     std::vector<std::size_t>& dragged);
 /// Of the handle's vertices at rest, about which a move without pivot turns.
 Eigen::Vector3d handle_centroid(const AppState& state, std::size_t handle);
 

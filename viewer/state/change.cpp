@@ -29,6 +29,12 @@ std::size_t bytes_of(const std::array<VertexSet, 2>& change) {
   return (change[0].size() + change[1].size()) * sizeof(Index);
 }
 
+std::vector<Grading> gradings_of(const AppState& state) {
+  std::vector<Grading> gradings;
+  for (const ChosenHandle& handle : state.selection.handles) gradings.push_back(handle.grading);
+  return gradings;
+}
+
 // Without attributes, which are few beside the rest.
 std::size_t bytes_of(const Mesh& mesh) {
   const Topology& topology = mesh.topology();
@@ -50,13 +56,14 @@ Change::Change(const AppState& before, const AppState& after)
     : roi_(difference(before.selection.roi, after.selection.roi)),
       belt_(difference(before.selection.belt, after.selection.belt)),
       handle_counts_{before.selection.handles.size(), after.selection.handles.size()},
+      gradings_(both(gradings_of(before), gradings_of(after))),
       belt_fraction_(both(before.selection.belt_fraction, after.selection.belt_fraction)),
       parameters_(both(before.parameters, after.parameters)),
       moves_(both(before.moves, after.moves)),
       settled_(both(before.settled, after.settled)) {
   const auto handle_or_empty = [](const AppState& state, std::size_t h) {
     const auto& handles = state.selection.handles;
-    return h < handles.size() ? handles[h] : ChosenRegion{};
+    return h < handles.size() ? ChosenRegion(handles[h]) : ChosenRegion{};
   };
   for (std::size_t h = 0; h < std::max(handle_counts_[0], handle_counts_[1]); ++h) {
     handles_.push_back(difference(handle_or_empty(before, h), handle_or_empty(after, h)));
@@ -88,7 +95,7 @@ bool Change::is_nothing() const {
            viewer::is_nothing(change.vertices);
   };
   return same(roi_) && same(belt_) && handle_counts_[0] == handle_counts_[1] &&
-         std::all_of(handles_.begin(), handles_.end(), same) && !belt_fraction_ && !parameters_ &&
+         std::all_of(handles_.begin(), handles_.end(), same) && !gradings_ && !belt_fraction_ && !parameters_ &&
          !moves_ && !settled_ && !rest_ && !triangles_ && steps_[0].empty() && steps_[1].empty();
 }
 
@@ -120,6 +127,9 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
     replace(selection.handles[h], handles_[h], from, to);
   }
   selection.handles.resize(handle_counts_[to]);
+  for (std::size_t h = 0; gradings_ && h < handle_counts_[to]; ++h) {
+    selection.handles[h].grading = (*gradings_)[to][h];
+  }
   if (belt_fraction_) selection.belt_fraction = (*belt_fraction_)[to];
   if (parameters_) state.parameters = (*parameters_)[to];
   if (moves_) state.moves = (*moves_)[to];
@@ -144,6 +154,11 @@ std::size_t Change::bytes() const {
   std::size_t total = sizeof *this + bytes_of_region(roi_) + bytes_of_region(belt_);
   for (const RegionChange& handle : handles_) total += bytes_of_region(handle);
   constexpr std::size_t kPosition = sizeof(Eigen::Vector3d);
+  if (gradings_) {
+    for (const auto& gradings : *gradings_) {
+      for (const Grading& grading : gradings) total += grading.field.size() * sizeof(double);
+    }
+  }
   if (settled_) {
     // Each result is in two changes: where it came, and where it went.
     for (const Settled& result : *settled_) {

@@ -58,6 +58,7 @@ class Change {
   RegionChange belt_;
   std::array<std::size_t, 2> handle_counts_{};
   std::vector<RegionChange> handles_;  // of the longer list; one that is not there counts as empty
+  Both<std::vector<Grading>> gradings_;  // of all handles
   Both<std::optional<double>> belt_fraction_;
   Both<EditParameters> parameters_;
   Both<std::vector<Move>> moves_;

@@ -24,9 +24,7 @@ void require_vertices(const AppState& state, const VertexSet& vertices) {
 void carry_selection_over(AppState& state) {
   EditSelection& selection = state.selection;
   selection.roi = carried_over(selection.roi, *state.rest);
-  for (ChosenRegion& handle : selection.handles) {
-    handle = carried_over(handle, *state.rest);
-  }
+  for (ChosenRegion& handle : selection.handles) handle = carried_over(handle, *state.rest);
   if (!selection.belt_fraction) {
     selection.belt = carried_over(selection.belt, *state.rest);
   }
@@ -99,6 +97,14 @@ struct Applier {
     const ChosenRegion& before = region_of(state, command.part);
     VertexSet vertices = subtract(unite(before.vertices, command.added), command.removed);
     replace(command.part, repainted(before, std::move(vertices)));
+  }
+  void operator()(const SetGrading& command) const {
+    require_handle(state, command.handle);
+    ChosenHandle& handle = state.selection.handles[command.handle];
+    if (handle.grading == command.grading) return;
+    require_grading(command.grading, "handle " + std::to_string(command.handle + 1));
+    handle.grading = command.grading;
+    state.settled = nullptr;
   }
   void operator()(const RemoveHandle& command) const {
     require_handle(state, command.handle);
@@ -184,6 +190,13 @@ struct CommandDescriber {
                        : command.added.empty() ? "erase "
                                                : "change ";
     return verb + name_of(command.part);
+  }
+  std::string operator()(const SetGrading& command) const {
+    const Grading& grading = command.grading;
+    const std::string of = "handle " + std::to_string(command.handle + 1);
+    if (!grading.field.empty()) return of + ": painted weights";
+    if (!grading.falloff) return of + with_number(": weight %.4g", grading.weight);
+    return of + with_number(": falloff %.4g", grading.falloff->width);
   }
   std::string operator()(const RemoveHandle& command) const {
     return "remove handle " + std::to_string(command.handle + 1);

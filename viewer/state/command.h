@@ -30,6 +30,12 @@ struct Paint {
   VertexSet removed;
 };
 
+/// How firmly the handle holds.
+struct SetGrading {
+  std::size_t handle = 0;
+  Grading grading;
+};
+
 struct RemoveHandle {
   std::size_t handle = 0;
 };
@@ -72,7 +78,7 @@ struct Revise {
 };
 
 /// One thing that a person, a test or a recipe does.
-using Command = std::variant<Choose, Paint, RemoveHandle, SetBeltWidth, MoveHandle, Settle, Commit,
+using Command = std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, MoveHandle, Settle, Commit,
                              SetParameters, Apply, Revise>;
 
 /// The state after `command`. Choosing, painting and applying commit what is settled first: what is

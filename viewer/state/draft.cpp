@@ -35,6 +35,15 @@ bool is_chosen(const AppState& state, const DeformRequest& step) {
       [](const MovedHandle& a, const MovedHandle& b) { return a.region == b.region; });
 }
 
+void grade_handles(History& history, const DeformRequest& step) {
+  const auto& handles = history.state().selection.handles;
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    if (handles[h].grading != step.handles[h].grading) {
+      history.perform(SetGrading{h, step.handles[h].grading});
+    }
+  }
+}
+
 }  // namespace
 
 Draft draft_of(const AppState& state) {
@@ -88,6 +97,7 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
     }
     choose_belt(history, step.belt);
   }
+  grade_handles(history, step);
   for (std::size_t h = 0; h < history.state().moves.size(); ++h) {
     history.perform(MoveHandle{h, step.handles[h].move});
   }

@@ -83,12 +83,22 @@ BeltSpec belt_spec(const EditSelection& selection) {
   return spec_of(selection.belt, "belt");
 }
 
-std::vector<RegionSpec> handle_specs(const EditSelection& selection) {
-  std::vector<RegionSpec> specs;
-  for (const ChosenRegion& handle : selection.handles) {
-    specs.push_back(spec_of(handle, "handle " + std::to_string(specs.size() + 1)));
+std::vector<HandleSpec> handle_specs(const EditSelection& selection) {
+  std::vector<HandleSpec> specs;
+  for (const ChosenHandle& handle : selection.handles) {
+    specs.push_back(
+        {spec_of(handle, "handle " + std::to_string(specs.size() + 1)), handle.grading});
   }
   return specs;
+}
+
+VertexSet fully_held(const ChosenHandle& handle) {
+  if (handle.grading.field.empty()) return handle.vertices;
+  VertexSet held;
+  for (const Index v : handle.vertices) {
+    if (handle.grading.field[v] == 1.0) held.push_back(v);
+  }
+  return held;
 }
 
 }  // namespace lapwing::viewer

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/border_belt.h"
+#include "lapwing/region/grading.h"
 #include "lapwing/region/region_spec.h"
 
 namespace lapwing::viewer {
@@ -33,10 +35,22 @@ RegionSpec spec_of(const ChosenRegion& region, const std::string& where);
 /// listed.
 ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh);
 
+/// A handle, and how firmly it holds.
+struct ChosenHandle : ChosenRegion {
+  Grading grading;
+
+  ChosenHandle() = default;
+  ChosenHandle(ChosenRegion region) : ChosenRegion(std::move(region)) {}
+  bool operator==(const ChosenHandle&) const = default;
+};
+
+/// Those that the handle holds with all its weight: what it turns and scales about.
+VertexSet fully_held(const ChosenHandle& handle);
+
 /// What the next edit concerns. Any part may still be missing.
 struct EditSelection {
   ChosenRegion roi;
-  std::vector<ChosenRegion> handles;
+  std::vector<ChosenHandle> handles;
   /// The belt's width as a fraction of the ROI's radius; without it the belt was chosen by hand.
   std::optional<double> belt_fraction = BorderBelt{}.fraction;
   ChosenRegion belt;
@@ -49,6 +63,6 @@ struct EditSelection {
 void renew_belt(EditSelection& selection, const Mesh& mesh);
 
 BeltSpec belt_spec(const EditSelection& selection);
-std::vector<RegionSpec> handle_specs(const EditSelection& selection);
+std::vector<HandleSpec> handle_specs(const EditSelection& selection);
 
 }  // namespace lapwing::viewer

@@ -74,6 +74,9 @@ class EditSession {
   /// the rest shape, where the state waits for its result, and while no preview is ready.
   std::shared_ptr<const SettledPose> pose() const;
 
+  /// Which handles the next drag moves (Preparation::drag_by).
+  void drag_by(std::span<const std::size_t> handles) { preparation_.drag_by(handles); }
+
   /// Asks for the result of `moves`, one per handle, which are not in the state: those of a drag
   /// under way, brought on from the pose `from` (Preparation::settle_live). Only if nothing else
   /// settles; does nothing otherwise, so call it as often as they change. Every step, undo and redo

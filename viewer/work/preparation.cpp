@@ -85,6 +85,33 @@ void Preparation::follow(const AppState& state) {
   worker_.notify();
 }
 
+void Preparation::drag_by(std::span<const std::size_t> handles) {
+  {
+    const std::lock_guard lock(worker_.mutex());
+    if (std::equal(dragged_.begin(), dragged_.end(), handles.begin(), handles.end())) return;
+    dragged_.assign(handles.begin(), handles.end());
+    if (!ready_.exact || has_columns()) return;
+  }
+  worker_.notify();
+}
+
+// Those of the next drags that the edit has.
+std::vector<std::size_t> Preparation::dragged_of(std::size_t handle_count) const {
+  std::vector<std::size_t> handles = dragged_;
+  std::erase_if(handles, [&](std::size_t h) { return h >= handle_count; });
+  if (handles.empty()) handles.push_back(0);
+  return handles;
+}
+
+// Whether what is ready has columns for the next drags. Under the lock, as the last.
+bool Preparation::has_columns() const {
+  const std::vector<std::size_t>& there = ready_.drag_by.response->handles();
+  const std::size_t handle_count = ready_.exact->region().handles.size();
+  return std::all_of(dragged_.begin(), dragged_.end(), [&](std::size_t h) {
+    return h >= handle_count || std::binary_search(there.begin(), there.end(), h);
+  });
+}
+
 void Preparation::settle(const AppState& state) {
   {
     const std::lock_guard lock(worker_.mutex());
@@ -150,13 +177,9 @@ std::shared_ptr<const Deformer> Preparation::exact() const {
   return ready_.exact;
 }
 
-std::shared_ptr<BlendResponse> Preparation::on_device(const DragResponse& response) const {
+Preparation::ToDragBy Preparation::drag_response() const {
   const std::lock_guard lock(worker_.mutex());
-  if (ready_.exact && ready_.exact->response().get() == &response) return ready_.exact_on_device;
-  if (ready_.preview && ready_.preview->response().get() == &response) {
-    return ready_.preview_on_device;
-  }
-  return nullptr;
+  return ready_.drag_by;
 }
 
 void Preparation::use_kernels(MakeKernels make_kernels, Upload upload) {
@@ -186,7 +209,11 @@ Worker::Work Preparation::next() {
       prepare(state, ticket);
     };
   }
-  if (!to_settle_ || !ready_.exact) return {};
+  if (!ready_.exact) return {};
+  if (!has_columns()) {
+    return [this, ready = ready_, ticket = ticket_] { respond(ready, ticket); };
+  }
+  if (!to_settle_) return {};
   return [this, request = *std::exchange(to_settle_, std::nullopt), ready = ready_] {
     settle_now(request, ready);
   };
@@ -202,11 +229,16 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
   try {
     Ready ready;
     const std::shared_ptr<Kept> kept = kept_for(state, ticket);
+    EditRegion region = edit_region(state);
+    const auto dragged = [&, count = region.handles.size()] {
+      const std::lock_guard lock(worker_.mutex());
+      return dragged_of(count);
+    };
     ready.preview = std::shared_ptr<const DragPreview>(
-        new DragPreview(kept->region, state.rest->positions, edit_region(state), state.parameters,
-                        progress),
+        new DragPreview(kept->region, state.rest->positions, std::move(region), state.parameters,
+                        dragged(), progress),
         [topology = state.rest->shared_topology()](DragPreview* p) { delete p; });
-    ready.preview_on_device = upload(*ready.preview->response());
+    ready.drag_by = {ready.preview->response(), upload(*ready.preview->response()), false};
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
@@ -215,12 +247,43 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
         [kernels = ready.exact_kernels, topology = state.rest->shared_topology()](Deformer* d) {
           delete d;
         });
-    ready.exact_on_device = upload(*ready.exact->response(progress));
+    ready.drag_by = exact_response(*ready.exact, dragged(), progress);
     publish(ticket, ready, Phase::ready);
   } catch (const Cancelled&) {
     // Whoever cancelled has set the status.
   } catch (const std::exception& error) {
     fail(ticket, Phase::failed, error.what());
+  }
+}
+
+Preparation::ToDragBy Preparation::exact_response(const Deformer& exact,
+                                                  std::span<const std::size_t> handles,
+                                                  const Progress& progress) const {
+  std::shared_ptr<const DragResponse> response = exact.response_of(handles, progress);
+  std::shared_ptr<BlendResponse> on_device = upload(*response);
+  return {std::move(response), std::move(on_device), exact.is_exact()};
+}
+
+// Columns for the handles that are dragged now.
+void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
+  const Progress progress =
+      worker_.progress(ticket_, ticket, [](std::string_view, double) {}, false);
+  try {
+    std::vector<std::size_t> handles;
+    {
+      const std::lock_guard lock(worker_.mutex());
+      handles = dragged_of(ready.exact->region().handles.size());
+    }
+    ToDragBy drag_by = exact_response(*ready.exact, handles, progress);
+    const std::lock_guard lock(worker_.mutex());
+    if (ticket_ == ticket) ready_.drag_by = std::move(drag_by);
+  } catch (const Cancelled&) {
+    // Whoever cancelled has set the status.
+  } catch (const std::exception& error) {
+    fail(ticket, Phase::failed, error.what());
+    // Asked for again they would fail again.
+    const std::lock_guard lock(worker_.mutex());
+    if (ticket_ == ticket) dragged_ = ready.drag_by.response->handles();
   }
 }
 
@@ -299,7 +362,7 @@ LiveResult Preparation::live_result(const Request& request, const Ready& ready,
   }
   state.settled = settled_result(state, *ready.exact, *ready.exact_kernels, progress).moved;
   return {state.moves,
-          std::make_shared<const SettledPose>(ready.exact->response()->pose_at(
+          std::make_shared<const SettledPose>(ready.drag_by.response->pose_at(
               positions_of(state), motions_of(state), turns_of(state))),
           true};
 }

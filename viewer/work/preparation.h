@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,12 @@ class Preparation {
   /// Without ROI or handle there is nothing to prepare.
   void follow(const AppState& state);
 
+  /// Which handles the next drags move, those that the edit does not have left out: what is
+  /// prepared has columns for these alone, and where it has none they are solved for, ahead of all
+  /// that waits to be settled. The first handle until the first call. Costs nothing where they are
+  /// there.
+  void drag_by(std::span<const std::size_t> handles);
+
   /// Computes the result of the moves of `state`, which is the one followed, as soon as the exact
   /// one is ready. Takes the place of an earlier request.
   void settle(const AppState& state);
@@ -107,20 +114,26 @@ class Preparation {
 
   PreparationStatus status() const;
 
-  /// What to drag by; null until it is ready. Each stays usable while it is held. Of the exact one,
-  /// by which the worker settles, only the response is the window's.
+  /// What was prepared; null until it is ready. Each stays usable while it is held. The worker
+  /// settles by the exact one; what the window drags by is `drag_response`.
   std::shared_ptr<const DragPreview> preview() const;
   std::shared_ptr<const Deformer> exact() const;
-  /// The response of one of them as it was uploaded; null for another, and without Upload.
-  std::shared_ptr<BlendResponse> on_device(const DragResponse& response) const;
+
+  struct ToDragBy {
+    std::shared_ptr<const DragResponse> response;
+    std::shared_ptr<BlendResponse> on_device;  ///< null without Upload
+    bool is_exact = false;                     ///< rather than a preview
+  };
+  /// The best that is ready, for the handles that `drag_by` named or, until those are there, for
+  /// those it named before. No response until one is.
+  ToDragBy drag_response() const;
 
  private:
   struct Ready {
     std::shared_ptr<const DragPreview> preview;
     std::shared_ptr<const Deformer> exact;
     std::shared_ptr<Kernels> exact_kernels;
-    std::shared_ptr<BlendResponse> preview_on_device;
-    std::shared_ptr<BlendResponse> exact_on_device;
+    ToDragBy drag_by;
   };
 
   // What the worker keeps from one preparation to the next.
@@ -140,6 +153,11 @@ class Preparation {
 
   Worker::Work next();
   void prepare(const AppState& state, std::uint64_t ticket);
+  bool has_columns() const;
+  std::vector<std::size_t> dragged_of(std::size_t handle_count) const;
+  ToDragBy exact_response(const Deformer& exact, std::span<const std::size_t> handles,
+                          const Progress& progress) const;
+  void respond(const Ready& ready, std::uint64_t ticket);
   void settle_now(const Request& request, const Ready& ready);
   LiveResult live_result(const Request& request, const Ready& ready, const Progress& progress);
   LiveResult follow_drag(const Request& request, const Deformer& exact, const Progress& progress);
@@ -158,6 +176,7 @@ class Preparation {
   std::uint64_t settle_ticket_ = 0;
   std::optional<AppState> followed_;
   std::optional<AppState> to_prepare_;
+  std::vector<std::size_t> dragged_{0};  // ascending
   std::optional<Request> to_settle_;
   std::optional<SettledResult> result_;
   std::optional<LiveResult> live_result_;
