@@ -48,7 +48,8 @@ void main() {
                   vec3(view_from_surface[0].w, view_from_surface[1].w, view_from_surface[2].w);
   view_normal = rotate_to_view(corner_normal(normals[vertex].xyz, gl_VertexIndex - corner));
   barycentric = vec3(corner == 0, corner == 1, corner == 2);
-  class_weights = vec4(equal(uvec4(0, 1, 2, 3), uvec4(classes[vertex])));
+  class_weights = vec4(equal(uvec4(0, 1, 2, 3), uvec4(classes[vertex] & 255u)));
+  class_weights = mix(class_weights, vec4(0, 0, 0, 1), float(classes[vertex] >> 8) / 255.0);
   scalar = (scalars[vertex] - scalar_low) * scalar_scale;
   shown_edges = edges[gl_VertexIndex / 3];
   gl_Position = clip_from_surface * vec4(position, 1);

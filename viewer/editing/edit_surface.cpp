@@ -66,7 +66,12 @@ std::vector<VertexClass> shown_classes(const AppState& state, const Part& part,
   };
   mark(selection.roi.vertices, VertexClass::roi);
   mark(selection.belt.vertices, VertexClass::belt);
-  for (const ChosenRegion& handle : selection.handles) mark(handle.vertices, VertexClass::handle);
+  for (const ChosenHandle& handle : selection.handles) {
+    mark(fully_held(handle), VertexClass::handle);
+  }
+  for (const GradedVertex& graded : graded_vertices(selection, *state.rest)) {
+    classes[graded.vertex] = drawn_by_handle(classes[graded.vertex], graded.weight);
+  }
   const bool of_roi = part.role == Part::Role::roi;
   mark(live, !erase ? class_of(part.role) : of_roi ? VertexClass::outside : VertexClass::roi);
   return classes;

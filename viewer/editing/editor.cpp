@@ -91,7 +91,11 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   if (has_in_hand(tools_.gizmo)) return {};
   if (event.kind == InputKind::press) return_to_triangles_of_state();
   const ToolAnswer answer = tool_->handle(event, scene(view, projection));
+  if (answer.holds && state().selection.roi.vertices.empty()) {
+    perform(Choose{{Role::roi}, {AllVertices{}, "ROI"}});
+  }
   Handled handled = act_on(answer);
+  take_hold(answer, event.position, projection);
   classes_are_old_ = classes_are_old_ || answer.taken;
   if (event.kind == InputKind::move) {
     handled.changed = handled.taken || row_ == nullptr || tool_->follows_cursor();
@@ -111,15 +115,7 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
   const bool was_dragging = gizmo.is_dragging();
   ToolAnswer answer =
       gizmo.handle(event, {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
-  if (gizmo.is_dragging() && !was_dragging) {
-    shown_.end_preview();
-    shown_.show_before(false);
-    pointed_at_.clear();
-    // What settles now is of no use any more, and keeps the exact response from following.
-    session_->cancel_settling();
-    live_.reset();
-    dragged_from_ = shown_.pose();
-  }
+  if (gizmo.is_dragging() && !was_dragging) begin_drag();
   // Then it is of use again: nothing has come in its place.
   const bool given_up = was_dragging && !gizmo.is_dragging() && !answer.command;
   if (given_up && needs_settling(state())) {
@@ -127,6 +123,26 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
     settle();
   }
   return answer;
+}
+
+void Editor::begin_drag() {
+  shown_.end_preview();
+  shown_.show_before(false);
+  pointed_at_.clear();
+  // What settles now is of no use any more, and keeps the exact response from following.
+  session_->cancel_settling();
+  live_.reset();
+  dragged_from_ = shown_.pose();
+}
+
+void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
+                       const Projection& projection) {
+  if (!answer.holds || *answer.holds >= handle_count()) return;
+  choose({Role::handle, *answer.holds});
+  if (!answer.drags_held) return;
+  tools_.gizmo.take_hold(
+      pixel, {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
+  begin_drag();
 }
 
 Editor::Handled Editor::act_on(const ToolAnswer& answer) {

@@ -136,6 +136,9 @@ class Editor {
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
   void return_to_triangles_of_state();
   Handled act_on(const ToolAnswer& answer);
+  void begin_drag();
+  void take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
+                 const Projection& projection);
   void after_choice(const Part& part);
   void state_changed();
   std::size_t handle_count() const { return state().selection.handles.size(); }

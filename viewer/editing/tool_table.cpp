@@ -19,6 +19,7 @@ constexpr std::array kRows{
     ToolRow{"Brush", Action::take_brush, take_paint<Shape::brush>},
     ToolRow{"Lasso", Action::take_lasso, take_paint<Shape::lasso>},
     ToolRow{"Box", Action::take_box, take_paint<Shape::box>},
+    ToolRow{"Pin", Action::take_pin, [](Tools& tools) -> SceneTool& { return tools.pin; }},
     ToolRow{"Move", Action::take_move, [](Tools& tools) -> SceneTool& { return tools.gizmo; }}};
 
 }  // namespace

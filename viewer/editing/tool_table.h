@@ -7,6 +7,7 @@
 #include "tools/gizmo_tool.h"
 #include "tools/loop_tool.h"
 #include "tools/paint_tool.h"
+#include "tools/pin_tool.h"
 
 namespace lapwing::viewer {
 
@@ -15,6 +16,7 @@ struct Tools {
   DiskTool disk;
   LoopTool loop;
   PaintTool paint;
+  PinTool pin;
   GizmoTool gizmo;
 };
 

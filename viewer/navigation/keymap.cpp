@@ -65,6 +65,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'P', kPlain, Action::take_brush, "choose by a brush: [ and ] size it, Ctrl erases"},
      {'L', kPlain, Action::take_lasso, "choose by a lasso: Ctrl erases"},
      {'B', kPlain, Action::take_box, "choose by a box: Ctrl erases"},
+     {'V', kPlain, Action::take_pin,
+      "pin single vertices and drag them; with Shift only pin or choose them"},
      {'M', kPlain, Action::take_move, "move: the gizmo, and the left button turns the view"},
      {kEscape, kPlain, Action::take_move},
      {kEnter, kPlain, Action::go_on,

@@ -46,6 +46,7 @@ enum class Action {
   take_brush,
   take_lasso,
   take_box,
+  take_pin,
   go_on,
   grow,
   shrink,

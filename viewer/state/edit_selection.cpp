@@ -92,6 +92,35 @@ std::vector<HandleSpec> handle_specs(const EditSelection& selection) {
   return specs;
 }
 
+std::vector<GradedVertex> graded_vertices(const EditSelection& selection, const Mesh& mesh) {
+  std::vector<GradedVertex> graded;
+  const auto& handles = selection.handles;
+  if (std::all_of(handles.begin(), handles.end(), [](const ChosenHandle& handle) {
+        return !handle.grading.falloff && handle.grading.field.empty();
+      })) {
+    return graded;
+  }
+  std::vector<char> allowed = vertex_mask(mesh.vertex_count(), selection.roi.vertices);
+  const auto allow = [&](const VertexSet& set, char allows) {
+    for (const Index v : set) allowed[v] = allows;
+  };
+  allow(selection.belt.vertices, 0);
+  for (const ChosenHandle& handle : handles) allow(fully_held(handle), 0);
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    const Grading& grading = handles[h].grading;
+    for (std::size_t k = 0; !grading.field.empty() && k < handles[h].vertices.size(); ++k) {
+      const Index v = handles[h].vertices[k];
+      if (allowed[v] != 0 && grading.field[v] > 0.0) graded.push_back({v, h, grading.field[v]});
+    }
+    if (!grading.falloff) continue;
+    allow(handles[h].vertices, 1);
+    const auto around = falloff_of(handles[h].vertices, *grading.falloff, h, allowed, mesh);
+    graded.insert(graded.end(), around.begin(), around.end());
+    allow(handles[h].vertices, 0);
+  }
+  return without_shared(std::move(graded));
+}
+
 VertexSet fully_held(const ChosenHandle& handle) {
   if (handle.grading.field.empty()) return handle.vertices;
   VertexSet held;

@@ -47,6 +47,11 @@ struct ChosenHandle : ChosenRegion {
 /// Those that the handle holds with all its weight: what it turns and scales about.
 VertexSet fully_held(const ChosenHandle& handle);
 
+struct EditSelection;
+/// The vertices that its handles hold by less than all their weight, as `resolve_edit_region` finds
+/// them, hard targets left aside.
+std::vector<GradedVertex> graded_vertices(const EditSelection& selection, const Mesh& mesh);
+
 /// What the next edit concerns. Any part may still be missing.
 struct EditSelection {
   ChosenRegion roi;

@@ -159,6 +159,14 @@ ToolAnswer GizmoTool::handle_text(const InputEvent& event, const ToolScene& scen
   return ToolAnswer::only_taken();
 }
 
+void GizmoTool::take_hold(const Vector2d& pixel, const ToolScene& scene) {
+  if (drag_) return;
+  cursor_ = pixel;
+  snaps_ = false;
+  begin(GizmoMode::translate, GizmoPart::view, scene);
+  by_button_ = true;
+}
+
 void GizmoTool::begin(GizmoMode mode, GizmoPart part, const ToolScene& scene) {
   Gizmo there = gizmo(scene.state, scene.handle);
   there.mode = mode;

@@ -18,6 +18,8 @@ class GizmoTool final : public SceneTool {
   bool is_dragging() const override { return drag_.has_value(); }
   const char* hint(const AppState& state, const Part& part) const override;
 
+  /// The scene's handle is dragged in the plane of the view from `pixel` on, by the left button.
+  void take_hold(const Eigen::Vector2d& pixel, const ToolScene& scene);
   /// The handle's move while it is dragged.
   const std::optional<Move>& move() const { return move_; }
   /// What the gizmo shows from now on; nothing while it is dragged.

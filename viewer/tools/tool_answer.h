@@ -12,6 +12,8 @@ struct ToolAnswer {
   bool taken = false;              ///< nobody else should act on it
   std::optional<Command> command;  ///< to perform
   std::string message;             ///< for the person, when something did not work
+  std::optional<std::size_t> holds = {};  ///< a handle to be taken hold of, after the command
+  bool drags_held = false;                ///< in the plane of the view, until the button is let go
 
   static ToolAnswer passed_on() { return {}; }
   static ToolAnswer only_taken() { return {true, {}, {}}; }

@@ -144,6 +144,23 @@ void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& 
   }
 }
 
+// Pins are too small to be seen by their colour.
+void draw_pins(Pen& pen, const Editor& editor) {
+  if (!editor.shown().has_triangles_of_state()) return;
+  const auto& handles = editor.state().selection.handles;
+  const auto& followed = editor.shown().followed();
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    if (!is_pin(handles[h])) continue;
+    const Index v = handles[h].vertices.front();
+    const bool moves = h < followed.size();
+    const Eigen::Vector3d place =
+        moves ? Eigen::Vector3d(followed[h] * editor.state().rest->positions[v])
+              : editor.positions()[v];
+    const auto pixel = pen.projection().to_pixel(place);
+    if (pixel) pen.dot(*pixel, editor.handle() == h ? kHighlight : kLine);
+  }
+}
+
 void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
   const ToolMarks marks = editor.tool().marks();
   const ImU32 color = marks.line_is_done ? kHighlight : kLine;
@@ -195,6 +212,7 @@ void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_
   if (editor.has_gizmo() || editor.gizmo_tool().is_dragging()) {
     draw_gizmo(pen, editor, gizmo_, readout_);
   }
+  draw_pins(pen, editor);
   draw_marks(pen, editor, cursor);
   for (const Vector2d& pixel : pen.pixels_of(editor, editor.pointed_at())) {
     pen.circle(pixel, 14.0, kPointer);

@@ -19,6 +19,7 @@ namespace lapwing::viewer {
 /// What a person is about to choose: numbers become a command when the field or slider is let go.
 struct PanelDrafts {
   std::optional<double> belt_percent;
+  std::optional<SetGrading> grading;
   std::optional<SimilarityMove> move;
   std::optional<EditParameters> parameters;
   std::size_t history_shown = 0;  ///< step that the list was scrolled to

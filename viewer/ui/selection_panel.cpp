@@ -28,12 +28,25 @@ void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4&
   ImGui::PopID();
 }
 
+std::string name_of_handle(const AppState& state, std::size_t h) {
+  const ChosenHandle& handle = state.selection.handles[h];
+  if (!is_pin(handle)) return "handle " + std::to_string(h + 1);
+  return "pin " + std::to_string(h + 1) + ", vertex " + std::to_string(handle.vertices.front());
+}
+
 void draw_parts(Editor& editor) {
   draw_part(editor, "ROI", {Role::roi}, kRoiColor);
   const std::size_t handles = editor.state().selection.handles.size();
-  for (std::size_t h = 0; h < handles; ++h) {
-    draw_part(editor, ("handle " + std::to_string(h + 1)).c_str(), {Role::handle, h}, kHandleColor);
+  // Many of them scroll, so that what follows stays where it is.
+  constexpr std::size_t kRowsShown = 6;
+  const bool scrolls = handles > kRowsShown;
+  if (scrolls) {
+    ImGui::BeginChild("handles", {0.0F, kRowsShown * ImGui::GetFrameHeightWithSpacing()});
   }
+  for (std::size_t h = 0; h < handles; ++h) {
+    draw_part(editor, name_of_handle(editor.state(), h).c_str(), {Role::handle, h}, kHandleColor);
+  }
+  if (scrolls) ImGui::EndChild();
   draw_part(editor, handles == 0 ? "handle" : "one more handle", {Role::handle, handles},
             kHandleColor);
   draw_part(editor, "belt", {Role::belt}, kBeltColor);
@@ -70,6 +83,45 @@ void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   if (chosen) editor.perform(SetBeltWidth{0.01 * *chosen});
 }
 
+// How firmly the handle in hand holds; one step of the history for a whole pull of a slider.
+void draw_grading(Editor& editor, PanelDrafts& drafts) {
+  const std::size_t handle = editor.handle();
+  if (handle >= editor.state().selection.handles.size()) return;
+  const Grading& now = editor.state().selection.handles[handle].grading;
+  if (!now.field.empty()) {
+    ImGui::TextDisabled("this handle holds by painted weights");
+    return;
+  }
+  if (drafts.grading && drafts.grading->handle != handle) drafts.grading.reset();
+  Grading grading = drafts.grading ? drafts.grading->grading : now;
+  const Transition falloff = grading.falloff.value_or(Transition{});
+  float width = static_cast<float>(falloff.width);
+  float weight = static_cast<float>(grading.weight);
+  const float longest = 0.25F * static_cast<float>(editor.shown().opened_bounds().diagonal());
+  bool let_go = false;
+  bool changed = ImGui::SliderFloat("falloff", &width, 0.0F, longest,
+                                    width > 0.0F ? "%.3g" : "none", ImGuiSliderFlags_None);
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("length beyond the handle over which its hold fades");
+  }
+  let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
+  changed |= ImGui::SliderFloat("weight", &weight, 0.01F, 100.0F, "%.3g",
+                                ImGuiSliderFlags_Logarithmic);
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("how firmly this handle holds, beside the surface and the others");
+  }
+  let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
+  if (changed) {
+    grading.weight = static_cast<double>(weight);
+    grading.falloff.reset();
+    if (width > 0.0F) grading.falloff = Transition{static_cast<double>(width), falloff.profile};
+    drafts.grading = SetGrading{handle, grading};
+  }
+  if (!let_go) return;
+  const auto chosen = std::exchange(drafts.grading, std::nullopt);
+  if (chosen) editor.perform(*chosen);
+}
+
 }  // namespace
 
 void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
@@ -88,6 +140,7 @@ void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
     if (ImGui::Button("Remove")) editor.remove_handle();
   }
   draw_belt_width(editor, drafts);
+  draw_grading(editor, drafts);
 }
 
 }  // namespace lapwing::viewer

@@ -41,12 +41,21 @@ ScalarRange range_of(std::span<const float> scalars) {
 
 }  // namespace
 
+// The weight in 255ths stands above the class, as the shader reads it.
+VertexClass drawn_by_handle(VertexClass vertex, double weight) {
+  const auto share = static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(weight, 0.0, 1.0)));
+  return static_cast<VertexClass>(static_cast<std::uint32_t>(vertex) | share << 8U);
+}
+
 std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t vertex_count) {
   std::vector<VertexClass> classes(vertex_count, VertexClass::outside);
   for (const Index v : region.roi) classes[v] = VertexClass::roi;
   for (const Index v : region.belt) classes[v] = VertexClass::belt;
   for (const auto& handle : region.handles) {
     for (const Index v : handle) classes[v] = VertexClass::handle;
+  }
+  for (const GradedVertex& graded : region.graded) {
+    classes[graded.vertex] = drawn_by_handle(classes[graded.vertex], graded.weight);
   }
   return classes;
 }

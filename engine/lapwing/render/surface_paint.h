@@ -16,6 +16,9 @@ class Surface;
 /// What a vertex is in an edit.
 enum class VertexClass : std::uint32_t { outside, roi, belt, handle };
 
+/// The same for a vertex that a handle draws by `weight`, from 0 to 1, besides.
+VertexClass drawn_by_handle(VertexClass vertex, double weight);
+
 /// What each of `vertex_count` vertices is in the edit of `region`.
 std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t vertex_count);
 
@@ -46,7 +49,8 @@ class SurfacePaint {
   /// Of the finite numbers; 0 and 0 if there are none.
   const ScalarRange& scalar_range() const { return scalar_range_; }
 
-  const gpu::Buffer& class_buffer() const { return classes_; }   ///< uint per vertex
+  /// uint per vertex: the class, and above its 8 bits 255ths of the handle's weight
+  const gpu::Buffer& class_buffer() const { return classes_; }
   const gpu::Buffer& scalar_buffer() const { return scalars_; }  ///< float per vertex
   /// uint per triangle: bit e is set if the edge from corner e to corner e + 1 (mod 3) is shown.
   const gpu::Buffer& edge_buffer() const { return edges_; }
