@@ -17,6 +17,7 @@ struct Studies {
   SolveBench solve;
   SettleBench settle;
   RealBench real;
+  ConstraintsBench constraints;
   CoatBench coat;
 #ifdef LAPWING_HAVE_VIEWER
   FrameBench frame;
@@ -95,6 +96,20 @@ void add_studies(CLI::App& app, Studies& studies) {
   coat->callback([&] {
     studies.coat.repeats = studies.repeats;
     bench_coat(studies.coat);
+  });
+
+  auto* constraints =
+      app.add_subcommand("constraints", "what many handles and landmarks cost beside one handle");
+  add_repeats(constraints);
+  constraints->add_option("MESH", studies.constraints.mesh)->required();
+  constraints->add_option("--subdivide", studies.constraints.subdivisions, "so many times")
+      ->check(CLI::Range(0, 5));
+  constraints->add_option("--handles", studies.constraints.handles)->check(CLI::PositiveNumber);
+  constraints->add_option("--landmarks", studies.constraints.landmarks)
+      ->check(CLI::PositiveNumber);
+  constraints->callback([&] {
+    studies.constraints.repeats = studies.repeats;
+    bench_constraints(studies.constraints);
   });
 
 #ifdef LAPWING_HAVE_VIEWER

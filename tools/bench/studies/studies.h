@@ -64,6 +64,20 @@ struct CoatBench {
 /// what a change of its amplitude and of its detail size costs, and its parts alone.
 void bench_coat(const CoatBench& settings);
 
+struct ConstraintsBench {
+  std::string mesh;
+  int subdivisions = 0;  ///< of it, each into four times the triangles
+  std::size_t handles = 1000;
+  std::size_t landmarks = 2000;
+  std::size_t window_handles = 200;
+  int repeats = 7;
+};
+
+/// What many constraints cost: one end of a mesh is held, and the other leans by one handle, by many
+/// one-vertex handles, by hard landmarks, each an edit in a process of its own; then, of the mesh as
+/// it is, how long a window waits with many pins, and for another one to be taken in hand.
+void bench_constraints(const ConstraintsBench& settings);
+
 struct FrameBench {
   std::string mesh;
   std::string device = "auto";
