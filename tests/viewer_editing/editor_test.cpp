@@ -67,6 +67,16 @@ class AnEditor : public ::testing::Test {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
+  // Until the handle in hand has columns.
+  void wait_for_columns() {
+    do {
+      editor_->update();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    } while (editor_->session().preparation().drag_response().response->handles() !=
+             std::vector<std::size_t>{editor_->handle()});
+  }
+  Vector2d shown_pixel(Index v) const { return *view_.projection().to_pixel(rest()[v]); }
+
   // Until a settled result of the drag is on the screen.
   void wait_for_live_result() {
     do {
@@ -185,6 +195,53 @@ TEST_F(AnEditor, ResultOnItsWayComesThoughAnotherDragWasGivenUp) {
   wait_until_ready();
   EXPECT_FALSE(needs_settling(editor_->state()));
   EXPECT_GT(head_moved(), 0.2);
+}
+
+TEST_F(AnEditor, PinIsSetAndDraggedInOneGesture) {
+  ASSERT_TRUE(editor_->take(Action::take_pin));
+  const Index tip = [&] {
+    VertexSet roi = subtract(editor_->state().selection.roi.vertices,
+                             editor_->state().selection.handles[0].vertices);
+    return roi[roi.size() / 2];
+  }();
+  const auto front = shown_pixel(tip);
+  send(press(front));
+  ASSERT_EQ(editor_->state().selection.handles.size(), 2U);
+  const Index pinned = editor_->state().selection.handles[1].vertices.front();
+  EXPECT_EQ(editor_->handle(), 1U);
+  EXPECT_TRUE(editor_->is_dragging());
+  wait_until_ready();
+  send(move_to(front + 0.3 * kRight));
+  wait_for_live_result();
+  const double dragged = on_screen()[pinned].x() - rest()[pinned].x();
+  EXPECT_GT(dragged, 0.05);
+  send(release(front + 0.3 * kRight));
+  wait_until_ready();
+  ASSERT_NE(editor_->state().settled, nullptr);
+  EXPECT_NEAR(on_screen()[pinned].x() - rest()[pinned].x(), dragged, kSettled * diagonal());
+  EXPECT_EQ(editor_->tool().hint(editor_->state(), editor_->part()),
+            std::string("press on a pin and drag it, or pin another vertex"));
+}
+
+TEST_F(AnEditor, AnotherHandleInHandIsDraggedByItsOwnColumnsFromWhereTheFirstIs) {
+  editor_->perform(Choose{kSecondHandle, box(1.4, 1.7)});
+  wait_until_ready();
+  editor_->choose({Part::Role::handle, 0});
+  editor_->perform(MoveHandle{0, bent()});
+  wait_until_ready();
+  const Positions before = on_screen();
+  editor_->choose({Part::Role::handle, 1});
+  editor_->take(Action::take_move);
+  wait_for_columns();
+  begin_drag(kRight);
+  editor_->update();
+  const Index v = editor_->state().selection.handles[1].vertices.front();
+  EXPECT_GT(on_screen()[v].x() - before[v].x(), 0.1);
+  const Index head = editor_->state().selection.handles[0].vertices.front();
+  EXPECT_LT((on_screen()[head] - before[head]).norm(), 0.05) << "the first stays where it is";
+  send(key(kEscape));
+  editor_->update();
+  EXPECT_EQ(on_screen(), before);
 }
 
 TEST_F(AnEditor, UploadsTheMeshOnceAndOfAResultWhatMoves) {

@@ -46,6 +46,21 @@ TEST(Command, PaintingGainsAndLosesVertices) {
             subtract(unite(before.selection.roi.vertices, {0, 1}), {100}));
 }
 
+TEST(Command, GradingAHandleAsksForAResult) {
+  const AppState before = settled_tube();
+  const Grading wide{.falloff = Transition{0.5}};
+  const AppState after = apply(before, SetGrading{0, wide});
+  EXPECT_EQ(after.selection.handles[0].grading, wide);
+  EXPECT_TRUE(needs_settling(after));
+  EXPECT_FALSE(edit_region(after).graded.empty());
+  EXPECT_EQ(graded_vertices(after.selection, *after.rest), edit_region(after).graded)
+      << "what is shown is what is computed with";
+  EXPECT_EQ(open_step(after).handles[0].grading, wide);
+  EXPECT_TRUE(same(apply(after, SetGrading{0, wide}), after));
+  EXPECT_THROW(apply(before, SetGrading{0, {.weight = 0.0}}), InputError);
+  EXPECT_THROW(apply(before, SetGrading{1, wide}), InputError);
+}
+
 TEST(Command, PaintingTheBeltTakesItFromItsWidth) {
   AppState state = apply(chosen_tube(), Paint{kBelt, {40}, {}});
   EXPECT_FALSE(state.selection.belt_fraction.has_value());

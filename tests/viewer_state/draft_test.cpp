@@ -33,7 +33,8 @@ class AnEdit : public ::testing::Test {
         moved_vertices(state.rest->positions, result.positions))});
   }
 
-  // Two edits with a painted ROI, a disk, a full turn and a second handle.
+  // Two edits with a painted ROI, a disk, a full turn and a second,
+  // graded handle.
   History edited() {
     History history(open_state(mesh_));
     history.perform(Choose{kRoi, box(0.3, 4.0)});
@@ -46,6 +47,7 @@ class AnEdit : public ::testing::Test {
     history.perform(Choose{kRoi, {AllVertices{}}});
     history.perform(Choose{kSecondHandle, {GeodesicDisk{Index{125}, 0.4}}});
     history.perform(Choose{kBelt, box(-1.0, 0.4)});
+    history.perform(SetGrading{1, {.weight = 2.0, .falloff = Transition{0.3}}});
     history.perform(SetParameters{{{.weights = LaplacianWeights::cotangent, .hard = true}}});
     history.perform(MoveHandle{1, bent()});
     settle(history);

@@ -29,7 +29,7 @@ Command random_command(const AppState& state, std::mt19937& random) {
     return make_vertex_set(std::move(vertices));
   };
   const Part part{static_cast<Part::Role>(number(3)), number(3)};
-  switch (number(10)) {
+  switch (number(11)) {
     case 0:
       return Choose{part, box(0.1 * number(20), 3.0)};
     case 1:
@@ -47,6 +47,8 @@ Command random_command(const AppState& state, std::mt19937& random) {
       return Commit{};
     case 8:
       return MoveHandle{number(2), twisted(10.0 * number(50))};
+    case 9:
+      return SetGrading{number(2), {.weight = 1.0 * number(3), .falloff = Transition{0.2}}};
     default:
       return Settle{handles_alone(state)};
   }

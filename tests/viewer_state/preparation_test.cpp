@@ -126,6 +126,26 @@ TEST(Preparation, PreviewIsDraggedWhileTheExactOneIsMade) {
   EXPECT_GT(largest_distance(moved, state.rest->positions), 0.3);
 }
 
+TEST(Preparation, AnotherHandleTakenInHandGetsColumnsOfItsOwn) {
+  AppState state = apply(chosen_tube(), Choose{kSecondHandle, box(1.4, 1.7)});
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  wait_for(preparation, Phase::ready);
+  const auto exact = preparation.exact();
+  EXPECT_EQ(preparation.drag_response().response->handles(), std::vector<std::size_t>{0});
+
+  preparation.drag_by(std::array<std::size_t, 1>{1});
+  while (preparation.drag_response().response->handles().front() != 1) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(preparation.exact(), exact) << "nothing else is prepared anew";
+  EXPECT_TRUE(preparation.drag_response().is_exact);
+  state = apply(std::move(state), MoveHandle{1, bent()});
+  const auto motions = motions_of(state);
+  EXPECT_EQ(lapwing::test::dragged(preparation.drag_response().response, motions),
+            lapwing::test::dragged(exact->response(), motions));
+}
+
 TEST(Preparation, SettlesAsADeformerMadeAtOnceDoes) {
   const AppState state = apply(chosen_tube(), MoveHandle{0, twisted(100.0)});
   Preparation preparation(cpu_kernels);
