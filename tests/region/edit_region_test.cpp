@@ -33,7 +33,9 @@ RegionSpec handle(std::vector<Index> vertices) {
 
 EditRegion bind(const Mesh& mesh, const RegionSpec& roi, const BeltSpec& belt,
                 const std::vector<RegionSpec>& handles) {
-  return resolve_edit_region(roi, belt, handles, mesh, LoosePolicy::refuse);
+  std::vector<HandleSpec> specs;
+  for (const RegionSpec& region : handles) specs.push_back({region});
+  return resolve_edit_region(roi, belt, specs, mesh, LoosePolicy::refuse);
 }
 
 std::string error_of(const Mesh& mesh, const RegionSpec& roi, const BeltSpec& belt,

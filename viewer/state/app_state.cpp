@@ -138,8 +138,8 @@ DeformRequest open_step(const AppState& state) {
   DeformRequest step;
   step.roi = spec_of(state.selection.roi, "ROI");
   step.belt = belt_spec(state.selection);
-  for (const RegionSpec& spec : handle_specs(state.selection)) {
-    step.handles.push_back({spec, state.moves[step.handles.size()]});
+  for (const HandleSpec& spec : handle_specs(state.selection)) {
+    step.handles.push_back({spec.region, state.moves[step.handles.size()]});
   }
   step.parameters = state.parameters;
   return step;

@@ -83,10 +83,10 @@ BeltSpec belt_spec(const EditSelection& selection) {
   return spec_of(selection.belt, "belt");
 }
 
-std::vector<RegionSpec> handle_specs(const EditSelection& selection) {
-  std::vector<RegionSpec> specs;
+std::vector<HandleSpec> handle_specs(const EditSelection& selection) {
+  std::vector<HandleSpec> specs;
   for (const ChosenRegion& handle : selection.handles) {
-    specs.push_back(spec_of(handle, "handle " + std::to_string(specs.size() + 1)));
+    specs.push_back({spec_of(handle, "handle " + std::to_string(specs.size() + 1))});
   }
   return specs;
 }

@@ -5,6 +5,7 @@
 
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/border_belt.h"
+#include "lapwing/region/grading.h"
 #include "lapwing/region/region_spec.h"
 
 namespace lapwing::viewer {
@@ -49,6 +50,6 @@ struct EditSelection {
 void renew_belt(EditSelection& selection, const Mesh& mesh);
 
 BeltSpec belt_spec(const EditSelection& selection);
-std::vector<RegionSpec> handle_specs(const EditSelection& selection);
+std::vector<HandleSpec> handle_specs(const EditSelection& selection);
 
 }  // namespace lapwing::viewer

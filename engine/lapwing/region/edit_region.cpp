@@ -1,7 +1,6 @@
 #include "lapwing/region/edit_region.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/topology.h"
@@ -77,6 +76,7 @@ void resolve_handles(std::span<const HandleSpec> handles, const Mesh& mesh, Edit
     VertexSet handle = resolve(spec, mesh);
     require_members(handle, spec.where, "handle");
     require_inside(handle, region.roi, spec.where, "handle");
+    require_grading(grading, spec.where);
     if (!grading.field.empty()) {
       require_field(grading.field, mesh, spec.where);
       const VertexSet all = std::move(handle);
@@ -84,10 +84,6 @@ void resolve_handles(std::span<const HandleSpec> handles, const Mesh& mesh, Edit
     }
     for (std::size_t k = 0; k < region.handles.size(); ++k) {
       require_disjoint(handle, region.handles[k], spec.where, "handle " + std::to_string(k));
-    }
-    if (!(grading.weight > 0.0) || !std::isfinite(grading.weight)) {
-      throw InputError(spec.where + ": expected a weight above 0, got " +
-                       std::to_string(grading.weight));
     }
     region.handles.push_back(std::move(handle));
     region.handle_weights.push_back(grading.weight);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <tuple>
 
 #include "lapwing/base/errors.h"
@@ -9,6 +10,12 @@
 #include "lapwing/region/geodesic.h"
 
 namespace lapwing {
+namespace {
+
+// Two weights that differ by rounding alone.
+constexpr double kSameWeight = 1e-9;
+
+}  // namespace
 
 void split_by_field(const VertexSet& region, std::span<const double> field, std::size_t handle,
                     const std::string& where, VertexSet& full, std::vector<GradedVertex>& graded) {
@@ -24,8 +31,29 @@ void split_by_field(const VertexSet& region, std::span<const double> field, std:
     }
   }
   if (!full.empty()) return;
-  throw InputError(where + ": no vertex of the handle has weight 1, the largest is " +
-                   std::to_string(largest) + "; divide the field by that");
+  if (largest == 0.0) {
+    throw InputError(where + ": no vertex of the handle has weight 1, all have 0; paint some");
+  }
+  std::ostringstream text;
+  text << where << ": no vertex of the handle has weight 1, the largest is " << largest
+       << "; divide the field by that";
+  throw InputError(text.str());
+}
+
+void require_grading(const Grading& grading, const std::string& where) {
+  if (!(grading.weight > 0.0) || !std::isfinite(grading.weight)) {
+    throw InputError(where + ": expected a weight above 0, got " + std::to_string(grading.weight));
+  }
+  if (!grading.falloff) return;
+  const double width = grading.falloff->width;
+  if (!(width >= 0.0) || !std::isfinite(width)) {
+    throw InputError(where + ": expected a width of the falloff of 0 or more, got " +
+                     std::to_string(width));
+  }
+  if (!grading.field.empty()) {
+    throw InputError(where +
+                     ": painted weights stand in place of a falloff; leave out one of the two");
+  }
 }
 
 std::vector<GradedVertex> falloff_of(const VertexSet& handle, const Transition& falloff,
@@ -47,11 +75,15 @@ std::vector<GradedVertex> without_shared(std::vector<GradedVertex> graded) {
   std::sort(graded.begin(), graded.end(), [](const GradedVertex& a, const GradedVertex& b) {
     return std::tuple(a.vertex, -a.weight, a.handle) < std::tuple(b.vertex, -b.weight, b.handle);
   });
-  const auto last = std::unique(
-      graded.begin(), graded.end(),
-      [](const GradedVertex& a, const GradedVertex& b) { return a.vertex == b.vertex; });
-  graded.erase(last, graded.end());
-  return graded;
+  std::vector<GradedVertex> alone;
+  for (std::size_t k = 0; k < graded.size();) {
+    std::size_t next = k + 1;
+    while (next < graded.size() && graded[next].vertex == graded[k].vertex) ++next;
+    const bool tied = next > k + 1 && graded[k].weight - graded[k + 1].weight <= kSameWeight;
+    if (!tied) alone.push_back(graded[k]);
+    k = next;
+  }
+  return alone;
 }
 
 }  // namespace lapwing

@@ -37,6 +37,10 @@ struct GradedVertex {
   bool operator==(const GradedVertex&) const = default;
 };
 
+/// Throws InputError, naming `where`: a weight that is not above 0, a falloff of a width below 0, a
+/// falloff beside a field, numbers that are not finite.
+void require_grading(const Grading& grading, const std::string& where);
+
 /// Where a field puts a handle: `full` are the vertices of `region` with weight 1, the others above
 /// 0 go to `graded`. Throws InputError, naming `where`: a field of another length than the mesh,
 /// a number outside 0 to 1, a region in which no vertex has weight 1.
@@ -49,8 +53,8 @@ std::vector<GradedVertex> falloff_of(const VertexSet& handle, const Transition& 
                                      std::size_t number, std::span<const char> allowed,
                                      const Mesh& mesh);
 
-/// One entry per vertex, ascending: where two handles reach, that of the larger weight, or of the
-/// first.
+/// At most one entry per vertex, ascending: where two handles reach, that of the larger weight.
+/// Where both weigh the same, none: the middle between two handles goes with neither.
 std::vector<GradedVertex> without_shared(std::vector<GradedVertex> graded);
 
 }  // namespace lapwing
