@@ -1,4 +1,5 @@
 // The command line as a user meets it: run as a program, judged by exit code, output and files.
+#include <algorithm>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -160,6 +161,114 @@ TEST_F(CommandLine, TargetsComeFromATable) {
   EXPECT_THAT(read("a.obj"), HasSubstr("v 0.9 0.1 1.5"));
   ASSERT_EQ(lapwing("run a.recipe.json --device cpu --save b.obj").exit_code, 0);
   EXPECT_EQ(read("a.obj"), read("b.obj"));
+}
+
+TEST_F(CommandLine, MirrorMovesBothSidesAndIsNotedButNoWarning) {
+  const std::string squeeze =
+      "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --handle near:0.5,0.05,2,0.2 "
+      "--translate 0.2,0.1,0.1 --device cpu --strict ";
+  const Outcome flags = lapwing(squeeze +
+                                "--mirror x --save a.obj --recipe a.recipe.json "
+                                "--report a.json");
+  ASSERT_EQ(flags.exit_code, 0) << flags.output;
+  EXPECT_THAT(flags.output, HasSubstr("note: step 1: mirrored; the mesh is symmetric"));
+  EXPECT_THAT(read("a.json"), AllOf(HasSubstr("\"warnings\": []"),
+                                    HasSubstr("\"step 1: mirrored; the mesh is symmetric\"")));
+  EXPECT_THAT(read("a.recipe.json"), HasSubstr("\"mirror\": {"));
+  const Outcome recipe = lapwing("run a.recipe.json --device cpu --save b.obj");
+  ASSERT_EQ(recipe.exit_code, 0) << recipe.output;
+  EXPECT_EQ(read("a.obj"), read("b.obj"));
+  ASSERT_EQ(lapwing(squeeze + "--mirror 0,0,0,2,0,0 --save c.obj").exit_code, 0);
+  EXPECT_EQ(read("a.obj"), read("c.obj"));
+  EXPECT_EQ(lapwing(squeeze + "--mirror auto --save d.obj").exit_code, 0);
+}
+
+TEST_F(CommandLine, MirrorThatCannotBeIsAnErrorAndNothingIsWritten) {
+  const std::string squeeze =
+      "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --translate 0.2,0.1,0.1 --device cpu "
+      "--save no.obj --report no.json ";
+  const auto refused = [&](const std::string& flags, int exit_code) {
+    const Outcome outcome = lapwing(squeeze + flags);
+    EXPECT_EQ(outcome.exit_code, exit_code) << flags << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(file("no.obj"))) << flags;
+    EXPECT_FALSE(std::filesystem::exists(file("no.json"))) << flags;
+    return outcome.output;
+  };
+  const std::string handle = "--handle near:0.5,0.05,2,0.2 ";
+  EXPECT_THAT(refused(handle + "--mirror 9,0,0,1,0,0", 3),
+              HasSubstr("does not pass through the mesh; give a point of the plane, or \"auto\""));
+  EXPECT_THAT(refused(handle + "--mirror 0,0,0,0,0,0", 3), HasSubstr("no length"));
+  EXPECT_THAT(refused(handle + "--mirror sideways", 2),
+              HasSubstr("auto | x | y | z | POINT_X,Y,Z,NORMAL_X,Y,Z"));
+  EXPECT_THAT(refused(handle + "--mirror 0,0,0,nan,0,0", 3), HasSubstr("normal"));
+  EXPECT_THAT(refused("--handle box:-1,-1,2.8,1,1,4 --mirror 0,0,1.5,0,0,1", 3),
+              HasSubstr("the belt"));
+}
+
+TEST_F(CommandLine, MirroredTargetsComeFromATable) {
+  write("marks.csv", "vertex,x,y,z\n100,0.9,0.1,1.5\n");
+  const Outcome outcome = lapwing(
+      "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --targets marks.csv --hard-targets --mirror y "
+      "--device cpu --save a.obj");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(read("a.obj"), AllOf(HasSubstr("v 0.9 0.1 1.5"), HasSubstr("v 0.9 -0.1")));
+}
+
+TEST_F(CommandLine, AHandleFallsOffByFlagsAndByARecipe) {
+  const Outcome flags =
+      lapwing(std::string(kLiftFlags) +
+              "--rotate 1,0,0,30 --falloff 1 --falloff-profile linear --device cpu "
+              "--save a.obj --recipe a.recipe.json");
+  ASSERT_EQ(flags.exit_code, 0) << flags.output;
+  EXPECT_THAT(read("a.recipe.json"), HasSubstr(R"("falloff": {"width": 1, "profile": "linear"})"));
+  ASSERT_EQ(lapwing("run a.recipe.json --device cpu --save b.obj").exit_code, 0);
+  EXPECT_EQ(read("a.obj"), read("b.obj"));
+  EXPECT_EQ(lapwing(std::string(kLiftFlags) + "--falloff=-1 --save c.obj").exit_code, 2);
+  EXPECT_EQ(lapwing(std::string(kLiftFlags) + "--falloff-profile linear --save c.obj").exit_code,
+            2);
+}
+
+TEST_F(CommandLine, AHandleIsPaintedInAPropertyOfTheMesh) {
+  Mesh mesh = cylinder(12, 20, 0.5, 3.0);
+  ExtraAttribute firm{"firm", "float", 1, {}};
+  for (const auto& p : mesh.positions) {
+    firm.values.push_back(std::clamp((p.z() - 1.5) / 1.2, 0.0, 1.0));
+  }
+  mesh.edit_attributes().vertex_extras = {firm};
+  write_mesh(mesh, file("painted.ply"));
+  const std::string lift =
+      "deform painted.ply --belt box:-1,-1,-1,1,1,0.4 --handle box:-1,-1,0.5,1,1,4 "
+      "--translate 0,0,0.5 --device cpu ";
+  const Outcome flags = lapwing(lift + "--handle-field firm --save a.ply --recipe a.recipe.json");
+  ASSERT_EQ(flags.exit_code, 0) << flags.output;
+  EXPECT_THAT(read("a.recipe.json"), HasSubstr("\"field\": ["));
+  ASSERT_EQ(lapwing("run a.recipe.json --device cpu --save b.ply").exit_code, 0);
+  EXPECT_EQ(read("a.ply"), read("b.ply"));
+  const Outcome unknown = lapwing(lift + "--handle-field frim --save c.ply");
+  EXPECT_EQ(unknown.exit_code, 3);
+  EXPECT_THAT(unknown.output,
+              HasSubstr("--handle-field: painted.ply has no vertex property \"frim\""));
+  EXPECT_EQ(lapwing(lift + "--handle-field firm --falloff 1 --save c.ply").exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(file("c.ply")));
+}
+
+TEST_F(CommandLine, AGradedHandleThatCannotBeIsAnErrorAndNothingIsWritten) {
+  const auto refused = [&](const std::string& grading) {
+    write("a.json", R"({"lapwing": 1, "mesh": "tube.obj", "steps": [{"op": "deform",
+        "roi": {"all": true}, "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.4]}},
+        "handles": [{"region": {"vertices": [200]}, "move": {"translate": [0, 0, 1]}, )" +
+                        grading + R"(}]}], "save": "no.obj"})");
+    const Outcome outcome = lapwing("run a.json --device cpu");
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(file("no.obj"))) << grading;
+    return outcome.output;
+  };
+  EXPECT_THAT(refused(R"("weight": {"field": [1, 0.5]})"),
+              HasSubstr("/steps/0/handles/0/region: expected a weight for each of the mesh's 240 "
+                        "vertices, got 2"));
+  EXPECT_THAT(refused(R"("weight": {"field": [1, 1.5]})"), HasSubstr("/weight/field/1"));
+  EXPECT_THAT(refused(R"("falloff": {"width": -1})"), HasSubstr("/falloff/width"));
+  EXPECT_THAT(refused(R"("weight": 0)"), HasSubstr("/weight: expected a number above 0"));
 }
 
 TEST_F(CommandLine, TargetsThatCannotBeAreNamedByTheirLineAndNothingIsWritten) {

@@ -81,10 +81,10 @@ TEST_F(ALoosePart, RidesAlongRigidlyAndStaysWhereItTouches) {
   EXPECT_NEAR(gap(deformed.mesh.positions), gap(mesh_.positions), 0.01 * diagonal);
   const Index v = first_of_ball();
   EXPECT_GT((deformed.mesh.positions[v] - mesh_.positions[v]).norm(), 0.1);
-  ASSERT_FALSE(deformed.warnings.empty());
-  EXPECT_EQ(deformed.warnings[0], "deform: 1 loose part of 42 vertices (from vertex " +
-                                      std::to_string(v) +
-                                      " on): carried along with the surface nearest to them");
+  ASSERT_FALSE(deformed.notes.empty());
+  EXPECT_EQ(deformed.notes[0], "deform: 1 loose part of 42 vertices (from vertex " +
+                                   std::to_string(v) +
+                                   " on): carried along with the surface nearest to them");
 }
 
 TEST_F(ALoosePart, LeavesTheSurfaceAsItIsWithoutThePart) {
@@ -113,8 +113,8 @@ TEST_F(ALoosePart, KeepsItsBitsWhereNothingMoves) {
 
 TEST_F(ALoosePart, FollowsADragToFirstOrder) {
   CpuKernels kernels;
-  const EditRegion region = resolve_edit_region(request_.roi, request_.belt,
-                                                std::array{HandleSpec{request_.handles[0].region}}, mesh_);
+  const EditRegion region = resolve_edit_region(
+      request_.roi, request_.belt, std::array{HandleSpec{request_.handles[0].region}}, mesh_);
   const Deformer deformer(mesh_.positions, mesh_.topology(), region, {}, kernels);
   Drag drag(deformer.response());
   const double step = 1e-5;
@@ -154,7 +154,7 @@ TEST_F(ALoosePart, StaysOrIsRefusedWhereThatIsAsked) {
   for (std::size_t v = first_of_ball(); v < mesh_.vertex_count(); ++v) {
     EXPECT_EQ(left.mesh.positions[v], mesh_.positions[v]);
   }
-  EXPECT_THAT(left.warnings, ::testing::Contains(HasSubstr("left where they are")));
+  EXPECT_THAT(left.notes, ::testing::Contains(HasSubstr("left where they are")));
   request_.parameters.loose = LoosePolicy::refuse;
   EXPECT_THAT(error_message<InputError>([&] { deform(mesh_, request_); }),
               HasSubstr("has no anchor"));
@@ -175,7 +175,7 @@ TEST(ASurfaceHeldOnOneLine, TurnsAsLittleAsItCan) {
   up.translate = {0.1, 0.0, 0.0};
   request.handles = {{{ListedVertices{{6}}}, up}};
   const Deformed deformed = deform(sheet, request);
-  EXPECT_THAT(deformed.warnings, ::testing::Contains(HasSubstr("hold the surface on one line")));
+  EXPECT_THAT(deformed.notes, ::testing::Contains(HasSubstr("hold the surface on one line")));
   EXPECT_TRUE(deformed.certificate.settled);
   // What is stretched in its plane stays there.
   for (const Vector3d& p : deformed.mesh.positions) EXPECT_NEAR(p.z(), 0.0, 1e-6);

@@ -237,6 +237,61 @@ INSTANTIATE_TEST_SUITE_P(
                 "Known here: \"translate\", \"rotate\", \"scale\", \"pivot\", \"matrix\""}),
     kName);
 
+std::string with_mirror(const std::string& mirror) {
+  return with_option("\"mirror\": " + mirror);
+}
+std::string with_grading(const std::string& keys) {
+  return step(R"("roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}, )" +
+              keys + "}]");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mirror, RecipeMistake,
+    ::testing::Values(
+        Mistake{"UnknownWord", with_mirror(R"("x")"),
+                ": /steps/0/mirror: unknown mirror \"x\"; Known here: \"auto\""},
+        Mistake{"UnknownPlane", with_mirror(R"({"plane": "w"})"),
+                ": /steps/0/mirror/plane: unknown plane \"w\"; did you mean \"x\"? Known here: "
+                "\"x\", \"y\", \"z\""},
+        Mistake{"PlaneAndPoint", with_mirror(R"({"plane": "x", "point": [0, 0, 0]})"),
+                ": /steps/0/mirror/plane: \"plane\" names a coordinate plane; leave out \"point\" "
+                "and \"normal\""},
+        Mistake{"NoNormal", with_mirror(R"({"point": [0, 0, 0]})"),
+                ": /steps/0/mirror: the key \"normal\" is missing; add it"},
+        Mistake{"NormalWithoutLength", with_mirror(R"({"point": [0, 0, 0], "normal": [0, 0, 0]})"),
+                ": /steps/0/mirror/normal: the normal has no length; name a direction"},
+        Mistake{"NormalThatIsNoNumber",
+                with_mirror(R"({"point": [0, 0, 0], "normal": [0, null, 0]})"),
+                ": /steps/0/mirror/normal/1: expected a number, got null"},
+        Mistake{"Number", with_mirror("3"), ": /steps/0/mirror: expected an object, got 3"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Grading, RecipeMistake,
+    ::testing::Values(
+        Mistake{"FalloffAsNumber", with_grading(R"("falloff": 2)"),
+                ": /steps/0/handles/0/falloff: expected an object, got 2"},
+        Mistake{"WidthBelowZero", with_grading(R"("falloff": {"width": -2})"),
+                ": /steps/0/handles/0/falloff/width: expected a number above 0, got -2"},
+        Mistake{"UnknownProfile", with_grading(R"("falloff": {"width": 2, "profile": "step"})"),
+                ": /steps/0/handles/0/falloff/profile: unknown profile \"step\"; Known here: "
+                "\"smooth\", \"linear\""},
+        Mistake{"ZeroWeight", with_grading(R"("weight": 0)"),
+                ": /steps/0/handles/0/weight: expected a number above 0, got 0"},
+        Mistake{"FieldAboveOne", with_grading(R"("weight": {"field": [0, 1.5]})"),
+                ": /steps/0/handles/0/weight/field/1: expected 0 to 1, how firmly the handle holds "
+                "the vertex"},
+        Mistake{"FieldThatIsNoNumber", with_grading(R"("weight": {"field": [null]})"),
+                ": /steps/0/handles/0/weight/field/0: expected a number, got null"},
+        Mistake{"FieldAndFalloff",
+                with_grading(R"("falloff": {"width": 2}, "weight": {"field": [1]})"),
+                ": /steps/0/handles/0/weight: a painted weight stands in place of \"falloff\"; "
+                "remove one of the two"},
+        Mistake{"FalloffOfAMix", with_mix(kSources + R"(, "weight": {"field": []}, "handles": [
+                    {"region": {"vertices": [1]}, "move": {}, "falloff": {"width": 1}}])"),
+                ": /steps/0/handles/0/falloff: unknown key; Known here: \"region\", \"move\""}),
+    kName);
+
 const char* const kCoatKeys =
     "Known here: \"op\", \"source\", \"source_patch\", \"target_patch\", \"detail_size\", "
     "\"smooth_target\", \"weights\", \"domain\", \"boundary_pairs\", \"inner_pairs\", "

@@ -138,6 +138,36 @@ TEST(Recipe, ReadsEveryFormOfRegion) {
           {{ListedVertices{{1}}}, {DifferenceRegion{{{AllVertices{}}, {ListedVertices{{2}}}}}}}}}));
 }
 
+TEST(Recipe, ReadsEveryFormOfMirror) {
+  const auto mirror_of = [](const std::string& mirror) {
+    return first_step(parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
+        "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {}}], "mirror": )" +
+                            mirror + "}]}"))
+        .mirror;
+  };
+  EXPECT_EQ(mirror_of(R"("auto")"), MirrorSpec{AutomaticMirror{}});
+  EXPECT_EQ(mirror_of(R"({"plane": "y"})"), (MirrorSpec{MirrorPlane{{0, 0, 0}, {0, 1, 0}}}));
+  EXPECT_EQ(mirror_of(R"({"point": [1, 2, 3], "normal": [0, 2, 0.5]})"),
+            (MirrorSpec{MirrorPlane{{1, 2, 3}, {0, 2, 0.5}}}));
+  EXPECT_EQ(mirror_of(R"("auto")")->where, "bend.json: /steps/0/mirror");
+}
+
+TEST(Recipe, ReadsHowFirmlyAHandleHolds) {
+  const auto grading_of = [](const std::string& keys) {
+    return first_step(parse(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "deform",
+        "roi": {"all": true}, "handles": [{"region": {"vertices": [1]}, "move": {})" +
+                            keys + "}]}]}"))
+        .handles[0]
+        .grading;
+  };
+  EXPECT_EQ(grading_of(""), Grading{});
+  EXPECT_EQ(grading_of(R"(, "falloff": {"width": 2})"), (Grading{1.0, Transition{2.0}}));
+  EXPECT_EQ(grading_of(R"(, "weight": 3, "falloff": {"width": 2, "profile": "linear"})"),
+            (Grading{3.0, Transition{2.0, Transition::Profile::linear}}));
+  EXPECT_EQ(grading_of(R"(, "weight": {"field": [0, 0.5, 1]})"),
+            (Grading{1.0, {}, {0.0, 0.5, 1.0}}));
+}
+
 TEST(Recipe, RegionsKnowWhereTheyWereWritten) {
   const Recipe recipe = parse(
       with_regions(R"({"union": [{"all": true}, {"vertices": [2]}]})", R"({"fraction": 0.2})"));
@@ -181,6 +211,10 @@ Recipe full_recipe() {
   MatrixMove matrix;
   matrix.matrix(0, 3) = 0.1 + 0.2;
   step.handles.push_back({{ListedVertices{}}, matrix});
+  step.handles[0].grading = {0.1, Transition{1.0 / 3.0}};
+  step.handles[1].grading = {2.5, Transition{2.0, Transition::Profile::linear}};
+  step.handles[2].grading.field = {0.0, 1.0 / 3.0, 1.0};
+  step.mirror = MirrorSpec{MirrorPlane{{0.1, 1e-300, 3}, {1.0 / 3.0, 0, -2}}};
   step.parameters.weights = LaplacianWeights::cotangent;
   step.parameters.constraint_weight = 10.0;
   step.parameters.hard = true;
@@ -188,6 +222,7 @@ Recipe full_recipe() {
   DeformRequest other;
   other.belt = RegionSpec{ListedVertices{{1, 2}}};
   other.handles.push_back({{ListedVertices{{4}}}, SimilarityMove{}});
+  other.mirror = MirrorSpec{AutomaticMirror{}};
   return {"meshes/a \"b\".obj", {step, other}, "out.ply", "/data"};
 }
 

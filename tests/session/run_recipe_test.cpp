@@ -117,7 +117,7 @@ TEST_F(RunRecipe, ComponentWithoutAnchorIsCarriedOrRefused) {
   for (auto& p : far.positions) p.x() += 10.0;
   two = test::joined(std::move(two), far);
   write_mesh(two, folder_.path() / "tube.obj");
-  EXPECT_THAT(run(kLift)->report.warnings, Contains(HasSubstr("1 loose part of 42 vertices")));
+  EXPECT_THAT(run(kLift)->report.notes, Contains(HasSubstr("1 loose part of 42 vertices")));
   try {
     run(std::string(kLift).insert(1, R"("loose": "refuse", )"));
     FAIL() << "accepted";

@@ -134,6 +134,7 @@ void EditOutput::run(const Recipe& recipe) const {
   if (!target.empty()) save_result(*result, target);
   if (!render.empty() || !render_before.empty()) draw(*result, opened);
   for (const std::string& warning : result->report.warnings) display.note("note: " + warning);
+  for (const std::string& note : result->report.notes) display.note("note: " + note);
   if (!report.empty()) replace_file(report, to_json(result->report));
   if (!quiet) {
     print_summary(result->report);

@@ -32,6 +32,8 @@ CarriedOut apply_step(const AppState& state, const Step& step,
   out.report =
       run_step(step, {committed.steps.size() + 1, base_directory, kernels, progress, result});
   out.warnings = std::move(result.report.warnings);
+  const std::vector<std::string>& notes = result.report.notes;
+  out.warnings.insert(out.warnings.end(), notes.begin(), notes.end());
   result.deformed = {};
   out.result = difference(*committed.rest, std::move(result));
   return out;

@@ -1,5 +1,7 @@
 #include "state/draft.h"
 
+#include <algorithm>
+
 #include "lapwing/step/step.h"
 #include "state/step_words.h"
 
@@ -85,6 +87,12 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress) {
           }};
 }
 
+bool is_by_hand(const DeformRequest& step) {
+  return step.targets.empty() && !step.mirror &&
+         std::all_of(step.handles.begin(), step.handles.end(),
+                     [](const MovedHandle& handle) { return handle.grading == Grading{}; });
+}
+
 void perform(History& history, const DeformRequest& step, const Solve& solve) {
   history.perform(Commit{});
   history.perform(SetParameters{step.parameters});
@@ -106,8 +114,7 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
 
 void perform(History& history, const Step& step, const CarryOut& carry_out) {
   const auto* deform = std::get_if<DeformRequest>(&step);
-  // Targets and a mirror are no part of a selection.
-  if (deform != nullptr && deform->targets.empty() && !deform->mirror) {
+  if (deform != nullptr && is_by_hand(*deform)) {
     perform(history, *deform, carry_out.solve);
   } else {
     history.perform(Apply{step, carry_out.apply(history.state(), step)});

@@ -49,10 +49,15 @@ struct CarryOut {
 /// As `run_recipe` does it. `kernels` must outlive it.
 CarryOut carry_out_with(Kernels& kernels, Progress progress = {});
 
-/// Carries a deform step out by the commands that a person would have used, which can then be
-/// undone one by one. Without `solve` its handles are left moved and not settled.
+/// Whether a person could have made the step by hand: a selection knows neither targets nor a
+/// mirror nor graded handles. Steps that do are carried out whole, as those of other operations
+/// are.
+bool is_by_hand(const DeformRequest& step);
+
+/// Carries a deform step by hand out by the commands that a person would have used, which can then
+/// be undone one by one. Without `solve` its handles are left moved and not settled.
 void perform(History& history, const DeformRequest& step, const Solve& solve);
-/// Carries any step out: a deform as above, another as one command.
+/// Carries any step out: a deform by hand as above, another as one command.
 void perform(History& history, const Step& step, const CarryOut& carry_out);
 
 /// The history that leads from `start` to `draft`. Throws what `apply` and `carry_out` do.

@@ -106,6 +106,12 @@ void add_loose_parts(const EditRegion& region, const auto& add) {
   if (!parts.empty()) add(words_of_parts(parts) + ": left where they are");
 }
 
+void add_notes(const DeformRequest& request, Deformed& result) {
+  add_loose_parts(result.region, [&](const std::string& text) {
+    result.notes.push_back(request.where + ": " + text);
+  });
+}
+
 void add_warnings(const DeformRequest& request, Deformed& result) {
   const auto add = [&](const std::string& text) {
     result.warnings.push_back(request.where + ": " + text);
@@ -113,7 +119,6 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
   if (const std::string text = winding_warning(request, result.wound_degrees); !text.empty()) {
     add(text);
   }
-  add_loose_parts(result.region, add);
   for (const std::string& text : warnings_of(result.certificate)) add(text);
   if (const std::string& why = result.certificate.why_not_exact; !why.empty()) {
     add(why + "; the surface is settled without");
@@ -128,7 +133,7 @@ Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
     const MirroredRequest both = mirrored_request(request, mesh);
     Deformed result = deform(std::move(mesh), both.request, kernels, workspace, progress);
     for (const std::string& note : both.notes) {
-      result.warnings.insert(result.warnings.begin(), request.where + ": " + note);
+      result.notes.push_back(request.where + ": " + note);
     }
     return result;
   }
@@ -155,6 +160,7 @@ Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
   const Work work{bound, kernels, workspace, progress, result, start};
   result.certificate = result.commits == 1 ? work.carry_out(0.0, 1.0) : work.carry_out_in_parts();
   result.wound_degrees = wound_degrees(bound, largest, start, result.mesh.positions);
+  add_notes(request, result);
   add_warnings(request, result);
   return result;
 }

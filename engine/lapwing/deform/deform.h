@@ -34,6 +34,8 @@ struct Deformed : DeformReport {
   Mesh mesh;  ///< the one given, with other positions
   /// For a person: what is not as it should be, where, and what to change. Empty when all is well.
   std::vector<std::string> warnings;
+  /// For a person, too: what was done that the request does not say by itself. No cause for worry.
+  std::vector<std::string> notes;
   EditRegion region;     ///< the vertices that the request's regions chose
   std::size_t free = 0;  ///< vertices that are neither handle nor belt
   StageTimings timings;  ///< of all parts together

@@ -16,8 +16,15 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostSamples = 2000;
-constexpr int kMostRounds = 60;
+// A search looks at `samples` vertices and takes so many steps at most.
+struct Effort {
+  std::size_t samples;
+  int rounds;
+};
+// Of all planes that are begun from, then of the best of them.
+constexpr Effort kCoarse{300, 12};
+constexpr Effort kFine{2000, 60};
+constexpr std::size_t kBest = 3;
 
 ClosestPoint surface_of(const Mesh& mesh, const std::string& where) {
   const std::vector<Triangle>& triangles = mesh.topology().triangles;
@@ -34,18 +41,21 @@ ClosestPoint surface_of(const Mesh& mesh, const std::string& where) {
   return {triangles, mesh.positions, group};
 }
 
+// Not `normalized`, which a length of 1e-200 or 1e200 defeats.
+Vector3d unit_normal(const MirrorPlane& plane) {
+  return plane.normal.stableNormalized();
+}
+
 // Vertices with a triangle, evenly by number.
-std::vector<Vector3d> samples_of(const Mesh& mesh) {
+std::vector<Vector3d> samples_of(const Mesh& mesh, std::size_t most) {
   std::vector<Vector3d> all;
   const Adjacency& rings = mesh.topology().rings;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (rings.size(v) > 0 && mesh.positions[v].allFinite()) all.push_back(mesh.positions[v]);
   }
-  if (all.size() <= kMostSamples) return all;
+  if (all.size() <= most) return all;
   std::vector<Vector3d> samples;
-  for (std::size_t k = 0; k < kMostSamples; ++k) {
-    samples.push_back(all[k * all.size() / kMostSamples]);
-  }
+  for (std::size_t k = 0; k < most; ++k) samples.push_back(all[k * all.size() / most]);
   return samples;
 }
 
@@ -58,8 +68,8 @@ Vector3d mean_of(std::span<const Vector3d> points) {
 // The points of the surface that are nearest to the images of the samples, and the mean square
 // distance.
 std::vector<Vector3d> nearest_to_images(const ClosestPoint& surface,
-                                        std::span<const Vector3d> samples,
-                                        const MirrorPlane& plane, double& mean_square) {
+                                        std::span<const Vector3d> samples, const MirrorPlane& plane,
+                                        double& mean_square) {
   const Eigen::Affine3d mirror = reflection(plane);
   std::vector<Vector3d> nearest(samples.size());
   parallel_for(samples.size(), 64, [&](std::size_t begin, std::size_t end) {
@@ -87,10 +97,27 @@ MirrorPlane best_plane(std::span<const Vector3d> p, std::span<const Vector3d> q)
   return {center, symmetric_eigenvectors(B).vectors.col(0)};
 }
 
+// Where the search begins: across the faces, edges and corners of a cube that lies along the
+// coordinate axes, and of one along the principal axes.
+std::vector<Vector3d> first_normals(std::span<const Vector3d> samples, const Vector3d& center) {
+  constexpr int kCube[13][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},  {1, -1, 0},
+                                {1, 0, 1},  {1, 0, -1}, {0, 1, 1},  {0, 1, -1}, {1, 1, 1},
+                                {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
+  Matrix3d spread = Matrix3d::Zero();
+  for (const Vector3d& p : samples) spread += (p - center) * (p - center).transpose();
+  const Matrix3d principal = symmetric_eigenvectors(spread).vectors;
+  std::vector<Vector3d> normals;
+  for (const auto& [x, y, z] : kCube) normals.push_back(Vector3d(x, y, z).normalized());
+  for (const auto& [x, y, z] : kCube) {
+    normals.push_back(principal * Vector3d(x, y, z).normalized());
+  }
+  return normals;
+}
+
 FoundMirror refined(const ClosestPoint& surface, std::span<const Vector3d> samples,
-                    MirrorPlane plane) {
+                    MirrorPlane plane, int most_rounds) {
   FoundMirror best{plane, std::numeric_limits<double>::infinity()};
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < most_rounds; ++round) {
     double mean_square = 0.0;
     const std::vector<Vector3d> nearest = nearest_to_images(surface, samples, plane, mean_square);
     if (!(mean_square < 0.999999 * best.asymmetry)) break;
@@ -102,8 +129,20 @@ FoundMirror refined(const ClosestPoint& surface, std::span<const Vector3d> sampl
 
 }  // namespace
 
+void require_plane(const MirrorPlane& plane, const std::string& where) {
+  if (!plane.point.allFinite()) {
+    throw InputError(where + ": the point of the mirror plane is not finite");
+  }
+  if (!plane.normal.allFinite()) {
+    throw InputError(where + ": the normal of the mirror plane is not finite");
+  }
+  if (plane.normal.isZero(0.0)) {
+    throw InputError(where + ": the normal of the mirror plane has no length; name a direction");
+  }
+}
+
 Eigen::Affine3d reflection(const MirrorPlane& plane) {
-  const Vector3d n = plane.normal.normalized();
+  const Vector3d n = unit_normal(plane);
   Eigen::Affine3d mirror = Eigen::Affine3d::Identity();
   mirror.linear() -= 2.0 * n * n.transpose();
   mirror.translation() = 2.0 * n.dot(plane.point) * n;
@@ -112,27 +151,31 @@ Eigen::Affine3d reflection(const MirrorPlane& plane) {
 
 FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where) {
   const ClosestPoint surface = surface_of(mesh, where);
-  const std::vector<Vector3d> samples = samples_of(mesh);
+  const std::vector<Vector3d> samples = samples_of(mesh, kFine.samples);
   const double diagonal = bounds_of(samples).diagonal();
   if (!(diagonal > 0.0)) throw InputError(where + ": the mesh has no extent to be mirrored");
+  const std::vector<Vector3d> few = samples_of(mesh, kCoarse.samples);
   const Vector3d center = mean_of(samples);
-  Matrix3d spread = Matrix3d::Zero();
-  for (const Vector3d& p : samples) spread += (p - center) * (p - center).transpose();
-  const Matrix3d principal = symmetric_eigenvectors(spread).vectors;
+  std::vector<FoundMirror> found;
+  for (const Vector3d& normal : first_normals(samples, center)) {
+    found.push_back(refined(surface, few, {center, normal}, kCoarse.rounds));
+  }
+  // Of two as good the first, so that shapes with many planes take a coordinate one.
+  const double rounding = 1e-20 * diagonal * diagonal;
+  std::stable_sort(found.begin(), found.end(), [&](const FoundMirror& a, const FoundMirror& b) {
+    return std::max(a.asymmetry, rounding) < std::max(b.asymmetry, rounding);
+  });
   FoundMirror best{{}, std::numeric_limits<double>::infinity()};
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    const Vector3d normal = k < 3 ? Vector3d(Vector3d::Unit(k))
-                                  : Vector3d(principal.col(k - 3));
-    const FoundMirror found = refined(surface, samples, {center, normal});
-    // Of two as good, the first: shapes with many planes take a coordinate one.
-    if (found.asymmetry < 0.99 * best.asymmetry - 1e-24 * diagonal * diagonal) best = found;
+  for (std::size_t k = 0; k < std::min(kBest, found.size()); ++k) {
+    const FoundMirror fine = refined(surface, samples, found[k].plane, kFine.rounds);
+    if (fine.asymmetry < 0.99 * best.asymmetry - rounding) best = fine;
   }
   best.asymmetry = std::sqrt(best.asymmetry) / diagonal;
   return best;
 }
 
 double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::string& where) {
-  const std::vector<Vector3d> samples = samples_of(mesh);
+  const std::vector<Vector3d> samples = samples_of(mesh, kFine.samples);
   double mean_square = 0.0;
   nearest_to_images(surface_of(mesh, where), samples, plane, mean_square);
   return std::sqrt(mean_square) / bounds_of(samples).diagonal();
@@ -140,13 +183,15 @@ double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::strin
 
 std::vector<Index> mirror_images(const Mesh& mesh, const MirrorPlane& plane,
                                  const std::string& where) {
-  const Vector3d n = plane.normal.normalized();
+  require_plane(plane, where);
+  const Vector3d n = unit_normal(plane);
   const Bounds bounds = bounds_of(mesh.positions);
   const double half = 0.5 * (bounds.max - bounds.min).dot(n.cwiseAbs());
   const double off = std::abs(n.dot(bounds.center() - plane.point));
   if (!(off <= half)) {
-    throw InputError(where + ": the mirror plane does not pass through the mesh; give a point of "
-                             "the plane, or \"auto\"");
+    throw InputError(where +
+                     ": the mirror plane does not pass through the mesh; give a point of "
+                     "the plane, or \"auto\"");
   }
   const ClosestPoint surface = surface_of(mesh, where);
   const Eigen::Affine3d mirror = reflection(plane);

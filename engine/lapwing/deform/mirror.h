@@ -30,6 +30,10 @@ struct MirrorSpec {
   bool operator==(const MirrorSpec& other) const { return plane == other.plane; }
 };
 
+/// Throws InputError, naming `where`, for a plane that is none: numbers that are not finite, a
+/// normal without length.
+void require_plane(const MirrorPlane& plane, const std::string& where);
+
 /// x -> its mirror image.
 Eigen::Affine3d reflection(const MirrorPlane& plane);
 
@@ -40,9 +44,9 @@ struct FoundMirror {
   double asymmetry = 0.0;
 };
 
-/// The plane in which the surface is most nearly its own mirror image: from the planes through its
-/// centroid across the principal and the coordinate axes on, by closest points (as ICP goes). About
-/// a second for any mesh, since at most 2,000 vertices are looked at. Throws InputError, naming
+/// The plane in which the surface is most nearly its own mirror image: from 26 planes through its
+/// centroid on, by closest points (as ICP goes). About a second for any mesh, since at most 2,000
+/// vertices are looked at. Throws InputError, naming
 /// `where`, for a mesh without triangles of any extent.
 FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where);
 
@@ -52,7 +56,7 @@ double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::strin
 /// For each vertex the one that lies where its mirror image is: the nearest corner of the nearest
 /// point of the surface. On a symmetric mesh these are its pairs. Vertices without a triangle have
 /// themselves. O(n log n). Throws InputError, naming `where`, when the plane does not pass through
-/// the bounds of the mesh.
+/// the bounds of the mesh, and what `require_plane` throws.
 std::vector<Index> mirror_images(const Mesh& mesh, const MirrorPlane& plane,
                                  const std::string& where);
 

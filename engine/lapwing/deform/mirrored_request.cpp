@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/mesh/topology.h"
 
 namespace lapwing {
 namespace {
@@ -13,6 +17,8 @@ using Eigen::Vector3d;
 
 // From here on people would call a shape not symmetric.
 constexpr double kLargeAsymmetry = 0.02;
+// A place this near to the plane, as a share of the diagonal, is meant to lie in it.
+constexpr double kInPlane = 1e-9;
 
 Matrix3d mirror_matrix(const MirrorPlane& plane) {
   return reflection(plane).linear();
@@ -39,8 +45,9 @@ class Mirroring {
     both.mirror.reset();
     both.roi = with_image(request_.roi);
     if (const auto* belt = std::get_if<RegionSpec>(&request_.belt)) both.belt = with_image(*belt);
-    add_handles(both);
+    const std::vector<std::size_t> handle_images = add_handles(both);
     add_targets(both);
+    list_what_distances_choose(both, handle_images);
     return both;
   }
 
@@ -65,45 +72,136 @@ class Mirroring {
     return grading;
   }
 
-  void add_handles(DeformRequest& both) const {
+  // The vertices that a handle holds with all its weight.
+  VertexSet full(const VertexSet& set, const Grading& grading) const {
+    if (grading.field.size() != images_.size()) return set;
+    VertexSet full;
+    std::copy_if(set.begin(), set.end(), std::back_inserter(full),
+                 [&](Index v) { return grading.field[v] == 1.0; });
+    return full;
+  }
+
+  // Returns, for each handle there is then, the number of its image.
+  std::vector<std::size_t> add_handles(DeformRequest& both) const {
     std::vector<MovedHandle> images;
-    for (MovedHandle& handle : both.handles) {
-      VertexSet set = resolve(handle.region, mesh_);
+    std::vector<std::size_t> numbers(both.handles.size());
+    std::vector<VertexSet> held;
+    for (const MovedHandle& handle : both.handles) {
+      held.push_back(full(resolve(handle.region, mesh_), handle.grading));
+    }
+    for (std::size_t h = 0; h < both.handles.size(); ++h) {
+      MovedHandle& handle = both.handles[h];
+      const VertexSet set = resolve(handle.region, mesh_);
       VertexSet image = mirrored(set, images_);
-      if (!intersect(set, image).empty()) {
+      const VertexSet held_image = mirrored(held[h], images_);
+      require_other_place(both.handles, held, h, held_image);
+      if (!intersect(held[h], held_image).empty()) {
         handle = {listed(unite(set, image), handle.region), along_mirror(handle.move, plane_),
                   with_image(handle.grading)};
+        numbers[h] = h;
         continue;
       }
+      numbers[h] = both.handles.size() + images.size();
+      numbers.push_back(h);
       RegionSpec region = listed(std::move(image), handle.region);
       region.where += " (its image)";
-      images.push_back({std::move(region), mirror_image(handle.move, plane_),
-                        {handle.grading.weight, handle.grading.falloff,
-                         mirrored_field(handle.grading.field)}});
+      images.push_back(
+          {std::move(region),
+           mirror_image(handle.move, plane_),
+           {handle.grading.weight, handle.grading.falloff, mirrored_field(handle.grading.field)}});
     }
     both.handles.insert(both.handles.end(), images.begin(), images.end());
+    return numbers;
   }
+
+  static void require_other_place(const std::vector<MovedHandle>& handles,
+                                  const std::vector<VertexSet>& held, std::size_t h,
+                                  const VertexSet& image) {
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      if (k == h) continue;
+      const VertexSet shared = intersect(held[k], image);
+      if (shared.empty()) continue;
+      throw InputError(handles[h].region.where + ": its mirror image takes vertex " +
+                       std::to_string(shared.front()) + " of handle " + std::to_string(k) +
+                       "; give the handles of one side only, or leave out the mirror");
+    }
+  }
+
+  bool is_lone(Index v) const { return mesh_.topology().rings.size(v) == 0; }
 
   void add_targets(DeformRequest& both) const {
     const Affine3d mirror = reflection(plane_);
+    const double in_plane = kInPlane * bounds_of(mesh_.positions).diagonal();
     std::vector<TargetRow> images;
-    for (TargetRow& row : both.targets.rows) {
-      TargetRow image = row;
-      image.position = mirror * row.position;
-      if (const auto* point = std::get_if<Vector3d>(&row.point)) {
-        image.point = Vector3d(mirror * *point);
-      } else {
-        const Index v = std::get<Index>(row.point);
-        if (v >= images_.size()) continue;  // which is an error elsewhere
-        if (images_[v] == v) {
-          row.position = onto(plane_, row.position);
-          continue;
-        }
-        image.point = images_[v];
+    for (std::size_t r = 0; r < both.targets.rows.size(); ++r) {
+      TargetRow& row = both.targets.rows[r];
+      const auto* vertex = std::get_if<Index>(&row.point);
+      // The first is an error elsewhere; vertices without a triangle have no image.
+      if (vertex != nullptr && (*vertex >= images_.size() || is_lone(*vertex))) continue;
+      const Vector3d point =
+          vertex != nullptr ? mesh_.positions[*vertex] : std::get<Vector3d>(row.point);
+      const Vector3d image = mirror * point;
+      if (vertex != nullptr ? images_[*vertex] == *vertex : (image - point).norm() <= in_plane) {
+        row.position = onto(plane_, row.position);
+        continue;
       }
-      images.push_back(std::move(image));
+      images.push_back({image, mirror * row.position, row.weight, r});
     }
     both.targets.rows.insert(both.targets.rows.end(), images.begin(), images.end());
+  }
+
+  // Geodesic distances depend on the order of the vertices where several ways are as short, and are
+  // not the same on both sides. So a belt by fraction, falloffs and fields become lists and fields
+  // that are.
+  void list_what_distances_choose(DeformRequest& both,
+                                  const std::vector<std::size_t>& handle_images) const {
+    std::vector<HandleSpec> handles;
+    for (const MovedHandle& handle : both.handles) {
+      handles.push_back({handle.region, handle.grading});
+    }
+    const EditRegion region = resolve_edit_region(both.roi, both.belt, handles, mesh_,
+                                                  both.parameters.loose, both.targets);
+    if (const auto* belt = std::get_if<BorderBelt>(&both.belt)) {
+      VertexSet listed = unite(region.belt, intersect(region.roi, mirrored(region.belt, images_)));
+      for (const VertexSet& handle : region.handles) listed = subtract(listed, handle);
+      listed = subtract(listed, corners_of(region.targets));
+      both.belt = RegionSpec{ListedVertices{std::move(listed)}, belt->where};
+    }
+    const std::vector<GradedVertex> graded = symmetric(region.graded, handle_images);
+    for (std::size_t h = 0; h < both.handles.size(); ++h) {
+      MovedHandle& handle = both.handles[h];
+      VertexSet set = region.handles[h];
+      std::vector<double> field(mesh_.vertex_count(), 0.0);
+      for (const Index v : set) field[v] = 1.0;
+      for (const GradedVertex& g : graded) {
+        if (g.handle != h) continue;
+        set.push_back(g.vertex);
+        field[g.vertex] = g.weight;
+      }
+      if (set.size() == region.handles[h].size()) field.clear();
+      handle.region = listed(make_vertex_set(std::move(set)), handle.region);
+      handle.grading = {handle.grading.weight, {}, std::move(field)};
+    }
+  }
+
+  // What both vertices of a pair agree on, with the mean of their weights. A vertex that is its own
+  // image goes with no handle that is not.
+  std::vector<GradedVertex> symmetric(const std::vector<GradedVertex>& graded,
+                                      const std::vector<std::size_t>& handle_images) const {
+    std::vector<const GradedVertex*> of_vertex(images_.size(), nullptr);
+    for (const GradedVertex& g : graded) of_vertex[g.vertex] = &g;
+    std::vector<GradedVertex> agreed;
+    for (const GradedVertex& g : graded) {
+      const Index image = images_[g.vertex];
+      if (images_[image] != g.vertex) {
+        agreed.push_back(g);  // A mesh that is only nearly symmetric has vertices without a pair.
+        continue;
+      }
+      const GradedVertex* other = of_vertex[image];
+      if (other == nullptr || other->handle != handle_images[g.handle]) continue;
+      agreed.push_back({g.vertex, g.handle, 0.5 * (g.weight + other->weight)});
+    }
+    return agreed;
   }
 
   const DeformRequest& request_;
@@ -126,7 +224,11 @@ std::string in_words(const FoundMirror& found, bool automatic) {
   } else {
     text << "mirrored";
   }
-  text << "; the mesh is off from its image by " << 100.0 * found.asymmetry
+  if (found.asymmetry < kInPlane) {
+    text << "; the mesh is symmetric";
+    return text.str();
+  }
+  text << "; the mesh is off from its image by " << std::setprecision(3) << 100.0 * found.asymmetry
        << "% of its diagonal (root mean square)";
   if (found.asymmetry > kLargeAsymmetry) {
     text << ", which is much: is this its plane of symmetry?";

@@ -22,10 +22,12 @@ struct MirroredRequest {
   std::vector<std::string> notes;  ///< for a person: which plane, how symmetric the mesh is
 };
 
-/// ROI, belt, handles and targets, each with its image. A handle that shares a vertex with its image
-/// becomes one with it and moves `along_mirror`; likewise a target that is its own image. The images
-/// of vertices are `mirror_images`. Regions become lists; a belt by fraction stays one. Throws
-/// InputError as `mirror_images` and `resolve` do.
+/// ROI, belt, handles and targets, each with its image. A handle that shares a vertex with its
+/// image becomes one with it and moves `along_mirror`; likewise a target that is its own image. The
+/// images of vertices are `mirror_images`. Regions, a belt by fraction too, become lists, falloffs
+/// become fields: on a symmetric mesh they are symmetric to the last vertex. Between a falloff and
+/// its image the vertices in the plane are free. Throws InputError as `mirror_images` and
+/// `resolve_edit_region` do, and for a handle whose image takes vertices of another handle.
 MirroredRequest mirrored_request(const DeformRequest& request, const Mesh& mesh);
 
 }  // namespace lapwing

@@ -35,26 +35,27 @@ struct LoosePart {
 /// parts excepted.
 struct EditRegion {
   VertexSet roi;
-  VertexSet belt;                    ///< in the ROI; stays where it is
-  std::vector<VertexSet> handles;    ///< in the ROI, disjoint, not empty, none shared with the belt
+  VertexSet belt;                  ///< in the ROI; stays where it is
+  std::vector<VertexSet> handles;  ///< in the ROI, disjoint, not empty, none shared with the belt
   std::vector<double> handle_weights = {};  ///< Grading::weight of each; empty: all 1
-  std::vector<GradedVertex> graded = {};  ///< ascending, free; none has a hard target
-  std::vector<Target> targets = {};  ///< in the ROI, none at a vertex of belt or handles
-  bool hard_targets = false;         ///< they are reached exactly
-  std::vector<LoosePart> loose = {};     ///< to be carried; in none of the above
-  std::vector<VertexSet> left_out = {};  ///< loose parts that stay; likewise
+  std::vector<GradedVertex> graded = {};    ///< ascending, free; none has a hard target
+  std::vector<Target> targets = {};         ///< in the ROI, none at a vertex of belt or handles
+  bool hard_targets = false;                ///< they are reached exactly
+  std::vector<LoosePart> loose = {};        ///< to be carried; in none of the above
+  std::vector<VertexSet> left_out = {};     ///< loose parts that stay; likewise
   /// Components of the ROI may turn freely about a line of anchors: nothing firmer is there that
   /// could carry them. They turn as little as they can.
   bool turns_freely = false;
 };
 
-/// Binds what a person chose to a mesh. A belt by fraction leaves handles and targets out, a falloff
-/// ends at the belt, at other handles and at hard targets, and where two meet a vertex goes with the
-/// handle that has more weight there (`without_shared`); every other overlap is an error. Throws
-/// InputError, naming place and vertices: whatever `resolve` throws, an empty ROI or handle, a handle or belt outside the ROI, a handle that overlaps the
-/// belt or another handle, a field that is not one of weights of the mesh, a vertex of the ROI or of
-/// its rings that is not finite, and what `require_grading`, `split_by_field`,
-/// `resolve_targets` and `set_loose_parts_aside` throw.
+/// Binds what a person chose to a mesh. A belt by fraction leaves handles and targets out, a
+/// falloff ends at the belt, at other handles and at hard targets, and where two meet a vertex goes
+/// with the handle that has more weight there (`without_shared`); every other overlap is an error.
+/// Throws InputError, naming place and vertices: whatever `resolve` throws, an empty ROI or handle,
+/// a handle or belt outside the ROI, a handle that overlaps the belt or another handle, a field
+/// that is not one of weights of the mesh, a vertex of the ROI or of its rings that is not finite,
+/// and what `require_grading`, `split_by_field`, `resolve_targets` and `set_loose_parts_aside`
+/// throw.
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
                                std::span<const HandleSpec> handles, const Mesh& mesh,
                                LoosePolicy policy = LoosePolicy::carry,

@@ -51,7 +51,8 @@ void require_grading(const Grading& grading, const std::string& where) {
                      std::to_string(width));
   }
   if (!grading.field.empty()) {
-    throw InputError(where + ": painted weights stand in place of a falloff; leave out one of the two");
+    throw InputError(where +
+                     ": painted weights stand in place of a falloff; leave out one of the two");
   }
 }
 

@@ -53,8 +53,8 @@ std::vector<GradedVertex> falloff_of(const VertexSet& handle, const Transition& 
                                      std::size_t number, std::span<const char> allowed,
                                      const Mesh& mesh);
 
-/// At most one entry per vertex, ascending: where two handles reach, that of the larger weight. Where
-/// both weigh the same, none: the middle between two handles goes with neither.
+/// At most one entry per vertex, ascending: where two handles reach, that of the larger weight.
+/// Where both weigh the same, none: the middle between two handles goes with neither.
 std::vector<GradedVertex> without_shared(std::vector<GradedVertex> graded);
 
 }  // namespace lapwing

@@ -44,7 +44,13 @@ class Binding {
 
  private:
   [[noreturn]] void fail(std::size_t row, const std::string& what) const {
-    throw InputError(spec_.where + ": row " + std::to_string(row) + ": " + what);
+    throw InputError(spec_.where + ": " + name_of(row) + ": " + what);
+  }
+
+  std::string name_of(std::size_t row) const {
+    const auto image_of = spec_.rows[row].image_of;
+    return image_of ? "row " + std::to_string(*image_of) + " (its mirror image)"
+                    : "row " + std::to_string(row);
   }
 
   Target at_vertex(std::size_t row, Index v) const {
@@ -96,8 +102,8 @@ class Binding {
     const auto [found, is_new] = first_rows_.emplace(target.corners[0], row);
     if (is_new) return true;
     if (spec_.rows[found->second].position != target.position) {
-      fail(row, "vertex " + std::to_string(target.corners[0]) + " has another position in row " +
-                    std::to_string(found->second) + "; remove one of the two");
+      fail(row, "vertex " + std::to_string(target.corners[0]) + " has another position in " +
+                    name_of(found->second) + "; remove one of the two");
     }
     return false;
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -18,6 +19,7 @@ struct TargetRow {
   std::variant<Index, Eigen::Vector3d> point = Index{0};
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   double weight = 1.0;  ///< times the constraint weight; has no effect on hard targets
+  std::optional<std::size_t> image_of = {};  ///< the row whose mirror image this one is, for errors
   bool operator==(const TargetRow&) const = default;
 };
 

@@ -170,6 +170,7 @@ std::string to_json(const RunReport& report) {
         {"bounds", {{"min", vector(report.bounds.min)}, {"max", vector(report.bounds.max)}}},
         {"diagonal", number(report.bounds.diagonal())}}},
       {"warnings", report.warnings},
+      {"notes", report.notes},
       {"timings_ms", as_json(report.timings)},
       {"steps", Json::array()},
       {"peak_memory_bytes", report.peak_memory_bytes}};

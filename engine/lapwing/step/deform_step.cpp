@@ -137,6 +137,7 @@ StepReport run_step(const DeformRequest& step, const StepRun& on) {
   Deformed done = deform(std::move(result.mesh), named, on.kernels, result.deformed, on.progress);
   result.mesh = std::move(done.mesh);
   result.warn(done.warnings);
+  result.note(done.notes);
   StepReport report;
   report.roi = done.region.roi.size();
   report.free = done.free;

@@ -38,6 +38,7 @@ struct RunReport {
   std::size_t components = 0;
   Bounds bounds;
   std::vector<std::string> warnings;  ///< the mesh doctor's, the steps', and those of writing
+  std::vector<std::string> notes;     ///< the steps': what they did that no key says
   StageTimings timings;               ///< of the run as a whole: read, check, write
   std::vector<StepReport> steps;
   std::size_t peak_memory_bytes = 0;

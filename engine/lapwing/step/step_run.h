@@ -27,10 +27,13 @@ struct RunResult {
   void warn(std::span<const std::string> texts) {
     report.warnings.insert(report.warnings.end(), texts.begin(), texts.end());
   }
+  void note(std::span<const std::string> texts) {
+    report.notes.insert(report.notes.end(), texts.begin(), texts.end());
+  }
 };
 
 /// One step on its way: what it is carried out with and on. Each step changes the mesh, the
-/// original, the region and the warnings of `result`.
+/// original, the region, the warnings and the notes of `result`.
 struct StepRun {
   std::size_t number;                           ///< of the step in its recipe, from 1
   const std::filesystem::path& base_directory;  ///< where the files that it names are looked for
