@@ -62,8 +62,20 @@ TEST_F(CommandLine, ReportHoldsEveryVertexWhenAsked) {
   ASSERT_EQ(lapwing(report).exit_code, 0);
   EXPECT_THAT(read("a.json"), Not(HasSubstr("\"rotation_degrees\"")));
   ASSERT_EQ(lapwing(report + "--report-vertices").exit_code, 0);
-  EXPECT_THAT(read("a.json"), HasSubstr("\"rotation_degrees\""));
+  EXPECT_THAT(read("a.json"), AllOf(HasSubstr("\"rotation_degrees\""),
+                                    HasSubstr("\"displacement\""), HasSubstr("\"rotation\"")));
   EXPECT_EQ(lapwing(std::string(kLiftFlags) + "--save a.obj --report-vertices").exit_code, 2);
+}
+
+TEST_F(CommandLine, VertexMotionIsSavedAsPropertiesOfAPlyAlone) {
+  const std::string lift = std::string(kLiftFlags) + "--device cpu --vertex-motion ";
+  ASSERT_EQ(lapwing(lift + "--save a.ply").exit_code, 0);
+  EXPECT_THAT(read("a.ply"), HasSubstr("property double qw\nproperty double qx"));
+  const Outcome refused = lapwing(lift + "--save a.obj");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("a.obj has no place for it; --save a .ply"));
+  EXPECT_FALSE(std::filesystem::exists(file("a.obj")));
+  EXPECT_THAT(lapwing(lift + "--report a.json").output, HasSubstr("nothing is saved"));
 }
 
 TEST_F(CommandLine, EditOnTheDeviceDrawsBothPictures) {

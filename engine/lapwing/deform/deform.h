@@ -11,6 +11,7 @@
 #include "lapwing/deform/deform_request.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/prepared_region.h"
+#include "lapwing/deform/vertex_motion.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
@@ -29,7 +30,8 @@ struct DeformReport {
   Certificate certificate;
 };
 
-/// What `deform` makes of a mesh.
+/// What `deform` makes of a mesh. How each vertex moved and turned is a question of its own, to
+/// `vertex_motion`.
 struct Deformed : DeformReport {
   Mesh mesh;  ///< the one given, with other positions
   /// For a person: what is not as it should be, where, and what to change. Empty when all is well.

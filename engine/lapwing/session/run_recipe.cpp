@@ -7,6 +7,7 @@
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/session/motion_properties.h"
 
 namespace lapwing {
 namespace {
@@ -78,9 +79,12 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
   return result;
 }
 
-void save_result(RunResult& result, const std::filesystem::path& path) {
+void save_result(RunResult& result, const std::filesystem::path& path, const SaveOptions& options) {
   const Stopwatch watch;
-  const WriteReport written = write_mesh(result.mesh, path);
+  const WriteReport written =
+      options.vertex_motion
+          ? write_mesh(with_vertex_motion(result.mesh, result.original, path), path, {.anew = true})
+          : write_mesh(result.mesh, path);
   result.report.timings.add("write", watch.elapsed_ms());
   for (const std::string& line : written.not_carried) {
     result.report.warnings.push_back("not carried over: " + line);
