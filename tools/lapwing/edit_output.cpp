@@ -92,6 +92,13 @@ void print_summary(const RunReport& report) {
   std::printf("  peak memory %.0f MB\n", static_cast<double>(report.peak_memory_bytes) / 1e6);
 }
 
+void print_written(const RunResult& result, const std::filesystem::path& target) {
+  std::printf("wrote %s\n", target.lexically_normal().c_str());
+  for (const CarriedFile& file : result.carried) {
+    std::printf("wrote %s\n", file.target(target).lexically_normal().c_str());
+  }
+}
+
 }  // namespace
 
 void EditOutput::add_to(CLI::App& command) {
@@ -151,7 +158,7 @@ void EditOutput::run(const Recipe& recipe) const {
   if (!report.empty()) replace_file(report, to_json(result->report));
   if (!quiet) {
     print_summary(result->report);
-    if (!target.empty()) std::printf("wrote %s\n", target.lexically_normal().c_str());
+    if (!target.empty()) print_written(*result, target);
   }
   const auto& steps = result->report.steps;
   if (strict && std::any_of(steps.begin(), steps.end(), [](const StepReport& step) {

@@ -45,6 +45,10 @@ Draft draft_of(const AppState& state) {
   return draft;
 }
 
+bool is_selection(const DeformRequest& step) {
+  return step.targets.empty() && !step.mirror && step.carry.empty();
+}
+
 Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
                  const std::filesystem::path& base_directory) {
   Recipe recipe;
@@ -96,8 +100,8 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
 
 void perform(History& history, const Step& step, const CarryOut& carry_out) {
   const auto* deform = std::get_if<DeformRequest>(&step);
-  // Targets and a mirror are no part of a selection.
-  if (deform != nullptr && deform->targets.empty() && !deform->mirror) {
+  // What else a step may have is no part of a selection.
+  if (deform != nullptr && is_selection(*deform)) {
     perform(history, *deform, carry_out.solve);
   } else {
     history.perform(Apply{step, carry_out.apply(history.state(), step)});

@@ -38,6 +38,8 @@ struct Deformed : DeformReport {
   std::vector<std::string> warnings;
   EditRegion region;     ///< the vertices that the request's regions chose
   std::size_t free = 0;  ///< vertices that are neither handle nor belt
+  /// By how much the handles ask the surface to grow there, per vertex; none for 1 everywhere.
+  std::vector<double> asked_scales;
   StageTimings timings;  ///< of all parts together
 };
 

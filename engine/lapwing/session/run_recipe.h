@@ -26,8 +26,10 @@ struct SaveOptions {
   bool vertex_motion = false;
 };
 
-/// Writes the result's mesh and adds to its report what the format could not carry, and the time.
-/// Throws what `write_mesh` does, and InputError for a vertex motion in another format than PLY.
+/// Writes what was carried along (CarriedFile), then the result's mesh, and adds to its report what
+/// the formats could not hold, and the time. Nothing is written where a carried file would go over
+/// the result, an input or another one: InputError. Throws what `write_mesh` does, and InputError
+/// for a vertex motion in another format than PLY.
 void save_result(RunResult& result, const std::filesystem::path& path,
                  const SaveOptions& options = {});
 
