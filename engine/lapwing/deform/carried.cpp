@@ -27,13 +27,23 @@ Adjacency one_group(const Topology& topology) {
   return group;
 }
 
+// All that may move: loose parts ride along and are no part of the ROI that is solved for.
+std::vector<Index> moving_vertices(const EditRegion& region) {
+  std::vector<Index> moving = region.roi;
+  for (const LoosePart& part : region.loose) {
+    moving.insert(moving.end(), part.vertices.begin(), part.vertices.end());
+  }
+  return moving;
+}
+
 }  // namespace
 
 SurfaceCarrier::SurfaceCarrier(std::span<const Vector3d> rest, const Deformed& deformed)
     : rest_(rest),
       deformed_(deformed),
       topology_(deformed.mesh.topology()),
-      motion_(vertex_motion(deformed.region.roi, rest, deformed.mesh.positions, topology_)),
+      motion_(vertex_motion(moving_vertices(deformed.region), rest, deformed.mesh.positions,
+                            topology_)),
       widest_band_(kWidestCarryBand * bounds_of(rest).diagonal()),
       surface_(topology_.triangles, rest, one_group(topology_)) {
   for (const auto& [a, b, c] : topology_.triangles) {
