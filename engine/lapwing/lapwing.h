@@ -3,6 +3,7 @@
 /// Lapwing's operations on meshes in memory, and its mesh files.
 #include "lapwing/coating/coat.h"
 #include "lapwing/coating/peel.h"
+#include "lapwing/deform/carried.h"
 #include "lapwing/deform/deform.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/parameterize/parameterize.h"

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/command_line.h"
+#include "lapwing/io/point_table.h"
 #include "support/gpu.h"
 
 namespace lapwing {
@@ -63,8 +64,20 @@ TEST_F(CommandLine, ReportHoldsEveryVertexWhenAsked) {
   ASSERT_EQ(lapwing(report).exit_code, 0);
   EXPECT_THAT(read("a.json"), Not(HasSubstr("\"rotation_degrees\"")));
   ASSERT_EQ(lapwing(report + "--report-vertices").exit_code, 0);
-  EXPECT_THAT(read("a.json"), HasSubstr("\"rotation_degrees\""));
+  EXPECT_THAT(read("a.json"), AllOf(HasSubstr("\"rotation_degrees\""),
+                                    HasSubstr("\"displacement\""), HasSubstr("\"rotation\"")));
   EXPECT_EQ(lapwing(std::string(kLiftFlags) + "--save a.obj --report-vertices").exit_code, 2);
+}
+
+TEST_F(CommandLine, VertexMotionIsSavedAsPropertiesOfAPlyAlone) {
+  const std::string lift = std::string(kLiftFlags) + "--device cpu --vertex-motion ";
+  ASSERT_EQ(lapwing(lift + "--save a.ply").exit_code, 0);
+  EXPECT_THAT(read("a.ply"), HasSubstr("property double qw\nproperty double qx"));
+  const Outcome refused = lapwing(lift + "--save a.obj");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("a.obj has no place for it; --save a .ply"));
+  EXPECT_FALSE(std::filesystem::exists(file("a.obj")));
+  EXPECT_THAT(lapwing(lift + "--report a.json").output, HasSubstr("nothing is saved"));
 }
 
 TEST_F(CommandLine, EditOnTheDeviceDrawsBothPictures) {
@@ -285,6 +298,57 @@ TEST_F(CommandLine, TargetsThatCannotBeAreNamedByTheirLineAndNothingIsWritten) {
   EXPECT_THAT(refused("100,1,nan,3\n"), HasSubstr("row 0: its position is not finite"));
   EXPECT_THAT(refused("100,1,2\n"), HasSubstr("marks.csv:1: expected 4 numbers"));
   EXPECT_THAT(refused(""), HasSubstr("no row"));
+}
+
+TEST_F(CommandLine, CarriedFilesAreWrittenBesideTheResult) {
+  write("points.csv", "x,y,z,nx,ny,nz\n0.6,0,0.1,1,0,0\n0.6,0,2.9,1,0,0\n");
+  write("cloud.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty "
+        "float z\nproperty float nx\nproperty float ny\nproperty float nz\nend_header\n"
+        "0 0.6 3 0 1 0\n");
+  std::filesystem::create_directory(file("out"));
+  const std::string turn =
+      "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --device cpu "
+      "--handle box:-1,-1,2.6,1,1,4 --rotate 0,0,1,90 --hard ";
+  const Outcome flags = lapwing(turn +
+                                "--carry points.csv --carry cloud.ply --save out/a.obj "
+                                "--recipe a.recipe.json");
+  ASSERT_EQ(flags.exit_code, 0) << flags.output;
+  EXPECT_THAT(read("a.recipe.json"), HasSubstr(R"("carry": ["points.csv", "cloud.ply"])"));
+  EXPECT_THAT(flags.output, HasSubstr("wrote out/cloud-carried.ply"));
+  const PointTable points = read_point_table(file("out/points-carried.csv"));
+  EXPECT_LT((points.positions[0] - Eigen::Vector3d(0.6, 0, 0.1)).norm(), 0.01);
+  EXPECT_LT((points.positions[1] - Eigen::Vector3d(0, 0.6, 2.9)).norm(), 0.01);
+  EXPECT_LT((points.normals[1] - Eigen::Vector3d(0, 1, 0)).norm(), 0.02);
+  const Mesh cloud = read_mesh(file("out/cloud-carried.ply"));
+  EXPECT_LT((cloud.positions[0] - Eigen::Vector3d(-0.6, 0, 3)).norm(), 0.01);
+  EXPECT_LT((cloud.attributes().normals[0] - Eigen::Vector3d(-1, 0, 0)).norm(), 0.02);
+
+  const std::string carried = read("out/points-carried.csv");
+  ASSERT_EQ(lapwing("run a.recipe.json --device cpu --save out/b.obj").exit_code, 0);
+  EXPECT_EQ(read("out/points-carried.csv"), carried);
+  EXPECT_EQ(read("out/a.obj"), read("out/b.obj"));
+}
+
+TEST_F(CommandLine, CarriedFileThatCannotBeIsNamedAndNothingIsWritten) {
+  const auto refused = [&](const std::string& name, int exit_code) {
+    const Outcome outcome =
+        lapwing(std::string(kLiftFlags) + "--device cpu --save no.obj --carry " + name);
+    EXPECT_EQ(outcome.exit_code, exit_code) << name << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(file("no.obj"))) << name;
+    return outcome.output;
+  };
+  EXPECT_THAT(refused("missing.obj", 6), HasSubstr("missing.obj"));
+  write("points.csv", "1,2,3\n1,nan,3\n");
+  EXPECT_THAT(refused("points.csv", 3), HasSubstr("points.csv:2: its position is not finite"));
+  write("points.csv", "1,2,3,4\n");
+  EXPECT_THAT(refused("points.csv", 3), HasSubstr("points.csv:1: expected 3 numbers"));
+  write("points.csv", "");
+  EXPECT_THAT(refused("points.csv", 3), HasSubstr("no row"));
+  write("hat.obj", "v 0 0 0\nv 0 nan 0\n");
+  EXPECT_THAT(refused("hat.obj", 3), HasSubstr("hat.obj: the position of vertex 1 is not finite"));
+  write("hat.obj", "# nothing\n");
+  EXPECT_THAT(refused("hat.obj", 3), HasSubstr("no vertex to carry"));
 }
 
 TEST_F(CommandLine, FlagOutOfItsRangeIsAUsageErrorThatSaysTheRange) {

@@ -235,5 +235,23 @@ TEST(PlySource, CoordinateTooLargeForItsTypeIsRefused) {
   EXPECT_THROW(write_mesh(mesh, folder / "a.ply"), InputError);
 }
 
+// No face says what the normals of a cloud are.
+TEST(SourceOfACloud, TakesNormalsThatTurnedWithoutMovingAPoint) {
+  const TemporaryFolder folder;
+  Mesh cloud;
+  cloud.positions = {{1, 2, 3}, {4, 5, 6}};
+  cloud.edit_attributes().normals = {{0, 0, 1}, {0, 1, 0}};
+  cloud.edit_attributes().has_vertex_normals = true;
+  for (const Encoding encoding : {Encoding::ascii, Encoding::big_endian}) {
+    write_mesh(cloud, folder / "cloud.ply", {.encoding = encoding});
+    Mesh turned = read_mesh(folder / "cloud.ply");
+    turned.edit_attributes().normals[1] = {-1, 0, 0};
+    write_mesh(turned, folder / "turned.ply");
+    const Mesh again = read_mesh(folder / "turned.ply");
+    EXPECT_EQ(again.positions, cloud.positions);
+    EXPECT_EQ(again.attributes().normals, turned.attributes().normals);
+  }
+}
+
 }  // namespace
 }  // namespace lapwing

@@ -1,5 +1,6 @@
 #include "lapwing/closest/closest_point.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <random>
@@ -90,6 +91,27 @@ TEST_F(ClosestPointOnTorus, TreeFindsWhatLookingAtEveryTriangleOfTheGroupFinds) 
       const TrianglePoint hinted = tree->find(g, p, Vector3d::Zero(), tree->find(g, -p).hint);
       ASSERT_EQ((hinted.position - p).norm(), (found.position - p).norm());
     }
+  }
+}
+
+TEST_F(ClosestPointOnTorus, FindsEveryTriangleOfTheGroupWithinADistance) {
+  for (int i = 0; i < 100; ++i) {
+    const Vector3d p = random_point();
+    const double distance = 0.02 * i;
+    std::vector<Index> expected;
+    for (const Index t : right) {
+      const auto c = corners(t);
+      const auto w = closest_weights(c, p);
+      const Vector3d closest = w[0] * c[0] + w[1] * c[1] + w[2] * c[2];
+      if ((closest - p).norm() <= distance) expected.push_back(t);
+    }
+    std::vector<Index> found;
+    for (const TrianglePoint& place : tree->within(1, p, distance)) {
+      found.push_back(place.triangle);
+      ASSERT_LE((place.position - p).norm(), distance + 1e-14);
+    }
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, expected);
   }
 }
 

@@ -7,9 +7,12 @@
 
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/deform/vertex_motion.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/io/source_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/error_message.h"
 #include "support/joined_meshes.h"
 
 namespace lapwing {
@@ -56,6 +59,39 @@ TEST_F(RunRecipe, MeasuresEachVertexOfTheRoiWhenAsked) {
   EXPECT_EQ(measures.vertices.size(), 240U);
   EXPECT_NEAR(*std::max_element(measures.rotation_degrees.begin(), measures.rotation_degrees.end()),
               result->report.steps[0].deform->certificate.largest_rotation_degrees, 1e-12);
+}
+
+TEST_F(RunRecipe, SavesHowEachVertexMovedBesideThePropertiesThatThePlyHas) {
+  Mesh tube = cylinder(12, 20, 0.5, 3.0);
+  std::vector<double> marks(tube.vertex_count());
+  for (std::size_t v = 0; v < marks.size(); ++v) marks[v] = static_cast<double>(v % 7);
+  tube.edit_attributes().vertex_extras = {{"mark", "uchar", 1, marks}};
+  write_mesh(tube, folder_.path() / "tube.ply", {.encoding = Encoding::ascii});
+  const std::string text = R"({"lapwing": 1, "mesh": "tube.ply", "steps": [)";
+  const auto result =
+      run_recipe(parse_recipe(text + kLift + "]}", folder_.path(), "test"), kernels_);
+  for (const char* name : {"once.ply", "again.ply"}) {
+    save_result(*result, folder_.path() / name, {.vertex_motion = true});
+    const Mesh saved = read_mesh(folder_.path() / name);
+    EXPECT_EQ(saved.source->encoding, Encoding::ascii);
+    EXPECT_EQ(saved.positions, result->mesh.positions);
+    const std::vector<ExtraAttribute>& extras = saved.attributes().vertex_extras;
+    ASSERT_EQ(extras.size(), 9U) << "the old ones, and one of each name";
+    EXPECT_EQ(extras[0].values, marks);
+    const VertexMotion motion = vertex_motion(tube.positions, saved.positions, saved.topology());
+    for (std::size_t v = 0; v < marks.size(); ++v) {
+      EXPECT_EQ(extras[3].values[v], motion.displacements[v].z());
+      EXPECT_EQ(extras[4].values[v], motion.rotations[v].w());
+      EXPECT_EQ(extras[7].values[v], motion.rotations[v].z());
+      EXPECT_EQ(extras[8].values[v], motion.stretch[v]);
+    }
+    result->mesh.edit_attributes() = saved.attributes();
+  }
+  EXPECT_THAT(error_message<InputError>([&] {
+                save_result(*result, folder_.path() / "no.obj", {.vertex_motion = true});
+              }),
+              HasSubstr("no.obj: OBJ has no place for how each vertex moved"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "no.obj"));
 }
 
 TEST_F(RunRecipe, StepsFollowOneAnother) {

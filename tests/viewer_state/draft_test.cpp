@@ -79,6 +79,19 @@ TEST_F(AnEdit, OfARecipeWithTargetsIsAStepOfItsOwn) {
   EXPECT_EQ(replayed(again), positions_of(history.state()));
 }
 
+TEST_F(AnEdit, OfARecipeThatCarriesFilesKeepsThem) {
+  write_mesh(icosphere(1), folder_.path() / "hat.obj");
+  const Recipe recipe = parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
+      {"op": "deform", "roi": {"all": true}, "belt": {"vertices": [0, 4, 8, 15]},
+       "handles": [{"region": {"vertices": [100]}, "move": {"translate": [0.1, 0, 0]}}],
+       "carry": [{"file": "hat.obj", "save": "moved.obj"}]}]})",
+                                     folder_.path(), "test");
+  const History history = from_recipe(open_state(mesh_), recipe, carry_out_with(kernels_, {}));
+  const Recipe again = recipe_of(history);
+  EXPECT_EQ(again.steps, recipe.steps);
+  EXPECT_EQ(replayed(again), positions_of(history.state()));
+}
+
 TEST_F(AnEdit, ReplayedHeadlessGivesTheSameMesh) {
   const History history = edited();
   const Recipe recipe = recipe_of(history);

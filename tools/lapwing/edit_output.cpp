@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "lapwing/io/atomic_file.h"
+#include "lapwing/io/mesh_format.h"
 #include "lapwing/render/render_image.h"
 #include "lapwing/render/surface.h"
 #include "lapwing/session/report.h"
@@ -91,17 +92,28 @@ void print_summary(const RunReport& report) {
   std::printf("  peak memory %.0f MB\n", static_cast<double>(report.peak_memory_bytes) / 1e6);
 }
 
+void print_written(const RunResult& result, const std::filesystem::path& target) {
+  std::printf("wrote %s\n", target.lexically_normal().c_str());
+  for (const CarriedFile& file : result.carried) {
+    std::printf("wrote %s\n", file.target(target).lexically_normal().c_str());
+  }
+}
+
 }  // namespace
 
 void EditOutput::add_to(CLI::App& command) {
   std::vector<std::string> colors{"regions", "plain"};
   colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
   command.add_option("--save", save, "write the edited mesh here");
+  command.add_flag("--vertex-motion", vertex_motion,
+                   "with how each vertex moved in all, as properties of the saved PLY: dx, dy, dz, "
+                   "the rotation qw, qx, qy, qz, and stretch");
   auto* reported = command.add_option("--report", report,
                                       "write device, sizes, timings and certificates as JSON");
   command
       .add_flag("--report-vertices", report_vertices,
-                "with rotation, detail error and stretch of every vertex of the regions")
+                "with displacement, rotation, detail error and stretch of every vertex of the "
+                "regions")
       ->needs(reported);
   command.add_option("--render", render, "write a picture of the result (PNG)");
   command.add_option("--render-before", render_before, "the same picture before the edit (PNG)");
@@ -123,22 +135,31 @@ void EditOutput::add_to(CLI::App& command) {
   picture.add_to(command);
 }
 
+void EditOutput::require_place_for_motion(const std::filesystem::path& target) const {
+  if (!vertex_motion || (!target.empty() && format_of(target) == MeshFormat::ply)) return;
+  throw CLI::ValidationError(
+      "--vertex-motion",
+      (target.empty() ? "nothing is saved" : target.string() + " has no place for it") +
+          std::string("; --save a .ply"));
+}
+
 void EditOutput::run(const Recipe& recipe) const {
   // A picture's options are checked before the work, not after.
   picture.render_options();
+  const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
+  require_place_for_motion(target);
   const Device opened = open_device(device, frames == "device");
   ProgressDisplay display(quiet);
   display.note("device: " + opened.kernels->device().name);
   const auto result = run_recipe(recipe, *opened.kernels, display.callback(), {report_vertices});
-  const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
-  if (!target.empty()) save_result(*result, target);
+  if (!target.empty()) save_result(*result, target, {vertex_motion});
   if (!render.empty() || !render_before.empty()) draw(*result, opened);
   for (const std::string& warning : result->report.warnings) display.note("note: " + warning);
   for (const std::string& note : result->report.notes) display.note("note: " + note);
   if (!report.empty()) replace_file(report, to_json(result->report));
   if (!quiet) {
     print_summary(result->report);
-    if (!target.empty()) std::printf("wrote %s\n", target.lexically_normal().c_str());
+    if (!target.empty()) print_written(*result, target);
   }
   const auto& steps = result->report.steps;
   if (strict && std::any_of(steps.begin(), steps.end(), [](const StepReport& step) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <CLI/App.hpp>
@@ -15,6 +16,7 @@ struct EditOutput {
   std::string save;
   std::string report;
   bool report_vertices = false;
+  bool vertex_motion = false;
   std::string render;
   std::string render_before;
   std::string color = "regions";
@@ -29,6 +31,8 @@ struct EditOutput {
   void run(const Recipe& recipe) const;
 
  private:
+  // The vertex motion is asked for before there is any.
+  void require_place_for_motion(const std::filesystem::path& target) const;
   void draw(const RunResult& result, const Device& device) const;
 };
 

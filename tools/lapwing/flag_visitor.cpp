@@ -273,6 +273,17 @@ void FlagVisitor::mirror(const StepKey& key, std::optional<MirrorSpec>&) {
                   name, keep, std::string(kMirrorHelp) + ": " + std::string(key.help)));
 }
 
+void FlagVisitor::carry(const StepKey& key, std::vector<CarrySpec>&) {
+  auto files = std::make_shared<std::vector<std::string>>();
+  command_.add_option(flag(key), *files, "FILE, again for each: " + help_of(key))
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
+  draft_->at_end.emplace_back([files, place = place_of(key)](Json& step, const StepFlags& flags) {
+    for (const std::string& file : *files) step[place].push_back(flags.from_recipe(file));
+  });
+}
+
 void FlagVisitor::pairs(const StepKey& key, std::vector<VertexPair>&) {
   auto pairs = std::make_shared<std::vector<std::vector<Index>>>();
   command_.add_option(flag(key), *pairs, "S,T: " + help_of(key))

@@ -28,6 +28,7 @@ class FlagVisitor final : public KeyVisitor {
   void handles(const StepKey& key, std::vector<MovedHandle>& value, HandleForm form) override;
   void targets(const StepKey& key, TargetSpec& value) override;
   void mirror(const StepKey& key, std::optional<MirrorSpec>& value) override;
+  void carry(const StepKey& key, std::vector<CarrySpec>& value) override;
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override;
   void weight(const StepKey& key, MixWeight& value) override;
   void file(const StepKey& key, std::filesystem::path& value) override;

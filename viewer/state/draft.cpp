@@ -56,6 +56,10 @@ Draft draft_of(const AppState& state) {
   return draft;
 }
 
+bool is_selection(const DeformRequest& step) {
+  return step.targets.empty() && !step.mirror && step.carry.empty();
+}
+
 Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
                  const std::filesystem::path& base_directory) {
   Recipe recipe;
@@ -87,12 +91,6 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress) {
           }};
 }
 
-bool is_by_hand(const DeformRequest& step) {
-  return step.targets.empty() && !step.mirror &&
-         std::all_of(step.handles.begin(), step.handles.end(),
-                     [](const MovedHandle& handle) { return handle.grading == Grading{}; });
-}
-
 void perform(History& history, const DeformRequest& step, const Solve& solve) {
   history.perform(Commit{});
   history.perform(SetParameters{step.parameters});
@@ -114,7 +112,8 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
 
 void perform(History& history, const Step& step, const CarryOut& carry_out) {
   const auto* deform = std::get_if<DeformRequest>(&step);
-  if (deform != nullptr && is_by_hand(*deform)) {
+  // What else a step may have is no part of a selection.
+  if (deform != nullptr && is_selection(*deform)) {
     perform(history, *deform, carry_out.solve);
   } else {
     history.perform(Apply{step, carry_out.apply(history.state(), step)});

@@ -24,6 +24,10 @@ struct Draft {
 
 Draft draft_of(const AppState& state);
 
+/// Whether all that a step does can be chosen and moved by hand: it has no targets, no mirror and
+/// carries no file along.
+bool is_selection(const DeformRequest& step);
+
 /// The recipe of what the surface is now: the steps so far, and the open one if it is settled.
 /// `run_recipe` makes the positions of the state of it. Files that the steps name are named from
 /// `base_directory`, as `mesh` is already.
@@ -49,15 +53,10 @@ struct CarryOut {
 /// As `run_recipe` does it. `kernels` must outlive it.
 CarryOut carry_out_with(Kernels& kernels, Progress progress = {});
 
-/// Whether a person could have made the step by hand: a selection knows neither targets nor a
-/// mirror nor graded handles. Steps that do are carried out whole, as those of other operations
-/// are.
-bool is_by_hand(const DeformRequest& step);
-
-/// Carries a deform step by hand out by the commands that a person would have used, which can then
-/// be undone one by one. Without `solve` its handles are left moved and not settled.
+/// Carries a deform step that is a selection out by the commands that a person would have used, which
+/// can then be undone one by one. Without `solve` its handles are left moved and not settled.
 void perform(History& history, const DeformRequest& step, const Solve& solve);
-/// Carries any step out: a deform by hand as above, another as one command.
+/// Carries any step out: a deform of that kind as above, another as one command.
 void perform(History& history, const Step& step, const CarryOut& carry_out);
 
 /// The history that leads from `start` to `draft`. Throws what `apply` and `carry_out` do.

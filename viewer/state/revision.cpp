@@ -24,10 +24,10 @@ bool leads_to(const AppState& state, const std::vector<Step>& steps, std::size_t
 
 DeformRequest as_open(const Step& step) {
   const auto* deform = std::get_if<DeformRequest>(&step);
-  if (deform != nullptr && is_by_hand(*deform)) return *deform;
+  if (deform != nullptr && is_selection(*deform)) return *deform;
   throw InputError(
-      "a deform step can only be replaced by another deform, without targets, mirror and graded "
-      "handles; undo it, then apply the new step");
+      "a deform step can only be replaced by another deform, without targets, mirror and carried "
+      "files; undo it, then apply the new step");
 }
 
 }  // namespace

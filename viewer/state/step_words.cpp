@@ -18,6 +18,12 @@ class StepFiles final : public KeyVisitor {
   void targets(const StepKey&, TargetSpec& value) override {
     if (!value.file.empty()) visit_(value.file);
   }
+  void carry(const StepKey&, std::vector<CarrySpec>& value) override {
+    for (CarrySpec& carry : value) {
+      visit_(carry.file);
+      if (!carry.save.empty()) visit_(carry.save);
+    }
+  }
   void part(const StepKey&, fs::path& mesh, std::optional<RegionSpec>&) override { visit_(mesh); }
 
  private:

@@ -158,6 +158,31 @@ void ClosestPoint::try_item(Index number, Search& search) const {
   search.best = {item.triangle, weights, position, number};
 }
 
+std::vector<TrianglePoint> ClosestPoint::within(Index group, const Vector3d& point,
+                                                double distance) const {
+  std::vector<TrianglePoint> found;
+  std::array<Index, 64> stack;  // halving 2^32 items goes 32 deep
+  std::size_t waiting = 0;
+  stack[waiting++] = roots_[group];
+  while (waiting > 0) {
+    const Index number = stack[--waiting];
+    const Node& node = nodes_[number];
+    if (box_distance2(node.min, node.max, point) > distance * distance) continue;
+    if (node.second != kNoIndex) {
+      stack[waiting++] = number + 1;
+      stack[waiting++] = node.second;
+      continue;
+    }
+    for (Index i = node.begin; i < node.end; ++i) {
+      const auto weights = closest_weights(items_[i].corners, point);
+      const Vector3d position = combine(items_[i].corners, weights);
+      if ((position - point).squaredNorm() > distance * distance) continue;
+      found.push_back({items_[i].triangle, weights, position, i});
+    }
+  }
+  return found;
+}
+
 TrianglePoint ClosestPoint::find(Index group, const Vector3d& point, const Vector3d& direction,
                                  Index hint) const {
   Search search{point, direction, roots_[group], std::numeric_limits<double>::infinity(), {}};

@@ -34,6 +34,11 @@ class ClosestPoint {
                      const Eigen::Vector3d& direction = Eigen::Vector3d::Zero(),
                      Index hint = kNoIndex) const;
 
+  /// The closest point of every triangle of group `group` that is at most `distance` away from
+  /// `point`, always in the same order.
+  std::vector<TrianglePoint> within(Index group, const Eigen::Vector3d& point,
+                                    double distance) const;
+
  private:
   struct Node {
     Eigen::Vector3d min, max;

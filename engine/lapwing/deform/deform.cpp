@@ -1,5 +1,8 @@
 #include "lapwing/deform/deform.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "lapwing/base/errors.h"
 #include "lapwing/base/stage.h"
 #include "lapwing/deform/bound_request.h"
@@ -46,6 +49,12 @@ struct Work {
       DeformResult solved = deformer.solve(motions, bound.turns(from, to), progress);
       result.mesh.positions = std::move(solved.positions);
       certificate = std::move(solved.certificate);
+      if (result.asked_scales.empty()) {
+        result.asked_scales = std::move(solved.asked_scales);
+      } else {
+        std::transform(solved.asked_scales.begin(), solved.asked_scales.end(),
+                       result.asked_scales.begin(), result.asked_scales.begin(), std::multiplies());
+      }
     });
     result.free = deformer.free_count();
     result.solver = deformer.solver_name();
@@ -140,6 +149,10 @@ Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
   if (request.targets.rows.empty() && !request.targets.file.empty()) {
     throw InputError(request.targets.where + ": " + request.targets.file.string() +
                      " has not been read; give its rows");
+  }
+  if (!request.carry.empty()) {
+    throw InputError(request.where + ": " + request.carry.front().file.string() +
+                     " is not carried here; give its points to carry_points");
   }
   if (request.handles.empty() && request.targets.empty()) {
     throw InputError(request.where + ": nothing is moved; give at least one handle or target");

@@ -11,6 +11,7 @@
 #include "lapwing/deform/deform_request.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/prepared_region.h"
+#include "lapwing/deform/vertex_motion.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
@@ -29,7 +30,8 @@ struct DeformReport {
   Certificate certificate;
 };
 
-/// What `deform` makes of a mesh.
+/// What `deform` makes of a mesh. How each vertex moved and turned is a question of its own, to
+/// `vertex_motion`.
 struct Deformed : DeformReport {
   Mesh mesh;  ///< the one given, with other positions
   /// For a person: what is not as it should be, where, and what to change. Empty when all is well.
@@ -38,6 +40,8 @@ struct Deformed : DeformReport {
   std::vector<std::string> notes;
   EditRegion region;     ///< the vertices that the request's regions chose
   std::size_t free = 0;  ///< vertices that are neither handle nor belt
+  /// By how much the handles ask the surface to grow there, per vertex; none for 1 everywhere.
+  std::vector<double> asked_scales;
   StageTimings timings;  ///< of all parts together
 };
 

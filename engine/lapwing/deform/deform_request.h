@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,13 @@ struct DeformParameters : DeformOptions {
   bool operator==(const DeformParameters&) const = default;
 };
 
+/// A file that follows the surface (SurfaceCarrier), and where it goes.
+struct CarrySpec {
+  std::filesystem::path file;       ///< as written
+  std::filesystem::path save = {};  ///< as written; empty: beside the result
+  bool operator==(const CarrySpec&) const = default;
+};
+
 struct MovedHandle {
   RegionSpec region;
   Move move;
@@ -38,10 +46,13 @@ struct DeformRequest {
   DeformParameters parameters;
   /// All of the above is done on both sides of a plane (`mirrored_request`).
   std::optional<MirrorSpec> mirror = {};
+  /// What follows the surface. Steps of recipes read and write it; `deform` opens no file.
+  std::vector<CarrySpec> carry = {};
   std::string where = "deform";  ///< as in RegionSpec; no part of the value
   bool operator==(const DeformRequest& other) const {
     return roi == other.roi && belt == other.belt && handles == other.handles &&
-           targets == other.targets && parameters == other.parameters && mirror == other.mirror;
+           targets == other.targets && parameters == other.parameters && mirror == other.mirror &&
+           carry == other.carry;
   }
 };
 

@@ -422,6 +422,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   measure_region(edit.region, edit.topology, s.weights, *edit.rest, result.positions, certificate,
                  scales);
   require_valid(certificate);
+  result.asked_scales = std::move(scales);
   return result;
 }
 

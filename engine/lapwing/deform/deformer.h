@@ -26,6 +26,8 @@ struct EditSystem;
 struct DeformResult {
   Positions positions;  ///< of the whole mesh; vertices that do not move keep their bits
   Certificate certificate;
+  /// The s_i that the handles ask for, per vertex of the mesh; none for 1 everywhere.
+  std::vector<double> asked_scales = {};
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3

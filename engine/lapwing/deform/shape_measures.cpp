@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "lapwing/base/parallel.h"
+#include "lapwing/deform/vertex_motion.h"
 #include "lapwing/laplacian/ring_fit.h"
 
 namespace lapwing {
@@ -98,12 +99,16 @@ VertexMeasures measure_vertices(std::span<const Index> rows, const Topology& top
   for (auto* list : {&measures.rotation_degrees, &measures.detail_error, &measures.stretch}) {
     list->resize(rows.size());
   }
+  measures.displacement.resize(rows.size());
+  measures.rotation.resize(rows.size());
   std::vector<double> sizes(rows.size());
   parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const Index i = rows[r];
       const Laplacians L = laplacians_of(i, topology, weights, rest, current);
-      const Matrix3d R = fit_rotation(i, topology.rings[i], rest, current);
+      const Matrix3d R = ring_rotation(i, topology.rings[i], rest, current);
+      measures.displacement[r] = current[i] - rest[i];
+      measures.rotation[r] = unit_quaternion(R);
       measures.rotation_degrees[r] = rotation_angle(R) * 180.0 / std::numbers::pi;
       measures.detail_error[r] = (L.is - R * L.was).norm();
       measures.stretch[r] = edge_stretch(rows.subspan(r, 1), topology, rest, current);

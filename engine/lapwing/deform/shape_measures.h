@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "lapwing/mesh/topology.h"
 
@@ -50,6 +50,8 @@ struct VertexMeasures {
   /// square of this list is `detail_error`. All 0 where nothing has detail.
   std::vector<double> detail_error;
   std::vector<double> stretch;  ///< `edge_stretch` of the ring alone; 0 without a ring
+  std::vector<Eigen::Vector3d> displacement;
+  std::vector<Eigen::Quaterniond> rotation;  ///< R_i as `unit_quaternion` has it: w >= 0
 };
 
 /// Measures each of `rows`, on all processors.

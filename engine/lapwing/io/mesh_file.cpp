@@ -100,7 +100,8 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
 
   WriteReport report;
   std::optional<std::string> bytes;
-  if (source != nullptr && source->format() == format && source->encoding == encoding) {
+  if (source != nullptr && source->format() == format && source->encoding == encoding &&
+      !options.anew) {
     bytes = patch_source(*source, mesh);
   }
   if (!bytes) bytes = write_with_new_normals(mesh, source, format, encoding, report);

@@ -20,7 +20,10 @@ Mesh read_mesh(const std::filesystem::path& path);
 
 struct WriteOptions {
   /// Unset: as in the file the mesh was read from, else binary where the format has it.
-  std::optional<Encoding> encoding;
+  std::optional<Encoding> encoding = {};
+  /// Makes the file anew where it would come back byte for byte, so that attributes set since it
+  /// was read are written.
+  bool anew = false;
 };
 
 /// What the user should know about a file that was written.

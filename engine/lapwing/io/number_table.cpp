@@ -5,19 +5,33 @@
 #include <bit>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/binary_numbers.h"
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/io/text_scanner.h"
+#include "lapwing/io/writing.h"
 
 namespace lapwing {
 namespace {
+
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+bool is_npy(const std::filesystem::path& path) {
+  return lowered(path.extension().string()) == ".npy";
+}
 
 bool is_separator(char c) {
   return c == ',' || c == ';' || c == ' ' || c == '\t' || c == '\r';
@@ -28,8 +42,23 @@ bool is_separator(char c) {
                    " rows; is this the right file?");
 }
 
-// The numbers of a line; nothing where a field is none, which `bad` then holds.
-bool read_fields(std::string_view line, std::vector<double>& numbers, std::string_view& bad) {
+// The names in a line of them.
+std::vector<std::string> read_names(std::string_view line) {
+  std::vector<std::string> names;
+  std::string name;
+  for (const char c : lowered(line) + ",") {
+    if (c == '"' || c == '\'') continue;
+    if (!is_separator(c)) {
+      name += c;
+    } else if (!name.empty()) {
+      names.push_back(std::exchange(name, {}));
+    }
+  }
+  return names;
+}
+
+// The numbers of a line, added to the table; nothing where a field is none, which `bad` then holds.
+bool read_fields(std::string_view line, NumberTable& table, std::string_view& bad) {
   const char* here = line.data();
   const char* const end = here + line.size();
   while (true) {
@@ -42,14 +71,16 @@ bool read_fields(std::string_view line, std::vector<double>& numbers, std::strin
       bad = {here, static_cast<std::size_t>(stop - here)};
       return false;
     }
-    numbers.push_back(value);
+    table.numbers.push_back(value);
+    table.offsets.push_back(static_cast<std::uint64_t>(here - table.bytes->view().data()));
     here = stop;
   }
 }
 
-NumberTable read_text(const std::string& name, std::string_view text) {
+void read_text(NumberTable& table) {
+  const std::string& name = table.name;
+  std::string_view text = table.bytes->view();
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  NumberTable table{.name = name};
   std::size_t line_number = 0;
   while (!text.empty()) {
     ++line_number;
@@ -59,9 +90,12 @@ NumberTable read_text(const std::string& name, std::string_view text) {
     if (line.starts_with('#')) continue;
     std::string_view bad;
     const bool is_header = table.row_count() == 0;
-    if (!read_fields(line, table.numbers, bad)) {
+    if (!read_fields(line, table, bad)) {
       const bool any_number = table.numbers.size() > table.starts.back();
-      if (is_header && !any_number) continue;
+      if (is_header && !any_number) {
+        table.header = read_names(line);
+        continue;
+      }
       throw InputError(name + ":" + std::to_string(line_number) + ": expected a number, found \"" +
                        std::string(bad.substr(0, 40)) + "\"");
     }
@@ -70,7 +104,6 @@ NumberTable read_text(const std::string& name, std::string_view text) {
     table.lines.push_back(line_number);
     if (table.row_count() > kMostTableRows) fail_too_many(name);
   }
-  return table;
 }
 
 // The header of an NPY file.
@@ -162,17 +195,53 @@ double load(const char* from, const NpyHeader& header) {
   return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
 }
 
-NumberTable read_npy(const std::string& name, std::string_view bytes) {
-  const NpyHeader header = read_header(name, bytes);
-  NumberTable table{.name = name};
+void read_npy(NumberTable& table) {
+  const std::string_view bytes = table.bytes->view();
+  const NpyHeader header = read_header(table.name, bytes);
+  table.encoding = header.encoding;
+  if (header.kind == 'f') table.type = header.bytes == 4 ? Scalar::float32 : Scalar::float64;
   const char* from = bytes.data() + header.begin;
   for (std::size_t r = 0; r < header.rows; ++r) {
     for (std::size_t c = 0; c < header.columns; ++c, from += header.bytes) {
       table.numbers.push_back(load(from, header));
+      table.offsets.push_back(static_cast<std::uint64_t>(from - bytes.data()));
     }
     table.starts.push_back(table.numbers.size());
   }
-  return table;
+}
+
+bool is_equal(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+std::string text_with(const NumberTable& table, std::span<const double> numbers) {
+  const std::string_view old = table.bytes->view();
+  std::string text;
+  std::uint64_t copied = 0;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (is_equal(numbers[k], table.numbers[k])) continue;
+    text.append(old, copied, table.offsets[k] - copied);
+    append_number(text, numbers[k]);
+    double ignored = 0.0;
+    const char* const end =
+        parse_number(old.data() + table.offsets[k], old.data() + old.size(), ignored);
+    copied = static_cast<std::uint64_t>(end - old.data());
+  }
+  text.append(old, copied);
+  return text;
+}
+
+std::string npy_with(const NumberTable& table, std::span<const double> numbers) {
+  std::string bytes(table.bytes->view());
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (is_equal(numbers[k], table.numbers[k])) continue;
+    if (!table.type) {
+      throw InputError(table.name +
+                       ": its numbers are integers, which moved points are not; save it as floats");
+    }
+    store_number(bytes.data() + table.offsets[k], numbers[k], *table.type, table.encoding);
+  }
+  return bytes;
 }
 
 }  // namespace
@@ -183,18 +252,27 @@ std::string NumberTable::place(std::size_t row) const {
 }
 
 NumberTable read_number_table(const std::filesystem::path& path) {
-  const FileBytes bytes = FileBytes::read(path);
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::string name = path.string();
-  const bool is_text = ending == ".csv" || ending == ".txt" || ending == ".tsv";
-  if (!is_text && ending != ".npy") {
-    throw InputError(name + ": expected a table, .csv, .txt, .tsv or .npy");
+  NumberTable table{.name = path.string()};
+  table.bytes = std::make_shared<const FileBytes>(FileBytes::read(path));
+  if (!is_number_table(path)) {
+    throw InputError(table.name + ": expected a table, .csv, .txt, .tsv or .npy");
   }
-  NumberTable table = is_text ? read_text(name, bytes.view()) : read_npy(name, bytes.view());
-  if (table.row_count() == 0) throw InputError(name + ": the table has no row");
+  if (is_npy(path)) {
+    read_npy(table);
+  } else {
+    read_text(table);
+  }
+  if (table.row_count() == 0) throw InputError(table.name + ": the table has no row");
   return table;
+}
+
+bool is_number_table(const std::filesystem::path& path) {
+  const std::string ending = lowered(path.extension().string());
+  return ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".npy";
+}
+
+std::string with_numbers(const NumberTable& table, std::span<const double> numbers) {
+  return table.encoding == Encoding::ascii ? text_with(table, numbers) : npy_with(table, numbers);
 }
 
 }  // namespace lapwing

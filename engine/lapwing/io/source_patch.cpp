@@ -29,6 +29,16 @@ void set_triple(SourcePatch& patch, const NumberTriples& triples, std::size_t re
   }
 }
 
+// Whether the normals of a cloud are others than in its file: those of a mesh follow its faces.
+bool have_turned(const SourceFile& source, const Mesh& mesh) {
+  const std::vector<Eigen::Vector3d>& normals = mesh.attributes().normals;
+  if (mesh.face_count() > 0 || normals.size() != source.normals.count) return false;
+  for (std::size_t r = 0; r < normals.size(); ++r) {
+    if (source.read_triple(source.normals, r) != normals[r]) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void SourcePatch::set_number(std::uint64_t offset, double value, Scalar type) {
@@ -96,7 +106,7 @@ Positions source_positions(const SourceFile& source, const Mesh& mesh) {
 
 std::optional<std::string> patch_source(const SourceFile& source, const Mesh& mesh) {
   SourcePatch patch(source);
-  bool moved = false;
+  bool moved = have_turned(source, mesh);
   for (std::size_t r = 0; r < source.positions.count; ++r) {
     const Eigen::Vector3d before = source.read_triple(source.positions, r);
     const Eigen::Vector3d& now = mesh.positions[source.vertex_of(mesh, r)];
@@ -111,7 +121,7 @@ std::optional<std::string> patch_source(const SourceFile& source, const Mesh& me
   if (has_integers(source.normals)) return std::nullopt;
   const StoredNormals updated = updated_normals(mesh, source_positions(source, mesh));
   for (std::size_t r = 0; r < source.normals.count; ++r) {
-    set_triple(patch, source.normals, r, mesh.attributes().normals[r], updated.normals[r]);
+    set_triple(patch, source.normals, r, source.read_triple(source.normals, r), updated.normals[r]);
   }
   if (updated.normals.size() > source.normals.count) add_obj_normals(mesh, updated, source, patch);
   return patch.apply();

@@ -83,6 +83,11 @@ class KeyReader final : public KeyVisitor {
   void mirror(const StepKey& key, std::optional<MirrorSpec>& value) override {
     if (const auto found = find(key)) value = read_mirror(*found);
   }
+  void carry(const StepKey& key, std::vector<CarrySpec>& value) override {
+    const auto found = find(key);
+    if (!found) return;
+    for (const JsonNode& file : found->elements()) value.push_back(read_carry(file));
+  }
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override {
     if (const auto found = find(key)) value = read_pairs(*found);
   }

@@ -47,6 +47,9 @@ class KeyTable final : public KeyVisitor {
   void mirror(const StepKey& key, std::optional<MirrorSpec>&) override {
     add(key, "`\"auto\"`, `{\"plane\": \"x\"}` or `{\"point\", \"normal\"}`");
   }
+  void carry(const StepKey& key, std::vector<CarrySpec>&) override {
+    add(key, "a list of files, or `{\"file\", \"save\"}`");
+  }
   void pairs(const StepKey& key, std::vector<VertexPair>&) override { add(key, "`[[s, t], ...]`"); }
   void weight(const StepKey& key, MixWeight&) override { add(key, "an object"); }
   void file(const StepKey& key, std::filesystem::path&) override { add(key, "a file"); }

@@ -34,6 +34,9 @@ class KeyWriter final : public KeyVisitor {
   void mirror(const StepKey& key, std::optional<MirrorSpec>& value) override {
     if (value) put(key, json_of(*value));
   }
+  void carry(const StepKey& key, std::vector<CarrySpec>& value) override {
+    if (!value.empty()) put(key, json_of(value));
+  }
   void pairs(const StepKey& key, std::vector<VertexPair>& value) override {
     if (!value.empty()) put(key, value);
   }

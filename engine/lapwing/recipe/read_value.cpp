@@ -156,8 +156,8 @@ MirrorSpec read_mirror(const JsonNode& node) {
     if (node.has("point") || node.has("normal")) {
       axis->fail("\"plane\" names a coordinate plane; leave out \"point\" and \"normal\"");
     }
-    plane.normal = Eigen::Vector3d::Unit(
-        static_cast<Eigen::Index>(axis->one_of("plane", {"x", "y", "z"})));
+    plane.normal =
+        Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis->one_of("plane", {"x", "y", "z"})));
   } else {
     plane = {node.at("point").vector3(), node.at("normal").vector3()};
     if (!(plane.normal.norm() > 0.0)) {
@@ -166,6 +166,14 @@ MirrorSpec read_mirror(const JsonNode& node) {
   }
   mirror.plane = plane;
   return mirror;
+}
+
+CarrySpec read_carry(const JsonNode& node) {
+  if (node.is_string()) return {node.file_name()};
+  node.require_keys({"file", "save"});
+  CarrySpec carry{node.at("file").file_name()};
+  if (const auto save = node.find("save")) carry.save = save->file_name();
+  return carry;
 }
 
 std::vector<VertexPair> read_pairs(const JsonNode& node) {

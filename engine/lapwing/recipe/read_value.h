@@ -12,6 +12,7 @@ Move read_move(const JsonNode& node);
 MovedHandle read_handle(const JsonNode& node, HandleForm form);
 TargetSpec read_targets(const JsonNode& node);
 MirrorSpec read_mirror(const JsonNode& node);
+CarrySpec read_carry(const JsonNode& node);
 std::vector<VertexPair> read_pairs(const JsonNode& node);
 MixWeight read_weight(const JsonNode& node);
 PartPlace read_place(const JsonNode& node);

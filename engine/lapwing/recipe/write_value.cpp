@@ -148,6 +148,17 @@ Json json_of(const MirrorSpec& mirror) {
   if (plane == nullptr) return "auto";
   return {{"point", json_of(plane->point)}, {"normal", json_of(plane->normal)}};
 }
+Json json_of(const std::vector<CarrySpec>& carry) {
+  Json list = Json::array();
+  for (const CarrySpec& spec : carry) {
+    if (spec.save.empty()) {
+      list.push_back(spec.file.string());
+    } else {
+      list.push_back({{"file", spec.file.string()}, {"save", spec.save.string()}});
+    }
+  }
+  return list;
+}
 Json json_of(const MixWeight& weight) {
   return json_of_any(weight.form);
 }

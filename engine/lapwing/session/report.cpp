@@ -62,10 +62,18 @@ Json as_json(const VertexMeasures& measures) {
     for (const double value : values) list.push_back(number(value));
     return list;
   };
+  Json displacements = Json::array();
+  for (const Eigen::Vector3d& d : measures.displacement) displacements.push_back(vector(d));
+  Json rotations = Json::array();
+  for (const Eigen::Quaterniond& q : measures.rotation) {
+    rotations.push_back(Json::array({number(q.w()), number(q.x()), number(q.y()), number(q.z())}));
+  }
   return {{"vertices", measures.vertices},
           {"rotation_degrees", numbers(measures.rotation_degrees)},
           {"detail_error", numbers(measures.detail_error)},
-          {"stretch", numbers(measures.stretch)}};
+          {"stretch", numbers(measures.stretch)},
+          {"displacement", std::move(displacements)},
+          {"rotation", std::move(rotations)}};
 }
 
 Json as_json(const CoatSourceReport& source) {

@@ -7,6 +7,7 @@
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/session/motion_properties.h"
 
 namespace lapwing {
 namespace {
@@ -30,6 +31,7 @@ void load_mesh(const Recipe& recipe, const Progress& progress, RunResult& result
   RunReport& report = result.report;
   const auto path = recipe.mesh_path();
   report.mesh = path.lexically_normal().string();
+  result.inputs.push_back(path);
   stage("read", report.timings, progress, [&] { result.mesh = read_mesh(path); });
   result.original = result.mesh.positions;
   stage("topology", report.timings, progress, [&] { result.mesh.topology(); });
@@ -78,14 +80,23 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
   return result;
 }
 
-void save_result(RunResult& result, const std::filesystem::path& path) {
+void save_result(RunResult& result, const std::filesystem::path& path, const SaveOptions& options) {
   const Stopwatch watch;
-  const WriteReport written = write_mesh(result.mesh, path);
-  result.report.timings.add("write", watch.elapsed_ms());
-  for (const std::string& line : written.not_carried) {
-    result.report.warnings.push_back("not carried over: " + line);
+  require_targets(result.carried, path, result.inputs);
+  const bool marked = options.vertex_motion;
+  const Mesh mesh = marked ? with_vertex_motion(result.mesh, result.original, path) : result.mesh;
+  const auto add = [&](const std::string& name, const WriteReport& written) {
+    for (const std::string& line : written.not_carried) {
+      result.report.warnings.push_back(name + "not carried over: " + line);
+    }
+    for (const std::string& note : written.notes) result.report.warnings.push_back(name + note);
+  };
+  for (const CarriedFile& file : result.carried) {
+    const std::filesystem::path target = file.target(path);
+    add(target.filename().string() + ": ", file.write(target));
   }
-  result.warn(written.notes);
+  add("", write_mesh(mesh, path, {.anew = marked}));
+  result.report.timings.add("write", watch.elapsed_ms());
 }
 
 }  // namespace lapwing

@@ -21,7 +21,16 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress = {},
                                       const RunOptions& options = {});
 
-/// Writes the result's mesh and adds to its report what the format could not carry, and the time.
-void save_result(RunResult& result, const std::filesystem::path& path);
+struct SaveOptions {
+  /// Writes how each vertex moved in all of the run, as vertex properties of a PLY file.
+  bool vertex_motion = false;
+};
+
+/// Writes what was carried along (CarriedFile), then the result's mesh, and adds to its report what
+/// the formats could not hold, and the time. Nothing is written where a carried file would go over
+/// the result, an input or another one: InputError. Throws what `write_mesh` does, and InputError
+/// for a vertex motion in another format than PLY.
+void save_result(RunResult& result, const std::filesystem::path& path,
+                 const SaveOptions& options = {});
 
 }  // namespace lapwing

@@ -86,6 +86,9 @@ std::vector<SharedSource> read_sources(std::span<const FileSource> sources, cons
   std::vector<SharedSource> meshes;
   stage("source", timings, on.progress,
         [&] { meshes = read_source_meshes(sources, on.base_directory); });
+  for (const FileSource& source : sources) {
+    if (!source.mesh.empty()) on.result.inputs.push_back(on.base_directory / source.mesh);
+  }
   return meshes;
 }
 

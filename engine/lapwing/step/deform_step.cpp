@@ -1,8 +1,11 @@
 #include "lapwing/step/deform_step.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/stage.h"
+#include "lapwing/deform/carried.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/io/number_table.h"
 #include "lapwing/step/key_visitor.h"
@@ -29,6 +32,25 @@ class Validation final : public KeyVisitor {
  protected:
   bool enter(const StepKey&, bool& given, ObjectForm, bool) override { return given; }
 };
+
+// Opens the files that no step before has opened; which of `on.result.carried` they are.
+std::vector<std::size_t> open_carried(std::span<const CarrySpec> files, const StepRun& on) {
+  std::vector<CarriedFile>& open = on.result.carried;
+  std::vector<std::size_t> chosen;
+  for (const CarrySpec& spec : files) {
+    const std::filesystem::path path = (on.base_directory / spec.file).lexically_normal();
+    auto at = std::find_if(open.begin(), open.end(),
+                           [&](const CarriedFile& file) { return file.file() == path; });
+    const auto number = static_cast<std::size_t>(at - open.begin());
+    if (at == open.end()) {
+      at = open.insert(at, CarriedFile(path));
+      on.result.inputs.push_back(path);
+    }
+    if (!spec.save.empty()) at->save = on.base_directory / spec.save;
+    if (std::count(chosen.begin(), chosen.end(), number) == 0) chosen.push_back(number);
+  }
+  return chosen;
+}
 
 }  // namespace
 
@@ -112,6 +134,11 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
                           "shape, a coordinate plane (x = 0), or any",
                   .absent = "none"},
                  step.mirror);
+  visitor.carry({.name = "carry",
+                 .help = "other files that follow the surface, each point with what is nearest to "
+                         "it: meshes, point clouds, tables of x, y, z with a normal or quaternion",
+                 .absent = "none"},
+                step.carry);
   visitor.require(!step.handles.empty() || !step.targets.empty(), "handles",
                   "nothing is moved; give at least one handle or target");
   describe(step.parameters, visitor);
@@ -126,15 +153,27 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
 StepReport run_step(const DeformRequest& step, const StepRun& on) {
   DeformRequest named = step;
   named.where = "step " + std::to_string(on.number);
+  named.carry.clear();
+  const std::vector<std::size_t> carried = open_carried(step.carry, on);
   if (!named.targets.file.empty()) {
     const NumberTable table = read_number_table(on.base_directory / named.targets.file);
     for (std::size_t r = 0; r < table.row_count(); ++r) {
       named.targets.rows.push_back(target_row(table.row(r), table.place(r)));
     }
     named.targets.where = table.name;
+    on.result.inputs.emplace_back(table.name);
   }
   RunResult& result = on.result;
+  const Positions rest = carried.empty() ? Positions() : result.mesh.positions;
   Deformed done = deform(std::move(result.mesh), named, on.kernels, result.deformed, on.progress);
+  if (!carried.empty()) {
+    stage("carry", done.timings, on.progress, [&] {
+      const SurfaceCarrier carrier(rest, done);
+      for (const std::size_t k : carried) {
+        result.carried[k].move(carrier.carry(result.carried[k].positions()));
+      }
+    });
+  }
   result.mesh = std::move(done.mesh);
   result.warn(done.warnings);
   result.note(done.notes);

@@ -53,6 +53,9 @@ void KeyVisitor::belt(const StepKey& key, BeltSpec&) {
 void KeyVisitor::mirror(const StepKey& key, std::optional<MirrorSpec>&) {
   other(key);
 }
+void KeyVisitor::carry(const StepKey& key, std::vector<CarrySpec>&) {
+  other(key);
+}
 void KeyVisitor::targets(const StepKey& key, TargetSpec&) {
   other(key);
 }

@@ -109,6 +109,7 @@ class KeyVisitor {
   virtual void handles(const StepKey& key, std::vector<MovedHandle>& value, HandleForm form);
   virtual void targets(const StepKey& key, TargetSpec& value);
   virtual void mirror(const StepKey& key, std::optional<MirrorSpec>& value);
+  virtual void carry(const StepKey& key, std::vector<CarrySpec>& value);
   virtual void pairs(const StepKey& key, std::vector<VertexPair>& value);
   virtual void weight(const StepKey& key, MixWeight& value);
   virtual void file(const StepKey& key, std::filesystem::path& value);

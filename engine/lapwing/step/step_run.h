@@ -3,11 +3,13 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "lapwing/base/progress.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
+#include "lapwing/step/carried_file.h"
 #include "lapwing/step/run_report.h"
 
 namespace lapwing {
@@ -22,6 +24,9 @@ struct RunResult {
   DeformWorkspace deformed;
   /// What the last step concerned; nothing without steps.
   EditRegion region;
+  /// The files that deform steps carried along, as those steps left them.
+  std::vector<CarriedFile> carried;
+  std::vector<std::filesystem::path> inputs;  ///< the files that were read, but for the recipe
   RunReport report;
 
   void warn(std::span<const std::string> texts) {
@@ -33,7 +38,7 @@ struct RunResult {
 };
 
 /// One step on its way: what it is carried out with and on. Each step changes the mesh, the
-/// original, the region, the warnings and the notes of `result`.
+/// original, the region, what is carried, the warnings and the notes of `result`.
 struct StepRun {
   std::size_t number;                           ///< of the step in its recipe, from 1
   const std::filesystem::path& base_directory;  ///< where the files that it names are looked for

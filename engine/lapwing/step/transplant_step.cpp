@@ -84,6 +84,7 @@ StepReport run_step(const TransplantStep& step, const StepRun& on) {
   std::optional<Mesh> read;
   stage("part", report.timings, on.progress,
         [&] { read = read_part_mesh(step, on.base_directory); });
+  if (read) result.inputs.push_back(on.base_directory / step.part);
   const Mesh& part = read ? *read : result.mesh;
   const std::string name = read ? step.part.stem().string() : "part";
   Transplanted done = transplant(result.mesh, part, name, step, on.kernels, on.progress);

@@ -1,0 +1,160 @@
+#include "lapwing/step/carried_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <system_error>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/atomic_file.h"
+
+namespace lapwing {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr std::array<std::string_view, 4> kQuaternion{"qw", "qx", "qy", "qz"};
+
+std::string lowered_extension(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+Mesh read_carried_mesh(const fs::path& file) {
+  Mesh mesh = read_mesh(file);
+  if (mesh.positions.empty()) throw InputError(file.string() + ": it has no vertex to carry");
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.positions[v].allFinite()) continue;
+    throw InputError(file.string() + ": the position of vertex " + std::to_string(v) +
+                     " is not finite; lapwing check --fix repairs a mesh");
+  }
+  return mesh;
+}
+
+std::variant<Mesh, PointTable> read_content(const fs::path& file) {
+  if (is_number_table(file)) return read_point_table(file);
+  return read_carried_mesh(file);
+}
+
+// The four properties, in the order of kQuaternion; none unless all are there.
+std::vector<double*> quaternion_properties(std::vector<ExtraAttribute>& extras) {
+  std::vector<double*> found;
+  for (const std::string_view name : kQuaternion) {
+    const auto at = std::find_if(extras.begin(), extras.end(), [&](const ExtraAttribute& extra) {
+      return extra.name == name && extra.components == 1;
+    });
+    if (at == extras.end()) return {};
+    found.push_back(at->values.data());
+  }
+  return found;
+}
+
+// A rotation that is none keeps the bits.
+bool turns(const Quaterniond& rotation) {
+  return !rotation.vec().isZero(0.0);
+}
+
+void turn_normals(std::span<const Quaterniond> rotations, std::vector<Vector3d>& normals) {
+  for (std::size_t p = 0; p < normals.size(); ++p) {
+    if (turns(rotations[p])) normals[p] = rotations[p] * normals[p];
+  }
+}
+
+// Whether some quaternion turned.
+bool turn_attributes(std::span<const Quaterniond> rotations, Mesh& mesh) {
+  const bool is_cloud = mesh.face_count() == 0;
+  if (is_cloud && mesh.attributes().normals.size() == rotations.size()) {
+    turn_normals(rotations, mesh.edit_attributes().normals);
+  }
+  const std::vector<double*> parts = quaternion_properties(mesh.edit_attributes().vertex_extras);
+  if (parts.empty()) return false;
+  bool any = false;
+  for (std::size_t p = 0; p < rotations.size(); ++p) {
+    if (!turns(rotations[p])) continue;
+    const Quaterniond q =
+        rotations[p] * Quaterniond(parts[0][p], parts[1][p], parts[2][p], parts[3][p]);
+    const std::array turned{q.w(), q.x(), q.y(), q.z()};
+    for (std::size_t k = 0; k < turned.size(); ++k) parts[k][p] = turned[k];
+    any = true;
+  }
+  return any;
+}
+
+// One file, whatever its path is written like, whether it is there or not.
+bool is_same(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error) && !error) return true;
+  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+}
+
+}  // namespace
+
+CarriedFile::CarriedFile(fs::path file) : file_(std::move(file)), content_(read_content(file_)) {}
+
+const Positions& CarriedFile::positions() const {
+  return std::visit([](const auto& content) -> const Positions& { return content.positions; },
+                    content_);
+}
+
+void CarriedFile::move(CarriedPoints carried) {
+  if (auto* points = std::get_if<PointTable>(&content_)) {
+    turn_normals(carried.rotations, points->normals);
+    for (std::size_t p = 0; p < points->rotations.size(); ++p) {
+      if (!turns(carried.rotations[p])) continue;
+      points->rotations[p] = carried.rotations[p] * points->rotations[p];
+    }
+    points->positions = std::move(carried.positions);
+  } else {
+    Mesh& mesh = std::get<Mesh>(content_);
+    turns_properties_ = turn_attributes(carried.rotations, mesh) || turns_properties_;
+    mesh.positions = std::move(carried.positions);
+  }
+}
+
+fs::path CarriedFile::target(const fs::path& result) const {
+  if (!save.empty()) return save;
+  return result.parent_path() / (file_.stem().string() + "-carried" + file_.extension().string());
+}
+
+WriteReport CarriedFile::write(const fs::path& target) const {
+  if (const auto* mesh = std::get_if<Mesh>(&content_)) {
+    return write_mesh(*mesh, target, {.anew = turns_properties_});
+  }
+  replace_file(target, bytes_of(std::get<PointTable>(content_)));
+  return {};
+}
+
+void CarriedFile::require_format(const fs::path& target) const {
+  if (std::holds_alternative<Mesh>(content_)) {
+    format_of(target);
+  } else if (lowered_extension(target) != lowered_extension(file_)) {
+    throw InputError(target.string() + ": a table is saved as it was read; name it " +
+                     file_.extension().string());
+  }
+}
+
+void require_targets(std::span<const CarriedFile> files, const fs::path& result,
+                     std::span<const fs::path> inputs) {
+  std::vector<fs::path> taken{result};
+  for (const CarriedFile& file : files) {
+    const fs::path target = file.target(result);
+    const auto refuse = [&](const std::string& why) {
+      throw InputError(file.file().string() + ": it would be saved as " + target.string() + ", " +
+                       why + "; give it another \"save\"");
+    };
+    file.require_format(target);
+    const auto is_target = [&](const fs::path& path) { return is_same(path, target); };
+    if (std::any_of(inputs.begin(), inputs.end(), is_target)) refuse("which the edit reads");
+    if (std::any_of(taken.begin(), taken.end(), is_target)) {
+      refuse("where another result of the edit goes");
+    }
+    taken.push_back(target);
+  }
+}
+
+}  // namespace lapwing
