@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 #include "lapwing/io/point_table.h"
 #include "support/gpu.h"
+#include "support/split_meshes.h"
 
 namespace lapwing {
 namespace {
@@ -159,6 +160,42 @@ TEST_F(CommandLine, EveryKeyOfADeformIsAFlag) {
         "\"max_iterations\": 50", "\"commit_every\": 90"}) {
     EXPECT_THAT(read("a.recipe.json"), HasSubstr(key));
   }
+}
+
+TEST_F(CommandLine, SplitVerticesComeBackWithTheirFacesAndTextureCoordinates) {
+  // The tube in two charts, each with its own vertices and texture coordinates.
+  const test::SplitMesh split = test::halves(read_mesh(file("tube.obj")));
+  std::ostringstream obj;
+  obj.precision(17);
+  for (const auto& p : split.mesh.positions) {
+    obj << "v " << p.transpose() << "\nvt " << p.x() << " " << p.z() << "\n";
+  }
+  for (std::size_t f = 0; f < split.mesh.face_count(); ++f) {
+    if (2 * f == split.mesh.face_count()) obj << "usemtl second # chart\n";
+    obj << "f";
+    for (const Index v : split.mesh.face(f)) obj << " " << v + 1 << "/" << v + 1;
+    obj << "\n";
+  }
+  write("charts.obj", obj.str());
+  const std::string move =
+      " --belt box:-1,-1,-1,1,1,0.4 --handle box:-1,-1,2.6,1,1,9 --translate=0.4,0,-0.2 "
+      "--device cpu --save ";
+  const Outcome outcome = lapwing("deform charts.obj" + move + "a.obj --strict");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("seam edges of the roi are edited as one surface"));
+  const auto without_positions = [&](const std::string& name) {
+    std::istringstream lines(read(name));
+    std::string kept;
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("v ")) kept += line + "\n";
+    }
+    return kept;
+  };
+  EXPECT_EQ(without_positions("a.obj"), without_positions("charts.obj"));
+  ASSERT_EQ(lapwing("deform tube.obj" + move + "whole.obj").exit_code, 0);
+  const Positions after = read_mesh(file("a.obj")).positions;
+  const Positions whole = read_mesh(file("whole.obj")).positions;
+  for (std::size_t v = 0; v < after.size(); ++v) EXPECT_EQ(after[v], whole[split.sources[v]]);
 }
 
 TEST_F(CommandLine, TargetsComeFromATable) {

@@ -64,6 +64,16 @@ TEST_F(DeformInMemory, AWorkspaceServesOneRequestAfterAnother) {
   EXPECT_EQ(twice.positions, deform(once, on).mesh.positions);
 }
 
+TEST_F(DeformInMemory, MovesARegionOfOneVertex) {
+  DeformRequest one;
+  one.roi = {ListedVertices{{130}}};
+  one.belt = RegionSpec{ListedVertices{}};
+  one.handles = {{{ListedVertices{{130}}}, SimilarityMove{.translate = {0.1, 0.0, 0.0}}}};
+  const Positions moved = deform(mesh_, one).mesh.positions;
+  EXPECT_GT(moved[130].x() - mesh_.positions[130].x(), 0.01);
+  EXPECT_EQ(moved[131], mesh_.positions[131]);
+}
+
 TEST_F(DeformInMemory, SaysWhatToChangeWithoutAFile) {
   DeformRequest wound = request(Vector3d::Zero(), 200.0);
   EXPECT_THAT(deform(mesh_, wound).warnings,

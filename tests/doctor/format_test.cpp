@@ -20,7 +20,7 @@ TEST(Format, CleanMeshSaysSo) {
 TEST(Format, DefectLineHoldsCountPlacesMeaningAndNextStep) {
   const std::string text = format(check(unwelded_square()));
   EXPECT_THAT(text, AllOf(HasSubstr("warning  2 unwelded seam edges"), HasSubstr("edges 1-2, 3-4"),
-                          HasSubstr("the two sides move apart"), HasSubstr("--fix OUT"),
+                          HasSubstr("edits them as one surface"), HasSubstr("--fix OUT"),
                           EndsWith("1 kind of defect, 1 repairable\n")));
 }
 

@@ -177,6 +177,43 @@ TEST_F(ObjSource, HardEdgesStayHard) {
   EXPECT_LT((after.normals[1] - Eigen::Vector3d(h, 0, h)).norm(), 1e-12);
 }
 
+// Two triangles on an edge, in whose place each has vertices of its own, with these normals.
+std::string split_edge(const std::string& left, const std::string& right) {
+  return "v 0 0 0\nv 0 1 0\nv -1 0 0\nv 0 0 0\nv 0 1 0\nv 2 0 0\nvn " + left + "\nvn " + right +
+         "\nf 1//1 2//1 3//1\nf 5//2 4//2 6//2\n";
+}
+
+TEST_F(ObjSource, SeamWithEqualNormalsStaysSmooth) {
+  Mesh mesh = read(split_edge("0 0 1", "0 0 1"));
+  mesh.positions[2].z() = -1;
+  write(mesh);
+  const MeshAttributes after = read_mesh(folder_ / "b.obj").attributes();
+  const auto normal_at = [&](std::size_t corner) {
+    return after.normals[after.corner_normals[corner]];
+  };
+  EXPECT_EQ(normal_at(0), normal_at(4));
+  EXPECT_EQ(normal_at(1), normal_at(3));
+  // The area vectors are (-1, 0, 1) / 2 and (0, 0, 1).
+  EXPECT_LT((normal_at(0) - Eigen::Vector3d(-1, 0, 3).normalized()).norm(), 1e-12);
+  EXPECT_LT((normal_at(2) - Eigen::Vector3d(-1, 0, 1).normalized()).norm(), 1e-12);
+  EXPECT_EQ(normal_at(5), Eigen::Vector3d(0, 0, 1));
+}
+
+TEST_F(ObjSource, SeamStaysHardWithOtherNormalsOrWhereItHasOpened) {
+  const Eigen::Vector3d turned = Eigen::Vector3d(-1, 0, 1).normalized();
+  Mesh hard = read(split_edge("0 0 1", "0.1 0 1"));
+  hard.positions[2].z() = -1;
+  write(hard);
+  const std::vector<Eigen::Vector3d> after = read_mesh(folder_ / "b.obj").attributes().normals;
+  EXPECT_LT((after[0] - turned).norm(), 1e-12);
+  EXPECT_EQ(after[1], Eigen::Vector3d(0.1, 0, 1));
+  Mesh opened = read(split_edge("0 0 1", "0 0 1"));
+  opened.positions[2].z() = -1;
+  for (const std::size_t v : {3, 4, 5}) opened.positions[v].x() += 0.1;
+  write(opened);
+  EXPECT_LT((read_mesh(folder_ / "b.obj").attributes().normals[0] - turned).norm(), 1e-12);
+}
+
 TEST_F(ObjSource, NormalSharedByVerticesThatNowDifferIsSplit) {
   // A flat strip of two quads with one normal for all; its right end is bent down.
   const std::string text =

@@ -260,7 +260,8 @@ TEST(Recipe, IsWrittenForReaders) {
       "constraint_weight": 2,
       "hard": true,
       "settle": false,
-      "loose": "carry"
+      "loose": "carry",
+      "seams": "join"
     }
   ],
   "save": "out.obj"

@@ -8,6 +8,7 @@
 #include "lapwing/deform/bound_request.h"
 #include "lapwing/deform/commits.h"
 #include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/joined_request.h"
 #include "lapwing/deform/mirrored_request.h"
 #include "lapwing/deform/winding.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -39,7 +40,9 @@ struct Work {
 
   // From share `from` of the motions to share `to`.
   Certificate carry_out(double from, double to) const {
-    if (!workspace.prepared) workspace.prepared = std::make_unique<PreparedRegion>(bound.topology);
+    if (!workspace.prepared || &workspace.prepared->topology() != &bound.topology) {
+      workspace.prepared = std::make_unique<PreparedRegion>(bound.topology);
+    }
     const Deformer deformer(*workspace.prepared, result.mesh.positions, region_at(to),
                             bound.request.parameters, kernels, progress);
     for (const auto& [name, ms] : deformer.timings().stages()) result.timings.add(name, ms);
@@ -134,18 +137,9 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
   }
 }
 
-}  // namespace
-
-Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
-                DeformWorkspace& workspace, const Progress& progress) {
-  if (request.mirror) {
-    const MirroredRequest both = mirrored_request(request, mesh);
-    Deformed result = deform(std::move(mesh), both.request, kernels, workspace, progress);
-    for (const std::string& note : both.notes) {
-      result.notes.push_back(request.where + ": " + note);
-    }
-    return result;
-  }
+// The faces of `mesh` as they are, of a request without a mirror. Warns of nothing.
+Deformed deform_surface(Mesh mesh, const DeformRequest& request, Kernels& kernels,
+                        DeformWorkspace& workspace, const Progress& progress) {
   if (request.targets.rows.empty() && !request.targets.file.empty()) {
     throw InputError(request.targets.where + ": " + request.targets.file.string() +
                      " has not been read; give its rows");
@@ -173,9 +167,41 @@ Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
   const Work work{bound, kernels, workspace, progress, result, start};
   result.certificate = result.commits == 1 ? work.carry_out(0.0, 1.0) : work.carry_out_in_parts();
   result.wound_degrees = wound_degrees(bound, largest, start, result.mesh.positions);
-  add_notes(request, result);
-  add_warnings(request, result);
   return result;
+}
+
+// Null where nothing is joined.
+JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& workspace) {
+  if (policy == SeamPolicy::leave) return nullptr;
+  std::optional<JoinedSurface>& joined = workspace.joined;
+  if (!joined || !joined->is_closed_at(mesh.positions)) {
+    workspace.prepared.reset();  // it may refer to the topology that goes
+    joined = joined_surface(mesh);
+  }
+  if (joined->empty()) return nullptr;
+  joined->surface.positions = mesh.positions;
+  return &*joined;
+}
+
+}  // namespace
+
+Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
+                DeformWorkspace& workspace, const Progress& progress) {
+  const JoinedSurface* joined = joined_for(mesh, request.parameters.seams, workspace);
+  const auto on_surface = [&](const DeformRequest& asked, Mesh surface) {
+    const MirroredRequest both = mirrored_request(asked, surface);
+    Deformed result =
+        deform_surface(std::move(surface), both.request, kernels, workspace, progress);
+    for (const std::string& note : both.notes) {
+      result.notes.push_back(request.where + ": " + note);
+    }
+    if (joined != nullptr) give_back_seams(*joined, std::move(mesh), request.where, result);
+    add_notes(both.request, result);
+    add_warnings(both.request, result);
+    return result;
+  };
+  if (joined == nullptr) return on_surface(request, std::move(mesh));
+  return on_surface(joined_request(request, *joined), joined->surface);
 }
 
 Deformed deform(Mesh mesh, const DeformRequest& request) {

@@ -13,6 +13,7 @@
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/deform/vertex_motion.h"
 #include "lapwing/kernels/kernels.h"
+#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
 
@@ -45,14 +46,17 @@ struct Deformed : DeformReport {
   StageTimings timings;  ///< of all parts together
 };
 
-/// Carries `request` out on `mesh`, whatever its faces. The processor computes it; one call
-/// prepares anew, so that whoever edits one region again and again keeps a Deformer. Throws
-/// InputError for a request that does not fit the mesh, and what Deformer throws.
+/// Carries `request` out on `mesh`, whatever its faces. Seams are joined for it, as the request
+/// says: a vertex on one stands for all that are one with it, which come out where it does, and the
+/// polygons are those of `mesh`. The processor computes it; one call prepares anew, so that whoever
+/// edits one region again and again keeps a Deformer. Throws InputError for a request that does not
+/// fit the mesh, and what Deformer throws.
 Deformed deform(Mesh mesh, const DeformRequest& request);
 
 /// What one request leaves for another on the same mesh.
 struct DeformWorkspace {
-  std::unique_ptr<PreparedRegion> prepared;  ///< for the same ROI
+  std::unique_ptr<PreparedRegion> prepared = {};  ///< for the same ROI
+  std::optional<JoinedSurface> joined = {};       ///< once seams were looked for
 };
 
 /// The same on any device. `kernels` and a mesh that shares the faces of `mesh` (the result is

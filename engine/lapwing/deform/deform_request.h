@@ -14,12 +14,19 @@
 
 namespace lapwing {
 
+/// What becomes of seams (JoinedSurface) in an edit.
+enum class SeamPolicy {
+  join,   ///< the surface is edited as if it had none, and they stay closed
+  leave,  ///< their sides are boundaries, and move apart
+};
+
 /// How a deformation is computed, whatever it moves.
 struct DeformParameters : DeformOptions {
   /// A larger turn of a handle is made in equal parts of at most this many degrees, each committed:
   /// its result is the rest shape of the next. Above 0, at most kLargestSettledTurnDegrees.
   std::optional<double> commit_every = {};
   LoosePolicy loose = LoosePolicy::carry;
+  SeamPolicy seams = SeamPolicy::join;
   bool operator==(const DeformParameters&) const = default;
 };
 

@@ -8,11 +8,11 @@
 #include "lapwing/doctor/mend_faces.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/doctor/repeated_faces.h"
-#include "lapwing/doctor/seams.h"
 #include "lapwing/doctor/self_intersections.h"
 #include "lapwing/mesh/coincident.h"
 #include "lapwing/mesh/edges.h"
 #include "lapwing/mesh/fans.h"
+#include "lapwing/mesh/seams.h"
 
 namespace lapwing {
 namespace {

@@ -30,11 +30,13 @@ constexpr std::array<DefectInfo, kDefectKindCount> kDefects{{
      "no face holds the vertex: nothing carries it along with an edit", kFixIt, Severity::warning,
      Element::vertex, true},
     {"duplicate_vertex", "duplicate vertices",
-     "at the position of an earlier vertex, but not joined to it: an edit can move them apart",
+     "at the position of an earlier vertex, but not joined to it: off a seam an edit can move them "
+     "apart",
      "`lapwing check MESH --fix OUT` welds those along unwelded seams and leaves the others",
      Severity::info, Element::vertex, false},
     {"unwelded_seam", "unwelded seam edges",
-     "boundary edges at one place with different vertices: the two sides move apart when edited",
+     "boundary edges at one place with different vertices: `deform` edits them as one surface, any "
+     "other operation as a boundary",
      "weld them with `lapwing check MESH --fix OUT`", Severity::warning, Element::edge, true},
     {"non_manifold_edge", "edges with more than two faces",
      "legal to edit: all its faces move together, and the normal there is their mean", "",

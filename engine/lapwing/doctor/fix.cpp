@@ -7,15 +7,14 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/base/union_find.h"
 #include "lapwing/doctor/mend_faces.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/doctor/repeated_faces.h"
-#include "lapwing/doctor/seams.h"
 #include "lapwing/mesh/coincident.h"
 #include "lapwing/mesh/compact.h"
 #include "lapwing/mesh/edges.h"
 #include "lapwing/mesh/fans.h"
+#include "lapwing/mesh/seams.h"
 #include "lapwing/mesh/transform.h"
 
 namespace lapwing {
@@ -119,25 +118,16 @@ bool Repairs::weld_seams() {
   const std::vector<Index> first_at_position = first_at_same_position(mesh_.positions);
   const Adjacency seams = find_seams(mesh_, edges, first_at_position);
   if (seams.values.empty()) return false;
-  UnionFind welded(mesh_.vertex_count());
-  for (std::size_t s = 0; s < seams.row_count(); ++s) {
-    const auto [a, b] = edges.ends[seams[s][0]];
-    for (const Index edge : seams[s].subspan(1)) {
-      auto [c, d] = edges.ends[edge];
-      if (first_at_position[c] != first_at_position[a]) std::swap(c, d);
-      welded.unite(a, c);
-      welded.unite(b, d);
-    }
-  }
+  const std::vector<Index> welded = joined_at_seams(seams, edges, first_at_position);
   KeepMask mask(mesh_.vertex_count(), 1);
   for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-    const Index target = welded.find(v);
+    const Index target = welded[v];
     if (target == v) continue;
     mask[v] = 0;
     count(RepairKind::welded_vertices, 1);
     if (are_unlike(mesh_, v, target)) count(RepairKind::welded_unlike_vertices, 1);
   }
-  for (Index& v : mesh_.edit_faces().vertices) v = welded.find(v);
+  for (Index& v : mesh_.edit_faces().vertices) v = welded[v];
   keep(mask);
   return true;
 }

@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/mesh/joined_surface.h"
+
 namespace lapwing {
 namespace {
 
@@ -50,6 +52,7 @@ class NormalUpdate {
         stored_{mesh.attributes().normals, mesh.attributes().corner_normals} {}
 
   StoredNormals run() {
+    find_seams();
     const std::vector<Use> uses = uses_of_changed_normals();
     for (auto begin = uses.begin(); begin != uses.end();) {
       const auto end = std::find_if(begin, uses.end(),
@@ -74,6 +77,38 @@ class NormalUpdate {
                                                      : mesh_.attributes().corner_normals[corner];
   }
 
+  // Gathers the corners on seams, by leader.
+  void find_seams() {
+    const JoinedSurface joined = joined_surface(mesh_);
+    if (joined.empty()) return;
+    leaders_ = joined.leaders;
+    std::vector<char> on_seam(leaders_.size(), 0);
+    for (const Index v : joined.followers) on_seam[v] = on_seam[leaders_[v]] = 1;
+    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      for (Index c = mesh_.face_starts()[f]; c < mesh_.face_starts()[f + 1]; ++c) {
+        const Index v = mesh_.face_vertices()[c];
+        if (!on_seam[v] || normal_of(c) == kNoIndex) continue;
+        seam_uses_.push_back({normal_of(c), v, c, static_cast<Index>(f)});
+      }
+    }
+    std::ranges::stable_sort(seam_uses_, {}, [&](const Use& use) { return leaders_[use.vertex]; });
+  }
+
+  // Those at the other vertices that are one with its own, if they have an equal normal: there the
+  // surface is smooth, and was split for another reason.
+  std::vector<Use> uses_beyond_seams(Index vertex, Index normal) const {
+    std::vector<Use> beyond;
+    if (leaders_.empty()) return beyond;
+    const auto at_vertex = std::ranges::equal_range(
+        seam_uses_, leaders_[vertex], {}, [&](const Use& use) { return leaders_[use.vertex]; });
+    std::ranges::copy_if(at_vertex, std::back_inserter(beyond), [&](const Use& use) {
+      return use.vertex != vertex &&
+             (mesh_.attributes().normals[use.normal] - mesh_.attributes().normals[normal]).norm() <=
+                 kSameNormal;
+    });
+    return beyond;
+  }
+
   bool moved(std::size_t face) const {
     if (rest_.empty()) return true;
     const auto vertices = mesh_.face(face);
@@ -86,7 +121,11 @@ class NormalUpdate {
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
       if (!moved(f)) continue;
       for (Index c = mesh_.face_starts()[f]; c < mesh_.face_starts()[f + 1]; ++c) {
-        if (normal_of(c) != kNoIndex) changed[normal_of(c)] = true;
+        if (normal_of(c) == kNoIndex) continue;
+        changed[normal_of(c)] = true;
+        for (const Use& use : uses_beyond_seams(mesh_.face_vertices()[c], normal_of(c))) {
+          changed[use.normal] = true;
+        }
       }
     }
     std::vector<Use> uses;
@@ -101,10 +140,18 @@ class NormalUpdate {
     return uses;
   }
 
+  // By corner, so that both sides of a seam come to the same bits.
+  std::vector<Use> with_those_beyond(std::span<const Use> uses) const {
+    std::vector<Use> all = uses_beyond_seams(uses.front().vertex, uses.front().normal);
+    all.insert(all.end(), uses.begin(), uses.end());
+    std::ranges::sort(all, {}, &Use::corner);
+    return all;
+  }
+
   Group make_group(std::span<const Use> uses) const {
     Vector3d now = Vector3d::Zero();
     Vector3d before = Vector3d::Zero();
-    for (const Use& use : uses) {
+    for (const Use& use : with_those_beyond(uses)) {
       now += area_vector(mesh_.face(use.face), mesh_.positions);
       if (!rest_.empty()) before += area_vector(mesh_.face(use.face), rest_);
     }
@@ -147,6 +194,8 @@ class NormalUpdate {
   const Mesh& mesh_;
   std::span<const Vector3d> rest_;
   StoredNormals stored_;
+  std::vector<Index> leaders_;  // JoinedSurface::leaders; empty without seams
+  std::vector<Use> seam_uses_;  // by leader, then by corner
 };
 
 }  // namespace

@@ -49,7 +49,7 @@ std::vector<double> ring_areas(const Topology& topology, std::span<const Vector3
 }
 
 // A / r^2 of a region of area A and radius of gyration r: 4 pi of a sphere, 2 pi of a disc, 12 over
-// its aspect of a narrow strip.
+// its aspect of a narrow strip, which one vertex counts as.
 double area_over_square_of_radius(std::span<const Vector3d> rest, std::span<const Index> roi,
                                   std::span<const double> areas) {
   constexpr double kNarrowest = 12.0 / 100.0;
@@ -63,6 +63,7 @@ double area_over_square_of_radius(std::span<const Vector3d> rest, std::span<cons
   centroid = rest[roi[0]] + centroid / area;
   double moment = 0.0;
   for (const Index i : roi) moment += areas[i] * (rest[i] - centroid).squaredNorm();
+  if (!(moment > 0.0)) return kNarrowest;
   return std::max(area * (area / moment), kNarrowest);
 }
 

@@ -13,4 +13,10 @@ namespace lapwing {
 Adjacency find_seams(const Mesh& mesh, const Edges& edges,
                      const std::vector<Index>& first_at_position);
 
+/// For each vertex the smallest of those that it is one with once all edges of each seam are one
+/// edge, whatever their number and direction: its own number off the seams. Vertices at one place
+/// that no seam joins stay apart. `seams` are those of `find_seams`.
+std::vector<Index> joined_at_seams(const Adjacency& seams, const Edges& edges,
+                                   const std::vector<Index>& first_at_position);
+
 }  // namespace lapwing

@@ -1,8 +1,10 @@
-#include "lapwing/doctor/seams.h"
+#include "lapwing/mesh/seams.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
+
+#include "lapwing/base/union_find.h"
 
 namespace lapwing {
 
@@ -29,6 +31,23 @@ Adjacency find_seams(const Mesh& mesh, const Edges& edges,
     i = end;
   }
   return seams;
+}
+
+std::vector<Index> joined_at_seams(const Adjacency& seams, const Edges& edges,
+                                   const std::vector<Index>& first_at_position) {
+  UnionFind joined(first_at_position.size());
+  for (std::size_t s = 0; s < seams.row_count(); ++s) {
+    const auto [a, b] = edges.ends[seams[s][0]];
+    for (const Index edge : seams[s].subspan(1)) {
+      auto [c, d] = edges.ends[edge];
+      if (first_at_position[c] != first_at_position[a]) std::swap(c, d);
+      joined.unite(a, c);
+      joined.unite(b, d);
+    }
+  }
+  std::vector<Index> leaders(first_at_position.size());
+  for (Index v = 0; v < leaders.size(); ++v) leaders[v] = joined.find(v);
+  return leaders;
 }
 
 }  // namespace lapwing

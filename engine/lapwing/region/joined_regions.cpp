@@ -1,0 +1,114 @@
+#include "lapwing/region/joined_regions.h"
+
+#include <algorithm>
+
+namespace lapwing {
+namespace {
+
+// A vertex that is not there is an error, which `resolve` names.
+Index led_vertex(Index v, const JoinedSurface& joined) {
+  return v < joined.leaders.size() ? joined.leaders[v] : v;
+}
+
+RegionSpec led_spec(const RegionSpec& spec, const JoinedSurface& joined);
+
+// The same form with leaders in the place of the vertices that it names; one overload per form.
+struct Leading {
+  const JoinedSurface& joined;
+
+  AllVertices operator()(const AllVertices& all) const { return all; }
+  Box operator()(const Box& box) const { return box; }
+  ListedVertices operator()(const ListedVertices& list) const { return {led(list.vertices)}; }
+  GeodesicDisk operator()(GeodesicDisk disk) const {
+    if (auto* center = std::get_if<Index>(&disk.center)) *center = led_vertex(*center, joined);
+    return disk;
+  }
+  LoopRegion operator()(const LoopRegion& region) const {
+    return {led(region.loop), led_vertex(region.inside, joined)};
+  }
+  UnionRegion operator()(const UnionRegion& region) const { return {led(region.parts)}; }
+  DifferenceRegion operator()(const DifferenceRegion& region) const { return {led(region.parts)}; }
+  DiskInRegion operator()(const DiskInRegion& region) const { return {led(region.parts)}; }
+
+ private:
+  std::vector<Index> led(std::vector<Index> vertices) const {
+    for (Index& v : vertices) v = led_vertex(v, joined);
+    return vertices;
+  }
+  std::vector<RegionSpec> led(const std::vector<RegionSpec>& parts) const {
+    std::vector<RegionSpec> leading;
+    for (const RegionSpec& part : parts) leading.push_back(led_spec(part, joined));
+    return leading;
+  }
+};
+
+RegionSpec led_spec(const RegionSpec& spec, const JoinedSurface& joined) {
+  RegionSpec leading;
+  leading.where = spec.where;
+  std::visit([&](const auto& form) { leading.form = Leading{joined}(form); }, spec.form);
+  return leading;
+}
+
+}  // namespace
+
+VertexSet resolve_leaders(const RegionSpec& spec, const JoinedSurface& joined) {
+  VertexSet vertices = resolve(led_spec(spec, joined), joined.surface);
+  // A box or "all" holds followers as well, with their leaders.
+  std::erase_if(vertices, [&](Index v) { return joined.is_follower(v); });
+  return vertices;
+}
+
+BeltSpec led(const BeltSpec& belt, const JoinedSurface& joined) {
+  const auto* region = std::get_if<RegionSpec>(&belt);
+  if (region == nullptr) return belt;
+  return RegionSpec{ListedVertices{resolve_leaders(*region, joined)}, region->where};
+}
+
+TargetSpec led(TargetSpec targets, const JoinedSurface& joined) {
+  for (TargetRow& row : targets.rows) {
+    if (auto* vertex = std::get_if<Index>(&row.point)) *vertex = led_vertex(*vertex, joined);
+  }
+  return targets;
+}
+
+Grading led(Grading grading, const JoinedSurface& joined) {
+  std::vector<double>& field = grading.field;
+  if (field.size() != joined.leaders.size()) return grading;  // none, or an error elsewhere
+  for (const Index v : joined.followers) {
+    double& of_leader = field[joined.leaders[v]];
+    of_leader = std::max(of_leader, field[v]);
+  }
+  return grading;
+}
+
+VertexSet with_followers(const VertexSet& leaders, const JoinedSurface& joined) {
+  const std::vector<char> leads = vertex_mask(joined.leaders.size(), leaders);
+  VertexSet all = leaders;
+  for (const Index v : joined.followers) {
+    if (leads[joined.leaders[v]]) all.push_back(v);
+  }
+  return make_vertex_set(std::move(all));
+}
+
+EditRegion with_followers(EditRegion region, const JoinedSurface& joined) {
+  const auto expand = [&](VertexSet& set) { set = with_followers(set, joined); };
+  expand(region.roi);
+  expand(region.belt);
+  for (VertexSet& handle : region.handles) expand(handle);
+  std::vector<GradedVertex> graded = region.graded;
+  for (const Index v : joined.followers) {
+    const Index leader = joined.leaders[v];
+    const auto found = std::lower_bound(
+        region.graded.begin(), region.graded.end(), leader,
+        [](const GradedVertex& g, Index vertex) { return g.vertex < vertex; });
+    if (found == region.graded.end() || found->vertex != leader) continue;
+    graded.push_back({v, found->handle, found->weight});
+  }
+  std::ranges::sort(graded, {}, &GradedVertex::vertex);
+  region.graded = std::move(graded);
+  for (LoosePart& part : region.loose) expand(part.vertices);
+  for (VertexSet& part : region.left_out) expand(part);
+  return region;
+}
+
+}  // namespace lapwing
