@@ -19,7 +19,8 @@ void Editor::state_changed() {
   }
   warnings_.clear();
   if (const Certificate* certificate = session_->certificate()) {
-    warnings_ = warnings_of(*certificate, now.rest->topology(), shown_.opened_bounds().diagonal());
+    warnings_ =
+        warnings_of(*certificate, surface_of(now)->topology(), shown_.opened_bounds().diagonal());
   }
   classes_are_old_ = true;
   if (!needs_settling(now) || !shown_.has_triangles_of_state()) {

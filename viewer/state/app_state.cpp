@@ -8,6 +8,7 @@
 
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/laplacian/rotation.h"
+#include "lapwing/region/joined_regions.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -55,9 +56,34 @@ AppState open_state(Mesh mesh) {
 
 AppState open_state(std::shared_ptr<const Mesh> mesh) {
   AppState state;
-  mesh->topology();  // here, where there is time for it
-  state.rest = std::move(mesh);
+  set_rest(state, std::move(mesh));
+  // Here, where there is time for it.
+  state.rest->topology();
+  surface_of(state)->topology();
   return state;
+}
+
+void set_rest(AppState& state, std::shared_ptr<const Mesh> rest) {
+  const bool has_same_faces = state.rest && state.rest->shares_faces_with(*rest);
+  state.rest = std::move(rest);
+  const Positions& positions = state.rest->positions;
+  const bool is_closed = has_same_faces && state.joined && state.joined->is_closed_at(positions);
+  JoinedSurface joined = is_closed ? *state.joined : joined_surface(*state.rest);
+  if (joined.empty()) {
+    state.joined = nullptr;
+    return;
+  }
+  joined.surface.positions = positions;
+  state.joined = std::make_shared<const JoinedSurface>(std::move(joined));
+}
+
+const JoinedSurface* joined_seams(const AppState& state) {
+  return state.parameters.seams == SeamPolicy::join ? state.joined.get() : nullptr;
+}
+
+std::shared_ptr<const Mesh> surface_of(const AppState& state) {
+  if (joined_seams(state) == nullptr) return state.rest;
+  return {state.joined, &state.joined->surface};
 }
 
 bool is_moved(const AppState& state) {
@@ -86,8 +112,15 @@ Mesh mesh_of(const AppState& state) {
 }
 
 EditRegion edit_region(const AppState& state) {
-  return resolve_edit_region(spec_of(state.selection.roi, "ROI"), belt_spec(state.selection),
-                             handle_specs(state.selection), *state.rest, state.parameters.loose);
+  RegionSpec roi = spec_of(state.selection.roi, "ROI");
+  BeltSpec belt = belt_spec(state.selection);
+  std::vector<RegionSpec> handles = handle_specs(state.selection);
+  if (const JoinedSurface* joined = joined_seams(state)) {
+    roi = led(roi, *joined);
+    belt = led(belt, *joined);
+    for (RegionSpec& handle : handles) handle = led(handle, *joined);
+  }
+  return resolve_edit_region(roi, belt, handles, *surface_of(state), state.parameters.loose);
 }
 
 std::vector<Affine3d> motions_of(const AppState& state) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/region/edit_region.h"
 #include "state/edit_selection.h"
@@ -40,6 +41,7 @@ using AppliedStep = std::variant<MovedVertices, std::shared_ptr<const Mesh>>;
 /// a whole (`Apply`); those may change the triangles.
 struct AppState {
   std::shared_ptr<const Mesh> rest;
+  std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null where that has no seam
   EditSelection selection;
   EditParameters parameters;
   std::vector<Move> moves;  ///< one per handle, from the rest shape
@@ -52,6 +54,17 @@ struct AppState {
 /// A mesh as it was read, nothing chosen. Throws what `Mesh::topology` does.
 AppState open_state(Mesh mesh);
 AppState open_state(std::shared_ptr<const Mesh> mesh);
+
+/// Makes `rest` the rest shape, and joins its seams: as they were, where the faces are and they
+/// have not opened.
+void set_rest(AppState& state, std::shared_ptr<const Mesh> rest);
+
+/// Null where the seams are left as they are, or there is none.
+const JoinedSurface* joined_seams(const AppState& state);
+/// What is shown, chosen on and edited: the rest shape, with its seams joined as the parameters
+/// say. Vertices have the same numbers and places; followers are in none of its triangles, and are
+/// not chosen.
+std::shared_ptr<const Mesh> surface_of(const AppState& state);
 
 /// Whether a handle is somewhere else than at rest.
 bool is_moved(const AppState& state);

@@ -129,9 +129,9 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
     for (std::size_t k = 0; k < rest_->vertices.size(); ++k) {
       mesh->positions[rest_->vertices[k]] = rest_->positions[to][k];
     }
-    state.rest = std::move(mesh);
+    set_rest(state, std::move(mesh));
   }
-  if (triangles_) state.rest = (*triangles_)[to];
+  if (triangles_) set_rest(state, (*triangles_)[to]);
   state.steps.resize(kept_steps_);
   state.steps.insert(state.steps.end(), steps_[to].begin(), steps_[to].end());
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/region_spec.h"
@@ -20,8 +21,9 @@ struct ChosenRegion {
   bool operator==(const ChosenRegion&) const = default;
 };
 
-/// The region that `spec` says. Throws what `resolve` does.
-ChosenRegion choose(RegionSpec spec, const Mesh& mesh);
+/// The region that `spec` says on a mesh; where that has seams and they are `joined`, the leaders
+/// that it says there. Throws what `resolve` does.
+ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const JoinedSurface* joined = nullptr);
 
 /// The region changed by hand to hold `vertices`.
 ChosenRegion repainted(const ChosenRegion& region, VertexSet vertices);
@@ -31,7 +33,8 @@ RegionSpec spec_of(const ChosenRegion& region, const std::string& where);
 
 /// The same vertices on a mesh that has moved, where `made` may now say others: then they are
 /// listed.
-ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh);
+ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh,
+                          const JoinedSurface* joined = nullptr);
 
 /// What the next edit concerns. Any part may still be missing.
 struct EditSelection {
@@ -46,7 +49,7 @@ struct EditSelection {
 
 /// Makes a belt that goes by its width fit the ROI and the handles; any other stays. Linear in the
 /// ROI but for the geodesic distances.
-void renew_belt(EditSelection& selection, const Mesh& mesh);
+void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface* joined = nullptr);
 
 BeltSpec belt_spec(const EditSelection& selection);
 std::vector<RegionSpec> handle_specs(const EditSelection& selection);

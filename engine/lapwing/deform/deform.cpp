@@ -154,8 +154,9 @@ Deformed deform_surface(Mesh mesh, const DeformRequest& request, Kernels& kernel
 JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& workspace) {
   if (policy == SeamPolicy::leave) return nullptr;
   std::optional<JoinedSurface>& joined = workspace.joined;
-  if (!joined || !joined->is_closed_at(mesh.positions)) {
-    workspace.prepared.reset();  // it may refer to the topology that goes
+  const bool was_there = joined && !joined->empty();
+  if (!was_there || !joined->is_closed_at(mesh.positions)) {
+    if (was_there) workspace.prepared.reset();  // it may refer to the topology that goes
     joined = joined_surface(mesh);
   }
   if (joined->empty()) return nullptr;
