@@ -1,6 +1,7 @@
 // Handles that hold by less than their full weight around themselves.
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include <Eigen/Dense>
 #include <gmock/gmock.h>
@@ -59,7 +60,7 @@ class AGradedHandle : public ::testing::Test {
         }
       }
     }
-    return largest * 180.0 / EIGEN_PI;
+    return largest * 180.0 / std::numbers::pi;
   }
   static bool share_an_edge(const Triangle& a, const Triangle& b) {
     return std::count_if(a.begin(), a.end(),

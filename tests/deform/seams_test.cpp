@@ -203,11 +203,11 @@ TEST_F(ASeam, BelongsToTheRegionsWithAllItsVertices) {
 TEST_F(ASeam, IsSaidWhereItLiesInTheRegionAlone) {
   const test::SplitMesh& split = splits_[0];
   DeformRequest request = raise(kCenter);
-  EXPECT_THAT(deform(split.mesh, request).warnings,
+  EXPECT_THAT(deform(split.mesh, request).notes,
               Contains(HasSubstr("seam edges of the roi are edited as one surface")));
   request.roi = {GeodesicDisk{200U, 0.5}};
   request.handles[0].region = {ListedVertices{{200}}};
-  EXPECT_THAT(deform(split.mesh, request).warnings, IsEmpty());
+  EXPECT_THAT(deform(split.mesh, request).notes, IsEmpty());
 }
 
 TEST_F(ASeam, OpensWhereItIsToBeLeft) {
@@ -216,7 +216,7 @@ TEST_F(ASeam, OpensWhereItIsToBeLeft) {
   request.parameters.seams = SeamPolicy::leave;
   const Deformed left = deform(split.mesh, request);
   EXPECT_FALSE(is_closed(split, left.mesh.positions));
-  EXPECT_THAT(left.warnings, Not(Contains(HasSubstr("seam"))));
+  EXPECT_THAT(left.notes, Not(Contains(HasSubstr("seam"))));
 }
 
 TEST_F(ASeam, ThatIsNotThereCostsNoBit) {

@@ -17,6 +17,24 @@ VertexClass class_of(Part::Role role) {
   return VertexClass::outside;
 }
 
+// Of what is chosen on this side.
+std::vector<VertexClass> classes_of(const AppState& state) {
+  const EditSelection& selection = state.selection;
+  std::vector<VertexClass> classes(state.rest->vertex_count(), VertexClass::outside);
+  const auto mark = [&](const VertexSet& vertices, VertexClass as) {
+    for (const Index v : vertices) classes[v] = as;
+  };
+  mark(selection.roi.vertices, VertexClass::roi);
+  mark(selection.belt.vertices, VertexClass::belt);
+  for (const ChosenHandle& handle : selection.handles) {
+    mark(fully_held(handle), VertexClass::handle);
+  }
+  for (const GradedVertex& graded : graded_vertices(selection, *surface_of(state))) {
+    classes[graded.vertex] = drawn_by_handle(classes[graded.vertex], graded.weight);
+  }
+  return classes;
+}
+
 }  // namespace
 
 EditSurface::EditSurface(std::shared_ptr<gpu::Context> context, const Mesh& mesh)
@@ -59,19 +77,12 @@ bool EditSurface::drags_by(const Preparation& preparation) const {
 
 std::vector<VertexClass> shown_classes(const AppState& state, const Part& part,
                                        const VertexSet& live, bool erase) {
-  const EditSelection& selection = state.selection;
-  std::vector<VertexClass> classes(state.rest->vertex_count(), VertexClass::outside);
+  std::vector<VertexClass> classes =
+      state.mirrored ? vertex_classes(state.mirrored->region, state.rest->vertex_count())
+                     : classes_of(state);
   const auto mark = [&](const VertexSet& vertices, VertexClass as) {
     for (const Index v : vertices) classes[v] = as;
   };
-  mark(selection.roi.vertices, VertexClass::roi);
-  mark(selection.belt.vertices, VertexClass::belt);
-  for (const ChosenHandle& handle : selection.handles) {
-    mark(fully_held(handle), VertexClass::handle);
-  }
-  for (const GradedVertex& graded : graded_vertices(selection, *state.rest)) {
-    classes[graded.vertex] = drawn_by_handle(classes[graded.vertex], graded.weight);
-  }
   const bool of_roi = part.role == Part::Role::roi;
   mark(live, !erase ? class_of(part.role) : of_roi ? VertexClass::outside : VertexClass::roi);
   return classes;

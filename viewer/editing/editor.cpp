@@ -22,11 +22,19 @@ bool contains(const VertexSet& vertices, Index vertex) {
   return std::binary_search(vertices.begin(), vertices.end(), vertex);
 }
 
+// The mesh that was opened, with the triangles of the state that the history begins with.
+std::shared_ptr<const Mesh> opened_surface(const EditStart& start) {
+  const AppState first =
+      start.history.last_state([](const AppState& state) { return state.steps.empty(); });
+  if (first.rest->shares_faces_with(*start.opened)) return surface_of(first);
+  return surface_of(open_state(start.opened));
+}
+
 }  // namespace
 
 Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
                std::function<void()> wake)
-    : say_(std::move(say)), shown_(std::move(start.opened)) {
+    : say_(std::move(say)), shown_(opened_surface(start)) {
   session_ = start.restored
                  ? std::make_unique<EditSession>(*start.restored, std::move(start.history),
                                                  start.journals, kernels_like(context),
@@ -70,7 +78,7 @@ ToolScene Editor::scene(const ViewFrame& view, const Projection& projection) {
     return shown_.pick(view, pixel);
   };
   const auto is_visible = [this, &view, &projection](Index vertex) {
-    return SeenVertices(shown_.picture(view), state().rest->topology(), positions(),
+    return SeenVertices(shown_.picture(view), surface_of(state())->topology(), positions(),
                         projection)(vertex);
   };
   return {state(), positions(), projection, pick, is_visible, part_, handle_, gizmo_keys_};
@@ -257,6 +265,19 @@ void Editor::remove_handle() {
   }
 }
 
+void Editor::mirror_by_shape() {
+  try {
+    const FoundMirror found = find_mirror_plane(*surface_of(state()), "mirror");
+    char text[96];
+    std::snprintf(text, sizeof text, "the surface is off from its mirror image by %.2g%% of its size",
+                  100.0 * found.asymmetry);
+    say_(text);
+    perform(SetMirror{found.plane});
+  } catch (const Error& error) {
+    say_(error.what());
+  }
+}
+
 bool Editor::handles_leave_roi() const {
   const EditSelection& chosen = state().selection;
   return std::any_of(chosen.handles.begin(), chosen.handles.end(), [&](const auto& handle) {
@@ -269,7 +290,7 @@ void Editor::enlarge_roi() {
   VertexSet wanted;
   for (const ChosenRegion& handle : selection.handles) wanted = unite(wanted, handle.vertices);
   for (int ring = 0; ring < kRingsAroundHandle; ++ring) {
-    wanted = with_ring_neighbours(wanted, state().rest->topology().rings);
+    wanted = with_ring_neighbours(wanted, surface_of(state())->topology().rings);
   }
   perform(Paint{{Role::roi}, subtract(wanted, selection.roi.vertices), {}});
 }

@@ -69,6 +69,8 @@ class Editor {
   void shrink();
   void invert();
   void remove_handle();
+  /// Mirrors in the plane that the shape has, and says how symmetric it is. A second or less.
+  void mirror_by_shape();
   /// Handles may not leave the ROI: it takes them in, with some rings around for the surface to
   /// follow.
   bool handles_leave_roi() const;

@@ -19,7 +19,8 @@ void Editor::state_changed() {
   }
   warnings_.clear();
   if (const Certificate* certificate = session_->certificate()) {
-    warnings_ = warnings_of(*certificate, now.rest->topology(), shown_.opened_bounds().diagonal());
+    warnings_ =
+        warnings_of(*certificate, surface_of(now)->topology(), shown_.opened_bounds().diagonal());
   }
   classes_are_old_ = true;
   if (!needs_settling(now) || !shown_.has_triangles_of_state()) {
@@ -116,7 +117,7 @@ std::size_t Editor::count(const Part& part) const {
 Bounds Editor::bounds() const {
   Bounds all = shown_.bounds();
   const auto& followed = shown_.followed();
-  for (std::size_t h = 0; h < followed.size(); ++h) {
+  for (std::size_t h = 0; h < std::min(followed.size(), handle_count()); ++h) {
     for (const Index v : state().selection.handles[h].vertices) {
       const Eigen::Vector3d place = followed[h] * state().rest->positions[v];
       all = united(all, {place, place});

@@ -25,9 +25,10 @@ bool ShownSurface::take(const AppState& state) {
   followed_.clear();
   preview_ = {};
   preview_classes_.clear();
-  if (now_ == state.rest && settled_ == state.settled) return false;
-  if (device_ && now_ != state.rest) device_->surface.drag_from(nullptr);
-  now_ = state.rest;
+  std::shared_ptr<const Mesh> surface = surface_of(state);
+  if (now_ == surface && settled_ == state.settled) return false;
+  if (device_ && now_ != surface) device_->surface.drag_from(nullptr);
+  now_ = std::move(surface);
   settled_ = state.settled;
   positions_ = positions_of(state);
   bounds_ = bounds_of(positions_);

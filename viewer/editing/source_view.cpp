@@ -22,6 +22,8 @@ constexpr ZoomRange kZoomRange{1e-4, 1e2};
 SourceView::SourceView(std::shared_ptr<const Mesh> mesh, UpAxis up_axis,
                        const std::shared_ptr<gpu::Context>& context)
     : state_(open_state(mesh)), up_axis_(up_axis), shown_(std::move(mesh)) {
+  // A coat takes the mesh as it is.
+  state_.parameters.seams = SeamPolicy::leave;
   // A patch has no belt to be seen.
   state_.selection.belt_fraction = 0.0;
   shown_.take(state_);

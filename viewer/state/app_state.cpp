@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/joined_request.h"
 #include "lapwing/laplacian/rotation.h"
 
 namespace lapwing::viewer {
@@ -37,6 +38,37 @@ AxisRotation written_turn(const Matrix3d& R, const AngleAxisd& followed) {
                      : AxisRotation{shortest.axis(), angle * kDegrees};
 }
 
+// The open step as it is meant where seams are joined.
+DeformRequest step_on_surface(const AppState& state) {
+  const JoinedSurface* joined = joined_seams(state);
+  return joined == nullptr ? open_step(state) : joined_request(open_step(state), *joined);
+}
+
+// Calls `visit` with each handle of the Deformer and its move, `handle` being moved by `move`.
+void each_move(const AppState& state, std::size_t handle, const Move& move, const auto& visit) {
+  const auto move_of = [&](std::size_t h) -> const Move& {
+    return h == handle ? move : state.moves[h];
+  };
+  for (std::size_t h = 0; h < state.moves.size(); ++h) {
+    const bool lies_across = state.mirrored && state.mirrored->handle_images[h] == h;
+    if (lies_across) {
+      visit(h, along_mirror(move_of(h), *state.selection.mirror));
+    } else {
+      visit(h, move_of(h));
+    }
+  }
+  if (!state.mirrored) return;
+  for (std::size_t image = state.moves.size(); image < state.mirrored->handle_images.size();
+       ++image) {
+    const std::size_t h = state.mirrored->handle_images[image];
+    visit(image, mirror_image(move_of(h), *state.selection.mirror));
+  }
+}
+
+Vector3d centroid_of(const AppState& state, std::size_t handle) {
+  return state.mirrored ? state.mirrored->centroids[handle] : handle_centroid(state, handle);
+}
+
 }  // namespace
 
 MovedVertices moved_vertices(const Positions& before, const Positions& after) {
@@ -55,9 +87,34 @@ AppState open_state(Mesh mesh) {
 
 AppState open_state(std::shared_ptr<const Mesh> mesh) {
   AppState state;
-  mesh->topology();  // here, where there is time for it
-  state.rest = std::move(mesh);
+  set_rest(state, std::move(mesh));
+  // Here, where there is time for it.
+  state.rest->topology();
+  surface_of(state)->topology();
   return state;
+}
+
+void set_rest(AppState& state, std::shared_ptr<const Mesh> rest) {
+  const bool has_same_faces = state.rest && state.rest->shares_faces_with(*rest);
+  state.rest = std::move(rest);
+  const Positions& positions = state.rest->positions;
+  const bool is_closed = has_same_faces && state.joined && state.joined->is_closed_at(positions);
+  JoinedSurface joined = is_closed ? *state.joined : joined_surface(*state.rest);
+  if (joined.empty()) {
+    state.joined = nullptr;
+    return;
+  }
+  joined.surface.positions = positions;
+  state.joined = std::make_shared<const JoinedSurface>(std::move(joined));
+}
+
+const JoinedSurface* joined_seams(const AppState& state) {
+  return state.parameters.seams == SeamPolicy::join ? state.joined.get() : nullptr;
+}
+
+std::shared_ptr<const Mesh> surface_of(const AppState& state) {
+  if (joined_seams(state) == nullptr) return state.rest;
+  return {state.joined, &state.joined->surface};
 }
 
 bool is_moved(const AppState& state) {
@@ -86,32 +143,37 @@ Mesh mesh_of(const AppState& state) {
 }
 
 EditRegion edit_region(const AppState& state) {
-  return resolve_edit_region(spec_of(state.selection.roi, "ROI"), belt_spec(state.selection),
-                             handle_specs(state.selection), *state.rest, state.parameters.loose);
+  if (state.mirrored) return state.mirrored->region;
+  const Mesh& surface = *surface_of(state);
+  return resolve_edit_region(mirrored_request(step_on_surface(state), surface).request, surface);
+}
+
+void renew_mirror(AppState& state) {
+  state.mirrored = nullptr;
+  if (!state.selection.mirror) return;
+  state.mirrored = mirrored_edit(step_on_surface(state), *surface_of(state));
 }
 
 std::vector<Affine3d> motions_of(const AppState& state) {
   std::vector<Affine3d> motions;
-  for (std::size_t h = 0; h < state.moves.size(); ++h) {
-    motions.push_back(to_affine(state.moves[h], handle_centroid(state, h)));
-  }
+  motions_of(state, state.moves.size(), SimilarityMove{}, motions);
   return motions;
 }
 
 void motions_of(const AppState& state, std::size_t handle, const Move& move,
                 std::vector<Affine3d>& motions) {
   motions.clear();
-  for (std::size_t h = 0; h < state.moves.size(); ++h) {
-    motions.push_back(to_affine(h == handle ? move : state.moves[h], handle_centroid(state, h)));
-  }
+  each_move(state, handle, move, [&](std::size_t h, const Move& of_handle) {
+    motions.push_back(to_affine(of_handle, centroid_of(state, h)));
+  });
 }
 
 std::vector<AngleAxisd> turns_of(const AppState& state) {
   std::vector<AngleAxisd> turns;
-  for (const Move& move : state.moves) {
+  each_move(state, state.moves.size(), SimilarityMove{}, [&](std::size_t, const Move& move) {
     const AxisRotation turn = turn_of(move);
     turns.emplace_back(turn.degrees * std::numbers::pi / 180.0, turn.axis);
-  }
+  });
   return turns;
 }
 
@@ -120,11 +182,16 @@ void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
   dragged.clear();
   for (std::size_t h = 0; h < state.moves.size(); ++h) {
     const bool is_moved_already = from_rest && state.moves[h] != Move(SimilarityMove{});
-    if (h == handle || is_moved_already) dragged.push_back(h);
+    if (h != handle && !is_moved_already) continue;
+    dragged.push_back(h);
+    if (!state.mirrored || state.mirrored->handle_images[h] == h) continue;
+    dragged.push_back(state.mirrored->handle_images[h]);
   }
+  std::sort(dragged.begin(), dragged.end());
 }
 
 Vector3d handle_centroid(const AppState& state, std::size_t handle) {
+  if (state.mirrored) return state.mirrored->centroids[handle];
   const ChosenHandle& chosen = state.selection.handles[handle];
   // In every frame of a drag: without a copy where there is no need of one.
   if (chosen.grading.field.empty()) {
@@ -156,6 +223,7 @@ DeformRequest open_step(const AppState& state) {
     step.handles.push_back({spec, state.moves[step.handles.size()], grading});
   }
   step.parameters = state.parameters;
+  if (state.selection.mirror) step.mirror = MirrorSpec{*state.selection.mirror, "mirror"};
   return step;
 }
 

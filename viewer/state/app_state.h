@@ -6,9 +6,11 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/region/edit_region.h"
 #include "state/edit_selection.h"
+#include "state/mirrored_edit.h"
 
 namespace lapwing::viewer {
 
@@ -40,9 +42,13 @@ using AppliedStep = std::variant<MovedVertices, std::shared_ptr<const Mesh>>;
 /// a whole (`Apply`); those may change the triangles.
 struct AppState {
   std::shared_ptr<const Mesh> rest;
+  std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null where that has no seam
   EditSelection selection;
   EditParameters parameters;
   std::vector<Move> moves;  ///< one per handle, from the rest shape
+  /// With a mirror, what is chosen comes to on both sides; null without one, and while something is
+  /// missing (`renew_mirror`).
+  std::shared_ptr<const MirroredEdit> mirrored;
   /// The result of `moves`; null while nothing moved, and until it is computed.
   std::shared_ptr<const MovedVertices> settled;
   /// What made `rest` of the mesh opened; files are named by absolute paths.
@@ -52,6 +58,20 @@ struct AppState {
 /// A mesh as it was read, nothing chosen. Throws what `Mesh::topology` does.
 AppState open_state(Mesh mesh);
 AppState open_state(std::shared_ptr<const Mesh> mesh);
+
+/// Makes `rest` the rest shape, and joins its seams: as they were, where the faces are and they
+/// have not opened.
+void set_rest(AppState& state, std::shared_ptr<const Mesh> rest);
+
+/// Null where the seams are left as they are, or there is none.
+const JoinedSurface* joined_seams(const AppState& state);
+/// What is shown, chosen on and edited: the rest shape, with its seams joined as the parameters
+/// say. Vertices have the same numbers and places; followers are in none of its triangles, and are
+/// not chosen.
+std::shared_ptr<const Mesh> surface_of(const AppState& state);
+
+/// Makes `mirrored` what the selection comes to. A second or less.
+void renew_mirror(AppState& state);
 
 /// Whether a handle is somewhere else than at rest.
 bool is_moved(const AppState& state);
@@ -66,7 +86,8 @@ Mesh mesh_of(const AppState& state);
 /// that say what is still missing.
 EditRegion edit_region(const AppState& state);
 
-/// What `Deformer::solve` takes: one motion and turn per handle, those of the recipe bit for bit.
+/// What `Deformer::solve` takes: one motion and turn per handle, those of the recipe bit for bit;
+/// with a mirror, per handle of both sides.
 std::vector<Eigen::Affine3d> motions_of(const AppState& state);
 /// For a frame of a drag: `motions` becomes the same but for `handle`, which is moved by `move`.
 /// Allocates nothing once `motions` is as long as there are handles. Linear in their vertices.

@@ -57,6 +57,8 @@ Change::Change(const AppState& before, const AppState& after)
       belt_(difference(before.selection.belt, after.selection.belt)),
       handle_counts_{before.selection.handles.size(), after.selection.handles.size()},
       gradings_(both(gradings_of(before), gradings_of(after))),
+      mirror_(both(before.selection.mirror, after.selection.mirror)),
+      mirrored_(both(before.mirrored, after.mirrored)),
       belt_fraction_(both(before.selection.belt_fraction, after.selection.belt_fraction)),
       parameters_(both(before.parameters, after.parameters)),
       moves_(both(before.moves, after.moves)),
@@ -95,7 +97,7 @@ bool Change::is_nothing() const {
            viewer::is_nothing(change.vertices);
   };
   return same(roi_) && same(belt_) && handle_counts_[0] == handle_counts_[1] &&
-         std::all_of(handles_.begin(), handles_.end(), same) && !gradings_ && !belt_fraction_ && !parameters_ &&
+         std::all_of(handles_.begin(), handles_.end(), same) && !gradings_ && !mirror_ && !mirrored_ && !belt_fraction_ && !parameters_ &&
          !moves_ && !settled_ && !rest_ && !triangles_ && steps_[0].empty() && steps_[1].empty();
 }
 
@@ -130,6 +132,8 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
   for (std::size_t h = 0; gradings_ && h < handle_counts_[to]; ++h) {
     selection.handles[h].grading = (*gradings_)[to][h];
   }
+  if (mirror_) selection.mirror = (*mirror_)[to];
+  if (mirrored_) state.mirrored = (*mirrored_)[to];
   if (belt_fraction_) selection.belt_fraction = (*belt_fraction_)[to];
   if (parameters_) state.parameters = (*parameters_)[to];
   if (moves_) state.moves = (*moves_)[to];
@@ -139,9 +143,9 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
     for (std::size_t k = 0; k < rest_->vertices.size(); ++k) {
       mesh->positions[rest_->vertices[k]] = rest_->positions[to][k];
     }
-    state.rest = std::move(mesh);
+    set_rest(state, std::move(mesh));
   }
-  if (triangles_) state.rest = (*triangles_)[to];
+  if (triangles_) set_rest(state, (*triangles_)[to]);
   state.steps.resize(kept_steps_);
   state.steps.insert(state.steps.end(), steps_[to].begin(), steps_[to].end());
 }

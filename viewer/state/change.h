@@ -59,6 +59,8 @@ class Change {
   std::array<std::size_t, 2> handle_counts_{};
   std::vector<RegionChange> handles_;  // of the longer list; one that is not there counts as empty
   Both<std::vector<Grading>> gradings_;  // of all handles
+  Both<std::optional<MirrorPlane>> mirror_;
+  Both<std::shared_ptr<const MirroredEdit>> mirrored_;
   Both<std::optional<double>> belt_fraction_;
   Both<EditParameters> parameters_;
   Both<std::vector<Move>> moves_;

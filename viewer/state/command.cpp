@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdio>
+#include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/region/joined_regions.h"
 #include "lapwing/step/step.h"
 #include "state/step_words.h"
 
@@ -23,12 +25,33 @@ void require_vertices(const AppState& state, const VertexSet& vertices) {
 // The same vertices, on the rest shape as it has come to be.
 void carry_selection_over(AppState& state) {
   EditSelection& selection = state.selection;
-  selection.roi = carried_over(selection.roi, *state.rest);
-  for (ChosenRegion& handle : selection.handles) handle = carried_over(handle, *state.rest);
-  if (!selection.belt_fraction) {
-    selection.belt = carried_over(selection.belt, *state.rest);
+  const JoinedSurface* joined = joined_seams(state);
+  selection.roi = carried_over(selection.roi, *state.rest, joined);
+  for (ChosenRegion& handle : selection.handles) {
+    handle = carried_over(handle, *state.rest, joined);
   }
-  renew_belt(selection, *state.rest);
+  if (!selection.belt_fraction) {
+    selection.belt = carried_over(selection.belt, *state.rest, joined);
+  }
+  renew_belt(selection, *state.rest, joined);
+}
+
+// A seam that is joined is chosen by its leaders, one that is left by all its vertices.
+void choose_seams_anew(AppState& state) {
+  if (!state.joined) return;
+  const auto choose_anew = [&](ChosenRegion& region) {
+    VertexSet vertices = region.vertices;
+    if (joined_seams(state) == nullptr) {
+      vertices = with_followers(vertices, *state.joined);
+    } else {
+      std::erase_if(vertices, [&](Index v) { return state.joined->is_follower(v); });
+    }
+    region = choose({ListedVertices{std::move(vertices)}}, *state.rest);
+  };
+  choose_anew(state.selection.roi);
+  for (ChosenRegion& handle : state.selection.handles) choose_anew(handle);
+  if (!state.selection.belt_fraction) choose_anew(state.selection.belt);
+  renew_belt(state.selection, *state.rest, joined_seams(state));
 }
 
 // What is settled becomes the rest shape, and a step.
@@ -38,7 +61,7 @@ void commit(AppState& state) {
     throw InputError("the drag is not settled yet; wait for its result, or undo it");
   }
   state.steps.push_back(std::make_shared<const Step>(open_step(state)));
-  state.rest = std::make_shared<const Mesh>(mesh_of(state));
+  set_rest(state, std::make_shared<const Mesh>(mesh_of(state)));
   state.settled = nullptr;
   for (Move& move : state.moves) move = SimilarityMove{};
   carry_selection_over(state);
@@ -51,13 +74,13 @@ void take_over(AppState& state, const MovedVertices& moved) {
   for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
     mesh->positions[moved.vertices[k]] = moved.positions[k];
   }
-  state.rest = std::move(mesh);
+  set_rest(state, std::move(mesh));
   carry_selection_over(state);
 }
 
 // Numbers of vertices mean others now, and what a disk or box would hold nobody has seen.
 void take_over(AppState& state, const std::shared_ptr<const Mesh>& other) {
-  state.rest = other;
+  set_rest(state, other);
   state.moves.clear();
   const auto fraction = state.selection.belt_fraction;
   state.selection = {};
@@ -84,12 +107,12 @@ struct Applier {
   void replace(const Part& part, ChosenRegion region) const {
     region_of(state, part) = std::move(region);
     if (part.role == Part::Role::belt) state.selection.belt_fraction.reset();
-    renew_belt(state.selection, *state.rest);
+    renew_belt(state.selection, *state.rest, joined_seams(state));
   }
 
   void operator()(const Choose& command) const {
     commit(state);
-    replace(command.part, choose(command.region, *state.rest));
+    replace(command.part, choose(command.region, *state.rest, joined_seams(state)));
   }
   void operator()(const Paint& command) const {
     require_vertices(state, command.added);
@@ -112,7 +135,7 @@ struct Applier {
     const auto offset = static_cast<std::ptrdiff_t>(command.handle);
     state.selection.handles.erase(state.selection.handles.begin() + offset);
     state.moves.erase(state.moves.begin() + offset);
-    renew_belt(state.selection, *state.rest);
+    renew_belt(state.selection, *state.rest, joined_seams(state));
   }
   void operator()(const SetBeltWidth& command) const {
     if (!(command.fraction >= 0.0 && command.fraction <= 1.0)) {
@@ -120,7 +143,13 @@ struct Applier {
     }
     if (state.selection.belt_fraction == command.fraction) return;
     state.selection.belt_fraction = command.fraction;
-    renew_belt(state.selection, *state.rest);
+    renew_belt(state.selection, *state.rest, joined_seams(state));
+    state.settled = nullptr;
+  }
+  void operator()(const SetMirror& command) const {
+    if (state.selection.mirror == command.plane) return;
+    if (command.plane) require_through(*command.plane, *surface_of(state), "mirror");
+    state.selection.mirror = command.plane;
     state.settled = nullptr;
   }
   void operator()(const MoveHandle& command) const {
@@ -139,7 +168,8 @@ struct Applier {
     if (state.parameters == command.parameters) return;
     // What a recipe could not say must not come into the state: it could not be restored.
     require_valid(command.parameters);
-    state.parameters = command.parameters;
+    const SeamPolicy before = std::exchange(state.parameters, command.parameters).seams;
+    if (state.parameters.seams != before) choose_seams_anew(state);
     state.settled = nullptr;
   }
   void operator()(const Apply& command) const {
@@ -204,6 +234,9 @@ struct CommandDescriber {
   std::string operator()(const SetBeltWidth& command) const {
     return with_number("belt: %.3g%%", 100.0 * command.fraction);
   }
+  std::string operator()(const SetMirror& command) const {
+    return command.plane ? "mirror" : "no mirror";
+  }
   std::string operator()(const MoveHandle& command) const {
     const double degrees = turn_of(command.move).degrees;
     return "move handle " + std::to_string(command.handle + 1) +
@@ -219,7 +252,13 @@ struct CommandDescriber {
 }  // namespace
 
 AppState apply(AppState state, const Command& command) {
+  const std::shared_ptr<const Mesh> surface = surface_of(state);
+  const EditSelection selection = state.selection;
+  const EditParameters parameters = state.parameters;
   std::visit(Applier{state}, command);
+  const bool same = surface_of(state) == surface && state.selection == selection &&
+                    state.parameters == parameters;
+  if (!same) renew_mirror(state);
   return state;
 }
 

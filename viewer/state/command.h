@@ -45,6 +45,11 @@ struct SetBeltWidth {
   double fraction = BorderBelt{}.fraction;
 };
 
+/// All that is chosen is meant on both sides of the plane, or no longer.
+struct SetMirror {
+  std::optional<MirrorPlane> plane;
+};
+
 /// The handle is moved from its rest position; `to_move` makes a move of a motion and a turn.
 struct MoveHandle {
   std::size_t handle = 0;
@@ -78,7 +83,7 @@ struct Revise {
 };
 
 /// One thing that a person, a test or a recipe does.
-using Command = std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, MoveHandle, Settle, Commit,
+using Command = std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, SetMirror, MoveHandle, Settle, Commit,
                              SetParameters, Apply, Revise>;
 
 /// The state after `command`. Choosing, painting and applying commit what is settled first: what is

@@ -28,6 +28,13 @@ void choose_belt(History& history, const BeltSpec& belt) {
   }
 }
 
+// The plane of a step's mirror, found where the step leaves that to the shape.
+std::optional<MirrorPlane> plane_of(const DeformRequest& step, const Mesh& surface) {
+  if (!step.mirror) return std::nullopt;
+  const auto* plane = std::get_if<MirrorPlane>(&step.mirror->plane);
+  return plane != nullptr ? *plane : find_mirror_plane(surface, step.mirror->where).plane;
+}
+
 // Whether the step's parts are what is chosen already.
 bool is_chosen(const AppState& state, const DeformRequest& step) {
   DeformRequest there = open_step(state);
@@ -57,7 +64,7 @@ Draft draft_of(const AppState& state) {
 }
 
 bool is_selection(const DeformRequest& step) {
-  return step.targets.empty() && !step.mirror && step.carry.empty();
+  return step.targets.empty() && step.carry.empty();
 }
 
 Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
@@ -94,7 +101,10 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress) {
 void perform(History& history, const DeformRequest& step, const Solve& solve) {
   history.perform(Commit{});
   history.perform(SetParameters{step.parameters});
+  const auto mirror = plane_of(step, *surface_of(history.state()));
   if (!is_chosen(history.state(), step)) {
+    // An image could be in the way of a handle to come.
+    history.perform(SetMirror{});
     remove_handles(history);
     history.perform(Choose{{Part::Role::roi}, step.roi});
     for (std::size_t h = 0; h < step.handles.size(); ++h) {
@@ -104,6 +114,7 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
     choose_belt(history, step.belt);
   }
   grade_handles(history, step);
+  history.perform(SetMirror{mirror});
   for (std::size_t h = 0; h < history.state().moves.size(); ++h) {
     history.perform(MoveHandle{h, step.handles[h].move});
   }

@@ -24,8 +24,8 @@ struct Draft {
 
 Draft draft_of(const AppState& state);
 
-/// Whether all that a step does can be chosen and moved by hand: it has no targets, no mirror and
-/// carries no file along.
+/// Whether all that a step does can be chosen and moved by hand: it has no targets and carries no
+/// file along.
 bool is_selection(const DeformRequest& step);
 
 /// The recipe of what the surface is now: the steps so far, and the open one if it is settled.

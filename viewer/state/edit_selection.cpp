@@ -1,6 +1,7 @@
 #include "state/edit_selection.h"
 
 #include "lapwing/base/errors.h"
+#include "lapwing/region/joined_regions.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -13,6 +14,10 @@ RegionSpec listed(VertexSet vertices, const std::string& where) {
   return {ListedVertices{std::move(vertices)}, where};
 }
 
+VertexSet resolve_on(const RegionSpec& spec, const Mesh& mesh, const JoinedSurface* joined) {
+  return joined == nullptr ? resolve(spec, mesh) : resolve_leaders(spec, *joined);
+}
+
 // A list is no way of choosing worth keeping: what is in it counts as added by hand.
 ChosenRegion painted(VertexSet vertices) {
   ChosenRegion region;
@@ -23,8 +28,8 @@ ChosenRegion painted(VertexSet vertices) {
 
 }  // namespace
 
-ChosenRegion choose(RegionSpec spec, const Mesh& mesh) {
-  VertexSet vertices = resolve(spec, mesh);
+ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const JoinedSurface* joined) {
+  VertexSet vertices = resolve_on(spec, mesh, joined);
   // A recipe has no disk without a radius.
   const auto* disk = std::get_if<GeodesicDisk>(&spec.form);
   const bool is_point = disk != nullptr && !(disk->radius > 0.0);
@@ -58,21 +63,24 @@ RegionSpec spec_of(const ChosenRegion& region, const std::string& where) {
   return spec;
 }
 
-ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh) {
+ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh,
+                          const JoinedSurface* joined) {
   if (is_list(region.made)) return region;
   try {
-    if (resolve(spec_of(region, "selection"), mesh) == region.vertices) return region;
+    const RegionSpec spec = spec_of(region, "selection");
+    if (resolve_on(spec, mesh, joined) == region.vertices) return region;
   } catch (const InputError&) {
     // The way it was made does not exist here any more.
   }
   return painted(region.vertices);
 }
 
-void renew_belt(EditSelection& selection, const Mesh& mesh) {
+void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface* joined) {
   if (!selection.belt_fraction) return;
   VertexSet belt;
   if (!selection.roi.vertices.empty()) {
-    belt = resolve_border_belt({*selection.belt_fraction, "belt"}, selection.roi.vertices, mesh);
+    belt = resolve_border_belt({*selection.belt_fraction, "belt"}, selection.roi.vertices,
+                               joined == nullptr ? mesh : joined->surface);
   }
   for (const ChosenRegion& handle : selection.handles) belt = subtract(belt, handle.vertices);
   selection.belt = painted(std::move(belt));

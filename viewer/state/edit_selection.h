@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "lapwing/mesh/joined_surface.h"
+#include "lapwing/deform/mirror.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/grading.h"
@@ -22,8 +24,9 @@ struct ChosenRegion {
   bool operator==(const ChosenRegion&) const = default;
 };
 
-/// The region that `spec` says. Throws what `resolve` does.
-ChosenRegion choose(RegionSpec spec, const Mesh& mesh);
+/// The region that `spec` says on a mesh; where that has seams and they are `joined`, the leaders
+/// that it says there. Throws what `resolve` does.
+ChosenRegion choose(RegionSpec spec, const Mesh& mesh, const JoinedSurface* joined = nullptr);
 
 /// The region changed by hand to hold `vertices`.
 ChosenRegion repainted(const ChosenRegion& region, VertexSet vertices);
@@ -33,7 +36,8 @@ RegionSpec spec_of(const ChosenRegion& region, const std::string& where);
 
 /// The same vertices on a mesh that has moved, where `made` may now say others: then they are
 /// listed.
-ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh);
+ChosenRegion carried_over(const ChosenRegion& region, const Mesh& mesh,
+                          const JoinedSurface* joined = nullptr);
 
 /// A handle, and how firmly it holds.
 struct ChosenHandle : ChosenRegion {
@@ -59,13 +63,15 @@ struct EditSelection {
   /// The belt's width as a fraction of the ROI's radius; without it the belt was chosen by hand.
   std::optional<double> belt_fraction = BorderBelt{}.fraction;
   ChosenRegion belt;
+  /// All of it is meant on both sides of this plane.
+  std::optional<MirrorPlane> mirror;
 
   bool operator==(const EditSelection&) const = default;
 };
 
 /// Makes a belt that goes by its width fit the ROI and the handles; any other stays. Linear in the
 /// ROI but for the geodesic distances.
-void renew_belt(EditSelection& selection, const Mesh& mesh);
+void renew_belt(EditSelection& selection, const Mesh& mesh, const JoinedSurface* joined = nullptr);
 
 BeltSpec belt_spec(const EditSelection& selection);
 std::vector<HandleSpec> handle_specs(const EditSelection& selection);

@@ -66,13 +66,14 @@ void DiskTool::begin(const SurfacePoint& pick, const InputEvent& event, const To
   center_ = pick.vertex;
   start_ = event.position;
   if (radius_ == 0.0) radius_ = kFirstRadius * bounds_of(scene.positions).diagonal();
-  distances_ = geodesic_distances(scene.state.rest->topology(), scene.positions, {&center_, 1});
+  distances_ =
+      geodesic_distances(surface_of(scene.state)->topology(), scene.positions, {&center_, 1});
 }
 
 // The distance along the surface where the cursor is on it, else straight across the view.
 double DiskTool::radius_at(const Vector2d& pixel, const ToolScene& scene) const {
   if (const auto pick = scene.pick(pixel)) {
-    const Triangle& t = scene.state.rest->topology().triangles[pick->triangle];
+    const Triangle& t = surface_of(scene.state)->topology().triangles[pick->triangle];
     const Vector3d shares = barycentric(scene.positions[t[0]], scene.positions[t[1]],
                                         scene.positions[t[2]], pick->position);
     const double distance =

@@ -10,7 +10,7 @@ constexpr double kClosingPixels = 10.0;
 constexpr std::size_t kFewestCorners = 3;
 
 std::vector<Index> path(Index from, Index to, const ToolScene& scene) {
-  return shortest_edge_path(scene.state.rest->topology(), scene.positions, from, to);
+  return shortest_edge_path(surface_of(scene.state)->topology(), scene.positions, from, to);
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ ToolAnswer LoopTool::choose_side(Index inside, const ToolScene& scene) {
   const RegionSpec spec{LoopRegion{corners_, inside}, "loop"};
   try {
     // On the surface that is seen: that is where the command will choose.
-    Mesh seen = *scene.state.rest;
+    Mesh seen = *surface_of(scene.state);
     seen.positions.assign(scene.positions.begin(), scene.positions.end());
     (void)resolve(spec, seen);
   } catch (const InputError& error) {

@@ -180,7 +180,7 @@ Affine3d PlaceTool::snapped(const Vector3d& point) const {
 
 bool PlaceTool::follow(const Vector2d& pixel, const Projection& projection) {
   const Positions& positions = host_.state.rest->positions;
-  const Topology& topology = host_.state.rest->topology();
+  const Topology& topology = surface_of(host_.state)->topology();
   const auto point = pick_surface(topology, positions, projection.ray_through(pixel));
   if (!point) return false;
   const double around = kLookedAt * way_.frame().radius;

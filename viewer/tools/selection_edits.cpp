@@ -11,6 +11,9 @@ using Role = Part::Role;
 VertexSet all_vertices(const AppState& state) {
   VertexSet all(state.rest->vertex_count());
   std::iota(all.begin(), all.end(), Index{0});
+  if (const JoinedSurface* joined = joined_seams(state)) {
+    std::erase_if(all, [&](Index v) { return joined->is_follower(v); });
+  }
   return all;
 }
 
@@ -51,7 +54,8 @@ std::optional<Command> paint(const AppState& state, const Part& part, const Vert
 
 std::optional<Command> grow(const AppState& state, const Part& part) {
   const VertexSet& before = vertices_of(state.selection, part);
-  return paint(state, part, with_ring_neighbours(before, state.rest->topology().rings), false);
+  return paint(state, part, with_ring_neighbours(before, surface_of(state)->topology().rings),
+               false);
 }
 
 std::optional<Command> shrink(const AppState& state, const Part& part) {
@@ -59,7 +63,7 @@ std::optional<Command> shrink(const AppState& state, const Part& part) {
   const std::vector<char> inside = vertex_mask(state.rest->vertex_count(), before);
   VertexSet outermost;
   std::copy_if(before.begin(), before.end(), std::back_inserter(outermost), [&](Index v) {
-    const auto ring = state.rest->topology().rings[v];
+    const auto ring = surface_of(state)->topology().rings[v];
     return std::any_of(ring.begin(), ring.end(), [&](Index w) { return !inside[w]; });
   });
   return paint(state, part, outermost, true);

@@ -1,5 +1,7 @@
 #include "tools/weight_paint.h"
 
+#include "lapwing/region/joined_regions.h"
+
 namespace lapwing::viewer {
 namespace {
 
@@ -14,15 +16,24 @@ WeightPaint::WeightPaint() {
 ToolAnswer WeightPaint::handle(const InputEvent& event, const ToolScene& scene) {
   field_.resize(scene.state.rest->vertex_count(), 0.0);
   // A selection that the brush can add everything to, or take everything from.
-  AppState canvas = open_state(scene.state.rest);
+  AppState canvas;
+  canvas.rest = scene.state.rest;
+  canvas.joined = scene.state.joined;
+  canvas.parameters.seams = scene.state.parameters.seams;
   const bool erases = is_dragging() ? paint_.erases() : brush().erase != event.modifiers.control;
   if (erases) canvas.selection.roi = choose({AllVertices{}}, *canvas.rest);
   ToolAnswer answer = paint_.handle(
       event, {canvas, scene.positions, scene.projection, scene.pick, scene.is_visible, kPainted});
   if (answer.command) {
     if (const auto* painted = std::get_if<Paint>(&*answer.command)) {
-      for (const Index v : painted->added) field_[v] = strength;
-      for (const Index v : painted->removed) field_[v] = 0.0;
+      const JoinedSurface* joined = joined_seams(canvas);
+      const auto set = [&](const VertexSet& vertices, double weight) {
+        for (const Index v : joined ? with_followers(vertices, *joined) : vertices) {
+          field_[v] = weight;
+        }
+      };
+      set(painted->added, strength);
+      set(painted->removed, 0.0);
     }
     // The field is what changes, not what is chosen.
     answer.command.reset();

@@ -14,6 +14,7 @@ constexpr ImU32 kLine = IM_COL32(255, 240, 200, 255);
 constexpr ImU32 kShade = IM_COL32(20, 20, 24, 160);
 constexpr ImU32 kPointer = IM_COL32(255, 90, 200, 255);
 constexpr ImU32 kHole = IM_COL32(90, 190, 255, 255);
+constexpr ImU32 kMirror = IM_COL32(90, 190, 255, 28);
 constexpr float kThick = 2.5F;
 
 ImU32 color_of(GizmoPart part) {
@@ -147,18 +148,42 @@ void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& 
 // Pins are too small to be seen by their colour.
 void draw_pins(Pen& pen, const Editor& editor) {
   if (!editor.shown().has_triangles_of_state()) return;
-  const auto& handles = editor.state().selection.handles;
+  const AppState& state = editor.state();
   const auto& followed = editor.shown().followed();
-  for (std::size_t h = 0; h < handles.size(); ++h) {
-    if (!is_pin(handles[h])) continue;
-    const Index v = handles[h].vertices.front();
-    const bool moves = h < followed.size();
-    const Eigen::Vector3d place =
-        moves ? Eigen::Vector3d(followed[h] * editor.state().rest->positions[v])
-              : editor.positions()[v];
+  const auto draw = [&](std::size_t h, const VertexSet& vertices) {
+    if (vertices.size() != 1) return;
+    const Index v = vertices.front();
+    const Eigen::Vector3d place = h < followed.size()
+                                      ? Eigen::Vector3d(followed[h] * state.rest->positions[v])
+                                      : editor.positions()[v];
     const auto pixel = pen.projection().to_pixel(place);
     if (pixel) pen.dot(*pixel, editor.handle() == h ? kHighlight : kLine);
+  };
+  if (state.mirrored) {
+    const std::vector<VertexSet>& handles = state.mirrored->region.handles;
+    for (std::size_t h = 0; h < handles.size(); ++h) draw(h, handles[h]);
+  } else {
+    const std::vector<ChosenHandle>& handles = state.selection.handles;
+    for (std::size_t h = 0; h < handles.size(); ++h) draw(h, handles[h].vertices);
   }
+}
+
+// As large as the mesh, and seen through.
+void draw_mirror(Pen& pen, const Editor& editor) {
+  const auto& plane = editor.state().selection.mirror;
+  if (!plane) return;
+  const Bounds& bounds = editor.shown().opened_bounds();
+  const Eigen::Vector3d normal = plane->normal.normalized();
+  const Eigen::Vector3d center =
+      bounds.center() - normal.dot(bounds.center() - plane->point) * normal;
+  const Eigen::Vector3d across = 0.5 * bounds.diagonal() * normal.unitOrthogonal();
+  const Eigen::Vector3d up = normal.cross(across);
+  const std::array<Eigen::Vector3d, 4> corners{center + across + up, center - across + up,
+                                               center - across - up, center + across - up};
+  const std::span<const Vector2d> pixels = pen.pixels_of(corners);
+  if (pixels.size() < corners.size()) return;  // the eye is within it
+  pen.area(pixels, kMirror);
+  pen.line(pixels, true, kHole, 1.0F);
 }
 
 void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
@@ -212,6 +237,7 @@ void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_
   if (editor.has_gizmo() || editor.gizmo_tool().is_dragging()) {
     draw_gizmo(pen, editor, gizmo_, readout_);
   }
+  draw_mirror(pen, editor);
   draw_pins(pen, editor);
   draw_marks(pen, editor, cursor);
   for (const Vector2d& pixel : pen.pixels_of(editor, editor.pointed_at())) {

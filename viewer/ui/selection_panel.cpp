@@ -1,6 +1,7 @@
 #include <imgui.h>
 #include <utility>
 
+#include "ui/choose.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -122,6 +123,37 @@ void draw_grading(Editor& editor, PanelDrafts& drafts) {
   if (chosen) editor.perform(*chosen);
 }
 
+enum class MirrorChoice { off, x, y, z, shape };
+
+MirrorChoice choice_of(const std::optional<MirrorPlane>& plane) {
+  if (!plane) return MirrorChoice::off;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (*plane == MirrorPlane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Unit(axis)}) {
+      return static_cast<MirrorChoice>(1 + axis);
+    }
+  }
+  return MirrorChoice::shape;
+}
+
+void draw_mirror(Editor& editor) {
+  MirrorChoice choice = choice_of(editor.state().selection.mirror);
+  if (!choose("mirror", choice,
+              {{"off", MirrorChoice::off},
+               {"x", MirrorChoice::x},
+               {"y", MirrorChoice::y},
+               {"z", MirrorChoice::z},
+               {"shape", MirrorChoice::shape}})) {
+    return;
+  }
+  if (choice == MirrorChoice::shape) return editor.mirror_by_shape();
+  SetMirror command;
+  if (choice != MirrorChoice::off) {
+    const int axis = static_cast<int>(choice) - static_cast<int>(MirrorChoice::x);
+    command.plane = MirrorPlane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Unit(axis)};
+  }
+  editor.perform(command);
+}
+
 }  // namespace
 
 void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
@@ -141,6 +173,7 @@ void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
   }
   draw_belt_width(editor, drafts);
   draw_grading(editor, drafts);
+  draw_mirror(editor);
 }
 
 }  // namespace lapwing::viewer

@@ -39,6 +39,7 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
     return {state.moves, std::move(solved.moved), std::move(solved.certificate)};
   }
   DeformResult solved = exact.solve(motions_of(state), turns_of(state), progress);
+  if (const JoinedSurface* joined = joined_seams(state)) joined->close(solved.positions);
   return {state.moves,
           std::make_shared<const MovedVertices>(
               moved_vertices(state.rest->positions, solved.positions)),
@@ -237,16 +238,15 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
     ready.preview = std::shared_ptr<const DragPreview>(
         new DragPreview(kept->region, state.rest->positions, std::move(region), state.parameters,
                         dragged(), progress),
-        [topology = state.rest->shared_topology()](DragPreview* p) { delete p; });
+        [topology = surface_of(state)->shared_topology()](DragPreview* p) { delete p; });
     ready.drag_by = {ready.preview->response(), upload(*ready.preview->response()), false};
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
     ready.exact = std::shared_ptr<const Deformer>(
         new Deformer(*ready.preview, *ready.exact_kernels, progress),
-        [kernels = ready.exact_kernels, topology = state.rest->shared_topology()](Deformer* d) {
-          delete d;
-        });
+        [kernels = ready.exact_kernels,
+         topology = surface_of(state)->shared_topology()](Deformer* d) { delete d; });
     ready.drag_by = exact_response(*ready.exact, dragged(), progress);
     publish(ticket, ready, Phase::ready);
   } catch (const Cancelled&) {
@@ -293,8 +293,9 @@ std::shared_ptr<Preparation::Kept> Preparation::kept_for(const AppState& state,
   std::shared_ptr<Kept> before;
   const std::lock_guard lock(worker_.mutex());
   if (ticket_ != ticket) throw Cancelled();
-  if (kept_ == nullptr || kept_->topology.get() != &state.rest->topology()) {
-    before = std::exchange(kept_, std::make_shared<Kept>(state.rest->shared_topology()));
+  const auto topology = surface_of(state)->shared_topology();
+  if (kept_ == nullptr || kept_->topology != topology) {
+    before = std::exchange(kept_, std::make_shared<Kept>(topology));
   }
   return kept_;
 }

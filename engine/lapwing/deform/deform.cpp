@@ -79,15 +79,6 @@ struct Work {
   }
 };
 
-EditRegion region_of(const DeformRequest& request, const Mesh& mesh) {
-  std::vector<HandleSpec> handles;
-  for (const MovedHandle& handle : request.handles) {
-    handles.push_back({handle.region, handle.grading});
-  }
-  return resolve_edit_region(request.roi, request.belt, handles, mesh, request.parameters.loose,
-                             request.targets);
-}
-
 // "3 loose parts of 310 vertices (from vertices 4, 90 and 200 on)".
 std::string words_of_parts(const std::vector<const VertexSet*>& parts) {
   constexpr std::size_t kNamed = 8;
@@ -157,7 +148,7 @@ Deformed deform_surface(Mesh mesh, const DeformRequest& request, Kernels& kernel
   result.commits = commit_count(request);
   result.mesh = std::move(mesh);
   stage("region", result.timings, progress,
-        [&] { result.region = region_of(request, result.mesh); });
+        [&] { result.region = resolve_edit_region(request, result.mesh); });
   const Positions start = result.mesh.positions;
   std::vector<Vector3d> centroids;
   for (const VertexSet& handle : result.region.handles) {
@@ -174,8 +165,9 @@ Deformed deform_surface(Mesh mesh, const DeformRequest& request, Kernels& kernel
 JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& workspace) {
   if (policy == SeamPolicy::leave) return nullptr;
   std::optional<JoinedSurface>& joined = workspace.joined;
-  if (!joined || !joined->is_closed_at(mesh.positions)) {
-    workspace.prepared.reset();  // it may refer to the topology that goes
+  const bool was_there = joined && !joined->empty();
+  if (!was_there || !joined->is_closed_at(mesh.positions)) {
+    if (was_there) workspace.prepared.reset();  // it may refer to the topology that goes
     joined = joined_surface(mesh);
   }
   if (joined->empty()) return nullptr;
@@ -184,6 +176,15 @@ JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& 
 }
 
 }  // namespace
+
+EditRegion resolve_edit_region(const DeformRequest& request, const Mesh& mesh) {
+  std::vector<HandleSpec> handles;
+  for (const MovedHandle& handle : request.handles) {
+    handles.push_back({handle.region, handle.grading});
+  }
+  return resolve_edit_region(request.roi, request.belt, handles, mesh, request.parameters.loose,
+                             request.targets);
+}
 
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress) {

@@ -63,4 +63,8 @@ struct DeformRequest {
   }
 };
 
+/// What the regions and targets of a request without a mirror come to on `mesh`. Throws what the
+/// other `resolve_edit_region` does.
+EditRegion resolve_edit_region(const DeformRequest& request, const Mesh& mesh);
+
 }  // namespace lapwing

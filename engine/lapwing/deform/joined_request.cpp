@@ -8,10 +8,6 @@
 namespace lapwing {
 namespace {
 
-RegionSpec led_list(const RegionSpec& spec, const JoinedSurface& joined) {
-  return {ListedVertices{resolve_leaders(spec, joined)}, spec.where};
-}
-
 std::size_t joined_edges_in(const VertexSet& roi, const JoinedSurface& joined) {
   const std::vector<char> inside = vertex_mask(joined.leaders.size(), roi);
   return static_cast<std::size_t>(std::ranges::count_if(
@@ -38,10 +34,10 @@ std::vector<Index> triangles_of_mesh(const JoinedSurface& joined, const Topology
 }  // namespace
 
 DeformRequest joined_request(DeformRequest request, const JoinedSurface& joined) {
-  request.roi = led_list(request.roi, joined);
+  request.roi = led(request.roi, joined);
   request.belt = led(request.belt, joined);
   for (MovedHandle& handle : request.handles) {
-    handle.region = led_list(handle.region, joined);
+    handle.region = led(handle.region, joined);
     handle.grading = led(std::move(handle.grading), joined);
   }
   request.targets = led(std::move(request.targets), joined);

@@ -141,6 +141,18 @@ void require_plane(const MirrorPlane& plane, const std::string& where) {
   }
 }
 
+void require_through(const MirrorPlane& plane, const Mesh& mesh, const std::string& where) {
+  require_plane(plane, where);
+  const Vector3d n = unit_normal(plane);
+  const Bounds bounds = bounds_of(mesh.positions);
+  const double half = 0.5 * (bounds.max - bounds.min).dot(n.cwiseAbs());
+  const double off = std::abs(n.dot(bounds.center() - plane.point));
+  if (off <= half) return;
+  throw InputError(where +
+                   ": the mirror plane does not pass through the mesh; give a point of the plane, "
+                   "or \"auto\"");
+}
+
 Eigen::Affine3d reflection(const MirrorPlane& plane) {
   const Vector3d n = unit_normal(plane);
   Eigen::Affine3d mirror = Eigen::Affine3d::Identity();
@@ -183,16 +195,7 @@ double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::strin
 
 std::vector<Index> mirror_images(const Mesh& mesh, const MirrorPlane& plane,
                                  const std::string& where) {
-  require_plane(plane, where);
-  const Vector3d n = unit_normal(plane);
-  const Bounds bounds = bounds_of(mesh.positions);
-  const double half = 0.5 * (bounds.max - bounds.min).dot(n.cwiseAbs());
-  const double off = std::abs(n.dot(bounds.center() - plane.point));
-  if (!(off <= half)) {
-    throw InputError(where +
-                     ": the mirror plane does not pass through the mesh; give a point of "
-                     "the plane, or \"auto\"");
-  }
+  require_through(plane, mesh, where);
   const ClosestPoint surface = surface_of(mesh, where);
   const Eigen::Affine3d mirror = reflection(plane);
   const Topology& topology = mesh.topology();

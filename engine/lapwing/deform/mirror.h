@@ -34,6 +34,10 @@ struct MirrorSpec {
 /// normal without length.
 void require_plane(const MirrorPlane& plane, const std::string& where);
 
+/// Throws InputError, naming `where`, for a plane that does not pass through the bounds of the mesh,
+/// and what `require_plane` throws.
+void require_through(const MirrorPlane& plane, const Mesh& mesh, const std::string& where);
+
 /// x -> its mirror image.
 Eigen::Affine3d reflection(const MirrorPlane& plane);
 
@@ -55,8 +59,7 @@ double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::strin
 
 /// For each vertex the one that lies where its mirror image is: the nearest corner of the nearest
 /// point of the surface. On a symmetric mesh these are its pairs. Vertices without a triangle have
-/// themselves. O(n log n). Throws InputError, naming `where`, when the plane does not pass through
-/// the bounds of the mesh, and what `require_plane` throws.
+/// themselves. O(n log n). Throws what `require_through` throws.
 std::vector<Index> mirror_images(const Mesh& mesh, const MirrorPlane& plane,
                                  const std::string& where);
 

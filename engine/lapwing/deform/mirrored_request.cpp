@@ -40,15 +40,16 @@ class Mirroring {
         plane_(plane),
         images_(mirror_images(mesh, plane, request.mirror->where)) {}
 
-  DeformRequest both_sides() const {
-    DeformRequest both = request_;
+  MirroredRequest both_sides() const {
+    MirroredRequest result{request_, {}, {}};
+    DeformRequest& both = result.request;
     both.mirror.reset();
     both.roi = with_image(request_.roi);
     if (const auto* belt = std::get_if<RegionSpec>(&request_.belt)) both.belt = with_image(*belt);
-    const std::vector<std::size_t> handle_images = add_handles(both);
+    result.handle_images = add_handles(both);
     add_targets(both);
-    list_what_distances_choose(both, handle_images);
-    return both;
+    list_what_distances_choose(both, result.handle_images);
+    return result;
   }
 
  private:
@@ -155,12 +156,7 @@ class Mirroring {
   // that are.
   void list_what_distances_choose(DeformRequest& both,
                                   const std::vector<std::size_t>& handle_images) const {
-    std::vector<HandleSpec> handles;
-    for (const MovedHandle& handle : both.handles) {
-      handles.push_back({handle.region, handle.grading});
-    }
-    const EditRegion region = resolve_edit_region(both.roi, both.belt, handles, mesh_,
-                                                  both.parameters.loose, both.targets);
+    const EditRegion region = resolve_edit_region(both, mesh_);
     if (const auto* belt = std::get_if<BorderBelt>(&both.belt)) {
       VertexSet listed = unite(region.belt, intersect(region.roi, mirrored(region.belt, images_)));
       for (const VertexSet& handle : region.handles) listed = subtract(listed, handle);
@@ -266,7 +262,7 @@ Move along_mirror(const Move& move, const MirrorPlane& plane) {
 }
 
 MirroredRequest mirrored_request(const DeformRequest& request, const Mesh& mesh) {
-  if (!request.mirror) return {request, {}};
+  if (!request.mirror) return {request, {}, {}};
   const MirrorSpec& spec = *request.mirror;
   const bool automatic = std::holds_alternative<AutomaticMirror>(spec.plane);
   FoundMirror found;
@@ -275,7 +271,7 @@ MirroredRequest mirrored_request(const DeformRequest& request, const Mesh& mesh)
   } else {
     found.plane = std::get<MirrorPlane>(spec.plane);
   }
-  MirroredRequest result{Mirroring(request, mesh, found.plane).both_sides(), {}};
+  MirroredRequest result = Mirroring(request, mesh, found.plane).both_sides();
   if (!automatic) found.asymmetry = asymmetry_of(mesh, found.plane, spec.where);
   result.notes.push_back(in_words(found, automatic));
   return result;

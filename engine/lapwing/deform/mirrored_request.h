@@ -19,6 +19,9 @@ Move along_mirror(const Move& move, const MirrorPlane& plane);
 /// A request without a mirror that does what one with it asks for.
 struct MirroredRequest {
   DeformRequest request;
+  /// Of each of its handles, the number of its image there; its own where it lies across the plane.
+  /// Those of the request come first, then the images. Empty without a mirror.
+  std::vector<std::size_t> handle_images;
   std::vector<std::string> notes;  ///< for a person: which plane, how symmetric the mesh is
 };
 

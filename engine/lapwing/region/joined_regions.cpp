@@ -58,10 +58,14 @@ VertexSet resolve_leaders(const RegionSpec& spec, const JoinedSurface& joined) {
   return vertices;
 }
 
+RegionSpec led(const RegionSpec& spec, const JoinedSurface& joined) {
+  return {ListedVertices{resolve_leaders(spec, joined)}, spec.where};
+}
+
 BeltSpec led(const BeltSpec& belt, const JoinedSurface& joined) {
   const auto* region = std::get_if<RegionSpec>(&belt);
   if (region == nullptr) return belt;
-  return RegionSpec{ListedVertices{resolve_leaders(*region, joined)}, region->where};
+  return led(*region, joined);
 }
 
 TargetSpec led(TargetSpec targets, const JoinedSurface& joined) {

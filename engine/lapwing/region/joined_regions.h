@@ -11,6 +11,8 @@ namespace lapwing {
 /// The leaders that `spec` chooses. Throws what `resolve` does.
 VertexSet resolve_leaders(const RegionSpec& spec, const JoinedSurface& joined);
 
+/// Those as a list.
+RegionSpec led(const RegionSpec& spec, const JoinedSurface& joined);
 /// `belt` over the joined surface: one by fraction as it is, a region as the list of its leaders.
 BeltSpec led(const BeltSpec& belt, const JoinedSurface& joined);
 /// The same targets, at leaders.
