@@ -117,6 +117,8 @@ TEST_F(Carry, NothingThatWasReadOrIsWrittenIsOverwritten) {
   EXPECT_THAT(refused(turn(9.0, R"({"file": "points.csv", "save": "points.npy"})")),
               HasSubstr("a table is saved as it was read; name it .csv"));
   EXPECT_EQ(read("points.csv"), "0.6,0,2.9\n");
+  EXPECT_THAT(refused(turn(9.0, R"("points.csv")"), "out.xyz"), HasSubstr("out.xyz"));
+  EXPECT_FALSE(fs::exists(file("points-carried.csv")));
   write_mesh(icosphere(1), file("hat.obj"));
   EXPECT_THAT(refused(turn(9.0, R"({"file": "hat.obj", "save": "out.obj"})")),
               HasSubstr("where another result of the edit goes"));

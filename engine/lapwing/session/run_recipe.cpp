@@ -82,6 +82,8 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
 
 void save_result(RunResult& result, const std::filesystem::path& path, const SaveOptions& options) {
   const Stopwatch watch;
+  // What cannot be written is known before anything is.
+  static_cast<void>(format_of(path));
   require_targets(result.carried, path, result.inputs);
   const bool marked = options.vertex_motion;
   const Mesh mesh = marked ? with_vertex_motion(result.mesh, result.original, path) : result.mesh;

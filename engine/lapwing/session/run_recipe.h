@@ -28,8 +28,8 @@ struct SaveOptions {
 
 /// Writes what was carried along (CarriedFile), then the result's mesh, and adds to its report what
 /// the formats could not hold, and the time. Nothing is written where a carried file would go over
-/// the result, an input or another one: InputError. Throws what `write_mesh` does, and InputError
-/// for a vertex motion in another format than PLY.
+/// the result, an input or another one, or where a format is unknown: InputError. Throws what
+/// `write_mesh` does, and InputError for a vertex motion in another format than PLY.
 void save_result(RunResult& result, const std::filesystem::path& path,
                  const SaveOptions& options = {});
 

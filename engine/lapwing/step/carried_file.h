@@ -45,7 +45,7 @@ class CarriedFile {
  private:
   std::filesystem::path file_;
   std::variant<Mesh, PointTable> content_;
-  bool turns_properties_ = false;  ///< the quaternions of a mesh, which are not its file's to keep
+  bool turns_properties_ = false;  ///< of a mesh: quaternions turned, so that its file is made anew
 };
 
 /// Throws InputError unless all of `files` can be written beside a result at `result`: each to a
