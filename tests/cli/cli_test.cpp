@@ -198,6 +198,27 @@ TEST_F(CommandLine, SplitVerticesComeBackWithTheirFacesAndTextureCoordinates) {
   for (std::size_t v = 0; v < after.size(); ++v) EXPECT_EQ(after[v], whole[split.sources[v]]);
 }
 
+TEST_F(CommandLine, ReportMeasuresASoupAsTheSurfaceThatItIs) {
+  write_mesh(test::soup(read_mesh(file("tube.obj"))).mesh, file("soup.obj"));
+  const std::string bend =
+      " --belt box:-1,-1,-1,1,1,0.4 --handle box:-1,-1,2.6,1,1,9 --translate=0.4,0,-0.2 "
+      "--device cpu --report-vertices --report ";
+  std::vector<double> largest;
+  for (const std::string name : {"tube", "soup"}) {
+    const Outcome outcome = lapwing("deform " + name + ".obj" + bend + name + ".json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+    const std::string report = read(name + ".json");
+    const auto list = report.find("\"detail_error\"", report.find("\"rotation_degrees\""));
+    ASSERT_NE(list, std::string::npos);
+    std::istringstream numbers(report.substr(report.find('[', list) + 1));
+    double most = 0.0;
+    for (double number = 0.0; numbers >> number; numbers.ignore()) most = std::max(most, number);
+    largest.push_back(most);
+  }
+  EXPECT_GT(largest[0], 0.01);
+  EXPECT_NEAR(largest[0], largest[1], 1e-9);
+}
+
 TEST_F(CommandLine, TargetsComeFromATable) {
   write("marks.csv", "vertex,x,y,z\n100,0.9,0.1,1.5\n");
   const std::string draw = "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --device cpu ";

@@ -181,7 +181,7 @@ void EditOutput::draw(const RunResult& result, const Device& used) const {
     options.style.color = SurfaceColor::regions;
     paint.set_classes(vertex_classes(result.region, result.mesh.vertex_count()));
   } else if (color != "regions" && color != "plain") {
-    color_by(color, result.mesh.topology(), result.original, result.mesh.positions, paint, options);
+    color_by(color, result.mesh, result.original, paint, options);
   }
   Positions both = result.original;
   both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/mesh/topology.h"
+#include "lapwing/mesh/mesh.h"
 #include "lapwing/render/render_image.h"
 
 namespace lapwing::cli {
@@ -13,11 +13,11 @@ namespace lapwing::cli {
 /// displacement, rotation, detail (of uniform Laplacians) and stretch.
 const std::vector<std::string>& pose_colors();
 
-/// Colours `paint` by `measure`, one of `pose_colors()`, and sets range and legend to match. The
-/// range begins at 0 and leaves outliers out. Vertices that are where they were with their rings
-/// have no colour.
-void color_by(const std::string& measure, const Topology& topology,
-              std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
+/// Colours `paint` by how `mesh` differs from its vertices at `rest`: by `measure`, one of
+/// `pose_colors()`, and sets range and legend to match. The range begins at 0 and leaves outliers
+/// out. Vertices that are where they were with their rings have no colour. Seams that are closed in
+/// both poses are none.
+void color_by(const std::string& measure, const Mesh& mesh, std::span<const Eigen::Vector3d> rest,
               SurfacePaint& paint, RenderOptions& options);
 
 }  // namespace lapwing::cli

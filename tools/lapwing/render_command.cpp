@@ -35,14 +35,13 @@ Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
 void render(const RenderArguments& arguments) {
   RenderOptions options = arguments.picture.render_options();
   const Mesh mesh = read_mesh(arguments.mesh);
-  const Topology& topology = mesh.topology();
   Surface surface(std::make_shared<gpu::Context>(gpu::ContextOptions{arguments.device}),
-                  mesh.positions, topology);
+                  mesh.positions, mesh.topology());
   SurfacePaint paint(surface);
   paint.set_polygons(mesh);
   if (!arguments.rest.empty()) {
     const Mesh rest = read_rest_pose(arguments.rest, mesh);
-    color_by(arguments.color, topology, rest.positions, mesh.positions, paint, options);
+    color_by(arguments.color, mesh, rest.positions, paint, options);
   }
   const Camera camera = arguments.picture.camera(mesh.positions, !arguments.rest.empty());
   write_png(arguments.image, render_image(surface, paint, camera, options));

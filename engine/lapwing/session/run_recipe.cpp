@@ -6,6 +6,7 @@
 #include "lapwing/base/stage.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/session/motion_properties.h"
 
@@ -46,15 +47,46 @@ void load_mesh(const Recipe& recipe, const Progress& progress, RunResult& result
   report.triangles = result.mesh.topology().triangles.size();
 }
 
+VertexMeasures measure_vertices(const VertexSet& vertices, const Topology& topology,
+                                LaplacianWeights chosen, const Positions& before,
+                                const Positions& after) {
+  const auto weights = laplacian_weights(topology, before, chosen);
+  return measure_vertices(vertices, topology, weights, before, after);
+}
+
+// Over the surface without its seams; a follower has what its leader has.
+VertexMeasures measure_joined(const VertexSet& vertices, const JoinedSurface& joined,
+                              LaplacianWeights chosen, const Positions& before,
+                              const Positions& after) {
+  VertexSet leaders;
+  for (const Index v : vertices) leaders.push_back(joined.leaders[v]);
+  const VertexMeasures of_leaders =
+      measure_vertices(make_vertex_set(leaders), joined.surface.topology(), chosen, before, after);
+  const std::vector<Index> places = places_in(of_leaders.vertices, joined.leaders.size());
+  VertexMeasures all;
+  for (const Index v : vertices) {
+    const Index k = places[joined.leaders[v]];
+    all.vertices.push_back(v);
+    all.rotation_degrees.push_back(of_leaders.rotation_degrees[k]);
+    all.detail_error.push_back(of_leaders.detail_error[k]);
+    all.stretch.push_back(of_leaders.stretch[k]);
+  }
+  return all;
+}
+
 // What became of each vertex in the step that ran last.
 template <class SomeStep>
 VertexMeasures measure_step(const SomeStep& step, const Positions& before,
                             const RunResult& result) {
-  const Topology& topology = result.mesh.topology();
+  const Mesh& mesh = result.mesh;
+  const VertexSet& roi = result.region.roi;
   LaplacianWeights chosen = DeformParameters{}.weights;
   if constexpr (requires { step.parameters.weights; }) chosen = step.parameters.weights;
-  const auto weights = laplacian_weights(topology, before, chosen);
-  return measure_vertices(result.region.roi, topology, weights, before, result.mesh.positions);
+  const JoinedSurface joined = joined_surface(mesh);
+  if (joined.empty() || !joined.is_closed_at(before)) {
+    return measure_vertices(roi, mesh.topology(), chosen, before, mesh.positions);
+  }
+  return measure_joined(roi, joined, chosen, before, mesh.positions);
 }
 
 }  // namespace
