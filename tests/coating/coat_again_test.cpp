@@ -3,6 +3,7 @@
 #include "coating/coating_scenes.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/fairing.h"
+#include "lapwing/coating/patch_fades.h"
 #include "support/bent_tube.h"
 #include "support/error_message.h"
 

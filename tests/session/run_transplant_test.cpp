@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/region/transition.h"
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/region/geodesic.h"
+#include "lapwing/region/transition.h"
 #include "lapwing/session/report.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "session/transplant_runs.h"

@@ -92,6 +92,22 @@ TEST_F(AnEdit, OfARecipeThatCarriesFilesKeepsThem) {
   EXPECT_EQ(replayed(again), positions_of(history.state()));
 }
 
+TEST_F(AnEdit, OfARecipeWithAMirrorOrAFalloffGoesOnByHand) {
+  for (const std::string keys :
+       {R"("mirror": "auto", "handles": [{)", R"("handles": [{"falloff": {"width": 1}, )"}) {
+    const Recipe recipe = parse_recipe(
+        R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
+      {"op": "deform", "roi": {"all": true}, "belt": {"vertices": [0, 4, 8, 15]}, )" +
+            keys + R"("region": {"vertices": [100]}, "move": {"translate": [0, 0, 0.2]}}]}]})",
+        folder_.path(), "test");
+    const History history = from_recipe(open_state(mesh_), recipe, carry_out_with(kernels_, {}));
+    EXPECT_EQ(history.state().steps.size(), 0U) << "still open";
+    const Positions positions = positions_of(history.state());
+    EXPECT_EQ(replayed(recipe), positions) << keys;
+    EXPECT_EQ(replayed(recipe_of(history)), positions) << "with the plane that was found";
+  }
+}
+
 TEST_F(AnEdit, ReplayedHeadlessGivesTheSameMesh) {
   const History history = edited();
   const Recipe recipe = recipe_of(history);

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "lapwing/region/transition.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/parameterize/domain_map.h"
+#include "lapwing/region/transition.h"
 
 namespace lapwing {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lapwing/coating/correspondence.h"
-#include "lapwing/region/transition.h"
 #include "lapwing/region/region_spec.h"
+#include "lapwing/region/transition.h"
 
 namespace lapwing {
 

@@ -190,9 +190,17 @@ Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress) {
   const JoinedSurface* joined = joined_for(mesh, request.parameters.seams, workspace);
   const auto on_surface = [&](const DeformRequest& asked, Mesh surface) {
-    const MirroredRequest both = mirrored_request(asked, surface);
+    StageTimings timings;
+    MirroredRequest both;
+    if (asked.mirror) {
+      stage("mirror", timings, progress, [&] { both = mirrored_request(asked, surface); });
+    } else {
+      both.request = asked;
+    }
     Deformed result =
         deform_surface(std::move(surface), both.request, kernels, workspace, progress);
+    for (const auto& [name, ms] : result.timings.stages()) timings.add(name, ms);
+    result.timings = std::move(timings);
     for (const std::string& note : both.notes) {
       result.notes.push_back(request.where + ": " + note);
     }

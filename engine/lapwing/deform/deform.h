@@ -60,8 +60,8 @@ struct DeformWorkspace {
 };
 
 /// The same on any device. `kernels` and a mesh that shares the faces of `mesh` (the result is
-/// one) must outlive `workspace`. Stages reported: "region", those of Deformer, "solve", with
-/// several parts "certify".
+/// one) must outlive `workspace`. Stages reported: "mirror" where there is one, "region", those of
+/// Deformer, "solve", with several parts "certify".
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 

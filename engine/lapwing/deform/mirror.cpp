@@ -66,15 +66,17 @@ Vector3d mean_of(std::span<const Vector3d> points) {
 }
 
 // The points of the surface that are nearest to the images of the samples, and the mean square
-// distance.
+// distance. `hints`, one per sample, are those of the last search.
 std::vector<Vector3d> nearest_to_images(const ClosestPoint& surface,
                                         std::span<const Vector3d> samples, const MirrorPlane& plane,
-                                        double& mean_square) {
+                                        std::span<Index> hints, double& mean_square) {
   const Eigen::Affine3d mirror = reflection(plane);
   std::vector<Vector3d> nearest(samples.size());
   parallel_for(samples.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      nearest[k] = surface.find(0, mirror * samples[k]).position;
+      const TrianglePoint found = surface.find(0, mirror * samples[k], Vector3d::Zero(), hints[k]);
+      nearest[k] = found.position;
+      hints[k] = found.hint;
     }
   });
   mean_square = 0.0;
@@ -117,9 +119,11 @@ std::vector<Vector3d> first_normals(std::span<const Vector3d> samples, const Vec
 FoundMirror refined(const ClosestPoint& surface, std::span<const Vector3d> samples,
                     MirrorPlane plane, int most_rounds) {
   FoundMirror best{plane, std::numeric_limits<double>::infinity()};
+  std::vector<Index> hints(samples.size(), kNoIndex);
   for (int round = 0; round < most_rounds; ++round) {
     double mean_square = 0.0;
-    const std::vector<Vector3d> nearest = nearest_to_images(surface, samples, plane, mean_square);
+    const std::vector<Vector3d> nearest =
+        nearest_to_images(surface, samples, plane, hints, mean_square);
     if (!(mean_square < 0.999999 * best.asymmetry)) break;
     best = {plane, mean_square};
     plane = best_plane(samples, nearest);
@@ -189,7 +193,8 @@ FoundMirror find_mirror_plane(const Mesh& mesh, const std::string& where) {
 double asymmetry_of(const Mesh& mesh, const MirrorPlane& plane, const std::string& where) {
   const std::vector<Vector3d> samples = samples_of(mesh, kFine.samples);
   double mean_square = 0.0;
-  nearest_to_images(surface_of(mesh, where), samples, plane, mean_square);
+  std::vector<Index> hints(samples.size(), kNoIndex);
+  nearest_to_images(surface_of(mesh, where), samples, plane, hints, mean_square);
   return std::sqrt(mean_square) / bounds_of(samples).diagonal();
 }
 

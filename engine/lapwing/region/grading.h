@@ -42,8 +42,8 @@ struct GradedVertex {
 void require_grading(const Grading& grading, const std::string& where);
 
 /// Where a field puts a handle: `full` are the vertices of `region` with weight 1, the others above
-/// 0 go to `graded`. Throws InputError, naming `where`: a field of another length than the mesh,
-/// a number outside 0 to 1, a region in which no vertex has weight 1.
+/// 0 go to `graded`. `field` has a number from 0 to 1 for each vertex of the mesh. Throws
+/// InputError, naming `where`, for a region in which no vertex has weight 1.
 void split_by_field(const VertexSet& region, std::span<const double> field, std::size_t handle,
                     const std::string& where, VertexSet& full, std::vector<GradedVertex>& graded);
 

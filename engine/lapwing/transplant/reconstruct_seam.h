@@ -7,10 +7,10 @@
 
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/region/transition.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/region/boundary_loops.h"
+#include "lapwing/region/transition.h"
 
 namespace lapwing {
 

@@ -5,11 +5,11 @@
 #include <variant>
 
 #include "lapwing/coating/coat_parameters.h"
-#include "lapwing/region/transition.h"
 #include "lapwing/deform/move.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/region/region_spec.h"
+#include "lapwing/region/transition.h"
 #include "lapwing/transplant/fit_loop.h"
 
 namespace lapwing {
