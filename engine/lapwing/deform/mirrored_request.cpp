@@ -17,8 +17,9 @@ using Eigen::Vector3d;
 
 // From here on people would call a shape not symmetric.
 constexpr double kLargeAsymmetry = 0.02;
-// A place this near to the plane, as a share of the diagonal, is meant to lie in it.
-constexpr double kInPlane = 1e-9;
+// A share of the diagonal below this is rounding: a place so near to the plane is meant to lie in
+// it, a mesh so near to its image to be symmetric.
+constexpr double kRounding = 1e-9;
 
 Matrix3d mirror_matrix(const MirrorPlane& plane) {
   return reflection(plane).linear();
@@ -132,7 +133,7 @@ class Mirroring {
 
   void add_targets(DeformRequest& both) const {
     const Affine3d mirror = reflection(plane_);
-    const double in_plane = kInPlane * bounds_of(mesh_.positions).diagonal();
+    const double in_plane = kRounding * bounds_of(mesh_.positions).diagonal();
     std::vector<TargetRow> images;
     for (std::size_t r = 0; r < both.targets.rows.size(); ++r) {
       TargetRow& row = both.targets.rows[r];
@@ -220,7 +221,7 @@ std::string in_words(const FoundMirror& found, bool automatic) {
   } else {
     text << "mirrored";
   }
-  if (found.asymmetry < kInPlane) {
+  if (found.asymmetry < kRounding) {
     text << "; the mesh is symmetric";
     return text.str();
   }
