@@ -64,7 +64,7 @@ class CylinderOfThreeHandles : public ::testing::Test {
 
 TEST_F(CylinderOfThreeHandles, ColumnsOfSomeAreThoseAmongAll) {
   const auto all = deformer_->response();
-  const std::array<std::size_t, 2> some{0, 2};
+  const std::array<std::size_t, 3> some{2, 0, 2};
   const auto response = deformer_->response_of(some);
   EXPECT_EQ(response->handles(), (std::vector<std::size_t>{0, 2}));
   const std::size_t of_handle = all->columns().numbers.size() / 3;

@@ -202,6 +202,74 @@ TEST_F(Editing, EachSelectionToolChoosesWhatItShows) {
   expect_quits_silently();
 }
 
+TEST_F(Editing, PinsHoldTheTubeAndOneIsDragged) {
+  open_tube();
+  const auto count = [](std::size_t pins) {
+    return [pins](const Draft& d) { return d.open.handles.size() == pins; };
+  };
+  person_->keys("v");
+  person_->click(person_->pixel_of({0.5, 0.0, 0.5}));
+  ASSERT_TRUE(person_->eventually_is(count(1)));
+  EXPECT_TRUE(is<AllVertices>(person_->draft()->open.roi)) << "nothing else was chosen";
+  person_->click(person_->pixel_of({0.4, 0.3, 3.0}));
+  ASSERT_TRUE(person_->eventually_is(count(2)));
+  person_->click(person_->pixel_of({0.4, -0.3, 2.0}));
+  ASSERT_TRUE(person_->eventually_is(count(3)));
+  const Vector2d head = person_->pixel_of({0.5, 0.0, 5.5});
+  const Vector2d up(0.0, -50.0);
+  person_->drag({head, head + 0.5 * up, head + up});
+  ASSERT_TRUE(person_->eventually_is(count(4)));
+  const Draft pinned = person_->draft().value();
+  for (const MovedHandle& pin : pinned.open.handles) {
+    EXPECT_EQ(resolved(pin.region, mesh_).size(), 1U);
+  }
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) {
+    return d.settled && std::get<SimilarityMove>(d.open.handles[3].move).translate.norm() > 0.1;
+  })) << "set and dragged in one gesture";
+
+  // And again, by the pin.
+  const Draft dragged = person_->draft().value();
+  const double before = std::get<SimilarityMove>(dragged.open.handles[3].move).translate.y();
+  person_->drag({head + up, head + 1.5 * up, head + 2.0 * up});
+  ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
+    return d.settled &&
+           std::get<SimilarityMove>(d.open.handles[3].move).translate.y() > before + 0.05;
+  }));
+  EXPECT_EQ(person_->draft()->open.handles.size(), 4U);
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
+}
+
+TEST_F(Editing, MirrorMakesTheEditOnBothSides) {
+  open_tube();
+  person_->keys("b");
+  person_->keys("i");
+  box_from(0.5);
+  ASSERT_TRUE(
+      person_->eventually_is([](const Draft& d) { return is<ListedVertices>(d.open.roi); }));
+  person_->keys("v");
+  const Vector2d side = person_->pixel_of({0.4, 0.3, 4.5});
+  person_->keys("shift+m");
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.mirror.has_value(); }));
+  person_->drag({side, side + Vector2d(0.0, -20.0), side + Vector2d(0.0, -40.0)});
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) {
+    return d.settled && d.open.handles.size() == 1;
+  }));
+  const Draft draft = person_->draft().value();
+  CpuKernels kernels;
+  Recipe recipe;
+  recipe.mesh = tube();
+  recipe.steps.emplace_back(draft.open);
+  const Mesh made = std::move(run_recipe(recipe, kernels)->mesh);
+  std::size_t moved = 0;
+  for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+    moved += (made.positions[v] - mesh_.positions[v]).norm() > 0.1 ? 1U : 0U;
+  }
+  EXPECT_GT(moved, 1U) << "the pin's image, too";
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
+}
+
 TEST_F(Editing, EachGizmoModeMovesTheHandle) {
   open_tube();
   choose_parts();

@@ -48,6 +48,13 @@ bool perform_on(Editor& editor, Action action) {
     case Action::choose_belt:
       choose({Role::belt});
       return true;
+    case Action::toggle_mirror:
+      if (editor.state().selection.mirror) {
+        editor.perform(SetMirror{});
+      } else {
+        editor.mirror_by_shape();
+      }
+      return true;
     case Action::toggle_before:
       editor.show_before(!editor.shown().shows_before());
       return true;

@@ -67,7 +67,9 @@ void Editor::take_step() {
 
 void Editor::follow_hand() {
   const bool dragging = tools_.gizmo.is_dragging();
-  dragged_handles(state(), handle_, shown_.pose() == nullptr, dragged_);
+  // A settled surface is a pose to begin from.
+  const bool from_rest = shown_.pose() == nullptr && needs_settling(state());
+  dragged_handles(state(), handle_, from_rest, dragged_);
   session_->drag_by(dragged_);
   if (shown_.shows_before() || shown_.previews()) return;
   if (!dragging && !needs_settling(state())) {

@@ -79,6 +79,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'N', kShift, Action::take_up_part, "take the transplant made last up again"},
      {'C', kPlain, Action::toggle_before, "compare with the mesh as it was opened"},
      {'K', kControl, Action::begin_coat, "coat the ROI with the detail of another patch"},
+     {'M', kShift, Action::toggle_mirror, "mirror in the plane that the shape has, or no longer"},
      {'M', kControl, Action::begin_mix, "mix the details of two patches on the ROI"},
      {'K', kControlShift, Action::open_source, "take a coat or mix from another mesh"},
      {'K', kShift, Action::other_source, "the other source of a mix"},

@@ -55,6 +55,7 @@ enum class Action {
   take_part,
   take_up_part,
   toggle_before,
+  toggle_mirror,
   begin_coat,
   begin_mix,
   open_source,

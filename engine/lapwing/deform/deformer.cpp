@@ -191,6 +191,10 @@ bool Deformer::State::has_columns_for(std::span<const double> q) const {
 std::vector<Vector3d> Deformer::State::displacement_by(std::span<const double> q) const {
   std::vector<Vector3d> u(system->rest->size(), Vector3d::Zero());
   if (has_columns_for(q)) {
+    if (latest->handles().size() == system->frames.size()) {
+      blend_response(u, latest->columns(), q, u);
+      return u;
+    }
     std::vector<double> of_columns;
     for (const std::size_t h : latest->handles()) {
       const auto own = q.subspan(h * kMotionParameters, kMotionParameters);
@@ -326,7 +330,7 @@ void Deformer::make_response(const Progress& progress) const {
 std::shared_ptr<const DragResponse> Deformer::response_of(std::span<const std::size_t> handles,
                                                           const Progress& progress) const {
   const auto lock = state_->system->systems->lock();
-  return columns_of({handles.begin(), handles.end()}, progress);
+  return columns_of(in_order(handles), progress);
 }
 
 // Under the lock.

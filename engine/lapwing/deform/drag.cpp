@@ -1,5 +1,6 @@
 #include "lapwing/deform/drag.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lapwing/deform/edit_system.h"
@@ -41,6 +42,13 @@ SettledPose DragResponse::pose_at(std::span<const Vector3d> positions,
   pose.displacement.assign(rest().size(), Vector3d::Zero());
   for (const Index v : system_->moving) pose.displacement[v] = positions[v] - rest()[v];
   return pose;
+}
+
+std::vector<std::size_t> in_order(std::span<const std::size_t> handles) {
+  std::vector<std::size_t> ordered(handles.begin(), handles.end());
+  std::sort(ordered.begin(), ordered.end());
+  ordered.erase(std::unique(ordered.begin(), ordered.end()), ordered.end());
+  return ordered;
 }
 
 Drag::Drag(std::shared_ptr<const DragResponse> response, std::shared_ptr<const SettledPose> pose)

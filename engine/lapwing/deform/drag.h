@@ -26,7 +26,7 @@ class DragResponse {
   const Positions& rest() const;  ///< of the whole mesh
   const Topology& topology() const;
   ResponseColumns columns() const;
-  /// Those that a drag by it may move; the others stay where its pose has them.
+  /// Those that a drag by it may move, ascending; the others stay where its pose has them.
   const std::vector<std::size_t>& handles() const { return handles_; }
 
   /// The parameters of handles() among one motion per handle of the edit. Throws InputError for
@@ -45,6 +45,9 @@ class DragResponse {
   Numbers numbers_;
   bool along_axes_;
 };
+
+/// Each of them once, ascending.
+std::vector<std::size_t> in_order(std::span<const std::size_t> handles);
 
 /// A drag by a response, from rest or from a pose on:
 ///
