@@ -229,11 +229,13 @@ TEST_F(Editing, PinsHoldTheTubeAndOneIsDragged) {
 
   // And again, by the pin.
   const Draft dragged = person_->draft().value();
-  const double before = std::get<SimilarityMove>(dragged.open.handles[3].move).translate.y();
-  person_->drag({head + up, head + 1.5 * up, head + 2.0 * up});
+  const Vector3d moved = std::get<SimilarityMove>(dragged.open.handles[3].move).translate;
+  const Index pin = resolved(dragged.open.handles[3].region, mesh_).front();
+  const Vector2d there = person_->pixel_of(mesh_.positions[pin] + moved);
+  person_->drag({there, there + 0.5 * up, there + up});
   ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
     return d.settled &&
-           std::get<SimilarityMove>(d.open.handles[3].move).translate.y() > before + 0.05;
+           std::get<SimilarityMove>(d.open.handles[3].move).translate.y() > moved.y() + 0.05;
   }));
   EXPECT_EQ(person_->draft()->open.handles.size(), 4U);
   EXPECT_EQ(person_->discard_and_quit(), 0);

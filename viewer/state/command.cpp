@@ -112,7 +112,11 @@ struct Applier {
 
   void operator()(const Choose& command) const {
     commit(state);
+    if (command.grading) require_grading(*command.grading, "handle");
     replace(command.part, choose(command.region, *state.rest, joined_seams(state)));
+    if (command.grading && command.part.role == Part::Role::handle) {
+      state.selection.handles[command.part.handle].grading = *command.grading;
+    }
   }
   void operator()(const Paint& command) const {
     require_vertices(state, command.added);

@@ -21,6 +21,7 @@ struct Part {
 struct Choose {
   Part part;
   RegionSpec region;
+  std::optional<Grading> grading = {};  ///< of a handle; without it a handle keeps its own
 };
 
 /// The part gains and loses vertices: a stroke of the brush, a lasso, grow, shrink, invert.

@@ -6,6 +6,20 @@ namespace {
 // A pin's dot, and the hand's own inaccuracy.
 constexpr double kPinReachPixels = 9.0;
 
+// A single vertex of weight 1 stays behind the hand by some of an edge.
+constexpr double kPinWeight = 10.0;
+
+// A surface this much nearer to the eye hides a pin, as a share of the mesh's diagonal: the tip that
+// a pin draws out is its own.
+constexpr double kHides = 0.02;
+
+bool is_hidden(const Eigen::Vector3d& pin, const Eigen::Vector2d& pixel, const ToolScene& scene) {
+  const auto hit = scene.pick ? scene.pick(pixel) : std::nullopt;
+  if (!hit) return false;
+  const double nearer = (hit->position - pin).dot(scene.projection.toward_eye(pin));
+  return nearer > kHides * bounds_of(scene.positions).diagonal();
+}
+
 }  // namespace
 
 bool is_pin(const ChosenRegion& handle) {
@@ -18,10 +32,10 @@ std::optional<std::size_t> pin_at(const Eigen::Vector2d& pixel, const ToolScene&
   const auto& handles = scene.state.selection.handles;
   for (std::size_t h = 0; h < handles.size(); ++h) {
     if (!is_pin(handles[h])) continue;
-    const Index v = handles[h].vertices.front();
-    if (scene.is_visible && !scene.is_visible(v)) continue;
-    const auto place = scene.projection.to_pixel(scene.positions[v]);
+    const Eigen::Vector3d& pin = scene.positions[handles[h].vertices.front()];
+    const auto place = scene.projection.to_pixel(pin);
     if (!place || !((*place - pixel).norm() < distance)) continue;
+    if (is_hidden(pin, *place, scene)) continue;
     distance = (*place - pixel).norm();
     nearest = h;
   }
@@ -40,7 +54,9 @@ ToolAnswer PinTool::handle(const InputEvent& event, const ToolScene& scene) {
   if (!pick) return ToolAnswer::passed_on();
   const std::size_t next = scene.state.selection.handles.size();
   answer.holds = next;
-  answer.command = Choose{{Part::Role::handle, next}, {ListedVertices{{pick->vertex}}, "pin"}};
+  answer.command = Choose{{Part::Role::handle, next},
+                          {ListedVertices{{pick->vertex}}, "pin"},
+                          Grading{.weight = kPinWeight}};
   return answer;
 }
 
