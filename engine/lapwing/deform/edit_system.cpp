@@ -110,18 +110,25 @@ void EditSystem::hold_response(Kernels& kernels, const Progress& progress,
   systems->hold_response(terms(), constraints.W, options, kernels, progress, stages);
 }
 
+void EditSystem::require_motions(std::size_t count) const {
+  if (count == frames.size()) return;
+  throw InputError("the region has " + std::to_string(frames.size()) + " handles, but " +
+                   std::to_string(count) + " motions were given; give one per handle");
+}
+
 void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
                                 std::span<double> parameters) const {
-  set_parameters(motions, all_handles(), parameters);
+  require_motions(motions.size());
+  for (std::size_t h = 0; h < frames.size(); ++h) {
+    motion_parameters(frames[h], motions[h],
+                      parameters.subspan(h * kMotionParameters, kMotionParameters));
+  }
 }
 
 void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
                                 std::span<const std::size_t> handles,
                                 std::span<double> parameters) const {
-  if (motions.size() != frames.size()) {
-    throw InputError("the region has " + std::to_string(frames.size()) + " handles, but " +
-                     std::to_string(motions.size()) + " motions were given; give one per handle");
-  }
+  require_motions(motions.size());
   for (std::size_t k = 0; k < handles.size(); ++k) {
     motion_parameters(frames[handles[k]], motions[handles[k]],
                       parameters.subspan(k * kMotionParameters, kMotionParameters));

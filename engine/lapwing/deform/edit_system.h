@@ -66,6 +66,7 @@ struct EditSystem {
 
  private:
   SystemTerms terms() const;
+  void require_motions(std::size_t count) const;
   void check_and_frame();
   void make_springs();
 };
