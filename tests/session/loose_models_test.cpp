@@ -77,9 +77,9 @@ TEST(LooseOfModels, IsCarriedWithANoteWhereItWasRefused) {
       const Deformed carried = deform(mesh, request);
       EXPECT_TRUE(carried.certificate.all_finite) << name;
       RecordProperty(name, carried.notes.empty() ? "" : carried.notes.front());
-      EXPECT_THAT(carried.notes, Contains(::testing::AnyOf(HasSubstr("loose part"),
-                                                           HasSubstr("seam edges"),
-                                                           HasSubstr("turns as little"))))
+      EXPECT_THAT(carried.notes,
+                  Contains(::testing::AnyOf(HasSubstr("loose part"), HasSubstr("seam edges"),
+                                            HasSubstr("turns as little"))))
           << name;
     } catch (const Error& error) {
       ADD_FAILURE() << name << ": " << error.what();

@@ -54,9 +54,9 @@ TEST_F(APin, IsOnlySetWithShift) {
 
 TEST_F(APin, BehindTheSurfaceIsNotTaken) {
   const Positions& positions = sphere_.state.rest->positions;
-  const auto lowest = std::min_element(
-      positions.begin(), positions.end(),
-      [](const Vector3d& a, const Vector3d& b) { return a.z() < b.z(); });
+  const auto lowest =
+      std::min_element(positions.begin(), positions.end(),
+                       [](const Vector3d& a, const Vector3d& b) { return a.z() < b.z(); });
   const auto behind = static_cast<Index>(lowest - positions.begin());
   sphere_.state = apply(std::move(sphere_.state),
                         Choose{{Part::Role::handle, 0}, {ListedVertices{{behind}}, "pin"}});

@@ -254,9 +254,8 @@ TEST_F(Editing, MirrorMakesTheEditOnBothSides) {
   person_->keys("shift+m");
   ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.mirror.has_value(); }));
   person_->drag({side, side + Vector2d(0.0, -20.0), side + Vector2d(0.0, -40.0)});
-  ASSERT_TRUE(person_->eventually_is([](const Draft& d) {
-    return d.settled && d.open.handles.size() == 1;
-  }));
+  ASSERT_TRUE(person_->eventually_is(
+      [](const Draft& d) { return d.settled && d.open.handles.size() == 1; }));
   const Draft draft = person_->draft().value();
   CpuKernels kernels;
   Recipe recipe;

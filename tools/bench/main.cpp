@@ -105,8 +105,7 @@ void add_studies(CLI::App& app, Studies& studies) {
   constraints->add_option("--subdivide", studies.constraints.subdivisions, "so many times")
       ->check(CLI::Range(0, 5));
   constraints->add_option("--handles", studies.constraints.handles)->check(CLI::PositiveNumber);
-  constraints->add_option("--landmarks", studies.constraints.landmarks)
-      ->check(CLI::PositiveNumber);
+  constraints->add_option("--landmarks", studies.constraints.landmarks)->check(CLI::PositiveNumber);
   constraints->callback([&] {
     studies.constraints.repeats = studies.repeats;
     bench_constraints(studies.constraints);

@@ -148,8 +148,8 @@ void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
   if (!answer.holds || *answer.holds >= handle_count()) return;
   choose({Role::handle, *answer.holds});
   if (!answer.drags_held) return;
-  tools_.gizmo.take_hold(
-      pixel, {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
+  tools_.gizmo.take_hold(pixel,
+                         {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
   begin_drag();
 }
 
@@ -269,7 +269,8 @@ void Editor::mirror_by_shape() {
   try {
     const FoundMirror found = find_mirror_plane(*surface_of(state()), "mirror");
     char text[96];
-    std::snprintf(text, sizeof text, "the surface is off from its mirror image by %.2g%% of its size",
+    std::snprintf(text, sizeof text,
+                  "the surface is off from its mirror image by %.2g%% of its size",
                   100.0 * found.asymmetry);
     say_(text);
     perform(SetMirror{found.plane});

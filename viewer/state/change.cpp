@@ -97,8 +97,9 @@ bool Change::is_nothing() const {
            viewer::is_nothing(change.vertices);
   };
   return same(roi_) && same(belt_) && handle_counts_[0] == handle_counts_[1] &&
-         std::all_of(handles_.begin(), handles_.end(), same) && !gradings_ && !mirror_ && !mirrored_ && !belt_fraction_ && !parameters_ &&
-         !moves_ && !settled_ && !rest_ && !triangles_ && steps_[0].empty() && steps_[1].empty();
+         std::all_of(handles_.begin(), handles_.end(), same) && !gradings_ && !mirror_ &&
+         !mirrored_ && !belt_fraction_ && !parameters_ && !moves_ && !settled_ && !rest_ &&
+         !triangles_ && steps_[0].empty() && steps_[1].empty();
 }
 
 bool Change::concerns_surface() const {

@@ -84,8 +84,8 @@ struct Revise {
 };
 
 /// One thing that a person, a test or a recipe does.
-using Command = std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, SetMirror, MoveHandle, Settle, Commit,
-                             SetParameters, Apply, Revise>;
+using Command = std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, SetMirror,
+                             MoveHandle, Settle, Commit, SetParameters, Apply, Revise>;
 
 /// The state after `command`. Choosing, painting and applying commit what is settled first: what is
 /// chosen then is chosen on the surface that is seen. Moves, parameters and the belt's width ask

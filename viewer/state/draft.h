@@ -53,8 +53,8 @@ struct CarryOut {
 /// As `run_recipe` does it. `kernels` must outlive it.
 CarryOut carry_out_with(Kernels& kernels, Progress progress = {});
 
-/// Carries a deform step that is a selection out by the commands that a person would have used, which
-/// can then be undone one by one. Without `solve` its handles are left moved and not settled.
+/// Carries a deform step that is a selection out by the commands that a person would have used,
+/// which can then be undone one by one. Without `solve` its handles are left moved and not settled.
 void perform(History& history, const DeformRequest& step, const Solve& solve);
 /// Carries any step out: a deform of that kind as above, another as one command.
 void perform(History& history, const Step& step, const CarryOut& carry_out);

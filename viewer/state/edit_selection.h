@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/deform/mirror.h"
+#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/grading.h"

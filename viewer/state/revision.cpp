@@ -26,7 +26,8 @@ DeformRequest as_open(const Step& step) {
   const auto* deform = std::get_if<DeformRequest>(&step);
   if (deform != nullptr && is_selection(*deform)) return *deform;
   throw InputError(
-      "a deform step can only be replaced by another deform, without targets and carried files; undo "
+      "a deform step can only be replaced by another deform, without targets and carried files; "
+      "undo "
       "it, then apply the new step");
 }
 

@@ -9,8 +9,8 @@ constexpr double kPinReachPixels = 9.0;
 // A single vertex of weight 1 stays behind the hand by some of an edge.
 constexpr double kPinWeight = 10.0;
 
-// A surface this much nearer to the eye hides a pin, as a share of the mesh's diagonal: the tip that
-// a pin draws out is its own.
+// A surface this much nearer to the eye hides a pin, as a share of the mesh's diagonal: the tip
+// that a pin draws out is its own.
 constexpr double kHides = 0.02;
 
 bool is_hidden(const Eigen::Vector3d& pin, const Eigen::Vector2d& pixel, const ToolScene& scene) {

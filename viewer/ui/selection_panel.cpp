@@ -106,8 +106,8 @@ void draw_grading(Editor& editor, PanelDrafts& drafts) {
     ImGui::SetTooltip("length beyond the handle over which its hold fades");
   }
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
-  changed |= ImGui::SliderFloat("weight", &weight, 0.01F, 100.0F, "%.3g",
-                                ImGuiSliderFlags_Logarithmic);
+  changed |=
+      ImGui::SliderFloat("weight", &weight, 0.01F, 100.0F, "%.3g", ImGuiSliderFlags_Logarithmic);
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("how firmly this handle holds, beside the surface and the others");
   }

@@ -266,8 +266,8 @@ Preparation::ToDragBy Preparation::exact_response(const Deformer& exact,
 
 // Columns for the handles that are dragged now.
 void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
-  const Progress progress =
-      worker_.progress(ticket_, ticket, [](std::string_view, double) {}, false);
+  const Progress progress = worker_.progress(
+      ticket_, ticket, [](std::string_view, double) {}, false);
   try {
     std::vector<std::size_t> handles;
     {

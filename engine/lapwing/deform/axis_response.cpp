@@ -62,8 +62,8 @@ Numbers axis_response(const EditSystem& system, std::span<const std::size_t> han
   return columns;
 }
 
-std::vector<Vector3d> axis_displacement(const EditSystem& system,
-                                        std::span<const Vector3d> wanted, Springs springs) {
+std::vector<Vector3d> axis_displacement(const EditSystem& system, std::span<const Vector3d> wanted,
+                                        Springs springs) {
   const LaplacianSystem& laplacian = system.systems->laplacian();
   const std::size_t n = laplacian.size();
   std::vector<double> x(3 * n);

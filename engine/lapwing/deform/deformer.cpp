@@ -96,7 +96,7 @@ struct Deformer::State {
   std::unique_ptr<HandleShares> shares;
   std::vector<double> weights;  ///< of the Laplacians that certificates measure
   std::shared_ptr<const DragResponse> response;
-  std::atomic<bool> has_response = false;  ///< `response` does not change from then on
+  std::atomic<bool> has_response = false;      ///< `response` does not change from then on
   std::shared_ptr<const DragResponse> latest;  ///< asked for last
   std::string why_not_exact;
 

@@ -97,13 +97,13 @@ class Deformer {
   /// One settled frame of a drag: moves `pose` on to where the handles' motions take it. It begins
   /// where the last frames lead as far as the handles go on as they did, and goes the rest of the
   /// way by the linear response: that of `response` or `response_of`, which was asked for last, as
-  /// long as the other handles rest. Every frame is a better surface than that, and as good as `go_on`
-  /// (Settler::follow) leaves time for; with the same motions again it goes on, and once settled
-  /// nothing moves. `turns` are those of `solve`. From an empty pose it begins where `solve` does,
-  /// and so does a frame in which a handle has turned by more than 90 degrees since the last, for
-  /// which the old pose tells too little. One drag at a time; another one begins with `begin_drag`.
-  /// Throws InputError without settling in the options, SolverError when the result is not finite,
-  /// Cancelled when `progress` asks for it, each time with `pose` as it was.
+  /// long as the other handles rest. Every frame is a better surface than that, and as good as
+  /// `go_on` (Settler::follow) leaves time for; with the same motions again it goes on, and once
+  /// settled nothing moves. `turns` are those of `solve`. From an empty pose it begins where
+  /// `solve` does, and so does a frame in which a handle has turned by more than 90 degrees since
+  /// the last, for which the old pose tells too little. One drag at a time; another one begins with
+  /// `begin_drag`. Throws InputError without settling in the options, SolverError when the result
+  /// is not finite, Cancelled when `progress` asks for it, each time with `pose` as it was.
   void follow(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
               SettledPose& pose, const std::function<bool()>& go_on = {},
               const Progress& progress = {}) const;

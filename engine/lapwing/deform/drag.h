@@ -62,8 +62,8 @@ class Drag {
                 std::shared_ptr<const SettledPose> pose = nullptr);
 
   /// By how much each column of the response counts once its handles have moved by `motions`, one
-  /// per handle of the edit, each a map of space that acts on the rest position of the handle's vertices. Valid
-  /// until the next call. Allocates nothing.
+  /// per handle of the edit, each a map of space that acts on the rest position of the handle's
+  /// vertices. Valid until the next call. Allocates nothing.
   std::span<const double> parameters(std::span<const Eigen::Affine3d> motions);
   /// Puts the vertices that can move where they are then; `positions` is of the whole mesh.
   /// Allocates nothing.

@@ -16,8 +16,8 @@ DragPreview::DragPreview(std::span<const Vector3d> rest, const Topology& topolog
 
 DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> rest,
                          EditRegion region, const DeformOptions& options, const Progress& progress)
-    : system_(
-          std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress)) {
+    : system_(std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
+                                                 progress)) {
   *this = DragPreview(system_, system_->all_handles(), progress);
 }
 
@@ -44,7 +44,8 @@ std::shared_ptr<const DragResponse> DragPreview::response_of(
   system_->hold_laplacian();
   std::vector<std::size_t> dragged = in_order(handles);
   Numbers columns = axis_response(*system_, dragged);
-  return std::make_shared<const DragResponse>(system_, std::move(dragged), std::move(columns), true);
+  return std::make_shared<const DragResponse>(system_, std::move(dragged), std::move(columns),
+                                              true);
 }
 
 const EditRegion& DragPreview::region() const {

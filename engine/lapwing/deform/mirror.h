@@ -34,8 +34,8 @@ struct MirrorSpec {
 /// normal without length.
 void require_plane(const MirrorPlane& plane, const std::string& where);
 
-/// Throws InputError, naming `where`, for a plane that does not pass through the bounds of the mesh,
-/// and what `require_plane` throws.
+/// Throws InputError, naming `where`, for a plane that does not pass through the bounds of the
+/// mesh, and what `require_plane` throws.
 void require_through(const MirrorPlane& plane, const Mesh& mesh, const std::string& where);
 
 /// x -> its mirror image.

@@ -102,9 +102,9 @@ EditRegion with_followers(EditRegion region, const JoinedSurface& joined) {
   std::vector<GradedVertex> graded = region.graded;
   for (const Index v : joined.followers) {
     const Index leader = joined.leaders[v];
-    const auto found = std::lower_bound(
-        region.graded.begin(), region.graded.end(), leader,
-        [](const GradedVertex& g, Index vertex) { return g.vertex < vertex; });
+    const auto found =
+        std::lower_bound(region.graded.begin(), region.graded.end(), leader,
+                         [](const GradedVertex& g, Index vertex) { return g.vertex < vertex; });
     if (found == region.graded.end() || found->vertex != leader) continue;
     graded.push_back({v, found->handle, found->weight});
   }

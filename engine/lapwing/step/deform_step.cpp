@@ -108,11 +108,12 @@ void describe(DeformParameters& parameters, KeyVisitor& visitor) {
                  {{LoosePolicy::carry, "carry"},
                   {LoosePolicy::leave, "leave"},
                   {LoosePolicy::refuse, "refuse"}});
-  visitor.choice({.name = "seams",
-                  .help = "boundary edges at one place with vertices of their own, as at hard edges "
-                          "and where texture coordinates jump: they are edited as one surface and "
-                          "stay closed, or move apart"},
-                 parameters.seams, {{SeamPolicy::join, "join"}, {SeamPolicy::leave, "leave"}});
+  visitor.choice(
+      {.name = "seams",
+       .help = "boundary edges at one place with vertices of their own, as at hard edges "
+               "and where texture coordinates jump: they are edited as one surface and "
+               "stay closed, or move apart"},
+      parameters.seams, {{SeamPolicy::join, "join"}, {SeamPolicy::leave, "leave"}});
 }
 
 void describe(DeformRequest& step, KeyVisitor& visitor) {

@@ -66,8 +66,8 @@ struct LeaningMesh {
   }
   DeformRequest one_handle() const {
     DeformRequest request = held();
-    request.handles = {{{ListedVertices{ends.handle}, "handle"},
-                        MatrixMove{ends.map.matrix().topRows<3>()}}};
+    request.handles = {
+        {{ListedVertices{ends.handle}, "handle"}, MatrixMove{ends.map.matrix().topRows<3>()}}};
     return request;
   }
   DeformRequest one_vertex_handles(std::size_t count) const {
@@ -101,7 +101,7 @@ double peak_mb() {
 
 // One edit in a process of its own: reading and subdividing do not count.
 EditCost run_apart(const ConstraintsBench& settings, const char* name,
-              const std::function<DeformRequest(const LeaningMesh&)>& request) {
+                   const std::function<DeformRequest(const LeaningMesh&)>& request) {
   const Told told = told_apart([&](const auto& tell) {
     Mesh mesh = read_mesh(settings.mesh);
     for (int k = 0; k < settings.subdivisions; ++k) mesh = subdivide(mesh);
@@ -140,20 +140,21 @@ void print_ratio(const char* name, const EditCost& run, const EditCost& of) {
 }
 
 // What a window waits for: until the exact response of the handle in hand is there.
-double preparation_ms(const LeaningMesh& scene, std::size_t handles, const ConstraintsBench& settings,
-                      std::unique_ptr<Deformer>& kept, CpuKernels& kernels) {
+double preparation_ms(const LeaningMesh& scene, std::size_t handles,
+                      const ConstraintsBench& settings, std::unique_ptr<Deformer>& kept,
+                      CpuKernels& kernels) {
   const DeformRequest request = scene.one_vertex_handles(handles);
   std::vector<HandleSpec> specs;
   for (const MovedHandle& handle : request.handles) specs.push_back({handle.region});
-  const EditRegion region =
-      resolve_edit_region(request.roi, request.belt, specs, scene.mesh);
+  const EditRegion region = resolve_edit_region(request.roi, request.belt, specs, scene.mesh);
   constexpr std::array<std::size_t, 1> kInHand{0};
-  return measure(settings.repeats, [&] {
-           PreparedRegion prepared(scene.mesh.topology());
-           const DragPreview preview(prepared, scene.mesh.positions, region, {}, kInHand);
-           kept = std::make_unique<Deformer>(preview, kernels);
-           kept->response_of(kInHand);
-         })
+  return measure(settings.repeats,
+                 [&] {
+                   PreparedRegion prepared(scene.mesh.topology());
+                   const DragPreview preview(prepared, scene.mesh.positions, region, {}, kInHand);
+                   kept = std::make_unique<Deformer>(preview, kernels);
+                   kept->response_of(kInHand);
+                 })
       .median();
 }
 
@@ -162,7 +163,8 @@ void measure_window(const ConstraintsBench& settings) {
   CpuKernels kernels;
   std::unique_ptr<Deformer> deformer;
   const double of_one = preparation_ms(scene, 1, settings, deformer, kernels);
-  const double of_many = preparation_ms(scene, settings.window_handles, settings, deformer, kernels);
+  const double of_many =
+      preparation_ms(scene, settings.window_handles, settings, deformer, kernels);
   std::size_t next = 0;
   const Samples grabs = measure(settings.repeats, [&] {
     next = (next + 1) % settings.window_handles;
@@ -182,8 +184,9 @@ void bench_constraints(const ConstraintsBench& settings) {
   std::printf("| %-32s | vertices | seconds   | peak MB  | iter. | off       | flips | edge   |\n",
               "edit");
   const EditCost one = run_apart(settings, "one handle", &LeaningMesh::one_handle);
-  const EditCost pin = run_apart(settings, "one one-vertex handle",
-                            [](const LeaningMesh& scene) { return scene.one_vertex_handles(1); });
+  const EditCost pin = run_apart(settings, "one one-vertex handle", [](const LeaningMesh& scene) {
+    return scene.one_vertex_handles(1);
+  });
   const std::string of_pins = std::to_string(settings.handles) + " one-vertex handles";
   const EditCost pins = run_apart(settings, of_pins.c_str(), [&](const LeaningMesh& scene) {
     return scene.one_vertex_handles(settings.handles);

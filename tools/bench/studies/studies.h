@@ -73,9 +73,9 @@ struct ConstraintsBench {
   int repeats = 7;
 };
 
-/// What many constraints cost: one end of a mesh is held, and the other leans by one handle, by many
-/// one-vertex handles, by hard landmarks, each an edit in a process of its own; then, of the mesh as
-/// it is, how long a window waits with many pins, and for another one to be taken in hand.
+/// What many constraints cost: one end of a mesh is held, and the other leans by one handle, by
+/// many one-vertex handles, by hard landmarks, each an edit in a process of its own; then, of the
+/// mesh as it is, how long a window waits with many pins, and for another one to be taken in hand.
 void bench_constraints(const ConstraintsBench& settings);
 
 struct FrameBench {
