@@ -14,6 +14,7 @@ layout(location = 2) in vec3 barycentric;
 layout(location = 3) in vec4 class_weights;
 layout(location = 4) in float scalar;
 layout(location = 5) flat in uint shown_edges;
+layout(location = 6) in float held;
 
 layout(location = 0) out vec4 written;
 
@@ -41,7 +42,7 @@ vec3 class_color() {
     sum += covered * linear_of(kClassColors[c]);
     total += covered;
   }
-  return sum / max(total, 1e-6);
+  return mix(sum / max(total, 1e-6), linear_of(kClassColors[3]), held);
 }
 
 vec3 map_color() {

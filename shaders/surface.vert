@@ -18,6 +18,7 @@ layout(location = 2) out vec3 barycentric;
 layout(location = 3) out vec4 class_weights;  // outside, ROI, belt, handle
 layout(location = 4) out float scalar;        // in [0, 1] over the colour map's range
 layout(location = 5) flat out uint shown_edges;
+layout(location = 6) out float held;  // the share that a handle has of the vertex besides
 
 vec3 rotate_to_view(vec3 v) {
   return vec3(dot(view_from_surface[0].xyz, v), dot(view_from_surface[1].xyz, v),
@@ -49,7 +50,7 @@ void main() {
   view_normal = rotate_to_view(corner_normal(normals[vertex].xyz, gl_VertexIndex - corner));
   barycentric = vec3(corner == 0, corner == 1, corner == 2);
   class_weights = vec4(equal(uvec4(0, 1, 2, 3), uvec4(classes[vertex] & 255u)));
-  class_weights = mix(class_weights, vec4(0, 0, 0, 1), float(classes[vertex] >> 8) / 255.0);
+  held = float(classes[vertex] >> 8) / 255.0;
   scalar = (scalars[vertex] - scalar_low) * scalar_scale;
   shown_edges = edges[gl_VertexIndex / 3];
   gl_Position = clip_from_surface * vec4(position, 1);

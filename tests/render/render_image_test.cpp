@@ -111,6 +111,22 @@ TEST(RenderImage, NearerSurfaceHidesTheFartherOne) {
   EXPECT_GT(g, b);
 }
 
+TEST(RenderImage, WhatAHandleDrawsHasMoreOfItsColourTheMoreItDoes) {
+  LAPWING_NEEDS_GPU();
+  Subject square(grid(1, 1));
+  square.options.style.color = SurfaceColor::regions;
+  const auto blue_with = [&](VertexClass as) {
+    square.paint.set_classes(std::vector<VertexClass>(4, as));
+    return square.render().pixel(kMiddle, kMiddle)[2];
+  };
+  const auto none = blue_with(VertexClass::roi);
+  const auto half = blue_with(drawn_by_handle(VertexClass::roi, 0.5));
+  const auto all = blue_with(drawn_by_handle(VertexClass::roi, 1.0));
+  EXPECT_GT(none, half + 20);
+  EXPECT_GT(half, all + 20);
+  EXPECT_EQ(all, blue_with(VertexClass::handle));
+}
+
 TEST(RenderImage, BackFacesAreDarker) {
   LAPWING_NEEDS_GPU();
   Mesh reversed = icosphere(3);

@@ -26,12 +26,12 @@ std::vector<VertexClass> classes_of(const AppState& state) {
   };
   mark(selection.roi.vertices, VertexClass::roi);
   mark(selection.belt.vertices, VertexClass::belt);
+  std::vector<VertexSet> handles;
   for (const ChosenHandle& handle : selection.handles) {
-    mark(fully_held(handle), VertexClass::handle);
+    handles.push_back(fully_held(handle));
+    mark(handles.back(), VertexClass::handle);
   }
-  for (const GradedVertex& graded : graded_vertices(selection, *surface_of(state))) {
-    classes[graded.vertex] = drawn_by_handle(classes[graded.vertex], graded.weight);
-  }
+  draw_graded(graded_vertices(selection, *surface_of(state)), handles, classes);
   return classes;
 }
 

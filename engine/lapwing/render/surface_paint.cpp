@@ -47,6 +47,20 @@ VertexClass drawn_by_handle(VertexClass vertex, double weight) {
   return static_cast<VertexClass>(static_cast<std::uint32_t>(vertex) | share << 8U);
 }
 
+void draw_graded(std::span<const GradedVertex> graded, std::span<const VertexSet> handles,
+                 std::span<VertexClass> classes) {
+  std::vector<char> fades(handles.size(), 0);
+  for (const GradedVertex& g : graded) {
+    classes[g.vertex] = drawn_by_handle(classes[g.vertex], g.weight);
+    fades[g.handle] = 1;
+  }
+  // Else the colour would begin with nothing at the handle's border.
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    if (fades[h] == 0) continue;
+    for (const Index v : handles[h]) classes[v] = drawn_by_handle(VertexClass::handle, 1.0);
+  }
+}
+
 std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t vertex_count) {
   std::vector<VertexClass> classes(vertex_count, VertexClass::outside);
   for (const Index v : region.roi) classes[v] = VertexClass::roi;
@@ -54,9 +68,7 @@ std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t ve
   for (const auto& handle : region.handles) {
     for (const Index v : handle) classes[v] = VertexClass::handle;
   }
-  for (const GradedVertex& graded : region.graded) {
-    classes[graded.vertex] = drawn_by_handle(classes[graded.vertex], graded.weight);
-  }
+  draw_graded(region.graded, region.handles, classes);
   return classes;
 }
 

@@ -19,6 +19,11 @@ enum class VertexClass : std::uint32_t { outside, roi, belt, handle };
 /// The same for a vertex that a handle draws by `weight`, from 0 to 1, besides.
 VertexClass drawn_by_handle(VertexClass vertex, double weight);
 
+/// Shows in `classes`, one per vertex, how far each of `graded` goes with its handle, one of
+/// `handles`, whose vertices are classed already.
+void draw_graded(std::span<const GradedVertex> graded, std::span<const VertexSet> handles,
+                 std::span<VertexClass> classes);
+
 /// What each of `vertex_count` vertices is in the edit of `region`.
 std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t vertex_count);
 
