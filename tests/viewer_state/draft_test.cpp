@@ -108,6 +108,44 @@ TEST_F(AnEdit, OfARecipeWithAMirrorOrAFalloffGoesOnByHand) {
   }
 }
 
+TEST_F(AnEdit, WithAMirrorIsReplayedRestoredAndUndone) {
+  Index side = 0;
+  for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+    const Eigen::Vector3d& p = mesh_.positions[v];
+    if (std::abs(p.z() - 2.0) < 0.2 && p.x() > mesh_.positions[side].x()) side = v;
+  }
+  History history(open_state(mesh_));
+  history.perform(Choose{kRoi, box(0.3, 4.0)});
+  history.perform(Choose{kHandle, {GeodesicDisk{side, 0.2}}});
+  history.perform(SetMirror{MirrorPlane{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}});
+  ASSERT_NE(history.state().mirrored, nullptr);
+  EXPECT_EQ(edit_region(history.state()).handles.size(), 2U);
+  history.perform(MoveHandle{0, bent()});
+  EXPECT_EQ(motions_of(history.state()).size(), 2U);
+  std::vector<std::size_t> dragged;
+  dragged_handles(history.state(), 0, false, dragged);
+  EXPECT_EQ(dragged, (std::vector<std::size_t>{0, 1})) << "with its image";
+  settle(history);
+  const AppState state = history.state();
+  EXPECT_LT(largest_distance(replayed(recipe_of(history)), positions_of(state)), 1e-9);
+  const History restored = restore(open_state(mesh_), draft_of(state), carry_out_with(kernels_));
+  EXPECT_EQ(draft_of(restored.state()), draft_of(state));
+  EXPECT_LT(largest_distance(positions_of(restored.state()), positions_of(state)), 1e-9);
+
+  history.perform(SetMirror{});
+  EXPECT_EQ(history.state().mirrored, nullptr);
+  EXPECT_TRUE(needs_settling(history.state()));
+  history.undo();
+  EXPECT_EQ(history.state().mirrored, state.mirrored);
+  EXPECT_THROW(history.perform(SetMirror{MirrorPlane{{9.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}}),
+               InputError)
+      << "a plane that misses the mesh";
+  // Where the image is in the way of another handle nothing is prepared, and whoever does says why.
+  const AppState both = apply(state, Choose{kSecondHandle, {AllVertices{}}});
+  EXPECT_EQ(both.mirrored, nullptr);
+  EXPECT_THROW(edit_region(both), InputError);
+}
+
 TEST_F(AnEdit, ReplayedHeadlessGivesTheSameMesh) {
   const History history = edited();
   const Recipe recipe = recipe_of(history);
