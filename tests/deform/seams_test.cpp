@@ -22,7 +22,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double kRounding = 1e-12;
+constexpr double kRounding = 1e-10;
 
 // The first vertex that is a copy of `source`, or the last.
 Index first_copy(const test::SplitMesh& split, Index source) {
