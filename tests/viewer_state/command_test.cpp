@@ -59,6 +59,8 @@ TEST(Command, GradingAHandleAsksForAResult) {
   EXPECT_TRUE(same(apply(after, SetGrading{0, wide}), after));
   EXPECT_THROW(apply(before, SetGrading{0, {.weight = 0.0}}), InputError);
   EXPECT_THROW(apply(before, SetGrading{1, wide}), InputError);
+  EXPECT_THROW(apply(before, SetGrading{0, {.field = {1.0, 0.5}}}), InputError)
+      << "weights of another mesh";
 }
 
 TEST(Command, PaintingTheBeltTakesItFromItsWidth) {

@@ -22,6 +22,15 @@ void require_vertices(const AppState& state, const VertexSet& vertices) {
   throw InputError("vertex " + std::to_string(vertices.back()) + " is not in the mesh");
 }
 
+// Painted weights of another mesh could not even be shown.
+void require_grading_here(const AppState& state, const Grading& grading, const std::string& where) {
+  require_grading(grading, where);
+  const std::size_t count = state.rest->vertex_count();
+  if (grading.field.empty() || grading.field.size() == count) return;
+  throw InputError(where + ": expected a weight for each of the mesh's " + std::to_string(count) +
+                   " vertices, got " + std::to_string(grading.field.size()));
+}
+
 // The same vertices, on the rest shape as it has come to be.
 void carry_selection_over(AppState& state) {
   EditSelection& selection = state.selection;
@@ -112,7 +121,7 @@ struct Applier {
 
   void operator()(const Choose& command) const {
     commit(state);
-    if (command.grading) require_grading(*command.grading, "handle");
+    if (command.grading) require_grading_here(state, *command.grading, "handle");
     replace(command.part, choose(command.region, *state.rest, joined_seams(state)));
     if (command.grading && command.part.role == Part::Role::handle) {
       state.selection.handles[command.part.handle].grading = *command.grading;
@@ -129,7 +138,7 @@ struct Applier {
     require_handle(state, command.handle);
     ChosenHandle& handle = state.selection.handles[command.handle];
     if (handle.grading == command.grading) return;
-    require_grading(command.grading, "handle " + std::to_string(command.handle + 1));
+    require_grading_here(state, command.grading, "handle " + std::to_string(command.handle + 1));
     handle.grading = command.grading;
     state.settled = nullptr;
   }
