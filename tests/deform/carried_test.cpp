@@ -175,6 +175,24 @@ TEST_F(Carried, PointsFollowALoosePartThatIsCarriedItself) {
   EXPECT_GT((carried.positions[0] - tip[0]).norm(), 0.3);
 }
 
+TEST_F(Carried, KnownSharesCarryToTheSameBits) {
+  const Positions points = around();
+  const auto contacts = std::make_shared<const SurfaceContacts>(tube_.positions, tube_.topology());
+  const CarryShares shares = contacts->find_all(points, 1'000'000).value();
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    double sum = 0.0;
+    for (const CarryShare& of : shares[p]) sum += of.share;
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+  }
+  for (const double degrees : {0.0, 20.0, 50.0}) {
+    bend_.rotate.degrees = degrees;
+    const Deformed bent = moved(bend_);
+    const CarriedPoints carried = SurfaceCarrier(contacts, bent).carry(points, shares);
+    EXPECT_EQ(carried.positions, carry_points(points, tube_.positions, bent).positions);
+  }
+  EXPECT_FALSE(contacts->find_all(points, shares.values.size() - 1));
+}
+
 TEST_F(Carried, FilesAreNoBusinessOfADeformInMemory) {
   DeformRequest request;
   request.roi = {AllVertices{}};

@@ -37,6 +37,9 @@ std::shared_ptr<const EditSystem> edit_of(const Topology& topology, std::span<co
 // From here on the way round counts, which a linear response does not know.
 constexpr double kFarTurnDegrees = 90.0;
 
+// What a rotation is off from no scale by rounding.
+constexpr double kSameScale = 1e-12;
+
 bool is_far(const Vector3d& turn) {
   return turn.norm() > kFarTurnDegrees * std::numbers::pi / 180.0;
 }
@@ -477,6 +480,17 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   require_valid(certificate);
   if (!begins) remember_change(pose, next);
   pose = std::move(next);
+}
+
+std::vector<double> Deformer::asked_scales(std::span<const Eigen::Affine3d> motions) const {
+  const State& s = *state_;
+  const bool keeps_size = std::all_of(motions.begin(), motions.end(), [](const auto& motion) {
+    return std::abs(scale_of(motion) - 1.0) < kSameScale;
+  });
+  if (keeps_size || s.shares == nullptr) return {};
+  const auto lock = s.system->systems->lock();
+  s.system->hold_laplacian();
+  return s.asked_scales(motions);
 }
 
 void Deformer::begin_drag() const {

@@ -112,6 +112,10 @@ class Deformer {
   void follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
               const std::function<bool()>& go_on = {}, const Progress& progress = {}) const;
 
+  /// The scales that handles so moved ask for, as DeformResult has them; none where no handle
+  /// scales. Waits for what solves on another thread only where one does.
+  std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
+
   /// Forgets what the frames of the last drag have told.
   void begin_drag() const;
 

@@ -119,17 +119,14 @@ void save_result(RunResult& result, const std::filesystem::path& path, const Sav
   require_targets(result.carried, path, result.inputs);
   const bool marked = options.vertex_motion;
   const Mesh mesh = marked ? with_vertex_motion(result.mesh, result.original, path) : result.mesh;
-  const auto add = [&](const std::string& name, const WriteReport& written) {
+  const auto add = [&](const WriteReport& written) {
     for (const std::string& line : written.not_carried) {
-      result.report.warnings.push_back(name + "not carried over: " + line);
+      result.report.warnings.push_back("not carried over: " + line);
     }
-    for (const std::string& note : written.notes) result.report.warnings.push_back(name + note);
+    result.warn(written.notes);
   };
-  for (const CarriedFile& file : result.carried) {
-    const std::filesystem::path target = file.target(path);
-    add(target.filename().string() + ": ", file.write(target));
-  }
-  add("", write_mesh(mesh, path, {.anew = marked}));
+  add(write_carried(result.carried, path));
+  add(write_mesh(mesh, path, {.anew = marked}));
   result.report.timings.add("write", watch.elapsed_ms());
 }
 

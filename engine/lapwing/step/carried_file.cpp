@@ -157,4 +157,16 @@ void require_targets(std::span<const CarriedFile> files, const fs::path& result,
   }
 }
 
+WriteReport write_carried(std::span<const CarriedFile> files, const fs::path& result) {
+  WriteReport all;
+  for (const CarriedFile& file : files) {
+    const fs::path target = file.target(result);
+    const std::string name = target.filename().string() + ": ";
+    const WriteReport written = file.write(target);
+    for (const std::string& line : written.not_carried) all.not_carried.push_back(name + line);
+    for (const std::string& note : written.notes) all.notes.push_back(name + note);
+  }
+  return all;
+}
+
 }  // namespace lapwing

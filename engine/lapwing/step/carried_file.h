@@ -28,6 +28,8 @@ class CarriedFile {
   std::filesystem::path save;
 
   const Positions& positions() const;
+  /// What it is if it is a mesh or a cloud, which is one without faces; null for a table.
+  const Mesh* mesh() const { return std::get_if<Mesh>(&content_); }
   /// Puts the points where they were carried.
   void move(CarriedPoints carried);
 
@@ -52,5 +54,9 @@ class CarriedFile {
 /// path of its own, which is neither the result's nor that of an input.
 void require_targets(std::span<const CarriedFile> files, const std::filesystem::path& result,
                      std::span<const std::filesystem::path> inputs);
+
+/// Writes each to its target beside a result at `result`. What there is to say of one begins with
+/// its target's name. Throws what `CarriedFile::write` does.
+WriteReport write_carried(std::span<const CarriedFile> files, const std::filesystem::path& result);
 
 }  // namespace lapwing
