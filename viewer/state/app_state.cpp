@@ -142,6 +142,13 @@ Mesh mesh_of(const AppState& state) {
   return mesh;
 }
 
+CarriedFiles carried_of(const AppState& state) {
+  if (state.settled && !state.settled->carried.empty()) return state.settled->carried;
+  CarriedFiles files;
+  for (const CarriedObject& object : state.carried) files.push_back(object.rest);
+  return files;
+}
+
 EditRegion edit_region(const AppState& state) {
   if (state.mirrored) return state.mirrored->region;
   const Mesh& surface = *surface_of(state);
@@ -224,6 +231,7 @@ DeformRequest open_step(const AppState& state) {
   }
   step.parameters = state.parameters;
   if (state.selection.mirror) step.mirror = MirrorSpec{*state.selection.mirror, "mirror"};
+  step.carry = carry_specs(state.carried);
   return step;
 }
 

@@ -9,6 +9,7 @@
 #include "lapwing/mesh/joined_surface.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/region/edit_region.h"
+#include "state/carried_object.h"
 #include "state/edit_selection.h"
 #include "state/mirrored_edit.h"
 
@@ -21,6 +22,8 @@ using EditParameters = DeformParameters;
 struct MovedVertices {
   std::vector<Index> vertices;  ///< ascending
   Positions positions;
+  /// Where it puts AppState::carried, in that order; none where none of them follows.
+  CarriedFiles carried = {};
 
   bool operator==(const MovedVertices&) const = default;
 };
@@ -45,7 +48,8 @@ struct AppState {
   std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null where that has no seam
   EditSelection selection;
   EditParameters parameters;
-  std::vector<Move> moves;  ///< one per handle, from the rest shape
+  std::vector<Move> moves;             ///< one per handle, from the rest shape
+  std::vector<CarriedObject> carried;  ///< by the open step or an earlier one
   /// With a mirror, what is chosen comes to on both sides; null without one, and while something is
   /// missing (`renew_mirror`).
   std::shared_ptr<const MirroredEdit> mirrored;
@@ -81,6 +85,8 @@ bool needs_settling(const AppState& state);
 /// The surface as it is known: settled, or else at rest.
 Positions positions_of(const AppState& state);
 Mesh mesh_of(const AppState& state);
+/// And what is carried along with it, in the order of AppState::carried.
+CarriedFiles carried_of(const AppState& state);
 
 /// ROI, belt and handles, checked: what the Deformer is prepared with. Throws InputError, in words
 /// that say what is still missing.

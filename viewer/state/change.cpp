@@ -62,7 +62,8 @@ Change::Change(const AppState& before, const AppState& after)
       belt_fraction_(both(before.selection.belt_fraction, after.selection.belt_fraction)),
       parameters_(both(before.parameters, after.parameters)),
       moves_(both(before.moves, after.moves)),
-      settled_(both(before.settled, after.settled)) {
+      settled_(both(before.settled, after.settled)),
+      carried_(both(before.carried, after.carried)) {
   const auto handle_or_empty = [](const AppState& state, std::size_t h) {
     const auto& handles = state.selection.handles;
     return h < handles.size() ? ChosenRegion(handles[h]) : ChosenRegion{};
@@ -98,8 +99,8 @@ bool Change::is_nothing() const {
   };
   return same(roi_) && same(belt_) && handle_counts_[0] == handle_counts_[1] &&
          std::all_of(handles_.begin(), handles_.end(), same) && !gradings_ && !mirror_ &&
-         !mirrored_ && !belt_fraction_ && !parameters_ && !moves_ && !settled_ && !rest_ &&
-         !triangles_ && steps_[0].empty() && steps_[1].empty();
+         !mirrored_ && !belt_fraction_ && !parameters_ && !moves_ && !settled_ && !carried_ &&
+         !rest_ && !triangles_ && steps_[0].empty() && steps_[1].empty();
 }
 
 bool Change::concerns_surface() const {
@@ -139,6 +140,7 @@ void Change::replace(AppState& state, std::size_t from, std::size_t to) const {
   if (parameters_) state.parameters = (*parameters_)[to];
   if (moves_) state.moves = (*moves_)[to];
   if (settled_) state.settled = (*settled_)[to];
+  if (carried_) state.carried = (*carried_)[to];
   if (rest_) {
     auto mesh = std::make_shared<Mesh>(*state.rest);
     for (std::size_t k = 0; k < rest_->vertices.size(); ++k) {
@@ -167,7 +169,17 @@ std::size_t Change::bytes() const {
   if (settled_) {
     // Each result is in two changes: where it came, and where it went.
     for (const Settled& result : *settled_) {
-      if (result) total += result->vertices.size() * (sizeof(Index) + kPosition) / 2;
+      if (!result) continue;
+      total += result->vertices.size() * (sizeof(Index) + kPosition) / 2;
+      for (const auto& file : result->carried) total += file->positions().size() * kPosition / 2;
+    }
+  }
+  if (carried_) {
+    // Where steps put them is in the results.
+    for (const auto& objects : *carried_) {
+      for (const CarriedObject& object : objects) {
+        total += object.opened->positions().size() * kPosition / 2;
+      }
     }
   }
   if (rest_) total += rest_->vertices.size() * (sizeof(Index) + 2 * kPosition);

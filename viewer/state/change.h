@@ -65,6 +65,7 @@ class Change {
   Both<EditParameters> parameters_;
   Both<std::vector<Move>> moves_;
   Both<Settled> settled_;
+  Both<std::vector<CarriedObject>> carried_;
   std::optional<RestChange> rest_;
   Both<std::shared_ptr<const Mesh>> triangles_;  // instead of `rest_`
   bool surface_moved_ = false;                   // by what changed the rest shape

@@ -1,5 +1,6 @@
 #include "state/command.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <utility>
@@ -11,6 +12,8 @@
 
 namespace lapwing::viewer {
 namespace {
+
+namespace fs = std::filesystem;
 
 void require_handle(const AppState& state, std::size_t handle) {
   if (handle < state.selection.handles.size()) return;
@@ -63,6 +66,32 @@ void choose_seams_anew(AppState& state) {
   renew_belt(state.selection, *state.rest, joined_seams(state));
 }
 
+std::vector<CarriedObject>::iterator find_carried(AppState& state, const fs::path& file) {
+  return std::find_if(state.carried.begin(), state.carried.end(),
+                      [&](const CarriedObject& object) { return object.file() == file; });
+}
+
+// Whether a step so far takes the file along: a run of the recipe opens and saves it then.
+bool was_carried(const AppState& state, const fs::path& file) {
+  return std::any_of(state.steps.begin(), state.steps.end(), [&](const auto& step) {
+    const auto* deform = std::get_if<DeformRequest>(step.get());
+    return deform != nullptr &&
+           std::any_of(deform->carry.begin(), deform->carry.end(),
+                       [&](const CarrySpec& spec) { return spec.file == file; });
+  });
+}
+
+// What a step that is done did to what it carries; a file that it opened is a new object.
+void take_over(AppState& state, const CarriedFiles& carried) {
+  for (std::size_t k = 0; k < carried.size(); ++k) {
+    if (k == state.carried.size()) {
+      state.carried.push_back({carried[k], carried[k]});
+    } else {
+      state.carried[k].rest = carried[k];
+    }
+  }
+}
+
 // What is settled becomes the rest shape, and a step.
 void commit(AppState& state) {
   if (!is_moved(state)) return;
@@ -71,6 +100,7 @@ void commit(AppState& state) {
   }
   state.steps.push_back(std::make_shared<const Step>(open_step(state)));
   set_rest(state, std::make_shared<const Mesh>(mesh_of(state)));
+  take_over(state, state.settled->carried);
   state.settled = nullptr;
   for (Move& move : state.moves) move = SimilarityMove{};
   carry_selection_over(state);
@@ -84,6 +114,7 @@ void take_over(AppState& state, const MovedVertices& moved) {
     mesh->positions[moved.vertices[k]] = moved.positions[k];
   }
   set_rest(state, std::move(mesh));
+  take_over(state, moved.carried);
   carry_selection_over(state);
 }
 
@@ -174,6 +205,9 @@ struct Applier {
   void operator()(const Settle& command) const {
     if (!is_moved(state)) throw InputError("no handle is moved; drag one first");
     if (!command.result) throw InputError("the result is missing; compute it first");
+    if (any_follows(state.carried) && command.result->carried.size() != state.carried.size()) {
+      throw InputError("the result lacks what is carried along; compute it again");
+    }
     state.settled = command.result;
   }
   void operator()(const Commit&) const { commit(state); }
@@ -183,6 +217,37 @@ struct Applier {
     require_valid(command.parameters);
     const SeamPolicy before = std::exchange(state.parameters, command.parameters).seams;
     if (state.parameters.seams != before) choose_seams_anew(state);
+    state.settled = nullptr;
+  }
+  void operator()(const CarryAlong& command) const {
+    if (!command.file) throw InputError("the file to carry is missing; open it first");
+    const auto at = find_carried(state, command.file->file());
+    const fs::path& save = command.file->save;
+    if (at == state.carried.end()) {
+      state.carried.push_back({command.file, command.file});
+    } else {
+      const bool is_saved_so = save.empty() || save == at->rest->save;
+      if (at->follows && is_saved_so) return;
+      at->follows = true;
+      if (!is_saved_so) {
+        auto renamed = std::make_shared<CarriedFile>(*at->rest);
+        renamed->save = save;
+        at->rest = std::move(renamed);
+      }
+    }
+    state.settled = nullptr;
+  }
+  void operator()(const StopCarrying& command) const {
+    const auto at = find_carried(state, command.file);
+    if (at == state.carried.end()) {
+      throw InputError(command.file.string() + " is not carried; name a file of the list");
+    }
+    if (!at->follows) return;
+    if (was_carried(state, command.file)) {
+      at->follows = false;
+    } else {
+      state.carried.erase(at);
+    }
     state.settled = nullptr;
   }
   void operator()(const Apply& command) const {
@@ -258,6 +323,12 @@ struct CommandDescriber {
   std::string operator()(const Settle&) const { return "settle"; }
   std::string operator()(const Commit&) const { return "commit"; }
   std::string operator()(const SetParameters&) const { return "parameters"; }
+  std::string operator()(const CarryAlong& command) const {
+    return "carry " + command.file->file().filename().string();
+  }
+  std::string operator()(const StopCarrying& command) const {
+    return "carry " + command.file.filename().string() + " no longer";
+  }
   std::string operator()(const Apply& command) const { return describe(command.step); }
   std::string operator()(const Revise& command) const { return "change " + describe(command.step); }
 };

@@ -69,6 +69,18 @@ struct SetParameters {
   EditParameters parameters;
 };
 
+/// The file follows the surface from the open step on. One that is there already, and stayed, goes
+/// on from where it is; `save` of the file counts either way.
+struct CarryAlong {
+  std::shared_ptr<const CarriedFile> file;  ///< open_carried
+};
+
+/// The file stays where it is from the open step on; without an earlier step that took it along it
+/// goes.
+struct StopCarrying {
+  std::filesystem::path file;
+};
+
 /// A step that was carried out elsewhere, on the surface that is seen (`apply_step`). Where its
 /// result has other triangles nothing is chosen any more.
 struct Apply {
@@ -84,14 +96,16 @@ struct Revise {
 };
 
 /// One thing that a person, a test or a recipe does.
-using Command = std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, SetMirror,
-                             MoveHandle, Settle, Commit, SetParameters, Apply, Revise>;
+using Command =
+    std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, SetMirror, MoveHandle,
+                 Settle, Commit, SetParameters, CarryAlong, StopCarrying, Apply, Revise>;
 
 /// The state after `command`. Choosing, painting and applying commit what is settled first: what is
-/// chosen then is chosen on the surface that is seen. Moves, parameters and the belt's width ask
-/// for a new result from the same rest shape. Throws InputError when the state does not fit: a
-/// handle that does not exist, a result that nothing asked for or that is of another mesh, a
-/// choice, step or commit while a drag waits for its result; and what `resolve` throws. Pure.
+/// chosen then is chosen on the surface that is seen. Moves, parameters, the belt's width and what
+/// is carried ask for a new result from the same rest shape. Throws InputError when the state does
+/// not fit: a handle or carried file that does not exist, a result that nothing asked for or that
+/// is of another mesh, a choice, step or commit while a drag waits for its result; and what
+/// `resolve` throws. Pure.
 AppState apply(AppState state, const Command& command);
 
 /// What the history panel calls it: "ROI: disk", "move handle 1", "settle".

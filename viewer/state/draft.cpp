@@ -64,7 +64,7 @@ Draft draft_of(const AppState& state) {
 }
 
 bool is_selection(const DeformRequest& step) {
-  return step.targets.empty() && step.carry.empty();
+  return step.targets.empty();
 }
 
 Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
@@ -75,17 +75,19 @@ Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
   for (const auto& step : state.steps) {
     recipe.steps.push_back(with_paths_from(*step, base_directory));
   }
-  if (state.settled) recipe.steps.emplace_back(open_step(state));
+  if (state.settled) recipe.steps.push_back(with_paths_from(open_step(state), base_directory));
   return recipe;
 }
 
 Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& progress) {
   RunResult result;
   result.mesh = *state.rest;
+  result.carried = carried_at_rest(state.carried);
   StepReport report =
       run_step(open_step(state), {state.steps.size() + 1, {}, kernels, progress, result});
-  return {std::make_shared<const MovedVertices>(
-              moved_vertices(state.rest->positions, result.mesh.positions)),
+  MovedVertices moved = moved_vertices(state.rest->positions, result.mesh.positions);
+  if (any_follows(state.carried)) moved.carried = share(std::move(result.carried));
+  return {std::make_shared<const MovedVertices>(std::move(moved)),
           std::move(report.deform->certificate)};
 }
 
@@ -98,8 +100,32 @@ CarryOut carry_out_with(Kernels& kernels, Progress progress) {
           }};
 }
 
+void carry_along(History& history, const std::vector<CarrySpec>& files) {
+  const std::vector<CarriedObject> before = history.state().carried;
+  const auto has = [](const auto& all, const auto& is_it) {
+    return std::any_of(all.begin(), all.end(), is_it);
+  };
+  for (const CarriedObject& object : before) {
+    const auto is_named = [&](const CarrySpec& spec) { return spec.file == object.file(); };
+    if (object.follows && !has(files, is_named)) history.perform(StopCarrying{object.file()});
+  }
+  for (const CarrySpec& spec : files) {
+    const auto at = std::find_if(before.begin(), before.end(), [&](const CarriedObject& object) {
+      return object.file() == spec.file;
+    });
+    if (at == before.end()) {
+      history.perform(CarryAlong{open_carried(spec.file, spec.save)});
+      continue;
+    }
+    auto file = std::make_shared<CarriedFile>(*at->rest);
+    file->save = spec.save;
+    history.perform(CarryAlong{std::move(file)});
+  }
+}
+
 void perform(History& history, const DeformRequest& step, const Solve& solve) {
   history.perform(Commit{});
+  carry_along(history, step.carry);
   history.perform(SetParameters{step.parameters});
   const auto mirror = plane_of(step, *surface_of(history.state()));
   if (!is_chosen(history.state(), step)) {
@@ -125,10 +151,13 @@ void perform(History& history, const Step& step, const CarryOut& carry_out) {
   const auto* deform = std::get_if<DeformRequest>(&step);
   // What else a step may have is no part of a selection.
   if (deform != nullptr && is_selection(*deform)) {
-    perform(history, *deform, carry_out.solve);
-  } else {
-    history.perform(Apply{step, carry_out.apply(history.state(), step)});
+    return perform(history, *deform, carry_out.solve);
   }
+  if (deform != nullptr) {
+    history.perform(Commit{});
+    carry_along(history, deform->carry);
+  }
+  history.perform(Apply{step, carry_out.apply(history.state(), step)});
 }
 
 void perform(History& history, const Recipe& recipe, const CarryOut& carry_out) {

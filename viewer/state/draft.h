@@ -24,8 +24,7 @@ struct Draft {
 
 Draft draft_of(const AppState& state);
 
-/// Whether all that a step does can be chosen and moved by hand: it has no targets and carries no
-/// file along.
+/// Whether all that a step does can be chosen and moved by hand: it has no targets.
 bool is_selection(const DeformRequest& step);
 
 /// The recipe of what the surface is now: the steps so far, and the open one if it is settled.
@@ -52,6 +51,10 @@ struct CarryOut {
 };
 /// As `run_recipe` does it. `kernels` must outlive it.
 CarryOut carry_out_with(Kernels& kernels, Progress progress = {});
+
+/// Makes `files`, named by absolute paths, those that the open step takes along, by commands. Opens
+/// those that are not there: throws what `open_carried` does.
+void carry_along(History& history, const std::vector<CarrySpec>& files);
 
 /// Carries a deform step that is a selection out by the commands that a person would have used,
 /// which can then be undone one by one. Without `solve` its handles are left moved and not settled.

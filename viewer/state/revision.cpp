@@ -26,9 +26,8 @@ DeformRequest as_open(const Step& step) {
   const auto* deform = std::get_if<DeformRequest>(&step);
   if (deform != nullptr && is_selection(*deform)) return *deform;
   throw InputError(
-      "a deform step can only be replaced by another deform, without targets and carried files; "
-      "undo "
-      "it, then apply the new step");
+      "a deform step can only be replaced by another deform, without targets; undo it, then apply "
+      "the new step");
 }
 
 }  // namespace
@@ -65,6 +64,7 @@ AppState revised(const Revision& revision, const CarryOut& carry_out) {
     perform(history, rest.open, rest.settled ? carry_out.solve : Solve{});
   } else {
     history.perform(Commit{});
+    carry_along(history, rest.open.carry);
   }
   return history.state();
 }

@@ -9,42 +9,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Passes `visit` every file that a step names; an empty path stands for the mesh itself.
+// Passes `read` every file that a step reads, and `written` those that it names to write; an empty
+// path stands for the mesh itself.
 class StepFiles final : public KeyVisitor {
  public:
-  explicit StepFiles(std::function<void(fs::path&)> visit) : visit_(std::move(visit)) {}
+  using Visit = std::function<void(fs::path&)>;
+  explicit StepFiles(Visit read, Visit written = {})
+      : read_(std::move(read)), written_(std::move(written)) {}
 
-  void file(const StepKey&, fs::path& value) override { visit_(value); }
+  void file(const StepKey&, fs::path& value) override { read_(value); }
   void targets(const StepKey&, TargetSpec& value) override {
-    if (!value.file.empty()) visit_(value.file);
+    if (!value.file.empty()) read_(value.file);
   }
   void carry(const StepKey&, std::vector<CarrySpec>& value) override {
     for (CarrySpec& carry : value) {
-      visit_(carry.file);
-      if (!carry.save.empty()) visit_(carry.save);
+      read_(carry.file);
+      if (!carry.save.empty() && written_) written_(carry.save);
     }
   }
-  void part(const StepKey&, fs::path& mesh, std::optional<RegionSpec>&) override { visit_(mesh); }
+  void part(const StepKey&, fs::path& mesh, std::optional<RegionSpec>&) override { read_(mesh); }
 
  private:
-  std::function<void(fs::path&)> visit_;
+  Visit read_;
+  Visit written_;
 };
 
 Step with_paths(Step step, const std::function<fs::path(const fs::path&)>& change) {
-  StepFiles files([&](fs::path& path) {
+  const auto change_it = [&](fs::path& path) {
     if (!path.empty()) path = change(path);
-  });
+  };
+  StepFiles files(change_it, change_it);
   describe(step, files);
   return step;
 }
 
 }  // namespace
 
-std::string describe(const Step& step) {
+std::vector<fs::path> files_read(const Step& step) {
   std::vector<fs::path> paths;
   StepFiles files([&](const fs::path& path) { paths.push_back(path); });
   Step copy = step;
   describe(copy, files);
+  return paths;
+}
+
+std::string describe(const Step& step) {
+  const std::vector<fs::path> paths = files_read(step);
   const Operation& operation = operation_of(step);
   std::string words(operation.name);
   if (paths.empty() || (paths.size() == 1 && paths.front().empty())) return words;

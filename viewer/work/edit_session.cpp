@@ -1,5 +1,7 @@
 #include "work/edit_session.h"
 
+#include <iterator>
+
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
 #include "state/draft.h"
@@ -24,7 +26,8 @@ void require_settled(const AppState& state) {
 }
 
 bool same_surface(const AppState& a, const AppState& b) {
-  return a.rest == b.rest && a.settled == b.settled && a.moves == b.moves && a.steps == b.steps;
+  return a.rest == b.rest && a.settled == b.settled && a.moves == b.moves && a.steps == b.steps &&
+         a.carried == b.carried;
 }
 
 bool same_choice(const AppState& a, const AppState& b) {
@@ -140,12 +143,12 @@ fs::path EditSession::folder() const {
 void EditSession::carry_out(const Step& step) {
   require_settled(state());
   carried_out_on_ = state();
-  replaces_ = false;
+  needs_ = Needs::surface;
   carrying_out_.start(
       [state = state(), step = with_absolute_paths(step, folder())](
           const std::shared_ptr<Kernels>& kernels, const Progress& progress) -> StepResult {
         CarriedOut out = apply_step(state, step, {}, *kernels, progress);
-        return {Apply{step, std::move(out.result)}, std::move(out.warnings)};
+        return {{Apply{step, std::move(out.result)}}, std::move(out.warnings)};
       });
 }
 
@@ -153,12 +156,27 @@ void EditSession::replace_step(std::size_t index, const Step& step) {
   require_settled(state());
   Revision revision = revision_of(history_, index, with_absolute_paths(step, folder()));
   carried_out_on_ = state();
-  replaces_ = true;
+  needs_ = Needs::surface_and_choice;
   carrying_out_.start([revision = std::move(revision)](const std::shared_ptr<Kernels>& kernels,
                                                        const Progress& progress) -> StepResult {
     auto result =
         std::make_shared<const AppState>(revised(revision, carry_out_with(*kernels, progress)));
-    return {Revise{revision.step, std::move(result)}, {}};
+    return {{Revise{revision.step, std::move(result)}}, {}};
+  });
+}
+
+void EditSession::carry_along(const std::vector<fs::path>& files) {
+  carried_out_on_ = state();
+  needs_ = Needs::nothing;
+  carrying_out_.start([files, folder = folder()](const std::shared_ptr<Kernels>&,
+                                                 const Progress& progress) -> StepResult {
+    StepResult result;
+    for (const fs::path& file : files) {
+      report_progress(progress, "read", 0.0);
+      result.commands.push_back(
+          CarryAlong{open_carried(fs::absolute(folder / file).lexically_normal())});
+    }
+    return result;
   });
 }
 
@@ -170,8 +188,9 @@ void EditSession::cancel_step() {
 void EditSession::keep_step_if_wanted() {
   if (!carried_out_on_) return;
   const AppState& asked = *carried_out_on_;
-  if (same_surface(asked, state()) && (!replaces_ || same_choice(asked, state()))) return;
-  cancel_step();
+  const bool keeps_surface = needs_ == Needs::nothing || same_surface(asked, state());
+  const bool keeps_choice = needs_ != Needs::surface_and_choice || same_choice(asked, state());
+  if (!keeps_surface || !keeps_choice) cancel_step();
 }
 
 std::optional<StepTaken> EditSession::take_step() {
@@ -185,7 +204,7 @@ std::optional<StepTaken> EditSession::take_step() {
   if (!result) return std::nullopt;
   carried_out_on_.reset();
   const std::shared_ptr<const Mesh> before = state().rest;
-  perform(result->command);
+  for (const Command& command : result->commands) perform(command);
   return StepTaken{!before->shares_faces_with(*state().rest), std::move(result->warnings)};
 }
 
@@ -219,12 +238,38 @@ const Certificate* EditSession::certificate() const {
   return known == certificates_.end() ? nullptr : &known->second;
 }
 
+// What is carried along as it is now, if all of it can be written beside `path`.
+std::vector<CarriedFile> EditSession::carried_for(const fs::path& path) const {
+  std::vector<CarriedFile> files;
+  std::vector<fs::path> inputs;
+  if (file_) inputs.push_back(file_->path);
+  for (const auto& file : carried_of(state())) {
+    files.push_back(*file);
+    inputs.push_back(file->file());
+  }
+  for (const auto& step : state().steps) {
+    for (fs::path& read : files_read(*step)) inputs.push_back(std::move(read));
+  }
+  require_targets(files, path, inputs);
+  return files;
+}
+
 WriteReport EditSession::save(const fs::path& path) {
+  static_cast<void>(format_of(path));
+  const std::vector<CarriedFile> carried = carried_for(path);
   std::error_code error;
   if (journal_ && fs::equivalent(path, file_->path, error)) journal_->keep_mesh();
-  WriteReport report = write_mesh(mesh_of(state()), path);
+  WriteReport report = write_carried(carried, path);
+  WriteReport of_mesh = write_mesh(mesh_of(state()), path);
+  std::move(of_mesh.not_carried.begin(), of_mesh.not_carried.end(),
+            std::back_inserter(report.not_carried));
+  std::move(of_mesh.notes.begin(), of_mesh.notes.end(), std::back_inserter(report.notes));
   history_.mark_saved();
   return report;
+}
+
+WriteReport EditSession::save_carried(const fs::path& path) const {
+  return write_carried(carried_for(path), path);
 }
 
 void EditSession::save_recipe(const fs::path& path) const {

@@ -93,6 +93,9 @@ class EditSession {
   /// follows it; one step of the history, likewise. Throws what `revision_of` does, and InputError
   /// while a drag waits for its result.
   void replace_step(std::size_t index, const Step& step);
+  /// Reads `files` beside the window, looked for in `folder()`, to be carried along from the open
+  /// step on: one step of the history each, likewise.
+  void carry_along(const std::vector<std::filesystem::path>& files);
   /// Gives it up; nothing has changed then.
   void cancel_step();
   /// Whether a step is, until it is taken or given up.
@@ -110,8 +113,12 @@ class EditSession {
   /// where it is not known, as for a restored one.
   const Certificate* certificate() const;
 
-  /// Writes the surface as it is. Throws what `write_mesh` does.
+  /// Writes the surface as it is, and before it what is carried along, as a run does beside its
+  /// result at `path`. Throws what `write_mesh` does, and what `require_targets` does before
+  /// anything is written.
   WriteReport save(const std::filesystem::path& path);
+  /// The same without the surface.
+  WriteReport save_carried(const std::filesystem::path& path) const;
   /// Writes the recipe, which names the mesh from there. Throws IoError; InputError without a file.
   void save_recipe(const std::filesystem::path& path) const;
 
@@ -125,13 +132,17 @@ class EditSession {
   void start_journal(const std::filesystem::path& journals,
                      const std::optional<std::filesystem::path>& copy);
   void follow();
+  std::vector<CarriedFile> carried_for(const std::filesystem::path& path) const;
   void keep_step_if_wanted();
 
   // What comes of carrying a step out, to be performed.
   struct StepResult {
-    Command command;
+    std::vector<Command> commands;
     std::vector<std::string> warnings;
   };
+
+  // What of the state must stay as it is while a step is carried out.
+  enum class Needs { nothing, surface, surface_and_choice };
 
   // By the result that is certified, as long as the history knows it.
   using Certificates = std::map<std::weak_ptr<const MovedVertices>, Certificate, std::owner_less<>>;
@@ -142,7 +153,7 @@ class EditSession {
   std::optional<Journal> journal_;
   std::string warning_;
   std::optional<AppState> carried_out_on_;
-  bool replaces_ = false;  // the selection, too
+  Needs needs_ = Needs::nothing;
   Preparation preparation_;
   Job<StepResult> carrying_out_;
 };

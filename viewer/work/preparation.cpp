@@ -39,10 +39,18 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
     return {state.moves, std::move(solved.moved), std::move(solved.certificate)};
   }
   DeformResult solved = exact.solve(motions_of(state), turns_of(state), progress);
-  if (const JoinedSurface* joined = joined_seams(state)) joined->close(solved.positions);
-  return {state.moves,
-          std::make_shared<const MovedVertices>(
-              moved_vertices(state.rest->positions, solved.positions)),
+  const JoinedSurface* joined = joined_seams(state);
+  if (joined != nullptr) joined->close(solved.positions);
+  const Mesh& rest = *state.rest;
+  MovedVertices moved = moved_vertices(rest.positions, solved.positions);
+  if (any_follows(state.carried)) {
+    report_progress(progress, "carry", 0.0);
+    moved.carried =
+        carried_along(state.carried, rest.positions,
+                      deformed_of(rest, joined, exact.region(), std::move(solved.positions),
+                                  std::move(solved.asked_scales)));
+  }
+  return {state.moves, std::make_shared<const MovedVertices>(std::move(moved)),
           std::move(solved.certificate)};
 }
 
@@ -358,6 +366,8 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
 LiveResult Preparation::live_result(const Request& request, const Ready& ready,
                                     const Progress& progress) {
   AppState state = request.state;
+  // What it carries is shown beside the window.
+  state.carried.clear();
   if (state.parameters.settle && !state.parameters.commit_every) {
     return follow_drag(request, *ready.exact, progress);
   }

@@ -1,0 +1,72 @@
+#include "state/carried_object.h"
+
+#include <algorithm>
+
+#include "lapwing/deform/joined_request.h"
+
+namespace lapwing::viewer {
+
+std::shared_ptr<const CarriedFile> open_carried(const std::filesystem::path& file,
+                                                const std::filesystem::path& save) {
+  auto opened = std::make_shared<CarriedFile>(file);
+  opened->save = save;
+  // Here, where there is time for it, and where a face that names no vertex is noticed.
+  if (opened->mesh() != nullptr) opened->mesh()->topology();
+  return opened;
+}
+
+bool any_follows(std::span<const CarriedObject> objects) {
+  return std::any_of(objects.begin(), objects.end(),
+                     [](const CarriedObject& object) { return object.follows; });
+}
+
+std::vector<CarrySpec> carry_specs(std::span<const CarriedObject> objects) {
+  std::vector<CarrySpec> specs;
+  for (const CarriedObject& object : objects) {
+    if (object.follows) specs.push_back({object.file(), object.rest->save});
+  }
+  return specs;
+}
+
+std::vector<CarriedFile> carried_at_rest(std::span<const CarriedObject> objects) {
+  std::vector<CarriedFile> files;
+  for (const CarriedObject& object : objects) files.push_back(*object.rest);
+  return files;
+}
+
+CarriedFiles share(std::vector<CarriedFile> files) {
+  CarriedFiles shared;
+  for (CarriedFile& file : files) {
+    shared.push_back(std::make_shared<const CarriedFile>(std::move(file)));
+  }
+  return shared;
+}
+
+Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRegion& region,
+                     Positions positions, std::vector<double> asked_scales) {
+  Deformed deformed;
+  deformed.mesh = rest;
+  deformed.mesh.positions = std::move(positions);
+  deformed.region = region;
+  deformed.asked_scales = std::move(asked_scales);
+  if (joined != nullptr) give_back_seams(*joined, rest, "deform", deformed);
+  return deformed;
+}
+
+CarriedFiles carried_along(std::span<const CarriedObject> objects, const Positions& rest,
+                           const Deformed& deformed) {
+  const SurfaceCarrier carrier(rest, deformed);
+  CarriedFiles carried;
+  for (const CarriedObject& object : objects) {
+    if (!object.follows) {
+      carried.push_back(object.rest);
+      continue;
+    }
+    auto file = std::make_shared<CarriedFile>(*object.rest);
+    file->move(carrier.carry(file->positions()));
+    carried.push_back(std::move(file));
+  }
+  return carried;
+}
+
+}  // namespace lapwing::viewer
