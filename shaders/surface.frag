@@ -3,6 +3,7 @@
 
 // Matte clay under a key, a fill and a rim light that move with the camera.
 
+#include "carried.glsl"
 #include "srgb.glsl"
 #include "surface.glsl"
 
@@ -57,6 +58,7 @@ vec3 surface_color() {
   const vec3 tint = gl_FrontFacing ? vec3(1) : linear_of(kBackTint);
   if (has(kRegions)) return class_color() * tint;
   if (has(kScalar)) return map_color() * tint;
+  if (has(kCarriedColor)) return linear_of(kCarried) * tint;
   return linear_of(kClay) * tint;
 }
 

@@ -14,5 +14,6 @@ const uint kWireframe = 4;
 const uint kFlat = 8;
 const uint kDiverging = 16;
 const uint kOrthographic = 32;
+const uint kCarriedColor = 64;
 
 bool has(uint flag) { return (flags & flag) != 0; }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +26,7 @@ constexpr VkExtent2D kWindowSize{1280, 800};
 
 struct Arguments {
   std::string file;
+  std::vector<std::string> carry;
   std::string device = "auto";
   std::string screenshot;
   std::string size;
@@ -50,7 +52,9 @@ void show(const Arguments& arguments) {
   WindowGraphics graphics(window, arguments.device);
   auto context = graphics.open_device();
   ViewerApp app(context, journal_folder());
-  if (!arguments.file.empty()) app.open(arguments.file);
+  if (!arguments.file.empty()) {
+    app.open(arguments.file, {arguments.carry.begin(), arguments.carry.end()});
+  }
   if (arguments.screenshot.empty()) {
     app.offer_interrupted();
   } else {
@@ -99,7 +103,14 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 2 usage, 3 mesh or recipe, 4 solver, 5 display or device, 6 file.");
   Arguments arguments;
   bool list_controls = false;
-  parser.add_option("FILE", arguments.file, "OBJ, OFF, PLY, STL or a recipe (.json)");
+  auto* file = parser.add_option("FILE", arguments.file, "OBJ, OFF, PLY, STL or a recipe (.json)");
+  parser
+      .add_option("--carry", arguments.carry,
+                  "FILE, again for each: another file that follows the surface, a mesh, a point "
+                  "cloud or a table of points")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->needs(file);
   parser
       .add_option("--device", arguments.device, "auto, an index or a part of a name (lapwing info)")
       ->capture_default_str();

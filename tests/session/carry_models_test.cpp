@@ -11,6 +11,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/transform.h"
 #include "lapwing/region/boundary_loops.h"
+#include "support/cap.h"
 #include "support/joined_meshes.h"
 #include "support/models.h"
 
@@ -53,7 +54,7 @@ class HeadWithAHat : public ::testing::Test {
       eyes_.push_back(ball_in(loop));
     }
     ASSERT_EQ(eyes_.size(), 2U);
-    hat_ = cap(0.02 * diagonal_);
+    hat_ = test::cap_of(head_, 13.0, 0.02 * diagonal_, Vector3d(0, 12, 0));
   }
 
   // A ball that fills the hole from behind.
@@ -66,37 +67,6 @@ class HeadWithAHat : public ::testing::Test {
     transform(ball, Eigen::Translation3d(middle + Vector3d(0.4 * radius, 0, 0)) *
                         Eigen::Scaling(1.02 * radius));
     return ball;
-  }
-
-  // What of the head is above the forehead, `away` from it.
-  Mesh cap(double away) const {
-    std::vector<Vector3d> normals(head_.vertex_count(), Vector3d::Zero());
-    for (const auto& [a, b, c] : head_.topology().triangles) {
-      const auto& p = head_.positions;
-      const Vector3d normal = (p[b] - p[a]).cross(p[c] - p[a]);
-      for (const Index v : {a, b, c}) normals[v] += normal;
-    }
-    Mesh cap;
-    std::vector<Index> number(head_.vertex_count(), kNoIndex);
-    const Vector3d inside(0, 12, 0);
-    for (std::size_t f = 0; f < head_.face_count(); ++f) {
-      std::vector<Index> face(head_.face(f).begin(), head_.face(f).end());
-      if (std::any_of(face.begin(), face.end(),
-                      [&](Index v) { return head_.positions[v].y() < 13.0; })) {
-        continue;
-      }
-      for (Index& v : face) {
-        if (number[v] == kNoIndex) {
-          number[v] = static_cast<Index>(cap.vertex_count());
-          const Vector3d p = head_.positions[v];
-          const Vector3d out = normals[v].normalized();
-          cap.positions.push_back(p + (out.dot(p - inside) < 0.0 ? -away : away) * out);
-        }
-        v = number[v];
-      }
-      cap.add_face(face);
-    }
-    return cap;
   }
 
   // Leans the head: the neck stays, the crown is turned about it.

@@ -49,8 +49,9 @@ void Person::start() {
   open({});
 }
 
-void Person::open(const fs::path& mesh) {
+void Person::open(const fs::path& mesh, const std::vector<std::string>& flags) {
   std::vector<std::string> arguments{LAPWING_VIEWER};
+  arguments.insert(arguments.end(), flags.begin(), flags.end());
   if (!mesh.empty()) arguments.push_back(mesh);
   viewer_ = std::make_unique<Process>(
       arguments,

@@ -26,7 +26,7 @@ class Person {
   Person(const Desktop& desktop, std::filesystem::path folder);
 
   /// Starts the viewer; waits until the mesh is on the screen.
-  void open(const std::filesystem::path& mesh);
+  void open(const std::filesystem::path& mesh, const std::vector<std::string>& flags = {});
   /// Starts it without a mesh.
   void start();
   void kill();

@@ -43,6 +43,9 @@ class EditSurface {
   /// Whether `drag` would go by the same response, from the same pose, as the last time.
   bool drags_by(const Preparation& preparation) const;
 
+  /// The drag that it shows; nothing where it is placed.
+  const std::optional<Drag>& drag_shown() const { return drag_; }
+
   /// What to draw.
   Surface& shown() const { return *surface_; }
   SurfaceSource source() const { return source_; }

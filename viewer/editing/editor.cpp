@@ -34,7 +34,7 @@ std::shared_ptr<const Mesh> opened_surface(const EditStart& start) {
 
 Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
                std::function<void()> wake)
-    : say_(std::move(say)), shown_(opened_surface(start)) {
+    : say_(std::move(say)), shown_(opened_surface(start)), carry_follower_(wake) {
   session_ = start.restored
                  ? std::make_unique<EditSession>(*start.restored, std::move(start.history),
                                                  start.journals, kernels_like(context),
@@ -53,18 +53,22 @@ Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Sa
   }
   shown_.take(state());
   shown_.use_device(context);
+  carried_.use_device(context);
   state_changed();
 }
 
 void Editor::release_device() {
   tools_.gizmo = {};
   session_->cancel_preparation();
+  carry_follower_.cancel();
+  carried_.release_device();
   shown_.release_device();
 }
 
 void Editor::use_device(const std::shared_ptr<gpu::Context>& context) {
   session_->use_kernels(kernels_like(context), upload_to(context));
   shown_.use_device(context);
+  carried_.use_device(context);
   state_changed();
 }
 
@@ -245,6 +249,10 @@ void Editor::replace_step(std::size_t index, const Step& step) {
   } catch (const Error& error) {
     say_(error.what());
   }
+}
+
+void Editor::carry_along(const std::vector<std::filesystem::path>& files) {
+  session_->carry_along(files);
 }
 
 void Editor::grow() {

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "editing/shown_carried.h"
 #include "editing/shown_surface.h"
 #include "editing/tool_table.h"
+#include "work/carry_follower.h"
 #include "work/certificate_words.h"
 #include "work/edit_session.h"
 
@@ -63,6 +65,8 @@ class Editor {
   /// A whole step, beside the window (EditSession's): its result comes by itself.
   void carry_out(const Step& step);
   void replace_step(std::size_t index, const Step& step);
+  /// Likewise files that follow the surface from the open step on.
+  void carry_along(const std::vector<std::filesystem::path>& files);
   /// What a panel does to the session that may throw: said, and shown anew.
   void attempt(const std::function<void()>& change);
   void grow();
@@ -125,6 +129,9 @@ class Editor {
   const std::vector<Index>& pointed_at() const { return pointed_at_; }
 
   const EditSurface& surface() const { return shown_.device(); }
+  /// What is carried along with it. In a drag it is where it was a frame or two before, while that
+  /// is found beside the window (CarryFollower).
+  const ShownCarried& carried() const { return carried_; }
   /// ShownSurface's.
   const Positions& positions() const { return shown_.positions(); }
   /// Of all that is drawn.
@@ -150,10 +157,14 @@ class Editor {
   void follow_hand();
   void hold_pose();
   void settle_live();
+  void follow_carried();
+  void show_carried();
   void show_classes();  ///< where they have changed
 
   Say say_;
   ShownSurface shown_;
+  ShownCarried carried_;
+  CarryFollower carry_follower_;
   std::unique_ptr<EditSession> session_;
 
   Tools tools_;

@@ -27,6 +27,28 @@ void Editor::state_changed() {
     shown_.show_still();
     live_.reset();
   }
+  show_carried();
+}
+
+void Editor::show_carried() {
+  using Where = ShownCarried::Where;
+  carry_follower_.cancel();
+  carried_.take(state(), shown_.shows_before()     ? Where::opened
+                         : needs_settling(state()) ? Where::dragged
+                                                   : Where::still);
+}
+
+// What is carried goes where the surface shows, as soon as that is found.
+void Editor::follow_carried() {
+  if (!shown_.follows() || !any_follows(state().carried)) return;
+  try {
+    if (const auto places = carry_follower_.take()) carried_.place(*places);
+  } catch (const Error& error) {
+    say_(error.what());
+  }
+  const Drag& drag = *shown_.device().drag_shown();
+  carry_follower_.follow(state(), session_->preparation(),
+                         {drag.response(), drag.pose(), shown_.followed()});
 }
 
 bool Editor::shows_live_result() const {
@@ -44,6 +66,7 @@ void Editor::update() {
   // The ground would be pulled from under a stroke.
   if (!is_dragging()) take_step();
   follow_hand();
+  follow_carried();
   show_classes();
   if (!tools_.gizmo.is_dragging()) shown_.renew_measure();
 }
@@ -117,7 +140,7 @@ std::size_t Editor::count(const Part& part) const {
 }
 
 Bounds Editor::bounds() const {
-  Bounds all = shown_.bounds();
+  Bounds all = carried_.united_with(shown_.bounds());
   const auto& followed = shown_.followed();
   for (std::size_t h = 0; h < std::min(followed.size(), handle_count()); ++h) {
     for (const Index v : state().selection.handles[h].vertices) {

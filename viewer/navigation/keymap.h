@@ -70,6 +70,8 @@ enum class Action {
   save_recipe,
   replay_recipe,
   save_picture,
+  carry_file,
+  save_carried,
   quit,
 };
 

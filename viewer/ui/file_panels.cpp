@@ -51,6 +51,8 @@ PathWords words(PathPurpose purpose) {
     case PathPurpose::open_source:
       return {"Take from another mesh", "You choose its patch in the view beside the open mesh.",
               "Open"};
+    case PathPurpose::carry_file:
+      return {"Carry a file along", "A mesh, a point cloud or a table of points.", "Add"};
   }
   return {};
 }

@@ -45,12 +45,29 @@ LoadedFile carried_out(const Recipe& recipe, OpenedMesh opened, Kernels& kernels
   return file;
 }
 
+void carry_from_here(History& history, const std::vector<fs::path>& files) {
+  if (files.empty()) return;
+  // They have no part in what a recipe left open.
+  history.perform(Commit{});
+  for (const fs::path& file : files) {
+    history.perform(CarryAlong{open_carried(fs::absolute(file).lexically_normal())});
+  }
+  history.mark_saved();
+}
+
 }  // namespace
 
-LoadedFile load_file(const fs::path& path, Kernels& kernels, const Progress& progress) {
-  if (path.extension() != ".json") return unedited(read(path, progress), progress);
+LoadedFile load_file(const fs::path& path, const std::vector<fs::path>& carry, Kernels& kernels,
+                     const Progress& progress) {
+  if (path.extension() != ".json") {
+    LoadedFile file = unedited(read(path, progress), progress);
+    carry_from_here(file.history, carry);
+    return file;
+  }
   const Recipe recipe = read_recipe(path);
-  return carried_out(recipe, read(recipe.mesh_path(), progress), kernels, progress);
+  LoadedFile file = carried_out(recipe, read(recipe.mesh_path(), progress), kernels, progress);
+  carry_from_here(file.history, carry);
+  return file;
 }
 
 LoadedFile load_shape(const NamedShape& shape) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "editing/shown_surface.h"
 #include "lapwing/base/progress.h"
@@ -37,8 +38,11 @@ struct LoadedFile {
 };
 
 /// Reads a mesh or, if `path` ends in .json, carries a recipe out on `kernels`, every step one of
-/// the history. Throws what `read_mesh`, `read_recipe` and `run_recipe` throw.
-LoadedFile load_file(const std::filesystem::path& path, Kernels& kernels, const Progress& progress);
+/// the history. `carry` follow the surface from there on. Throws what `read_mesh`, `read_recipe`,
+/// `run_recipe` and `open_carried` throw.
+LoadedFile load_file(const std::filesystem::path& path,
+                     const std::vector<std::filesystem::path>& carry, Kernels& kernels,
+                     const Progress& progress);
 
 LoadedFile load_shape(const NamedShape& shape);
 

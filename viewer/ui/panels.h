@@ -46,13 +46,16 @@ void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, E
                            PanelDrafts& drafts);
 
 /// What a path is typed in for.
-enum class PathPurpose { save_mesh, save_recipe, replay_recipe, open_source };
+enum class PathPurpose { save_mesh, save_recipe, replay_recipe, open_source, carry_file };
 
 /// A coat or mix in the making: where it comes from, where it goes, how, and its preview; whether
 /// another source is to be opened.
 std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor);
 /// Its part for the weight of a mix.
 void draw_mix_weight(LayerDesk& desk, Editor& editor);
+
+/// Files that follow the surface; what a person wants besides: another one, or to save them.
+std::optional<Action> draw_carried_panel(Editor& editor);
 
 /// All steps, to go back and forth; what a person wants to do with them as a recipe.
 std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& drafts);

@@ -18,6 +18,12 @@ std::filesystem::path edited_path(const OpenedMesh& opened) {
   return path.parent_path() / (path.stem().string() + "-edited" + path.extension().string());
 }
 
+std::string and_carried(const AppState& state) {
+  const std::size_t count = state.carried.size();
+  if (count == 0) return {};
+  return " and " + std::to_string(count) + (count == 1 ? " carried file" : " carried files");
+}
+
 }  // namespace
 
 ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals)
@@ -52,10 +58,11 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
   say("the device was lost and opened again: " + context_->description().name);
 }
 
-void ViewerApp::open(const std::filesystem::path& file) {
-  leave_for([this, file] {
-    load(file.filename().string(), [file](Kernels& kernels, const Progress& progress) {
-      return load_file(file, kernels, progress);
+void ViewerApp::open(const std::filesystem::path& file,
+                     const std::vector<std::filesystem::path>& carry) {
+  leave_for([this, file, carry] {
+    load(file.filename().string(), [file, carry](Kernels& kernels, const Progress& progress) {
+      return load_file(file, carry, kernels, progress);
     });
   });
 }
@@ -151,6 +158,7 @@ void ViewerApp::ask_for_path(PathPurpose purpose) {
       break;
     case PathPurpose::replay_recipe:
     case PathPurpose::open_source:
+    case PathPurpose::carry_file:
       path_plan_.path.clear();
       break;
   }
@@ -158,16 +166,32 @@ void ViewerApp::ask_for_path(PathPurpose purpose) {
 
 bool ViewerApp::save_to(const std::filesystem::path& path) {
   try {
-    const WriteReport report = document_->editor.session().save(path);
-    for (const std::string& lost : report.not_carried) say("not saved: " + lost);
-    for (const std::string& note : report.notes) say(note);
+    say(document_->editor.session().save(path));
     document_->save_path = path;
-    say("saved " + path.string());
+    say("saved " + path.string() + and_carried(document_->editor.state()));
     return true;
   } catch (const Error& error) {
     say(error.what());
     return false;
   }
+}
+
+void ViewerApp::save_carried() {
+  const std::filesystem::path beside =
+      document_->save_path.empty() ? edited_path(document_->opened) : document_->save_path;
+  try {
+    say(document_->editor.session().save_carried(beside));
+    for (const auto& file : carried_of(document_->editor.state())) {
+      say("saved " + file->target(beside).string());
+    }
+  } catch (const Error& error) {
+    say(error.what());
+  }
+}
+
+void ViewerApp::say(const WriteReport& report) {
+  for (const std::string& lost : report.not_carried) say("not saved: " + lost);
+  for (const std::string& note : report.notes) say(note);
 }
 
 // Of the path that a person has typed in.
@@ -195,6 +219,9 @@ void ViewerApp::use_path() {
     case PathPurpose::open_source:
       document_->desk.use_source(document_->desk.current(),
                                  std::filesystem::absolute(session.folder() / path));
+      break;
+    case PathPurpose::carry_file:
+      document_->editor.carry_along({path});
   }
 }
 
@@ -211,6 +238,7 @@ Scene ViewerApp::scene() {
   Editor& editor = document_->editor;
   scene.surface = &editor.surface().shown();
   scene.paint = &editor.surface().paint();
+  scene.carried = editor.carried().drawn();
   scene.camera = view_frame().camera;
   scene.style = style_of(display_, editor);
   scene.moving = motion_.has_value() || editor.is_dragging();
@@ -250,8 +278,8 @@ void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size)
   Camera camera = view_frame().camera;
   // Nothing covers a part of this picture.
   camera.target_across = 0.0;
-  write_png(path,
-            render_image(editor.surface().shown(), editor.surface().paint(), camera, options));
+  write_png(path, render_image(editor.surface().shown(), editor.surface().paint(), camera, options,
+                               editor.carried().drawn()));
 }
 
 void ViewerApp::carry_out_order() {

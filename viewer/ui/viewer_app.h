@@ -37,7 +37,9 @@ class ViewerApp final : public App {
   void offer_interrupted();
 
   bool handle(const InputEvent& event) override;
-  void open(const std::filesystem::path& file) override;
+  void open(const std::filesystem::path& file) override { open(file, {}); }
+  /// `carry` follow the surface from the first edit by hand on.
+  void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry);
   void resize(const Eigen::Vector2d& size) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
@@ -59,11 +61,13 @@ class ViewerApp final : public App {
   void leave_for(std::function<void()> action);
   void ask_for_path(PathPurpose purpose);
   bool save_to(const std::filesystem::path& path);
+  void save_carried();
   void use_path();
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void carry_out_order();
   /// Says something in the status line and the log.
   void say(std::string message);
+  void say(const WriteReport& report);
 
   // Mouse and keys.
   void perform(Action action);
@@ -73,6 +77,7 @@ class ViewerApp final : public App {
   void look_from(View view);
   void frame_all();
   void frame(std::span<const Index> vertices);
+  void frame_points(std::span<const Eigen::Vector3d> points);
   void orbit_by(double right, double down);
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
   Eigen::Vector3d upward() const;

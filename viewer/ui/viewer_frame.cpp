@@ -198,6 +198,9 @@ void ViewerApp::draw_file_menu() {
   item("Save as...", "Ctrl+Shift+S", Action::save_as);
   item("Save picture...", "Ctrl+P", Action::save_picture);
   ImGui::Separator();
+  item("Carry a file along...", nullptr, Action::carry_file);
+  item("Save carried objects", nullptr, Action::save_carried);
+  ImGui::Separator();
   item("Save recipe...", "Ctrl+E", Action::save_recipe);
   item("Replay a recipe...", "Ctrl+R", Action::replay_recipe);
   ImGui::Separator();
@@ -296,6 +299,10 @@ void ViewerApp::draw_sidebar(const FrameTimings& last) {
     if (ImGui::CollapsingHeader("Mesh")) draw_mesh_panel(*document_);
     if (ImGui::CollapsingHeader("Selection", kOpen)) draw_selection_panel(editor, drafts_);
     draw_operations(editor);
+    if (!editor.state().carried.empty()) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+    if (ImGui::CollapsingHeader("Carried objects")) {
+      if (const auto wanted = draw_carried_panel(editor)) perform(*wanted);
+    }
     if (ImGui::CollapsingHeader("Display", kOpen)) draw_display_panel(display_, editor);
     if (ImGui::CollapsingHeader("History", kOpen)) {
       if (const auto purpose = draw_history_panel(editor, drafts_)) ask_for_path(*purpose);

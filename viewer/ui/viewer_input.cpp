@@ -77,9 +77,9 @@ GizmoKeys ViewerApp::gizmo_keys() const {
 
 void ViewerApp::frame_all() {
   if (!document_) return;
-  std::vector<Index> all(document_->editor.positions().size());
-  for (Index v = 0; v < all.size(); ++v) all[v] = v;
-  frame(all);
+  Positions points = document_->editor.positions();
+  document_->editor.carried().append_positions(points);
+  frame_points(points);
 }
 
 void ViewerApp::frame(std::span<const Index> vertices) {
@@ -96,6 +96,10 @@ void ViewerApp::frame(std::span<const Index> vertices) {
       points.push_back(middle - around * Vector3d::Unit(axis));
     }
   }
+  frame_points(points);
+}
+
+void ViewerApp::frame_points(std::span<const Vector3d> points) {
   Framing framing;
   framing.field_of_view = camera_.field_of_view;
   framing.orthographic = camera_.orthographic;
@@ -286,6 +290,12 @@ void ViewerApp::perform(Action action) {
       return;
     case Action::open_source:
       if (document_ && document_->desk.is_open()) ask_for_path(PathPurpose::open_source);
+      return;
+    case Action::carry_file:
+      if (document_) ask_for_path(PathPurpose::carry_file);
+      return;
+    case Action::save_carried:
+      if (document_) save_carried();
       return;
     case Action::save_picture:
       picture_plan_.open = true;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "lapwing/render/camera.h"
@@ -35,6 +36,7 @@ struct SideScene : SurfaceScene {
 
 /// What a frame shows under the panels. Without a surface only the background.
 struct Scene : SurfaceScene {
+  std::span<const CarriedDrawing> carried;  ///< drawn with the surface
   std::optional<SideScene> beside;
   Background background = Background::gradient;
   /// Whether it is being moved: then it is drawn quickly, without antialiasing.

@@ -133,6 +133,9 @@ void FramePainter::record(const Screen::Image& image, const Scene& scene,
   moved_ = scene.surface != nullptr && scene.surface->record_normals(recorder);
   recorder.timestamp();
   if (scene.beside) scene.beside->surface->finish();
+  for (const CarriedDrawing& carried : scene.carried) {
+    if (carried.surface != nullptr) carried.surface->finish();
+  }
   const auto transition = [&](const ImageState& from, const ImageState& to) {
     transition_image(context_, commands, image.handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
   };
@@ -142,6 +145,9 @@ void FramePainter::record(const Screen::Image& image, const Scene& scene,
   if (scene.surface != nullptr) {
     drawing.renderer.draw(commands, extent, *scene.surface, *scene.paint, scene.camera,
                           scene.style);
+  }
+  for (const CarriedDrawing& carried : scene.carried) {
+    drawing.renderer.draw(commands, extent, carried, scene.camera, scene.style);
   }
   if (scene.beside) draw_beside(commands, drawing.renderer, *scene.beside, scene.background);
   drawing.scope->end(commands);

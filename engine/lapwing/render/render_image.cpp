@@ -8,8 +8,11 @@
 namespace lapwing {
 
 Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
-                   const RenderOptions& options) {
+                   const RenderOptions& options, std::span<const CarriedDrawing> carried) {
   surface.finish();
+  for (const CarriedDrawing& drawing : carried) {
+    if (drawing.surface != nullptr) drawing.surface->finish();
+  }
   gpu::Context& context = surface.context();
   OffscreenTarget target(context, options.width, options.height, options.samples);
   const Renderer renderer(context, target.format());
@@ -24,6 +27,9 @@ Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& ca
   Image image = target.render([&](VkCommandBuffer commands) {
     renderer.begin(commands, target.extent(), options.background);
     renderer.draw(commands, target.extent(), surface, paint, camera, options.style);
+    for (const CarriedDrawing& drawing : carried) {
+      renderer.draw(commands, target.extent(), drawing, camera, options.style);
+    }
     if (legend) renderer.draw(commands, target.extent(), *legend);
   });
   if (options.background == Background::transparent) divide_by_opacity(image);

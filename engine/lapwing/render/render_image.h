@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "lapwing/render/camera.h"
@@ -21,10 +22,11 @@ struct RenderOptions {
   double aspect() const { return static_cast<double>(width) / static_cast<double>(height); }
 };
 
-/// A picture of `surface` as its buffers are now, without a display. Makes pipelines and images
+/// A picture of `surface` as its buffers are now, and of what is carried along with it, without a
+/// display. Makes pipelines and images
 /// for the one picture: for many, keep an OffscreenTarget and a Renderer. Same input, same bits on
 /// one device. Throws GpuError for a device that cannot draw and for sizes beyond its limits.
 Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
-                   const RenderOptions& options = {});
+                   const RenderOptions& options = {}, std::span<const CarriedDrawing> carried = {});
 
 }  // namespace lapwing

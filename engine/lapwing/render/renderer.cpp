@@ -8,11 +8,14 @@
 
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/transfer.h"
+#include "lapwing/render/point_cloud.h"
 #include "lapwing/render/surface.h"
 #include "lapwing/shaders/background_frag.h"
 #include "lapwing/shaders/background_vert.h"
 #include "lapwing/shaders/overlay_frag.h"
 #include "lapwing/shaders/overlay_vert.h"
+#include "lapwing/shaders/points_frag.h"
+#include "lapwing/shaders/points_vert.h"
 #include "lapwing/shaders/surface_frag.h"
 #include "lapwing/shaders/surface_vert.h"
 
@@ -39,6 +42,14 @@ struct OverlayPush {
   std::array<float, 2> clip_per_pixel;
 };
 
+struct PointsPush {
+  std::array<float, 16> clip_from_points;  // columns
+  std::array<float, 2> clip_radius;
+};
+
+// In pixels.
+constexpr float kPointRadius = 3.5F;
+
 // Bits of SurfacePush::flags; shaders/surface.glsl.
 enum SurfaceFlag : std::uint32_t {
   kRegions = 1,
@@ -47,6 +58,7 @@ enum SurfaceFlag : std::uint32_t {
   kFlat = 8,
   kDiverging = 16,
   kOrthographic = 32,
+  kCarriedColor = 64,
 };
 
 constexpr std::size_t kColorMapEntries = 256;  // per map; shaders/surface.frag
@@ -55,6 +67,7 @@ std::uint32_t flags_of(const SurfaceStyle& style, const Camera& camera) {
   std::uint32_t flags = 0;
   if (style.color == SurfaceColor::regions) flags |= kRegions;
   if (style.color == SurfaceColor::scalar) flags |= kScalar;
+  if (style.color == SurfaceColor::carried) flags |= kCarriedColor;
   if (style.wireframe) flags |= kWireframe;
   if (style.flat) flags |= kFlat;
   if (style.color_map == ColorMap::diverging) flags |= kDiverging;
@@ -135,6 +148,9 @@ Renderer::Renderer(gpu::Context& context, const TargetFormat& target)
       overlay_(context, target,
                {"an overlay", shaders::overlay_vert(), shaders::overlay_frag(), 1,
                 sizeof(OverlayPush), false}),
+      points_(
+          context, target,
+          {"points", shaders::points_vert(), shaders::points_frag(), 1, sizeof(PointsPush), true}),
       color_maps_(make_color_maps(context)) {}
 
 void Renderer::begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const {
@@ -179,6 +195,23 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent,
   const OverlayPush push{
       {2.0F / static_cast<float>(extent.width), 2.0F / static_cast<float>(extent.height)}};
   overlay_.draw(commands, {&overlay.buffer()}, push, 6 * overlay.rectangle_count());
+}
+
+void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDrawing& drawing,
+                    const Camera& camera, const SurfaceStyle& style) const {
+  if (drawing.surface != nullptr) {
+    SurfaceStyle carried = style;
+    carried.color = SurfaceColor::carried;
+    carried.sides = Sides::both;
+    return draw(commands, extent, *drawing.surface, *drawing.paint, camera, carried);
+  }
+  const PointCloud& points = *drawing.points;
+  PointsPush push{};
+  Eigen::Map<Eigen::Matrix4f>(push.clip_from_points.data()) =
+      clip_from_surface(camera, extent, points.origin()).cast<float>();
+  push.clip_radius = {2.0F * kPointRadius / static_cast<float>(extent.width),
+                      2.0F * kPointRadius / static_cast<float>(extent.height)};
+  points_.draw(commands, {&points.buffer()}, push, static_cast<std::uint32_t>(6 * points.size()));
 }
 
 }  // namespace lapwing

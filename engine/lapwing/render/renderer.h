@@ -13,6 +13,7 @@
 
 namespace lapwing {
 
+class PointCloud;
 class Surface;
 
 enum class Background { gradient, white, transparent };
@@ -21,6 +22,7 @@ enum class SurfaceColor {
   plain,    ///< one light clay
   regions,  ///< by class: outside grey, ROI bluish, belt red, handle yellow
   scalar,   ///< by number, through the colour map
+  carried,  ///< one of its own, apart from all of these
 };
 
 /// How a surface looks.
@@ -33,6 +35,13 @@ struct SurfaceStyle {
   float line_width = 1.0F;           ///< of the wireframe, in pixels
   /// `front` draws faster, and the same picture where no back is seen (see is_closed_outward).
   Sides sides = Sides::both;
+};
+
+/// What stands with a surface in the same picture: a mesh or points that are carried along with it.
+struct CarriedDrawing {
+  Surface* surface = nullptr;           ///< null for points
+  const SurfacePaint* paint = nullptr;  ///< of the surface
+  const PointCloud* points = nullptr;   ///< null for a mesh
 };
 
 /// The range that `style` gives the colour map. By default that of the paint's numbers, made
@@ -63,6 +72,10 @@ class Renderer {
   void draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& surface,
             const SurfacePaint& paint, const Camera& camera, const SurfaceStyle& style) const;
   void draw(VkCommandBuffer commands, VkExtent2D extent, const OverlayBuffer& overlay) const;
+  /// A mesh in the style but for its colour, which is SurfaceColor::carried; points as disks of
+  /// that colour, a few pixels wide.
+  void draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDrawing& drawing,
+            const Camera& camera, const SurfaceStyle& style) const;
 
  private:
   void fill(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
@@ -71,6 +84,7 @@ class Renderer {
   GraphicsPipeline background_;
   GraphicsPipeline surface_;
   GraphicsPipeline overlay_;
+  GraphicsPipeline points_;
   gpu::Buffer color_maps_;
 };
 
