@@ -53,20 +53,4 @@ Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRe
   return deformed;
 }
 
-CarriedFiles carried_along(std::span<const CarriedObject> objects, const Positions& rest,
-                           const Deformed& deformed) {
-  const SurfaceCarrier carrier(rest, deformed);
-  CarriedFiles carried;
-  for (const CarriedObject& object : objects) {
-    if (!object.follows) {
-      carried.push_back(object.rest);
-      continue;
-    }
-    auto file = std::make_shared<CarriedFile>(*object.rest);
-    file->move(carrier.carry(file->positions()));
-    carried.push_back(std::move(file));
-  }
-  return carried;
-}
-
 }  // namespace lapwing::viewer

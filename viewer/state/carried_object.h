@@ -43,8 +43,4 @@ CarriedFiles share(std::vector<CarriedFile> files);
 Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRegion& region,
                      Positions positions, std::vector<double> asked_scales);
 
-/// Where `objects` are once the surface went from `rest` to that of `deformed`, in their order.
-CarriedFiles carried_along(std::span<const CarriedObject> objects, const Positions& rest,
-                           const Deformed& deformed);
-
 }  // namespace lapwing::viewer

@@ -20,14 +20,12 @@ struct DraggedFrame {
   bool is_same_as(const DraggedFrame& other) const;
 };
 
-/// Finds beside the window where the carried objects of a state go as its surface is dragged, by
-/// the SurfaceCarrier that results are carried by. What they follow of the surface at rest is found
-/// once per object and kept, up to kMostShares; after that a frame costs a fit of a rotation per
-/// vertex of the ROI and a mean per point. One frame at a time: while one is under way others are
-/// passed over, so that what is shown is at most that much behind the surface.
+/// Finds beside the window where the carried objects of a state go as its surface is dragged
+/// (CarryContacts). One frame at a time: while one is under way others are passed over, so that
+/// what is shown is at most that much behind the surface.
 ///
 /// All members are called from one thread, the window's, and return at once, but for the
-/// destructor, which waits for the end of a frame.
+/// destructor, which waits for the end of an object.
 class CarryFollower {
  public:
   /// `wake` is called on the worker when a frame is done.
@@ -42,15 +40,8 @@ class CarryFollower {
   /// Gives up what is under way or was not taken.
   void cancel();
 
-  /// Of an object, 64 MB. One whose points follow more, as a large one far from a fine surface
-  /// does, is carried all the same, but what it follows is found anew for every frame.
-  static constexpr std::size_t kMostShares = 4'000'000;
-
  private:
-  class Contacts;
-
   DraggedFrame asked_;
-  std::shared_ptr<Contacts> contacts_;  // the worker's alone
   Job<std::vector<Positions>> job_;
 };
 

@@ -31,9 +31,23 @@ bool same_preparation(const AppState& a, const AppState& b) {
   return a.rest == b.rest && a.parameters == b.parameters && a.selection == b.selection;
 }
 
+// What the edit takes along, where its result has it.
+CarriedFiles carried_files(std::span<const CarriedObject> objects,
+                           std::vector<std::optional<CarriedPoints>> carried) {
+  CarriedFiles files;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    files.push_back(objects[k].rest);
+    if (!carried[k]) continue;
+    auto moved = std::make_shared<CarriedFile>(*objects[k].rest);
+    moved->move(*std::move(carried[k]));
+    files.back() = std::move(moved);
+  }
+  return files;
+}
+
 // With commits on the way every part but the first prepares anew.
 SettledResult settled_result(const AppState& state, const Deformer& exact, Kernels& kernels,
-                             const Progress& progress) {
+                             CarryContacts& contacts, const Progress& progress) {
   if (state.parameters.commit_every) {
     Solved solved = solve_open_step(state, kernels, progress);
     return {state.moves, std::move(solved.moved), std::move(solved.certificate)};
@@ -44,11 +58,10 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
   const Mesh& rest = *state.rest;
   MovedVertices moved = moved_vertices(rest.positions, solved.positions);
   if (any_follows(state.carried)) {
-    report_progress(progress, "carry", 0.0);
+    const Deformed deformed = deformed_of(rest, joined, exact.region(), std::move(solved.positions),
+                                          std::move(solved.asked_scales));
     moved.carried =
-        carried_along(state.carried, rest.positions,
-                      deformed_of(rest, joined, exact.region(), std::move(solved.positions),
-                                  std::move(solved.asked_scales)));
+        carried_files(state.carried, contacts.carry(state.carried, state.rest, deformed, progress));
   }
   return {state.moves, std::make_shared<const MovedVertices>(std::move(moved)),
           std::move(solved.certificate)};
@@ -345,7 +358,8 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
     if (request.is_live) {
       live = live_result(request, ready, progress);
     } else {
-      result = settled_result(state, *ready.exact, *ready.exact_kernels, progress);
+      result =
+          settled_result(state, *ready.exact, *ready.exact_kernels, *carry_contacts_, progress);
     }
   } catch (const Cancelled&) {
     // Whoever cancelled wants nothing.
@@ -371,7 +385,8 @@ LiveResult Preparation::live_result(const Request& request, const Ready& ready,
   if (state.parameters.settle && !state.parameters.commit_every) {
     return follow_drag(request, *ready.exact, progress);
   }
-  state.settled = settled_result(state, *ready.exact, *ready.exact_kernels, progress).moved;
+  state.settled =
+      settled_result(state, *ready.exact, *ready.exact_kernels, *carry_contacts_, progress).moved;
   return {state.moves,
           std::make_shared<const SettledPose>(ready.drag_by.response->pose_at(
               positions_of(state), motions_of(state), turns_of(state))),

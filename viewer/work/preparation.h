@@ -12,6 +12,7 @@
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/prepared_region.h"
 #include "state/app_state.h"
+#include "work/carry_contacts.h"
 #include "work/worker.h"
 
 namespace lapwing {
@@ -119,6 +120,9 @@ class Preparation {
   std::shared_ptr<const DragPreview> preview() const;
   std::shared_ptr<const Deformer> exact() const;
 
+  /// What carried objects follow, as results are made and drags are shown.
+  const std::shared_ptr<CarryContacts>& carry_contacts() const { return carry_contacts_; }
+
   struct ToDragBy {
     std::shared_ptr<const DragResponse> response;
     std::shared_ptr<BlendResponse> on_device;  ///< null without Upload
@@ -167,6 +171,8 @@ class Preparation {
   Ready let_go();
   std::unique_ptr<Kernels> make_kernels() const;
   std::shared_ptr<BlendResponse> upload(const DragResponse& response) const;
+
+  const std::shared_ptr<CarryContacts> carry_contacts_ = std::make_shared<CarryContacts>();
 
   // All below is guarded by the worker's mutex. Work under a ticket that is not the current one is
   // void.

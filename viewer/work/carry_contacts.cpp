@@ -1,0 +1,52 @@
+#include "work/carry_contacts.h"
+
+#include <utility>
+
+namespace lapwing::viewer {
+
+std::shared_ptr<const SurfaceContacts> CarryContacts::with(
+    const std::shared_ptr<const Mesh>& rest) {
+  const std::lock_guard lock(mutex_);
+  if (rest_ != rest) {
+    known_.clear();
+    surface_ = std::make_shared<const SurfaceContacts>(rest->positions, rest->topology());
+    rest_ = rest;
+  }
+  return surface_;
+}
+
+CarryContacts::Known CarryContacts::of(const std::shared_ptr<const CarriedFile>& file,
+                                       const SurfaceContacts& surface) {
+  const auto find = [&] {
+    return std::make_shared<const std::optional<CarryShares>>(
+        surface.find_all(file->positions(), kMostShares));
+  };
+  const std::lock_guard lock(mutex_);
+  // Another thread went on to another surface.
+  if (&surface != surface_.get()) return find();
+  const auto at = known_.find(file);
+  if (at != known_.end()) return at->second;
+  std::erase_if(known_, [](const auto& known) { return known.first.expired(); });
+  return known_.emplace(file, find()).first->second;
+}
+
+std::vector<std::optional<CarriedPoints>> CarryContacts::carry(
+    std::span<const CarriedObject> objects, const std::shared_ptr<const Mesh>& rest,
+    const Deformed& deformed, const Progress& progress) {
+  const auto surface = with(rest);
+  const SurfaceCarrier carrier(surface, deformed);
+  std::vector<std::optional<CarriedPoints>> carried;
+  for (const CarriedObject& object : objects) {
+    report_progress(progress, "carry", 0.0);
+    if (!object.follows) {
+      carried.emplace_back();
+      continue;
+    }
+    const Positions& points = object.rest->positions();
+    const Known shares = of(object.rest, *surface);
+    carried.emplace_back(*shares ? carrier.carry(points, **shares) : carrier.carry(points));
+  }
+  return carried;
+}
+
+}  // namespace lapwing::viewer
