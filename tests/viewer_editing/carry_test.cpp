@@ -42,8 +42,9 @@ class AnEditorThatCarries : public ::testing::Test {
                        kWindow.x() / kWindow.y());
     view_.size = kWindow;
     context_ = std::make_shared<gpu::Context>();
-    editor_.emplace(EditStart{History(state), state.rest, {}, {}, folder_.path()}, context_,
-                    [](const std::string& said) { EXPECT_EQ(said, ""); }, [] {});
+    editor_.emplace(
+        EditStart{History(state), state.rest, {}, {}, folder_.path()}, context_,
+        [](const std::string& said) { EXPECT_EQ(said, ""); }, [] {});
     update_until([&] { return is_ready(); });
   }
 

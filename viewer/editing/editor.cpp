@@ -252,7 +252,11 @@ void Editor::replace_step(std::size_t index, const Step& step) {
 }
 
 void Editor::carry_along(const std::vector<std::filesystem::path>& files) {
-  session_->carry_along(files);
+  try {
+    session_->carry_along(files);
+  } catch (const Error& error) {
+    say_(error.what());
+  }
 }
 
 void Editor::grow() {

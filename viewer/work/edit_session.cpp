@@ -166,6 +166,9 @@ void EditSession::replace_step(std::size_t index, const Step& step) {
 }
 
 void EditSession::carry_along(const std::vector<fs::path>& files) {
+  if (is_carrying_out()) {
+    throw InputError("a step is being carried out; add files once it is done");
+  }
   carried_out_on_ = state();
   needs_ = Needs::nothing;
   carrying_out_.start([files, folder = folder()](const std::shared_ptr<Kernels>&,

@@ -94,7 +94,8 @@ class EditSession {
   /// while a drag waits for its result.
   void replace_step(std::size_t index, const Step& step);
   /// Reads `files` beside the window, looked for in `folder()`, to be carried along from the open
-  /// step on: one step of the history each, likewise.
+  /// step on: one step of the history each, likewise. Throws InputError while something is carried
+  /// out, which would be lost.
   void carry_along(const std::vector<std::filesystem::path>& files);
   /// Gives it up; nothing has changed then.
   void cancel_step();
