@@ -101,32 +101,18 @@ std::vector<HandleSpec> handle_specs(const EditSelection& selection) {
 }
 
 std::vector<GradedVertex> graded_vertices(const EditSelection& selection, const Mesh& mesh) {
-  std::vector<GradedVertex> graded;
-  const auto& handles = selection.handles;
-  if (std::all_of(handles.begin(), handles.end(), [](const ChosenHandle& handle) {
-        return !handle.grading.falloff && handle.grading.field.empty();
-      })) {
-    return graded;
-  }
-  std::vector<char> allowed = vertex_mask(mesh.vertex_count(), selection.roi.vertices);
-  const auto allow = [&](const VertexSet& set, char allows) {
-    for (const Index v : set) allowed[v] = allows;
-  };
-  allow(selection.belt.vertices, 0);
-  for (const ChosenHandle& handle : handles) allow(fully_held(handle), 0);
-  for (std::size_t h = 0; h < handles.size(); ++h) {
-    const Grading& grading = handles[h].grading;
-    for (std::size_t k = 0; !grading.field.empty() && k < handles[h].vertices.size(); ++k) {
-      const Index v = handles[h].vertices[k];
-      if (allowed[v] != 0 && grading.field[v] > 0.0) graded.push_back({v, h, grading.field[v]});
+  std::vector<FadingHandle> fading;
+  std::vector<GradedVertex> painted;
+  for (const ChosenHandle& handle : selection.handles) {
+    const std::vector<double>& field = handle.grading.field;
+    for (std::size_t k = 0; !field.empty() && k < handle.vertices.size(); ++k) {
+      const Index v = handle.vertices[k];
+      if (field[v] > 0.0 && field[v] < 1.0) painted.push_back({v, fading.size(), field[v]});
     }
-    if (!grading.falloff) continue;
-    allow(handles[h].vertices, 1);
-    const auto around = falloff_of(handles[h].vertices, *grading.falloff, h, allowed, mesh);
-    graded.insert(graded.end(), around.begin(), around.end());
-    allow(handles[h].vertices, 0);
+    fading.push_back({fully_held(handle), handle.grading.falloff});
   }
-  return without_shared(std::move(graded));
+  return graded_around(fading, std::move(painted), selection.roi.vertices, selection.belt.vertices,
+                       mesh);
 }
 
 VertexSet fully_held(const ChosenHandle& handle) {

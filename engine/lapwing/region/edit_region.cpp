@@ -92,24 +92,15 @@ void resolve_handles(std::span<const HandleSpec> handles, const Mesh& mesh, Edit
 
 // Falloffs around the handles, over what nothing else holds.
 void grade(std::span<const HandleSpec> handles, const Mesh& mesh, EditRegion& region) {
-  std::vector<char> allowed = vertex_mask(mesh.vertex_count(), region.roi);
-  for (const Index v : region.belt) allowed[v] = 0;
+  std::vector<Index> held = region.belt;
   for (const Target& target : region.targets) {
-    if (region.hard_targets && target.is_vertex()) allowed[target.corners[0]] = 0;
+    if (region.hard_targets && target.is_vertex()) held.push_back(target.corners[0]);
   }
-  for (const VertexSet& handle : region.handles) {
-    for (const Index v : handle) allowed[v] = 0;
-  }
+  std::vector<FadingHandle> fading;
   for (std::size_t h = 0; h < handles.size(); ++h) {
-    if (!handles[h].grading.falloff) continue;
-    for (const Index v : region.handles[h]) allowed[v] = 1;
-    const std::vector<GradedVertex> around =
-        falloff_of(region.handles[h], *handles[h].grading.falloff, h, allowed, mesh);
-    region.graded.insert(region.graded.end(), around.begin(), around.end());
-    for (const Index v : region.handles[h]) allowed[v] = 0;
+    fading.push_back({region.handles[h], handles[h].grading.falloff});
   }
-  std::erase_if(region.graded, [&](const GradedVertex& g) { return allowed[g.vertex] == 0; });
-  region.graded = without_shared(std::move(region.graded));
+  region.graded = graded_around(fading, std::move(region.graded), region.roi, held, mesh);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ struct EditRegion {
 
 /// Binds what a person chose to a mesh. A belt by fraction leaves handles and targets out, a
 /// falloff ends at the belt, at other handles and at hard targets, and where two meet a vertex goes
-/// with the handle that has more weight there (`without_shared`); every other overlap is an error.
+/// with the handle that has more weight there (`graded_around`); every other overlap is an error.
 /// Throws InputError, naming place and vertices: whatever `resolve` throws, an empty ROI or handle,
 /// a handle or belt outside the ROI, a handle that overlaps the belt or another handle, a field
 /// that is not one of weights of the mesh, a vertex of the ROI or of its rings that is not finite,

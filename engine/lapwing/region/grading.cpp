@@ -15,6 +15,39 @@ namespace {
 // Two weights that differ by rounding alone.
 constexpr double kSameWeight = 1e-9;
 
+// The vertices around `handle` by its falloff, which pass no vertex off `allowed` (a mark per
+// vertex) and hold none of the handle's own.
+std::vector<GradedVertex> falloff_of(const VertexSet& handle, const Transition& falloff,
+                                     std::size_t number, std::span<const char> allowed,
+                                     const Mesh& mesh) {
+  std::vector<GradedVertex> graded;
+  if (!(falloff.width > 0.0)) return graded;
+  const std::vector<double> distances =
+      geodesic_distances(mesh.topology(), mesh.positions, handle, falloff.width, allowed);
+  for (std::size_t v = 0; v < distances.size(); ++v) {
+    if (!(distances[v] > 0.0)) continue;
+    const double weight = 1.0 - fade(falloff, distances[v]);
+    if (weight > 0.0 && weight < 1.0) graded.push_back({static_cast<Index>(v), number, weight});
+  }
+  return graded;
+}
+
+// At most one entry per vertex, ascending.
+std::vector<GradedVertex> without_shared(std::vector<GradedVertex> graded) {
+  std::sort(graded.begin(), graded.end(), [](const GradedVertex& a, const GradedVertex& b) {
+    return std::tuple(a.vertex, -a.weight, a.handle) < std::tuple(b.vertex, -b.weight, b.handle);
+  });
+  std::vector<GradedVertex> alone;
+  for (std::size_t k = 0; k < graded.size();) {
+    std::size_t next = k + 1;
+    while (next < graded.size() && graded[next].vertex == graded[k].vertex) ++next;
+    const bool tied = next > k + 1 && graded[k].weight - graded[k + 1].weight <= kSameWeight;
+    if (!tied) alone.push_back(graded[k]);
+    k = next;
+  }
+  return alone;
+}
+
 }  // namespace
 
 void split_by_field(const VertexSet& region, std::span<const double> field, std::size_t handle,
@@ -56,34 +89,29 @@ void require_grading(const Grading& grading, const std::string& where) {
   }
 }
 
-std::vector<GradedVertex> falloff_of(const VertexSet& handle, const Transition& falloff,
-                                     std::size_t number, std::span<const char> allowed,
-                                     const Mesh& mesh) {
-  std::vector<GradedVertex> graded;
-  if (!(falloff.width > 0.0)) return graded;
-  const std::vector<double> distances =
-      geodesic_distances(mesh.topology(), mesh.positions, handle, falloff.width, allowed);
-  for (std::size_t v = 0; v < distances.size(); ++v) {
-    if (!(distances[v] > 0.0)) continue;
-    const double weight = 1.0 - fade(falloff, distances[v]);
-    if (weight > 0.0 && weight < 1.0) graded.push_back({static_cast<Index>(v), number, weight});
+std::vector<GradedVertex> graded_around(std::span<const FadingHandle> handles,
+                                        std::vector<GradedVertex> painted, const VertexSet& roi,
+                                        std::span<const Index> held, const Mesh& mesh) {
+  const bool any_fades = std::any_of(handles.begin(), handles.end(),
+                                     [](const auto& handle) { return handle.falloff.has_value(); });
+  if (painted.empty() && !any_fades) return {};
+  std::vector<char> allowed = vertex_mask(mesh.vertex_count(), roi);
+  const auto allow = [&](std::span<const Index> vertices, char allows) {
+    for (const Index v : vertices) allowed[v] = allows;
+  };
+  allow(held, 0);
+  for (const FadingHandle& handle : handles) allow(handle.full, 0);
+  std::vector<GradedVertex> graded = std::move(painted);
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    const auto& [full, falloff] = handles[h];
+    if (!falloff) continue;
+    allow(full, 1);
+    const std::vector<GradedVertex> around = falloff_of(full, *falloff, h, allowed, mesh);
+    graded.insert(graded.end(), around.begin(), around.end());
+    allow(full, 0);
   }
-  return graded;
-}
-
-std::vector<GradedVertex> without_shared(std::vector<GradedVertex> graded) {
-  std::sort(graded.begin(), graded.end(), [](const GradedVertex& a, const GradedVertex& b) {
-    return std::tuple(a.vertex, -a.weight, a.handle) < std::tuple(b.vertex, -b.weight, b.handle);
-  });
-  std::vector<GradedVertex> alone;
-  for (std::size_t k = 0; k < graded.size();) {
-    std::size_t next = k + 1;
-    while (next < graded.size() && graded[next].vertex == graded[k].vertex) ++next;
-    const bool tied = next > k + 1 && graded[k].weight - graded[k + 1].weight <= kSameWeight;
-    if (!tied) alone.push_back(graded[k]);
-    k = next;
-  }
-  return alone;
+  std::erase_if(graded, [&](const GradedVertex& g) { return allowed[g.vertex] == 0; });
+  return without_shared(std::move(graded));
 }
 
 }  // namespace lapwing

@@ -47,14 +47,19 @@ void require_grading(const Grading& grading, const std::string& where);
 void split_by_field(const VertexSet& region, std::span<const double> field, std::size_t handle,
                     const std::string& where, VertexSet& full, std::vector<GradedVertex>& graded);
 
-/// The vertices around `handle` by its falloff, which pass no vertex off `allowed` (a mark per
-/// vertex) and hold none of the handle's own.
-std::vector<GradedVertex> falloff_of(const VertexSet& handle, const Transition& falloff,
-                                     std::size_t number, std::span<const char> allowed,
-                                     const Mesh& mesh);
+/// A handle whose full vertices are known, and how it fades around them.
+struct FadingHandle {
+  VertexSet full;
+  std::optional<Transition> falloff = {};
+};
 
-/// At most one entry per vertex, ascending: where two handles reach, that of the larger weight.
-/// Where both weigh the same, none: the middle between two handles goes with neither.
-std::vector<GradedVertex> without_shared(std::vector<GradedVertex> graded);
+/// What handles hold by less than their full weight: the vertices that they are `painted` on, and
+/// those around each by its falloff, which ends at the rim of `roi`, at the other handles and at
+/// `held`, none of which is graded. At most one entry per vertex, ascending: where two handles
+/// reach, that of the larger weight. Where both weigh the same, none: the middle between two
+/// handles goes with neither. Costs nothing where nothing is painted or fades.
+std::vector<GradedVertex> graded_around(std::span<const FadingHandle> handles,
+                                        std::vector<GradedVertex> painted, const VertexSet& roi,
+                                        std::span<const Index> held, const Mesh& mesh);
 
 }  // namespace lapwing
