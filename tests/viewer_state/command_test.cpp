@@ -63,6 +63,23 @@ TEST(Command, GradingAHandleAsksForAResult) {
       << "weights of another mesh";
 }
 
+TEST(Command, FindsAMirrorAnewWhereTheChoiceBecomesAnotherAndOnlyThere) {
+  const MirrorPlane plane{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  const AppState mirrored = apply(chosen_tube(), SetMirror{plane});
+  ASSERT_NE(mirrored.mirrored, nullptr);
+  AppState moved = apply(mirrored, MoveHandle{0, bent()});
+  EXPECT_EQ(moved.mirrored, mirrored.mirrored);
+  EXPECT_EQ(apply(mirrored, Choose{kHandle, box(2.8, 4.0)}).mirrored, mirrored.mirrored)
+      << "the same vertices";
+  EXPECT_EQ(apply(mirrored, SetBeltWidth{*mirrored.selection.belt_fraction}).mirrored,
+            mirrored.mirrored);
+  EXPECT_NE(apply(mirrored, SetBeltWidth{0.3}).mirrored, mirrored.mirrored);
+  EXPECT_NE(apply(mirrored, Choose{kHandle, box(2.6, 4.0)}).mirrored, mirrored.mirrored);
+  EXPECT_EQ(apply(mirrored, SetMirror{}).mirrored, nullptr);
+  moved = apply(moved, Settle{handles_alone(mirrored)});
+  EXPECT_NE(apply(moved, Commit{}).mirrored, mirrored.mirrored) << "on another rest shape";
+}
+
 TEST(Command, PaintingTheBeltTakesItFromItsWidth) {
   AppState state = apply(chosen_tube(), Paint{kBelt, {40}, {}});
   EXPECT_FALSE(state.selection.belt_fraction.has_value());

@@ -262,6 +262,20 @@ struct Applier {
   }
 };
 
+// Whether a command may change the surface, what is chosen on it, or the parameters: what a mirror
+// makes of these is to be found anew then. A revised state brings its own.
+struct ChangesChoice {
+  template <class Any>
+  bool operator()(const Any&) const {
+    return true;
+  }
+  bool operator()(const MoveHandle&) const { return false; }
+  bool operator()(const Settle&) const { return false; }
+  bool operator()(const CarryAlong&) const { return false; }
+  bool operator()(const StopCarrying&) const { return false; }
+  bool operator()(const Revise&) const { return false; }
+};
+
 std::string name_of(const Part& part) {
   if (part.role == Part::Role::roi) return "ROI";
   if (part.role == Part::Role::belt) return "belt";
@@ -336,6 +350,13 @@ struct CommandDescriber {
 }  // namespace
 
 AppState apply(AppState state, const Command& command) {
+  // A mirror that is there takes up to a second to renew, beside which a copy is cheap.
+  const bool may_keep_mirror = state.mirrored && std::visit(ChangesChoice{}, command);
+  if (!may_keep_mirror) {
+    std::visit(Applier{state}, command);
+    if (std::visit(ChangesChoice{}, command)) renew_mirror(state);
+    return state;
+  }
   const std::shared_ptr<const Mesh> surface = surface_of(state);
   const EditSelection selection = state.selection;
   const EditParameters parameters = state.parameters;
