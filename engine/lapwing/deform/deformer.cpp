@@ -3,18 +3,12 @@
 #include "lapwing/deform/deformer.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <numbers>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/base/parallel.h"
 #include "lapwing/deform/axis_response.h"
-#include "lapwing/deform/drag.h"
+#include "lapwing/deform/deformer_state.h"
 #include "lapwing/deform/drag_preview.h"
-#include "lapwing/deform/edit_system.h"
-#include "lapwing/deform/handle_shares.h"
-#include "lapwing/deform/pose_tangent.h"
 #include "lapwing/deform/response_basis.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -34,53 +28,8 @@ std::shared_ptr<const EditSystem> edit_of(const Topology& topology, std::span<co
   return std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress);
 }
 
-// From here on the way round counts, which a linear response does not know.
-constexpr double kFarTurnDegrees = 90.0;
-
 // What a rotation is off from no scale by rounding.
 constexpr double kSameScale = 1e-12;
-
-bool is_far(const Vector3d& turn) {
-  return turn.norm() > kFarTurnDegrees * std::numbers::pi / 180.0;
-}
-
-bool any_far(std::span<const Eigen::AngleAxisd> turns) {
-  return std::any_of(turns.begin(), turns.end(), [](const Eigen::AngleAxisd& turn) {
-    return is_far(turn.angle() * turn.axis());
-  });
-}
-
-// Whether a handle has turned too far from the last frame to this one to go on from there.
-bool any_far(std::span<const Eigen::AngleAxisd> turns, std::span<const Eigen::AngleAxisd> last) {
-  for (std::size_t h = 0; h < last.size(); ++h) {
-    const Vector3d now = turns[h].angle() * turns[h].axis();
-    if (is_far(now - last[h].angle() * last[h].axis())) return true;
-  }
-  return false;
-}
-
-// recent = share recent + (to - from), where nothing is 0.
-template <typename T>
-void add_change(std::vector<T>& recent, double share, const std::vector<T>& from,
-                const std::vector<T>& to) {
-  const bool is_first = recent.empty();
-  recent.resize(to.size());
-  for (std::size_t k = 0; k < to.size(); ++k) {
-    const T change = to[k] - from[k];
-    recent[k] = is_first ? change : T(share * recent[k] + change);
-  }
-}
-
-// What the handles made of the surface from one frame to the next. While they rest it settles,
-// which says nothing of where it goes with them.
-void remember_change(SettledPose& last, SettledPose& next) {
-  constexpr double kShareOfOlder = 0.5;
-  next.recent_parameters = std::move(last.recent_parameters);
-  next.recent_displacement = std::move(last.recent_displacement);
-  if (last.parameters == next.parameters) return;
-  add_change(next.recent_parameters, kShareOfOlder, last.parameters, next.parameters);
-  add_change(next.recent_displacement, kShareOfOlder, last.displacement, next.displacement);
-}
 
 // A result is in double precision whatever the device; and a device that is the processor in
 // disguise takes about three times as long as the CPU twins (measured on lavapipe).
@@ -89,33 +38,6 @@ bool settles_on(const DeviceInfo& device) {
 }
 
 }  // namespace
-
-struct Deformer::State {
-  std::shared_ptr<const EditSystem> system;
-  StageTimings timings;
-  Kernels* kernels = nullptr;
-  std::unique_ptr<PoseTangent> tangent;  ///< null without settling, as the next
-  std::unique_ptr<Settler> settler;
-  std::unique_ptr<HandleShares> shares;
-  std::vector<double> weights;  ///< of the Laplacians that certificates measure
-  std::shared_ptr<const DragResponse> response;
-  std::atomic<bool> has_response = false;      ///< `response` does not change from then on
-  std::shared_ptr<const DragResponse> latest;  ///< asked for last
-  std::string why_not_exact;
-
-  bool hold_response(const Progress& progress);
-  void make_settler(Kernels& on);
-  bool has_scale_forces() const;
-  Numbers forces_of_scales(std::span<const double> q) const;
-  Numbers forces_of(std::span<const double> q) const;
-  std::vector<Vector3d> linear_displacement(std::span<const Vector3d> wanted,
-                                            std::span<const double> forces) const;
-  bool has_columns_for(std::span<const double> q) const;
-  std::vector<Vector3d> displacement_by(std::span<const double> q) const;
-  std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
-  double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
-  Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
-};
 
 // False where it does not fit and settling can do without.
 bool Deformer::State::hold_response(const Progress& progress) {
@@ -177,85 +99,6 @@ std::vector<Vector3d> Deformer::State::linear_displacement(std::span<const Vecto
   return axis_displacement(*system, wanted);
 }
 
-bool Deformer::State::has_columns_for(std::span<const double> q) const {
-  if (latest == nullptr) return false;
-  std::size_t covered = 0;
-  for (const std::size_t h : latest->handles()) {
-    const auto own = q.subspan(h * kMotionParameters, kMotionParameters);
-    covered += static_cast<std::size_t>(
-        std::count_if(own.begin(), own.end(), [](double number) { return number != 0.0; }));
-  }
-  return covered == static_cast<std::size_t>(
-                        std::count_if(q.begin(), q.end(), [](double n) { return n != 0.0; }));
-}
-
-// What the handles alone make of the surface, for drags: by the columns at hand, or else by one
-// right-hand side.
-std::vector<Vector3d> Deformer::State::displacement_by(std::span<const double> q) const {
-  std::vector<Vector3d> u(system->rest->size(), Vector3d::Zero());
-  if (has_columns_for(q)) {
-    if (latest->handles().size() == system->frames.size()) {
-      blend_response(u, latest->columns(), q, u);
-      return u;
-    }
-    std::vector<double> of_columns;
-    for (const std::size_t h : latest->handles()) {
-      const auto own = q.subspan(h * kMotionParameters, kMotionParameters);
-      of_columns.insert(of_columns.end(), own.begin(), own.end());
-    }
-    blend_response(u, latest->columns(), of_columns, u);
-    return u;
-  }
-  const std::vector<Vector3d> wanted = system->wanted_displacement(q);
-  if (why_not_exact.empty()) {
-    StageTimings untold;
-    system->hold_response(*kernels, {}, untold);
-    return lapwing::linear_displacement(*system, wanted, forces_of_scales(q));
-  }
-  return axis_displacement(*system, wanted, Springs::rest);
-}
-
-// How much of the recent change of a pose handles go through again whose parameters change by
-// `change`, by the way that their vertices go.
-double Deformer::State::share_of_recent(const SettledPose& pose,
-                                        std::span<const double> change) const {
-  if (pose.recent_parameters.empty()) return 0.0;
-  const std::vector<Vector3d> now = system->wanted_displacement(change);
-  const std::vector<Vector3d> recent = system->wanted_displacement(pose.recent_parameters);
-  double along = 0.0;
-  double square = 0.0;
-  for (const auto& handle : system->region.handles) {
-    for (const Index v : handle) {
-      along += now[v].dot(recent[v]);
-      square += recent[v].squaredNorm();
-    }
-  }
-  return square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-}
-
-// Where the surface of a pose is at other parameters. As far as the handles go on as they did
-// recently, so does the surface; the rest of the way is the linear response, which knows nothing of
-// the pose.
-Positions Deformer::State::gone_on(const SettledPose& pose,
-                                   std::span<const double> parameters) const {
-  // Less than all of it: what recent frames have left to settle is in their change, too.
-  constexpr double kTrust = 0.75;
-  std::vector<double> change(parameters.begin(), parameters.end());
-  for (std::size_t k = 0; k < change.size(); ++k) change[k] -= pose.parameters[k];
-  const double share = kTrust * share_of_recent(pose, change);
-  if (share == 0.0) {
-    Positions u = displacement_by(change);
-    for (const Index v : system->moving) u[v] += pose.displacement[v];
-    return u;
-  }
-  for (std::size_t k = 0; k < change.size(); ++k) change[k] -= share * pose.recent_parameters[k];
-  Positions u = displacement_by(change);
-  for (const Index v : system->moving) {
-    u[v] += pose.displacement[v] + share * pose.recent_displacement[v];
-  }
-  return u;
-}
-
 Deformer::Deformer(std::span<const Vector3d> rest, const Topology& topology, EditRegion region,
                    const DeformOptions& options, Kernels& kernels, const Progress& progress)
     : Deformer(edit_of(topology, rest, std::move(region), options, progress), kernels, progress) {}
@@ -312,43 +155,6 @@ void Deformer::hold_for_settling() const {
 Deformer::~Deformer() = default;
 Deformer::Deformer(Deformer&&) noexcept = default;
 Deformer& Deformer::operator=(Deformer&&) noexcept = default;
-
-const std::shared_ptr<const DragResponse>& Deformer::response(const Progress& progress) const {
-  State& s = *state_;
-  if (s.has_response) return s.response;
-  const auto lock = s.system->systems->lock();
-  if (!s.has_response) make_response(progress);
-  return s.response;
-}
-
-// Under the lock.
-void Deformer::make_response(const Progress& progress) const {
-  State& s = *state_;
-  const Stopwatch watch;
-  s.response = columns_of(s.system->all_handles(), progress);
-  s.timings.add("response", watch.elapsed_ms());
-  s.has_response = true;
-}
-
-std::shared_ptr<const DragResponse> Deformer::response_of(std::span<const std::size_t> handles,
-                                                          const Progress& progress) const {
-  const auto lock = state_->system->systems->lock();
-  return columns_of(in_order(handles), progress);
-}
-
-// Under the lock.
-std::shared_ptr<const DragResponse> Deformer::columns_of(std::vector<std::size_t> handles,
-                                                         const Progress& progress) const {
-  State& s = *state_;
-  hold(progress);
-  report_progress(progress, "response", 0.0);
-  const HandleShares* shares = s.has_scale_forces() ? s.shares.get() : nullptr;
-  Numbers columns = is_exact() ? response_basis(*s.system, handles, shares, progress)
-                               : axis_response(*s.system, handles);
-  s.latest = std::make_shared<const DragResponse>(s.system, std::move(handles), std::move(columns),
-                                                  !is_exact());
-  return s.latest;
-}
 
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
                              const Progress& progress) const {
@@ -433,55 +239,6 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   return result;
 }
 
-void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
-                      const std::function<bool()>& go_on, const Progress& progress) const {
-  std::vector<Eigen::AngleAxisd> turns;
-  for (std::size_t h = 0; h < motions.size(); ++h) {
-    TurnTracker tracker = h < pose.turns.size() ? TurnTracker(pose.turns[h]) : TurnTracker();
-    tracker.follow(motions[h]);
-    turns.push_back(tracker.turn());
-  }
-  follow(motions, turns, pose, go_on, progress);
-}
-
-void Deformer::follow(std::span<const Eigen::Affine3d> motions,
-                      std::span<const Eigen::AngleAxisd> turns, SettledPose& pose,
-                      const std::function<bool()>& go_on, const Progress& progress) const {
-  const State& s = *state_;
-  const EditSystem& edit = *s.system;
-  if (s.settler == nullptr) {
-    throw InputError("a drag can follow settled only with settling in the deform options");
-  }
-  SettledPose next;
-  next.parameters.resize(edit.column_count());
-  next.turns.assign(turns.begin(), turns.end());
-  edit.set_parameters(motions, next.parameters);
-  if (pose.settled.settled && next.parameters == pose.parameters) return;
-  const auto lock = edit.systems->lock();
-  if (s.latest == nullptr) make_response(progress);
-  hold_for_settling();
-  const std::vector<Vector3d> wanted = edit.asked_displacement(next.parameters);
-  const std::vector<double> scales = s.asked_scales(motions);
-  const SettleTarget target{wanted, scales};
-  const bool begins = pose.parameters.empty() || any_far(turns, pose.turns);
-  if (begins) {
-    s.settler->begin_drag();
-    next.displacement = edit.region.targets.empty() ? s.displacement_by(next.parameters)
-                                                    : axis_displacement(edit, wanted);
-    choose_start(motions, turns, target, next.displacement);
-  } else {
-    next.displacement = s.gone_on(pose, next.parameters);
-  }
-  next.settled = s.settler->follow(target, next.displacement, go_on, progress);
-  edit.loose.carry(wanted, scales, next.displacement);
-  Certificate certificate;
-  certificate.all_finite = std::all_of(next.displacement.begin(), next.displacement.end(),
-                                       [](const Vector3d& v) { return v.allFinite(); });
-  require_valid(certificate);
-  if (!begins) remember_change(pose, next);
-  pose = std::move(next);
-}
-
 std::vector<double> Deformer::asked_scales(std::span<const Eigen::Affine3d> motions) const {
   const State& s = *state_;
   const bool keeps_size = std::all_of(motions.begin(), motions.end(), [](const auto& motion) {
@@ -491,10 +248,6 @@ std::vector<double> Deformer::asked_scales(std::span<const Eigen::Affine3d> moti
   const auto lock = s.system->systems->lock();
   s.system->hold_laplacian();
   return s.asked_scales(motions);
-}
-
-void Deformer::begin_drag() const {
-  if (state_->settler != nullptr) state_->settler->begin_drag();
 }
 
 bool Deformer::is_exact() const {

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/edit_system.h"
+#include "lapwing/deform/handle_shares.h"
+#include "lapwing/deform/pose_tangent.h"
+
+namespace lapwing {
+
+/// What a Deformer holds. Its solves are in deformer.cpp, its drags, which go by response columns,
+/// in deformer_drag.cpp.
+struct Deformer::State {
+  std::shared_ptr<const EditSystem> system;
+  StageTimings timings;
+  Kernels* kernels = nullptr;
+  std::unique_ptr<PoseTangent> tangent;  ///< null without settling, as the next
+  std::unique_ptr<Settler> settler;
+  std::unique_ptr<HandleShares> shares;
+  std::vector<double> weights;  ///< of the Laplacians that certificates measure
+  std::shared_ptr<const DragResponse> response;
+  std::atomic<bool> has_response = false;      ///< `response` does not change from then on
+  std::shared_ptr<const DragResponse> latest;  ///< asked for last
+  std::string why_not_exact;
+
+  bool hold_response(const Progress& progress);
+  void make_settler(Kernels& on);
+  bool has_scale_forces() const;
+  Numbers forces_of_scales(std::span<const double> q) const;
+  Numbers forces_of(std::span<const double> q) const;
+  std::vector<Eigen::Vector3d> linear_displacement(std::span<const Eigen::Vector3d> wanted,
+                                                   std::span<const double> forces) const;
+  bool has_columns_for(std::span<const double> q) const;
+  std::vector<Eigen::Vector3d> displacement_by(std::span<const double> q) const;
+  std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
+  double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
+  Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
+};
+
+/// From here on the way round counts, which a linear response does not know.
+inline constexpr double kFarTurnDegrees = 90.0;
+
+/// `turn` as an axis times an angle.
+inline bool is_far(const Eigen::Vector3d& turn) {
+  return turn.norm() > kFarTurnDegrees * std::numbers::pi / 180.0;
+}
+
+inline bool any_far(std::span<const Eigen::AngleAxisd> turns) {
+  return std::any_of(turns.begin(), turns.end(), [](const Eigen::AngleAxisd& turn) {
+    return is_far(turn.angle() * turn.axis());
+  });
+}
+
+}  // namespace lapwing
