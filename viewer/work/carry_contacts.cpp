@@ -49,4 +49,17 @@ std::vector<std::optional<CarriedPoints>> CarryContacts::carry(
   return carried;
 }
 
+CarriedFiles files_of(std::span<const CarriedObject> objects,
+                      std::vector<std::optional<CarriedPoints>> carried) {
+  CarriedFiles files;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    files.push_back(objects[k].rest);
+    if (!carried[k]) continue;
+    auto moved = std::make_shared<CarriedFile>(*objects[k].rest);
+    moved->move(*std::move(carried[k]));
+    files.back() = std::move(moved);
+  }
+  return files;
+}
+
 }  // namespace lapwing::viewer

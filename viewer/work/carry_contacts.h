@@ -41,4 +41,8 @@ class CarryContacts {
   std::map<std::weak_ptr<const CarriedFile>, Known, std::owner_less<>> known_;
 };
 
+/// `objects` as files, where `carried` puts them.
+CarriedFiles files_of(std::span<const CarriedObject> objects,
+                      std::vector<std::optional<CarriedPoints>> carried);
+
 }  // namespace lapwing::viewer

@@ -31,20 +31,6 @@ bool same_preparation(const AppState& a, const AppState& b) {
   return a.rest == b.rest && a.parameters == b.parameters && a.selection == b.selection;
 }
 
-// What the edit takes along, where its result has it.
-CarriedFiles carried_files(std::span<const CarriedObject> objects,
-                           std::vector<std::optional<CarriedPoints>> carried) {
-  CarriedFiles files;
-  for (std::size_t k = 0; k < objects.size(); ++k) {
-    files.push_back(objects[k].rest);
-    if (!carried[k]) continue;
-    auto moved = std::make_shared<CarriedFile>(*objects[k].rest);
-    moved->move(*std::move(carried[k]));
-    files.back() = std::move(moved);
-  }
-  return files;
-}
-
 // With commits on the way every part but the first prepares anew.
 SettledResult settled_result(const AppState& state, const Deformer& exact, Kernels& kernels,
                              CarryContacts& contacts, const Progress& progress) {
@@ -61,7 +47,7 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
     const Deformed deformed = deformed_of(rest, joined, exact.region(), std::move(solved.positions),
                                           std::move(solved.asked_scales));
     moved.carried =
-        carried_files(state.carried, contacts.carry(state.carried, state.rest, deformed, progress));
+        files_of(state.carried, contacts.carry(state.carried, state.rest, deformed, progress));
   }
   return {state.moves, std::make_shared<const MovedVertices>(std::move(moved)),
           std::move(solved.certificate)};
