@@ -104,6 +104,8 @@ void add_studies(CLI::App& app, Studies& studies) {
   constraints->add_option("MESH", studies.constraints.mesh)->required();
   constraints->add_option("--subdivide", studies.constraints.subdivisions, "so many times")
       ->check(CLI::Range(0, 5));
+  constraints->add_flag("--rounded", studies.constraints.rounded,
+                        "by Loop's scheme: a smooth surface, not one cut as it lies");
   constraints->add_option("--handles", studies.constraints.handles)->check(CLI::PositiveNumber);
   constraints->add_option("--landmarks", studies.constraints.landmarks)->check(CLI::PositiveNumber);
   constraints->callback([&] {

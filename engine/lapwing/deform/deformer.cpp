@@ -63,7 +63,9 @@ void Deformer::State::make_settler(Kernels& on) {
   tangent = std::make_unique<PoseTangent>(system->topology, system->region.roi,
                                           system->systems->pattern(), laplacian, *system->rest,
                                           system->options, *kernels);
-  settler = std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get());
+  parts = std::make_unique<RegionPartSettler>(*system);
+  settler = std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get(),
+                                      parts.get());
 }
 
 // The RSI system has none.

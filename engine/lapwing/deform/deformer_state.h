@@ -13,6 +13,7 @@
 #include "lapwing/deform/edit_system.h"
 #include "lapwing/deform/handle_shares.h"
 #include "lapwing/deform/pose_tangent.h"
+#include "lapwing/deform/region_part_settler.h"
 
 namespace lapwing {
 
@@ -22,7 +23,8 @@ struct Deformer::State {
   std::shared_ptr<const EditSystem> system;
   StageTimings timings;
   Kernels* kernels = nullptr;
-  std::unique_ptr<PoseTangent> tangent;  ///< null without settling, as the next
+  std::unique_ptr<PoseTangent> tangent;  ///< null without settling, as the next two
+  std::unique_ptr<RegionPartSettler> parts;
   std::unique_ptr<Settler> settler;
   std::unique_ptr<HandleShares> shares;
   std::vector<double> weights;  ///< of the Laplacians that certificates measure

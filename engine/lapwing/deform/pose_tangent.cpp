@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/response_system.h"
+#include "lapwing/laplacian/ring_fit.h"
 
 namespace lapwing {
 namespace {
@@ -16,6 +18,39 @@ using Eigen::Vector3d;
 // beta: at least this share of A stays, so that no direction asks for a step of more than its
 // inverse times that of the n x n factor. What is crushed has rings that resist next to nothing.
 const double kRootOfShare = std::sqrt(1.0 - 1e-3);
+
+Matrix3d rotation_stiffness(const Matrix3d& S) {
+  return S.trace() * Matrix3d::Identity() - S;
+}
+
+// What F_i^-1 of row `r` at rest is multiplied by from the left where T is its transform: the root
+// of the inverse of F^-1 K F^-T, K of the pose seen from the ring, no less than that of rest in any
+// direction.
+Matrix3d softening(const RegionRings& rings, std::size_t r, const Matrix3d& T, double scale,
+                   std::span<const Vector3d> displacement) {
+  Matrix3d at_rest = Matrix3d::Zero();
+  Matrix3d C = Matrix3d::Zero();
+  Vector3d delta = Vector3d::Zero();
+  Vector3d moved = Vector3d::Zero();
+  for (Index k = rings.starts[r]; k < rings.starts[r + 1]; ++k) {
+    const Vector3d e = -rings.edges[k];
+    const Vector3d now = e + displacement[r] - displacement[rings.neighbours[k]];
+    if (!rings.stiffness.empty()) {
+      at_rest += rings.stiffness[k] * e * e.transpose();
+      C += rings.stiffness[k] * now * e.transpose();
+    }
+    delta += rings.weights[k] * e;
+    moved += rings.weights[k] * now;
+  }
+  at_rest += rings.row_weights[r] * delta * delta.transpose();
+  C += rings.row_weights[r] * moved * delta.transpose();
+  const Matrix3d S = T.transpose() * C / (scale * scale);
+  const Matrix3d inverse_F = inverse_cholesky_factor(rotation_stiffness(at_rest));
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> ratio(
+      inverse_F * rotation_stiffness(0.5 * (S + S.transpose())) * inverse_F.transpose());
+  const Vector3d inverse_roots = ratio.eigenvalues().cwiseMax(1.0).cwiseSqrt().cwiseInverse();
+  return ratio.eigenvectors() * inverse_roots.asDiagonal() * ratio.eigenvectors().transpose();
+}
 
 }  // namespace
 
@@ -55,17 +90,20 @@ bool PoseTangent::take_memory() {
   return true;
 }
 
-bool PoseTangent::turn(std::span<const Matrix3d> transforms) {
+bool PoseTangent::turn(std::span<const Matrix3d> transforms,
+                       std::span<const Vector3d> displacement) {
   constexpr std::size_t kRowsPerTask = 512;
   if (!take_memory()) return false;
+  const RegionRings& rings = laplacian_.rings();
   parallel_for(roi_.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const Matrix3d& T = transforms[row_of_[r]];
       const double scale = std::cbrt(T.determinant());
       const Matrix3d back = kRootOfShare / scale * T.transpose();
+      const Matrix3d soft = softening(rings, row_of_[r], T, scale, displacement);
       for (std::size_t b = at_rest_.starts[r]; b < at_rest_.starts[r + 1]; ++b) {
         Eigen::Map<Matrix3d>(turned_.values.data() + 9 * b).noalias() =
-            Eigen::Map<const Matrix3d>(at_rest_.values.data() + 9 * b) * back;
+            soft * Eigen::Map<const Matrix3d>(at_rest_.values.data() + 9 * b) * back;
       }
     }
   });

@@ -11,11 +11,13 @@
 
 namespace lapwing {
 
-/// The energy's tangent in a pose, as settling uses it: A x I - beta G'G, each block of a row G_i
-/// turned back by the R_i of its ring (DESIGN section 3: K_i and a_i of a ring that has turned are
-/// those at rest, turned; what the residual adds to them is left out, so that the matrix stays
-/// positive semidefinite in every pose). Takes its memory, that of another 3n x 3n factor, when it
-/// is first turned.
+/// The energy's tangent in a pose, as settling uses it: A x I - beta G'G. G_i = F_i^-1 a_i of a
+/// ring that has turned by R_i is that at rest, each block turned back by R_i (DESIGN section 3),
+/// where the ring has kept its shape. Where it has been stretched, F_i F_i' = K_i = tr(S) I - S is
+/// larger than at rest, C_i = R_i S: its rotation follows the surface less, and what is under
+/// tension resists bending. Directions in which a ring has been crushed keep the K_i of rest, so
+/// that the matrix stays positive semidefinite in every pose. Takes its memory, that of another 3n
+/// x 3n factor, when it is first turned.
 class PoseTangent final : public TurnedTangent {
  public:
   /// `topology`, `pattern`, `laplacian` and `kernels` must outlive the object; `laplacian` is the
@@ -24,7 +26,8 @@ class PoseTangent final : public TurnedTangent {
               const LaplacianSystem& laplacian, std::span<const Eigen::Vector3d> rest,
               const DeformOptions& options, Kernels& kernels);
 
-  bool turn(std::span<const Eigen::Matrix3d> transforms) override;
+  bool turn(std::span<const Eigen::Matrix3d> transforms,
+            std::span<const Eigen::Vector3d> displacement) override;
   void solve_in_place(std::span<double> b) override;
 
  private:

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <Eigen/Core>
 
 #include "lapwing/base/parallel.h"
@@ -11,25 +9,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-// F^-1 for the lower Cholesky factor F of K, positive semidefinite. A pivot of next to nothing, as
-// a ring on a line has, leaves a row of zeros.
-Matrix3d inverse_cholesky_factor(const Matrix3d& K) {
-  const double least = kCollinearShare * K.trace();
-  Matrix3d F = Matrix3d::Zero();
-  Matrix3d inverse = Matrix3d::Zero();
-  for (Eigen::Index c = 0; c < 3; ++c) {
-    const double pivot = K(c, c) - F.row(c).head(c).squaredNorm();
-    if (!(pivot > least)) continue;
-    F(c, c) = std::sqrt(pivot);
-    for (Eigen::Index r = c + 1; r < 3; ++r) {
-      F(r, c) = (K(r, c) - F.row(r).head(c).dot(F.row(c).head(c))) / F(c, c);
-    }
-    inverse(c, c) = 1.0 / F(c, c);
-    inverse.row(c).head(c) = -F.row(c).head(c) * inverse.topLeftCorner(c, c) / F(c, c);
-  }
-  return inverse;
-}
 
 void assemble_row(const EnergyProblem& problem, Index i, double* out) {
   const auto& [v, rings, weights, rows] = problem.rings;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
@@ -40,8 +41,12 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
 
 void LaplacianSystem::assemble(std::span<const Vector3d> rest, const EnergyTerms& terms,
                                std::span<const Spring> springs) {
+  assemble(energy_weights(topology_, rest, roi_, terms), springs);
+}
+
+void LaplacianSystem::assemble(EnergyWeights weights, std::span<const Spring> springs) {
   has_rings_ = false;
-  weights_ = energy_weights(topology_, rest, roi_, terms);
+  weights_ = std::move(weights);
   L_ = laplacian_rows(topology_.rings, weights_.laplacian, roi_);
   if (!weights_.rows.empty()) {
     for (std::size_t r = 0; r < L_.size(); ++r) {

@@ -36,6 +36,8 @@ class LaplacianSystem {
   /// L and L'Om L + K, for which neither order nor constraints are needed.
   void assemble(std::span<const Eigen::Vector3d> rest, const EnergyTerms& terms,
                 std::span<const Spring> springs = {});
+  /// The same with weights that are known, as a part of a region has them.
+  void assemble(EnergyWeights weights, std::span<const Spring> springs);
   /// As last assembled.
   const EnergyWeights& weights() const { return weights_; }
   /// Likewise, none kStiff any more.

@@ -28,6 +28,23 @@ Matrix3d pseudo_inverse_on_line(const Matrix3d& C, double S) {
 
 }  // namespace
 
+Matrix3d inverse_cholesky_factor(const Matrix3d& K) {
+  const double least = kCollinearShare * K.trace();
+  Matrix3d F = Matrix3d::Zero();
+  Matrix3d inverse = Matrix3d::Zero();
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    const double pivot = K(c, c) - F.row(c).head(c).squaredNorm();
+    if (!(pivot > least)) continue;
+    F(c, c) = std::sqrt(pivot);
+    for (Eigen::Index r = c + 1; r < 3; ++r) {
+      F(r, c) = (K(r, c) - F.row(r).head(c).dot(F.row(c).head(c))) / F(c, c);
+    }
+    inverse(c, c) = 1.0 / F(c, c);
+    inverse.row(c).head(c) = -F.row(c).head(c) * inverse.topLeftCorner(c, c) / F(c, c);
+  }
+  return inverse;
+}
+
 Matrix3d cross_matrix(const Vector3d& v) {
   Matrix3d m;
   m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;

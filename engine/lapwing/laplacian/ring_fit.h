@@ -38,6 +38,10 @@ Eigen::Matrix3d fit_rotation(Index i, std::span<const Index> ring,
 double fit_scale(Index i, std::span<const Index> ring, std::span<const Eigen::Vector3d> rest,
                  std::span<const Eigen::Vector3d> current, const Eigen::Matrix3d& R);
 
+/// F^-1 for the lower Cholesky factor F of K, positive semidefinite. A pivot of next to nothing, as
+/// a ring on a line has, leaves a row of zeros.
+Eigen::Matrix3d inverse_cholesky_factor(const Eigen::Matrix3d& K);
+
 /// [v]x: the matrix with [v]x w = v x w.
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v);
 

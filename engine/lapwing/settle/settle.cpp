@@ -13,6 +13,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/settle/lbfgs.h"
+#include "lapwing/settle/moving_part.h"
 
 namespace lapwing {
 namespace {
@@ -22,12 +23,21 @@ using Eigen::Vector3d;
 // Steps kept of the past.
 constexpr int kWindow = 10;
 constexpr std::size_t kUnknownsPerTask = 4096;
+
 // Iterations by the n x n factor before the tangent is worth its factorization, and by one tangent
-// before the surface has turned on from it. Chosen on ten scans.
-constexpr int kPlainIterations = 10;
-constexpr int kTangentIterations = 5;
-// Plain ones of a frame, whose history already tells of the pose.
-constexpr int kPlainIterationsOfFrame = 50;
+// before the surface has turned on from it.
+struct Pace {
+  int plain = 0;
+  int tangent = 0;
+  int before_parts = 0;
+};
+// Chosen on ten scans.
+constexpr Pace kPace{10, 5, 5};
+// Of a frame, whose history already tells of the pose.
+constexpr Pace kPaceOfFrame{50, 5, 25};
+constexpr Pace kPaceOfSmall{0, 2, 0};
+
+constexpr int kIterationsBetweenParts = 2;
 // A step is taken where E falls by this share of what its slope promises (Armijo 1966), or rounding
 // hides whether it does.
 constexpr double kShareOfSlope = 1e-4;
@@ -60,7 +70,9 @@ struct Settler::State {
   double mean_edge;
   std::unique_ptr<RingRotations> rotations;
   TurnedTangent* tangent;
-  bool by_tangent = false;  ///< whether directions come from it
+  PartSettler* parts;
+  Pace pace;
+  bool by_tangent = false;  ///< whether directions come from the tangent
   int next_turn = 0;        ///< the iteration before which it is renewed
   Lbfgs history;
 
@@ -101,13 +113,14 @@ struct Settler::State {
   std::vector<Sums> partial;  ///< per task
 
   State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
-        TurnedTangent* turned)
+        TurnedTangent* turned, PartSettler* part_settler)
       : system(laplacian),
         rings(laplacian.rings()),
         options(o),
         mean_edge(mean_length(rings.edges)),
         rotations(kernels.make_ring_rotations(rings)),
         tangent(turned),
+        parts(part_settler),
         history(3 * laplacian.size(), kWindow),
         displacement(rings.vertices.size(), Vector3d::Zero()),
         energies(rings.row_count()),
@@ -118,7 +131,8 @@ struct Settler::State {
     }
   }
 
-  void begin(const SettleTarget& target, std::span<const Vector3d> u);
+  void begin(const SettleTarget& target, std::span<const Vector3d> u, Pace of);
+  void read_unknowns(std::span<const Vector3d> u, std::vector<double>& x) const;
   void finish(std::span<Vector3d> u) const;
   void place_springs();
   void evaluate(Point& point);
@@ -127,6 +141,8 @@ struct Settler::State {
   void leave_tangent(int iteration);
   Sums find_direction();
   bool step(double slope);
+  bool settle_part(const SettleTarget& asked, double largest, std::span<Vector3d> u,
+                   const std::function<bool()>& go_on, const Progress& progress);
 
   Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
   Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
@@ -156,15 +172,19 @@ struct Settler::State {
   }
 };
 
-void Settler::State::begin(const SettleTarget& target, std::span<const Vector3d> u) {
+void Settler::State::begin(const SettleTarget& target, std::span<const Vector3d> u, Pace of) {
+  pace = of;
+  next_turn = pace.plain;
   const std::vector<int>& order = system.elimination_order();
   const std::size_t n = system.size();
   weights.clear();
   for (const int k : order) {
     weights.push_back(system.constraints().W[static_cast<std::size_t>(k)]);
   }
-  for (std::size_t r = 0; r < rings.row_count(); ++r) {
+  for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
     displacement[r] = target.wanted[rings.vertices[r]];
+  }
+  for (std::size_t r = 0; r < rings.row_count(); ++r) {
     scales[r] = target.scales[rings.vertices[r]];
   }
   rotations->set_scales(scales);
@@ -173,10 +193,19 @@ void Settler::State::begin(const SettleTarget& target, std::span<const Vector3d>
     const Index v = vertex(k);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       wanted[axis * n + k] = target.wanted[v][static_cast<Eigen::Index>(axis)];
-      at.x[axis * n + k] = u[v][static_cast<Eigen::Index>(axis)];
     }
   }
+  read_unknowns(u, at.x);
   evaluate(at);
+}
+
+void Settler::State::read_unknowns(std::span<const Vector3d> u, std::vector<double>& x) const {
+  const std::size_t n = system.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      x[axis * n + k] = u[vertex(k)][static_cast<Eigen::Index>(axis)];
+    }
+  }
 }
 
 void Settler::State::place_springs() {
@@ -252,16 +281,16 @@ void Settler::State::evaluate(Point& point) {
 // At `at`, where the rotations were fitted last. The history tells what another first Hessian does
 // not: it begins anew with each.
 void Settler::State::turn_tangent(int iteration) {
-  by_tangent = tangent->turn(rotations->transforms());
+  by_tangent = tangent->turn(rotations->transforms(), displacement);
   if (!by_tangent) tangent = nullptr;
-  next_turn = iteration + kTangentIterations;
+  next_turn = iteration + pace.tangent;
   history.forget();
 }
 
 // Where the surface is crushed the tangent promises what does not hold.
 void Settler::State::leave_tangent(int iteration) {
   by_tangent = false;
-  next_turn = iteration + kPlainIterations;
+  next_turn = iteration + std::max(pace.plain, pace.tangent);
   history.forget();
 }
 
@@ -304,10 +333,25 @@ bool Settler::State::step(double slope) {
   return false;
 }
 
+// Goes from `at` to `next` by settling what still moves while all else stays; false where that is
+// more than a part, or lowers E by no more than rounding.
+bool Settler::State::settle_part(const SettleTarget& asked, double largest, std::span<Vector3d> u,
+                                 const std::function<bool()>& go_on, const Progress& progress) {
+  const std::vector<Index> part = moving_part(rings, direction, largest);
+  if (part.empty()) return false;
+  finish(u);
+  parts->settle_part(part, asked, u, go_on, progress);
+  read_unknowns(u, next.x);
+  evaluate(next);
+  if (next.energy < at.energy) return true;
+  evaluate(at);
+  return false;
+}
+
 Settler::Settler(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options,
-                 TurnedTangent* tangent) {
+                 TurnedTangent* tangent, PartSettler* parts) {
   check(options);
-  state_ = std::make_unique<State>(kernels, system, options, tangent);
+  state_ = std::make_unique<State>(kernels, system, options, tangent, parts);
 }
 
 Settler::~Settler() = default;
@@ -315,42 +359,48 @@ Settler::Settler(Settler&&) noexcept = default;
 Settler& Settler::operator=(Settler&&) noexcept = default;
 
 double Settler::energy(const SettleTarget& target, std::span<const Vector3d> u) {
-  state_->begin(target, u);
+  state_->begin(target, u, kPace);
   return state_->at.energy;
 }
 
 SettleResult Settler::settle(const SettleTarget& target, std::span<Vector3d> u,
                              const Progress& progress) {
   state_->history.forget();
-  state_->begin(target, u);
-  state_->next_turn = kPlainIterations;
-  return iterate(u, {}, progress);
+  state_->begin(target, u, kPace);
+  return iterate(target, u, {}, progress);
+}
+
+SettleResult Settler::settle_small(const SettleTarget& target, std::span<Vector3d> u,
+                                   const std::function<bool()>& go_on, const Progress& progress) {
+  state_->history.forget();
+  state_->begin(target, u, kPaceOfSmall);
+  return iterate(target, u, go_on, progress);
 }
 
 SettleResult Settler::follow(const SettleTarget& target, std::span<Vector3d> u,
                              const std::function<bool()>& go_on, const Progress& progress) {
-  state_->begin(target, u);
-  state_->next_turn = kPlainIterationsOfFrame;
-  return iterate(u, go_on, progress);
+  state_->begin(target, u, kPaceOfFrame);
+  return iterate(target, u, go_on, progress);
 }
 
 void Settler::begin_drag() {
   state_->history.forget();
 }
 
-// From where `begin` has put the unknowns; by the n x n factor before `next_turn`.
-SettleResult Settler::iterate(std::span<Vector3d> u, const std::function<bool()>& go_on,
-                              const Progress& progress) {
+// From where `begin` has put the unknowns.
+SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
+                              const std::function<bool()>& go_on, const Progress& progress) {
   State& s = *state_;
   Lbfgs& history = s.history;
   SettleResult result;
   result.settled = s.system.size() == 0;
+  int next_part = s.pace.before_parts;
   if (std::exchange(s.by_tangent, false)) s.history.forget();
   try {
     while (!result.settled && (!go_on || go_on())) {
       report_progress(progress, "settle",
                       static_cast<double>(result.iterations) / s.options.max_iterations);
-      if (s.tangent != nullptr && result.iterations == s.next_turn) {
+      if (s.tangent != nullptr && result.iterations >= s.next_turn) {
         s.turn_tangent(result.iterations);
       }
       State::Sums sums = s.find_direction();
@@ -363,6 +413,14 @@ SettleResult Settler::iterate(std::span<Vector3d> u, const std::function<bool()>
       result.settled = sums.step <= s.options.tolerance;
       if (result.settled || result.iterations == s.options.max_iterations) break;
 
+      if (s.parts != nullptr && result.iterations >= next_part) {
+        next_part = result.iterations + 1 + kIterationsBetweenParts;
+        if (s.settle_part(target, sums.step * s.mean_edge, u, go_on, progress)) {
+          std::swap(s.at, s.next);
+          ++result.iterations;
+          continue;
+        }
+      }
       if (!s.step(sums.slope)) {
         if (!history.is_empty()) {
           history.forget();

@@ -39,13 +39,28 @@ class TurnedTangent {
   virtual ~TurnedTangent() = default;
 
   /// Makes it that of the pose whose rings have turned by T_i, per row of the rings as
-  /// RingRotations::transforms gives them. False, and nothing to solve with, where it does not fit
-  /// in memory or cannot be factored.
-  virtual bool turn(std::span<const Eigen::Matrix3d> transforms) = 0;
+  /// RingRotations::transforms gives them, at `displacement`, one vector for each of
+  /// RegionRings::vertices. False, and nothing to solve with, where it does not fit in memory or
+  /// cannot be factored.
+  virtual bool turn(std::span<const Eigen::Matrix3d> transforms,
+                    std::span<const Eigen::Vector3d> displacement) = 0;
 
   /// Replaces a right-hand side by its solution, in the order of elimination of the n x n system: x
   /// of all unknowns, then y, then z.
   virtual void solve_in_place(std::span<double> b) = 0;
+};
+
+/// Settles a few vertices while all others stay where they are.
+class PartSettler {
+ public:
+  virtual ~PartSettler() = default;
+
+  /// Moves `vertices`, unknowns in ascending order, in `u`, displacements of the whole mesh, so
+  /// that E does not grow. `go_on` and `progress` as in Settler. Throws Cancelled, with `u` as far
+  /// as it got.
+  virtual void settle_part(std::span<const Index> vertices, const SettleTarget& target,
+                           std::span<Eigen::Vector3d> u, const std::function<bool()>& go_on,
+                           const Progress& progress) = 0;
 };
 
 /// Finds displacements u of a region, v' = v + u, that make least, at least in their surroundings,
@@ -57,17 +72,21 @@ class TurnedTangent {
 /// (EnergyWeights, DESIGN section 3), by L-BFGS: each step takes the rotations (kernel
 /// fit_rotations), the gradient (kernel energy_gradient) and one solve, at first with the one n x n
 /// factor that serves x, y, z and every iteration; where that goes slowly with the tangent of the
-/// pose reached, renewed on the way. E falls with every step, so that what is there at any moment
-/// is the best surface so far.
+/// pose reached, renewed on the way. Where nearly all of the surface has settled and a few places
+/// go on, such as crumpled ones or around single held points, these are settled by themselves in
+/// between (nonlinear elimination, after Cai, Li, "Inexact Newton Methods with Restricted Additive
+/// Schwarz Based Nonlinear Elimination", 2011): that costs next to nothing and saves most of the
+/// iterations of all. E falls with every step, so that what is there at any moment is the best
+/// surface so far.
 ///
 /// One object serves one thread at a time.
 class Settler {
  public:
   /// `system` must outlive the object and have been assembled with a detail length; so must
-  /// `tangent`, of the same region, which may be null. Throws InputError for options out of range,
-  /// GpuError when the device fails.
+  /// `tangent` and `parts`, of the same region, each of which may be null. Throws InputError for
+  /// options out of range, GpuError when the device fails.
   Settler(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options,
-          TurnedTangent* tangent = nullptr);
+          TurnedTangent* tangent = nullptr, PartSettler* parts = nullptr);
   ~Settler();
   Settler(Settler&&) noexcept;
   Settler& operator=(Settler&&) noexcept;
@@ -76,10 +95,15 @@ class Settler {
   double energy(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
 
   /// Settles `u`, displacements of the whole mesh, from where they are. Allocates nothing per
-  /// iteration. Throws Cancelled, with `u` as far as it got, when `progress` (stage "settle") asks
-  /// for it.
+  /// iteration but for parts, each of which counts as one. Throws Cancelled, with `u` as far as it
+  /// got, when `progress` (stage "settle") asks for it.
   SettleResult settle(const SettleTarget& target, std::span<Eigen::Vector3d> u,
                       const Progress& progress = {});
+
+  /// The same for a region so small that a factorization costs no more than an iteration does: by
+  /// its tangent from the start, renewed every other time.
+  SettleResult settle_small(const SettleTarget& target, std::span<Eigen::Vector3d> u,
+                            const std::function<bool()>& go_on = {}, const Progress& progress = {});
 
   /// One frame of a drag: the same for a `target` a little farther on than in the last call, with
   /// `u` where that one ended and moved on by the response to what the target did since. What its
@@ -93,8 +117,8 @@ class Settler {
 
  private:
   struct State;
-  SettleResult iterate(std::span<Eigen::Vector3d> u, const std::function<bool()>& go_on,
-                       const Progress& progress);
+  SettleResult iterate(const SettleTarget& target, std::span<Eigen::Vector3d> u,
+                       const std::function<bool()>& go_on, const Progress& progress);
 
   std::unique_ptr<State> state_;
 };

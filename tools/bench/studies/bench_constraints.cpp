@@ -104,7 +104,9 @@ EditCost run_apart(const ConstraintsBench& settings, const char* name,
                    const std::function<DeformRequest(const LeaningMesh&)>& request) {
   const Told told = told_apart([&](const auto& tell) {
     Mesh mesh = read_mesh(settings.mesh);
-    for (int k = 0; k < settings.subdivisions; ++k) mesh = subdivide(mesh);
+    for (int k = 0; k < settings.subdivisions; ++k) {
+      mesh = settings.rounded ? loop_subdivide(mesh) : subdivide(mesh);
+    }
     const LeaningMesh scene(std::move(mesh));
     const DeformRequest asked = request(scene);
     scene.mesh.topology();

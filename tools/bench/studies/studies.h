@@ -67,6 +67,7 @@ void bench_coat(const CoatBench& settings);
 struct ConstraintsBench {
   std::string mesh;
   int subdivisions = 0;  ///< of it, each into four times the triangles
+  bool rounded = false;  ///< by Loop's scheme
   std::size_t handles = 1000;
   std::size_t landmarks = 2000;
   std::size_t window_handles = 200;
