@@ -1,6 +1,6 @@
 #include "lapwing/settle/moving_part.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,12 +10,10 @@
 namespace lapwing {
 namespace {
 
-using ::testing::Each;
 using ::testing::IsEmpty;
-using ::testing::Le;
 
-// A sheet whose middle row of vertices, and all of one corner's quarter, are given; unknowns in
-// descending order, as an order of elimination may have them.
+// A sheet of which every seventh vertex is given; unknowns in descending order, since an order of
+// elimination may be any.
 class MovingPart : public ::testing::Test {
  protected:
   MovingPart() {
@@ -68,7 +66,7 @@ TEST_F(MovingPart, IsWhatMovesAndTheUnknownsOfThreeRingsAround) {
 }
 
 TEST_F(MovingPart, IsEmptyWhereManyMove) {
-  for (std::size_t k = 0; k < unknowns_.size(); k += 20) go(k, 0, 0.4);
+  for (std::size_t k = 0; k < unknowns_.size(); k += 3) go(k, 0, 0.4);
   EXPECT_THAT(moving_part(rings_, step_, 0.4), IsEmpty());
 }
 

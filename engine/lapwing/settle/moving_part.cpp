@@ -5,8 +5,10 @@
 namespace lapwing {
 namespace {
 
-constexpr double kShareOfLargest = 0.05;
-constexpr double kLargestPart = 0.03;
+constexpr double kShareOfLargest = 0.2;
+// A part may be this share of the unknowns, and so many: what it costs grows with every one.
+constexpr double kLargestShare = 0.2;
+constexpr std::size_t kLargestPart = 12000;
 constexpr int kRingsAround = 3;
 
 // Rows of the rings that are unknowns.
@@ -49,7 +51,9 @@ std::vector<Index> moving_part(const RegionRings& rings, std::span<const double>
   };
   std::size_t count = 0;
   for (std::size_t k = 0; k < n; ++k) count += moves(k) ? 1 : 0;
-  if (static_cast<double>(count) > kLargestPart * static_cast<double>(n)) return {};
+  if (count > kLargestPart || static_cast<double>(count) > kLargestShare * static_cast<double>(n)) {
+    return {};
+  }
   std::vector<Index> part;
   for (std::size_t k = 0; k < n; ++k) {
     if (moves(k)) part.push_back(rings.unknown_rows[k]);
