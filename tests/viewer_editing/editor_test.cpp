@@ -219,8 +219,28 @@ TEST_F(AnEditor, PinIsSetAndDraggedInOneGesture) {
   wait_until_ready();
   ASSERT_NE(editor_->state().settled, nullptr);
   EXPECT_NEAR(on_screen()[pinned].x() - rest()[pinned].x(), dragged, kSettled * diagonal());
+  EXPECT_EQ(editor_->session().history().done(), 1U) << "one gesture, one step";
+  editor_->undo();
+  EXPECT_EQ(editor_->state().selection.handles.size(), 1U);
+  EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
+  editor_->redo();
   EXPECT_EQ(editor_->tool().hint(editor_->state(), editor_->part()),
             std::string("press on a pin and drag it, or pin another vertex"));
+}
+
+TEST_F(AnEditor, ADragIsUndoneAndRedoneWithItsResultAsOneStep) {
+  begin_drag(kRight);
+  send(key(kEnter));
+  wait_until_ready();
+  const Positions settled = on_screen();
+  ASSERT_FALSE(needs_settling(editor_->state()));
+  editor_->undo();
+  editor_->update();
+  EXPECT_LT(largest_distance(on_screen(), rest()), kVisible);
+  editor_->redo();
+  editor_->update();
+  EXPECT_EQ(on_screen(), settled);
+  EXPECT_EQ(editor_->session().history().done(), 1U);
 }
 
 TEST_F(AnEditor, AnotherHandleInHandIsDraggedByItsOwnColumnsFromWhereTheFirstIs) {
@@ -320,7 +340,7 @@ TEST_F(AnEditor, WhatADragShowsIsWhatItComesTo) {
   wait_until_ready();
   EXPECT_EQ(editor_->surface().source(), SurfaceSource::still);
   EXPECT_LT(largest_distance(on_screen(), seen), kSettled * diagonal());
-  EXPECT_EQ(editor_->session().history().done(), 4U) << "two moves and their results";
+  EXPECT_EQ(editor_->session().history().done(), 2U) << "two moves, each with its result";
 }
 
 TEST_F(AnEditor, ATypedMoveGoesOnFromTheSurfaceAsItStands) {

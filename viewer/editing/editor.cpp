@@ -97,16 +97,17 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   if (handle_ < handle_count() && (has_gizmo() || tools_.gizmo.is_dragging() || keys)) {
     const GizmoPart before = tools_.gizmo.part();
     const ToolAnswer answer = send_to_gizmo(event, projection);
-    if (answer.taken) return act_on(answer);
+    if (answer.taken) {
+      return act_on(answer, drag_is_of_last_step_ ? Joining::with_last : Joining::own_step);
+    }
     if (has_gizmo()) return {false, tools_.gizmo.part() != before};
   }
   if (has_in_hand(tools_.gizmo)) return {};
   if (event.kind == InputKind::press) return_to_triangles_of_state();
   const ToolAnswer answer = tool_->handle(event, scene(view, projection));
-  if (answer.holds && state().selection.roi.vertices.empty()) {
-    perform(Choose{{Role::roi}, {AllVertices{}, "ROI"}});
-  }
-  Handled handled = act_on(answer);
+  const bool chooses_roi = answer.holds && state().selection.roi.vertices.empty();
+  if (chooses_roi) perform(Choose{{Role::roi}, {AllVertices{}, "ROI"}});
+  Handled handled = act_on(answer, chooses_roi ? Joining::with_last : Joining::own_step);
   take_hold(answer, event.position, projection);
   classes_are_old_ = classes_are_old_ || answer.taken;
   if (event.kind == InputKind::move) {
@@ -138,6 +139,7 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
 }
 
 void Editor::begin_drag() {
+  drag_is_of_last_step_ = false;
   shown_.end_preview();
   shown_.show_before(false);
   pointed_at_.clear();
@@ -155,14 +157,15 @@ void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
   tools_.gizmo.take_hold(pixel,
                          {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
   begin_drag();
+  drag_is_of_last_step_ = answer.command.has_value();
 }
 
-Editor::Handled Editor::act_on(const ToolAnswer& answer) {
+Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
   if (!answer.message.empty()) say_(answer.message);
   if (answer.command) {
     const Part part = part_;
     const bool may_change = tool_->may_change_choice();
-    perform(*answer.command);
+    perform(*answer.command, joining);
     if (std::holds_alternative<Choose>(*answer.command) && !may_change) after_choice(part);
   }
   return {answer.taken, answer.taken};
@@ -187,10 +190,12 @@ void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
   say_(text);
 }
 
-void Editor::attempt(const std::function<void()>& change) {
+bool Editor::attempt(const std::function<void()>& change) {
   const bool carried_out = session_->is_carrying_out();
+  bool is_done = false;
   try {
     change();
+    is_done = true;
     pointed_at_.clear();
     if (!session_->warning().empty()) say_(session_->warning());
     if (carried_out && !session_->is_carrying_out()) {
@@ -200,11 +205,12 @@ void Editor::attempt(const std::function<void()>& change) {
     say_(error.what());
   }
   state_changed();
+  return is_done;
 }
 
-void Editor::perform(const Command& command) {
+bool Editor::perform(const Command& command, Joining joining) {
   hold_pose();
-  attempt([&] { session_->perform(command); });
+  return attempt([&] { session_->perform(command, joining); });
 }
 
 // What is shown of a state that waits for its result does not hang on how one came to it.

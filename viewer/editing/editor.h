@@ -56,7 +56,8 @@ class Editor {
   /// the worker has, and lets the surface follow the hand.
   void update();
 
-  void perform(const Command& command);
+  /// Whether it was carried out.
+  bool perform(const Command& command, Joining joining = Joining::own_step);
   void undo();
   void redo();
   void go_to(std::size_t steps);
@@ -68,7 +69,7 @@ class Editor {
   /// Likewise files that follow the surface from the open step on.
   void carry_along(const std::vector<std::filesystem::path>& files);
   /// What a panel does to the session that may throw: said, and shown anew.
-  void attempt(const std::function<void()>& change);
+  bool attempt(const std::function<void()>& change);
   void grow();
   void shrink();
   void invert();
@@ -144,7 +145,7 @@ class Editor {
   ToolScene scene(const ViewFrame& view, const Projection& projection);
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
   void return_to_triangles_of_state();
-  Handled act_on(const ToolAnswer& answer);
+  Handled act_on(const ToolAnswer& answer, Joining joining);
   void begin_drag();
   void take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
                  const Projection& projection);
@@ -182,6 +183,7 @@ class Editor {
   std::shared_ptr<const SettledPose> dragged_from_;  // before any
   bool classes_are_old_ = true;
   bool continuous_ = true;
+  bool drag_is_of_last_step_ = false;  // what is dragged was made by the press that holds it
   std::vector<Index> pointed_at_;
 };
 

@@ -73,6 +73,7 @@ void append_state(std::string& text, const Editor& editor) {
 void ViewerApp::draw_ui(const FrameTimings& last) {
   take_loaded();
   update_document();
+  take_settled();
   carry_out_order();
   draw_menu();
   draw_status(last);
@@ -163,8 +164,8 @@ void ViewerApp::draw_unsaved() {
     return ask_for_path(PathPurpose::save_mesh);
   }
   const auto action = std::exchange(leaving_for_, nullptr);
-  if (*choice == UnsavedChoice::save && !save_to(document_->save_path)) return;
-  if (*choice != UnsavedChoice::cancel) action();
+  if (*choice == UnsavedChoice::save) return save_to(document_->save_path, action);
+  if (*choice == UnsavedChoice::discard) action();
 }
 
 void ViewerApp::draw_menu() {
