@@ -243,6 +243,52 @@ TEST_F(AnEditor, ADragIsUndoneAndRedoneWithItsResultAsOneStep) {
   EXPECT_EQ(editor_->session().history().done(), 1U);
 }
 
+TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
+  const auto roi = [&] { return editor_->state().selection.roi.vertices.size(); };
+  const auto done = [&] { return editor_->session().history().done(); };
+  turn_and_settle(30.0);
+  const Positions settled = on_screen();
+  editor_->choose(kRoi);
+  editor_->take(Action::take_disk);
+  const Vector2d middle = 0.5 * kWindow;
+  send(press(middle));
+  send(release(middle));
+  ASSERT_EQ(done(), 2U) << "a click chooses";
+  const std::size_t clicked = roi();
+  for (int notch = 0; notch < 5; ++notch) send(scrolled(middle, 1.0, kSizes));
+  EXPECT_GT(roi(), clicked);
+  EXPECT_EQ(done(), 2U) << "and what is clicked is sized as one step";
+  for (int notch = 0; notch < 5; ++notch) send(scrolled(middle, -1.0, kSizes));
+  EXPECT_EQ(roi(), clicked);
+  send(press(middle));
+  send(move_to(middle + Vector2d(0.0, 60.0)));
+  send(release(middle + Vector2d(0.0, 60.0)));
+  ASSERT_EQ(done(), 3U);
+  editor_->take(Action::take_disk);
+  const std::size_t dragged = roi();
+  for (int notch = 0; notch < 3; ++notch) send(scrolled(middle, 1.0, kSizes));
+  EXPECT_EQ(done(), 4U) << "what was dragged is sized in a step of its own";
+  EXPECT_GT(roi(), dragged);
+  editor_->undo();
+  EXPECT_EQ(roi(), dragged);
+  editor_->undo();
+  EXPECT_EQ(roi(), clicked);
+  editor_->update();
+  EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
+}
+
+TEST_F(AnEditor, TheWheelAloneIsTheCameras) {
+  turn_and_settle(30.0);
+  for (const ToolRow& row : tool_rows()) {
+    editor_->take(row);
+    for (const Part& part : {kRoi, kHandle}) {
+      editor_->choose(part);
+      EXPECT_FALSE(editor_->handle(scrolled(0.5 * kWindow, 2.0), view_).taken) << row.name;
+    }
+  }
+  EXPECT_EQ(editor_->session().history().done(), 1U);
+}
+
 TEST_F(AnEditor, AnotherHandleInHandIsDraggedByItsOwnColumnsFromWhereTheFirstIs) {
   editor_->perform(Choose{kSecondHandle, box(1.4, 1.7)});
   wait_until_ready();

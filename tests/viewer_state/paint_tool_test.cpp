@@ -101,10 +101,14 @@ TEST_F(Painting, KeysAndScrollingChangeTheBrush) {
   send(key(']'));
   EXPECT_GT(tool_.options().radius, radius);
   send(press(left_));
-  EXPECT_TRUE(send(scrolled(left_, -1.0)).taken);
+  EXPECT_TRUE(send(scrolled(left_, -1.0, kSizes)).taken);
+  EXPECT_NEAR(tool_.options().radius, radius, 1e-9);
+  EXPECT_TRUE(send(scrolled(left_, -1.0)).taken) << "nothing zooms under a stroke";
   EXPECT_NEAR(tool_.options().radius, radius, 1e-9);
   sphere_.perform(send(release(left_)));
   EXPECT_FALSE(send(scrolled(left_, 1.0)).taken) << "the camera's, between strokes";
+  EXPECT_TRUE(send(scrolled(left_, 1.0, kSizes)).taken);
+  EXPECT_GT(tool_.options().radius, radius);
 }
 
 class Editing : public ::testing::Test {

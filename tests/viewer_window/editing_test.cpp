@@ -149,11 +149,11 @@ TEST_F(Editing, EachSelectionToolChoosesWhatItShows) {
 
   person_->keys("i");
   person_->click(middle);
-  person_->scroll(middle, 2);
+  person_->scroll(middle, 2, "ctrl");
   EXPECT_TRUE(person_->eventually_is([&](const Draft& d) {
     const auto* disk = std::get_if<GeodesicDisk>(&d.open.roi.form);
     return disk != nullptr && disk->radius > 1.15 * dragged;
-  })) << "the wheel enlarges the disk that was clicked";
+  })) << "Ctrl and the wheel enlarge the disk that was clicked";
 
   person_->keys("i");
   person_->keys("o");
@@ -384,6 +384,30 @@ TEST_F(Editing, ClosingAsksWhetherToSave) {
   EXPECT_EQ(person_->wait(), 0);
   EXPECT_GT(test::largest_distance(read_mesh(tube()).positions, mesh_.positions), 0.1) << "saved";
   EXPECT_FALSE(person_->draft()) << "nothing is left to restore";
+}
+
+TEST_F(Editing, SavingAsAFileThatIsThereAsksFirst) {
+  open_tube();
+  choose_parts();
+  person_->keys("g");
+  person_->type("0.5");
+  person_->keys("Return");
+  const fs::path there = folder_ / "there.ply";
+  replace_file(there, "precious");
+  person_->open_dialog("ctrl+shift+s");
+  person_->type(there.string());
+  person_->open_dialog("Return");
+  EXPECT_EQ(fs::file_size(there), 8U) << "not without a word";
+  person_->keys("Escape");
+  desktop_->settled_picture();
+  EXPECT_EQ(fs::file_size(there), 8U);
+  person_->open_dialog("Return");
+  person_->keys("Return");
+  EXPECT_TRUE(test::eventually(60.0, [&] { return fs::file_size(there) > 1000; }));
+  desktop_->settled_picture();
+  expect_quits_silently();
+  EXPECT_GT(test::largest_distance(read_mesh(there).positions, mesh_.positions), 0.1)
+      << "settled, though it was saved at once";
 }
 
 TEST_F(Editing, EveryStepSurvivesBeingKilledAtAnyMoment) {

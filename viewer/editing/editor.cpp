@@ -165,13 +165,20 @@ Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
   if (answer.command) {
     const Part part = part_;
     const bool may_change = tool_->may_change_choice();
-    perform(*answer.command, joining);
-    if (std::holds_alternative<Choose>(*answer.command) && !may_change) after_choice(part);
+    const std::size_t done = session_->history().done();
+    const bool sizes_on = answer.resizes && sizable_at_ == done;
+    const bool is_done = perform(*answer.command, sizes_on ? Joining::instead_of_last : joining);
+    const std::size_t expected = sizes_on ? done : done + 1;
+    if (is_done && session_->history().done() == expected && (may_change || answer.resizes)) {
+      sizable_at_ = expected;
+    }
+    const bool is_choice = std::holds_alternative<Choose>(*answer.command);
+    if (is_done && is_choice && !may_change && !answer.resizes) after_choice(part);
   }
   return {answer.taken, answer.taken};
 }
 
-// A disk that was clicked waits for the wheel; what was painted, for more strokes.
+// A disk that was clicked waits to be sized; what was painted, for more strokes.
 void Editor::after_choice(const Part& part) {
   if (part_ == part) go_on();
 }
@@ -209,6 +216,7 @@ bool Editor::attempt(const std::function<void()>& change) {
 }
 
 bool Editor::perform(const Command& command, Joining joining) {
+  sizable_at_.reset();
   hold_pose();
   return attempt([&] { session_->perform(command, joining); });
 }

@@ -183,6 +183,8 @@ class Editor {
   std::shared_ptr<const SettledPose> dragged_from_;  // before any
   bool classes_are_old_ = true;
   bool continuous_ = true;
+  // How many steps were done after a choice that may still be sized as one step with it.
+  std::optional<std::size_t> sizable_at_;
   bool drag_is_of_last_step_ = false;  // what is dragged was made by the press that holds it
   std::vector<Index> pointed_at_;
 };

@@ -22,6 +22,10 @@ ToolAnswer PaintTool::handle(const InputEvent& event, const ToolScene& scene) {
     resize_brush(event.key == ']' ? 1.0 : -1.0);
     return ToolAnswer::only_taken();
   }
+  if (event.kind == InputKind::scroll && event.modifiers == kSizes) {
+    resize_brush(event.scroll);
+    return ToolAnswer::only_taken();
+  }
   if (!dragging_) {
     control_ = event.modifiers.control;
     if (event.kind != InputKind::press || event.button != MouseButton::left) {
@@ -36,7 +40,7 @@ ToolAnswer PaintTool::handle(const InputEvent& event, const ToolScene& scene) {
       give_up();
       return ToolAnswer::only_taken();
     case InputKind::scroll:
-      resize_brush(event.scroll);
+      // The stroke is in pixels of this view.
       return ToolAnswer::only_taken();
     case InputKind::move:
       extend(event.position, scene);

@@ -128,6 +128,9 @@ struct PathPlan {
 /// Asks for it, in a window of its own; true when it is to be used.
 bool draw_path_panel(PathPlan& plan);
 
+/// Asks whether to write over a file, in a window of its own; nothing until the person says.
+std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file);
+
 /// What becomes of an edit that is not saved.
 enum class UnsavedChoice { save, discard, cancel };
 /// Asks, in a window of its own.

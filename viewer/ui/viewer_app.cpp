@@ -228,16 +228,33 @@ void ViewerApp::say(const WriteReport& report) {
   for (const std::string& note : report.notes) say(note);
 }
 
+void ViewerApp::write_to(const std::filesystem::path& file, std::function<void()> write,
+                         std::function<void()> otherwise) {
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) return write();
+  overwriting_ = {file, std::move(write), std::move(otherwise)};
+}
+
+void ViewerApp::answer_overwriting(bool writes) {
+  const Overwriting asked = *std::exchange(overwriting_, std::nullopt);
+  const auto& action = writes ? asked.write : asked.otherwise;
+  if (action) action();
+}
+
 // Of the path that a person has typed in.
 void ViewerApp::use_path() {
   const std::filesystem::path path = path_plan_.path;
   EditSession& session = document_->editor.session();
-  switch (*std::exchange(path_plan_.purpose, std::nullopt)) {
+  const PathPurpose purpose = *std::exchange(path_plan_.purpose, std::nullopt);
+  const auto ask_again = [this, purpose] { path_plan_.purpose = purpose; };
+  switch (purpose) {
     case PathPurpose::save_mesh:
-      save_to(path, std::exchange(leaving_for_, nullptr));
+      write_to(
+          path, [this, path] { save_to(path, std::exchange(leaving_for_, nullptr)); }, ask_again);
       break;
     case PathPurpose::save_recipe:
-      save_recipe(path);
+      write_to(
+          path, [this, path] { save_recipe(path); }, ask_again);
       break;
     case PathPurpose::replay_recipe:
       load(path.filename().string(),

@@ -117,18 +117,31 @@ void ViewerApp::draw_dialogs() {
   } else if (show_start_ && !loader_.status().busy) {
     draw_start();
   }
-  if (picture_plan_.open && document_ && draw_picture_panel(picture_plan_)) {
+  if (overwriting_) {
+    // Before the dialogs that lead to it: what is pressed there is no answer here.
+    if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
+  } else {
+    if (picture_plan_.open && document_) draw_picture();
+    if (document_ && draw_path_panel(path_plan_)) use_path();
+    if (leaving_for_ && !path_plan_.purpose && !overwriting_) draw_unsaved();
+  }
+  if (show_controls_) draw_controls_list(keymaps()[keymap_], show_controls_);
+}
+
+void ViewerApp::draw_picture() {
+  if (!draw_picture_panel(picture_plan_)) return;
+  const std::filesystem::path path = picture_plan_.path;
+  const VkExtent2D size{static_cast<std::uint32_t>(picture_plan_.width),
+                        static_cast<std::uint32_t>(picture_plan_.height)};
+  const auto save = [this, path, size] {
     try {
-      save_picture(picture_plan_.path, {static_cast<std::uint32_t>(picture_plan_.width),
-                                        static_cast<std::uint32_t>(picture_plan_.height)});
-      say("saved " + picture_plan_.path);
+      save_picture(path, size);
+      say("saved " + path.string());
     } catch (const Error& error) {
       say(error.what());
     }
-  }
-  if (document_ && draw_path_panel(path_plan_)) use_path();
-  if (leaving_for_ && !path_plan_.purpose) draw_unsaved();
-  if (show_controls_) draw_controls_list(keymaps()[keymap_], show_controls_);
+  };
+  write_to(path, save, [this] { picture_plan_.open = true; });
 }
 
 void ViewerApp::draw_start() {
