@@ -40,7 +40,12 @@ class AnEditor : public ::testing::Test {
     context_ = std::make_shared<gpu::Context>();
     editor_.emplace(
         EditStart{History(state), state.rest, {}, {}, folder_.path()}, context_,
-        [](const std::string& said) { EXPECT_EQ(said, ""); },
+        [this](const std::string& said) {
+          if (!expects_notes_) {
+            EXPECT_EQ(said, "");
+          }
+          said_ = said;
+        },
         [this] {
           if (!by_steps_) return;
           waits_ = true;
@@ -129,6 +134,8 @@ class AnEditor : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
+  bool expects_notes_ = false;
+  std::string said_;
   ViewFrame view_;
   std::atomic<bool> by_steps_ = false;
   std::atomic<bool> waits_ = false;
@@ -247,6 +254,7 @@ TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
   const auto roi = [&] { return editor_->state().selection.roi.vertices.size(); };
   const auto done = [&] { return editor_->session().history().done(); };
   turn_and_settle(30.0);
+  expects_notes_ = true;
   const Positions settled = on_screen();
   editor_->choose(kRoi);
   editor_->take(Action::take_disk);
@@ -275,6 +283,72 @@ TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
   EXPECT_EQ(roi(), clicked);
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
+}
+
+// The middle of the tube is away from the head that was turned.
+TEST_F(AnEditor, ADiskElsewhereBeginsANewEditWithANote) {
+  editor_->perform(Choose{kRoi, box(2.3, 4.0)});
+  wait_until_ready();
+  turn_and_settle(30.0);
+  const Positions settled = on_screen();
+  expects_notes_ = true;
+  ASSERT_EQ(editor_->part().role, Part::Role::handle);
+  editor_->take(Action::take_disk);
+  const Vector2d elsewhere = 0.5 * kWindow + Vector2d(0.0, 80.0);
+  send(press(elsewhere));
+  send(move_to(elsewhere + Vector2d(0.0, 80.0)));
+  send(release(elsewhere + Vector2d(0.0, 80.0)));
+  EXPECT_NE(said_.find("new edit"), std::string::npos) << said_;
+  EXPECT_TRUE(editor_->state().selection.handles.empty());
+  EXPECT_EQ(editor_->state().steps.size(), 1U) << "the first stays";
+  EXPECT_EQ(editor_->part(), kHandle) << "and its handle comes next";
+  EXPECT_TRUE(editor_->has_in_hand(editor_->tool()) && !editor_->has_gizmo());
+  editor_->update();
+  EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
+  send(press(elsewhere));
+  send(move_to(elsewhere + Vector2d(0.0, 25.0)));
+  send(release(elsewhere + Vector2d(0.0, 25.0)));
+  ASSERT_EQ(editor_->state().selection.handles.size(), 1U);
+  wait_until_ready();
+  editor_->perform(MoveHandle{0, bent()});
+  wait_until_ready();
+  EXPECT_FALSE(needs_settling(editor_->state()));
+  EXPECT_FALSE(editor_->handles_leave_roi());
+  EXPECT_GT(largest_distance(on_screen(), settled), 0.01) << "by a handle of few vertices";
+}
+
+TEST_F(AnEditor, AStrokeElsewhereBeginsANewEditOnceTheLastHasMoved) {
+  editor_->perform(Choose{kRoi, box(2.3, 4.0)});
+  wait_until_ready();
+  turn_and_settle(30.0);
+  expects_notes_ = true;
+  editor_->take(Action::take_box);
+  editor_->choose(kRoi);
+  const std::size_t done = editor_->session().history().done();
+  const Vector2d corner = 0.5 * kWindow + Vector2d(-60.0, 60.0);
+  send(press(corner));
+  send(move_to(corner + Vector2d(120.0, 60.0)));
+  send(release(corner + Vector2d(120.0, 60.0)));
+  EXPECT_NE(said_.find("new edit"), std::string::npos) << said_;
+  EXPECT_TRUE(editor_->state().selection.handles.empty());
+  EXPECT_EQ(editor_->session().history().done(), done + 1) << "one stroke, one step";
+  editor_->undo();
+  EXPECT_EQ(editor_->state().selection.handles.size(), 1U);
+}
+
+TEST_F(AnEditor, ANewEditBeginsOnceTheDragHasSettled) {
+  expects_notes_ = true;
+  begin_drag(kRight);
+  send(key(kEnter));
+  editor_->new_edit();
+  while (!editor_->state().selection.roi.vertices.empty()) {
+    editor_->update();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(editor_->state().steps.size(), 1U);
+  EXPECT_EQ(editor_->part(), kRoi);
+  EXPECT_FALSE(editor_->has_gizmo());
+  EXPECT_EQ(editor_->session().history().done(), 2U);
 }
 
 TEST_F(AnEditor, TheWheelAloneIsTheCameras) {

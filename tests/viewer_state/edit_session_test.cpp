@@ -10,6 +10,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/session/run_recipe.h"
 #include "viewer_state/tube_edit.h"
+#include "work/certificate_words.h"
 
 namespace lapwing::viewer::test {
 namespace {
@@ -149,6 +150,21 @@ TEST_F(ASession, HalfAStepIsNeverSaved) {
   wait_for_result();
   session_->save(mesh_);
   EXPECT_LT(largest_distance(read_mesh(mesh_).positions, positions()), 1e-6);
+}
+
+TEST_F(ASession, EitherWeightsSettleWithoutAFalseAlarm) {
+  const auto diagonal = bounds_of(session_->state().rest->positions).diagonal();
+  for (const LaplacianWeights weights : {LaplacianWeights::uniform, LaplacianWeights::cotangent}) {
+    session_->perform(SetParameters{{{.weights = weights}}});
+    if (needs_settling(session_->state())) wait_for_result();
+    drag(bent());
+    const Certificate& certificate = *session_->certificate();
+    EXPECT_TRUE(certificate.settled);
+    EXPECT_THAT(warnings_of(certificate, session_->state().rest->topology(), diagonal),
+                ::testing::IsEmpty());
+    EXPECT_LT(certificate.detail_error, 0.1);
+    drag(twisted(60.0));
+  }
 }
 
 TEST_F(ASession, CertificateGoesWithItsResult) {

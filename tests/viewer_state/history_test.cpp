@@ -29,7 +29,7 @@ Command random_command(const AppState& state, std::mt19937& random) {
     return make_vertex_set(std::move(vertices));
   };
   const Part part{static_cast<Part::Role>(number(3)), number(3)};
-  switch (number(11)) {
+  switch (number(12)) {
     case 0:
       return Choose{part, box(0.1 * number(20), 3.0)};
     case 1:
@@ -45,6 +45,8 @@ Command random_command(const AppState& state, std::mt19937& random) {
       return SetParameters{{{.constraint_weight = 1.0 + number(3)}}};
     case 7:
       return Commit{};
+    case 10:
+      return NewEdit{};
     case 8:
       return MoveHandle{number(2), twisted(10.0 * number(50))};
     case 9:

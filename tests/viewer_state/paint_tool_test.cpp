@@ -148,6 +148,26 @@ TEST_F(Editing, InvertTwiceIsNothing) {
   EXPECT_EQ(roi(), before);
 }
 
+TEST_F(Editing, AllAndNothingCanBeChosenOfThePartInHand) {
+  perform(choose_all(state_, handle_));
+  EXPECT_EQ(handle(), roi());
+  EXPECT_FALSE(choose_all(state_, handle_).has_value());
+  perform(choose_all(state_, roi_));
+  EXPECT_EQ(roi().size(), state_.rest->vertex_count());
+  EXPECT_FALSE(choose_all(state_, roi_).has_value());
+  perform(clear(state_, handle_));
+  EXPECT_TRUE(state_.selection.handles.empty());
+  EXPECT_FALSE(clear(state_, handle_).has_value());
+  const Part belt{Part::Role::belt};
+  EXPECT_FALSE(clear(state_, belt).has_value()) << "it goes by its width";
+  perform(choose_all(state_, belt));
+  perform(clear(state_, belt));
+  EXPECT_TRUE(state_.selection.belt_fraction.has_value());
+  perform(clear(state_, roi_));
+  EXPECT_TRUE(roi().empty());
+  EXPECT_FALSE(clear(state_, roi_).has_value());
+}
+
 TEST_F(Editing, HandleGrowsNoFartherThanTheRoi) {
   for (int k = 0; k < 40; ++k) {
     if (const auto command = grow(state_, handle_)) state_ = apply(state_, *command);

@@ -103,7 +103,10 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
     if (has_gizmo()) return {false, tools_.gizmo.part() != before};
   }
   if (has_in_hand(tools_.gizmo)) return {};
-  if (event.kind == InputKind::press) return_to_triangles_of_state();
+  if (event.kind == InputKind::press) {
+    return_to_triangles_of_state();
+    choose_elsewhere(event, view);
+  }
   const ToolAnswer answer = tool_->handle(event, scene(view, projection));
   const bool chooses_roi = answer.holds && state().selection.roi.vertices.empty();
   if (chooses_roi) perform(Choose{{Role::roi}, {AllVertices{}, "ROI"}});
@@ -114,6 +117,28 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
     handled.changed = handled.taken || row_ == nullptr || tool_->follows_cursor();
   }
   return handled;
+}
+
+// A handle lies in the ROI: who takes the disk for it elsewhere means another ROI.
+void Editor::choose_elsewhere(const InputEvent& event, const ViewFrame& view) {
+  const EditSelection& selection = state().selection;
+  const bool may_be = has_in_hand(tools_.disk) && part_.role == Role::handle &&
+                      event.button == MouseButton::left && !selection.mirror;
+  if (!may_be || selection.roi.vertices.empty() || !shown_.has_triangles_of_state()) return;
+  const auto pick = shown_.pick(view, event.position);
+  if (pick && !contains(selection.roi.vertices, pick->vertex)) choose({Role::roi});
+}
+
+// Whether a stroke away from an edit that is done chooses the ROI of another.
+bool Editor::begins_elsewhere(const Command& command) const {
+  const auto* stroke = std::get_if<Paint>(&command);
+  if (stroke == nullptr || stroke->part.role != Role::roi || stroke->added.empty() ||
+      !stroke->removed.empty() || !state().settled) {
+    return false;
+  }
+  const VertexSet around =
+      with_ring_neighbours(stroke->added, surface_of(state())->topology().rings);
+  return intersect(around, state().selection.roi.vertices).empty();
 }
 
 // Whoever chooses must see what there is to choose of.
@@ -165,10 +190,14 @@ Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
   if (answer.command) {
     const Part part = part_;
     const bool may_change = tool_->may_change_choice();
+    if (begins_elsewhere(*answer.command) && perform(NewEdit{})) {
+      joining = Joining::with_last;
+      say_("a new edit begins here; undo goes back to the last one");
+    }
     const std::size_t done = session_->history().done();
     const bool sizes_on = answer.resizes && sizable_at_ == done;
     const bool is_done = perform(*answer.command, sizes_on ? Joining::instead_of_last : joining);
-    const std::size_t expected = sizes_on ? done : done + 1;
+    const std::size_t expected = sizes_on || joining == Joining::with_last ? done : done + 1;
     if (is_done && session_->history().done() == expected && (may_change || answer.resizes)) {
       sizable_at_ = expected;
     }
@@ -218,7 +247,20 @@ bool Editor::attempt(const std::function<void()>& change) {
 bool Editor::perform(const Command& command, Joining joining) {
   sizable_at_.reset();
   hold_pose();
-  return attempt([&] { session_->perform(command, joining); });
+  const std::size_t handles = handle_count();
+  const bool is_done = attempt([&] { session_->perform(command, joining); });
+  const auto* chosen = std::get_if<Choose>(&command);
+  const auto* painted = std::get_if<Paint>(&command);
+  const bool of_roi = (chosen != nullptr && chosen->part.role == Role::roi) ||
+                      (painted != nullptr && painted->part.role == Role::roi);
+  if (is_done && of_roi) say_what_was_let_go(handles);
+  return is_done;
+}
+
+void Editor::say_what_was_let_go(std::size_t handles_before) {
+  if (handle_count() >= handles_before) return;
+  say_(handle_count() == 0 ? "a new edit begins here; undo goes back to the last one"
+                           : "handles outside the ROI were let go; undo brings them back");
 }
 
 // What is shown of a state that waits for its result does not hang on how one came to it.
@@ -271,6 +313,24 @@ void Editor::carry_along(const std::vector<std::filesystem::path>& files) {
   } catch (const Error& error) {
     say_(error.what());
   }
+}
+
+void Editor::new_edit() {
+  if (is_dragging()) return;
+  begins_new_edit_ = session_->awaits_result();
+  if (begins_new_edit_) return say_("the new edit begins once the drag has settled");
+  if (!perform(NewEdit{})) return;
+  choose({Role::roi});
+  if (has_in_hand(tools_.gizmo)) take(Action::take_disk);
+  say_("a new edit: choose the region to edit");
+}
+
+void Editor::select_all() {
+  if (const auto command = viewer::choose_all(state(), part_)) perform(*command);
+}
+
+void Editor::clear() {
+  if (const auto command = viewer::clear(state(), part_)) perform(*command);
 }
 
 void Editor::grow() {

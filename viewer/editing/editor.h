@@ -70,6 +70,10 @@ class Editor {
   void carry_along(const std::vector<std::filesystem::path>& files);
   /// What a panel does to the session that may throw: said, and shown anew.
   bool attempt(const std::function<void()>& change);
+  /// What was done stays and nothing is chosen any more, once what moved has settled.
+  void new_edit();
+  void select_all();
+  void clear();
   void grow();
   void shrink();
   void invert();
@@ -150,6 +154,9 @@ class Editor {
   void take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
                  const Projection& projection);
   void after_choice(const Part& part);
+  void say_what_was_let_go(std::size_t handles_before);
+  void choose_elsewhere(const InputEvent& event, const ViewFrame& view);
+  bool begins_elsewhere(const Command& command) const;
   void state_changed();
   std::size_t handle_count() const { return state().selection.handles.size(); }
 
@@ -183,6 +190,7 @@ class Editor {
   std::shared_ptr<const SettledPose> dragged_from_;  // before any
   bool classes_are_old_ = true;
   bool continuous_ = true;
+  bool begins_new_edit_ = false;  // once what moved has settled
   // How many steps were done after a choice that may still be sized as one step with it.
   std::optional<std::size_t> sizable_at_;
   bool drag_is_of_last_step_ = false;  // what is dragged was made by the press that holds it

@@ -63,6 +63,7 @@ void Editor::show_before(bool before) {
 
 void Editor::update() {
   if (session_->take_result()) state_changed();
+  if (begins_new_edit_ && !session_->awaits_result() && !is_dragging()) new_edit();
   // The ground would be pulled from under a stroke.
   if (!is_dragging()) take_step();
   follow_hand();

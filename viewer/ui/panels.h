@@ -10,6 +10,7 @@
 #include "editing/layer_desk.h"
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
+#include "state/kept_settling.h"
 #include "ui/document.h"
 #include "ui/part_pictures.h"
 #include "window/app.h"
@@ -22,6 +23,7 @@ struct PanelDrafts {
   std::optional<SetGrading> grading;
   std::optional<SimilarityMove> move;
   std::optional<EditParameters> parameters;
+  KeptSettling settling;
   std::size_t history_shown = 0;  ///< step that the list was scrolled to
   std::string parts_folder;       ///< being typed in; empty: as the shelf has it
   std::string part_path;          ///< likewise, to be used or added

@@ -229,10 +229,13 @@ void ViewerApp::draw_edit_menu() {
   };
   constexpr Item kItems[]{{"Undo", "Ctrl+Z", Action::undo},
                           {"Redo", "Ctrl+Shift+Z", Action::redo},
+                          {"New edit", "Ctrl+N", Action::new_edit},
                           {"Choose ROI", "I", Action::choose_roi},
                           {"Choose handle", "H", Action::choose_handle},
                           {"Add a handle", "Shift+H", Action::add_handle},
                           {"Choose belt", "T", Action::choose_belt},
+                          {"Choose all", "Ctrl+A", Action::select_all},
+                          {"Choose nothing", "Ctrl+Shift+A", Action::clear},
                           {"Grow", "Ctrl+=", Action::grow},
                           {"Shrink", "Ctrl+-", Action::shrink},
                           {"Invert", "Ctrl+I", Action::invert},
