@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "io/temporary_folder.h"
+#include "lapwing/deform/shape_measures.h"
 #include "lapwing/gpu/context.h"
 #include "support/gpu.h"
 #include "viewer_state/test_view.h"
@@ -470,6 +471,31 @@ TEST_F(AnEditor, ATypedMoveGoesOnFromTheSurfaceAsItStands) {
   editor_->perform(MoveHandle{0, twisted(81.0)});
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), before), 0.05);
+}
+
+TEST_F(AnEditor, ADragNeverShowsAWorseSurfaceThanWhatItComesTo) {
+  const auto stretch = [&] {
+    const Topology& topology = editor_->state().rest->topology();
+    return edge_stretch(editor_->state().selection.roi.vertices, topology, rest(), on_screen());
+  };
+  begin_drag({0.0, 0.0});
+  for (const InputEvent& event : {key('R'), key('Z'), typed('1'), typed('5'), typed('0')}) {
+    send(event);
+  }
+  // Nothing settles yet, as on a machine that is slow.
+  hold_worker();
+  editor_->update();
+  double worst = stretch();
+  send(key(kEnter));
+  editor_->update();
+  worst = std::max(worst, stretch());
+  let_worker_go();
+  while (needs_settling(editor_->state())) {
+    editor_->update();
+    worst = std::max(worst, stretch());
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_LT(worst, 1.1 * stretch());
 }
 
 TEST_F(AnEditor, WithoutSettlingADragIsTheLinearResponse) {

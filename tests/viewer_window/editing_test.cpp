@@ -368,6 +368,71 @@ TEST_F(Editing, WhatADragShowsIsWhatItComesTo) {
   EXPECT_THAT(person_->errors(), IsEmpty());
 }
 
+TEST_F(Editing, ASecondEditElsewhereIsMadeAndSaved) {
+  open_tube();
+  const auto disk = [&](double z, double rim) {
+    const Vector2d from = person_->pixel_of({0.5, 0.0, z});
+    const Vector2d to = person_->pixel_of({0.5, 0.0, rim});
+    person_->drag({from, 0.5 * (from + to), to});
+  };
+  const auto is_ready = [&](std::size_t steps, std::size_t handles) {
+    return person_->eventually_is([=](const Draft& d) {
+      return d.steps.size() == steps && d.open.handles.size() == handles &&
+             is<GeodesicDisk>(d.open.roi);
+    });
+  };
+  const auto lift = [&](const std::string& by) {
+    person_->keys("g");
+    person_->keys("y");
+    person_->type(by);
+    person_->keys("Return");
+    return settles();
+  };
+  disk(5.0, 4.0);
+  ASSERT_TRUE(is_ready(0, 0));
+  disk(5.0, 4.7);
+  ASSERT_TRUE(is_ready(0, 1));
+  ASSERT_TRUE(lift("0.3"));
+
+  // The disk is taken in hand again and used elsewhere: that is all it needs.
+  person_->keys("d");
+  disk(1.5, 2.5);
+  ASSERT_TRUE(is_ready(1, 0)) << "the first edit stays, its handle is let go";
+  disk(1.5, 1.8);
+  ASSERT_TRUE(is_ready(1, 1));
+  ASSERT_TRUE(lift("0.3"));
+
+  // And a third by the key for a new edit, which chooses nothing.
+  person_->keys("ctrl+n");
+  ASSERT_TRUE(person_->eventually_is(
+      [](const Draft& d) { return d.steps.size() == 2 && d.open.handles.empty(); }));
+  person_->keys("ctrl+z");
+  ASSERT_TRUE(is_ready(1, 1));
+  person_->keys("Tab");
+  const Image made = desktop_->settled_picture();
+  test::keep_picture(made, "second-edit-elsewhere");
+
+  const fs::path saved = folder_ / "two.obj";
+  person_->open_dialog("ctrl+shift+s");
+  person_->type(saved.string());
+  person_->keys("Return");
+  ASSERT_TRUE(test::eventually(60.0, [&] { return fs::exists(saved); }));
+  desktop_->settled_picture();
+  expect_quits_silently();
+  const Positions positions = read_mesh(saved).positions;
+  const auto lifted_at = [&](double z) {
+    double most = 0.0;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      if (std::abs(mesh_.positions[v].z() - z) > 0.2) continue;
+      most = std::max(most, positions[v].y() - mesh_.positions[v].y());
+    }
+    return most;
+  };
+  EXPECT_GT(lifted_at(5.0), 0.15);
+  EXPECT_GT(lifted_at(1.5), 0.15);
+  EXPECT_LT(lifted_at(3.3), 0.02) << "between them nothing moves";
+}
+
 TEST_F(Editing, ClosingAsksWhetherToSave) {
   open_tube();
   choose_parts();

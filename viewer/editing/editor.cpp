@@ -158,6 +158,7 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
   const bool given_up = was_dragging && !gizmo.is_dragging() && !answer.command;
   if (given_up && needs_settling(state())) {
     shown_.follow_from(dragged_from_);
+    pose_motions_ = motions_dragged_from_;
     settle();
   }
   return answer;
@@ -172,6 +173,7 @@ void Editor::begin_drag() {
   session_->cancel_settling();
   live_.reset();
   dragged_from_ = shown_.pose();
+  motions_dragged_from_ = pose_motions_;
 }
 
 void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,

@@ -164,6 +164,8 @@ class Editor {
   void step_through_history(const std::function<void()>& change);
   void follow_hand();
   void hold_pose();
+  void follow_from(std::shared_ptr<const SettledPose> pose, std::span<const Move> moves);
+  void stay_near_pose();
   void settle_live();
   void follow_carried();
   void show_carried();
@@ -184,10 +186,13 @@ class Editor {
 
   std::vector<CertificateWarning> warnings_;
   std::vector<Eigen::Affine3d> motions_;
+  std::vector<Eigen::Affine3d> pose_motions_;  // of the pose that is followed from; none: at rest
+  double longest_lead_ = 0.0;
   std::vector<std::size_t> dragged_;
   std::vector<Move> live_moves_;
   std::optional<LiveResult> live_;                   // the last one of a drag
   std::shared_ptr<const SettledPose> dragged_from_;  // before any
+  std::vector<Eigen::Affine3d> motions_dragged_from_;
   bool classes_are_old_ = true;
   bool continuous_ = true;
   bool begins_new_edit_ = false;  // once what moved has settled

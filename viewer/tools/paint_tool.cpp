@@ -103,7 +103,12 @@ void PaintTool::resize_brush(double steps) {
       std::clamp(options_.radius * std::pow(kFactorOfStep, steps), kSmallestBrush, kLargestBrush);
 }
 
-const char* PaintTool::hint(const AppState&, const Part& part) const {
+const char* PaintTool::hint(const AppState& state, const Part& part) const {
+  if (!vertices_of(state.selection, part).empty()) {
+    return of_part(part, "paint more of the region, Ctrl erases; Enter goes on to the handle",
+                   "paint more of the belt, Ctrl erases",
+                   "paint more of the handle, Ctrl erases; Enter goes on to moving it");
+  }
   return of_part(part, "paint the region to edit (ROI)", "paint the belt",
                  "paint a handle in the ROI");
 }

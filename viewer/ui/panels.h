@@ -102,6 +102,10 @@ class EditMarks {
   std::vector<Eigen::Vector2d> points_;
 };
 
+/// The three steps of an edit and what to do now, over the picture, its upper left corner at
+/// `corner`.
+void draw_guide(const Editor& editor, const Eigen::Vector2d& corner);
+
 /// The list of controls, in a window of its own; `open` turns false when it is closed.
 void draw_controls_list(const Keymap& keymap, bool& open);
 

@@ -85,6 +85,13 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
       marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
     }
     if (show_panels_) draw_sidebar(last);
+    const bool deforms = !document_->desk.is_open() && !document_->transplant.is_open();
+    if (show_panels_ && deforms) {
+      const ImVec2 top = ImGui::GetMainViewport()->WorkPos;
+      const double gap = 0.5 * static_cast<double>(ImGui::GetFontSize());
+      draw_guide(document_->editor, {sidebar_pixels() / per_unit + static_cast<double>(top.x) + gap,
+                                     static_cast<double>(top.y) + gap});
+    }
   }
   draw_dialogs();
   if (document_) ++frames_shown_;
