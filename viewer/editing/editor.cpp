@@ -269,6 +269,7 @@ void Editor::say_what_was_let_go(std::size_t handles_before) {
 void Editor::step_through_history(const std::function<void()>& change) {
   if (is_dragging()) return;
   shown_.follow_from(nullptr);
+  say_("");  // what was said is of the step that goes
   attempt(change);
 }
 

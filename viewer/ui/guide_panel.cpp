@@ -13,7 +13,7 @@ void draw_guide(const Editor& editor, const Eigen::Vector2d& corner) {
   const bool moves = editor.has_in_hand(editor.gizmo_tool());
   const Guide guide = guide_of(editor.state(), editor.part(), editor.tool(), moves);
   ImGui::SetNextWindowPos({static_cast<float>(corner.x()), static_cast<float>(corner.y())});
-  ImGui::SetNextWindowBgAlpha(0.75F);
+  ImGui::SetNextWindowBgAlpha(0.96F);
   if (ImGui::Begin("Guide", nullptr, kOverPicture)) {
     for (std::size_t k = 0; k < guide.steps.size(); ++k) {
       if (k > 0) ImGui::SameLine(0.0F, 1.5F * ImGui::GetFontSize());
