@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <string>
+#include <cstddef>
 
 #include "tools/scene_tool.h"
 
@@ -15,7 +15,7 @@ struct Guide {
   };
   std::array<Step, 3> steps;
   std::size_t current = 0;  ///< of the steps: what a hand would do now
-  std::string what;         ///< to do for it, in a sentence
+  const char* what = "";    ///< to do for it, in a sentence
 };
 
 /// What to do next, with `part` being chosen by `tool`, or a handle moved if it `moves` them.

@@ -25,7 +25,7 @@ void draw_guide(const Editor& editor, const Eigen::Vector2d& corner) {
         ImGui::TextDisabled("%zu  %s%s", k + 1, step.name, done);
       }
     }
-    ImGui::TextUnformatted(guide.what.c_str());
+    ImGui::TextUnformatted(guide.what);
   }
   ImGui::End();
 }
