@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
+#include "state/kept_settling.h"
 #include "viewer_state/tube_edit.h"
 
 namespace lapwing::viewer::test {
@@ -106,6 +107,15 @@ TEST(Command, NewParametersAskForAResult) {
   EXPECT_TRUE(needs_settling(apply(settled_tube(), SetParameters{parameters})));
 }
 
+TEST(KeptSettling, ComesBackWithTheOptionsThatItHad) {
+  KeptSettling settling;
+  const EditParameters on{{.settle = SettleOptions{.tolerance = 1e-6, .max_iterations = 77}}};
+  const EditParameters off{{.settle = std::nullopt}};
+  EXPECT_EQ(settling.meant(on, off), off);
+  EXPECT_EQ(settling.meant(off, EditParameters{}), on);
+  EXPECT_EQ(settling.meant(EditParameters{}, on), on) << "what is chosen beside the switch counts";
+}
+
 TEST(Command, ParametersThatNoRecipeCouldSayAreRefused) {
   const AppState state = settled_tube();
   for (const EditParameters& parameters :
@@ -146,6 +156,69 @@ TEST(Command, CommittedSelectionStillSaysItsVertices) {
   EXPECT_EQ(after.selection.handles[0].vertices, before.selection.handles[0].vertices);
   EXPECT_EQ(edit_region(after).handles[0], before.selection.handles[0].vertices);
   EXPECT_EQ(edit_region(after).belt, after.selection.belt.vertices);
+}
+
+TEST(Command, ANewEditKeepsWhatWasDoneAndChoosesNothing) {
+  AppState before = apply(settled_tube(), SetBeltWidth{0.2});
+  before = apply(before, Settle{handles_alone(before)});
+  const AppState after = apply(before, NewEdit{});
+  EXPECT_EQ(after.rest->positions, positions_of(before));
+  EXPECT_EQ(after.steps.size(), 1U);
+  EXPECT_TRUE(after.selection.roi.vertices.empty());
+  EXPECT_TRUE(after.selection.handles.empty());
+  EXPECT_TRUE(after.moves.empty());
+  EXPECT_EQ(after.selection.belt_fraction, 0.2);
+  EXPECT_TRUE(same(apply(after, NewEdit{}), after));
+  EXPECT_THROW(apply(apply(chosen_tube(), MoveHandle{0, bent()}), NewEdit{}), InputError);
+}
+
+TEST(Command, AnROIElsewhereLetsTheHandlesGo) {
+  AppState state = apply(settled_tube(), Choose{kRoi, box(0.0, 1.5)});
+  EXPECT_TRUE(state.selection.handles.empty());
+  EXPECT_TRUE(state.moves.empty());
+  EXPECT_EQ(state.steps.size(), 1U) << "what was done stays";
+  state = apply(state, Choose{kHandle, box(-0.1, 0.3)});
+  EXPECT_EQ(edit_region(state).handles.size(), 1U) << "and the next one needs nothing else";
+}
+
+TEST(Command, AnROIThatHoldsSomeOfTheHandlesKeepsThat) {
+  AppState state = apply(chosen_tube(), Choose{kSecondHandle, box(1.4, 1.6)});
+  const VertexSet head = state.selection.handles[0].vertices;
+  state = apply(state, Choose{kRoi, box(2.0, 4.0)});
+  ASSERT_EQ(state.selection.handles.size(), 1U);
+  EXPECT_EQ(state.selection.handles[0].vertices, head);
+  EXPECT_EQ(state.moves.size(), 1U);
+  state = apply(state, Choose{kRoi, box(0.3, 2.9)});
+  ASSERT_EQ(state.selection.handles.size(), 1U);
+  EXPECT_FALSE(state.selection.handles[0].vertices.empty());
+  EXPECT_TRUE(subtract(state.selection.handles[0].vertices, state.selection.roi.vertices).empty());
+  EXPECT_EQ(edit_region(state).handles.size(), 1U);
+}
+
+TEST(Command, AnROIElsewhereLetsABeltChosenByHandGo) {
+  AppState state = apply(chosen_tube(), Choose{kBelt, box(0.3, 0.7)});
+  state = apply(state, Choose{kRoi, box(1.5, 4.0)});
+  EXPECT_TRUE(state.selection.belt_fraction.has_value());
+  EXPECT_FALSE(edit_region(state).belt.empty());
+}
+
+TEST(Command, WithoutAnROIHandlesWaitForOne) {
+  const AppState state = apply(chosen_tube(), Choose{kRoi, listed({})});
+  EXPECT_EQ(state.selection.handles.size(), 1U);
+  EXPECT_EQ(apply(state, Choose{kRoi, box(0.3, 4.0)}).selection, chosen_tube().selection);
+}
+
+TEST(Command, AMirroredROIHoldsTheHandlesOfItsImage) {
+  const MirrorPlane plane{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  const auto half = [](double from, double to) {
+    return RegionSpec{Box{{from, -2.0, 0.3}, {to, 2.0, 4.0}}};
+  };
+  AppState state = apply(chosen_tube(), SetMirror{plane});
+  state = apply(state, Choose{kHandle, {Box{{0.2, -2.0, 2.8}, {2.0, 2.0, 4.0}}}});
+  const std::size_t held = state.selection.handles[0].vertices.size();
+  state = apply(state, Choose{kRoi, half(-2.0, 0.1)});
+  ASSERT_EQ(state.selection.handles.size(), 1U);
+  EXPECT_EQ(state.selection.handles[0].vertices.size(), held);
 }
 
 TEST(Command, DragMustSettleBeforeSomethingElseIsChosen) {

@@ -34,20 +34,35 @@ TEST_F(ADisk, DragsItsRimAlongTheSurface) {
   EXPECT_GT(live.size(), 100U);
 }
 
-TEST_F(ADisk, ClickChoosesAtOnceAndScrollingChangesIt) {
+TEST_F(ADisk, ClickChoosesAtOnceAndTheWheelWithControlSizesIt) {
   send(press(front_));
-  const double first = disk_of(send(release(front_))).radius;
+  const ToolAnswer clicked = send(release(front_));
+  EXPECT_FALSE(clicked.resizes);
+  const double first = disk_of(clicked).radius;
   EXPECT_GT(first, 0.0);
-  EXPECT_NEAR(disk_of(send(scrolled(front_, 2.0))).radius, first * 1.21, 1e-9);
-  EXPECT_NEAR(disk_of(send(scrolled(front_, -2.0))).radius, first, 1e-9);
+  const ToolAnswer sized = send(scrolled(front_, 2.0, kSizes));
+  EXPECT_TRUE(sized.resizes);
+  EXPECT_NEAR(disk_of(sized).radius, first * 1.21, 1e-9);
+  EXPECT_NEAR(disk_of(send(scrolled(front_, -2.0, kSizes))).radius, first, 1e-9);
+  EXPECT_NEAR(disk_of(send(key(']'))).radius, first * 1.1, 1e-9);
+  EXPECT_NEAR(disk_of(send(key('['))).radius, first, 1e-9);
 }
 
-TEST_F(ADisk, ScrollingChangesItsOwnPartWhenTheSceneHasGoneOn) {
+TEST_F(ADisk, LeavesTheWheelToTheCamera) {
+  EXPECT_FALSE(send(scrolled(front_, 1.0)).taken);
+  send(press(front_));
+  EXPECT_FALSE(send(scrolled(front_, 1.0)).taken);
+  send(release(front_));
+  EXPECT_FALSE(send(scrolled(front_, 1.0)).taken) << "whatever was chosen";
+  EXPECT_FALSE(send(scrolled(front_, 1.0, {.shift = true})).taken);
+}
+
+TEST_F(ADisk, SizingChangesItsOwnPartWhenTheSceneHasGoneOn) {
   send(press(front_));
   sphere_.perform(send(release(front_)));
   const std::size_t clicked = sphere_.roi().size();
   sphere_.part = {Part::Role::handle, 0};
-  sphere_.perform(send(scrolled(front_, 3.0)));
+  sphere_.perform(send(scrolled(front_, 3.0, kSizes)));
   EXPECT_GT(sphere_.roi().size(), clicked);
   EXPECT_TRUE(sphere_.state.selection.handles.empty());
   send(press(front_));
@@ -75,7 +90,7 @@ TEST_F(ADisk, RimBesideTheSurfaceIsMeasuredStraight) {
 
 TEST_F(ADisk, ClickBesideTheSurfaceIsPassedOn) {
   EXPECT_FALSE(send(press({3, 3})).taken);
-  EXPECT_FALSE(send(scrolled({3, 3}, 1.0)).taken);
+  EXPECT_FALSE(send(scrolled({3, 3}, 1.0, kSizes)).taken);
 }
 
 TEST_F(ADisk, EscapeGivesUp) {

@@ -101,10 +101,14 @@ TEST_F(Painting, KeysAndScrollingChangeTheBrush) {
   send(key(']'));
   EXPECT_GT(tool_.options().radius, radius);
   send(press(left_));
-  EXPECT_TRUE(send(scrolled(left_, -1.0)).taken);
+  EXPECT_TRUE(send(scrolled(left_, -1.0, kSizes)).taken);
+  EXPECT_NEAR(tool_.options().radius, radius, 1e-9);
+  EXPECT_TRUE(send(scrolled(left_, -1.0)).taken) << "nothing zooms under a stroke";
   EXPECT_NEAR(tool_.options().radius, radius, 1e-9);
   sphere_.perform(send(release(left_)));
   EXPECT_FALSE(send(scrolled(left_, 1.0)).taken) << "the camera's, between strokes";
+  EXPECT_TRUE(send(scrolled(left_, 1.0, kSizes)).taken);
+  EXPECT_GT(tool_.options().radius, radius);
 }
 
 class Editing : public ::testing::Test {
@@ -142,6 +146,26 @@ TEST_F(Editing, InvertTwiceIsNothing) {
   EXPECT_TRUE(intersect(before, roi()).empty());
   perform(invert(state_, roi_));
   EXPECT_EQ(roi(), before);
+}
+
+TEST_F(Editing, AllAndNothingCanBeChosenOfThePartInHand) {
+  perform(choose_all(state_, handle_));
+  EXPECT_EQ(handle(), roi());
+  EXPECT_FALSE(choose_all(state_, handle_).has_value());
+  perform(choose_all(state_, roi_));
+  EXPECT_EQ(roi().size(), state_.rest->vertex_count());
+  EXPECT_FALSE(choose_all(state_, roi_).has_value());
+  perform(clear(state_, handle_));
+  EXPECT_TRUE(state_.selection.handles.empty());
+  EXPECT_FALSE(clear(state_, handle_).has_value());
+  const Part belt{Part::Role::belt};
+  EXPECT_FALSE(clear(state_, belt).has_value()) << "it goes by its width";
+  perform(choose_all(state_, belt));
+  perform(clear(state_, belt));
+  EXPECT_TRUE(state_.selection.belt_fraction.has_value());
+  perform(clear(state_, roi_));
+  EXPECT_TRUE(roi().empty());
+  EXPECT_FALSE(clear(state_, roi_).has_value());
 }
 
 TEST_F(Editing, HandleGrowsNoFartherThanTheRoi) {

@@ -50,7 +50,8 @@ TEST_F(APlaceTool, SetsItDownWhereItIsClicked) {
 TEST_F(APlaceTool, SizesAndTurnsWhatItCarriesByTheWheel) {
   send(move_to(front()));
   const double radius = tool_.draft().frame().radius;
-  EXPECT_TRUE(send(scrolled(front(), 2.0)).taken);
+  EXPECT_FALSE(send(scrolled(front(), 2.0)).taken) << "that zooms";
+  EXPECT_TRUE(send(scrolled(front(), 2.0, kSizes)).taken);
   EXPECT_NEAR(tool_.draft().frame().radius, 1.21 * radius, 1e-9);
   InputEvent turned = scrolled(front(), 3.0);
   turned.modifiers.shift = true;

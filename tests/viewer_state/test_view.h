@@ -86,8 +86,8 @@ inline InputEvent typed(char32_t text) {
   event.text = text;
   return event;
 }
-inline InputEvent scrolled(const Vector2d& pixel, double amount) {
-  InputEvent event = at(InputKind::scroll, pixel);
+inline InputEvent scrolled(const Vector2d& pixel, double amount, Modifiers modifiers = {}) {
+  InputEvent event = at(InputKind::scroll, pixel, MouseButton::none, modifiers);
   event.scroll = amount;
   return event;
 }

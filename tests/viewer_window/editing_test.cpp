@@ -149,11 +149,11 @@ TEST_F(Editing, EachSelectionToolChoosesWhatItShows) {
 
   person_->keys("i");
   person_->click(middle);
-  person_->scroll(middle, 2);
+  person_->scroll(middle, 2, "ctrl");
   EXPECT_TRUE(person_->eventually_is([&](const Draft& d) {
     const auto* disk = std::get_if<GeodesicDisk>(&d.open.roi.form);
     return disk != nullptr && disk->radius > 1.15 * dragged;
-  })) << "the wheel enlarges the disk that was clicked";
+  })) << "Ctrl and the wheel enlarge the disk that was clicked";
 
   person_->keys("i");
   person_->keys("o");
@@ -303,13 +303,9 @@ TEST_F(Editing, EachGizmoModeMovesTheHandle) {
   person_->keys("ctrl+z");
   person_->keys("ctrl+z");
   person_->keys("ctrl+z");
-  person_->keys("ctrl+z");
-  person_->keys("ctrl+z");
-  person_->keys("ctrl+z");
-  person_->keys("ctrl+z");
   ASSERT_TRUE(person_->eventually_is([](const Draft& d) {
     return d.open.handles[0].move == Move(SimilarityMove{});
-  })) << "each move and each result is one step";
+  })) << "each move is one step with its result";
   const auto after = [&](const std::string& mode, const std::string& axis,
                          const std::string& number, auto wanted) {
     person_->keys(mode);
@@ -372,6 +368,71 @@ TEST_F(Editing, WhatADragShowsIsWhatItComesTo) {
   EXPECT_THAT(person_->errors(), IsEmpty());
 }
 
+TEST_F(Editing, ASecondEditElsewhereIsMadeAndSaved) {
+  open_tube();
+  const auto disk = [&](double z, double rim) {
+    const Vector2d from = person_->pixel_of({0.5, 0.0, z});
+    const Vector2d to = person_->pixel_of({0.5, 0.0, rim});
+    person_->drag({from, 0.5 * (from + to), to});
+  };
+  const auto is_ready = [&](std::size_t steps, std::size_t handles) {
+    return person_->eventually_is([=](const Draft& d) {
+      return d.steps.size() == steps && d.open.handles.size() == handles &&
+             is<GeodesicDisk>(d.open.roi);
+    });
+  };
+  const auto lift = [&](const std::string& by) {
+    person_->keys("g");
+    person_->keys("y");
+    person_->type(by);
+    person_->keys("Return");
+    return settles();
+  };
+  disk(5.0, 4.0);
+  ASSERT_TRUE(is_ready(0, 0));
+  disk(5.0, 4.7);
+  ASSERT_TRUE(is_ready(0, 1));
+  ASSERT_TRUE(lift("0.3"));
+
+  // The disk is taken in hand again and used elsewhere: that is all it needs.
+  person_->keys("d");
+  disk(1.5, 2.5);
+  ASSERT_TRUE(is_ready(1, 0)) << "the first edit stays, its handle is let go";
+  disk(1.5, 1.8);
+  ASSERT_TRUE(is_ready(1, 1));
+  ASSERT_TRUE(lift("0.3"));
+
+  // And a third by the key for a new edit, which chooses nothing.
+  person_->keys("ctrl+n");
+  ASSERT_TRUE(person_->eventually_is(
+      [](const Draft& d) { return d.steps.size() == 2 && d.open.handles.empty(); }));
+  person_->keys("ctrl+z");
+  ASSERT_TRUE(is_ready(1, 1));
+  person_->keys("Tab");
+  const Image made = desktop_->settled_picture();
+  test::keep_picture(made, "second-edit-elsewhere");
+
+  const fs::path saved = folder_ / "two.obj";
+  person_->open_dialog("ctrl+shift+s");
+  person_->type(saved.string());
+  person_->keys("Return");
+  ASSERT_TRUE(test::eventually(60.0, [&] { return fs::exists(saved); }));
+  desktop_->settled_picture();
+  expect_quits_silently();
+  const Positions positions = read_mesh(saved).positions;
+  const auto lifted_at = [&](double z) {
+    double most = 0.0;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      if (std::abs(mesh_.positions[v].z() - z) > 0.2) continue;
+      most = std::max(most, positions[v].y() - mesh_.positions[v].y());
+    }
+    return most;
+  };
+  EXPECT_GT(lifted_at(5.0), 0.15);
+  EXPECT_GT(lifted_at(1.5), 0.15);
+  EXPECT_LT(lifted_at(3.3), 0.02) << "between them nothing moves";
+}
+
 TEST_F(Editing, ClosingAsksWhetherToSave) {
   open_tube();
   choose_parts();
@@ -388,6 +449,30 @@ TEST_F(Editing, ClosingAsksWhetherToSave) {
   EXPECT_EQ(person_->wait(), 0);
   EXPECT_GT(test::largest_distance(read_mesh(tube()).positions, mesh_.positions), 0.1) << "saved";
   EXPECT_FALSE(person_->draft()) << "nothing is left to restore";
+}
+
+TEST_F(Editing, SavingAsAFileThatIsThereAsksFirst) {
+  open_tube();
+  choose_parts();
+  person_->keys("g");
+  person_->type("0.5");
+  person_->keys("Return");
+  const fs::path there = folder_ / "there.ply";
+  replace_file(there, "precious");
+  person_->open_dialog("ctrl+shift+s");
+  person_->type(there.string());
+  person_->open_dialog("Return");
+  EXPECT_EQ(fs::file_size(there), 8U) << "not without a word";
+  person_->keys("Escape");
+  desktop_->settled_picture();
+  EXPECT_EQ(fs::file_size(there), 8U);
+  person_->open_dialog("Return");
+  person_->keys("Return");
+  EXPECT_TRUE(test::eventually(60.0, [&] { return fs::file_size(there) > 1000; }));
+  desktop_->settled_picture();
+  expect_quits_silently();
+  EXPECT_GT(test::largest_distance(read_mesh(there).positions, mesh_.positions), 0.1)
+      << "settled, though it was saved at once";
 }
 
 TEST_F(Editing, EveryStepSurvivesBeingKilledAtAnyMoment) {
@@ -504,10 +589,8 @@ TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
   };
 
   person_->keys("ctrl+z");
-  person_->keys("ctrl+z");
   ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return !d.settled; }));
   EXPECT_TRUE(eventually_shown([](double difference) { return difference > 0.3; }));
-  person_->keys("ctrl+shift+z");
   person_->keys("ctrl+shift+z");
   ASSERT_TRUE(person_->eventually_is([&](const Draft& d) { return d == bent; }));
   EXPECT_TRUE(eventually_shown([](double difference) { return difference < 0.3; }));

@@ -135,9 +135,12 @@ void Person::click(const Vector2d& pixel) const {
   desktop_.xdotool(at(pixel) + "click 1");
 }
 
-void Person::scroll(const Vector2d& pixel, int notches) const {
-  desktop_.xdotool(at(pixel) + "click --repeat " + std::to_string(std::abs(notches)) +
-                   (notches > 0 ? " 4" : " 5"));
+void Person::scroll(const Vector2d& pixel, int notches, const std::string& held) const {
+  std::string gesture = at(pixel);
+  if (!held.empty()) gesture += "keydown " + held + " ";
+  gesture += "click --repeat " + std::to_string(std::abs(notches)) + (notches > 0 ? " 4" : " 5");
+  if (!held.empty()) gesture += " keyup " + held;
+  desktop_.xdotool(gesture);
 }
 
 void Person::drag(const std::vector<Vector2d>& pixels, const std::string& held) const {

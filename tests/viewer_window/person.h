@@ -53,7 +53,7 @@ class Person {
   void type(const std::string& text) const;
   void move_to(const Vector2d& pixel) const;
   void click(const Vector2d& pixel) const;
-  void scroll(const Vector2d& pixel, int notches) const;
+  void scroll(const Vector2d& pixel, int notches, const std::string& held = "") const;
   /// Presses the left button at the first pixel and lets go at the last; `held` is a key.
   void drag(const std::vector<Vector2d>& pixels, const std::string& held = "") const;
   /// The same, but keeps the button pressed, until `let_go`.

@@ -84,7 +84,7 @@ TEST_F(Transplanting, ByHandIsUndoneRedoneTakenUpAgainAndEqualToItsRecipe) {
   const Image opened = desktop_->settled_picture();
   person_->keys("n");
   ASSERT_TRUE(carries_to(person_->pixel_of(left)));
-  person_->scroll(person_->pixel_of(left), 2);
+  person_->scroll(person_->pixel_of(left), 2, "ctrl");
   person_->click(person_->pixel_of(left));
   person_->keys("Return");
   ASSERT_TRUE(has_steps(1));

@@ -97,22 +97,48 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   if (handle_ < handle_count() && (has_gizmo() || tools_.gizmo.is_dragging() || keys)) {
     const GizmoPart before = tools_.gizmo.part();
     const ToolAnswer answer = send_to_gizmo(event, projection);
-    if (answer.taken) return act_on(answer);
+    if (answer.taken) {
+      return act_on(answer, drag_is_of_last_step_ ? Joining::with_last : Joining::own_step);
+    }
     if (has_gizmo()) return {false, tools_.gizmo.part() != before};
   }
   if (has_in_hand(tools_.gizmo)) return {};
-  if (event.kind == InputKind::press) return_to_triangles_of_state();
-  const ToolAnswer answer = tool_->handle(event, scene(view, projection));
-  if (answer.holds && state().selection.roi.vertices.empty()) {
-    perform(Choose{{Role::roi}, {AllVertices{}, "ROI"}});
+  if (event.kind == InputKind::press) {
+    return_to_triangles_of_state();
+    choose_elsewhere(event, view);
   }
-  Handled handled = act_on(answer);
+  const ToolAnswer answer = tool_->handle(event, scene(view, projection));
+  const bool chooses_roi = answer.holds && state().selection.roi.vertices.empty();
+  if (chooses_roi) perform(Choose{{Role::roi}, {AllVertices{}, "ROI"}});
+  Handled handled = act_on(answer, chooses_roi ? Joining::with_last : Joining::own_step);
   take_hold(answer, event.position, projection);
   classes_are_old_ = classes_are_old_ || answer.taken;
   if (event.kind == InputKind::move) {
     handled.changed = handled.taken || row_ == nullptr || tool_->follows_cursor();
   }
   return handled;
+}
+
+// A handle lies in the ROI: who takes the disk for it elsewhere means another ROI.
+void Editor::choose_elsewhere(const InputEvent& event, const ViewFrame& view) {
+  const EditSelection& selection = state().selection;
+  const bool may_be = has_in_hand(tools_.disk) && part_.role == Role::handle &&
+                      event.button == MouseButton::left && !selection.mirror;
+  if (!may_be || selection.roi.vertices.empty() || !shown_.has_triangles_of_state()) return;
+  const auto pick = shown_.pick(view, event.position);
+  if (pick && !contains(selection.roi.vertices, pick->vertex)) choose({Role::roi});
+}
+
+// Whether a stroke away from an edit that is done chooses the ROI of another.
+bool Editor::begins_elsewhere(const Command& command) const {
+  const auto* stroke = std::get_if<Paint>(&command);
+  if (stroke == nullptr || stroke->part.role != Role::roi || stroke->added.empty() ||
+      !stroke->removed.empty() || !state().settled) {
+    return false;
+  }
+  const VertexSet around =
+      with_ring_neighbours(stroke->added, surface_of(state())->topology().rings);
+  return intersect(around, state().selection.roi.vertices).empty();
 }
 
 // Whoever chooses must see what there is to choose of.
@@ -132,12 +158,14 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
   const bool given_up = was_dragging && !gizmo.is_dragging() && !answer.command;
   if (given_up && needs_settling(state())) {
     shown_.follow_from(dragged_from_);
+    pose_motions_ = motions_dragged_from_;
     settle();
   }
   return answer;
 }
 
 void Editor::begin_drag() {
+  drag_is_of_last_step_ = false;
   shown_.end_preview();
   shown_.show_before(false);
   pointed_at_.clear();
@@ -145,6 +173,7 @@ void Editor::begin_drag() {
   session_->cancel_settling();
   live_.reset();
   dragged_from_ = shown_.pose();
+  motions_dragged_from_ = pose_motions_;
 }
 
 void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
@@ -155,20 +184,32 @@ void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
   tools_.gizmo.take_hold(pixel,
                          {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
   begin_drag();
+  drag_is_of_last_step_ = answer.command.has_value();
 }
 
-Editor::Handled Editor::act_on(const ToolAnswer& answer) {
+Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
   if (!answer.message.empty()) say_(answer.message);
   if (answer.command) {
     const Part part = part_;
     const bool may_change = tool_->may_change_choice();
-    perform(*answer.command);
-    if (std::holds_alternative<Choose>(*answer.command) && !may_change) after_choice(part);
+    if (begins_elsewhere(*answer.command) && perform(NewEdit{})) {
+      joining = Joining::with_last;
+      say_("a new edit begins here; undo goes back to the last one");
+    }
+    const std::size_t done = session_->history().done();
+    const bool sizes_on = answer.resizes && sizable_at_ == done;
+    const bool is_done = perform(*answer.command, sizes_on ? Joining::instead_of_last : joining);
+    const std::size_t expected = sizes_on || joining == Joining::with_last ? done : done + 1;
+    if (is_done && session_->history().done() == expected && (may_change || answer.resizes)) {
+      sizable_at_ = expected;
+    }
+    const bool is_choice = std::holds_alternative<Choose>(*answer.command);
+    if (is_done && is_choice && !may_change && !answer.resizes) after_choice(part);
   }
   return {answer.taken, answer.taken};
 }
 
-// A disk that was clicked waits for the wheel; what was painted, for more strokes.
+// A disk that was clicked waits to be sized; what was painted, for more strokes.
 void Editor::after_choice(const Part& part) {
   if (part_ == part) go_on();
 }
@@ -187,10 +228,12 @@ void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
   say_(text);
 }
 
-void Editor::attempt(const std::function<void()>& change) {
+bool Editor::attempt(const std::function<void()>& change) {
   const bool carried_out = session_->is_carrying_out();
+  bool is_done = false;
   try {
     change();
+    is_done = true;
     pointed_at_.clear();
     if (!session_->warning().empty()) say_(session_->warning());
     if (carried_out && !session_->is_carrying_out()) {
@@ -200,17 +243,33 @@ void Editor::attempt(const std::function<void()>& change) {
     say_(error.what());
   }
   state_changed();
+  return is_done;
 }
 
-void Editor::perform(const Command& command) {
+bool Editor::perform(const Command& command, Joining joining) {
+  sizable_at_.reset();
   hold_pose();
-  attempt([&] { session_->perform(command); });
+  const std::size_t handles = handle_count();
+  const bool is_done = attempt([&] { session_->perform(command, joining); });
+  const auto* chosen = std::get_if<Choose>(&command);
+  const auto* painted = std::get_if<Paint>(&command);
+  const bool of_roi = (chosen != nullptr && chosen->part.role == Role::roi) ||
+                      (painted != nullptr && painted->part.role == Role::roi);
+  if (is_done && of_roi) say_what_was_let_go(handles);
+  return is_done;
+}
+
+void Editor::say_what_was_let_go(std::size_t handles_before) {
+  if (handle_count() >= handles_before) return;
+  say_(handle_count() == 0 ? "a new edit begins here; undo goes back to the last one"
+                           : "handles outside the ROI were let go; undo brings them back");
 }
 
 // What is shown of a state that waits for its result does not hang on how one came to it.
 void Editor::step_through_history(const std::function<void()>& change) {
   if (is_dragging()) return;
   shown_.follow_from(nullptr);
+  say_("");  // what was said is of the step that goes
   attempt(change);
 }
 
@@ -257,6 +316,24 @@ void Editor::carry_along(const std::vector<std::filesystem::path>& files) {
   } catch (const Error& error) {
     say_(error.what());
   }
+}
+
+void Editor::new_edit() {
+  if (is_dragging()) return;
+  begins_new_edit_ = session_->awaits_result();
+  if (begins_new_edit_) return say_("the new edit begins once the drag has settled");
+  if (!perform(NewEdit{})) return;
+  choose({Role::roi});
+  if (has_in_hand(tools_.gizmo)) take(Action::take_disk);
+  say_("a new edit: choose the region to edit");
+}
+
+void Editor::select_all() {
+  if (const auto command = viewer::choose_all(state(), part_)) perform(*command);
+}
+
+void Editor::clear() {
+  if (const auto command = viewer::clear(state(), part_)) perform(*command);
 }
 
 void Editor::grow() {

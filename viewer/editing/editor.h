@@ -56,7 +56,8 @@ class Editor {
   /// the worker has, and lets the surface follow the hand.
   void update();
 
-  void perform(const Command& command);
+  /// Whether it was carried out.
+  bool perform(const Command& command, Joining joining = Joining::own_step);
   void undo();
   void redo();
   void go_to(std::size_t steps);
@@ -68,7 +69,11 @@ class Editor {
   /// Likewise files that follow the surface from the open step on.
   void carry_along(const std::vector<std::filesystem::path>& files);
   /// What a panel does to the session that may throw: said, and shown anew.
-  void attempt(const std::function<void()>& change);
+  bool attempt(const std::function<void()>& change);
+  /// What was done stays and nothing is chosen any more, once what moved has settled.
+  void new_edit();
+  void select_all();
+  void clear();
   void grow();
   void shrink();
   void invert();
@@ -144,11 +149,14 @@ class Editor {
   ToolScene scene(const ViewFrame& view, const Projection& projection);
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
   void return_to_triangles_of_state();
-  Handled act_on(const ToolAnswer& answer);
+  Handled act_on(const ToolAnswer& answer, Joining joining);
   void begin_drag();
   void take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
                  const Projection& projection);
   void after_choice(const Part& part);
+  void say_what_was_let_go(std::size_t handles_before);
+  void choose_elsewhere(const InputEvent& event, const ViewFrame& view);
+  bool begins_elsewhere(const Command& command) const;
   void state_changed();
   std::size_t handle_count() const { return state().selection.handles.size(); }
 
@@ -156,6 +164,8 @@ class Editor {
   void step_through_history(const std::function<void()>& change);
   void follow_hand();
   void hold_pose();
+  void follow_from(std::shared_ptr<const SettledPose> pose, std::span<const Move> moves);
+  void stay_near_pose();
   void settle_live();
   void follow_carried();
   void show_carried();
@@ -176,12 +186,19 @@ class Editor {
 
   std::vector<CertificateWarning> warnings_;
   std::vector<Eigen::Affine3d> motions_;
+  std::vector<Eigen::Affine3d> pose_motions_;  // of the pose that is followed from; none: at rest
+  double longest_lead_ = 0.0;
   std::vector<std::size_t> dragged_;
   std::vector<Move> live_moves_;
   std::optional<LiveResult> live_;                   // the last one of a drag
   std::shared_ptr<const SettledPose> dragged_from_;  // before any
+  std::vector<Eigen::Affine3d> motions_dragged_from_;
   bool classes_are_old_ = true;
   bool continuous_ = true;
+  bool begins_new_edit_ = false;  // once what moved has settled
+  // How many steps were done after a choice that may still be sized as one step with it.
+  std::optional<std::size_t> sizable_at_;
+  bool drag_is_of_last_step_ = false;  // what is dragged was made by the press that holds it
   std::vector<Index> pointed_at_;
 };
 

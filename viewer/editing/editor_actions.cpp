@@ -14,6 +14,9 @@ struct PlainAction {
   void (Editor::*perform)();
 };
 constexpr std::array kPlainActions{PlainAction{Action::go_on, &Editor::go_on},
+                                   PlainAction{Action::new_edit, &Editor::new_edit},
+                                   PlainAction{Action::select_all, &Editor::select_all},
+                                   PlainAction{Action::clear, &Editor::clear},
                                    PlainAction{Action::grow, &Editor::grow},
                                    PlainAction{Action::shrink, &Editor::shrink},
                                    PlainAction{Action::invert, &Editor::invert},

@@ -5,9 +5,19 @@
 
 #include "editing/editor.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/deform/handle_motion.h"
 #include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
+namespace {
+
+// How far a linear response may lead what has settled: a turn in radians, a way as a share of the
+// ROI's diagonal, and a stretch.
+constexpr double kLargestLeadTurn = 0.35;
+constexpr double kLongestLead = 0.1;
+constexpr double kLargestLeadStretch = 0.3;
+
+}  // namespace
 
 void Editor::state_changed() {
   const AppState& now = state();
@@ -22,6 +32,9 @@ void Editor::state_changed() {
     warnings_ =
         warnings_of(*certificate, surface_of(now)->topology(), shown_.opened_bounds().diagonal());
   }
+  Positions roi;
+  for (const Index v : now.selection.roi.vertices) roi.push_back(now.rest->positions[v]);
+  longest_lead_ = kLongestLead * bounds_of(roi).diagonal();
   classes_are_old_ = true;
   if (!needs_settling(now) || !shown_.has_triangles_of_state()) {
     shown_.show_still();
@@ -63,6 +76,7 @@ void Editor::show_before(bool before) {
 
 void Editor::update() {
   if (session_->take_result()) state_changed();
+  if (begins_new_edit_ && !session_->awaits_result() && !is_dragging()) new_edit();
   // The ground would be pulled from under a stroke.
   if (!is_dragging()) take_step();
   follow_hand();
@@ -105,13 +119,50 @@ void Editor::follow_hand() {
   if (dragging) hold_pose();
   if (dragging && settles_while_dragging()) settle_live();
   motions_of(state(), handle_, dragging ? *tools_.gizmo.move() : state().moves[handle_], motions_);
+  if (settles_while_dragging()) stay_near_pose();
   shown_.follow(session_->preparation(), motions_);
 }
 
 // What is going to move moves on from the surface as it stands.
 void Editor::hold_pose() {
   if (!shown_.has_triangles_of_state() || shown_.pose()) return;
-  if (auto pose = session_->pose()) shown_.follow_from(std::move(pose));
+  if (auto pose = session_->pose()) follow_from(std::move(pose), state().moves);
+}
+
+void Editor::follow_from(std::shared_ptr<const SettledPose> pose, std::span<const Move> moves) {
+  AppState there = state();
+  there.moves.assign(moves.begin(), moves.end());
+  pose_motions_ = motions_of(there);
+  shown_.follow_from(std::move(pose));
+}
+
+// A linear response shears and swells what turns or goes far. What settles on the way catches up
+// with the hand; until then the surface goes toward it only as far as it still looks right.
+void Editor::stay_near_pose() {
+  if (shown_.pose() == nullptr) pose_motions_.clear();
+  pose_motions_.resize(motions_.size(), Eigen::Affine3d::Identity());
+  const auto centroid_of = [&](std::size_t h) {
+    return state().mirrored ? state().mirrored->centroids[h] : handle_centroid(state(), h);
+  };
+  double share = 1.0;
+  const auto keep = [&share](double amount, double most) {
+    if (amount * share > most) share = most / amount;
+  };
+  for (std::size_t h = 0; h < motions_.size(); ++h) {
+    const Eigen::Affine3d lead = motions_[h] * pose_motions_[h].inverse();
+    const Eigen::AngleAxisd turn = shortest_turn(lead);
+    const Eigen::Vector3d from = pose_motions_[h] * centroid_of(h);
+    const Eigen::Matrix3d stretch = turn.toRotationMatrix().transpose() * lead.linear();
+    keep(std::abs(turn.angle()), kLargestLeadTurn);
+    keep((lead * from - from).norm(), longest_lead_);
+    keep((stretch - Eigen::Matrix3d::Identity()).norm(), kLargestLeadStretch);
+  }
+  if (share == 1.0) return;
+  for (std::size_t h = 0; h < motions_.size(); ++h) {
+    const Eigen::Affine3d lead = motions_[h] * pose_motions_[h].inverse();
+    const Eigen::Vector3d from = pose_motions_[h] * centroid_of(h);
+    motions_[h] = partial_motion(lead, shortest_turn(lead), from, share) * pose_motions_[h];
+  }
 }
 
 // Takes what has settled of the drag, and asks for more where the hand has gone on or something is
@@ -120,7 +171,7 @@ void Editor::settle_live() {
   live_moves_.assign(state().moves.begin(), state().moves.end());
   live_moves_[handle_] = *tools_.gizmo.move();
   if (auto result = session_->take_live_result()) {
-    shown_.follow_from(result->pose);
+    follow_from(result->pose, result->moves);
     live_ = std::move(result);
   }
   const bool is_there = live_ ? live_->is_done && live_->moves == live_moves_

@@ -28,9 +28,13 @@ bool ShownSurface::take(const AppState& state) {
   std::shared_ptr<const Mesh> surface = surface_of(state);
   if (now_ == surface && settled_ == state.settled) return false;
   if (device_ && now_ != surface) device_->surface.drag_from(nullptr);
+  const bool has_same_triangles = now_ && now_->shares_faces_with(*surface);
   now_ = std::move(surface);
   settled_ = state.settled;
-  positions_ = positions_of(state);
+  Positions positions = positions_of(state);
+  // A result that becomes the rest shape leaves the surface where it was.
+  if (has_same_triangles && positions == positions_) return false;
+  positions_ = std::move(positions);
   bounds_ = bounds_of(positions_);
   return true;
 }

@@ -27,7 +27,8 @@ class ShownSurface {
   void release_device();
   void use_device(std::shared_ptr<gpu::Context> context);
 
-  /// What is edited now; ends drag and preview. True where its surface is another than before.
+  /// What is edited now; ends drag and preview. True where the
+  /// surface has other triangles than before, or is elsewhere.
   bool take(const AppState& state);
   /// Puts the surface where it is known to be.
   void show_still();

@@ -59,7 +59,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'H', kShift, Action::add_handle, "choose one more handle"},
      {'T', kPlain, Action::choose_belt, "choose the belt by hand"},
      {'D', kPlain, Action::take_disk,
-      "choose by a disk: drag from its middle to its rim, or click and scroll"},
+      "choose by a disk: drag from its middle to its rim, or click; [ and ] size it"},
      {'O', kPlain, Action::take_loop,
       "choose by a loop: click around, close it, click the side to keep"},
      {'P', kPlain, Action::take_brush, "choose by a brush: [ and ] size it, Ctrl erases"},
@@ -71,6 +71,9 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {kEscape, kPlain, Action::take_move},
      {kEnter, kPlain, Action::go_on,
       "go on from the ROI to the handle, and from there to moving it"},
+     {'N', kControl, Action::new_edit, "begin a new edit: what was done stays, nothing is chosen"},
+     {'A', kControl, Action::select_all, "choose all"},
+     {'A', kControlShift, Action::clear, "choose nothing"},
      {'=', kControl, Action::grow, "grow what is chosen by a ring"},
      {'-', kControl, Action::shrink, "shrink what is chosen by a ring"},
      {'I', kControl, Action::invert, "choose what is not chosen"},
@@ -173,7 +176,7 @@ std::vector<ControlLine> gizmo_controls() {
 
 // PlaceTool's.
 std::vector<ControlLine> part_controls() {
-  return {{"wheel, [ and ], with a part in hand", "size it; Shift + wheel turns it"},
+  return {{"Ctrl + wheel, [ and ], with a part in hand", "size it; Shift + wheel turns it"},
           {"G, Enter, Escape, when it is set down", "take it up again, apply it, give it up"}};
 }
 
@@ -220,6 +223,7 @@ std::vector<ControlLine> mouse_controls(const Keymap& keymap) {
                      std::string(words(binding.motion))});
   }
   lines.push_back({"wheel", "zoom to what is under the cursor"});
+  lines.push_back({words(kSizes) + "wheel", "size the disk chosen last, or the brush"});
   lines.push_back({"left click", "say what is there"});
   lines.push_back({"drop a file", "open it"});
   return lines;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/deform/mirror.h"
 #include "lapwing/region/joined_regions.h"
 #include "lapwing/step/step.h"
 #include "state/step_words.h"
@@ -127,6 +128,43 @@ void take_over(AppState& state, const std::shared_ptr<const Mesh>& other) {
   if (fraction) state.selection.belt_fraction = fraction;
 }
 
+// What moves with the ROI: it, and its image where all is meant on both sides.
+VertexSet both_sides(const VertexSet& roi, const AppState& state) {
+  if (!state.selection.mirror) return roi;
+  const auto images = mirror_images(*surface_of(state), *state.selection.mirror, "mirror");
+  return unite(roi, mirrored(roi, images));
+}
+
+// What the ROI does not hold could not be moved with it. Without an ROI everything waits for one.
+void let_go_outside_roi(AppState& state) {
+  EditSelection& selection = state.selection;
+  const VertexSet& roi = selection.roi.vertices;
+  const auto leaves = [](const ChosenRegion& region, const VertexSet& held) {
+    return !subtract(region.vertices, held).empty();
+  };
+  const bool belt_leaves = !selection.belt_fraction && leaves(selection.belt, roi);
+  const bool handle_leaves =
+      std::any_of(selection.handles.begin(), selection.handles.end(),
+                  [&](const ChosenHandle& handle) { return leaves(handle, roi); });
+  if (roi.empty() || (!belt_leaves && !handle_leaves)) return;
+  const VertexSet held = both_sides(roi, state);
+  for (std::size_t h = selection.handles.size(); h-- > 0;) {
+    ChosenRegion& handle = selection.handles[h];
+    if (!leaves(handle, held)) continue;
+    VertexSet inside = intersect(handle.vertices, held);
+    if (inside.empty()) {
+      const auto offset = static_cast<std::ptrdiff_t>(h);
+      selection.handles.erase(selection.handles.begin() + offset);
+      state.moves.erase(state.moves.begin() + offset);
+    } else {
+      handle = repainted(handle, std::move(inside));
+    }
+  }
+  if (selection.belt_fraction || !leaves(selection.belt, held)) return;
+  selection.belt = repainted(selection.belt, intersect(selection.belt.vertices, held));
+  if (selection.belt.vertices.empty()) selection.belt_fraction = BorderBelt{}.fraction;
+}
+
 // The region of `part`, made when it is a new handle.
 ChosenRegion& region_of(AppState& state, const Part& part) {
   if (part.role == Part::Role::roi) return state.selection.roi;
@@ -147,6 +185,7 @@ struct Applier {
   void replace(const Part& part, ChosenRegion region) const {
     region_of(state, part) = std::move(region);
     if (part.role == Part::Role::belt) state.selection.belt_fraction.reset();
+    if (part.role == Part::Role::roi) let_go_outside_roi(state);
     renew_belt(state.selection, *state.rest, joined_seams(state));
   }
 
@@ -211,6 +250,14 @@ struct Applier {
     state.settled = command.result;
   }
   void operator()(const Commit&) const { commit(state); }
+  void operator()(const NewEdit&) const {
+    commit(state);
+    EditSelection cleared;
+    cleared.mirror = state.selection.mirror;
+    if (state.selection.belt_fraction) cleared.belt_fraction = state.selection.belt_fraction;
+    state.selection = std::move(cleared);
+    state.moves.clear();
+  }
   void operator()(const SetParameters& command) const {
     if (state.parameters == command.parameters) return;
     // What a recipe could not say must not come into the state: it could not be restored.
@@ -336,6 +383,7 @@ struct CommandDescriber {
   }
   std::string operator()(const Settle&) const { return "settle"; }
   std::string operator()(const Commit&) const { return "commit"; }
+  std::string operator()(const NewEdit&) const { return "new edit"; }
   std::string operator()(const SetParameters&) const { return "parameters"; }
   std::string operator()(const CarryAlong& command) const {
     return "carry " + command.file->file().filename().string();

@@ -65,6 +65,10 @@ struct Settle {
 /// The result becomes the rest shape of the next edit.
 struct Commit {};
 
+/// The same, and nothing is chosen any more: another edit begins, with the same parameters, mirror
+/// and width of the belt.
+struct NewEdit {};
+
 struct SetParameters {
   EditParameters parameters;
 };
@@ -98,14 +102,15 @@ struct Revise {
 /// One thing that a person, a test or a recipe does.
 using Command =
     std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, SetMirror, MoveHandle,
-                 Settle, Commit, SetParameters, CarryAlong, StopCarrying, Apply, Revise>;
+                 Settle, Commit, NewEdit, SetParameters, CarryAlong, StopCarrying, Apply, Revise>;
 
 /// The state after `command`. Choosing, painting and applying commit what is settled first: what is
-/// chosen then is chosen on the surface that is seen. Moves, parameters, the belt's width and what
-/// is carried ask for a new result from the same rest shape. Throws InputError when the state does
-/// not fit: a handle or carried file that does not exist, a result that nothing asked for or that
-/// is of another mesh, a choice, step or commit while a drag waits for its result; and what
-/// `resolve` throws. Pure.
+/// chosen then is chosen on the surface that is seen. What an ROI that becomes another one does not
+/// hold of handles, and of a belt chosen by hand, is let go. Moves, parameters, the belt's width
+/// and what is carried ask for a new result from the same rest shape. Throws InputError when the
+/// state does not fit: a handle or carried file that does not exist, a result that nothing asked
+/// for or that is of another mesh, a choice, step or commit while a drag waits for its result; and
+/// what `resolve` throws. Pure.
 AppState apply(AppState state, const Command& command);
 
 /// What the history panel calls it: "ROI: disk", "move handle 1", "settle".

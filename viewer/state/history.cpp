@@ -2,20 +2,62 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace lapwing::viewer {
 
 History::History(AppState start) : state_(std::move(start)) {}
 
-void History::perform(const Command& command) {
-  AppState after = apply(state_, command);
-  Change change(state_, after);
+void History::perform(const Command& command, Joining joining) {
+  if (!can_undo()) joining = Joining::own_step;
+  AppState after = apply(joining == Joining::instead_of_last ? before_last() : state_, command);
+  const bool is_awaited = std::holds_alternative<Settle>(command) && needs_settling(state_);
+  if (is_awaited && can_undo()) {
+    take_result(std::move(after));
+  } else if (joining == Joining::own_step) {
+    record(describe(command), state_, std::move(after));
+  } else {
+    replace_last(describe(command), std::move(after));
+  }
+}
+
+void History::record(std::string name, const AppState& before, AppState after) {
+  Change change(before, after);
   if (change.is_nothing()) return;
   if (saved_at_ && *saved_at_ > done_) saved_at_.reset();
   steps_.resize(done_);
-  steps_.push_back({describe(command), std::move(change)});
+  steps_.push_back({std::move(name), std::move(change)});
   ++done_;
   state_ = std::move(after);
+}
+
+// A step that comes to nothing goes.
+void History::replace_last(std::string name, AppState after) {
+  const bool is_saved = saved_at_ == done_ && !Change(state_, after).concerns_surface();
+  const AppState before = before_last();
+  steps_.resize(--done_);
+  state_ = before;
+  if (saved_at_ && *saved_at_ > done_) saved_at_.reset();
+  record(std::move(name), before, std::move(after));
+  if (is_saved) saved_at_ = done_;
+}
+
+// The steps that were undone go on from what is settled now.
+void History::take_result(AppState settled) {
+  if (saved_at_ == done_) saved_at_.reset();
+  steps_[done_ - 1].change = Change(before_last(), settled);
+  if (can_redo()) {
+    AppState next = state_;
+    steps_[done_].change.redo(next);
+    steps_[done_].change = Change(settled, next);
+  }
+  state_ = std::move(settled);
+}
+
+AppState History::before_last() const {
+  AppState before = state_;
+  steps_[done_ - 1].change.undo(before);
+  return before;
 }
 
 void History::undo() {

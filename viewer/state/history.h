@@ -10,6 +10,13 @@
 
 namespace lapwing::viewer {
 
+/// Which step of the history a command is. Where there is no last step it is one of its own.
+enum class Joining {
+  own_step,
+  with_last,        ///< one step with the last: a gesture that takes more than one command
+  instead_of_last,  ///< on the state before the last step: a choice that goes on changing
+};
+
 /// The state and the way to it: every step can be undone and redone, also after saving. A step
 /// costs what it changed.
 class History {
@@ -18,9 +25,11 @@ class History {
 
   const AppState& state() const { return state_; }
 
-  /// Carries `command` out as a new step; what was undone is forgotten. A command that changes
-  /// nothing is no step. Throws what `apply` does, and nothing has changed then.
-  void perform(const Command& command);
+  /// Carries `command` out; what was undone is forgotten. A command that changes nothing is no
+  /// step. A result that the state waits for belongs to the step that asked for it, under that
+  /// one's name, and what was undone after that stays. Throws what `apply` does, and nothing has
+  /// changed then.
+  void perform(const Command& command, Joining joining = Joining::own_step);
 
   bool can_undo() const { return done_ > 0; }
   bool can_redo() const { return done_ < steps_.size(); }
@@ -54,6 +63,11 @@ class History {
     std::string name;
     Change change;
   };
+
+  void record(std::string name, const AppState& before, AppState after);
+  void replace_last(std::string name, AppState after);
+  void take_result(AppState settled);
+  AppState before_last() const;
 
   AppState state_;
   std::vector<Recorded> steps_;

@@ -20,7 +20,14 @@ constexpr double kClickPixels = 4.0;
 // Of a click, before any disk was dragged: a part of the mesh's diagonal.
 constexpr double kFirstRadius = 0.1;
 
-constexpr double kFactorOfScroll = 1.1;
+constexpr double kFactorOfSize = 1.1;
+
+// The steps by which the event sizes a disk; 0 for any other.
+double steps_of(const InputEvent& event) {
+  if (event.kind == InputKind::scroll && event.modifiers == kSizes) return event.scroll;
+  if (event.kind != InputKind::key || event.modifiers != Modifiers{}) return 0.0;
+  return event.key == ']' ? 1.0 : event.key == '[' ? -1.0 : 0.0;
+}
 
 // Shares of the corners of a triangle in a point of its plane; equal ones if it has no area.
 Vector3d barycentric(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& p) {
@@ -41,9 +48,8 @@ ToolAnswer DiskTool::handle(const InputEvent& event, const ToolScene& scene) {
     begin(*pick, event, scene);
     return ToolAnswer::only_taken();
   }
-  if (event.kind == InputKind::scroll && center_ != kNoIndex) {
-    radius_ *= std::pow(kFactorOfScroll, event.scroll);
-    return dragging_ ? ToolAnswer::only_taken() : chosen();
+  if (const double steps = steps_of(event); steps != 0.0 && center_ != kNoIndex) {
+    return resized(steps);
   }
   if (!dragging_) return ToolAnswer::passed_on();
   if (event.kind == InputKind::key && event.key == kEscape) {
@@ -84,12 +90,20 @@ double DiskTool::radius_at(const Vector2d& pixel, const ToolScene& scene) const 
 }
 
 ToolAnswer DiskTool::chosen() const {
-  return {true, Choose{part_, {GeodesicDisk{center_, radius_}, "disk"}}, {}};
+  return {.taken = true, .command = Choose{part_, {GeodesicDisk{center_, radius_}, "disk"}}};
+}
+
+ToolAnswer DiskTool::resized(double steps) {
+  radius_ *= std::pow(kFactorOfSize, steps);
+  if (dragging_) return ToolAnswer::only_taken();
+  ToolAnswer answer = chosen();
+  answer.resizes = true;
+  return answer;
 }
 
 const char* DiskTool::hint(const AppState& state, const Part& part) const {
   if (may_change_choice() && !vertices_of(state.selection, part).empty()) {
-    return "the wheel changes the radius; Enter accepts it";
+    return "Ctrl + wheel sizes the disk; Enter accepts it";
   }
   return of_part(part, "drag from the middle of the region to edit to its rim",
                  "choose the belt, between ROI and handle",

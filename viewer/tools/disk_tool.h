@@ -7,9 +7,9 @@
 
 namespace lapwing::viewer {
 
-/// Chooses a geodesic disk: press on its centre and drag to its rim, or click and scroll. Scrolling
-/// changes the disk chosen last, too, also where the scene has gone on to another part since.
-/// Escape gives up.
+/// Chooses a geodesic disk: press on its centre and drag to its rim, or click. [ and ] and the
+/// wheel with Control size the disk chosen last, also where the scene has gone on to another part
+/// since. Escape gives up.
 class DiskTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -20,7 +20,7 @@ class DiskTool final : public SceneTool {
   std::size_t count_with(const VertexSet& chosen) const override {
     return dragging_ ? live().size() : chosen.size();
   }
-  /// Whether the disk chosen last came by a click, its radius still to be scrolled; false while one
+  /// Whether the disk chosen last came by a click, its radius still to be chosen; false while one
   /// is dragged, and before the first.
   bool may_change_choice() const override {
     return center_ != kNoIndex && !dragging_ && !has_moved_;
@@ -35,6 +35,7 @@ class DiskTool final : public SceneTool {
   void begin(const SurfacePoint& pick, const InputEvent& event, const ToolScene& scene);
   double radius_at(const Eigen::Vector2d& pixel, const ToolScene& scene) const;
   ToolAnswer chosen() const;
+  ToolAnswer resized(double steps);
 
   bool dragging_ = false;
   bool has_moved_ = false;  // far enough to be no click

@@ -32,6 +32,10 @@ struct Modifiers {
   bool operator==(const Modifiers&) const = default;
 };
 
+/// What sizes a disk, a brush or a part with the wheel, in every keymap: without it the wheel
+/// zooms.
+inline constexpr Modifiers kSizes{.control = true};
+
 /// What a person did to the window. Positions in pixels from the upper left corner.
 struct InputEvent {
   InputKind kind = InputKind::move;

@@ -22,6 +22,10 @@ ToolAnswer PaintTool::handle(const InputEvent& event, const ToolScene& scene) {
     resize_brush(event.key == ']' ? 1.0 : -1.0);
     return ToolAnswer::only_taken();
   }
+  if (event.kind == InputKind::scroll && event.modifiers == kSizes) {
+    resize_brush(event.scroll);
+    return ToolAnswer::only_taken();
+  }
   if (!dragging_) {
     control_ = event.modifiers.control;
     if (event.kind != InputKind::press || event.button != MouseButton::left) {
@@ -36,7 +40,7 @@ ToolAnswer PaintTool::handle(const InputEvent& event, const ToolScene& scene) {
       give_up();
       return ToolAnswer::only_taken();
     case InputKind::scroll:
-      resize_brush(event.scroll);
+      // The stroke is in pixels of this view.
       return ToolAnswer::only_taken();
     case InputKind::move:
       extend(event.position, scene);
@@ -99,7 +103,12 @@ void PaintTool::resize_brush(double steps) {
       std::clamp(options_.radius * std::pow(kFactorOfStep, steps), kSmallestBrush, kLargestBrush);
 }
 
-const char* PaintTool::hint(const AppState&, const Part& part) const {
+const char* PaintTool::hint(const AppState& state, const Part& part) const {
+  if (!vertices_of(state.selection, part).empty()) {
+    return of_part(part, "paint more of the region, Ctrl erases; Enter goes on to the handle",
+                   "paint more of the belt, Ctrl erases",
+                   "paint more of the handle, Ctrl erases; Enter goes on to moving it");
+  }
   return of_part(part, "paint the region to edit (ROI)", "paint the belt",
                  "paint a handle in the ROI");
 }

@@ -74,7 +74,7 @@ void PlaceTool::set_down() {
 const char* PlaceTool::hint(const AppState&, const Part&) const {
   switch (stage_) {
     case Stage::carried:
-      return "click where the part goes; the wheel sizes it, Shift + wheel turns it";
+      return "click where the part goes; Ctrl + wheel sizes it, Shift + wheel turns it";
     case Stage::set_down:
       return "drag the gizmo (W, E, Q); G picks the part up again, Enter applies, Escape cancels";
     case Stage::empty:
@@ -143,9 +143,9 @@ void PlaceTool::escape() {
 }
 
 ToolAnswer PlaceTool::handle_scroll(const InputEvent& event) {
-  if (event.modifiers.shift) {
+  if (event.modifiers == Modifiers{.shift = true}) {
     change([&](TransplantDraft& draft) { draft.turn_by(kDegreesPerNotch * event.scroll); });
-  } else if (stage_ == Stage::carried) {
+  } else if (event.modifiers == kSizes && stage_ == Stage::carried) {
     change(
         [&](TransplantDraft& draft) { draft.scale_by(std::pow(kFactorPerNotch, event.scroll)); });
   } else {

@@ -17,10 +17,10 @@ struct TransplantHost {
   std::shared_ptr<const SurfaceSnap> surface;
 };
 
-/// Puts a part on a surface. First it follows the cursor, standing on what is under it: the wheel,
-/// [ and ] make it larger and smaller, Shift and the wheel turn it. A click sets it down; then a
-/// gizmo moves it, whose axes are the part's (W, E, Q; Control snaps), and G takes it up again.
-/// Enter applies it, Escape gives up the drag, or all of it.
+/// Puts a part on a surface. First it follows the cursor, standing on what is under it: [
+/// and ], and the wheel with Control, make it larger and smaller, Shift and the wheel turn it. A
+/// click sets it down; then a gizmo moves it, whose axes are the part's (W, E, Q; Control snaps),
+/// and G takes it up again. Enter applies it, Escape gives up the drag, or all of it.
 class PlaceTool final : public SceneTool {
  public:
   enum class Stage { empty, carried, set_down };

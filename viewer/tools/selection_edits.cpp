@@ -69,6 +69,31 @@ std::optional<Command> shrink(const AppState& state, const Part& part) {
   return paint(state, part, outermost, true);
 }
 
+std::optional<Command> choose_all(const AppState& state, const Part& part) {
+  const VertexSet& before = vertices_of(state.selection, part);
+  if (part.role != Role::roi) {
+    return change(part, allowed(state, part, subtract(all_vertices(state), before)), {});
+  }
+  if (before.size() == all_vertices(state).size()) return std::nullopt;
+  return Choose{part, {AllVertices{}, "ROI"}};
+}
+
+std::optional<Command> clear(const AppState& state, const Part& part) {
+  const EditSelection& selection = state.selection;
+  switch (part.role) {
+    case Role::roi:
+      if (selection.roi.vertices.empty()) return std::nullopt;
+      return Choose{part, {ListedVertices{}, "ROI"}};
+    case Role::handle:
+      if (part.handle >= selection.handles.size()) return std::nullopt;
+      return RemoveHandle{part.handle};
+    case Role::belt:
+      if (selection.belt_fraction) return std::nullopt;
+      return SetBeltWidth{};
+  }
+  return std::nullopt;
+}
+
 std::optional<Command> invert(const AppState& state, const Part& part) {
   const VertexSet& before = vertices_of(state.selection, part);
   return change(part, allowed(state, part, subtract(all_vertices(state), before)), before);

@@ -15,10 +15,15 @@ const VertexSet& vertices_of(const EditSelection& selection, const Part& part);
 std::optional<Command> paint(const AppState& state, const Part& part, const VertexSet& vertices,
                              bool erase);
 
-/// The part with its ring neighbours, without its outermost vertices, and what it did not hold of
-/// all that it may hold. Nothing when nothing would change.
+/// The part with its ring neighbours, without its outermost vertices, all that it may hold, and
+/// what it did not hold of that. Nothing when nothing would change.
 std::optional<Command> grow(const AppState& state, const Part& part);
 std::optional<Command> shrink(const AppState& state, const Part& part);
+std::optional<Command> choose_all(const AppState& state, const Part& part);
 std::optional<Command> invert(const AppState& state, const Part& part);
+
+/// The part without any vertex: a handle goes, a belt chosen by hand goes by its width again.
+/// Nothing when nothing would change.
+std::optional<Command> clear(const AppState& state, const Part& part);
 
 }  // namespace lapwing::viewer

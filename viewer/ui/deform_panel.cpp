@@ -127,10 +127,12 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
 
 void draw_parameters(Editor& editor, PanelDrafts& drafts) {
   if (!ImGui::TreeNode("How it is computed")) return;
-  EditParameters parameters = drafts.parameters.value_or(editor.state().parameters);
+  const EditParameters before = drafts.parameters.value_or(editor.state().parameters);
+  EditParameters parameters = before;
   ParameterPanel panel(editor.bounds().diagonal());
   describe(parameters, panel);
   ImGui::TreePop();
+  parameters = drafts.settling.meant(before, parameters);
   if (panel.edited()) drafts.parameters = parameters;
   if (!panel.chosen()) return;
   drafts.parameters.reset();

@@ -81,6 +81,21 @@ bool draw_path_panel(PathPlan& plan) {
   return use && open;
 }
 
+std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file) {
+  std::optional<bool> choice;
+  place_in_the_middle();
+  if (ImGui::Begin("Write over it?", nullptr, kDialog)) {
+    ImGui::Text("There is a file %s already.", file.filename().c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", file.c_str());
+    ImGui::TextDisabled("Enter writes over it, Escape goes back.");
+    if (ImGui::Button("Write over it") || is_pressed(ImGuiKey_Enter)) choice = true;
+    ImGui::SameLine();
+    if (ImGui::Button("Back")) choice = false;
+  }
+  ImGui::End();
+  return choice;
+}
+
 std::optional<UnsavedChoice> draw_unsaved_panel(const std::string& name) {
   std::optional<UnsavedChoice> choice;
   place_in_the_middle();

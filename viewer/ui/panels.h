@@ -10,6 +10,7 @@
 #include "editing/layer_desk.h"
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
+#include "state/kept_settling.h"
 #include "ui/document.h"
 #include "ui/part_pictures.h"
 #include "window/app.h"
@@ -22,6 +23,7 @@ struct PanelDrafts {
   std::optional<SetGrading> grading;
   std::optional<SimilarityMove> move;
   std::optional<EditParameters> parameters;
+  KeptSettling settling;
   std::size_t history_shown = 0;  ///< step that the list was scrolled to
   std::string parts_folder;       ///< being typed in; empty: as the shelf has it
   std::string part_path;          ///< likewise, to be used or added
@@ -100,6 +102,10 @@ class EditMarks {
   std::vector<Eigen::Vector2d> points_;
 };
 
+/// The three steps of an edit and what to do now, over the picture, its upper left corner at
+/// `corner`.
+void draw_guide(const Editor& editor, const Eigen::Vector2d& corner);
+
 /// The list of controls, in a window of its own; `open` turns false when it is closed.
 void draw_controls_list(const Keymap& keymap, bool& open);
 
@@ -127,6 +133,9 @@ struct PathPlan {
 };
 /// Asks for it, in a window of its own; true when it is to be used.
 bool draw_path_panel(PathPlan& plan);
+
+/// Asks whether to write over a file, in a window of its own; nothing until the person says.
+std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file);
 
 /// What becomes of an edit that is not saved.
 enum class UnsavedChoice { save, discard, cancel };

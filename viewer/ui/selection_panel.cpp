@@ -161,6 +161,11 @@ void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
   ImGui::Separator();
   draw_tools(editor);
   if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor);
+  if (ImGui::Button("New edit")) editor.new_edit();
+  ImGui::SameLine();
+  if (ImGui::Button("All")) editor.select_all();
+  ImGui::SameLine();
+  if (ImGui::Button("None")) editor.clear();
   if (ImGui::Button("Grow")) editor.grow();
   ImGui::SameLine();
   if (ImGui::Button("Shrink")) editor.shrink();

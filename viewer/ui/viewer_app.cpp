@@ -96,6 +96,7 @@ void ViewerApp::show(LoadedFile file) {
   // Two meshes at a time may not fit on the device.
   if (document_) document_->editor.session().close();
   document_.reset();
+  saving_ = nullptr;
   document_ = std::make_unique<Document>(
       std::move(file), journals_, context_,
       [this](std::string message) { say(std::move(message)); }, &Window::wake);
@@ -164,29 +165,62 @@ void ViewerApp::ask_for_path(PathPurpose purpose) {
   }
 }
 
-bool ViewerApp::save_to(const std::filesystem::path& path) {
-  try {
-    say(document_->editor.session().save(path));
-    document_->save_path = path;
-    say("saved " + path.string() + and_carried(document_->editor.state()));
-    return true;
-  } catch (const Error& error) {
-    say(error.what());
-    return false;
-  }
+void ViewerApp::once_settled(std::function<void()> action) {
+  EditSession& session = document_->editor.session();
+  if (!needs_settling(session.state())) return action();
+  // Settling that was given up begins again: half of a step is never saved.
+  if (!session.awaits_result()) session.prepare();
+  saving_ = std::move(action);
+  say("the drag is settling; saved once it has");
+}
+
+void ViewerApp::take_settled() {
+  if (!saving_) return;
+  const EditSession* session = document_ ? &document_->editor.session() : nullptr;
+  if (session != nullptr && session->awaits_result()) return;
+  const auto action = std::exchange(saving_, nullptr);
+  if (session == nullptr) return;
+  if (!needs_settling(session->state())) return action();
+  say("not saved: the drag did not settle; settle or undo it, and save again");
+}
+
+void ViewerApp::save_to(const std::filesystem::path& path, std::function<void()> then) {
+  once_settled([this, path, then = std::move(then)] {
+    try {
+      say(document_->editor.session().save(path));
+      document_->save_path = path;
+      say("saved " + path.string() + and_carried(document_->editor.state()));
+      if (then) then();
+    } catch (const Error& error) {
+      say(error.what());
+    }
+  });
 }
 
 void ViewerApp::save_carried() {
-  const std::filesystem::path beside =
-      document_->save_path.empty() ? edited_path(document_->opened) : document_->save_path;
-  try {
-    say(document_->editor.session().save_carried(beside));
-    for (const auto& file : carried_of(document_->editor.state())) {
-      say("saved " + file->target(beside).string());
+  once_settled([this] {
+    const std::filesystem::path beside =
+        document_->save_path.empty() ? edited_path(document_->opened) : document_->save_path;
+    try {
+      say(document_->editor.session().save_carried(beside));
+      for (const auto& file : carried_of(document_->editor.state())) {
+        say("saved " + file->target(beside).string());
+      }
+    } catch (const Error& error) {
+      say(error.what());
     }
-  } catch (const Error& error) {
-    say(error.what());
-  }
+  });
+}
+
+void ViewerApp::save_recipe(const std::filesystem::path& path) {
+  once_settled([this, path] {
+    try {
+      document_->editor.session().save_recipe(path);
+      say("saved " + path.string());
+    } catch (const Error& error) {
+      say(error.what());
+    }
+  });
 }
 
 void ViewerApp::say(const WriteReport& report) {
@@ -194,21 +228,33 @@ void ViewerApp::say(const WriteReport& report) {
   for (const std::string& note : report.notes) say(note);
 }
 
+void ViewerApp::write_to(const std::filesystem::path& file, std::function<void()> write,
+                         std::function<void()> otherwise) {
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) return write();
+  overwriting_ = {file, std::move(write), std::move(otherwise)};
+}
+
+void ViewerApp::answer_overwriting(bool writes) {
+  const Overwriting asked = *std::exchange(overwriting_, std::nullopt);
+  const auto& action = writes ? asked.write : asked.otherwise;
+  if (action) action();
+}
+
 // Of the path that a person has typed in.
 void ViewerApp::use_path() {
   const std::filesystem::path path = path_plan_.path;
   EditSession& session = document_->editor.session();
-  switch (*std::exchange(path_plan_.purpose, std::nullopt)) {
+  const PathPurpose purpose = *std::exchange(path_plan_.purpose, std::nullopt);
+  const auto ask_again = [this, purpose] { path_plan_.purpose = purpose; };
+  switch (purpose) {
     case PathPurpose::save_mesh:
-      if (save_to(path) && leaving_for_) std::exchange(leaving_for_, nullptr)();
+      write_to(
+          path, [this, path] { save_to(path, std::exchange(leaving_for_, nullptr)); }, ask_again);
       break;
     case PathPurpose::save_recipe:
-      try {
-        session.save_recipe(path);
-        say("saved " + path.string());
-      } catch (const Error& error) {
-        say(error.what());
-      }
+      write_to(
+          path, [this, path] { save_recipe(path); }, ask_again);
       break;
     case PathPurpose::replay_recipe:
       load(path.filename().string(),

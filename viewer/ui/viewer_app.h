@@ -60,8 +60,19 @@ class ViewerApp final : public App {
   /// Goes on with `action`, which gives up what is open, once nothing is lost by it.
   void leave_for(std::function<void()> action);
   void ask_for_path(PathPurpose purpose);
-  bool save_to(const std::filesystem::path& path);
+  /// Does `write`; where `file` is there already only after the person has said so, `otherwise`
+  /// where not.
+  void write_to(const std::filesystem::path& file, std::function<void()> write,
+                std::function<void()> otherwise = {});
+  void answer_overwriting(bool writes);
+  /// Does `action` once the surface has settled, now or after a frame to come; where it does not
+  /// settle, says that nothing was saved.
+  void once_settled(std::function<void()> action);
+  void take_settled();
+  /// And then does `then`, if it was saved.
+  void save_to(const std::filesystem::path& path, std::function<void()> then = {});
   void save_carried();
+  void save_recipe(const std::filesystem::path& path);
   void use_path();
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void carry_out_order();
@@ -112,6 +123,7 @@ class ViewerApp final : public App {
   void draw_start();
   void draw_interrupted();
   void draw_unsaved();
+  void draw_picture();
   VkExtent2D window_size() const;
 
   std::shared_ptr<gpu::Context> context_;
@@ -138,6 +150,14 @@ class ViewerApp final : public App {
   PicturePlan picture_plan_;
   PathPlan path_plan_;
   std::vector<InterruptedEdit> interrupted_;
+  /// A file that is there already, and what to do once the person has said.
+  struct Overwriting {
+    std::filesystem::path file;
+    std::function<void()> write;
+    std::function<void()> otherwise;
+  };
+  std::optional<Overwriting> overwriting_;
+  std::function<void()> saving_;       ///< waits for the surface to settle
   std::function<void()> leaving_for_;  ///< waits for the person to say what becomes of the edit
   std::vector<std::filesystem::path> samples_;
   std::string typed_path_;

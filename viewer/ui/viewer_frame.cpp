@@ -73,6 +73,7 @@ void append_state(std::string& text, const Editor& editor) {
 void ViewerApp::draw_ui(const FrameTimings& last) {
   take_loaded();
   update_document();
+  take_settled();
   carry_out_order();
   draw_menu();
   draw_status(last);
@@ -84,6 +85,13 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
       marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
     }
     if (show_panels_) draw_sidebar(last);
+    const bool deforms = !document_->desk.is_open() && !document_->transplant.is_open();
+    if (show_panels_ && deforms) {
+      const ImVec2 top = ImGui::GetMainViewport()->WorkPos;
+      const double gap = 0.5 * static_cast<double>(ImGui::GetFontSize());
+      draw_guide(document_->editor, {sidebar_pixels() / per_unit + static_cast<double>(top.x) + gap,
+                                     static_cast<double>(top.y) + gap});
+    }
   }
   draw_dialogs();
   if (document_) ++frames_shown_;
@@ -116,18 +124,31 @@ void ViewerApp::draw_dialogs() {
   } else if (show_start_ && !loader_.status().busy) {
     draw_start();
   }
-  if (picture_plan_.open && document_ && draw_picture_panel(picture_plan_)) {
+  if (overwriting_) {
+    // Before the dialogs that lead to it: what is pressed there is no answer here.
+    if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
+  } else {
+    if (picture_plan_.open && document_) draw_picture();
+    if (document_ && draw_path_panel(path_plan_)) use_path();
+    if (leaving_for_ && !path_plan_.purpose && !overwriting_) draw_unsaved();
+  }
+  if (show_controls_) draw_controls_list(keymaps()[keymap_], show_controls_);
+}
+
+void ViewerApp::draw_picture() {
+  if (!draw_picture_panel(picture_plan_)) return;
+  const std::filesystem::path path = picture_plan_.path;
+  const VkExtent2D size{static_cast<std::uint32_t>(picture_plan_.width),
+                        static_cast<std::uint32_t>(picture_plan_.height)};
+  const auto save = [this, path, size] {
     try {
-      save_picture(picture_plan_.path, {static_cast<std::uint32_t>(picture_plan_.width),
-                                        static_cast<std::uint32_t>(picture_plan_.height)});
-      say("saved " + picture_plan_.path);
+      save_picture(path, size);
+      say("saved " + path.string());
     } catch (const Error& error) {
       say(error.what());
     }
-  }
-  if (document_ && draw_path_panel(path_plan_)) use_path();
-  if (leaving_for_ && !path_plan_.purpose) draw_unsaved();
-  if (show_controls_) draw_controls_list(keymaps()[keymap_], show_controls_);
+  };
+  write_to(path, save, [this] { picture_plan_.open = true; });
 }
 
 void ViewerApp::draw_start() {
@@ -163,8 +184,8 @@ void ViewerApp::draw_unsaved() {
     return ask_for_path(PathPurpose::save_mesh);
   }
   const auto action = std::exchange(leaving_for_, nullptr);
-  if (*choice == UnsavedChoice::save && !save_to(document_->save_path)) return;
-  if (*choice != UnsavedChoice::cancel) action();
+  if (*choice == UnsavedChoice::save) return save_to(document_->save_path, action);
+  if (*choice == UnsavedChoice::discard) action();
 }
 
 void ViewerApp::draw_menu() {
@@ -215,10 +236,13 @@ void ViewerApp::draw_edit_menu() {
   };
   constexpr Item kItems[]{{"Undo", "Ctrl+Z", Action::undo},
                           {"Redo", "Ctrl+Shift+Z", Action::redo},
+                          {"New edit", "Ctrl+N", Action::new_edit},
                           {"Choose ROI", "I", Action::choose_roi},
                           {"Choose handle", "H", Action::choose_handle},
                           {"Add a handle", "Shift+H", Action::add_handle},
                           {"Choose belt", "T", Action::choose_belt},
+                          {"Choose all", "Ctrl+A", Action::select_all},
+                          {"Choose nothing", "Ctrl+Shift+A", Action::clear},
                           {"Grow", "Ctrl+=", Action::grow},
                           {"Shrink", "Ctrl+-", Action::shrink},
                           {"Invert", "Ctrl+I", Action::invert},

@@ -143,7 +143,7 @@ void ViewerApp::drag_to(const InputEvent& event) {
 
 // While a dialog waits for an answer keys are its own.
 bool ViewerApp::asks() const {
-  return leaving_for_ || !interrupted_.empty() || path_plan_.purpose;
+  return leaving_for_ || overwriting_ || !interrupted_.empty() || path_plan_.purpose;
 }
 
 // Of what a person does over the source, unless a drag that began elsewhere goes on there: whether
@@ -201,6 +201,7 @@ bool ViewerApp::handle(const InputEvent& event) {
 }
 
 void ViewerApp::escape() {
+  if (overwriting_) return answer_overwriting(false);
   show_controls_ = false;
   picture_plan_.open = false;
   path_plan_.purpose.reset();

@@ -58,7 +58,6 @@ EditSession::EditSession(const InterruptedEdit& edit, History history, const fs:
   // What was saved over the file cannot be told from the history.
   if (edit.has_copy()) history_.mark_unsaved();
   follow();
-  if (needs_settling(state())) preparation_.settle(state());
 }
 
 void EditSession::start_journal(const fs::path& journals, const std::optional<fs::path>& copy) {
@@ -74,10 +73,9 @@ void EditSession::start_journal(const fs::path& journals, const std::optional<fs
   }
 }
 
-void EditSession::perform(const Command& command) {
-  history_.perform(command);
+void EditSession::perform(const Command& command, Joining joining) {
+  history_.perform(command, joining);
   follow();
-  if (needs_settling(state())) preparation_.settle(state());
 }
 
 void EditSession::undo() {
@@ -98,13 +96,12 @@ void EditSession::go_to(std::size_t steps) {
 void EditSession::continue_with(History history) {
   history_ = std::move(history);
   follow();
-  if (needs_settling(state())) preparation_.settle(state());
 }
 
 // What was asked for before may not be wanted any more.
 void EditSession::follow() {
   preparation_.cancel_settling();
-  preparation_.follow(state());
+  prepare();
   keep_step_if_wanted();
   if (!journal_) return;
   try {
@@ -258,6 +255,7 @@ std::vector<CarriedFile> EditSession::carried_for(const fs::path& path) const {
 }
 
 WriteReport EditSession::save(const fs::path& path) {
+  require_settled(state());
   static_cast<void>(format_of(path));
   const std::vector<CarriedFile> carried = carried_for(path);
   std::error_code error;
@@ -272,10 +270,12 @@ WriteReport EditSession::save(const fs::path& path) {
 }
 
 WriteReport EditSession::save_carried(const fs::path& path) const {
+  require_settled(state());
   return write_carried(carried_for(path), path);
 }
 
 void EditSession::save_recipe(const fs::path& path) const {
+  require_settled(state());
   if (!file_) throw InputError("a recipe names a mesh file; save the mesh first, and open that");
   const fs::path folder = fs::absolute(path).parent_path();
   replace_file(path, to_json(to_recipe(state(), file_->path.lexically_proximate(folder), folder)));

@@ -48,9 +48,9 @@ class EditSession {
   /// saving goes. Empty for a generated mesh.
   std::filesystem::path file() const { return file_ ? file_->path : std::filesystem::path(); }
 
-  /// A new step. Where it asks for a result that is under way when it returns. Throws what `apply`
-  /// does.
-  void perform(const Command& command);
+  /// A new step, or joined to the last. Throws what `apply` does. Wherever the state waits for a
+  /// result, after undo and redo, too, that is under way on return.
+  void perform(const Command& command, Joining joining = Joining::own_step);
   void undo();
   void redo();
   void go_to(std::size_t steps);
@@ -69,6 +69,9 @@ class EditSession {
 
   /// Performs the result that has come, if one has. Call it when woken.
   bool take_result();
+  /// Whether the result that the state waits for is still to come; false where it was given up or
+  /// failed.
+  bool awaits_result() const { return needs_settling(state()) && preparation_.will_settle(); }
 
   /// Where the surface stands for a drag to begin from: at the result that the state has. Null for
   /// the rest shape, where the state waits for its result, and while no preview is ready.
@@ -115,12 +118,13 @@ class EditSession {
   const Certificate* certificate() const;
 
   /// Writes the surface as it is, and before it what is carried along, as a run does beside its
-  /// result at `path`. Throws what `write_mesh` does, and what `require_targets` does before
-  /// anything is written.
+  /// result at `path`. Throws what `write_mesh` does, what `require_targets` does before anything
+  /// is written, and InputError while a drag waits for its result: half of a step is never saved.
   WriteReport save(const std::filesystem::path& path);
   /// The same without the surface.
   WriteReport save_carried(const std::filesystem::path& path) const;
-  /// Writes the recipe, which names the mesh from there. Throws IoError; InputError without a file.
+  /// Writes the recipe, which names the mesh from there. Throws IoError; InputError without a file,
+  /// and while a drag waits for its result.
   void save_recipe(const std::filesystem::path& path) const;
 
   /// Saved or given up: nothing to restore is left.

@@ -131,6 +131,12 @@ void Preparation::settle(const AppState& state) {
   worker_.notify();
 }
 
+bool Preparation::will_settle() const {
+  const std::lock_guard lock(worker_.mutex());
+  const bool is_under_way = to_settle_ || result_ || status_.phase == Phase::settling;
+  return is_under_way && status_.phase != Phase::failed && status_.phase != Phase::idle;
+}
+
 std::optional<SettledResult> Preparation::take_result() {
   const std::lock_guard lock(worker_.mutex());
   return std::exchange(result_, std::nullopt);

@@ -93,6 +93,8 @@ class Preparation {
   void settle(const AppState& state);
   /// The result that is there, once.
   std::optional<SettledResult> take_result();
+  /// Whether one is asked for, under way or there; false once it was given up or has failed.
+  bool will_settle() const;
 
   /// Follows a drag under way, whose moves `state` holds for once: a result to look at, which comes
   /// by `take_live_result`. It goes on from the pose `from`, the last live one or that of a settled
