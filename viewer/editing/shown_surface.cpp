@@ -1,9 +1,18 @@
 #include "editing/shown_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lapwing::viewer {
+namespace {
+
+// Of the pixel that holds a place: what a picture would show there.
+Eigen::Vector2d middle_of(const Eigen::Vector2d& pixel) {
+  return {std::floor(pixel.x()) + 0.5, std::floor(pixel.y()) + 0.5};
+}
+
+}  // namespace
 
 ShownSurface::ShownSurface(std::shared_ptr<const Mesh> opened)
     : opened_(std::move(opened)), opened_bounds_(bounds_of(opened_->positions)) {}
@@ -123,6 +132,13 @@ void ShownSurface::renew_measure() {
 
 std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
                                                const Eigen::Vector2d& pixel) {
+  // No frame is waited for, and no picture drawn, where the host knows the surface: from what has
+  // been read back already, or along the line of sight.
+  const bool still = !follows_ && device_->surface.source() == SurfaceSource::still;
+  if (still && !device_->picker.is_current(device_->surface, view)) {
+    return pick_surface(*device_->topology, still_positions(),
+                        view.projection().ray_through(middle_of(pixel)));
+  }
   return device_->picker.pick(device_->surface, view, pixel);
 }
 

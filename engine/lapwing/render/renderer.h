@@ -39,6 +39,8 @@ struct SurfaceStyle {
   float line_width = 1.0F;           ///< of the wireframe, in pixels
   /// `front` draws faster, and the same picture where no back is seen (see is_closed_outward).
   Sides sides = Sides::both;
+
+  bool operator==(const SurfaceStyle&) const = default;
 };
 
 /// What stands with a surface in the same picture: a mesh or points that are carried along with it.
