@@ -25,6 +25,7 @@ void ShownSurface::release_device() {
 void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   context_ = std::move(context);
   device_.emplace(now_ ? *now_ : *opened_, context_);
+  is_placed_ = false;
   measured_.reset();
   needs_classes_ = true;
 }
@@ -37,6 +38,7 @@ bool ShownSurface::take(const AppState& state) {
   std::shared_ptr<const Mesh> surface = surface_of(state);
   if (now_ == surface && settled_ == state.settled) return false;
   if (device_ && now_ != surface) device_->surface.drag_from(nullptr);
+  is_placed_ = false;
   now_ = std::move(surface);
   settled_ = state.settled;
   positions_ = positions_of(state);
@@ -61,6 +63,7 @@ void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
     needs_classes_ = true;
   }
   device_->surface.place(positions);
+  is_placed_ = true;
 }
 
 void ShownSurface::follow(const Preparation& preparation,
@@ -134,8 +137,10 @@ std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
                                                const Eigen::Vector2d& pixel) {
   // No frame is waited for, and no picture drawn, where the host knows the surface: from what has
   // been read back already, or along the line of sight.
-  const bool still = !follows_ && device_->surface.source() == SurfaceSource::still;
-  if (still && !device_->picker.is_current(device_->surface, view)) {
+  const bool inside = (pixel.array() >= 0.0).all() && (pixel.array() < view.size.array()).all();
+  if (!inside) return {};
+  const bool known = is_placed_ && device_->surface.source() == SurfaceSource::still;
+  if (known && !device_->picker.is_current(device_->surface, view)) {
     return pick_surface(*device_->topology, still_positions(),
                         view.projection().ray_through(middle_of(pixel)));
   }

@@ -8,8 +8,8 @@
 
 namespace lapwing::viewer {
 
-/// All that a picture of a scene shows, as a value: a picture that is kept stands for every scene of
-/// equal contents. These are the surfaces, what is carried and their colours (by revision), the
+/// All that a picture of a scene shows, as a value: a picture that is kept stands for every scene
+/// of equal contents. These are the surfaces, what is carried and their colours (by revision), the
 /// cameras, the styles, the background, and where the second surface stands.
 ///
 /// How well it is drawn is no part of it: neither `Scene::moving` nor `SurfaceStyle::sides`, which
