@@ -213,13 +213,12 @@ struct Kind {
   bool quick;
   bool anew;
 };
-constexpr std::array<Kind, 7> kKinds{
+constexpr std::array<Kind, 6> kKinds{
     {{"the panels change, picture kept", Change::panels, false, false},
      {"the panels change, picture drawn anew", Change::panels, false, true},
      {"the camera moves", Change::camera, true, false},
      {"the camera moves, full resolution, one pipeline", Change::camera, true, true},
-     {"the camera jumps, drawn as at rest", Change::camera, false, false},
-     {"the same, one pipeline", Change::camera, false, true},
+     {"the eye jumps, as with a wheel", Change::camera, false, false},
      {"a handle is dragged", Change::handle, true, false}}};
 
 }  // namespace
