@@ -16,4 +16,9 @@ const uint kDiverging = 16;
 const uint kOrthographic = 32;
 const uint kCarriedColor = 64;
 
-bool has(uint flag) { return (flags & flag) != 0; }
+// What a pipeline made for some flags alone has them from: what the others say is left out of it,
+// which a branch on a number that is pushed is not on a software device.
+layout(constant_id = 0) const uint fixed_flags = 0;
+layout(constant_id = 1) const bool flags_are_fixed = false;
+
+bool has(uint flag) { return ((flags_are_fixed ? fixed_flags : flags) & flag) != 0; }

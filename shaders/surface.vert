@@ -49,9 +49,10 @@ void main() {
                   vec3(view_from_surface[0].w, view_from_surface[1].w, view_from_surface[2].w);
   view_normal = rotate_to_view(corner_normal(normals[vertex].xyz, gl_VertexIndex - corner));
   barycentric = vec3(corner == 0, corner == 1, corner == 2);
-  class_weights = vec4(equal(uvec4(0, 1, 2, 3), uvec4(classes[vertex] & 255u)));
-  held = float(classes[vertex] >> 8) / 255.0;
-  scalar = (scalars[vertex] - scalar_low) * scalar_scale;
-  shown_edges = edges[gl_VertexIndex / 3];
+  const uint class_word = has(kRegions) ? classes[vertex] : 0;
+  class_weights = vec4(equal(uvec4(0, 1, 2, 3), uvec4(class_word & 255u)));
+  held = float(class_word >> 8) / 255.0;
+  scalar = has(kScalar) ? (scalars[vertex] - scalar_low) * scalar_scale : 0.0;
+  shown_edges = has(kWireframe) ? edges[gl_VertexIndex / 3] : 0;
   gl_Position = clip_from_surface * vec4(position, 1);
 }

@@ -8,6 +8,10 @@
 // byte, in sRGB; opacity in the highest); rows from the top.
 layout(std430, binding = 2) readonly buffer Atlas { uint atlas[]; };
 
+// Whether the picture is one in colours. Each kind has a pipeline of its own: on a software device
+// the branch that is not taken would cost as much as the other.
+layout(constant_id = 0) const bool colored = false;
+
 layout(location = 0) in vec2 atlas_place;
 layout(location = 1) in vec4 color;
 layout(location = 0) out vec4 written;
@@ -17,7 +21,7 @@ layout(location = 0) out vec4 written;
 vec4 color_of(ivec2 texel) {
   const ivec2 inside = clamp(texel, ivec2(0), ivec2(atlas_size) - 1);
   const uint at = uint(inside.y) * atlas_size.x + uint(inside.x);
-  if (colored == 0) {
+  if (!colored) {
     return vec4(float(bitfieldExtract(atlas[at / 4], int(8 * (at % 4)), 8)) / 255.0);
   }
   const vec4 encoded = unpackUnorm4x8(atlas[at]);

@@ -3,5 +3,4 @@ layout(push_constant) uniform Push {
   vec2 clip_per_unit;
   vec2 origin;      // what shows in the upper left corner
   uvec2 atlas_size;
-  uint colored;     // 1 for a picture, 0 for the font's
 };

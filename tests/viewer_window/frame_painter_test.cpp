@@ -99,6 +99,7 @@ TEST(FramePainter, WhatMovesLooksTheSameButForItsEdges) {
   Frames frames;
   Scene scene = frames.sphere.scene();
   const Image still = frames.picture_of(scene);
+  frames.painter.forget_picture();
   scene.moving = true;
   scene.style.sides = Sides::front;
   const Image moving = frames.picture_of(scene);

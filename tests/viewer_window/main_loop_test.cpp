@@ -259,6 +259,8 @@ class WatchedViewer final : public App {
     shown_ = viewer_.scene().surface != nullptr ? shown_ + 1 : 0;
     // A view of its own, which must be kept.
     if (shown_ == 2 && devices_ == 1) viewer_.handle({.kind = InputKind::key, .key = kLeft});
+    // A view that was jumped to is drawn finely once it has stood still.
+    if (shown_ == kFaultyFrame - 1) lapwing::test::sleep_seconds(0.3);
     if (shown_ == kFaultyFrame) {
       pictures_.push_back(surface_part(desktop_.settled_picture()));
       if (pictures_.size() == 1) throw gpu::DeviceLost("blend");

@@ -114,9 +114,10 @@ void add_studies(CLI::App& app, Studies& studies) {
   });
 
 #ifdef LAPWING_HAVE_VIEWER
-  auto* frame = app.add_subcommand("frame", "what a drag frame of the viewer costs, by parts");
+  auto* frame = app.add_subcommand("frame", "what a frame of the viewer costs, by parts");
   add_repeats(frame);
   frame->add_option("MESH", studies.frame.mesh)->required();
+  frame->add_option("--subdivisions", studies.frame.subdivisions, "of it")->check(CLI::Range(0, 4));
   frame->add_option("--device", studies.frame.device);
   frame->add_option("--width", studies.frame.width)->capture_default_str();
   frame->add_option("--height", studies.frame.height)->capture_default_str();

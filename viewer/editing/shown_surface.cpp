@@ -1,9 +1,18 @@
 #include "editing/shown_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lapwing::viewer {
+namespace {
+
+// Of the pixel that holds a place: what a picture would show there.
+Eigen::Vector2d middle_of(const Eigen::Vector2d& pixel) {
+  return {std::floor(pixel.x()) + 0.5, std::floor(pixel.y()) + 0.5};
+}
+
+}  // namespace
 
 ShownSurface::ShownSurface(std::shared_ptr<const Mesh> opened)
     : opened_(std::move(opened)), opened_bounds_(bounds_of(opened_->positions)) {}
@@ -16,6 +25,7 @@ void ShownSurface::release_device() {
 void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   context_ = std::move(context);
   device_.emplace(now_ ? *now_ : *opened_, context_);
+  is_placed_ = false;
   measured_.reset();
   needs_classes_ = true;
 }
@@ -29,6 +39,7 @@ bool ShownSurface::take(const AppState& state) {
   if (now_ == surface && settled_ == state.settled) return false;
   if (device_ && now_ != surface) device_->surface.drag_from(nullptr);
   const bool has_same_triangles = now_ && now_->shares_faces_with(*surface);
+  is_placed_ = false;
   now_ = std::move(surface);
   settled_ = state.settled;
   Positions positions = positions_of(state);
@@ -56,6 +67,7 @@ void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
     needs_classes_ = true;
   }
   device_->surface.place(positions);
+  is_placed_ = true;
 }
 
 void ShownSurface::follow(const Preparation& preparation,
@@ -127,6 +139,15 @@ void ShownSurface::renew_measure() {
 
 std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
                                                const Eigen::Vector2d& pixel) {
+  // No frame is waited for, and no picture drawn, where the host knows the surface: from what has
+  // been read back already, or along the line of sight.
+  const bool inside = (pixel.array() >= 0.0).all() && (pixel.array() < view.size.array()).all();
+  if (!inside) return {};
+  const bool known = is_placed_ && device_->surface.source() == SurfaceSource::still;
+  if (known && !device_->picker.is_current(device_->surface, view)) {
+    return pick_surface(*device_->topology, still_positions(),
+                        view.projection().ray_through(middle_of(pixel)));
+  }
   return device_->picker.pick(device_->surface, view, pixel);
 }
 

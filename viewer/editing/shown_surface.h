@@ -54,7 +54,10 @@ class ShownSurface {
 
   /// The mesh as it was opened, to compare with.
   bool shows_before() const { return before_; }
-  void show_before(bool before) { before_ = before; }
+  void show_before(bool before) {
+    is_placed_ = is_placed_ && before == before_;
+    before_ = before;
+  }
 
   /// Whether the triangles on the screen are those of the state, so that tools can choose there.
   bool has_triangles_of_state() const { return device_->topology.get() == &now_->topology(); }
@@ -119,6 +122,7 @@ class ShownSurface {
   std::vector<VertexClass> preview_classes_;
   bool needs_classes_ = true;
   bool before_ = false;
+  bool is_placed_ = false;  ///< a still surface on the device stands at `still_positions`
   bool follows_ = false;
   std::vector<Eigen::Affine3d> followed_;
 

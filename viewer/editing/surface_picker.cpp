@@ -3,7 +3,7 @@
 namespace lapwing::viewer {
 
 void SurfacePicker::renew(const EditSurface& surface, const ViewFrame& view) {
-  if (view_ == view && version_ == surface.version()) return;
+  if (is_current(surface, view)) return;
   picture_.draw(surface.shown(), view.camera, static_cast<std::uint32_t>(view.size.x()),
                 static_cast<std::uint32_t>(view.size.y()));
   view_ = view;

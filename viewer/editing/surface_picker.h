@@ -17,6 +17,11 @@ class SurfacePicker {
  public:
   explicit SurfacePicker(gpu::Context& context) : picture_(context) {}
 
+  /// Whether the picture is there already.
+  bool is_current(const EditSurface& surface, const ViewFrame& view) const {
+    return view_ == view && version_ == surface.version();
+  }
+
   /// What shows at `pixel`; nothing beside the surface.
   std::optional<SurfacePoint> pick(const EditSurface& surface, const ViewFrame& view,
                                    const Eigen::Vector2d& pixel);

@@ -1,5 +1,6 @@
 #include "window/main_loop.h"
 
+#include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -21,6 +22,8 @@ namespace {
 constexpr int kFramesPerChange = 3;
 // A desktop may lose an event; the window then looks again after so long.
 constexpr double kLongestWaitSeconds = 0.5;
+// What was drawn quickly because it moved is drawn finely once it has stood still for so long.
+constexpr double kRestSeconds = 0.15;
 // A screen or a device that is lost so often without a frame between is not coming back.
 constexpr int kMostLosses = 5;
 
@@ -85,12 +88,18 @@ class MainLoop {
     if (frames_due_ > 0) {
       window_.poll();
     } else {
-      window_.wait(kLongestWaitSeconds);
+      window_.wait(painter_->picture().is_quick()
+                       ? std::clamp(kRestSeconds - still_seconds(), 0.001, kLongestWaitSeconds)
+                       : kLongestWaitSeconds);
+      if (painter_->picture().is_quick() && still_seconds() >= kRestSeconds) frames_due_ = 1;
     }
     const VkExtent2D now = window_.pixels();
     const bool resized = now.width != pixels_.width || now.height != pixels_.height;
     if (window_.take_changed() || resized) frames_due_ = kFramesPerChange;
   }
+
+  /// For how long nothing in the scene has changed.
+  double still_seconds() const { return 1e-3 * since_change_.elapsed_ms(); }
 
   void fit_fonts() {
     const double scale = window_.content_scale();
@@ -149,7 +158,10 @@ class MainLoop {
     window_.panels_have_seen_keys();
     timings_.panels_ms = panels.elapsed_ms();
     // A window that changed while it was drawn is drawn again.
-    if (painter_->paint(pixels_, app_.scene(), *ImGui::GetDrawData())) {
+    const bool at_rest = still_seconds() >= kRestSeconds;
+    const bool shown = painter_->paint(pixels_, app_.scene(), *ImGui::GetDrawData(), at_rest);
+    if (painter_->way() != PictureWay::keep) since_change_.restart();
+    if (shown) {
       losses_ = 0;
     } else {
       frames_due_ = kFramesPerChange;
@@ -169,6 +181,7 @@ class MainLoop {
   double scale_ = 0.0;
   std::string title_;
   std::span<const InputEvent> events_;  // not yet handed on
+  Stopwatch since_change_;              // of what the scene shows
   int frames_due_ = kFramesPerChange;
 };
 

@@ -15,6 +15,7 @@ bool OffscreenScreen::resize(VkExtent2D pixels) {
                                            .format = format(),
                                            .extent = pixels,
                                            .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                                    VK_IMAGE_USAGE_TRANSFER_DST_BIT |
                                                     VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
   return true;
 }

@@ -108,6 +108,12 @@ bool Swapchain::resize(VkExtent2D pixels) {
   VkSurfaceCapabilitiesKHR can;
   check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(context_.physical_device(), surface_, &can),
         "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
+  // Pictures are copied under the panels.
+  if ((can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) == 0) {
+    throw GpuError("the desktop lets no pictures of " + context_.description().name +
+                   " be copied to its windows; choose another device with --device "
+                   "(`lapwing info` lists them)");
+  }
   destroy_views();
   extent_ = fitting_extent(pixels, can);
   if (extent_.width == 0 || extent_.height == 0) return false;
@@ -125,7 +131,7 @@ void Swapchain::create_images(VkExtent2D pixels, const VkSurfaceCapabilitiesKHR&
   info.imageColorSpace = format_.colorSpace;
   info.imageExtent = pixels;
   info.imageArrayLayers = 1;
-  info.imageUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  info.imageUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   info.preTransform = can.currentTransform;
   info.compositeAlpha = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
                             ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR

@@ -20,12 +20,25 @@ struct UiPush {
   std::array<float, 2> clip_per_unit;
   std::array<float, 2> origin;
   std::array<std::uint32_t, 2> atlas_size;
-  std::uint32_t colored;
 };
 
 // shaders/ui.vert
 static_assert(sizeof(ImDrawVert) == 20 && offsetof(ImDrawVert, pos) == 0 &&
               offsetof(ImDrawVert, uv) == 8 && offsetof(ImDrawVert, col) == 16);
+
+// shaders/ui.frag
+constexpr std::uint32_t kOfFont = 0;
+constexpr std::uint32_t kColored = 1;
+
+GraphicsPipelineInfo pipeline_info(std::span<const std::uint32_t> kind) {
+  return {.name = "the panels",
+          .vertex_spirv = shaders::ui_vert(),
+          .fragment_spirv = shaders::ui_frag(),
+          .storage_buffers = 3,
+          .push_constant_bytes = sizeof(UiPush),
+          .constants = kind,
+          .blend = true};
+}
 
 constexpr VkDeviceSize kSmallest = 65536;
 
@@ -67,13 +80,10 @@ UiPicture::UiPicture(gpu::Context& context, const Image& image)
 
 UiRenderer::UiRenderer(gpu::Context& context, VkFormat color)
     : context_(context),
-      pipeline_(context, {color, VK_FORMAT_UNDEFINED, VK_SAMPLE_COUNT_1_BIT},
-                {.name = "the panels",
-                 .vertex_spirv = shaders::ui_vert(),
-                 .fragment_spirv = shaders::ui_frag(),
-                 .storage_buffers = 3,
-                 .push_constant_bytes = sizeof(UiPush),
-                 .blend = true}),
+      texts_(context, {color, VK_FORMAT_UNDEFINED, VK_SAMPLE_COUNT_1_BIT},
+             pipeline_info({&kOfFont, 1})),
+      pictures_(context, {color, VK_FORMAT_UNDEFINED, VK_SAMPLE_COUNT_1_BIT},
+                pipeline_info({&kColored, 1})),
       corners_(context, "corners of the panels", kSmallest, gpu::Memory::upload),
       vertices_(context, "vertices of the panels", kSmallest, gpu::Memory::upload) {}
 
@@ -119,8 +129,7 @@ void UiRenderer::draw(VkCommandBuffer commands, VkExtent2D extent, const ImDrawD
   context_.vk().vkCmdSetViewport(commands, 0, 1, &viewport);
   UiPush push{{2.0F / panels.DisplaySize.x, 2.0F / panels.DisplaySize.y},
               {panels.DisplayPos.x, panels.DisplayPos.y},
-              {},
-              0};
+              {}};
   std::uint32_t first = 0;
   for (const ImDrawList* list : lists_of(panels)) {
     for (const ImDrawCmd& command : list->CmdBuffer) {
@@ -128,11 +137,11 @@ void UiRenderer::draw(VkCommandBuffer commands, VkExtent2D extent, const ImDrawD
       if (scissor.extent.width > 0 && scissor.extent.height > 0 && command.ElemCount > 0) {
         context_.vk().vkCmdSetScissor(commands, 0, 1, &scissor);
         const auto* picture = static_cast<const UiPicture*>(command.GetTexID());
-        push.colored = picture != nullptr ? 1 : 0;
         push.atlas_size = picture != nullptr ? std::array{picture->width(), picture->height()}
                                              : std::array{atlas_width_, atlas_height_};
         const gpu::Buffer* pixels = picture != nullptr ? &picture->pixels() : &*atlas_;
-        pipeline_.draw(commands, {&corners_, &vertices_, pixels}, push, command.ElemCount, first);
+        const GraphicsPipeline& pipeline = picture != nullptr ? pictures_ : texts_;
+        pipeline.draw(commands, {&corners_, &vertices_, pixels}, push, command.ElemCount, first);
       }
       first += command.ElemCount;
     }

@@ -53,7 +53,8 @@ class UiRenderer {
 
  private:
   gpu::Context& context_;
-  GraphicsPipeline pipeline_;
+  GraphicsPipeline texts_;  ///< and all that has one colour
+  GraphicsPipeline pictures_;
   std::optional<gpu::Buffer> atlas_;
   std::uint32_t atlas_width_ = 0;
   std::uint32_t atlas_height_ = 0;

@@ -27,11 +27,13 @@ class ShaderModule {
   ShaderModule(const ShaderModule&) = delete;
   ShaderModule& operator=(const ShaderModule&) = delete;
 
-  VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits kind) const {
+  VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits kind,
+                                        const VkSpecializationInfo& constants) const {
     VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
     info.stage = kind;
     info.module = handle_;
     info.pName = "main";
+    info.pSpecializationInfo = &constants;
     return info;
   }
 
@@ -131,8 +133,15 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
                                        const GraphicsPipelineInfo& info) {
   const ShaderModule vertex(context_, info.vertex_spirv);
   const ShaderModule fragment(context_, info.fragment_spirv);
-  const std::array stages{vertex.stage(VK_SHADER_STAGE_VERTEX_BIT),
-                          fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT)};
+  std::vector<VkSpecializationMapEntry> entries;
+  for (std::uint32_t c = 0; c < info.constants.size(); ++c) {
+    entries.push_back(
+        {c, static_cast<std::uint32_t>(c * sizeof(std::uint32_t)), sizeof(std::uint32_t)});
+  }
+  const VkSpecializationInfo constants{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                       info.constants.size_bytes(), info.constants.data()};
+  const std::array stages{vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, constants),
+                          fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT, constants)};
   VkPipelineMultisampleStateCreateInfo multisample{
       VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
   multisample.rasterizationSamples = target.samples;

@@ -30,6 +30,7 @@ struct GraphicsPipelineInfo {
   std::span<const std::uint32_t> fragment_spirv;
   std::uint32_t storage_buffers = 0;  ///< bindings 0, 1, ... of both stages, which only read them
   std::uint32_t push_constant_bytes = 0;
+  std::span<const std::uint32_t> constants;  ///< specialization constants 0, 1, ... of both stages
   bool depth = false;  ///< test and write depth: nearer, that is greater, wins
   bool blend = false;  ///< by opacity over what is there; the picture's own opacity grows
 };

@@ -56,8 +56,12 @@ IdPicture::Target::Target(gpu::Context& context, VkExtent2D size, const TargetFo
 IdPicture::IdPicture(gpu::Context& context)
     : context_(context),
       pipeline_(context, kFormat,
-                {"triangle numbers", shaders::triangle_id_vert(), shaders::triangle_id_frag(), 2,
-                 sizeof(IdPush), true}),
+                {.name = "triangle numbers",
+                 .vertex_spirv = shaders::triangle_id_vert(),
+                 .fragment_spirv = shaders::triangle_id_frag(),
+                 .storage_buffers = 2,
+                 .push_constant_bytes = sizeof(IdPush),
+                 .depth = true}),
       commands_(context, "triangle numbers"),
       transfer_(context) {}
 

@@ -6,6 +6,7 @@
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/mesh/mesh.h"
+#include "lapwing/render/revision.h"
 
 namespace lapwing {
 
@@ -23,12 +24,15 @@ class PointCloud {
   const Eigen::Vector3d& origin() const { return origin_; }
   /// One vec4 per point: the position relative to `origin()`, and 1.
   const gpu::Buffer& buffer() const { return buffer_; }
+  /// Another number whenever they moved.
+  std::uint64_t revision() const { return revision_.number(); }
 
  private:
   std::shared_ptr<gpu::Context> context_;
   gpu::Transfer transfer_;
   Eigen::Vector3d origin_;
   gpu::Buffer buffer_;
+  Revision revision_;
 };
 
 }  // namespace lapwing

@@ -137,20 +137,41 @@ ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint) {
   return {-largest, largest};
 }
 
-Renderer::Renderer(gpu::Context& context, const TargetFormat& target)
+Renderer::StylePipeline::StylePipeline(const gpu::Context& context, const TargetFormat& target,
+                                       std::uint32_t its_flags, bool is_fixed)
+    : flags(its_flags),
+      constants{its_flags, is_fixed ? 1U : 0U},
+      pipeline(context, target,
+               {.name = "a surface",
+                .vertex_spirv = shaders::surface_vert(),
+                .fragment_spirv = shaders::surface_frag(),
+                .storage_buffers = 7,
+                .push_constant_bytes = sizeof(SurfacePush),
+                .constants = constants,
+                .depth = true}) {}
+
+Renderer::Renderer(gpu::Context& context, const TargetFormat& target, Pipelines pipelines)
     : context_(context),
+      target_(target),
+      pipelines_(pipelines),
       background_(context, target,
-                  {"the background", shaders::background_vert(), shaders::background_frag(), 0,
-                   sizeof(BackgroundPush), false}),
-      surface_(context, target,
-               {"a surface", shaders::surface_vert(), shaders::surface_frag(), 7,
-                sizeof(SurfacePush), true}),
+                  {.name = "the background",
+                   .vertex_spirv = shaders::background_vert(),
+                   .fragment_spirv = shaders::background_frag(),
+                   .push_constant_bytes = sizeof(BackgroundPush)}),
       overlay_(context, target,
-               {"an overlay", shaders::overlay_vert(), shaders::overlay_frag(), 1,
-                sizeof(OverlayPush), false}),
-      points_(
-          context, target,
-          {"points", shaders::points_vert(), shaders::points_frag(), 1, sizeof(PointsPush), true}),
+               {.name = "an overlay",
+                .vertex_spirv = shaders::overlay_vert(),
+                .fragment_spirv = shaders::overlay_frag(),
+                .storage_buffers = 1,
+                .push_constant_bytes = sizeof(OverlayPush)}),
+      points_(context, target,
+              {.name = "points",
+               .vertex_spirv = shaders::points_vert(),
+               .fragment_spirv = shaders::points_frag(),
+               .storage_buffers = 1,
+               .push_constant_bytes = sizeof(PointsPush),
+               .depth = true}),
       color_maps_(make_color_maps(context)) {}
 
 void Renderer::begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const {
@@ -182,11 +203,22 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
                     const SurfacePaint& paint, const Camera& camera,
                     const SurfaceStyle& style) const {
   if (surface.triangle_count() == 0) return;
-  surface_.draw(commands,
-                {&surface.position_buffer(), &surface.normal_buffer(), &surface.triangle_buffer(),
-                 &paint.class_buffer(), &paint.scalar_buffer(), &paint.edge_buffer(), &color_maps_},
-                surface_push(extent, surface.origin(), camera, style, color_range(style, paint)),
-                static_cast<std::uint32_t>(3 * surface.triangle_count()), 0, style.sides);
+  surface_pipeline(flags_of(style, camera))
+      .draw(commands,
+            {&surface.position_buffer(), &surface.normal_buffer(), &surface.triangle_buffer(),
+             &paint.class_buffer(), &paint.scalar_buffer(), &paint.edge_buffer(), &color_maps_},
+            surface_push(extent, surface.origin(), camera, style, color_range(style, paint)),
+            static_cast<std::uint32_t>(3 * surface.triangle_count()), 0, style.sides);
+}
+
+const GraphicsPipeline& Renderer::surface_pipeline(std::uint32_t flags) const {
+  const bool is_fixed = pipelines_ == Pipelines::by_style;
+  if (!is_fixed) flags = 0;
+  for (const auto& made : surfaces_) {
+    if (made->flags == flags) return made->pipeline;
+  }
+  surfaces_.push_back(std::make_unique<StylePipeline>(context_, target_, flags, is_fixed));
+  return surfaces_.back()->pipeline;
 }
 
 void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent,

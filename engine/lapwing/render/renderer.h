@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include <volk.h>
 
@@ -35,6 +39,8 @@ struct SurfaceStyle {
   float line_width = 1.0F;           ///< of the wireframe, in pixels
   /// `front` draws faster, and the same picture where no back is seen (see is_closed_outward).
   Sides sides = Sides::both;
+
+  bool operator==(const SurfaceStyle&) const = default;
 };
 
 /// What stands with a surface in the same picture: a mesh or points that are carried along with it.
@@ -59,8 +65,13 @@ Eigen::Matrix4d clip_from_surface(const Camera& camera, VkExtent2D extent,
 /// outlive the renderer, and what is drawn must live until the commands are done.
 class Renderer {
  public:
+  /// How the pipelines of surfaces are made: one for each way of looking, when it is first drawn,
+  /// without what that way leaves out; or one for all of them, as a measure for the others.
+  enum class Pipelines { by_style, one };
+
   /// Throws GpuError when the context's queue has no graphics.
-  Renderer(gpu::Context& context, const TargetFormat& target);
+  Renderer(gpu::Context& context, const TargetFormat& target,
+           Pipelines pipelines = Pipelines::by_style);
 
   /// Sets viewport and scissor and fills the picture. First in every scope.
   void begin(VkCommandBuffer commands, VkExtent2D extent, Background background) const;
@@ -79,10 +90,23 @@ class Renderer {
 
  private:
   void fill(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
+  const GraphicsPipeline& surface_pipeline(std::uint32_t flags) const;
+
+  /// Of surfaces that are looked at in one way.
+  struct StylePipeline {
+    StylePipeline(const gpu::Context& context, const TargetFormat& target, std::uint32_t its_flags,
+                  bool is_fixed);
+
+    std::uint32_t flags;
+    std::array<std::uint32_t, 2> constants;  ///< shaders/surface.glsl
+    GraphicsPipeline pipeline;
+  };
 
   const gpu::Context& context_;
+  TargetFormat target_;
+  Pipelines pipelines_;
   GraphicsPipeline background_;
-  GraphicsPipeline surface_;
+  mutable std::vector<std::unique_ptr<const StylePipeline>> surfaces_;
   GraphicsPipeline overlay_;
   GraphicsPipeline points_;
   gpu::Buffer color_maps_;

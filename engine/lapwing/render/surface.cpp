@@ -101,6 +101,7 @@ void Surface::begin(BlendResponse& response, std::span<const Vector3d> rest,
 
 void Surface::blend(const std::shared_ptr<BlendResponse>& response,
                     std::span<const double> parameters) {
+  revision_.renew();
   if (response != moved_by_) {
     finish();
     context_->wait_for_submitted();

@@ -10,6 +10,7 @@
 #include "lapwing/gpu/recorder.h"
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/render/revision.h"
 #include "lapwing/vulkan/blend_response.h"
 #include "lapwing/vulkan/vertex_normals.h"
 
@@ -61,6 +62,9 @@ class Surface {
   Positions positions();
   std::vector<Eigen::Vector3d> normals();
 
+  /// Another number whenever something moved.
+  std::uint64_t revision() const { return revision_.number(); }
+
   gpu::Context& context() const { return *context_; }
   std::size_t vertex_count() const { return known_.size(); }
   std::size_t triangle_count() const { return triangles_.bytes() / sizeof(Triangle); }
@@ -95,6 +99,7 @@ class Surface {
   std::shared_ptr<BlendResponse> moved_by_;  ///< last; what was recorded of it may still run
   bool is_pending_ = false;                  ///< whether it is still to be recorded
   SurfaceTimes times_;
+  Revision revision_;
 };
 
 }  // namespace lapwing

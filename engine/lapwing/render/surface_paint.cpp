@@ -87,17 +87,20 @@ SurfacePaint::SurfacePaint(const Surface& surface)
 
 void SurfacePaint::set_classes(std::span<const VertexClass> classes) {
   check_count(classes.size(), vertex_count_, "vertex classes");
+  revision_.renew();
   transfer_.upload(classes_, classes);
 }
 
 void SurfacePaint::set_scalars(std::span<const float> scalars) {
   check_count(scalars.size(), vertex_count_, "vertex scalars");
+  revision_.renew();
   transfer_.upload(scalars_, scalars);
   scalar_range_ = range_of(scalars);
 }
 
 void SurfacePaint::set_polygons(const Mesh& mesh) {
   check_count(mesh.topology().triangles.size(), triangle_count_, "triangles");
+  revision_.renew();
   const std::vector<std::uint32_t> edges = polygon_edges(mesh);
   transfer_.upload(edges_, std::span(edges));
 }

@@ -8,6 +8,7 @@
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
+#include "lapwing/render/revision.h"
 
 namespace lapwing {
 
@@ -31,6 +32,8 @@ std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t ve
 struct ScalarRange {
   float low = 0.0F;
   float high = 0.0F;
+
+  bool operator==(const ScalarRange&) const = default;
 };
 
 /// What one needs besides positions and normals to colour a surface: classes and numbers per
@@ -54,6 +57,9 @@ class SurfacePaint {
   /// Of the finite numbers; 0 and 0 if there are none.
   const ScalarRange& scalar_range() const { return scalar_range_; }
 
+  /// Another number whenever something was set.
+  std::uint64_t revision() const { return revision_.number(); }
+
   /// uint per vertex: the class, and above its 8 bits 255ths of the handle's weight
   const gpu::Buffer& class_buffer() const { return classes_; }
   const gpu::Buffer& scalar_buffer() const { return scalars_; }  ///< float per vertex
@@ -68,6 +74,7 @@ class SurfacePaint {
   gpu::Buffer scalars_;
   gpu::Buffer edges_;
   ScalarRange scalar_range_;
+  Revision revision_;
 };
 
 /// For each triangle, the bits of `SurfacePaint::edge_buffer`: set for edges of its polygon.

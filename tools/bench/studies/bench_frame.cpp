@@ -7,9 +7,11 @@
 #include "lapwing/deform/deformer.h"
 #include "lapwing/gpu/context.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/subdivide.h"
 #include "lapwing/render/closed_surface.h"
 #include "lapwing/render/surface.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
+#include "navigation/camera_motion.h"
 #include "run/measure.h"
 #include "run/subject.h"
 #include "studies/studies.h"
@@ -77,13 +79,13 @@ struct Parts {
   void print(const char* title) const {
     constexpr std::array kNames{"blend, device",  "normals, device",   "surface, device",
                                 "panels, device", "panels, processor", "whole frame"};
-    std::printf("  %-28s %10s %10s %10s\n", title, "median", "min", "max");
+    std::printf("  %-48s %10s %10s %10s\n", title, "median", "min", "max");
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      std::printf("    %-26s %10.2f %10.2f %10.2f\n", kNames[p], parts[p].median(), parts[p].min(),
+      std::printf("    %-46s %10.2f %10.2f %10.2f\n", kNames[p], parts[p].median(), parts[p].min(),
                   parts[p].max());
     }
     const double compute = parts[0].median() + parts[1].median();
-    std::printf("    %-26s %10.3f\n", "compute / whole frame", compute / parts[5].median());
+    std::printf("    %-46s %10.3f\n", "compute / whole frame", compute / parts[5].median());
   }
 };
 
@@ -94,11 +96,20 @@ Eigen::Affine3d motion_at(double share, double size) {
          Eigen::AngleAxisd(0.3 * share, Eigen::Vector3d(1.0, 2.0, 3.0).normalized());
 }
 
+Mesh subject_of(const FrameBench& settings) {
+  Mesh mesh = read_mesh(settings.mesh);
+  for (int k = 0; k < settings.subdivisions; ++k) mesh = subdivide(mesh);
+  return mesh;
+}
+
+// What a frame does to the mesh.
+enum class Change { panels, camera, handle };
+
 // A mesh on its way through the frames of a window that nobody sees.
 class DraggedMesh {
  public:
   explicit DraggedMesh(const FrameBench& settings)
-      : mesh_(read_mesh(settings.mesh)),
+      : mesh_(subject_of(settings)),
         topology_(mesh_.topology()),
         context_(open(settings.device)),
         kernels_(context_, Precision::automatic),
@@ -107,13 +118,13 @@ class DraggedMesh {
         surface_(context_, mesh_.positions, topology_),
         blend_(upload_response(context_, drag_.response()->columns(), topology_)),
         paint_(surface_),
-        screen_(*context_),
-        painter_(*context_, screen_),
         panels_(settings),
+        kept_(context_, {}),
+        anew_(context_,
+              {.keeps_pictures = false, .moving_pixels = 1, .pipelines = Renderer::Pipelines::one}),
         size_{settings.width, settings.height},
         diagonal_(bounds_of(mesh_.positions).diagonal()),
         closed_(is_closed_outward(mesh_.positions, topology_.triangles)) {
-    painter_.set_fonts();
     paint_.set_polygons(mesh_);
     paint_.set_classes(vertex_classes(deformer_.region(), mesh_.vertex_count()));
     surface_.begin(*blend_, mesh_.positions);
@@ -122,28 +133,52 @@ class DraggedMesh {
     scene_.style.color = SurfaceColor::regions;
     scene_.camera = fit(bounds_of(mesh_.positions), view_axes(View::three_quarter),
                         static_cast<double>(settings.width) / settings.height);
+    camera_ = scene_.camera;
   }
 
   // One frame, drawn as the window does while something moves or as when nothing does.
-  void drag(bool quick, Parts& parts) {
+  void paint(Change change, bool quick, bool anew, Parts& parts) {
     const Stopwatch frame;
-    const std::array motions{motion_at(0.5 + 0.5 * std::sin(0.2 * ++frames_), diagonal_)};
-    surface_.blend(blend_, drag_.parameters(motions));
+    ++frames_;
+    if (change == Change::handle) {
+      const std::array motions{motion_at(0.5 + 0.5 * std::sin(0.2 * frames_), diagonal_)};
+      surface_.blend(blend_, drag_.parameters(motions));
+    }
+    if (change == Change::camera) {
+      // The same views for every kind of frame.
+      const double turned = 5.0 * (frames_ % (kFramesPerRun + 1) + 1);
+      scene_.camera =
+          viewer::orbited(camera_, {turned, 0.0}, Eigen::Vector2d(size_.width, size_.height),
+                          Eigen::Vector3d::UnitY());
+      fit_depth(scene_.camera, bounds_of(mesh_.positions));
+    }
     scene_.moving = quick;
     scene_.style.sides = quick && closed_ ? Sides::front : Sides::both;
     const Stopwatch layout;
     const ImDrawData& laid_out = panels_.lay_out(times_);
     times_.panels_ms = layout.elapsed_ms();
-    painter_.paint(size_, scene_, laid_out);
-    painter_.finish_frame(times_);
+    viewer::FramePainter& painter = (anew ? anew_ : kept_).painter;
+    painter.paint(size_, scene_, laid_out);
+    painter.finish_frame(times_);
     parts.add(times_, frame.elapsed_ms());
   }
 
   std::size_t vertex_count() const { return mesh_.vertex_count(); }
   const std::string& device() const { return context_->description().name; }
-  Image picture() { return screen_.picture(); }
+  std::uint32_t coarseness() const { return kept_.painter.picture().pixels_per_pixel(); }
+  Image picture() { return kept_.screen.picture(); }
 
  private:
+  struct Window {
+    Window(const std::shared_ptr<gpu::Context>& context, const viewer::PaintingOptions& options)
+        : screen(*context), painter(*context, screen, options) {
+      painter.set_fonts();
+    }
+
+    viewer::OffscreenScreen screen;
+    viewer::FramePainter painter;
+  };
+
   static std::shared_ptr<gpu::Context> open(const std::string& device) {
     gpu::ContextOptions options;
     options.device = device;
@@ -159,10 +194,11 @@ class DraggedMesh {
   Surface surface_;
   std::shared_ptr<BlendResponse> blend_;
   SurfacePaint paint_;
-  viewer::OffscreenScreen screen_;
-  viewer::FramePainter painter_;
   Panels panels_;
+  Window kept_;
+  Window anew_;
   Scene scene_;
+  Camera camera_;  // it begins with
   VkExtent2D size_;
   double diagonal_;
   bool closed_;
@@ -170,25 +206,48 @@ class DraggedMesh {
   int frames_ = 0;
 };
 
+// Frames of one kind, and what they are called.
+struct Kind {
+  const char* title;
+  Change change;
+  bool quick;
+  bool anew;
+};
+constexpr std::array<Kind, 6> kKinds{
+    {{"the panels change, picture kept", Change::panels, false, false},
+     {"the panels change, picture drawn anew", Change::panels, false, true},
+     {"the camera moves", Change::camera, true, false},
+     {"the camera moves, full resolution, one pipeline", Change::camera, true, true},
+     {"the eye jumps, as with a wheel", Change::camera, false, false},
+     {"a handle is dragged", Change::handle, true, false}}};
+
 }  // namespace
 
 void bench_frame(const FrameBench& settings) {
   DraggedMesh dragged(settings);
-  Parts quick;
-  Parts fine;
-  Parts uncounted;
-  dragged.drag(true, uncounted);
-  dragged.drag(false, uncounted);
-  for (int run = 0; run < settings.repeats; ++run) {
-    for (int f = 0; f < kFramesPerRun; ++f) dragged.drag(true, quick);
-    for (int f = 0; f < kFramesPerRun; ++f) dragged.drag(false, fine);
+  std::array<Parts, kKinds.size()> measured;
+  std::uint32_t coarseness = 1;
+  for (int run = -1; run < settings.repeats; ++run) {
+    for (std::size_t k = 0; k < kKinds.size(); ++k) {
+      const Kind& kind = kKinds[k];
+      Parts uncounted;
+      // The first frame of a kind may follow on one that showed something else.
+      dragged.paint(kind.change, kind.quick, kind.anew, uncounted);
+      for (int f = 0; f < kFramesPerRun; ++f) {
+        dragged.paint(kind.change, kind.quick, kind.anew, run < 0 ? uncounted : measured[k]);
+      }
+      if (kind.change == Change::camera && kind.quick && !kind.anew) {
+        coarseness = dragged.coarseness();
+      }
+    }
   }
-  std::printf("%s: %zu vertices, device %s, %u x %u pixels, %d drag frames of each kind\n",
+  std::printf("%s: %zu vertices, device %s, %u x %u pixels, %d frames of each kind, ms\n",
               std::filesystem::path(settings.mesh).filename().c_str(), dragged.vertex_count(),
               dragged.device().c_str(), settings.width, settings.height,
               kFramesPerRun * settings.repeats);
-  quick.print("drawn as while it moves, ms");
-  fine.print("drawn as when it rests, ms");
+  std::printf("while the camera moves, one pixel drawn stands for %u x %u\n", coarseness,
+              coarseness);
+  for (std::size_t k = 0; k < kKinds.size(); ++k) measured[k].print(kKinds[k].title);
   if (!settings.picture.empty()) write_png(settings.picture, dragged.picture());
 }
 

@@ -81,6 +81,7 @@ void bench_constraints(const ConstraintsBench& settings);
 
 struct FrameBench {
   std::string mesh;
+  int subdivisions = 0;  ///< of it, each into four times the triangles
   std::string device = "auto";
   std::uint32_t width = 1280;  ///< in pixels
   std::uint32_t height = 800;  ///< in pixels
@@ -88,10 +89,10 @@ struct FrameBench {
   std::string picture;  ///< a PNG of the last frame, or empty
 };
 
-/// Drags a whole mesh (as the benchmark's own run does) through what the viewer's window draws
-/// with, on images that no display holds up, and prints what each part of a frame costs: drawn as
-/// the window does while something moves (without antialiasing, without backs where none is seen)
-/// and as when nothing does.
+/// Shows a whole mesh by what the viewer's window draws with, on images that no display holds up,
+/// and prints what each part of a frame costs where the panels alone change, where the camera moves
+/// or jumps, and where a handle is dragged; and beside it where every frame draws its picture anew,
+/// at full resolution and by one pipeline for all ways of looking.
 void bench_frame(const FrameBench& settings);
 
 }  // namespace lapwing::bench
