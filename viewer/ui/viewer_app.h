@@ -85,6 +85,7 @@ class ViewerApp final : public App {
   void drag_to(const InputEvent& event);
   void escape();
   bool asks() const;
+  bool is_covered() const;
   void look_from(View view);
   void frame_all();
   void frame(std::span<const Index> vertices);

@@ -146,6 +146,12 @@ bool ViewerApp::asks() const {
   return leaving_for_ || overwriting_ || !interrupted_.empty() || path_plan_.purpose;
 }
 
+// By a list or a menu, which Escape closes before it means anything to the tool in hand.
+bool ViewerApp::is_covered() const {
+  return show_controls_ || picture_plan_.open ||
+         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
 // Of what a person does over the source, unless a drag that began elsewhere goes on there: whether
 // the picture changes. Nothing for what is not the source's.
 std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
@@ -164,6 +170,10 @@ std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
 bool ViewerApp::handle(const InputEvent& event) {
   if (asks() && (event.kind == InputKind::key || event.kind == InputKind::text)) {
     if (event.key == kEscape) escape();
+    return true;
+  }
+  if (event.kind == InputKind::key && event.key == kEscape && is_covered()) {
+    escape();
     return true;
   }
   if (const auto changed = handle_source(event)) return *changed;
