@@ -14,6 +14,8 @@ using Role = Part::Role;
 // So that between handle and belt something is left to follow.
 constexpr int kRingsAroundHandle = 6;
 
+const char* const kBeginsHere = "a new edit begins here; undo goes back to the last one";
+
 bool is_of_pointer(const InputEvent& event) {
   return event.kind != InputKind::key && event.kind != InputKind::text;
 }
@@ -194,7 +196,7 @@ Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
     const bool may_change = tool_->may_change_choice();
     if (begins_elsewhere(*answer.command) && perform(NewEdit{})) {
       joining = Joining::with_last;
-      say_("a new edit begins here; undo goes back to the last one");
+      say_(kBeginsHere);
     }
     const std::size_t done = session_->history().done();
     const bool sizes_on = answer.resizes && sizable_at_ == done;
@@ -261,7 +263,7 @@ bool Editor::perform(const Command& command, Joining joining) {
 
 void Editor::say_what_was_let_go(std::size_t handles_before) {
   if (handle_count() >= handles_before) return;
-  say_(handle_count() == 0 ? "a new edit begins here; undo goes back to the last one"
+  say_(handle_count() == 0 ? kBeginsHere
                            : "handles outside the ROI were let go; undo brings them back");
 }
 

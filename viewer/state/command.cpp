@@ -399,10 +399,10 @@ struct CommandDescriber {
 
 AppState apply(AppState state, const Command& command) {
   // A mirror that is there takes up to a second to renew, beside which a copy is cheap.
-  const bool may_keep_mirror = state.mirrored && std::visit(ChangesChoice{}, command);
-  if (!may_keep_mirror) {
+  const bool changes_choice = std::visit(ChangesChoice{}, command);
+  if (!state.mirrored || !changes_choice) {
     std::visit(Applier{state}, command);
-    if (std::visit(ChangesChoice{}, command)) renew_mirror(state);
+    if (changes_choice) renew_mirror(state);
     return state;
   }
   const std::shared_ptr<const Mesh> surface = surface_of(state);

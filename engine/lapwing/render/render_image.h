@@ -23,9 +23,9 @@ struct RenderOptions {
 };
 
 /// A picture of `surface` as its buffers are now, and of what is carried along with it, without a
-/// display. Makes pipelines and images
-/// for the one picture: for many, keep an OffscreenTarget and a Renderer. Same input, same bits on
-/// one device. Throws GpuError for a device that cannot draw and for sizes beyond its limits.
+/// display. Makes pipelines and images for the one picture: for many, keep an OffscreenTarget and a
+/// Renderer. Same input, same bits on one device. Throws GpuError for a device that cannot draw and
+/// for sizes beyond its limits.
 Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
                    const RenderOptions& options = {}, std::span<const CarriedDrawing> carried = {});
 

@@ -24,12 +24,11 @@ using Eigen::Vector3d;
 constexpr int kWindow = 10;
 constexpr std::size_t kUnknownsPerTask = 4096;
 
-// Iterations by the n x n factor before the tangent is worth its factorization, and by one tangent
-// before the surface has turned on from it.
+// Numbers of iterations.
 struct Pace {
-  int plain = 0;
-  int tangent = 0;
-  int before_parts = 0;
+  int plain = 0;         // by the n x n factor, before the tangent is worth its factorization
+  int tangent = 0;       // by one tangent, before the surface has turned on from it
+  int before_parts = 0;  // before what still moves is settled by itself
 };
 // Chosen on ten scans.
 constexpr Pace kPace{10, 5, 5};
