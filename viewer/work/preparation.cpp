@@ -125,7 +125,7 @@ void Preparation::settle(const AppState& state) {
     const std::lock_guard lock(worker_.mutex());
     result_.reset();
     live_result_.reset();
-    to_settle_ = Request{state, ++settle_ticket_, false, nullptr};
+    to_settle_ = Request{state, wanted_ticket_ = ++settle_ticket_, false, nullptr};
     if (status_.phase == Phase::ready) status_.phase = Phase::settling;
   }
   worker_.notify();
@@ -133,8 +133,11 @@ void Preparation::settle(const AppState& state) {
 
 bool Preparation::will_settle() const {
   const std::lock_guard lock(worker_.mutex());
+  // What was given up stays under way until the worker notices.
+  const bool is_wanted = wanted_ticket_ == settle_ticket_;
   const bool is_under_way = to_settle_ || result_ || status_.phase == Phase::settling;
-  return is_under_way && status_.phase != Phase::failed && status_.phase != Phase::idle;
+  return is_wanted && is_under_way && status_.phase != Phase::failed &&
+         status_.phase != Phase::idle;
 }
 
 std::optional<SettledResult> Preparation::take_result() {
@@ -146,7 +149,7 @@ bool Preparation::settle_live(const AppState& state, std::shared_ptr<const Settl
   {
     const std::lock_guard lock(worker_.mutex());
     if (status_.phase != Phase::ready || result_ || live_result_) return false;
-    to_settle_ = Request{state, ++settle_ticket_, true, std::move(from)};
+    to_settle_ = Request{state, wanted_ticket_ = ++settle_ticket_, true, std::move(from)};
     status_.phase = Phase::settling;
   }
   worker_.notify();

@@ -182,6 +182,7 @@ class Preparation {
   Upload upload_;
   std::uint64_t ticket_ = 0;
   std::uint64_t settle_ticket_ = 0;
+  std::uint64_t wanted_ticket_ = 0;  // of the last request; given up once another is current
   std::optional<AppState> followed_;
   std::optional<AppState> to_prepare_;
   std::vector<std::size_t> dragged_{0};  // ascending
