@@ -64,6 +64,22 @@ class AnEditorThatCarries : public ::testing::Test {
     editor_->handle(move_to(middle + Vector2d(150.0, 0.0)), view_);
     ASSERT_TRUE(editor_->is_dragging());
   }
+  // The hat once neither it nor the surface moves any more, which goes part of the way at a time
+  // until it has settled near the hand.
+  Positions at_rest_in_the_hand() {
+    constexpr int kUpdates = 10;
+    Positions hats;
+    Positions surface;
+    int still = 0;
+    update_until([&] {
+      const Positions hats_before = std::exchange(hats, hat());
+      const Positions before = std::exchange(surface, editor_->surface().shown().positions());
+      still = is_ready() && hats == hats_before && surface == before ? still + 1 : 0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      return still == kUpdates;
+    });
+    return hats;
+  }
   Positions hat() const { return editor_->carried().drawn()[0].surface->positions(); }
   Positions at_rest() const { return read_mesh(folder_ / "hat.obj").positions; }
   Positions settled() const { return carried_of(editor_->state())[0]->positions(); }
@@ -80,13 +96,7 @@ TEST_F(AnEditorThatCarries, LetsItFollowTheHandAndLeavesItWhereTheResultHasIt) {
   ASSERT_NE(editor_->carried().drawn()[1].points, nullptr);
   begin_drag();
   update_until([&] { return moved() > 0.2; });
-  // Until nothing moves any more.
-  Positions last;
-  update_until([&] {
-    const Positions before = std::exchange(last, hat());
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    return !before.empty() && largest_distance(last, before) == 0.0;
-  });
+  const Positions last = at_rest_in_the_hand();
   editor_->handle(at(InputKind::press, 0.5 * kWindow + Vector2d(150.0, 0.0), MouseButton::left),
                   view_);
   EXPECT_LT(largest_distance(hat(), last), kRoundedOff) << "until the result is there";
