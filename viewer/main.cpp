@@ -11,6 +11,7 @@
 
 #include "lapwing/base/errors.h"
 #include "navigation/keymap.h"
+#include "preferences/preferences.h"
 #include "ui/viewer_app.h"
 #include "window/main_loop.h"
 #include "window/window.h"
@@ -21,8 +22,6 @@ namespace {
 
 // As the command line's.
 enum ExitCode : int { kDone = 0, kUsage = 2, kInput = 3, kSolver = 4, kDevice = 5, kFile = 6 };
-
-constexpr VkExtent2D kWindowSize{1280, 800};
 
 struct Arguments {
   std::string file;
@@ -46,19 +45,22 @@ std::optional<VkExtent2D> parse_size(const std::string& text) {
 
 void show(const Arguments& arguments) {
   const auto size = parse_size(arguments.size);
-  Window window("Lapwing", static_cast<int>(kWindowSize.width),
-                static_cast<int>(kWindowSize.height));
+  // A picture that is ordered does not depend on who orders it.
+  const bool is_order = !arguments.screenshot.empty();
+  const std::filesystem::path kept = is_order ? std::filesystem::path() : preferences_file();
+  const Preferences preferences = is_order ? Preferences() : read_preferences(kept).preferences;
+  Window window("Lapwing", preferences.window_width, preferences.window_height);
   window.exit_when_display_goes(kDevice);
   WindowGraphics graphics(window, arguments.device);
   auto context = graphics.open_device();
-  ViewerApp app(context, journal_folder());
+  ViewerApp app(context, journal_folder(), kept);
   if (!arguments.file.empty()) {
     app.open(arguments.file, {arguments.carry.begin(), arguments.carry.end()});
   }
-  if (arguments.screenshot.empty()) {
-    app.offer_interrupted();
-  } else {
+  if (is_order) {
     app.order({arguments.screenshot, size});
+  } else {
+    app.offer_interrupted();
   }
   run_main_loop(window, graphics, std::move(context), app);
 }

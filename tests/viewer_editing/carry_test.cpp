@@ -44,7 +44,7 @@ class AnEditorThatCarries : public ::testing::Test {
     context_ = std::make_shared<gpu::Context>();
     editor_.emplace(
         EditStart{History(state), state.rest, {}, {}, folder_.path()}, context_,
-        [](const std::string& said) { EXPECT_EQ(said, ""); }, [] {});
+        [](const Message& said) { EXPECT_EQ(said.text, ""); }, [] {});
     update_until([&] { return is_ready(); });
   }
 

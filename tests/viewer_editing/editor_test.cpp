@@ -41,11 +41,11 @@ class AnEditor : public ::testing::Test {
     context_ = std::make_shared<gpu::Context>();
     editor_.emplace(
         EditStart{History(state), state.rest, {}, {}, folder_.path()}, context_,
-        [this](const std::string& said) {
+        [this](const Message& said) {
           if (!expects_notes_) {
-            EXPECT_EQ(said, "");
+            EXPECT_EQ(said.text, "");
           }
-          said_ = said;
+          said_ = said.text;
         },
         [this] {
           if (!by_steps_) return;

@@ -182,11 +182,6 @@ void sleep_seconds(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-void keep_picture(const Image& picture, const std::string& name) {
-  const char* folder = std::getenv("LAPWING_KEEP_PICTURES");
-  if (folder != nullptr) write_png(std::filesystem::path(folder) / (name + ".png"), picture);
-}
-
 double mean_difference(const Image& a, const Image& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(a.rgba[i] - b.rgba[i]);

@@ -79,10 +79,6 @@ bool eventually(double seconds, Happened happened) {
   return happened();
 }
 
-/// Keeps `picture` as NAME.png in the folder $LAPWING_KEEP_PICTURES, for somebody to look at;
-/// without that does nothing.
-void keep_picture(const Image& picture, const std::string& name);
-
 /// Mean difference of the channels of two pictures of one size, of 255.
 double mean_difference(const Image& a, const Image& b);
 

@@ -14,6 +14,7 @@
 #include "lapwing/session/run_recipe.h"
 #include "state/journal.h"
 #include "support/gpu.h"
+#include "support/keep_picture.h"
 #include "support/largest_distance.h"
 #include "support/models.h"
 #include "viewer_state/sheet_edit.h"

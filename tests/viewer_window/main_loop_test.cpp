@@ -65,7 +65,7 @@ class SphereApp final : public App {
 
   bool handle(const InputEvent&) override { return false; }
   void open(const fs::path&) override {}
-  void resize(const Eigen::Vector2d&) override {}
+  void resize(const Eigen::Vector2d&, double) override {}
   void draw_ui(const FrameTimings&) override {
     ++frames;
     // The first frames compile shaders and find out how much memory they take.
@@ -178,7 +178,7 @@ class DraggingViewer final : public App {
 
   bool handle(const InputEvent& event) override { return viewer_.handle(event); }
   void open(const fs::path& file) override { viewer_.open(file); }
-  void resize(const Eigen::Vector2d& size) override { viewer_.resize(size); }
+  void resize(const Eigen::Vector2d& size, double scale) override { viewer_.resize(size, scale); }
   void ask_to_close() override {}
   void use_device(std::shared_ptr<gpu::Context> context) override {
     viewer_.use_device(std::move(context));
@@ -248,7 +248,7 @@ class WatchedViewer final : public App {
 
   bool handle(const InputEvent& event) override { return viewer_.handle(event); }
   void open(const fs::path& file) override { viewer_.open(file); }
-  void resize(const Eigen::Vector2d& size) override { viewer_.resize(size); }
+  void resize(const Eigen::Vector2d& size, double scale) override { viewer_.resize(size, scale); }
   Scene scene() override { return viewer_.scene(); }
   std::string_view title() const override { return viewer_.title(); }
   void ask_to_close() override {}
@@ -277,11 +277,13 @@ class WatchedViewer final : public App {
   const std::vector<Image>& pictures() const { return pictures_; }
 
  private:
-  // Without the panels and the status line.
+  // Without the panels, the tools and the messages.
   static Image surface_part(const Image& screen) {
-    Image part{300, 340, {}};
-    for (std::uint32_t y = 30; y < 30 + part.height; ++y) {
-      for (std::uint32_t x = 330; x < 330 + part.width; ++x) {
+    constexpr std::uint32_t kLeft = 390;
+    constexpr std::uint32_t kTop = 80;
+    Image part{230, 150, {}};
+    for (std::uint32_t y = kTop; y < kTop + part.height; ++y) {
+      for (std::uint32_t x = kLeft; x < kLeft + part.width; ++x) {
         const auto pixel = screen.pixel(x, y);
         part.rgba.insert(part.rgba.end(), pixel.begin(), pixel.end());
       }
@@ -306,7 +308,7 @@ TEST_F(MainLoopTest, TheViewerShowsTheSameOnTheNextDevice) {
   ASSERT_EQ(app.pictures().size(), 2U);
   EXPECT_EQ(graphics.devices, 2);
   EXPECT_LT(mean_difference(app.pictures()[0], app.pictures()[1]), 0.01);
-  const auto middle = app.pictures()[1].pixel(150, 170);
+  const auto middle = app.pictures()[1].pixel(60, 80);
   EXPECT_GE(middle[0], middle[2]) << "the sphere, not the background";
 }
 

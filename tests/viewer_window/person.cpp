@@ -56,6 +56,7 @@ void Person::open(const fs::path& mesh, const std::vector<std::string>& flags) {
   viewer_ = std::make_unique<Process>(
       arguments,
       std::vector{desktop_.display(), "XDG_CACHE_HOME=" + (folder_ / "cache").string(),
+                  "XDG_CONFIG_HOME=" + (folder_ / "config").string(),
                   "XDG_DATA_HOME=" + (folder_ / "data").string()},
       folder_ / "errors");
 }

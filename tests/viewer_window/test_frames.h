@@ -94,7 +94,8 @@ class WindowlessPanels {
  public:
   explicit WindowlessPanels(VkExtent2D size) {
     ImGui::CreateContext();
-    set_theme(1.0);
+    set_fonts(1.0);
+    set_theme(Theme::dark, 1.0);
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = 1.0F / 60.0F;

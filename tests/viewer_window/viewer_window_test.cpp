@@ -75,17 +75,19 @@ class ViewerWindow : public ::testing::Test {
     return red > 60 && red < 190;
   }
 
-  // Right of the device's name and the frame's time, which vary.
-  static Image status_line(const Image& image) {
-    constexpr std::uint32_t kLeft = 520;
-    Image line{image.width - kLeft, 20, {}};
-    for (std::uint32_t y = image.height - line.height; y < image.height; ++y) {
-      for (std::uint32_t x = kLeft; x < image.width; ++x) {
+  // Where notes stand: left of the picture, above the guide.
+  static Image note(const Image& image) {
+    constexpr std::uint32_t kLeft = 385;
+    constexpr std::uint32_t kAboveGuide = 90;
+    Image part{300, 30, {}};
+    const std::uint32_t top = image.height - kAboveGuide - part.height;
+    for (std::uint32_t y = top; y < top + part.height; ++y) {
+      for (std::uint32_t x = kLeft; x < kLeft + part.width; ++x) {
         const auto pixel = image.pixel(x, y);
-        line.rgba.insert(line.rgba.end(), pixel.begin(), pixel.end());
+        part.rgba.insert(part.rgba.end(), pixel.begin(), pixel.end());
       }
     }
-    return line;
+    return part;
   }
 
   void expect_quits_silently() {
@@ -135,11 +137,11 @@ TEST_F(ViewerWindow, QuestionMarkListsTheControls) {
 TEST_F(ViewerWindow, AClickSaysWhatIsThere) {
   open_tube();
   desktop_->xdotool("key m");
-  const Image first = status_line(desktop_->settled_picture());
+  const Image first = note(desktop_->settled_picture());
   const auto says = [&](const std::string& click) {
     desktop_->xdotool(click);
     desktop_->settled_picture();
-    return test::mean_difference(status_line(desktop_->picture()), first);
+    return test::mean_difference(note(desktop_->picture()), first);
   };
   const double of_the_tube = says("mousemove 790 400 click 1");
   const double of_the_background = says("mousemove 400 100 click 1");

@@ -45,7 +45,7 @@ Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Sa
                                                  start.journals, kernels_like(context),
                                                  std::move(wake), upload_to(context));
   if (!session_->warning().empty()) {
-    say_(session_->warning());
+    say_({session_->warning(), Tone::warning});
   } else if (start.restored) {
     discard(*start.restored);
   }
@@ -190,7 +190,7 @@ void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
 }
 
 Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
-  if (!answer.message.empty()) say_(answer.message);
+  if (!answer.message.empty()) say_({answer.message, Tone::warning});
   if (answer.command) {
     const Part part = part_;
     const bool may_change = tool_->may_change_choice();
@@ -237,12 +237,12 @@ bool Editor::attempt(const std::function<void()>& change) {
     change();
     is_done = true;
     pointed_at_.clear();
-    if (!session_->warning().empty()) say_(session_->warning());
+    if (!session_->warning().empty()) say_({session_->warning(), Tone::warning});
     if (carried_out && !session_->is_carrying_out()) {
       say_("the step was cancelled because the surface changed; apply it again");
     }
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
   state_changed();
   return is_done;
@@ -300,7 +300,7 @@ void Editor::carry_out(const Step& step) {
   try {
     session_->carry_out(step);
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
 }
 
@@ -308,7 +308,7 @@ void Editor::replace_step(std::size_t index, const Step& step) {
   try {
     session_->replace_step(index, step);
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
 }
 
@@ -316,7 +316,7 @@ void Editor::carry_along(const std::vector<std::filesystem::path>& files) {
   try {
     session_->carry_along(files);
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
 }
 
@@ -366,7 +366,7 @@ void Editor::mirror_by_shape() {
     say_(text);
     perform(SetMirror{found.plane});
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
 }
 

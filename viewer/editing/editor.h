@@ -9,6 +9,7 @@
 #include "editing/shown_carried.h"
 #include "editing/shown_surface.h"
 #include "editing/tool_table.h"
+#include "state/message.h"
 #include "work/carry_follower.h"
 #include "work/certificate_words.h"
 #include "work/edit_session.h"
@@ -29,8 +30,6 @@ struct EditStart {
 /// work is said to `say`, and nothing has changed then.
 class Editor {
  public:
-  using Say = std::function<void(std::string)>;
-
   /// The worker gets kernels of its own on `context` and
   /// calls `wake` when it has news.
   Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
@@ -122,6 +121,8 @@ class Editor {
   /// Whether a drag shows what it will come to, settled on the way as far as there is time; by
   /// default. Without settling in the parameters there is nothing to settle.
   bool settles_while_dragging() const { return continuous_ && state().parameters.settle; }
+  /// Whether it would, with settling in the parameters.
+  bool wants_to_settle_while_dragging() const { return continuous_; }
   void set_settles_while_dragging(bool on) { continuous_ = on; }
   /// Whether the surface goes on from what has settled of a drag.
   bool shows_live_result() const;

@@ -57,7 +57,7 @@ void Editor::follow_carried() {
   try {
     if (const auto places = carry_follower_.take()) carried_.place(*places);
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
   const Drag& drag = *shown_.device().drag_shown();
   carry_follower_.follow(state(), session_->preparation(),
@@ -91,11 +91,11 @@ void Editor::take_step() {
   try {
     taken = session_->take_step();
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
   if (!taken) return;
   pointed_at_.clear();
-  for (const std::string& warning : taken->warnings) say_(warning);
+  for (const std::string& warning : taken->warnings) say_({warning, Tone::warning});
   if (taken->changed_triangles && had_chosen) {
     say_("the triangles have changed; choose the regions again");
   }

@@ -37,7 +37,7 @@ ToolAnswer PointTool::handle(const InputEvent& event, const ToolScene& scene) {
   return ToolAnswer::only_taken();
 }
 
-LayerDesk::LayerDesk(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Editor::Say say,
+LayerDesk::LayerDesk(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Say say,
                      std::function<void()> wake)
     : up_axis_(up_axis),
       context_(context),
@@ -122,7 +122,7 @@ void LayerDesk::choose_source_patch(const RegionSpec& region) {
   try {
     view()->choose_patch(region);
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
 }
 
@@ -227,7 +227,7 @@ void LayerDesk::take_read() {
     if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);
     if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
   reading_.reset();
 }
@@ -255,7 +255,7 @@ void LayerDesk::renew_own_views(const AppState& target) {
     try {
       if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);
     } catch (const Error& error) {
-      say_(error.what());
+      say_(Message(error));
     }
   }
 }
@@ -300,7 +300,7 @@ void LayerDesk::take_points(const Editor& editor) {
   try {
     add_pair(editor);
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
   picked_source_.reset();
   point_tool_.picked.reset();
@@ -343,7 +343,7 @@ void LayerDesk::apply(Editor& editor) {
   try {
     step = step_of(draft_);
   } catch (const Error& error) {
-    return say_(error.what());
+    return say_(Message(error));
   }
   if (taken_up_) {
     editor.replace_step(*taken_up_, step);

@@ -28,7 +28,7 @@ class PointTool final : public SceneTool {
 /// work is said to the editor.
 class LayerDesk {
  public:
-  LayerDesk(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Editor::Say say,
+  LayerDesk(UpAxis up_axis, const std::shared_ptr<gpu::Context>& context, Say say,
             std::function<void()> wake);
 
   /// Begins a new one, or takes the `index`th step of the recipe up again; true if that is one.
@@ -100,7 +100,7 @@ class LayerDesk {
 
   UpAxis up_axis_;
   std::shared_ptr<gpu::Context> context_;
-  Editor::Say say_;
+  Say say_;
 
   bool is_open_ = false;
   LayerDraft draft_;

@@ -50,7 +50,7 @@ AppState start_of(const Revision& revision, Kernels& kernels, const Progress& pr
 
 }  // namespace
 
-TransplantDesk::TransplantDesk(const std::shared_ptr<gpu::Context>& context, Editor::Say say,
+TransplantDesk::TransplantDesk(const std::shared_ptr<gpu::Context>& context, Say say,
                                std::function<void()> wake)
     : say_(std::move(say)),
       shelf_(context, kernels_like(context), wake),
@@ -98,7 +98,7 @@ void TransplantDesk::take_up(const Editor& editor, std::size_t index) {
                    },
                    [step = *step](const AppState& host) { return viewer::taken_up(step, host); }};
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
   }
 }
 
@@ -173,7 +173,7 @@ void TransplantDesk::take_read(Editor& editor) {
     tool_.begin(std::move(hand->draft), std::move(hand->host));
     if (lends_) editor.lend(tool_);
   } catch (const Error& error) {
-    say_(error.what());
+    say_(Message(error));
     close(editor);
   }
 }
@@ -300,7 +300,7 @@ void TransplantDesk::apply(Editor& editor) {
   } else if (result != nullptr) {
     const std::vector<std::string> warnings = result->carried_out.warnings;
     editor.perform(Apply{step, result->carried_out.result});
-    for (const std::string& warning : warnings) say_(warning);
+    for (const std::string& warning : warnings) say_({warning, Tone::warning});
   } else {
     editor.carry_out(step);
   }

@@ -17,8 +17,7 @@ namespace lapwing::viewer {
 /// comes to. What does not work is said to the editor.
 class TransplantDesk {
  public:
-  TransplantDesk(const std::shared_ptr<gpu::Context>& context, Editor::Say say,
-                 std::function<void()> wake);
+  TransplantDesk(const std::shared_ptr<gpu::Context>& context, Say say, std::function<void()> wake);
 
   PartShelf& shelf() { return shelf_; }
   const PartShelf& shelf() const { return shelf_; }
@@ -84,7 +83,7 @@ class TransplantDesk {
   void show_result(Editor& editor);
   bool finish_applying(Editor& editor);
 
-  Editor::Say say_;
+  Say say_;
   PartShelf shelf_;
   std::optional<Begin> begin_;  // to be read as soon as nothing is waited for
   bool is_reading_ = false;

@@ -243,6 +243,16 @@ std::vector<ControlLine> key_controls() {
   return lines;
 }
 
+ControlLine control_of(Action action) {
+  for (const KeyBinding& binding : kKeyBindings) {
+    if (binding.action != action || binding.words.empty()) continue;
+    std::string how = words(binding.modifiers) + key_name(binding.key);
+    std::erase(how, ' ');
+    return {std::move(how), std::string(binding.words)};
+  }
+  return {};
+}
+
 std::string controls_table() {
   std::string text = row({"keymap", "do", "to"}) + "|---|---|---|\n";
   for (const Keymap& keymap : kKeymaps) {

@@ -117,6 +117,8 @@ struct ControlLine {
 /// All controls: those of the mouse as `keymap` has them, then the keys.
 std::vector<ControlLine> mouse_controls(const Keymap& keymap);
 std::vector<ControlLine> key_controls();
+/// What does `action`, "Ctrl+Shift+Z", as menus write it, and in words; empty where no key does.
+ControlLine control_of(Action action);
 /// The same as a table in Markdown, all keymaps side by side.
 std::string controls_table();
 

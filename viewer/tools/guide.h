@@ -7,13 +7,14 @@
 
 namespace lapwing::viewer {
 
-/// The three steps of an edit, for whoever does not know them yet.
+/// The steps of a task, for whoever does not know them yet: of a deform region, handle and drag.
 struct Guide {
   struct Step {
-    const char* name;
-    bool is_done;
+    const char* name = "";
+    bool is_done = false;
   };
-  std::array<Step, 3> steps;
+  std::array<Step, 4> steps{};
+  std::size_t count = 3;    ///< of them
   std::size_t current = 0;  ///< of the steps: what a hand would do now
   const char* what = "";    ///< to do for it, in a sentence
 };

@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include "ui/panels.h"
+#include "ui/part_colors.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -12,10 +13,8 @@ const ImVec4 kCarriedColor{0.36F, 0.68F, 0.58F, 1.0F};
 bool draw_object(const CarriedObject& object, std::size_t number) {
   ImGui::PushID(static_cast<int>(number));
   const char* verb = object.follows ? "Remove" : "Follow";
-  ImGui::ColorButton("##color", kCarriedColor,
-                     ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
-                     {ImGui::GetFontSize(), ImGui::GetFontSize()});
-  ImGui::SameLine();
+  draw_swatch(kCarriedColor);
+  ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(object.file().filename().c_str());
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", object.file().c_str());
   const std::size_t count = object.rest->positions().size();

@@ -25,4 +25,20 @@ bool choose(const char* label, Value& value,
   return clicked;
 }
 
+/// A button that stays lit while it is `on`; whether it was pressed.
+inline bool toggle_button(const char* label, bool on) {
+  if (on) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
+  }
+  const bool pressed = ImGui::Button(label);
+  if (on) ImGui::PopStyleColor();
+  return pressed;
+}
+
+/// Begins no new line if an item `width` wide still fits on this one, up to `right` on the screen.
+inline void stay_on_line(float width, float right) {
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  if (ImGui::GetItemRectMax().x + spacing + width <= right) ImGui::SameLine();
+}
+
 }  // namespace lapwing::viewer

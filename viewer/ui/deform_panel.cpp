@@ -1,73 +1,13 @@
-#include <array>
-#include <cstdio>
 #include <imgui.h>
 
 #include "lapwing/step/step.h"
 #include "ui/choose.h"
+#include "ui/explain.h"
 #include "ui/panels.h"
 #include "ui/parameter_panel.h"
 
 namespace lapwing::viewer {
 namespace {
-
-using Phase = PreparationStatus::Phase;
-
-const char* words(Phase phase, bool is_exact) {
-  switch (phase) {
-    case Phase::idle:
-      return "choose an ROI and a handle";
-    case Phase::previewing:
-      return "preparing the preview";
-    case Phase::solving:
-      return "preview ready; preparing the exact response";
-    case Phase::ready:
-      return is_exact ? "exact response ready" : "preview ready; too large for the exact response";
-    case Phase::settling:
-      return "settling";
-    case Phase::failed:
-      return "cannot be prepared";
-  }
-  return "";
-}
-
-const char* words_of_surface(const Editor& editor) {
-  if (editor.shows_live_result()) return "shown: the settled surface";
-  switch (editor.surface().source()) {
-    case SurfaceSource::still:
-      return "shown: the current surface";
-    case SurfaceSource::preview:
-      return "shown: a preview, details do not turn yet";
-    case SurfaceSource::exact:
-      return "shown: the linear response, not settled";
-  }
-  return "";
-}
-
-void draw_progress(Editor& editor) {
-  EditSession& session = editor.session();
-  PreparationStatus status = session.preparation().status();
-  // What settles as it is dragged comes and goes with every frame.
-  if (status.phase == Phase::settling && editor.is_dragging()) status.phase = Phase::ready;
-  const auto exact = session.preparation().exact();
-  ImGui::TextWrapped("%s", words(status.phase, exact == nullptr || exact->is_exact()));
-  if (!status.message.empty()) ImGui::TextWrapped("%s", status.message.c_str());
-  if (editor.handles_leave_roi() && ImGui::Button("Enlarge the ROI")) editor.enlarge_roi();
-  const bool prepares = status.phase == Phase::previewing || status.phase == Phase::solving;
-  if (prepares || status.phase == Phase::settling) {
-    const float share = static_cast<float>(status.fraction);
-    ImGui::ProgressBar(share, {-5.0F * ImGui::GetFontSize(), 0.0F}, status.stage.c_str());
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel")) {
-      prepares ? session.cancel_preparation() : session.cancel_settling();
-    }
-  } else if (status.phase == Phase::ready && needs_settling(editor.state()) &&
-             !editor.is_dragging()) {
-    if (ImGui::Button("Settle")) editor.settle();
-  } else if (status.phase == Phase::idle && !editor.state().selection.handles.empty()) {
-    if (ImGui::Button("Prepare")) session.prepare();
-  }
-  ImGui::TextDisabled("%s", words_of_surface(editor));
-}
 
 bool draw_vector(const char* label, Eigen::Vector3d& vector, bool& let_go) {
   const bool changed =
@@ -94,10 +34,10 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   const AppState& state = editor.state();
   const std::size_t handle = editor.handle();
   if (handle >= state.moves.size()) return;
-  ImGui::Separator();
   ImGui::Text("handle %zu", handle + 1);
   ImGui::SameLine();
   if (ImGui::SmallButton("back to rest")) editor.perform(MoveHandle{handle, SimilarityMove{}});
+  explain("Puts the handle where it was before it was moved.");
   GizmoMode mode = editor.gizmo_tool().mode();
   if (choose("gizmo", mode,
              {{"move", GizmoMode::translate},
@@ -139,57 +79,20 @@ void draw_parameters(Editor& editor, PanelDrafts& drafts) {
   editor.perform(SetParameters{parameters});
 }
 
-void draw_number_line(const char* label, const char* format, double number) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), format, number);
-  ImGui::TextDisabled("%s", label);
-  ImGui::SameLine(9.0F * ImGui::GetFontSize());
-  ImGui::TextUnformatted(text.data());
-}
-
-// What the result promises; the vertices to be shown.
-std::optional<std::vector<Index>> draw_certificate(const Editor& editor) {
-  std::optional<std::vector<Index>> shown;
-  const Certificate* certificate = editor.session().certificate();
-  if (certificate == nullptr) return shown;
-  ImGui::Separator();
-  if (editor.state().parameters.settle) {
-    draw_number_line("balance", "%.1e", certificate->relative_gradient);
-    draw_number_line("iterations", "%.0f", certificate->settle_iterations);
-  } else {
-    draw_number_line("residual", "%.1e", certificate->relative_residual);
-  }
-  draw_number_line("largest turn", "%.1f degrees", certificate->largest_rotation_degrees);
-  draw_number_line("detail error", "%.3f", certificate->detail_error);
-  draw_number_line("edge stretch", "%.3f", certificate->edge_stretch);
-  int number = 0;
-  for (const CertificateWarning& warning : editor.warnings()) {
-    ImGui::PushID(number++);
-    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(242, 194, 77, 255));
-    ImGui::TextWrapped("%s", warning.text.c_str());
-    ImGui::PopStyleColor();
-    if (!warning.vertices.empty() && ImGui::SmallButton("show me")) shown = warning.vertices;
-    ImGui::PopID();
-  }
-  return shown;
-}
-
 }  // namespace
 
-std::optional<std::vector<Index>> draw_deform_panel(Editor& editor, PanelDrafts& drafts) {
-  ImGui::PushItemWidth(11.0F * ImGui::GetFontSize());
-  draw_progress(editor);
+void draw_deform_panel(Editor& editor, PanelDrafts& drafts) {
+  ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
+  draw_move(editor, drafts);
   if (editor.state().parameters.settle) {
     bool continuous = editor.settles_while_dragging();
     if (ImGui::Checkbox("settle while dragging", &continuous)) {
       editor.set_settles_while_dragging(continuous);
     }
+    explain("A drag shows what it comes to, settled on the way as far as there is time.");
   }
-  draw_move(editor, drafts);
-  auto shown = draw_certificate(editor);
   draw_parameters(editor, drafts);
   ImGui::PopItemWidth();
-  return shown;
 }
 
 }  // namespace lapwing::viewer

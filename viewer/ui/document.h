@@ -13,8 +13,7 @@ namespace lapwing::viewer {
 /// What is open.
 struct Document {
   Document(LoadedFile file, const std::filesystem::path& journals,
-           const std::shared_ptr<gpu::Context>& context, Editor::Say say,
-           std::function<void()> wake)
+           const std::shared_ptr<gpu::Context>& context, Say say, std::function<void()> wake)
       : opened(file.opened),
         title(opened.name + " - Lapwing"),
         unsaved_title(opened.name + "* - Lapwing"),

@@ -1,4 +1,5 @@
 #include <array>
+#include <filesystem>
 #include <imgui.h>
 #include <utility>
 
@@ -12,6 +13,7 @@ using Eigen::Vector2d;
 constexpr ImU32 kHighlight = IM_COL32(255, 220, 90, 255);
 constexpr ImU32 kLine = IM_COL32(255, 240, 200, 255);
 constexpr ImU32 kShade = IM_COL32(20, 20, 24, 160);
+constexpr ImU32 kGround = IM_COL32(20, 20, 24, 225);
 constexpr ImU32 kPointer = IM_COL32(255, 90, 200, 255);
 constexpr ImU32 kHole = IM_COL32(90, 190, 255, 255);
 constexpr ImU32 kMirror = IM_COL32(90, 190, 255, 28);
@@ -22,6 +24,15 @@ ImU32 color_of(GizmoPart part) {
                              IM_COL32(90, 150, 250, 255)};
   const int axis = axis_of(part);
   return axis < 0 ? IM_COL32(235, 235, 235, 255) : kAxes[static_cast<std::size_t>(axis)];
+}
+
+// On a ground so dark that they can be read whatever is behind.
+void draw_words(ImDrawList& list, const Vector2d& place, const std::string& words) {
+  const ImVec2 from{static_cast<float>(place.x()), static_cast<float>(place.y())};
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  list.AddRectFilled({from.x - 4.0F, from.y - 2.0F},
+                     {from.x + size.x + 4.0F, from.y + size.y + 2.0F}, kGround, 3.0F);
+  list.AddText(from, kLine, words.c_str());
 }
 
 // Draws in pixels of the picture.
@@ -65,10 +76,7 @@ class Pen {
 
   void text(const Vector2d& pixel, const std::string& words) {
     const ImVec2 from = at(pixel);
-    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-    list_.AddRectFilled({from.x - 4.0F, from.y - 2.0F},
-                        {from.x + size.x + 4.0F, from.y + size.y + 2.0F}, kShade, 3.0F);
-    list_.AddText(from, kLine, words.c_str());
+    draw_words(list_, {from.x, from.y}, words);
   }
 
   // Where points show, until the next call.
@@ -229,6 +237,20 @@ void EditMarks::draw(const LayerDesk& desk, const Editor& editor, const ViewFram
   if (!editor.shown().has_triangles_of_state()) return;
   Pen pen(view, pixels_per_unit, points_);
   draw_ends(pen, source, 1, desk.picked_target(), editor.positions());
+}
+
+void EditMarks::draw_pane_names(const LayerDesk& desk, const std::string& target,
+                                const PictureArea& area, double width) {
+  const std::filesystem::path& mesh = desk.draft().sources[desk.current()].mesh;
+  const double gap = 0.7 * static_cast<double>(ImGui::GetFontSize());
+  readout_ = desk.draft().source_count() == 1 ? "source: "
+             : desk.current() == 0            ? "first source: "
+                                              : "second source: ";
+  readout_ += mesh.empty() ? "this mesh" : mesh.filename().string();
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  draw_words(list, area.corner + Vector2d(gap, gap), readout_);
+  readout_ = "target: " + target;
+  draw_words(list, area.corner + Vector2d(width + gap, gap), readout_);
 }
 
 void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_per_unit,

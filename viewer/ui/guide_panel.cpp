@@ -1,21 +1,22 @@
 #include <imgui.h>
 
-#include "tools/guide.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
 
-void draw_guide(const Editor& editor, const Eigen::Vector2d& corner) {
+double draw_guide(const Guide& guide, const PictureArea& area) {
   constexpr ImGuiWindowFlags kOverPicture =
       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-  const bool moves = editor.has_in_hand(editor.gizmo_tool());
-  const Guide guide = guide_of(editor.state(), editor.part(), editor.tool(), moves);
-  ImGui::SetNextWindowPos({static_cast<float>(corner.x()), static_cast<float>(corner.y())});
-  ImGui::SetNextWindowBgAlpha(0.96F);
+  const float gap = 0.5F * ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({static_cast<float>(area.corner.x()) + gap,
+                           static_cast<float>(area.corner.y() + area.size.y()) - gap},
+                          ImGuiCond_Always, {0.0F, 1.0F});
   if (ImGui::Begin("Guide", nullptr, kOverPicture)) {
-    for (std::size_t k = 0; k < guide.steps.size(); ++k) {
+    ImGui::PushTextWrapPos(static_cast<float>(area.size.x()) - 2.0F * gap -
+                           2.0F * ImGui::GetStyle().WindowPadding.x);
+    for (std::size_t k = 0; k < guide.count; ++k) {
       if (k > 0) ImGui::SameLine(0.0F, 1.5F * ImGui::GetFontSize());
       const Guide::Step& step = guide.steps[k];
       const char* done = step.is_done ? " (done)" : "";
@@ -26,8 +27,11 @@ void draw_guide(const Editor& editor, const Eigen::Vector2d& corner) {
       }
     }
     ImGui::TextUnformatted(guide.what);
+    ImGui::PopTextWrapPos();
   }
+  const double height = static_cast<double>(ImGui::GetWindowHeight() + gap);
   ImGui::End();
+  return height;
 }
 
 }  // namespace lapwing::viewer

@@ -1,8 +1,9 @@
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <imgui.h>
 
+#include "ui/choose.h"
+#include "ui/explain.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -10,16 +11,22 @@ namespace lapwing::viewer {
 std::optional<PathPurpose> draw_history_panel(Editor& editor, PanelDrafts& drafts) {
   const History& history = editor.session().history();
   if (ImGui::Button("Undo")) editor.undo();
+  explain(Action::undo);
   ImGui::SameLine();
   if (ImGui::Button("Redo")) editor.redo();
+  explain(Action::redo);
   std::optional<PathPurpose> purpose;
-  ImGui::SameLine();
-  if (ImGui::Button("Save recipe...")) purpose = PathPurpose::save_recipe;
-  if (ImGui::Button("Replay a recipe...")) purpose = PathPurpose::replay_recipe;
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const float padding = 2.0F * ImGui::GetStyle().FramePadding.x;
+  stay_on_line(ImGui::CalcTextSize("Save recipe").x + padding, right);
+  if (ImGui::Button("Save recipe")) purpose = PathPurpose::save_recipe;
+  explain(Action::save_recipe);
+  stay_on_line(ImGui::CalcTextSize("Replay").x + padding, right);
+  if (ImGui::Button("Replay")) purpose = PathPurpose::replay_recipe;
+  explain(Action::replay_recipe);
 
   std::optional<std::size_t> chosen;
-  const float rows = static_cast<float>(std::min<std::size_t>(history.size() + 1, 12));
-  ImGui::BeginChild("steps", {0.0F, rows * ImGui::GetTextLineHeightWithSpacing()});
+  ImGui::BeginChild("steps");
   if (ImGui::Selectable("opened", history.done() == 0)) chosen = 0;
   for (std::size_t k = 0; k < history.size(); ++k) {
     const bool undone = k >= history.done();

@@ -5,8 +5,10 @@
 #include "state/step_words.h"
 #include "ui/choose.h"
 #include "ui/domain_picture.h"
+#include "ui/explain.h"
 #include "ui/panels.h"
 #include "ui/parameter_panel.h"
+#include "window/theme.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -19,16 +21,26 @@ bool draw_slider(const char* label, double& value, double from, double to, bool 
                              logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
 }
 
+const char* words(Operation operation) {
+  return operation == Operation::coat
+             ? "A coat puts the detail of a source patch on the ROI, which keeps its own shape."
+             : "A mix puts the details of two source patches on the ROI, one passing into the "
+               "other.";
+}
+
 // Nothing open: what can be begun, and what can be taken up again.
-void draw_beginnings(LayerDesk& desk, Editor& editor) {
-  if (ImGui::Button("Coat...")) desk.begin(editor, Operation::coat);
-  ImGui::SameLine();
-  if (ImGui::Button("Mix...")) desk.begin(editor, Operation::mix);
+void draw_beginnings(LayerDesk& desk, Editor& editor, Operation operation) {
+  const bool coats = operation == Operation::coat;
+  ImGui::TextWrapped("%s", words(operation));
+  if (ImGui::Button(coats ? "Begin a coat" : "Begin a mix")) desk.begin(editor, operation);
+  explain(coats ? Action::begin_coat : Action::begin_mix);
   const auto& steps = editor.state().steps;
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    if (!layer_draft_of(*steps[k])) continue;
+    const auto draft = layer_draft_of(*steps[k]);
+    if (!draft || draft->operation != operation) continue;
     ImGui::PushID(static_cast<int>(k));
     if (ImGui::SmallButton("change")) desk.take_up(editor, k);
+    explain("Takes this step up again; those after it run again once it is applied.");
     ImGui::SameLine();
     ImGui::Text("%zu  %s", k + 1, describe(*steps[k]).c_str());
     ImGui::PopID();
@@ -142,47 +154,22 @@ void draw_pairs(LayerDesk& desk, Editor& editor) {
   ImGui::TreePop();
 }
 
-void draw_result(LayerDesk& desk, Editor& editor) {
-  bool previews = desk.previews();
-  if (ImGui::Checkbox("live preview", &previews)) desk.set_previews(previews);
-  const LayerPreview& preview = desk.preview();
-  const WorkStatus step = editor.session().step_status();
-  const WorkStatus work = step.busy ? step : preview.status();
-  if (work.busy) {
-    ImGui::SameLine();
-    ImGui::ProgressBar(static_cast<float>(work.fraction), {-1.0F, 0.0F}, work.stage.c_str());
-  }
-  if (!preview.message().empty()) ImGui::TextWrapped("%s", preview.message().c_str());
-  if (const LayeredCoat* layers = preview.layers()) {
-    for (const std::string& warning : layers->warnings()) {
-      ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(242, 194, 77, 255));
-      ImGui::TextWrapped("%s", warning.c_str());
-      ImGui::PopStyleColor();
-    }
-  }
-  if (step.busy) {
-    if (ImGui::Button("Stop")) editor.session().cancel_step();
-    return;
-  }
-  if (ImGui::Button("Apply")) desk.apply(editor);
-  ImGui::SameLine();
-  if (ImGui::Button("Cancel")) desk.close(editor);
-}
-
 }  // namespace
 
-std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor) {
+std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor, Task task) {
   std::optional<PathPurpose> purpose;
-  if (!desk.is_open()) {
-    draw_beginnings(desk, editor);
+  const Operation operation = task == Task::coat ? Operation::coat : Operation::mix;
+  if (!desk.is_open() || desk.draft().operation != operation) {
+    draw_beginnings(desk, editor, operation);
     return purpose;
   }
-  ImGui::PushItemWidth(11.0F * ImGui::GetFontSize());
+  ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
   draw_target(desk, editor);
   ImGui::Separator();
   if (desk.draft().source_count() == 2) {
     std::size_t current = desk.current();
     choose("source", current, {{"first", std::size_t{0}}, {"second", std::size_t{1}}});
+    explain(Action::other_source);
     desk.show(current);
   }
   if (draw_source_file(desk)) purpose = PathPurpose::open_source;
@@ -195,10 +182,38 @@ std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor) {
     draw_domain(desk.preview().layers(), desk.current());
     ImGui::TreePop();
   }
-  ImGui::Separator();
-  draw_result(desk, editor);
   ImGui::PopItemWidth();
   return purpose;
+}
+
+void draw_layer_result(LayerDesk& desk, Editor& editor) {
+  const LayerPreview& preview = desk.preview();
+  const WorkStatus step = editor.session().step_status();
+  const WorkStatus work = step.busy ? step : preview.status();
+  if (step.busy) {
+    if (ImGui::Button("Stop")) editor.session().cancel_step();
+  } else {
+    if (ImGui::Button("Apply")) return desk.apply(editor);
+    explain(Action::apply_step);
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel")) return desk.close(editor);
+    explain("Gives up what was not applied.");
+  }
+  ImGui::SameLine();
+  bool previews = desk.previews();
+  if (ImGui::Checkbox("live preview", &previews)) desk.set_previews(previews);
+  explain("Computes the result while it is changed.");
+  if (work.busy) {
+    ImGui::ProgressBar(static_cast<float>(work.fraction), {-1.0F, 0.0F}, work.stage.c_str());
+  }
+  if (!preview.message().empty()) ImGui::TextWrapped("%s", preview.message().c_str());
+  if (const LayeredCoat* layers = preview.layers()) {
+    for (const std::string& warning : layers->warnings()) {
+      ImGui::PushStyleColor(ImGuiCol_Text, text_color(Tone::warning));
+      ImGui::TextWrapped("%s", warning.c_str());
+      ImGui::PopStyleColor();
+    }
+  }
 }
 
 }  // namespace lapwing::viewer

@@ -1,7 +1,9 @@
 #include <cstdio>
 #include <imgui.h>
 
+#include "ui/explain.h"
 #include "ui/panels.h"
+#include "window/theme.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -20,39 +22,26 @@ std::string number(double value) {
   return text;
 }
 
-ImVec4 color_of(Severity severity) {
-  switch (severity) {
-    case Severity::error:
-      return {0.95F, 0.42F, 0.38F, 1.0F};
-    case Severity::warning:
-      return {0.95F, 0.76F, 0.30F, 1.0F};
-    case Severity::info:
-      break;
-  }
-  return ImGui::GetStyleColorVec4(ImGuiCol_Text);
+Tone tone_of(Severity severity) {
+  return severity == Severity::error     ? Tone::error
+         : severity == Severity::warning ? Tone::warning
+                                         : Tone::note;
 }
 
 void draw_defect(const Defect& defect) {
   const DefectInfo& info = describe(defect.kind);
-  ImGui::PushStyleColor(ImGuiCol_Text, color_of(info.severity));
+  ImGui::PushStyleColor(ImGuiCol_Text, text_color(tone_of(info.severity)));
   ImGui::Bullet();
   ImGui::TextWrapped("%zu %s", defect.count, std::string(info.name).c_str());
   ImGui::PopStyleColor();
-  if (!ImGui::IsItemHovered()) return;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28.0F);
-  ImGui::TextUnformatted(info.meaning.data(), info.meaning.data() + info.meaning.size());
-  if (!info.next_step.empty()) {
-    ImGui::TextDisabled("%s", std::string(info.next_step).c_str());
-  }
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+  explain(info.meaning, info.next_step);
 }
 
 }  // namespace
 
-void draw_mesh_panel(const Document& document) {
+void draw_mesh_panel(const Document& document, const std::string& unit) {
   const MeshStatistics& s = document.report.statistics;
+  const std::string behind = unit.empty() ? "" : " " + unit;
   if (ImGui::BeginTable("mesh", 2, ImGuiTableFlags_SizingFixedFit)) {
     row("name", document.opened.name);
     row("vertices", std::to_string(s.vertices));
@@ -62,33 +51,12 @@ void draw_mesh_panel(const Document& document) {
     row("boundaries", std::to_string(s.boundary_loops));
     if (s.genus) row("genus", std::to_string(*s.genus));
     const Eigen::Vector3d size = s.bounds.max - s.bounds.min;
-    row("size", number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()));
-    row("mean edge", number(s.mean_edge_length));
+    row("size", number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) + behind);
+    row("mean edge", number(s.mean_edge_length) + behind);
     ImGui::EndTable();
   }
   if (!document.report.has_problems()) ImGui::TextDisabled("The mesh doctor finds no problem.");
   for (const Defect& defect : document.report.defects) draw_defect(defect);
-}
-
-void draw_timings_panel(const FrameTimings& timings) {
-  if (!ImGui::BeginTable("timings", 2, ImGuiTableFlags_SizingFixedFit)) return;
-  const auto ms = [](double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f ms", value);
-    return std::string(text);
-  };
-  row("blend, device", ms(timings.blend_ms));
-  row("normals, device", ms(timings.normals_ms));
-  row("surface, device", ms(timings.draw_ms));
-  row("panels, device", ms(timings.ui_ms));
-  row("panels, processor", ms(timings.panels_ms));
-  row("frame, processor", ms(timings.frame_ms));
-  ImGui::EndTable();
-}
-
-void draw_log_panel(std::span<const std::string> messages) {
-  for (const std::string& message : messages) ImGui::TextWrapped("%s", message.c_str());
-  if (messages.empty()) ImGui::TextDisabled("Nothing to report.");
 }
 
 }  // namespace lapwing::viewer

@@ -6,12 +6,16 @@
 #include <string>
 #include <variant>
 
+#include "editing/desk_guides.h"
 #include "editing/editor.h"
 #include "editing/layer_desk.h"
+#include "lapwing/gpu/devices.h"
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
+#include "preferences/preferences.h"
 #include "state/kept_settling.h"
 #include "ui/document.h"
+#include "ui/messages.h"
 #include "ui/part_pictures.h"
 #include "window/app.h"
 
@@ -33,26 +37,53 @@ struct PanelDrafts {
 // The panels. Each lays itself out with ImGui where the caller has begun a window, and changes only
 // what it is given.
 
-/// File, sizes, and what the mesh doctor found.
-void draw_mesh_panel(const Document& document);
+/// What the sidebar has a tab for.
+enum class Task { deform, coat, mix, transplant, mesh, view };
 
-/// Parts, tools, and what is chosen.
+/// In ImGui's units, of the line at the bottom of the window.
+float status_height();
+
+/// File, sizes, and what the mesh doctor found. Lengths with `unit`, if there is one.
+void draw_mesh_panel(const Document& document, const std::string& unit);
+
+/// A part of the window, in ImGui's units.
+struct PictureArea {
+  Eigen::Vector2d corner;  ///< the upper left one
+  Eigen::Vector2d size;
+};
+
+/// What the tools choose, and the tools, along the top of the area, as many rows as they take. Its
+/// height.
+double draw_toolbar(Editor& editor, const PictureArea& area);
+
+/// What is chosen, what else can be done to that, and how its handles hold.
 void draw_selection_panel(Editor& editor, PanelDrafts& drafts);
 
-/// The handle's move in numbers, how the edit is computed, how far the worker is, and what the
-/// result promises. Vertices that a person wants to be shown.
-std::optional<std::vector<Index>> draw_deform_panel(Editor& editor, PanelDrafts& drafts);
+/// The handle's move in numbers, and how the edit is computed.
+void draw_deform_panel(Editor& editor, PanelDrafts& drafts);
+
+/// What a person wants of a result.
+struct ResultWish {
+  std::optional<std::vector<Index>> show;  ///< these vertices
+  bool back = false;                       ///< to the view before vertices were shown
+};
+/// How far the worker is, and what the result promises. `points`: vertices are being shown.
+ResultWish draw_result_panel(Editor& editor, bool points);
 
 /// Parts, the one in hand, and how it is sewn on.
 void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, Editor& editor,
                            PanelDrafts& drafts);
+/// Apply and cancel, and what the transplant comes to, while one is open.
+void draw_transplant_result(TransplantDesk& desk, Editor& editor);
 
 /// What a path is typed in for.
 enum class PathPurpose { save_mesh, save_recipe, replay_recipe, open_source, carry_file };
 
-/// A coat or mix in the making: where it comes from, where it goes, how, and its preview; whether
-/// another source is to be opened.
-std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor);
+/// A coat or a mix in the making, as `task` says: where it comes from, where it goes, and how;
+/// whether another source is to be opened. Without one of that kind, how to begin one.
+std::optional<PathPurpose> draw_layer_panel(LayerDesk& desk, Editor& editor, Task task);
+/// Apply and cancel, and what the coat or mix comes to, while one is open.
+void draw_layer_result(LayerDesk& desk, Editor& editor);
 /// Its part for the weight of a mix.
 void draw_mix_weight(LayerDesk& desk, Editor& editor);
 
@@ -79,8 +110,21 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor);
 /// What each part of a frame took.
 void draw_timings_panel(const FrameTimings& timings);
 
+/// The device, the numbers of the solver, and what each part of a frame took, in a window of its
+/// own; `open` turns false when it is closed.
+void draw_machine_panel(const gpu::DeviceDescription& device, const FrameTimings& timings,
+                        const Certificate* certificate, bool& open);
+
 /// Messages, the newest last.
-void draw_log_panel(std::span<const std::string> messages);
+void draw_log_panel(std::span<const Message> messages);
+/// The same in a window of its own; `open` turns false when it is closed.
+void draw_messages_panel(const Messages& messages, bool& open);
+/// What is still to be read: warnings and errors at the upper right corner of the picture, each
+/// until it is closed, the note at its lower left corner, where it lets the mouse through.
+void draw_toasts(Messages& messages, const PictureArea& area);
+
+/// Theme, mouse, unit and guide.
+void draw_preferences_panel(Preferences& preferences);
 
 /// Over the picture, under the panels: gizmo, outlines of the tools, vertices pointed at. Keeps its
 /// memory from one frame to the next.
@@ -93,6 +137,9 @@ class EditMarks {
   /// is at `corner`.
   void draw(const LayerDesk& desk, const Editor& editor, const ViewFrame& view,
             const Eigen::Vector2d& corner, double pixels_per_unit);
+  /// Which of the two panes of `area` is what; the source's is `width` wide, in ImGui's units.
+  void draw_pane_names(const LayerDesk& desk, const std::string& target, const PictureArea& area,
+                       double width);
   /// Of a transplant: the loops of part and hole, and the part's gizmo.
   void draw_transplant(const TransplantDesk& desk, const ViewFrame& view, double pixels_per_unit);
 
@@ -102,9 +149,9 @@ class EditMarks {
   std::vector<Eigen::Vector2d> points_;
 };
 
-/// The three steps of an edit and what to do now, over the picture, its upper left corner at
-/// `corner`.
-void draw_guide(const Editor& editor, const Eigen::Vector2d& corner);
+/// The steps of what is done and what to do now, at the lower left corner of the picture; it lets
+/// the mouse through. The height that it takes.
+double draw_guide(const Guide& guide, const PictureArea& area);
 
 /// The list of controls, in a window of its own; `open` turns false when it is closed.
 void draw_controls_list(const Keymap& keymap, bool& open);

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <imgui.h>
 
+#include "ui/explain.h"
+
 namespace lapwing::viewer {
 namespace {
-
-// Letters of the font after which a tooltip goes on in the next line.
-constexpr float kTooltipLetters = 28.0F;
 
 std::string in_words(std::string_view name) {
   std::string text(name);
@@ -15,21 +14,12 @@ std::string in_words(std::string_view name) {
   return text;
 }
 
-void explain(const StepKey& key) {
-  if (!ImGui::IsItemHovered()) return;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(kTooltipLetters * ImGui::GetFontSize());
-  ImGui::TextUnformatted(key.help.data(), key.help.data() + key.help.size());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-}
-
 }  // namespace
 
 void ParameterPanel::take(const StepKey& key, bool changed) {
   edited_ = edited_ || changed;
   chosen_ = chosen_ || ImGui::IsItemDeactivatedAfterEdit();
-  explain(key);
+  explain(key.help);
 }
 
 void ParameterPanel::draw_number(const StepKey& key, const std::string& label, double& value,
@@ -63,7 +53,7 @@ void ParameterPanel::number(const StepKey& key, std::optional<double>& value, co
     value = given ? std::optional(range.first) : std::nullopt;
     edited_ = chosen_ = true;
   }
-  explain(key);
+  explain(key.help);
   if (!value) return;
   ImGui::SameLine();
   draw_number(key, label, *value, range);
@@ -81,7 +71,7 @@ void ParameterPanel::boolean(const StepKey& key, bool& value) {
   const bool changed = ImGui::Checkbox(in_words(key.name).c_str(), &value);
   edited_ = edited_ || changed;
   chosen_ = chosen_ || changed;
-  explain(key);
+  explain(key.help);
 }
 
 void ParameterPanel::choose(const StepKey& key, std::size_t& chosen,
@@ -89,7 +79,7 @@ void ParameterPanel::choose(const StepKey& key, std::size_t& chosen,
   const std::string label = in_words(key.name);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", label.c_str());
-  explain(key);
+  explain(key.help);
   ImGui::PushID(label.c_str());
   for (std::size_t k = 0; k < names.size(); ++k) {
     ImGui::SameLine();

@@ -1,25 +1,21 @@
+#include <array>
 #include <imgui.h>
 #include <utility>
 
 #include "ui/choose.h"
+#include "ui/explain.h"
 #include "ui/panels.h"
+#include "ui/part_colors.h"
 
 namespace lapwing::viewer {
 namespace {
 
 using Role = Part::Role;
 
-const ImVec4 kRoiColor{0.55F, 0.65F, 0.80F, 1.0F};
-const ImVec4 kHandleColor{0.95F, 0.80F, 0.25F, 1.0F};
-const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
-
 // A row that chooses `part`, in the colour that it has on the surface.
-void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4& color) {
+void draw_part(Editor& editor, const char* name, const Part& part) {
   ImGui::PushID(name);
-  ImGui::ColorButton("##color", color,
-                     ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
-                     {ImGui::GetFontSize(), ImGui::GetFontSize()});
-  ImGui::SameLine();
+  draw_swatch(kHandleColor);
   if (ImGui::RadioButton(name, editor.part() == part)) editor.choose(part);
   const std::size_t count = editor.count(part);
   if (count > 0) {
@@ -35,41 +31,44 @@ std::string name_of_handle(const AppState& state, std::size_t h) {
   return "pin " + std::to_string(h + 1) + ", vertex " + std::to_string(handle.vertices.front());
 }
 
-void draw_parts(Editor& editor) {
-  draw_part(editor, "ROI", {Role::roi}, kRoiColor);
+// All handles, and one more to come. Many of them scroll, so that what follows stays where it is.
+void draw_handles(Editor& editor) {
   const std::size_t handles = editor.state().selection.handles.size();
-  // Many of them scroll, so that what follows stays where it is.
   constexpr std::size_t kRowsShown = 6;
   const bool scrolls = handles > kRowsShown;
   if (scrolls) {
     ImGui::BeginChild("handles", {0.0F, kRowsShown * ImGui::GetFrameHeightWithSpacing()});
   }
   for (std::size_t h = 0; h < handles; ++h) {
-    draw_part(editor, name_of_handle(editor.state(), h).c_str(), {Role::handle, h}, kHandleColor);
+    draw_part(editor, name_of_handle(editor.state(), h).c_str(), {Role::handle, h});
   }
   if (scrolls) ImGui::EndChild();
-  draw_part(editor, handles == 0 ? "handle" : "one more handle", {Role::handle, handles},
-            kHandleColor);
-  draw_part(editor, "belt", {Role::belt}, kBeltColor);
+  if (handles == 0) return;
+  draw_part(editor, "one more handle", {Role::handle, handles});
+  explain(Action::add_handle);
 }
 
-void draw_tools(Editor& editor) {
-  std::size_t column = 0;
-  for (const ToolRow& row : tool_rows()) {
-    if (column > 0) ImGui::SameLine(static_cast<float>(column) * 6.5F * ImGui::GetFontSize());
-    column = (column + 1) % 3;
-    if (ImGui::RadioButton(row.name, editor.row() == &row)) editor.take(row);
+void draw_parts(Editor& editor) {
+  const std::size_t roi = editor.count({Role::roi});
+  if (roi == 0) {
+    ImGui::TextDisabled("nothing is chosen");
+  } else {
+    ImGui::TextDisabled("ROI of %zu vertices, belt of %zu", roi, editor.count({Role::belt}));
   }
+  draw_handles(editor);
 }
 
 void draw_paint_options(Editor& editor) {
   PaintTool::Options& options = editor.paint_tool().options();
   ImGui::Checkbox("through", &options.through);
+  explain("Chooses what the surface hides, too.");
   ImGui::SameLine();
   ImGui::Checkbox("erase", &options.erase);
+  explain("Takes away from what is chosen.", "Ctrl while painting");
   if (options.shape != PaintTool::Shape::brush) return;
   float radius = static_cast<float>(options.radius);
   if (ImGui::SliderFloat("brush", &radius, 1.0F, 200.0F, "%.0f pixels")) options.radius = radius;
+  explain("Radius of the brush.", "[ and ], Ctrl + wheel");
 }
 
 // One step of the history for a whole pull of the slider.
@@ -77,7 +76,8 @@ void draw_belt_width(Editor& editor, PanelDrafts& drafts) {
   const auto& fraction = editor.state().selection.belt_fraction;
   float percent = static_cast<float>(drafts.belt_percent.value_or(100.0 * fraction.value_or(0.0)));
   ImGui::SliderFloat("belt width", &percent, 0.0F, 50.0F,
-                     fraction || drafts.belt_percent ? "%.0f %% of radius" : "chosen by hand");
+                     fraction || drafts.belt_percent ? "%.0f %% of radius" : "by hand");
+  explain("The belt along the rim of the ROI, which holds it: part of the ROI's radius.");
   if (ImGui::IsItemActive()) drafts.belt_percent = static_cast<double>(percent);
   if (!ImGui::IsItemDeactivated()) return;
   const auto chosen = std::exchange(drafts.belt_percent, std::nullopt);
@@ -102,15 +102,11 @@ void draw_grading(Editor& editor, PanelDrafts& drafts) {
   bool let_go = false;
   bool changed = ImGui::SliderFloat("falloff", &width, 0.0F, longest,
                                     width > 0.0F ? "%.3g" : "none", ImGuiSliderFlags_None);
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("length beyond the handle over which its hold fades");
-  }
+  explain("Length beyond the handle over which its hold fades.");
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
   changed |=
       ImGui::SliderFloat("weight", &weight, 0.01F, 100.0F, "%.3g", ImGuiSliderFlags_Logarithmic);
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("how firmly this handle holds, beside the surface and the others");
-  }
+  explain("How firmly this handle holds, beside the surface and the others.");
   let_go = let_go || ImGui::IsItemDeactivatedAfterEdit();
   if (changed) {
     grading.weight = static_cast<double>(weight);
@@ -137,14 +133,14 @@ MirrorChoice choice_of(const std::optional<MirrorPlane>& plane) {
 
 void draw_mirror(Editor& editor) {
   MirrorChoice choice = choice_of(editor.state().selection.mirror);
-  if (!choose("mirror", choice,
-              {{"off", MirrorChoice::off},
-               {"x", MirrorChoice::x},
-               {"y", MirrorChoice::y},
-               {"z", MirrorChoice::z},
-               {"shape", MirrorChoice::shape}})) {
-    return;
-  }
+  const bool chosen = choose("mirror", choice,
+                             {{"off", MirrorChoice::off},
+                              {"x", MirrorChoice::x},
+                              {"y", MirrorChoice::y},
+                              {"z", MirrorChoice::z},
+                              {"shape", MirrorChoice::shape}});
+  explain("The plane that the shape itself has.", "key Shift+M");
+  if (!chosen) return;
   if (choice == MirrorChoice::shape) return editor.mirror_by_shape();
   SetMirror command;
   if (choice != MirrorChoice::off) {
@@ -154,31 +150,45 @@ void draw_mirror(Editor& editor) {
   editor.perform(command);
 }
 
+void draw_buttons(Editor& editor) {
+  struct Button {
+    const char* label;
+    Action action;
+    void (Editor::*does)();
+  };
+  constexpr std::array kButtons{Button{"New edit", Action::new_edit, &Editor::new_edit},
+                                Button{"All", Action::select_all, &Editor::select_all},
+                                Button{"None", Action::clear, &Editor::clear},
+                                Button{"Grow", Action::grow, &Editor::grow},
+                                Button{"Shrink", Action::shrink, &Editor::shrink},
+                                Button{"Invert", Action::invert, &Editor::invert},
+                                Button{"Remove", Action::remove_handle, &Editor::remove_handle}};
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const Part& part = editor.part();
+  const bool has_handle =
+      part.role == Role::handle && part.handle < editor.state().selection.handles.size();
+  bool first = true;
+  for (const Button& button : kButtons) {
+    if (button.action == Action::remove_handle && !has_handle) continue;
+    const float padding = 2.0F * ImGui::GetStyle().FramePadding.x;
+    if (!first) stay_on_line(ImGui::CalcTextSize(button.label).x + padding, right);
+    first = false;
+    if (ImGui::Button(button.label)) (editor.*button.does)();
+    explain(button.action);
+  }
+}
+
 }  // namespace
 
 void draw_selection_panel(Editor& editor, PanelDrafts& drafts) {
+  ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
   draw_parts(editor);
-  ImGui::Separator();
-  draw_tools(editor);
   if (editor.has_in_hand(editor.paint_tool())) draw_paint_options(editor);
-  if (ImGui::Button("New edit")) editor.new_edit();
-  ImGui::SameLine();
-  if (ImGui::Button("All")) editor.select_all();
-  ImGui::SameLine();
-  if (ImGui::Button("None")) editor.clear();
-  if (ImGui::Button("Grow")) editor.grow();
-  ImGui::SameLine();
-  if (ImGui::Button("Shrink")) editor.shrink();
-  ImGui::SameLine();
-  if (ImGui::Button("Invert")) editor.invert();
-  const Part& part = editor.part();
-  if (part.role == Role::handle && part.handle < editor.state().selection.handles.size()) {
-    ImGui::SameLine();
-    if (ImGui::Button("Remove")) editor.remove_handle();
-  }
+  draw_buttons(editor);
   draw_belt_width(editor, drafts);
   draw_grading(editor, drafts);
   draw_mirror(editor);
+  ImGui::PopItemWidth();
 }
 
 }  // namespace lapwing::viewer

@@ -6,8 +6,10 @@
 #include "lapwing/step/step.h"
 #include "state/step_words.h"
 #include "ui/choose.h"
+#include "ui/explain.h"
 #include "ui/panels.h"
 #include "ui/parameter_panel.h"
+#include "window/theme.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -19,11 +21,10 @@ constexpr float kPictureLetters = 4.4F;
 constexpr float kStripLetters = 13.0F;
 constexpr ImU32 kInHand = IM_COL32(255, 220, 90, 255);
 constexpr ImU32 kHovered = IM_COL32(255, 240, 200, 160);
-const ImVec4 kTroubleColor{0.95F, 0.76F, 0.30F, 1.0F};
 
 void draw_trouble(const std::string& text) {
   if (text.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, kTroubleColor);
+  ImGui::PushStyleColor(ImGuiCol_Text, text_color(Tone::warning));
   ImGui::TextWrapped("%s", text.c_str());
   ImGui::PopStyleColor();
 }
@@ -176,23 +177,6 @@ void draw_computed(TransplantDraft& draft) {
   ImGui::TreePop();
 }
 
-// What the worker is at, or what came of it.
-void draw_preview(const TransplantDesk& desk, const Editor& editor) {
-  const TransplantPreview& preview = desk.preview();
-  const WorkStatus applying = editor.session().step_status();
-  const WorkStatus status = applying.busy ? applying : preview.status();
-  if (status.busy) {
-    ImGui::ProgressBar(static_cast<float>(status.fraction), {-1.0F, 0.0F}, status.stage.c_str());
-  } else if (const TransplantResult* result = preview.result()) {
-    if (const auto& report = result->carried_out.report.transplant) {
-      ImGui::TextDisabled("seam of %zu triangles, %zu vertices blended", report->strip_triangles,
-                          result->carried_out.report.free);
-    }
-    for (const std::string& warning : result->carried_out.warnings) draw_trouble(warning);
-  }
-  draw_trouble(preview.message());
-}
-
 void draw_draft(TransplantDesk& desk, Editor& editor) {
   TransplantDraft& draft = desk.tool().draft();
   ImGui::Separator();
@@ -206,16 +190,6 @@ void draw_draft(TransplantDesk& desk, Editor& editor) {
   draw_place(desk, editor);
   draw_hole(desk, editor);
   draw_computed(draft);
-  const bool carries_out = editor.session().is_carrying_out();
-  if (desk.tool().stage() == Stage::set_down && !carries_out) {
-    if (ImGui::Button("Apply")) return desk.apply(editor);
-    ImGui::SameLine();
-  }
-  if (ImGui::Button("Cancel")) {
-    if (!carries_out) return desk.close(editor);
-    editor.session().cancel_step();
-  }
-  draw_preview(desk, editor);
 }
 
 void draw_steps(TransplantDesk& desk, const Editor& editor) {
@@ -234,7 +208,7 @@ void draw_steps(TransplantDesk& desk, const Editor& editor) {
 
 void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, Editor& editor,
                            PanelDrafts& drafts) {
-  ImGui::PushItemWidth(11.0F * ImGui::GetFontSize());
+  ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
   draw_strip(desk, pictures);
   draw_trouble(desk.shelf().message());
   draw_more_parts(desk, editor, drafts);
@@ -243,9 +217,35 @@ void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, E
     draw_draft(desk, editor);
   } else if (desk.is_reading()) {
     ImGui::TextDisabled("reading the part");
-    if (ImGui::Button("Cancel")) desk.close(editor);
   }
   ImGui::PopItemWidth();
+}
+
+void draw_transplant_result(TransplantDesk& desk, Editor& editor) {
+  const bool carries_out = editor.session().is_carrying_out();
+  if (desk.tool().stage() == Stage::set_down && !carries_out) {
+    if (ImGui::Button("Apply")) return desk.apply(editor);
+    explain("Makes the transplant a step.", "key Enter");
+    ImGui::SameLine();
+  }
+  if (ImGui::Button("Cancel")) {
+    if (!carries_out) return desk.close(editor);
+    editor.session().cancel_step();
+  }
+  explain("Gives up what was not applied.", "key Escape");
+  const TransplantPreview& preview = desk.preview();
+  const WorkStatus applying = editor.session().step_status();
+  const WorkStatus status = applying.busy ? applying : preview.status();
+  if (status.busy) {
+    ImGui::ProgressBar(static_cast<float>(status.fraction), {-1.0F, 0.0F}, status.stage.c_str());
+  } else if (const TransplantResult* result = preview.result()) {
+    if (const auto& report = result->carried_out.report.transplant) {
+      ImGui::TextWrapped("seam of %zu triangles, %zu vertices blended", report->strip_triangles,
+                         result->carried_out.report.free);
+    }
+    for (const std::string& warning : result->carried_out.warnings) draw_trouble(warning);
+  }
+  draw_trouble(preview.message());
 }
 
 }  // namespace lapwing::viewer

@@ -26,11 +26,18 @@ std::string and_carried(const AppState& state) {
 
 }  // namespace
 
-ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals)
+ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals,
+                     std::filesystem::path preferences)
     : context_(context),
       journals_(std::move(journals)),
+      preferences_file_(std::move(preferences)),
       loader_(kernels_like(context), &Window::wake),
-      samples_(find_samples()) {}
+      samples_(find_samples()) {
+  if (preferences_file_.empty()) return;
+  ReadPreferences read = read_preferences(preferences_file_);
+  preferences_ = kept_preferences_ = std::move(read.preferences);
+  for (std::string& trouble : read.troubles) say({std::move(trouble), Tone::warning});
+}
 
 void ViewerApp::offer_interrupted() {
   interrupted_ = find_interrupted(journals_);
@@ -87,7 +94,7 @@ void ViewerApp::take_loaded() {
     }
   } catch (const Error& error) {
     if (order_) throw;
-    say(error.what());
+    say(Message(error));
   }
   show_start_ = !document_;
 }
@@ -98,22 +105,37 @@ void ViewerApp::show(LoadedFile file) {
   document_.reset();
   saving_ = nullptr;
   document_ = std::make_unique<Document>(
-      std::move(file), journals_, context_,
-      [this](std::string message) { say(std::move(message)); }, &Window::wake);
-  document_->editor.set_gizmo_keys(gizmo_keys());
+      std::move(file), journals_, context_, [this](Message message) { say(std::move(message)); },
+      &Window::wake);
+  take_preferred_tools();
   up_axis_ = document_->opened.up_axis;
   frames_shown_ = 0;
   show_start_ = false;
-  status_.clear();
+  messages_.close_all();
+  view_before_.reset();
+  task_to_show_ = begun_task_ = Task::deform;
   look_from(View::three_quarter);
   frame_all();
+}
+
+void ViewerApp::take_preferred_tools() {
+  Editor& editor = document_->editor;
+  editor.set_gizmo_keys(gizmo_keys());
+  editor.set_settles_while_dragging(preferences_.settles_while_dragging);
+  editor.paint_tool().options().radius = preferences_.brush_radius;
+  editor.paint_tool().options().through = preferences_.paints_through;
+  // An edit that was begun already goes on with its gizmo.
+  if (editor.row() == nullptr || editor.row()->action == Action::take_move) return;
+  for (const ToolRow& row : tool_rows()) {
+    if (row.name == preferences_.tool && row.action != Action::take_move) editor.take(row);
+  }
 }
 
 void ViewerApp::go_on_with(LoadedFile replay) {
   if (!document_) return;
   Editor& editor = document_->editor;
   if (editor.session().history().done() != *replay.replayed_from || editor.is_dragging()) {
-    return say("the mesh was edited while the recipe was replayed; replay it again");
+    return say({"the mesh was edited while the recipe was replayed; replay it again", Tone::error});
   }
   editor.continue_with(std::move(replay.history));
 }
@@ -133,12 +155,12 @@ void ViewerApp::ask_to_close() {
   });
 }
 
-void ViewerApp::say(std::string message) {
-  constexpr std::size_t kMostMessages = 200;
-  status_ = message.substr(0, message.find('\n'));
-  if (message.empty()) return;
-  if (log_.size() == kMostMessages) log_.erase(log_.begin());
-  log_.push_back(std::move(message));
+double ViewerApp::now() const {
+  return 1e-3 * started_.elapsed_ms();
+}
+
+void ViewerApp::say(Message message) {
+  messages_.say(std::move(message), now());
 }
 
 std::string_view ViewerApp::title() const {
@@ -181,7 +203,7 @@ void ViewerApp::take_settled() {
   const auto action = std::exchange(saving_, nullptr);
   if (session == nullptr) return;
   if (!needs_settling(session->state())) return action();
-  say("not saved: the drag did not settle; settle or undo it, and save again");
+  say({"not saved: the drag did not settle; settle or undo it, and save again", Tone::error});
 }
 
 void ViewerApp::save_to(const std::filesystem::path& path, std::function<void()> then) {
@@ -192,7 +214,7 @@ void ViewerApp::save_to(const std::filesystem::path& path, std::function<void()>
       say("saved " + path.string() + and_carried(document_->editor.state()));
       if (then) then();
     } catch (const Error& error) {
-      say(error.what());
+      say(Message(error));
     }
   });
 }
@@ -207,7 +229,7 @@ void ViewerApp::save_carried() {
         say("saved " + file->target(beside).string());
       }
     } catch (const Error& error) {
-      say(error.what());
+      say(Message(error));
     }
   });
 }
@@ -218,13 +240,13 @@ void ViewerApp::save_recipe(const std::filesystem::path& path) {
       document_->editor.session().save_recipe(path);
       say("saved " + path.string());
     } catch (const Error& error) {
-      say(error.what());
+      say(Message(error));
     }
   });
 }
 
 void ViewerApp::say(const WriteReport& report) {
-  for (const std::string& lost : report.not_carried) say("not saved: " + lost);
+  for (const std::string& lost : report.not_carried) say({"not saved: " + lost, Tone::warning});
   for (const std::string& note : report.notes) say(note);
 }
 

@@ -8,10 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "lapwing/base/stopwatch.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "navigation/keymap.h"
+#include "preferences/preferences.h"
 #include "ui/document.h"
 #include "ui/load_file.h"
+#include "ui/messages.h"
 #include "ui/panels.h"
 #include "window/app.h"
 #include "work/job.h"
@@ -26,11 +29,14 @@ struct PictureOrder {
 };
 
 /// The viewer: what is open, how it is looked at, and the panels around it. Its sources are by
-/// concern: viewer_app (files), viewer_input (mouse and keys), viewer_frame (panels).
+/// concern: viewer_app (files), viewer_input (mouse and keys), viewer_menus, viewer_sidebar, and
+/// viewer_frame (the rest of a frame).
 class ViewerApp final : public App {
  public:
-  /// Journals go to that folder.
-  ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals);
+  /// Journals go to that folder; preferences are read from that file and kept there, or nowhere
+  /// where it has no name.
+  ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals,
+            std::filesystem::path preferences = {});
 
   void order(PictureOrder picture) { order_ = std::move(picture); }
   /// Offers edits that a crash interrupted.
@@ -40,10 +46,11 @@ class ViewerApp final : public App {
   void open(const std::filesystem::path& file) override { open(file, {}); }
   /// `carry` follow the surface from the first edit by hand on.
   void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry);
-  void resize(const Eigen::Vector2d& size) override;
+  void resize(const Eigen::Vector2d& size, double scale) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
   std::string_view title() const override;
+  Theme theme() const override { return preferences_.theme; }
   void ask_to_close() override;
   bool wants_to_quit() const override { return quit_; }
   void use_device(std::shared_ptr<gpu::Context> context) override;
@@ -76,9 +83,11 @@ class ViewerApp final : public App {
   void use_path();
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void carry_out_order();
-  /// Says something in the status line and the log.
-  void say(std::string message);
+  /// In a toast and the log.
+  void say(Message message);
   void say(const WriteReport& report);
+  double now() const;
+  void take_preferred_tools();
 
   // Mouse and keys.
   void perform(Action action);
@@ -94,6 +103,8 @@ class ViewerApp final : public App {
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
   Eigen::Vector3d upward() const;
   ViewFrame view_frame() const;
+  const Keymap& keymap() const;
+  void use_mouse_of(const std::string& keymap);
   GizmoKeys gizmo_keys() const;
   bool is_inside(const Bounds& bounds) const;
   double covered_share() const;
@@ -110,16 +121,35 @@ class ViewerApp final : public App {
   std::optional<Area> source_area() const;
   std::optional<bool> handle_source(const InputEvent& event);
 
-  // Panels.
-  void update_document();
+  // The menu.
   void draw_menu();
   void draw_file_menu();
   void draw_edit_menu();
   void draw_view_menu();
-  void draw_sidebar(const FrameTimings& last);
-  void draw_operations(Editor& editor);
-  void draw_status(const FrameTimings& last);
+
+  // The sidebar.
+  void lay_out_sidebar();
+  void draw_sidebar();
+  void draw_sidebar_edge(float right, float top, float height);
+  void follow_task();
+  void draw_tabs();
+  void draw_task(Task task);
+  void draw_result();
+  /// Frames vertices and points at them, until `look_back`.
+  void show_vertices(const std::vector<Index>& vertices);
+  void look_back();
+
+  // What else is in a frame.
+  void update_document();
+  double pixels_per_unit() const;
+  PictureArea picture_area() const;
+  void draw_marks();
+  void draw_over_picture();
+  void draw_machine(const FrameTimings& last);
+  void keep_preferences();
+  void draw_status();
   const std::string& status_text();
+  const std::string& state_text();
   void draw_dialogs();
   void draw_start();
   void draw_interrupted();
@@ -129,13 +159,15 @@ class ViewerApp final : public App {
 
   std::shared_ptr<gpu::Context> context_;
   std::filesystem::path journals_;
+  std::filesystem::path preferences_file_;
+  Preferences preferences_;
+  Preferences kept_preferences_;  ///< as the file has them
   Job<LoadedFile> loader_;
   std::string loading_;  // what is loaded, in words
   std::unique_ptr<Document> document_;
   Camera camera_;
   UpAxis up_axis_ = UpAxis::y;
   DisplayChoices display_;
-  std::size_t keymap_ = 0;  ///< of keymaps()
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
   std::optional<Motion> motion_;  ///< of the camera, under way
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
@@ -143,7 +175,16 @@ class ViewerApp final : public App {
   bool show_panels_ = true;
   bool shows_source_ = false;  ///< beside the mesh
   bool show_controls_ = false;
+  bool show_machine_ = false;
+  bool show_messages_ = false;
   bool show_start_ = true;
+  Task task_ = Task::deform;           ///< whose tab is in front
+  std::optional<Task> task_to_show_;   ///< in the next frame
+  Task begun_task_ = Task::deform;     ///< the one that is open
+  std::optional<Camera> view_before_;  ///< vertices were shown
+  double sidebar_width_ = 0.0;         ///< in ImGui's units
+  double toolbar_height_ = 0.0;        ///< likewise
+  double guide_height_ = 0.0;          ///< likewise
   PanelDrafts drafts_;
   EditMarks marks_;
   bool transplants_ = false;    ///< a part was in hand in the last frame
@@ -162,9 +203,10 @@ class ViewerApp final : public App {
   std::function<void()> leaving_for_;  ///< waits for the person to say what becomes of the edit
   std::vector<std::filesystem::path> samples_;
   std::string typed_path_;
-  std::vector<std::string> log_;
-  std::string status_;
+  Stopwatch started_;
+  Messages messages_;
   std::string status_line_;  ///< kept from one frame to the next
+  std::string state_line_;
   std::string title_ = "Lapwing";
   std::optional<PictureOrder> order_;
   int frames_shown_ = 0;  ///< of the document

@@ -1,5 +1,6 @@
-// The panels that surround the picture: menu, sidebar, status line.
+// What surrounds the picture and lies over it, but for menu and sidebar.
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <imgui.h>
@@ -7,24 +8,10 @@
 
 #include "lapwing/base/errors.h"
 #include "ui/viewer_app.h"
+#include "ui/window_flags.h"
 
 namespace lapwing::viewer {
 namespace {
-
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-float status_height() {
-  return ImGui::GetFrameHeight();
-}
-
-// Escape closes it. Between this, if true, and ImGui::EndMenu are its items.
-bool begin_menu(const char* label) {
-  if (!ImGui::BeginMenu(label)) return false;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
-  return true;
-}
 
 // Without memory of its own: a frame allocates nothing.
 void append(std::string& text, const char* format, auto... values) {
@@ -33,7 +20,12 @@ void append(std::string& text, const char* format, auto... values) {
   text += more.data();
 }
 
-// For the status line: what the worker does, and what a drag shows.
+void append_part(std::string& text, const char* format, auto... values) {
+  if (!text.empty()) text += "  |  ";
+  append(text, format, values...);
+}
+
+// What the worker does, and what a drag shows.
 void append_state(std::string& text, const Editor& editor) {
   using At = PreparationStatus::Phase;
   const PreparationStatus status = editor.session().preparation().status();
@@ -41,14 +33,14 @@ void append_state(std::string& text, const Editor& editor) {
   switch (status.phase) {
     case At::previewing:
     case At::solving:
-      append(text, "  |  preparing: %s %.0f%%", status.stage.c_str(), percent);
+      append_part(text, "preparing: %s %.0f%%", status.stage.c_str(), percent);
       break;
     case At::settling:
       // What settles as it is dragged comes and goes with every frame.
-      if (!editor.is_dragging()) append(text, "  |  settling %.0f%%", percent);
+      if (!editor.is_dragging()) append_part(text, "settling %.0f%%", percent);
       break;
     case At::failed:
-      text.append("  |  ").append(status.message);
+      append_part(text, "%s", "the edit cannot be prepared");
       break;
     case At::idle:
     case At::ready:
@@ -56,45 +48,109 @@ void append_state(std::string& text, const Editor& editor) {
   }
   const WorkStatus step = editor.session().step_status();
   if (step.busy) {
-    append(text, "  |  carrying out: %s %.0f%%", step.stage.c_str(), 100.0 * step.fraction);
+    append_part(text, "carrying out: %s %.0f%%", step.stage.c_str(), 100.0 * step.fraction);
   }
   if (editor.shows_live_result()) {
-    text += "  |  live";
+    append_part(text, "%s", "settled as it is dragged");
   } else if (editor.surface().source() == SurfaceSource::preview) {
-    text += "  |  preview";
+    append_part(text, "%s", "preview");
   } else if (editor.surface().source() == SurfaceSource::exact) {
-    text += "  |  exact";
+    append_part(text, "%s", "exact response");
   }
-  if (editor.shown().shows_before()) text += "  |  before";
+  if (editor.shown().shows_before()) append_part(text, "%s", "before");
 }
 
 }  // namespace
 
+float status_height() {
+  return ImGui::GetFrameHeight();
+}
+
 void ViewerApp::draw_ui(const FrameTimings& last) {
+  lay_out_sidebar();
   take_loaded();
   update_document();
   take_settled();
   carry_out_order();
   draw_menu();
-  draw_status(last);
+  draw_status();
   if (document_) {
-    const double per_unit = size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x);
-    marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
-    marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
-    if (const auto area = source_area()) {
-      marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
-    }
-    if (show_panels_) draw_sidebar(last);
-    const bool deforms = !document_->desk.is_open() && !document_->transplant.is_open();
-    if (show_panels_ && deforms) {
-      const ImVec2 top = ImGui::GetMainViewport()->WorkPos;
-      const double gap = 0.5 * static_cast<double>(ImGui::GetFontSize());
-      draw_guide(document_->editor, {sidebar_pixels() / per_unit + static_cast<double>(top.x) + gap,
-                                     static_cast<double>(top.y) + gap});
-    }
+    draw_marks();
+    if (show_panels_) draw_sidebar();
+    draw_over_picture();
   }
   draw_dialogs();
+  PictureArea free = picture_area();
+  free.size.y() -= guide_height_;
+  draw_toasts(messages_, free);
+  if (show_machine_) draw_machine(last);
+  if (show_messages_) draw_messages_panel(messages_, show_messages_);
   if (document_) ++frames_shown_;
+  keep_preferences();
+}
+
+double ViewerApp::pixels_per_unit() const {
+  return std::max(1.0, size_.x() / static_cast<double>(ImGui::GetMainViewport()->Size.x));
+}
+
+// What the panels leave free of the picture.
+PictureArea ViewerApp::picture_area() const {
+  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+  const double left = sidebar_pixels() / pixels_per_unit();
+  const Eigen::Vector2d corner(left + static_cast<double>(viewport.WorkPos.x),
+                               static_cast<double>(viewport.WorkPos.y) + toolbar_height_);
+  const Eigen::Vector2d end(
+      static_cast<double>(viewport.WorkPos.x + viewport.WorkSize.x),
+      static_cast<double>(viewport.WorkPos.y + viewport.WorkSize.y - status_height()));
+  return {corner, (end - corner).cwiseMax(0.0)};
+}
+
+void ViewerApp::draw_marks() {
+  const double per_unit = pixels_per_unit();
+  marks_.draw(document_->editor, view_frame(), per_unit, cursor_);
+  marks_.draw_transplant(document_->transplant, view_frame(), per_unit);
+  const auto area = source_area();
+  if (!area) return;
+  marks_.draw(document_->desk, document_->editor, view_frame(), area->corner, per_unit);
+  marks_.draw_pane_names(document_->desk, document_->opened.name, picture_area(),
+                         area->size.x() / per_unit);
+}
+
+void ViewerApp::draw_over_picture() {
+  toolbar_height_ = guide_height_ = 0.0;
+  if (!show_panels_) return;
+  toolbar_height_ = draw_toolbar(document_->editor, picture_area());
+  if (!preferences_.shows_guide) return;
+  const Guide guide = guide_of(document_->desk, document_->transplant, document_->editor);
+  guide_height_ = draw_guide(guide, picture_area());
+}
+
+void ViewerApp::draw_machine(const FrameTimings& last) {
+  const Certificate* certificate = document_ ? document_->editor.session().certificate() : nullptr;
+  draw_machine_panel(context_->description(), last, certificate, show_machine_);
+}
+
+// Once nothing is being pulled any more.
+void ViewerApp::keep_preferences() {
+  if (document_) {
+    Editor& editor = document_->editor;
+    preferences_.settles_while_dragging = editor.wants_to_settle_while_dragging();
+    preferences_.brush_radius = editor.paint_tool().options().radius;
+    preferences_.paints_through = editor.paint_tool().options().through;
+    if (editor.row() != nullptr && editor.row()->action != Action::take_move) {
+      preferences_.tool = editor.row()->name;
+    }
+  }
+  if (preferences_file_.empty() || preferences_ == kept_preferences_ || ImGui::IsAnyMouseDown()) {
+    return;
+  }
+  kept_preferences_ = preferences_;
+  try {
+    write_preferences(preferences_, preferences_file_);
+  } catch (const Error& error) {
+    say({error.what(), Tone::warning});
+    preferences_file_.clear();  // said once
+  }
 }
 
 void ViewerApp::update_document() {
@@ -132,7 +188,7 @@ void ViewerApp::draw_dialogs() {
     if (document_ && draw_path_panel(path_plan_)) use_path();
     if (leaving_for_ && !path_plan_.purpose && !overwriting_) draw_unsaved();
   }
-  if (show_controls_) draw_controls_list(keymaps()[keymap_], show_controls_);
+  if (show_controls_) draw_controls_list(keymap(), show_controls_);
 }
 
 void ViewerApp::draw_picture() {
@@ -145,7 +201,7 @@ void ViewerApp::draw_picture() {
       save_picture(path, size);
       say("saved " + path.string());
     } catch (const Error& error) {
-      say(error.what());
+      say(Message(error));
     }
   };
   write_to(path, save, [this] { picture_plan_.open = true; });
@@ -188,182 +244,35 @@ void ViewerApp::draw_unsaved() {
   if (*choice == UnsavedChoice::discard) action();
 }
 
-void ViewerApp::draw_menu() {
-  if (!ImGui::BeginMainMenuBar()) return;
-  if (begin_menu("File")) {
-    draw_file_menu();
-    ImGui::EndMenu();
-  }
-  if (begin_menu("Edit")) {
-    draw_edit_menu();
-    ImGui::EndMenu();
-  }
-  if (begin_menu("View")) {
-    draw_view_menu();
-    ImGui::EndMenu();
-  }
-  if (begin_menu("Help")) {
-    if (ImGui::MenuItem("Controls", "?")) show_controls_ = true;
-    ImGui::EndMenu();
-  }
-  ImGui::EndMainMenuBar();
-}
-
-void ViewerApp::draw_file_menu() {
-  const bool is_open = document_ != nullptr;
-  const auto item = [&](const char* label, const char* keys, Action action) {
-    if (ImGui::MenuItem(label, keys, false, is_open)) perform(action);
-  };
-  if (ImGui::MenuItem("Open...", "Ctrl+O")) show_start_ = true;
-  item("Save", "Ctrl+S", Action::save);
-  item("Save as...", "Ctrl+Shift+S", Action::save_as);
-  item("Save picture...", "Ctrl+P", Action::save_picture);
-  ImGui::Separator();
-  item("Carry a file along...", nullptr, Action::carry_file);
-  item("Save carried objects", nullptr, Action::save_carried);
-  ImGui::Separator();
-  item("Save recipe...", "Ctrl+E", Action::save_recipe);
-  item("Replay a recipe...", "Ctrl+R", Action::replay_recipe);
-  ImGui::Separator();
-  if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
-}
-
-void ViewerApp::draw_edit_menu() {
-  struct Item {
-    const char* label;
-    const char* keys;
-    Action action;
-  };
-  constexpr Item kItems[]{{"Undo", "Ctrl+Z", Action::undo},
-                          {"Redo", "Ctrl+Shift+Z", Action::redo},
-                          {"New edit", "Ctrl+N", Action::new_edit},
-                          {"Choose ROI", "I", Action::choose_roi},
-                          {"Choose handle", "H", Action::choose_handle},
-                          {"Add a handle", "Shift+H", Action::add_handle},
-                          {"Choose belt", "T", Action::choose_belt},
-                          {"Choose all", "Ctrl+A", Action::select_all},
-                          {"Choose nothing", "Ctrl+Shift+A", Action::clear},
-                          {"Grow", "Ctrl+=", Action::grow},
-                          {"Shrink", "Ctrl+-", Action::shrink},
-                          {"Invert", "Ctrl+I", Action::invert},
-                          {"Remove handle", "Delete", Action::remove_handle},
-                          {"Coat the ROI...", "Ctrl+K", Action::begin_coat},
-                          {"Mix on the ROI...", "Ctrl+M", Action::begin_mix}};
-  for (const Item& item : kItems) {
-    if (ImGui::MenuItem(item.label, item.keys, false, document_ != nullptr)) perform(item.action);
-  }
-}
-
-void ViewerApp::draw_view_menu() {
-  struct Item {
-    const char* label;
-    const char* keys;
-    Action action;
-  };
-  constexpr Item kItems[]{{"Show all", "Home", Action::frame_all},
-                          {"Front", "1", Action::view_front},
-                          {"Back", "Ctrl+1", Action::view_back},
-                          {"Right", "3", Action::view_right},
-                          {"Left", "Ctrl+3", Action::view_left},
-                          {"Top", "7", Action::view_top},
-                          {"Bottom", "Ctrl+7", Action::view_bottom},
-                          {"Three-quarter", "0", Action::view_three_quarter}};
-  for (const Item& item : kItems) {
-    if (ImGui::MenuItem(item.label, item.keys)) perform(item.action);
-  }
-  ImGui::Separator();
-  if (ImGui::MenuItem("Parallel projection", "5", camera_.orthographic)) {
-    perform(Action::toggle_projection);
-  }
-  if (ImGui::MenuItem("z points up", nullptr, up_axis_ == UpAxis::z)) {
-    up_axis_ = up_axis_ == UpAxis::z ? UpAxis::y : UpAxis::z;
-    look_from(View::three_quarter);
-  }
-  if (ImGui::MenuItem("Panels", "Tab", show_panels_)) perform(Action::toggle_panels);
-  if (!begin_menu("Mouse as in")) return;
-  for (std::size_t k = 0; k < keymaps().size(); ++k) {
-    const std::string name(keymaps()[k].name);
-    if (!ImGui::MenuItem(name.c_str(), nullptr, keymap_ == k)) continue;
-    keymap_ = k;
-    if (document_) document_->editor.set_gizmo_keys(gizmo_keys());
-  }
-  ImGui::EndMenu();
-}
-
-// A coat, mix or transplant that is open takes the place of the deform.
-void ViewerApp::draw_operations(Editor& editor) {
-  LayerDesk& desk = document_->desk;
-  TransplantDesk& transplant = document_->transplant;
-  const bool is_open = desk.is_open() || transplant.is_open();
-  if (!is_open && ImGui::CollapsingHeader("Deform", ImGuiTreeNodeFlags_DefaultOpen)) {
-    if (auto vertices = draw_deform_panel(editor, drafts_)) {
-      frame(*vertices);
-      editor.point_at(*std::move(vertices));
-    }
-  }
-  if (desk.is_open()) ImGui::SetNextItemOpen(true);
-  if (ImGui::CollapsingHeader("Coat and mix")) {
-    if (const auto purpose = draw_layer_panel(desk, editor)) ask_for_path(*purpose);
-  }
-  if (transplant.is_open()) ImGui::SetNextItemOpen(true);
-  if (ImGui::CollapsingHeader("Transplant")) {
-    draw_transplant_panel(transplant, part_pictures_, editor, drafts_);
-  }
-}
-
-void ViewerApp::draw_sidebar(const FrameTimings& last) {
-  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-  const float per_unit = static_cast<float>(size_.x()) / viewport.Size.x;
-  ImGui::SetNextWindowPos(viewport.WorkPos);
-  ImGui::SetNextWindowSize(
-      {static_cast<float>(sidebar_pixels()) / per_unit, viewport.WorkSize.y - status_height()});
-  if (ImGui::Begin("Panels", nullptr, kFixed)) {
-    Editor& editor = document_->editor;
-    constexpr auto kOpen = ImGuiTreeNodeFlags_DefaultOpen;
-    if (ImGui::CollapsingHeader("Mesh")) draw_mesh_panel(*document_);
-    if (ImGui::CollapsingHeader("Selection", kOpen)) draw_selection_panel(editor, drafts_);
-    draw_operations(editor);
-    if (!editor.state().carried.empty()) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
-    if (ImGui::CollapsingHeader("Carried objects")) {
-      if (const auto wanted = draw_carried_panel(editor)) perform(*wanted);
-    }
-    if (ImGui::CollapsingHeader("Display", kOpen)) draw_display_panel(display_, editor);
-    if (ImGui::CollapsingHeader("History", kOpen)) {
-      if (const auto purpose = draw_history_panel(editor, drafts_)) ask_for_path(*purpose);
-    }
-    if (ImGui::CollapsingHeader("Timings")) draw_timings_panel(last);
-    if (ImGui::CollapsingHeader("Log")) draw_log_panel(log_);
-  }
-  ImGui::End();
-}
-
-// Device and size, what is on the screen, and what to do.
+// What is open and chosen, and what to do where no guide says it.
 const std::string& ViewerApp::status_text() {
   std::string& text = status_line_;
-  text = context_->description().name;
-  if (document_) {
-    const Editor& editor = document_->editor;
-    append(text, "  |  %zu vertices", editor.positions().size());
-    const Certificate* certificate = editor.session().certificate();
-    if (certificate != nullptr && editor.state().parameters.settle) {
-      append(text, "  |  balance %.0e", certificate->relative_gradient);
-    } else if (certificate != nullptr) {
-      append(text, "  |  residual %.0e", certificate->relative_residual);
-    }
-    append_state(text, editor);
-  }
-  text += "  |  ";
+  text.clear();
   if (const WorkStatus loading = loader_.status(); loading.busy) {
     text.append(loading_).append(": ").append(loading.stage).append(" (Escape cancels)");
-  } else if (!status_.empty()) {
-    text += status_;
-  } else {
-    text += document_ ? document_->editor.hint() : "? lists the controls";
+    return text;
   }
+  if (!document_) return text = "? lists the controls";
+  const Editor& editor = document_->editor;
+  append(text, "%zu vertices", editor.positions().size());
+  if (const std::size_t chosen = editor.state().selection.roi.vertices.size(); chosen > 0) {
+    append(text, "  |  ROI %zu", chosen);
+  }
+  if (const std::size_t handles = editor.state().selection.handles.size(); handles > 0) {
+    append(text, handles == 1 ? "  |  1 handle" : "  |  %zu handles", handles);
+  }
+  if (!preferences_.shows_guide) text.append("  |  ").append(editor.hint());
   return text;
 }
 
-void ViewerApp::draw_status(const FrameTimings& last) {
+// What the worker does, and what of a drag is on the screen.
+const std::string& ViewerApp::state_text() {
+  state_line_.clear();
+  if (document_) append_state(state_line_, document_->editor);
+  return state_line_;
+}
+
+void ViewerApp::draw_status() {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   ImGui::SetNextWindowPos(
       {viewport.WorkPos.x, viewport.WorkPos.y + viewport.WorkSize.y - status_height()});
@@ -373,12 +282,11 @@ void ViewerApp::draw_status(const FrameTimings& last) {
                       ImVec2(style.WindowPadding.x, style.FramePadding.y));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
   if (ImGui::Begin("Status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar)) {
-    // How long a frame takes changes its width with every frame: it stands at the right end, where
+    // What the worker does changes its width with every frame: it stands at the right end, where
     // it moves no other word.
-    std::array<char, 32> drawn{};
-    std::snprintf(drawn.data(), drawn.size(), "%.1f ms", last.draw_ms + last.ui_ms);
+    const std::string& state = state_text();
     const float at =
-        viewport.WorkSize.x - style.WindowPadding.x - ImGui::CalcTextSize(drawn.data()).x;
+        viewport.WorkSize.x - style.WindowPadding.x - ImGui::CalcTextSize(state.c_str()).x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushClipRect(
         corner,
@@ -387,7 +295,7 @@ void ViewerApp::draw_status(const FrameTimings& last) {
     ImGui::TextUnformatted(status_text().c_str());
     ImGui::PopClipRect();
     ImGui::SameLine(at);
-    ImGui::TextUnformatted(drawn.data());
+    ImGui::TextUnformatted(state.c_str());
   }
   ImGui::End();
   ImGui::PopStyleVar(2);

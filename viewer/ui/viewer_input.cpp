@@ -25,8 +25,6 @@ constexpr double kOrbitShare = 1.0 / 12.0;
 constexpr ZoomRange kZoomRange{1e-4, 1e2};
 // Vertices are framed with so much around them, of what the mesh measures.
 constexpr double kSurroundings = 0.02;
-// Widths in letters of the font.
-constexpr float kSidebarLetters = 22.0F;
 
 bool is_click(const Vector2d& from, const Vector2d& to) {
   return (to - from).norm() <= kClickPixels;
@@ -34,21 +32,15 @@ bool is_click(const Vector2d& from, const Vector2d& to) {
 
 }  // namespace
 
-void ViewerApp::resize(const Vector2d& size) {
+void ViewerApp::resize(const Vector2d& size, double scale) {
   size_ = size;
+  preferences_.window_width = static_cast<int>(std::lround(size.x() / scale));
+  preferences_.window_height = static_cast<int>(std::lround(size.y() / scale));
   camera_.target_across = covered_share();
 }
 
 Vector3d ViewerApp::upward() const {
   return up_axis_ == UpAxis::y ? Vector3d::UnitY() : Vector3d::UnitZ();
-}
-
-double ViewerApp::sidebar_pixels() const {
-  if (!show_panels_ || !document_) return 0.0;
-  const ImGuiIO& io = ImGui::GetIO();
-  const float font = ImGui::GetFont() != nullptr ? ImGui::GetFontSize() : 13.0F;
-  const double per_unit = std::max(1.0F, io.DisplayFramebufferScale.x);
-  return std::min(per_unit * static_cast<double>(kSidebarLetters * font), 0.5 * size_.x());
 }
 
 std::optional<ViewerApp::Area> ViewerApp::source_area() const {
@@ -72,7 +64,20 @@ ViewFrame ViewerApp::view_frame() const {
 }
 
 GizmoKeys ViewerApp::gizmo_keys() const {
-  return keymaps()[keymap_].name == "Maya" ? GizmoKeys::maya : GizmoKeys::blender;
+  return keymap().name == "Maya" ? GizmoKeys::maya : GizmoKeys::blender;
+}
+
+// The one that a preference of another version may name is not there.
+const Keymap& ViewerApp::keymap() const {
+  for (const Keymap& each : keymaps()) {
+    if (each.name == preferences_.mouse) return each;
+  }
+  return keymaps().front();
+}
+
+void ViewerApp::use_mouse_of(const std::string& keymap) {
+  preferences_.mouse = keymap;
+  if (document_) document_->editor.set_gizmo_keys(gizmo_keys());
 }
 
 void ViewerApp::frame_all() {
@@ -162,12 +167,13 @@ std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
   if (!view.holds_mouse() && !area->holds(event.position)) return {};
   InputEvent inside = event;
   inside.position -= area->corner;
-  const bool changed = view.handle(inside, keymaps()[keymap_]).changed;
+  const bool changed = view.handle(inside, keymap()).changed;
   cursor_ = event.position;
   return changed || event.kind != InputKind::move;
 }
 
 bool ViewerApp::handle(const InputEvent& event) {
+  if (event.kind != InputKind::move) messages_.acted(now());
   if (asks() && (event.kind == InputKind::key || event.kind == InputKind::text)) {
     if (event.key == kEscape) escape();
     return true;
@@ -185,7 +191,7 @@ bool ViewerApp::handle(const InputEvent& event) {
   }
   switch (event.kind) {
     case InputKind::press:
-      motion_ = motion_of(keymaps()[keymap_], event.button, event.modifiers);
+      motion_ = motion_of(keymap(), event.button, event.modifiers);
       cursor_ = pressed_at_ = event.position;
       break;
     case InputKind::move:
@@ -212,7 +218,10 @@ bool ViewerApp::handle(const InputEvent& event) {
 
 void ViewerApp::escape() {
   if (overwriting_) return answer_overwriting(false);
+  if (view_before_) look_back();
   show_controls_ = false;
+  show_machine_ = false;
+  show_messages_ = false;
   picture_plan_.open = false;
   path_plan_.purpose.reset();
   leaving_for_ = nullptr;

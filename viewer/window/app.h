@@ -8,6 +8,7 @@
 
 #include "lapwing/render/camera.h"
 #include "lapwing/render/renderer.h"
+#include "preferences/preferences.h"
 #include "tools/input.h"
 
 namespace lapwing {
@@ -64,8 +65,9 @@ class App {
   virtual bool handle(const InputEvent& event) = 0;
   /// A file dropped on the window.
   virtual void open(const std::filesystem::path& file) = 0;
-  /// The pixels of the picture; before the first frame and whenever it changes. Never 0.
-  virtual void resize(const Eigen::Vector2d& size) = 0;
+  /// The pixels of the picture, never 0, and how many of them the desktop enlarges one to; before
+  /// the first frame and whenever they change.
+  virtual void resize(const Eigen::Vector2d& size, double scale) = 0;
   /// Calls ImGui for the panels of one frame. `last` is of the frame before. What this throws ends
   /// the main loop, but for gpu::DeviceLost.
   virtual void draw_ui(const FrameTimings& last) = 0;
@@ -73,6 +75,8 @@ class App {
   virtual Scene scene() = 0;
   /// What the window is called. Until the next call.
   virtual std::string_view title() const = 0;
+  /// How the panels look from the next frame on.
+  virtual Theme theme() const { return Theme::dark; }
   /// The person wants the window closed; `wants_to_quit` says when it may be.
   virtual void ask_to_close() = 0;
   virtual bool wants_to_quit() const = 0;

@@ -55,7 +55,7 @@ class MainLoop {
     wait_for_work();
     const Stopwatch frame;
     painter_->finish_frame(timings_);
-    fit_fonts();
+    fit_look();
     fit_title();
     const bool sized = tell_size();
     hand_on_input();
@@ -101,12 +101,18 @@ class MainLoop {
   /// For how long nothing in the scene has changed.
   double still_seconds() const { return 1e-3 * since_change_.elapsed_ms(); }
 
-  void fit_fonts() {
+  void fit_look() {
     const double scale = window_.content_scale();
-    if (scale == scale_) return;
+    const Theme theme = app_.theme();
+    if (scale == scale_ && theme == theme_) return;
+    if (scale != scale_) {
+      set_fonts(scale);
+      painter_->set_fonts();
+      pixels_ = {};  // the app is to be told
+    }
     scale_ = scale;
-    set_theme(scale);
-    painter_->set_fonts();
+    theme_ = theme;
+    set_theme(theme, scale);
   }
 
   void fit_title() {
@@ -125,7 +131,7 @@ class MainLoop {
     }
     if (now.width != pixels_.width || now.height != pixels_.height) {
       pixels_ = now;
-      app_.resize({now.width, now.height});
+      app_.resize({now.width, now.height}, scale_);
     }
     return true;
   }
@@ -179,6 +185,7 @@ class MainLoop {
   FrameTimings timings_;
   VkExtent2D pixels_{};
   double scale_ = 0.0;
+  Theme theme_ = Theme::dark;
   std::string title_;
   std::span<const InputEvent> events_;  // not yet handed on
   Stopwatch since_change_;              // of what the scene shows

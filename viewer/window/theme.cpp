@@ -1,7 +1,8 @@
 #include "window/theme.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
-#include <imgui.h>
 
 namespace lapwing::viewer {
 namespace {
@@ -24,57 +25,126 @@ void load_font(float scale) {
 }
 
 ImVec4 gray(float level, float opacity = 1.0F) {
-  return {level, level, level * 1.04F, opacity};
+  return {level, level, std::min(1.02F * level, 1.0F), opacity};
 }
 
-void set_colors(ImGuiStyle& style) {
-  ImGui::StyleColorsDark(&style);
-  const ImVec4 accent(0.25F, 0.48F, 0.75F, 1.0F);
-  const ImVec4 light_accent(0.32F, 0.58F, 0.88F, 1.0F);
+// What the themes differ in.
+struct Palette {
+  float text;
+  float quiet_text;
+  float window;
+  float popup;
+  float menu;
+  float border;
+  float frame;  // of fields; lit and pressed ones are `step` and twice that beyond
+  float step;
+  float header;
+  float button;
+  ImVec4 accent;         // under text
+  ImVec4 strong_accent;  // under text that is pressed
+  ImVec4 mark;           // of check marks and grips: no text stands on it
+  std::array<ImVec4, 3> tones;
+};
+
+const Palette kDark{0.92F,
+                    0.64F,
+                    0.16F,
+                    0.13F,
+                    0.12F,
+                    0.28F,
+                    0.21F,
+                    0.03F,
+                    0.22F,
+                    0.26F,
+                    {0.17F, 0.36F, 0.58F, 1.0F},
+                    {0.13F, 0.30F, 0.52F, 1.0F},
+                    {0.36F, 0.62F, 0.92F, 1.0F},
+                    {ImVec4{0.92F, 0.92F, 0.96F, 1.0F}, ImVec4{0.95F, 0.76F, 0.30F, 1.0F},
+                     ImVec4{1.0F, 0.56F, 0.52F, 1.0F}}};
+const Palette kLight{0.09F,
+                     0.33F,
+                     0.94F,
+                     0.98F,
+                     0.90F,
+                     0.70F,
+                     0.86F,
+                     -0.03F,
+                     0.88F,
+                     0.82F,
+                     {0.62F, 0.78F, 0.96F, 1.0F},
+                     {0.52F, 0.71F, 0.93F, 1.0F},
+                     {0.13F, 0.40F, 0.74F, 1.0F},
+                     {ImVec4{0.09F, 0.09F, 0.10F, 1.0F}, ImVec4{0.45F, 0.29F, 0.0F, 1.0F},
+                      ImVec4{0.66F, 0.08F, 0.06F, 1.0F}}};
+
+const Palette* current = &kDark;
+
+void set_colors(ImGuiStyle& style, const Palette& p) {
   const auto set = [&](ImGuiCol which, const ImVec4& color) { style.Colors[which] = color; };
-  set(ImGuiCol_Text, gray(0.92F));
-  set(ImGuiCol_TextDisabled, gray(0.58F));
-  set(ImGuiCol_WindowBg, gray(0.16F));
-  set(ImGuiCol_PopupBg, gray(0.13F));
-  set(ImGuiCol_MenuBarBg, gray(0.12F));
-  set(ImGuiCol_Border, gray(0.28F));
-  set(ImGuiCol_FrameBg, gray(0.23F));
-  set(ImGuiCol_FrameBgHovered, gray(0.29F));
-  set(ImGuiCol_FrameBgActive, gray(0.33F));
-  set(ImGuiCol_TitleBgActive, gray(0.20F));
-  set(ImGuiCol_Header, gray(0.22F));
-  set(ImGuiCol_HeaderHovered, gray(0.30F));
-  set(ImGuiCol_HeaderActive, gray(0.34F));
-  set(ImGuiCol_Button, gray(0.28F));
-  set(ImGuiCol_ButtonHovered, accent);
-  set(ImGuiCol_ButtonActive, light_accent);
-  set(ImGuiCol_CheckMark, light_accent);
-  set(ImGuiCol_SliderGrab, accent);
-  set(ImGuiCol_SliderGrabActive, light_accent);
-  set(ImGuiCol_PlotHistogram, accent);
+  set(ImGuiCol_Text, gray(p.text));
+  set(ImGuiCol_TextDisabled, gray(p.quiet_text));
+  set(ImGuiCol_WindowBg, gray(p.window));
+  set(ImGuiCol_PopupBg, gray(p.popup));
+  set(ImGuiCol_MenuBarBg, gray(p.menu));
+  set(ImGuiCol_Border, gray(p.border));
+  set(ImGuiCol_FrameBg, gray(p.frame));
+  set(ImGuiCol_FrameBgHovered, gray(p.frame + p.step));
+  set(ImGuiCol_FrameBgActive, gray(p.frame + 2.0F * p.step));
+  set(ImGuiCol_TitleBg, gray(p.header));
+  set(ImGuiCol_TitleBgActive, gray(p.header));
+  set(ImGuiCol_Header, gray(p.header));
+  set(ImGuiCol_HeaderHovered, gray(p.header + p.step));
+  set(ImGuiCol_HeaderActive, gray(p.header + 2.0F * p.step));
+  set(ImGuiCol_Button, gray(p.button));
+  set(ImGuiCol_ButtonHovered, p.accent);
+  set(ImGuiCol_ButtonActive, p.strong_accent);
+  set(ImGuiCol_Tab, gray(p.header));
+  set(ImGuiCol_TabHovered, p.accent);
+  set(ImGuiCol_TabActive, p.accent);
+  set(ImGuiCol_TabUnfocused, gray(p.header));
+  set(ImGuiCol_TabUnfocusedActive, p.accent);
+  set(ImGuiCol_Separator, gray(p.border));
+  set(ImGuiCol_SeparatorHovered, p.mark);
+  set(ImGuiCol_SeparatorActive, p.mark);
+  set(ImGuiCol_CheckMark, p.mark);
+  set(ImGuiCol_SliderGrab, p.accent);
+  set(ImGuiCol_SliderGrabActive, p.strong_accent);
+  set(ImGuiCol_PlotHistogram, p.accent);
+  set(ImGuiCol_TextSelectedBg, p.accent);
+  set(ImGuiCol_TableHeaderBg, gray(p.header));
 }
 
 }  // namespace
 
-void set_theme(double scale) {
-  const auto factor = static_cast<float>(scale);
-  load_font(factor);
+void set_fonts(double scale) {
+  load_font(static_cast<float>(scale));
+}
+
+void set_theme(Theme theme, double scale) {
+  const bool is_light = theme == Theme::light;
+  current = is_light ? &kLight : &kDark;
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();
-  set_colors(style);
+  is_light ? ImGui::StyleColorsLight(&style) : ImGui::StyleColorsDark(&style);
+  set_colors(style, *current);
   style.WindowRounding = 0.0F;
   style.FrameRounding = 3.0F;
   style.GrabRounding = 3.0F;
+  style.TabRounding = 3.0F;
   style.ScrollbarRounding = 3.0F;
   style.WindowPadding = {10.0F, 8.0F};
   style.FramePadding = {7.0F, 4.0F};
   style.ItemSpacing = {8.0F, 5.0F};
-  style.ScaleAllSizes(factor);
+  style.ScaleAllSizes(static_cast<float>(scale));
   ImGuiIO& io = ImGui::GetIO();
   // Panels have their places; a blinking cursor would need frames while nothing happens.
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.ConfigInputTextCursorBlink = false;
+}
+
+const ImVec4& text_color(Tone tone) {
+  return current->tones[static_cast<std::size_t>(tone)];
 }
 
 }  // namespace lapwing::viewer

@@ -125,6 +125,7 @@ struct WindowCallbacks {
   static bool over_panel(const Eigen::Vector2d& cursor) {
     const ImVec2 place(static_cast<float>(cursor.x()), static_cast<float>(cursor.y()));
     for (const ImGuiWindow* panel : ImGui::GetCurrentContext()->Windows) {
+      if ((panel->Flags & ImGuiWindowFlags_NoMouseInputs) != 0) continue;
       if (panel->WasActive && panel->OuterRectClipped.Contains(place)) return true;
     }
     return false;

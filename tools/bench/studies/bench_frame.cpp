@@ -34,7 +34,8 @@ class Panels {
  public:
   explicit Panels(const FrameBench& settings) {
     ImGui::CreateContext();
-    viewer::set_theme(1.0);
+    viewer::set_fonts(1.0);
+    viewer::set_theme(viewer::Theme::dark, 1.0);
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(settings.width), static_cast<float>(settings.height)};
     io.DeltaTime = 1.0F / 60.0F;
@@ -63,7 +64,8 @@ class Panels {
   }
 
  private:
-  std::vector<std::string> log_ = std::vector<std::string>(12, "a line of the log, to be read");
+  std::vector<viewer::Message> log_ =
+      std::vector<viewer::Message>(12, "a line of the log, to be read");
 };
 
 // What a frame costs, part by part, in the order of the table.

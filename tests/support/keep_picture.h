@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "lapwing/render/image.h"
+
+namespace lapwing::test {
+
+/// Keeps `picture` as NAME.png in the folder $LAPWING_KEEP_PICTURES, for somebody to look at;
+/// without that does nothing.
+inline void keep_picture(const Image& picture, const std::string& name) {
+  const char* folder = std::getenv("LAPWING_KEEP_PICTURES");
+  if (folder != nullptr) write_png(std::filesystem::path(folder) / (name + ".png"), picture);
+}
+
+}  // namespace lapwing::test

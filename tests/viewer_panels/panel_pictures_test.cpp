@@ -1,0 +1,198 @@
+// Every panel in both themes, on a small window and on a large one of a desktop that enlarges: all
+// of its texts are whole and can be read.
+#include <cstdlib>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+#include "session/transplant_runs.h"
+#include "support/gpu.h"
+#include "support/keep_picture.h"
+#include "viewer_panels/shown_viewer.h"
+
+namespace lapwing::viewer::test {
+namespace {
+
+using Eigen::Vector2d;
+using ::testing::IsEmpty;
+
+// WCAG 2.1, 1.4.3.
+constexpr double kLeastContrast = 4.5;
+constexpr Modifiers kControl{.control = true};
+
+class Panels : public ::testing::TestWithParam<Look> {
+ protected:
+  void SetUp() override {
+    LAPWING_NEEDS_GPU();
+    context_ = std::make_shared<gpu::Context>();
+    viewer_ = std::make_unique<ShownViewer>(context_, GetParam());
+    const std::filesystem::path parts = viewer_->folder() / "data" / "lapwing" / "parts";
+    setenv("XDG_DATA_HOME", (viewer_->folder() / "data").c_str(), 1);
+    std::filesystem::create_directories(parts);
+    write_mesh(lapwing::test::finger(24, 12, 0.2, 0.6), parts / "finger.ply");
+    write_mesh(rippled_cylinder(24, 41), viewer_->folder() / "tube.obj");
+  }
+  void TearDown() override { unsetenv("XDG_DATA_HOME"); }
+
+  // The tube with a handle that was moved far: the certificate has much to say.
+  std::filesystem::path bent() const {
+    const auto file = viewer_->folder() / "bend.json";
+    std::ofstream(file) << R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
+      {"op": "deform", "roi": {"all": true},
+       "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.6]}},
+       "handles": [{"region": {"box": {"min": [-1, -1, 5.4], "max": [1, 1, 7]}},
+                    "move": {"translate": [9, 0, 0]}}]}]})";
+    return file;
+  }
+  void open_bent() {
+    viewer_->open(bent());
+    viewer_->wait_for([&] { return viewer_->says("exact response ready"); },
+                      "the edit is prepared");
+  }
+
+  // Reads and keeps what is on the screen.
+  void check(const std::string& name) {
+    const Look& look = GetParam();
+    for (const ShownText& text : viewer_->look_at()) {
+      EXPECT_FALSE(text.is_cut) << name << ": cut off: \"" << text.words << '"';
+      EXPECT_GE(text.contrast, kLeastContrast) << name << ": pale: \"" << text.words << '"';
+    }
+    const std::string theme = look.theme == Theme::light ? "light" : "dark";
+    lapwing::test::keep_picture(viewer_->picture(),
+                                name + "-" + theme + "-" + std::to_string(look.size.width));
+  }
+  void check_menu(const std::string& menu) {
+    viewer_->click(menu);
+    check("menu-" + menu);
+    viewer_->click(menu);
+  }
+
+  std::shared_ptr<gpu::Context> context_;
+  std::unique_ptr<ShownViewer> viewer_;
+};
+
+TEST_P(Panels, OfTheStartAreWhole) {
+  viewer_->look_at();
+  check("start");
+}
+
+TEST_P(Panels, OfADeformAreWhole) {
+  open_bent();
+  check("deform");
+  viewer_->click("Selection");
+  viewer_->click("How it is computed");
+  check("deform-parameters");
+  viewer_->click("How it is computed");
+  viewer_->click("Selection");
+  viewer_->point_at("Grow");
+  check("tooltip");
+  viewer_->click("Brush");
+  check("deform-brush");
+  for (const char* tab : {"Coat", "Mix", "Transplant", "Mesh", "View"}) {
+    viewer_->click(tab);
+    check(std::string("tab-") + tab);
+  }
+}
+
+TEST_P(Panels, OfMenusAndDialogsAreWhole) {
+  open_bent();
+  for (const char* menu : {"File", "Edit", "View", "Help"}) check_menu(menu);
+  viewer_->key('P', kControl);
+  check("dialog-picture");
+  viewer_->key(kEscape);
+  viewer_->key('Q', kControl);
+  check("dialog-unsaved");
+  viewer_->key(kEscape);
+  viewer_->type(U'?');
+  check("dialog-controls");
+  viewer_->key(kEscape);
+  viewer_->click("Help");
+  viewer_->click("Machine");
+  check("dialog-machine");
+  viewer_->key(kEscape);
+  viewer_->app().open(viewer_->folder() / "a file with quite a long name that is not there.obj");
+  viewer_->wait_for([&] { return viewer_->shows("x"); }, "the error is said");
+  check("toast");
+  viewer_->click("Help");
+  viewer_->click("Messages");
+  check("dialog-messages");
+}
+
+TEST_P(Panels, OfACoatAreWhole) {
+  open_bent();
+  viewer_->key('K', kControl);
+  viewer_->wait_for([&] { return viewer_->says("source: "); }, "the coat begins");
+  check("coat-begun");
+  viewer_->click("the whole source");
+  check("coat-patch");
+  viewer_->click("How it is computed");
+  check("coat-parameters");
+}
+
+TEST_P(Panels, OfAMixAreWhole) {
+  open_bent();
+  viewer_->key('M', kControl);
+  viewer_->wait_for([&] { return viewer_->says("source: "); }, "the mix begins");
+  check("mix-begun");
+  viewer_->click("around a part");
+  check("mix-around");
+}
+
+TEST_P(Panels, OfATransplantAreWhole) {
+  viewer_->open(viewer_->folder() / "tube.obj");
+  viewer_->key('N');
+  viewer_->wait_for([&] { return viewer_->says("Shift + wheel turns"); }, "the part is in hand");
+  check("transplant-carried");
+  viewer_->click("More parts");
+  check("transplant-more");
+}
+
+// Whatever there is to say of a result, no other control moves for it.
+TEST_P(Panels, TheCertificateMovesNothing) {
+  viewer_->open(viewer_->folder() / "tube.obj");
+  std::map<std::string, ImVec2> places;
+  const auto remember = [&] {
+    places.clear();
+    for (const char* label : {"Selection", "Grow", "mirror", "Undo", "Save recipe"}) {
+      const auto text = find_text(viewer_->look_at(), label);
+      ASSERT_TRUE(text) << label;
+      places[label] = text->min;
+    }
+  };
+  const auto expect_as_before = [&] {
+    for (const auto& [label, place] : places) {
+      const auto text = find_text(viewer_->look_at(), label);
+      ASSERT_TRUE(text) << label;
+      EXPECT_EQ(text->min.x, place.x) << label;
+      EXPECT_EQ(text->min.y, place.y) << label;
+    }
+  };
+  open_bent();
+  remember();
+  EXPECT_FALSE(viewer_->says("stretch"));
+  viewer_->key('G');
+  viewer_->key('X');
+  viewer_->type(U'7');
+  viewer_->key(kEnter);
+  viewer_->wait_for([&] { return viewer_->says("stretch"); }, "the result is there");
+  check("deform-result");
+  expect_as_before();
+}
+
+std::string name_of(const ::testing::TestParamInfo<Look>& info) {
+  return (info.param.theme == Theme::light ? "Light" : "Dark") +
+         std::to_string(info.param.size.width);
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, Panels,
+                         ::testing::Values(Look{Theme::dark, {1280, 800}, 1.0},
+                                           Look{Theme::light, {1280, 800}, 1.0},
+                                           Look{Theme::dark, {2560, 1600}, 2.0},
+                                           Look{Theme::light, {2560, 1600}, 2.0}),
+                         name_of);
+
+}  // namespace
+}  // namespace lapwing::viewer::test

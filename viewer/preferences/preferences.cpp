@@ -1,0 +1,133 @@
+#include "preferences/preferences.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/atomic_file.h"
+
+namespace lapwing::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// What a file from elsewhere may ask of a window, and what a hand can still work with.
+struct Range {
+  double least;
+  double most;
+};
+constexpr Range kSidebarLetters{16.0, 80.0};
+constexpr Range kWindowUnits{320.0, 16384.0};
+constexpr Range kBrushPixels{1.0, 200.0};
+
+// Every preference under the name that it has in the file.
+template <typename P, typename Visit>
+void keys_of(P& preferences, const Visit& visit) {
+  visit("theme", preferences.theme);
+  visit("mouse", preferences.mouse);
+  visit("unit", preferences.unit);
+  visit("guide", preferences.shows_guide);
+  visit("settle_while_dragging", preferences.settles_while_dragging);
+  visit("system_dialogs", preferences.uses_system_dialogs);
+  visit("sidebar_letters", preferences.sidebar_letters, kSidebarLetters);
+  visit("window_width", preferences.window_width, kWindowUnits);
+  visit("window_height", preferences.window_height, kWindowUnits);
+  visit("tool", preferences.tool);
+  visit("brush_radius", preferences.brush_radius, kBrushPixels);
+  visit("paint_through", preferences.paints_through);
+}
+
+Json json_of(Theme theme) {
+  return theme == Theme::light ? "light" : "dark";
+}
+template <typename Value>
+Json json_of(const Value& value) {
+  return value;
+}
+
+// Whether `json` is such a value.
+bool take(const Json& json, Theme& theme) {
+  if (json != "light" && json != "dark") return false;
+  theme = json == "light" ? Theme::light : Theme::dark;
+  return true;
+}
+bool take(const Json& json, std::string& text) {
+  if (!json.is_string()) return false;
+  text = json.get<std::string>();
+  return true;
+}
+bool take(const Json& json, bool& flag) {
+  if (!json.is_boolean()) return false;
+  flag = json.get<bool>();
+  return true;
+}
+template <typename Number>
+bool take(const Json& json, Number& number, const Range& range) {
+  if (!json.is_number()) return false;
+  const double value = json.get<double>();
+  if (!(value >= range.least && value <= range.most)) return false;
+  number = static_cast<Number>(value);
+  return true;
+}
+
+// Nothing where there is no file to read.
+std::optional<Json> parsed(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return {};
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return Json::parse(text, nullptr, false);
+}
+
+}  // namespace
+
+fs::path preferences_file() {
+  if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder != nullptr && *folder == '/') {
+    return fs::path(folder) / "lapwing" / "viewer.json";
+  }
+  const char* home = std::getenv("HOME");
+  const fs::path base = home != nullptr ? fs::path(home) : fs::temp_directory_path();
+  return base / ".config" / "lapwing" / "viewer.json";
+}
+
+ReadPreferences read_preferences(const fs::path& file) {
+  ReadPreferences read;
+  const std::optional<Json> json = parsed(file);
+  if (!json) return read;
+  if (!json->is_object()) {
+    read.troubles.push_back(file.string() +
+                            " is no JSON object: the viewer starts with its defaults, and writes "
+                            "the file anew at the next change");
+    return read;
+  }
+  keys_of(read.preferences, [&](const char* name, auto& value, const auto&... range) {
+    const auto found = json->find(name);
+    if (found == json->end() || take(*found, value, range...)) return;
+    read.troubles.push_back(file.string() + ": \"" + name + "\" cannot be " + found->dump() +
+                            "; it is left at its default");
+  });
+  return read;
+}
+
+void write_preferences(const Preferences& preferences, const fs::path& file) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) {
+    throw IoError("cannot keep the preferences in " + file.string() + ": " + error.message() +
+                  "; set XDG_CONFIG_HOME to a folder that can be written");
+  }
+  Json json = parsed(file).value_or(Json::object());
+  if (!json.is_object()) json = Json::object();
+  keys_of(preferences, [&](const char* name, const auto& value, const auto&...) {
+    json[name] = json_of(value);
+  });
+  replace_file(file, json.dump(2) + "\n");
+}
+
+}  // namespace lapwing::viewer

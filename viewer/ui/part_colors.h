@@ -1,0 +1,27 @@
+#pragma once
+
+#include <imgui.h>
+
+namespace lapwing::viewer {
+
+// What the parts of an edit have on the surface (shaders/surface.glsl), for swatches beside their
+// names.
+inline const ImVec4 kRoiColor{0.55F, 0.65F, 0.80F, 1.0F};
+inline const ImVec4 kHandleColor{0.95F, 0.80F, 0.25F, 1.0F};
+inline const ImVec4 kBeltColor{0.85F, 0.30F, 0.25F, 1.0F};
+
+/// A square of that colour before an item with a frame, on one line with it.
+inline void draw_swatch(const ImVec4& color) {
+  const float side = 0.7F * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float top = at.y + 0.5F * (ImGui::GetFrameHeight() - side);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side},
+                                            ImGui::GetColorU32(color), 2.0F);
+  ImGui::Dummy({side, ImGui::GetFrameHeight()});
+  ImGui::SameLine(0.0F, 0.25F * ImGui::GetFontSize());
+}
+inline float swatch_width() {
+  return 0.95F * ImGui::GetFontSize();
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,71 @@
+#include <imgui.h>
+
+#include "ui/choose.h"
+#include "ui/explain.h"
+#include "ui/panels.h"
+#include "ui/part_colors.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Role = Part::Role;
+
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+// A button that chooses what the tools choose, in the colour that it has on the surface.
+void draw_part(Editor& editor, const char* name, const Part& part, const ImVec4& color,
+               Action action) {
+  draw_swatch(color);
+  const bool chosen = editor.part().role == part.role && !editor.has_in_hand(editor.gizmo_tool());
+  if (toggle_button(name, chosen)) editor.choose(part);
+  explain(action);
+}
+
+}  // namespace
+
+double draw_toolbar(Editor& editor, const PictureArea& area) {
+  constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                    ImGuiWindowFlags_NoFocusOnAppearing;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::SetNextWindowPos(
+      {static_cast<float>(area.corner.x()), static_cast<float>(area.corner.y())});
+  const float across = static_cast<float>(area.size.x());
+  // As high as its rows, which is known once it has been laid out.
+  ImGui::SetNextWindowSizeConstraints({across, 0.0F}, {across, 1e6F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {style.WindowPadding.x, style.FramePadding.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+  float height = 0.0F;
+  if (ImGui::Begin("Tools", nullptr, kBar | ImGuiWindowFlags_AlwaysAutoResize)) {
+    const float right = ImGui::GetWindowPos().x + across - style.WindowPadding.x;
+    const float swatch = swatch_width();
+    const auto& handles = editor.state().selection.handles;
+    const std::size_t handle = editor.part().role == Role::handle ? editor.part().handle
+                               : handles.empty()                  ? 0
+                                                                  : editor.handle();
+    draw_part(editor, "ROI", {Role::roi}, kRoiColor, Action::choose_roi);
+    stay_on_line(button_width("Handle") + swatch, right);
+    draw_part(editor, "Handle", {Role::handle, handle}, kHandleColor, Action::choose_handle);
+    stay_on_line(button_width("Belt") + swatch, right);
+    draw_part(editor, "Belt", {Role::belt}, kBeltColor, Action::choose_belt);
+    bool first = true;
+    for (const ToolRow& row : tool_rows()) {
+      const float gap = first ? 2.0F * style.ItemSpacing.x : 0.0F;
+      stay_on_line(button_width(row.name) + gap, right);
+      if (first) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gap);
+      first = false;
+      if (toggle_button(row.name, editor.row() == &row)) editor.take(row);
+      explain(row.action);
+    }
+    height = ImGui::GetWindowHeight();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+  return static_cast<double>(height);
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,138 @@
+// The menu bar.
+
+#include <array>
+#include <imgui.h>
+#include <string>
+
+#include "ui/viewer_app.h"
+
+namespace lapwing::viewer {
+namespace {
+
+struct Item {
+  const char* label;  // null for a divider between items
+  Action action;
+};
+constexpr Item kDivider{nullptr, Action::quit};
+
+// Escape closes it. Between this, if true, and ImGui::EndMenu are its items.
+bool begin_menu(const char* label) {
+  if (!ImGui::BeginMenu(label)) return false;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+  return true;
+}
+
+// The action of the item that was chosen, of those that an edit is needed for.
+std::optional<Action> draw_items(std::span<const Item> items, bool is_open) {
+  std::optional<Action> chosen;
+  for (const Item& item : items) {
+    if (item.label == nullptr) {
+      ImGui::Separator();
+    } else if (ImGui::MenuItem(item.label, control_of(item.action).how.c_str(), false, is_open)) {
+      chosen = item.action;
+    }
+  }
+  return chosen;
+}
+
+}  // namespace
+
+void ViewerApp::draw_menu() {
+  if (!ImGui::BeginMainMenuBar()) return;
+  if (begin_menu("File")) {
+    draw_file_menu();
+    ImGui::EndMenu();
+  }
+  if (begin_menu("Edit")) {
+    draw_edit_menu();
+    ImGui::EndMenu();
+  }
+  if (begin_menu("View")) {
+    draw_view_menu();
+    ImGui::EndMenu();
+  }
+  if (begin_menu("Help")) {
+    if (ImGui::MenuItem("Controls", "?")) show_controls_ = true;
+    ImGui::MenuItem("Guide", nullptr, &preferences_.shows_guide);
+    ImGui::MenuItem("Messages", nullptr, &show_messages_);
+    ImGui::MenuItem("Machine", nullptr, &show_machine_);
+    ImGui::EndMenu();
+  }
+  ImGui::EndMainMenuBar();
+}
+
+void ViewerApp::draw_file_menu() {
+  constexpr std::array kItems{Item{"Save", Action::save},
+                              Item{"Save as...", Action::save_as},
+                              Item{"Save picture...", Action::save_picture},
+                              kDivider,
+                              Item{"Carry a file along...", Action::carry_file},
+                              Item{"Save carried objects", Action::save_carried},
+                              kDivider,
+                              Item{"Save recipe...", Action::save_recipe},
+                              Item{"Replay a recipe...", Action::replay_recipe},
+                              kDivider};
+  if (ImGui::MenuItem("Open...", "Ctrl+O")) show_start_ = true;
+  if (const auto action = draw_items(kItems, document_ != nullptr)) perform(*action);
+  if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
+}
+
+void ViewerApp::draw_edit_menu() {
+  constexpr std::array kItems{Item{"Undo", Action::undo},
+                              Item{"Redo", Action::redo},
+                              kDivider,
+                              Item{"New edit", Action::new_edit},
+                              Item{"Choose ROI", Action::choose_roi},
+                              Item{"Choose handle", Action::choose_handle},
+                              Item{"Add a handle", Action::add_handle},
+                              Item{"Choose belt", Action::choose_belt},
+                              Item{"Remove handle", Action::remove_handle},
+                              kDivider,
+                              Item{"Choose all", Action::select_all},
+                              Item{"Choose nothing", Action::clear},
+                              Item{"Grow", Action::grow},
+                              Item{"Shrink", Action::shrink},
+                              Item{"Invert", Action::invert},
+                              kDivider,
+                              Item{"Coat the ROI...", Action::begin_coat},
+                              Item{"Mix on the ROI...", Action::begin_mix},
+                              Item{"Transplant a part", Action::take_part}};
+  if (const auto action = draw_items(kItems, document_ != nullptr)) perform(*action);
+}
+
+void ViewerApp::draw_view_menu() {
+  constexpr std::array kItems{Item{"Show all", Action::frame_all},
+                              Item{"Show the selection", Action::frame_selection},
+                              kDivider,
+                              Item{"Front", Action::view_front},
+                              Item{"Back", Action::view_back},
+                              Item{"Right", Action::view_right},
+                              Item{"Left", Action::view_left},
+                              Item{"Top", Action::view_top},
+                              Item{"Bottom", Action::view_bottom},
+                              Item{"Three-quarter", Action::view_three_quarter},
+                              kDivider};
+  if (const auto action = draw_items(kItems, true)) perform(*action);
+  if (ImGui::MenuItem("Parallel projection", "5", camera_.orthographic)) {
+    perform(Action::toggle_projection);
+  }
+  if (ImGui::MenuItem("z points up", nullptr, up_axis_ == UpAxis::z)) {
+    up_axis_ = up_axis_ == UpAxis::z ? UpAxis::y : UpAxis::z;
+    look_from(View::three_quarter);
+  }
+  if (ImGui::MenuItem("Panels", "Tab", show_panels_)) perform(Action::toggle_panels);
+  if (begin_menu("Theme")) {
+    for (const auto& [name, theme] : {std::pair{"Dark", Theme::dark}, {"Light", Theme::light}}) {
+      if (ImGui::MenuItem(name, nullptr, preferences_.theme == theme)) preferences_.theme = theme;
+    }
+    ImGui::EndMenu();
+  }
+  if (!begin_menu("Mouse as in")) return;
+  for (const Keymap& each : keymaps()) {
+    const std::string name(each.name);
+    if (ImGui::MenuItem(name.c_str(), nullptr, preferences_.mouse == name)) use_mouse_of(name);
+  }
+  ImGui::EndMenu();
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,197 @@
+// The sidebar: tabs by task, what came of the task, and the history, each in a place of its own.
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+#include <utility>
+
+#include "ui/viewer_app.h"
+#include "ui/window_flags.h"
+
+namespace lapwing::viewer {
+namespace {
+
+constexpr auto kOpen = ImGuiTreeNodeFlags_DefaultOpen;
+
+// In letters of the font.
+constexpr float kGripLetters = 0.4F;
+constexpr float kResultLines = 8.0F;
+constexpr float kHistoryLines = 5.0F;
+// Of the height: on a low window the tabs keep the greater part.
+constexpr float kMostOfHeight = 0.27F;
+constexpr double kMostOfWidth = 0.5;
+
+struct Tab {
+  const char* name;
+  Task task;
+};
+constexpr Tab kTabs[]{{"Deform", Task::deform},         {"Coat", Task::coat}, {"Mix", Task::mix},
+                      {"Transplant", Task::transplant}, {"Mesh", Task::mesh}, {"View", Task::view}};
+
+// So wide that no tab's name is cut off, in letters of the font.
+double least_letters() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = 2.0F * style.WindowPadding.x;
+  for (const Tab& tab : kTabs) {
+    width +=
+        ImGui::CalcTextSize(tab.name).x + 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x;
+  }
+  return std::ceil(static_cast<double>(width / ImGui::GetFontSize()));
+}
+
+float height_of_lines(float lines, float most) {
+  return std::min(lines * ImGui::GetTextLineHeightWithSpacing(), most);
+}
+
+}  // namespace
+
+void ViewerApp::lay_out_sidebar() {
+  sidebar_width_ = std::max(preferences_.sidebar_letters, least_letters()) *
+                   static_cast<double>(ImGui::GetFontSize());
+}
+
+double ViewerApp::sidebar_pixels() const {
+  if (!show_panels_ || !document_) return 0.0;
+  return std::min(pixels_per_unit() * sidebar_width_, kMostOfWidth * size_.x());
+}
+
+// The edge that the sidebar is made wider and narrower by.
+void ViewerApp::draw_sidebar_edge(float right, float top, float height) {
+  const float grip = kGripLetters * ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({right - grip, top});
+  ImGui::SetNextWindowSize({grip, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+  if (ImGui::Begin("Edge", nullptr,
+                   (kFixed | kWithoutScrolling) & ~ImGuiWindowFlags_NoBringToFrontOnFocus)) {
+    ImGui::InvisibleButton("edge", {grip, height});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+      ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+      ImGui::GetWindowDrawList()->AddRectFilled({right - 0.5F * grip, top}, {right, top + height},
+                                                ImGui::GetColorU32(ImGuiCol_SeparatorHovered));
+    }
+    if (ImGui::IsItemActive()) {
+      const double letters = static_cast<double>(ImGui::GetIO().MousePos.x / ImGui::GetFontSize());
+      const double most = kMostOfWidth * static_cast<double>(ImGui::GetMainViewport()->Size.x /
+                                                             ImGui::GetFontSize());
+      preferences_.sidebar_letters = std::clamp(letters, std::min(least_letters(), most), most);
+    }
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
+// A task that a key or a menu began comes to the front.
+void ViewerApp::follow_task() {
+  const LayerDesk& desk = document_->desk;
+  const Task begun = document_->transplant.is_open()                         ? Task::transplant
+                     : !desk.is_open()                                       ? Task::deform
+                     : desk.draft().operation == LayerDraft::Operation::coat ? Task::coat
+                                                                             : Task::mix;
+  if (std::exchange(begun_task_, begun) == begun || begun == Task::deform) return;
+  task_to_show_ = begun;
+}
+
+void ViewerApp::draw_tabs() {
+  follow_task();
+  if (!ImGui::BeginTabBar("tasks")) return;
+  for (const Tab& tab : kTabs) {
+    const bool wanted = task_to_show_ == tab.task;
+    if (!ImGui::BeginTabItem(tab.name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0))
+      continue;
+    if (wanted || !task_to_show_) task_ = tab.task;
+    ImGui::BeginChild(tab.name);
+    draw_task(tab.task);
+    ImGui::EndChild();
+    ImGui::EndTabItem();
+  }
+  task_to_show_.reset();
+  ImGui::EndTabBar();
+}
+
+void ViewerApp::draw_task(Task task) {
+  Editor& editor = document_->editor;
+  switch (task) {
+    case Task::deform:
+      if (ImGui::CollapsingHeader("Selection", kOpen)) draw_selection_panel(editor, drafts_);
+      if (ImGui::CollapsingHeader("Move", kOpen)) draw_deform_panel(editor, drafts_);
+      break;
+    case Task::coat:
+    case Task::mix:
+      if (const auto purpose = draw_layer_panel(document_->desk, editor, task)) {
+        ask_for_path(*purpose);
+      }
+      break;
+    case Task::transplant:
+      draw_transplant_panel(document_->transplant, part_pictures_, editor, drafts_);
+      break;
+    case Task::mesh:
+      draw_mesh_panel(*document_, preferences_.unit);
+      if (!editor.state().carried.empty()) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+      if (ImGui::CollapsingHeader("Carried objects")) {
+        if (const auto wanted = draw_carried_panel(editor)) perform(*wanted);
+      }
+      break;
+    case Task::view:
+      draw_display_panel(display_, editor);
+      if (ImGui::CollapsingHeader("Preferences", kOpen)) {
+        const std::string mouse = preferences_.mouse;
+        draw_preferences_panel(preferences_);
+        if (preferences_.mouse != mouse) use_mouse_of(preferences_.mouse);
+      }
+      break;
+  }
+}
+
+// Of what is open; its place never moves, however much there is to say.
+void ViewerApp::draw_result() {
+  Editor& editor = document_->editor;
+  if (document_->desk.is_open()) return draw_layer_result(document_->desk, editor);
+  if (document_->transplant.is_open()) {
+    return draw_transplant_result(document_->transplant, editor);
+  }
+  const ResultWish wish = draw_result_panel(editor, view_before_.has_value());
+  if (wish.back) look_back();
+  if (wish.show) show_vertices(*wish.show);
+}
+
+void ViewerApp::show_vertices(const std::vector<Index>& vertices) {
+  if (!view_before_) view_before_ = camera_;
+  frame(vertices);
+  document_->editor.point_at(vertices);
+}
+
+void ViewerApp::look_back() {
+  camera_ = *std::exchange(view_before_, std::nullopt);
+  camera_.target_across = covered_share();
+  if (document_) document_->editor.point_at({});
+}
+
+void ViewerApp::draw_sidebar() {
+  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+  const float width = static_cast<float>(sidebar_pixels() / pixels_per_unit());
+  const float height = viewport.WorkSize.y - status_height();
+  ImGui::SetNextWindowPos(viewport.WorkPos);
+  ImGui::SetNextWindowSize({width, height});
+  if (ImGui::Begin("Panels", nullptr, kFixed | kWithoutScrolling)) {
+    const float most = kMostOfHeight * height;
+    const float result = height_of_lines(kResultLines, most);
+    const float history = height_of_lines(kHistoryLines, most) + ImGui::GetFrameHeightWithSpacing();
+    const float between = 2.0F * ImGui::GetStyle().ItemSpacing.y + 1.0F;
+    ImGui::BeginChild("task", {0.0F, -(result + history + 2.0F * between)}, false,
+                      kWithoutScrolling);
+    draw_tabs();
+    ImGui::EndChild();
+    ImGui::Separator();
+    ImGui::BeginChild("result", {0.0F, result});
+    draw_result();
+    ImGui::EndChild();
+    ImGui::Separator();
+    if (const auto purpose = draw_history_panel(document_->editor, drafts_)) ask_for_path(*purpose);
+  }
+  ImGui::End();
+  draw_sidebar_edge(viewport.WorkPos.x + width, viewport.WorkPos.y, height);
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <imgui.h>
+
+namespace lapwing::viewer {
+
+/// Of a window that is part of the layout: it stays where it is and behind what opens over it.
+inline constexpr ImGuiWindowFlags kFixed =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+/// And scrolls not.
+inline constexpr ImGuiWindowFlags kWithoutScrolling =
+    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+
+}  // namespace lapwing::viewer
