@@ -24,6 +24,9 @@ struct EditStart {
   std::filesystem::path journals;           ///< EditSession's
 };
 
+/// Whether the command makes what has settled the rest shape of what comes then (`apply`).
+bool commits(const Command& command);
+
 /// One mesh being edited in a window: its session, the tool in hand, and what is shown of it.
 /// Events go in; `shown` is what to draw. Panels perform commands and ask for steps. What does not
 /// work is said to `say`, and nothing has changed then.
@@ -56,7 +59,14 @@ class Editor {
   /// the worker has, and lets the surface follow the hand.
   void update();
 
-  /// Whether it was carried out.
+  /// Whether what a person does next may have to wait: the last edit still settles, or something
+  /// waits for that already.
+  bool waits() const;
+  bool has_postponed() const { return !postponed_.empty(); }
+  /// Does `act` once it has settled, after what waits already; undo and redo give it up.
+  void postpone(std::function<void()> act);
+
+  /// Whether it was carried out. What chooses anew (`commits`) waits until what moved has settled.
   bool perform(const Command& command, Joining joining = Joining::own_step);
   void undo();
   void redo();
@@ -150,6 +160,7 @@ class Editor {
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
   void return_to_triangles_of_state();
   Handled act_on(const ToolAnswer& answer, Joining joining);
+  Handled act_on(const ToolAnswer& answer, Joining joining, bool may_change);
   void begin_drag();
   void take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
                  const Projection& projection);
@@ -157,7 +168,11 @@ class Editor {
   void say_what_was_let_go(std::size_t handles_before);
   void choose_elsewhere(const InputEvent& event, const ViewFrame& view);
   bool begins_elsewhere(const Command& command) const;
-  void state_changed();
+  bool postpones(const InputEvent& event, const ViewFrame& view);
+  bool postpones(const ToolAnswer& answer, const InputEvent& event, const ViewFrame& view);
+  void take_up_postponed();
+  void give_up_postponed();
+  void state_changed(bool by_result = false);
   std::size_t handle_count() const { return state().selection.handles.size(); }
 
   void take_step();
@@ -195,7 +210,8 @@ class Editor {
   std::vector<Eigen::Affine3d> motions_dragged_from_;
   bool classes_are_old_ = true;
   bool continuous_ = true;
-  bool begins_new_edit_ = false;  // once what moved has settled
+  std::vector<std::function<void()>> postponed_;  // until what moved has settled, in order
+  bool postpones_drag_ = false;                   // the button that began what waits is still down
   // How many steps were done after a choice that may still be sized as one step with it.
   std::optional<std::size_t> sizable_at_;
   bool drag_is_of_last_step_ = false;  // what is dragged was made by the press that holds it

@@ -15,9 +15,10 @@ using Eigen::Vector4d;
 constexpr double kNear = 1.0;
 constexpr double kFar = 0.0;
 
+constexpr double kMiss = std::numeric_limits<double>::infinity();
+
 // Distance along the ray (Moeller and Trumbore 1997); infinity where it passes by.
 double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, const SightLine& ray) {
-  constexpr double kMiss = std::numeric_limits<double>::infinity();
   const Vector3d p = ray.direction.cross(c - a);
   const double determinant = p.dot(b - a);
   if (determinant == 0.0) return kMiss;
@@ -76,6 +77,15 @@ SurfacePoint surface_point(const Topology& topology, std::span<const Vector3d> p
     pick.vertex = v;
   }
   return pick;
+}
+
+std::optional<SurfacePoint> pick_triangle(const Topology& topology,
+                                          std::span<const Vector3d> positions, Index triangle,
+                                          const SightLine& ray) {
+  const auto& [a, b, c] = topology.triangles[triangle];
+  const double distance = distance_to(positions[a], positions[b], positions[c], ray);
+  if (distance == kMiss) return std::nullopt;
+  return surface_point(topology, positions, triangle, ray.origin + distance * ray.direction);
 }
 
 std::optional<SurfacePoint> pick_surface(const Topology& topology,
