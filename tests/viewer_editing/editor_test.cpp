@@ -149,6 +149,33 @@ TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
   EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
 }
 
+TEST_F(AnEditor, AGripSizesTheRoiInOneStepWhileItsHandleComesNext) {
+  expects_notes_ = true;
+  editor_->perform(Choose{kRoi, box(2.3, 4.0)});
+  editor_->choose(kRoi);
+  editor_->take(Action::take_disk);
+  const Vector2d middle = 0.5 * kWindow + Vector2d(0.0, 60.0);
+  const Vector2d rim = middle + Vector2d(0.0, 70.0);
+  for (const InputEvent& event : {press(middle), move_to(rim), release(rim), move_to(middle)}) {
+    send(event);
+  }
+  ASSERT_EQ(editor_->part().role, Part::Role::handle);
+  const std::size_t done = editor_->session().history().done();
+  const std::size_t before = editor_->state().selection.roi.vertices.size();
+  Vector2d lowest = middle;
+  for (const RimGrip& grip : editor_->tool().marks().grips) {
+    const Vector2d pixel = *view_.projection().to_pixel(grip.position);
+    if (grip.faces_eye(view_.projection()) && pixel.y() > lowest.y()) lowest = pixel;
+  }
+  const Vector2d wider = lowest + Vector2d(0.0, 40.0);
+  for (const InputEvent& event : {press(lowest), move_to(wider), release(wider)}) send(event);
+  EXPECT_GT(editor_->state().selection.roi.vertices.size(), before);
+  EXPECT_EQ(editor_->session().history().done(), done + 1);
+  EXPECT_EQ(editor_->part().role, Part::Role::handle) << "the handle still comes next";
+  editor_->undo();
+  EXPECT_EQ(editor_->state().selection.roi.vertices.size(), before);
+}
+
 // The middle of the tube is away from the head that was turned.
 TEST_F(AnEditor, ADiskElsewhereBeginsANewEditWithANote) {
   editor_->perform(Choose{kRoi, box(2.3, 4.0)});

@@ -11,11 +11,13 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/region/geodesic.h"
 #include "lapwing/session/run_recipe.h"
 #include "state/journal.h"
 #include "support/gpu.h"
 #include "support/largest_distance.h"
 #include "support/models.h"
+#include "tools/disk_rim.h"
 #include "viewer_state/sheet_edit.h"
 #include "viewer_window/person.h"
 
@@ -200,6 +202,41 @@ TEST_F(Editing, EachSelectionToolChoosesWhatItShows) {
     return resolved(d.open.roi, mesh_).size() > mesh_.vertex_count() - before - 100;
   })) << "inverted";
   expect_quits_silently();
+}
+
+TEST_F(Editing, ADotOfTheRimSizesTheDisk) {
+  open_tube();
+  const auto disk = [&] { return std::get<GeodesicDisk>(person_->draft().value().open.roi.form); };
+  const Vector2d middle = person_->pixel_of({0.5, 0.0, 3.0});
+  const Vector2d rim = person_->pixel_of({0.5, 0.0, 4.0});
+  person_->keys("d");
+  person_->keys("i");
+  person_->drag({middle, 0.5 * (middle + rim), rim});
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
+  const GeodesicDisk before = disk();
+  const Index center = std::get<Index>(before.center);
+  const auto distances = geodesic_distances(mesh_.topology(), mesh_.positions, {&center, 1});
+  Vector2d leftmost = middle;
+  for (const viewer::RimGrip& grip :
+       viewer::rim_grips(mesh_.topology(), mesh_.positions, distances, center, before.radius)) {
+    const Vector2d pixel = person_->pixel_of(grip.position);
+    if (grip.faces_eye(person_->projection()) && pixel.x() < leftmost.x()) leftmost = pixel;
+  }
+  person_->move_to(leftmost);
+  test::keep_picture(desktop_->settled_picture(), "grip");
+  const Vector2d wider = leftmost + 0.4 * (rim - middle);
+  person_->drag({leftmost, 0.5 * (leftmost + wider), wider});
+  EXPECT_TRUE(person_->eventually_is([&](const Draft& d) {
+    const auto* now = std::get_if<GeodesicDisk>(&d.open.roi.form);
+    return now != nullptr && now->center == before.center && now->radius > 1.2 * before.radius;
+  }));
+  person_->keys("ctrl+z");
+  EXPECT_TRUE(person_->eventually_is([&](const Draft& d) {
+    const auto* now = std::get_if<GeodesicDisk>(&d.open.roi.form);
+    return now != nullptr && *now == before;
+  })) << "one step";
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
 }
 
 TEST_F(Editing, PinsHoldTheTubeAndOneIsDragged) {

@@ -38,6 +38,7 @@ void Editor::choose_elsewhere(const InputEvent& event, const ViewFrame& view) {
   const bool may_be = has_in_hand(tools_.disk) && part_.role == Role::handle &&
                       event.button == MouseButton::left && !selection.mirror;
   if (!may_be || selection.roi.vertices.empty() || !shown_.has_triangles_of_state()) return;
+  if (tools_.disk.is_at_grip(event.position, scene(view, view.projection()))) return;
   const auto pick = shown_.pick(view, event.position);
   if (!pick || std::ranges::binary_search(selection.roi.vertices, pick->vertex)) return;
   choose({Role::roi});

@@ -59,7 +59,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'H', kShift, Action::add_handle, "choose one more handle"},
      {'T', kPlain, Action::choose_belt, "choose the belt by hand"},
      {'D', kPlain, Action::take_disk,
-      "choose by a disk: drag from its middle to its rim, or click; [ and ] size it"},
+      "choose by a disk: drag from its middle to its rim, or click; [ and ], or a dot of its rim, "
+      "size it"},
      {'O', kPlain, Action::take_loop,
       "choose by a loop: click around, close it, click the side to keep"},
      {'P', kPlain, Action::take_brush, "choose by a brush: [ and ] size it, Ctrl erases"},

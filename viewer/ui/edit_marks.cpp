@@ -191,6 +191,13 @@ void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
   const ImU32 color = marks.line_is_done ? kHighlight : kLine;
   pen.line(pen.pixels_of(editor, marks.line), false, color, kThick);
   for (const Vector2d& dot : pen.pixels_of(editor, marks.dots)) pen.dot(dot, kHighlight);
+  for (std::size_t k = 0; k < marks.grips.size(); ++k) {
+    if (!marks.grips[k].faces_eye(pen.projection())) continue;
+    const auto pixel = pen.projection().to_pixel(marks.grips[k].position);
+    if (!pixel) continue;
+    pen.dot(*pixel, marks.grip == k ? kHighlight : kLine);
+    if (marks.grip == k) pen.text(*pixel + Vector2d(14.0, 14.0), "drag to size the disk");
+  }
   if (marks.brush > 0.0) pen.circle(cursor, marks.brush, kLine);
   pen.line(marks.outline, true, kLine, 1.5F);
 }
