@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "editing/editor_actions.h"
 #include "lapwing/deform/shape_measures.h"
 #include "viewer_editing/an_editor.h"
 
@@ -174,6 +175,53 @@ TEST_F(AnEditor, AGripSizesTheRoiInOneStepWhileItsHandleComesNext) {
   EXPECT_EQ(editor_->part().role, Part::Role::handle) << "the handle still comes next";
   editor_->undo();
   EXPECT_EQ(editor_->state().selection.roi.vertices.size(), before);
+}
+
+TEST_F(AnEditor, APivotIsPickedOnTheSurfaceAndIsNoStep) {
+  const Vector2d somewhere = 0.5 * kWindow;
+  editor_->begin_picking_pivot();
+  EXPECT_NE(std::string(editor_->hint()).find("turn about"), std::string::npos);
+  send(key(kEscape));
+  EXPECT_FALSE(editor_->picks_pivot());
+  editor_->begin_picking_pivot();
+  const auto seen = editor_->shown().pick(view_, somewhere);
+  ASSERT_TRUE(seen);
+  send(press(somewhere));
+  EXPECT_EQ(editor_->gizmo_choices().pivot, GizmoPivot::point);
+  EXPECT_EQ(editor_->gizmo_choices().point, seen->position);
+  EXPECT_FALSE(editor_->is_dragging());
+  EXPECT_EQ(editor_->session().history().done(), 0U);
+}
+
+TEST_F(AnEditor, TheGizmosAxesGoAroundByAKeyAndAreNoStep) {
+  expects_notes_ = true;
+  std::vector<GizmoAxes> seen;
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_TRUE(perform_on(*editor_, Action::next_gizmo_axes));
+    seen.push_back(editor_->gizmo_choices().axes);
+    EXPECT_NE(said_, "");
+  }
+  EXPECT_EQ(seen, (std::vector{GizmoAxes::local, GizmoAxes::normal, GizmoAxes::world}));
+  ASSERT_TRUE(perform_on(*editor_, Action::toggle_sticking));
+  EXPECT_TRUE(editor_->gizmo_choices().sticks_to_surface);
+  EXPECT_EQ(editor_->session().history().done(), 0U);
+}
+
+// Of the tube its foot, below z = 0.3, is not in the ROI.
+TEST_F(AnEditor, AHandleThatSticksGoesToTheSurfaceBesideTheRoi) {
+  editor_->set_gizmo_choices({.sticks_to_surface = true});
+  const Vector2d foot = *view_.projection().to_pixel({0.1, -0.5, 0.15});
+  send(move_to(0.5 * kWindow));
+  send(key('G'));
+  send(move_to(foot));
+  send(key(kEnter));
+  const Vector3d middle =
+      to_affine(editor_->state().moves[0], handle_centroid(editor_->state(), 0)) *
+      handle_centroid(editor_->state(), 0);
+  const auto seen =
+      pick_surface(editor_->state().rest->topology(), rest(), view_.projection().ray_through(foot));
+  ASSERT_TRUE(seen);
+  EXPECT_LT((middle - seen->position).norm(), 1e-9);
 }
 
 // The middle of the tube is away from the head that was turned.

@@ -58,7 +58,9 @@ Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Sa
 }
 
 void Editor::release_device() {
+  const GizmoChoices choices = tools_.gizmo.choices();
   tools_.gizmo = {};
+  tools_.gizmo.set_choices(choices);
   session_->cancel_preparation();
   carry_follower_.cancel();
   carried_.release_device();
@@ -93,6 +95,7 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   // Alt and the left button turn the view with every tool.
   if (event.kind == InputKind::press && event.modifiers.alt && !is_dragging()) return {};
   if (postpones(event, view)) return {true, false};
+  if (picks_pivot_ && pick_pivot(event, view)) return {true, true};
   const Projection projection = view.projection();
   // A lent tool has the keys to itself.
   const bool keys = !is_of_pointer(event) && row_ != nullptr;
@@ -132,8 +135,11 @@ void Editor::return_to_triangles_of_state() {
 ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& projection) {
   GizmoTool& gizmo = tools_.gizmo;
   const bool was_dragging = gizmo.is_dragging();
-  ToolAnswer answer =
-      gizmo.handle(event, {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
+  const auto pick_still = [this, &projection](const Eigen::Vector2d& pixel) {
+    return pick_beside_roi(projection.ray_through(pixel));
+  };
+  ToolAnswer answer = gizmo.handle(
+      event, {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_, pick_still});
   if (gizmo.is_dragging() && !was_dragging) begin_drag();
   // Then it is of use again: nothing has come in its place.
   const bool given_up = was_dragging && !gizmo.is_dragging() && !answer.command;

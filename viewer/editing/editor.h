@@ -120,6 +120,14 @@ class Editor {
   const GizmoTool& gizmo_tool() const { return tools_.gizmo; }
   bool has_gizmo() const { return has_in_hand(tools_.gizmo) && handle_ < handle_count(); }
   void show_gizmo(GizmoMode mode) { tools_.gizmo.show(mode); }
+  const GizmoChoices& gizmo_choices() const { return tools_.gizmo.choices(); }
+  void set_gizmo_choices(const GizmoChoices& choices) { tools_.gizmo.set_choices(choices); }
+  /// Say what they come to.
+  void take_next_gizmo_axes();
+  void toggle_sticking();
+  /// The next click on the surface says what the handle turns about; Escape leaves it as it is.
+  void begin_picking_pivot() { picks_pivot_ = !is_dragging(); }
+  bool picks_pivot() const { return picks_pivot_; }
   std::size_t handle() const { return handle_; }  ///< the one that is moved
   void set_gizmo_keys(GizmoKeys keys) { gizmo_keys_ = keys; }
   bool is_dragging() const;
@@ -153,11 +161,13 @@ class Editor {
   Bounds bounds() const;
   /// Of what is chosen: the part, or else the ROI; of everything without.
   std::vector<Index> selected() const;
-  const char* hint() const { return tool_->hint(state(), part_); }  ///< what to do next
+  const char* hint() const;  ///< what to do next
 
  private:
   ToolScene scene(const ViewFrame& view, const Projection& projection);
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
+  bool pick_pivot(const InputEvent& event, const ViewFrame& view);
+  std::optional<SurfacePoint> pick_beside_roi(const SightLine& ray) const;
   void return_to_triangles_of_state();
   Handled act_on(const ToolAnswer& answer, Joining joining);
   Handled act_on(const ToolAnswer& answer, Joining joining, bool may_change);
@@ -198,6 +208,7 @@ class Editor {
   Part part_;
   std::size_t handle_ = 0;
   GizmoKeys gizmo_keys_ = GizmoKeys::blender;
+  bool picks_pivot_ = false;
 
   std::vector<CertificateWarning> warnings_;
   std::vector<Eigen::Affine3d> motions_;

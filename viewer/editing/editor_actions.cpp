@@ -69,6 +69,12 @@ bool perform_on(Editor& editor, Action action) {
         editor.mirror_by_shape();
       }
       return true;
+    case Action::next_gizmo_axes:
+      editor.take_next_gizmo_axes();
+      return true;
+    case Action::toggle_sticking:
+      editor.toggle_sticking();
+      return true;
     case Action::toggle_before:
       editor.show_before(!editor.shown().shows_before());
       return true;

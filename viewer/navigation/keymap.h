@@ -47,6 +47,8 @@ enum class Action {
   take_lasso,
   take_box,
   take_pin,
+  next_gizmo_axes,
+  toggle_sticking,
   go_on,
   new_edit,
   select_all,
