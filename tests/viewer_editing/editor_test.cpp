@@ -207,6 +207,25 @@ TEST_F(AnEditor, TheGizmosAxesGoAroundByAKeyAndAreNoStep) {
   EXPECT_EQ(editor_->session().history().done(), 0U);
 }
 
+TEST_F(AnEditor, AMeasureStaysWithOtherToolsAndGoesWithADrag) {
+  const auto pixel = [&](double z) { return *view_.projection().to_pixel({0.0, -0.5, z}); };
+  editor_->take(Action::take_ruler);
+  for (const double z : {0.2, 2.9}) {
+    send(press(pixel(z)));
+    send(release(pixel(z)));
+  }
+  ASSERT_TRUE(editor_->ruler_tool().has_both_ends());
+  const double before = editor_->ruler_tool().straight();
+  editor_->take(Action::take_move);
+  begin_drag(kRight);
+  wait_for_live_result();
+  EXPECT_GT(editor_->ruler_tool().straight(), before + 0.02);
+  send(key(kEscape));
+  editor_->update();
+  EXPECT_NEAR(editor_->ruler_tool().straight(), before, kVisible);
+  EXPECT_EQ(editor_->session().history().done(), 0U);
+}
+
 // Of the tube its foot, below z = 0.3, is not in the ROI.
 TEST_F(AnEditor, AHandleThatSticksGoesToTheSurfaceBesideTheRoi) {
   editor_->set_gizmo_choices({.sticks_to_surface = true});

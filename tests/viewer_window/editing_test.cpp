@@ -239,6 +239,25 @@ TEST_F(Editing, ADotOfTheRimSizesTheDisk) {
   EXPECT_THAT(person_->errors(), IsEmpty());
 }
 
+// Of a picture that shows nothing else that moves.
+TEST_F(Editing, AMeasureIsDrawnStaysWhileTheViewTurnsAndGoesByEscape) {
+  open_tube();
+  const Image before = desktop_->settled_picture();
+  person_->keys("u");
+  person_->click(person_->pixel_of({0.5, 0.0, 1.5}));
+  person_->click(person_->pixel_of({0.5, 0.0, 4.5}));
+  person_->move_to({20.0, 100.0});
+  const Image measured = desktop_->settled_picture();
+  test::keep_picture(measured, "measure");
+  EXPECT_GT(test::mean_difference(measured, before), kSamePicture);
+  person_->keys("Left");
+  person_->keys("Right");
+  EXPECT_LT(test::mean_difference(desktop_->settled_picture(), measured), kSamePicture);
+  person_->keys("Escape");
+  EXPECT_LT(test::mean_difference(desktop_->settled_picture(), before), kSamePicture);
+  expect_quits_silently();
+}
+
 TEST_F(Editing, PinsHoldTheTubeAndOneIsDragged) {
   open_tube();
   const auto count = [](std::size_t pins) {

@@ -118,6 +118,7 @@ class Editor {
 
   PaintTool& paint_tool() { return tools_.paint; }
   const GizmoTool& gizmo_tool() const { return tools_.gizmo; }
+  const RulerTool& ruler_tool() const { return tools_.ruler; }
   bool has_gizmo() const { return has_in_hand(tools_.gizmo) && handle_ < handle_count(); }
   void show_gizmo(GizmoMode mode) { tools_.gizmo.show(mode); }
   const GizmoChoices& gizmo_choices() const { return tools_.gizmo.choices(); }

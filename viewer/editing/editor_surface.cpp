@@ -84,6 +84,10 @@ void Editor::update() {
   if (!is_dragging()) take_step();
   follow_hand();
   follow_carried();
+  if (tools_.ruler.is_begun() && shown_.has_triangles_of_state()) {
+    tools_.ruler.follow(surface_of(state())->shared_topology(), shown_.positions_on_screen(),
+                        !shown_.follows());
+  }
   show_classes();
   if (!tools_.gizmo.is_dragging()) shown_.renew_measure();
 }

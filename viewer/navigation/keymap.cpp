@@ -68,6 +68,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'B', kPlain, Action::take_box, "choose by a box: Ctrl erases"},
      {'V', kPlain, Action::take_pin,
       "pin single vertices and drag them; with Shift only pin or choose them"},
+     {'U', kPlain, Action::take_ruler,
+      "measure between two points, straight and along the surface; Escape removes it"},
      {'M', kPlain, Action::take_move, "move: the gizmo, and the left button turns the view"},
      {kEscape, kPlain, Action::take_move},
      {',', kPlain, Action::next_gizmo_axes,

@@ -47,6 +47,7 @@ enum class Action {
   take_lasso,
   take_box,
   take_pin,
+  take_ruler,
   next_gizmo_axes,
   toggle_sticking,
   go_on,

@@ -247,6 +247,7 @@ void ViewerApp::draw_edit_menu() {
                           {"Shrink", "Ctrl+-", Action::shrink},
                           {"Invert", "Ctrl+I", Action::invert},
                           {"Remove handle", "Delete", Action::remove_handle},
+                          {"Measure", "U", Action::take_ruler},
                           {"Coat the ROI...", "Ctrl+K", Action::begin_coat},
                           {"Mix on the ROI...", "Ctrl+M", Action::begin_mix}};
   for (const Item& item : kItems) {
