@@ -226,6 +226,15 @@ TEST_F(AnEditor, AMeasureStaysWithOtherToolsAndGoesWithADrag) {
   EXPECT_EQ(editor_->session().history().done(), 0U);
 }
 
+TEST_F(AnEditor, NothingIsSaidOfAMirrorThatIsOff) {
+  expects_notes_ = true;
+  editor_->perform(SetMirror{MirrorPlane{Vector3d::Zero(), Vector3d::UnitX()}});
+  EXPECT_NE(said_.find("both sides"), std::string::npos) << said_;
+  ASSERT_TRUE(perform_on(*editor_, Action::toggle_mirror));
+  EXPECT_FALSE(editor_->state().selection.mirror);
+  EXPECT_EQ(said_, "nothing is mirrored any more");
+}
+
 // Of the tube its foot, below z = 0.3, is not in the ROI.
 TEST_F(AnEditor, AHandleThatSticksGoesToTheSurfaceBesideTheRoi) {
   editor_->set_gizmo_choices({.sticks_to_surface = true});

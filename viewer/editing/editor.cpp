@@ -209,6 +209,9 @@ bool Editor::perform(const Command& command, Joining joining) {
   const bool of_roi = (chosen != nullptr && chosen->part.role == Role::roi) ||
                       (painted != nullptr && painted->part.role == Role::roi);
   if (is_done && of_roi) say_what_was_let_go(handles);
+  if (const auto* mirror = std::get_if<SetMirror>(&command); is_done && mirror != nullptr) {
+    say_(mirror->plane ? "all is done on both sides of the plane" : "nothing is mirrored any more");
+  }
   return is_done;
 }
 
@@ -304,12 +307,12 @@ void Editor::remove_handle() {
 void Editor::mirror_by_shape() {
   try {
     const FoundMirror found = find_mirror_plane(*surface_of(state()), "mirror");
+    if (!perform(SetMirror{found.plane})) return;
     char text[96];
     std::snprintf(text, sizeof text,
                   "the surface is off from its mirror image by %.2g%% of its size",
                   100.0 * found.asymmetry);
     say_(text);
-    perform(SetMirror{found.plane});
   } catch (const Error& error) {
     say_(error.what());
   }

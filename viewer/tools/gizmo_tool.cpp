@@ -65,8 +65,9 @@ bool belongs_to_number(char32_t c) {
 }  // namespace
 
 const char* GizmoTool::hint(const AppState& state, const Part&) const {
-  return state.selection.handles.empty() ? "H chooses a handle"
-                                         : "drag the gizmo, or press G, R or S";
+  if (!state.selection.handles.empty()) return "drag the gizmo, or press G, R or S";
+  return state.selection.roi.vertices.empty() ? "I chooses the region to edit"
+                                              : "H chooses a handle";
 }
 
 Gizmo GizmoTool::gizmo(const AppState& state, std::size_t handle) const {
