@@ -258,6 +258,35 @@ TEST_F(Editing, AMeasureIsDrawnStaysWhileTheViewTurnsAndGoesByEscape) {
   expect_quits_silently();
 }
 
+// Without a look at whether the first edit has settled.
+TEST_F(Editing, ADiskElsewhereRightAfterADragBeginsTheNextEdit) {
+  open_tube();
+  person_->keys("b");
+  person_->keys("i");
+  box_from(3.5);
+  person_->keys("h");
+  box_from(5.4);
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+  person_->keys("m");
+  const Vector2d middle = person_->pixel_of({0.5, 0.0, 1.5});
+  const Vector2d rim = person_->pixel_of({0.5, 0.0, 2.3});
+  const Vector2d inner = person_->pixel_of({0.5, 0.0, 1.8});
+  drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -60.0});
+  person_->keys("d");
+  person_->drag({middle, 0.5 * (middle + rim), rim});
+  person_->drag({middle, 0.5 * (middle + inner), inner});
+  EXPECT_TRUE(person_->eventually_is([](const Draft& d) {
+    return d.steps.size() == 1 && is<GeodesicDisk>(d.open.roi) && d.open.handles.size() == 1;
+  }));
+  test::keep_picture(desktop_->settled_picture(), "elsewhere");
+  person_->keys("Tab");
+  test::keep_picture(desktop_->settled_picture(), "panels");
+  const auto& moved = std::get<DeformRequest>(person_->draft().value().steps.front());
+  EXPECT_GT(std::get<SimilarityMove>(moved.handles.at(0).move).translate.y(), 0.05);
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
+}
+
 TEST_F(Editing, PinsHoldTheTubeAndOneIsDragged) {
   open_tube();
   const auto count = [](std::size_t pins) {
