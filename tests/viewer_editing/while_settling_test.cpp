@@ -155,16 +155,19 @@ TEST_F(WhileItSettles, APinIsSetAndDraggedInOneGesture) {
   EXPECT_NE(editor_->state().moves[1], Move{});
 }
 
-TEST_F(WhileItSettles, WhatWaitsIsGivenUpByUndoWithTheDrag) {
+TEST_F(WhileItSettles, UndoGivesUpWhatWaitsAndThenTheDrag) {
   hold_worker();
   editor_->choose(kHandle);
   editor_->take(Action::take_disk);
   editor_->perform(MoveHandle{0, twisted(30.0)});
   const Vector2d rim = elsewhere_ + Vector2d(0.0, 80.0);
   send_in_frames({press(elsewhere_), move_to(rim), release(rim)});
-  ASSERT_TRUE(editor_->waits());
+  ASSERT_TRUE(editor_->has_postponed());
   editor_->undo();
-  EXPECT_FALSE(editor_->waits());
+  EXPECT_FALSE(editor_->has_postponed());
+  EXPECT_TRUE(is_moved(editor_->state()));
+  EXPECT_EQ(editor_->session().history().done(), 2U);
+  editor_->undo();
   EXPECT_FALSE(is_moved(editor_->state()));
   let_worker_go();
   finish();

@@ -224,7 +224,12 @@ void Editor::step_through_history(const std::function<void()>& change) {
   attempt(change);
 }
 
+// What waits was done last.
 void Editor::undo() {
+  if (has_postponed() && !is_dragging()) {
+    give_up_postponed();
+    return say_("");
+  }
   step_through_history([&] { session_->undo(); });
 }
 

@@ -63,7 +63,8 @@ class Editor {
   /// waits for that already.
   bool waits() const;
   bool has_postponed() const { return !postponed_.empty(); }
-  /// Does `act` once it has settled, after what waits already; undo and redo give it up.
+  /// Does `act` once it has settled, after what waits already. Undo gives up all that waits, and
+  /// nothing else then; so does whatever else goes through the history, on its way.
   void postpone(std::function<void()> act);
 
   /// Whether it was carried out. What chooses anew (`commits`) waits until what moved has settled.

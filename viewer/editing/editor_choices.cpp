@@ -109,8 +109,8 @@ bool Editor::waits() const {
 }
 
 void Editor::postpone(std::function<void()> act) {
+  if (postponed_.empty()) say_("goes on once the last edit has settled; undo gives it up");
   postponed_.push_back(std::move(act));
-  say_("goes on once the last edit has settled; undo gives it up");
 }
 
 // A person who goes on while the last edit settles finds later what would have come of it then.
