@@ -180,6 +180,16 @@ TEST_F(ADiskWithGrips, BesideThemAPressBeginsAnotherDisk) {
   EXPECT_TRUE(send(release(front_)).command.has_value());
 }
 
+TEST_F(ADiskWithGrips, HasNoneWhileASurfaceThatMovesHasNotSettled) {
+  const Choose handle{{Part::Role::handle, 0}, {ListedVertices{{sphere_.roi().front()}}}};
+  SimilarityMove move;
+  move.translate = Vector3d::UnitZ();
+  sphere_.state = apply(std::move(sphere_.state), handle);
+  sphere_.state = apply(std::move(sphere_.state), MoveHandle{0, move});
+  send(move_to(front_));
+  EXPECT_TRUE(grips().empty());
+}
+
 TEST_F(ADiskWithGrips, HasNoneOnceSomethingElseIsChosen) {
   sphere_.state = apply(std::move(sphere_.state), Paint{kRoi, {}, {sphere_.roi().front()}});
   send(move_to(front_));

@@ -107,9 +107,11 @@ std::optional<std::size_t> DiskTool::grip_at_cursor(const Vector2d& pixel,
   return at;
 }
 
-// Only the disk that the state has: it may have been undone, painted on or chosen otherwise since.
+// Only of the disk that the state has, which may have been undone, painted on or chosen otherwise
+// since, and where it stands still.
 void DiskTool::renew_grips(const ToolScene& scene) {
-  if (dragging_ || center_ == kNoIndex || !is_chosen(scene.state.selection)) {
+  if (dragging_ || center_ == kNoIndex || needs_settling(scene.state) ||
+      !is_chosen(scene.state.selection)) {
     grips_.clear();
     grips_radius_ = 0.0;
   } else if (grips_radius_ != radius_) {

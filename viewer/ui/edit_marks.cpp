@@ -206,7 +206,8 @@ void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
   pen.line(pen.pixels_of(editor, marks.line), false, color, kThick);
   for (const Vector2d& dot : pen.pixels_of(editor, marks.dots)) pen.dot(dot, kHighlight);
   for (std::size_t k = 0; k < marks.grips.size(); ++k) {
-    if (!marks.grips[k].faces_eye(pen.projection())) continue;
+    // Of what is being moved they would stay behind.
+    if (editor.shown().follows() || !marks.grips[k].faces_eye(pen.projection())) continue;
     const auto pixel = pen.projection().to_pixel(marks.grips[k].position);
     if (!pixel) continue;
     pen.dot(*pixel, marks.grip == k ? kHighlight : kLine);
