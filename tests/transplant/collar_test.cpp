@@ -9,6 +9,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/region/geodesic.h"
 #include "support/error_message.h"
+#include "transplant/pierced.h"
 
 namespace lapwing {
 namespace {
@@ -33,20 +34,6 @@ Piece piece(Mesh mesh) {
 
 Collar collar_of(const Piece& piece, double width) {
   return make_collar(piece.topology.triangles, piece.seam, piece.distances, width, "test");
-}
-
-// The mesh without the triangles with a corner less than `radius` from a point.
-Mesh with_hole(const Mesh& mesh, const Eigen::Vector3d& center, double radius) {
-  Mesh result;
-  result.positions = mesh.positions;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    if (std::all_of(face.begin(), face.end(),
-                    [&](Index v) { return (mesh.positions[v] - center).norm() >= radius; })) {
-      result.add_face(face);
-    }
-  }
-  return result;
 }
 
 TEST(Collar, IsAnAnnulusBetweenItsLoops) {
@@ -79,7 +66,7 @@ TEST(Collar, IsEmptyWhereNothingIsLeftBeyond) {
 }
 
 TEST(Collar, NamesAnotherBoundaryWithinItsWidth) {
-  const Piece pierced = piece(with_hole(grid(40, 40), {0.2, 0.5, 0.0}, 0.05));
+  const Piece pierced = piece(test::with_hole(grid(40, 40), {0.2, 0.5, 0.0}, 0.05));
   EXPECT_THAT(error_message<InputError>([&] { collar_of(pierced, 0.3); }),
               HasSubstr("another boundary"));
   EXPECT_EQ(boundary_loops(collar_of(pierced, 0.1).triangles, "collar").size(), 2U);

@@ -1,149 +1,13 @@
 #include "editing/editor.h"
 
-#include <atomic>
-#include <chrono>
-#include <semaphore>
-#include <thread>
-
 #include <gtest/gtest.h>
 
-#include "io/temporary_folder.h"
+#include "editing/editor_actions.h"
 #include "lapwing/deform/shape_measures.h"
-#include "lapwing/gpu/context.h"
-#include "support/gpu.h"
-#include "viewer_state/test_view.h"
-#include "viewer_state/tube_edit.h"
+#include "viewer_editing/an_editor.h"
 
 namespace lapwing::viewer::test {
 namespace {
-
-using lapwing::test::largest_distance;
-using Phase = PreparationStatus::Phase;
-
-// Beyond what rounding to float32 does.
-constexpr double kVisible = 1e-5;
-// Of the mesh's diagonal: what "nothing moves" means, and what settling to its tolerance leaves
-// open.
-constexpr double kNothing = 1e-6;
-constexpr double kSettled = 1e-3;
-const Vector2d kRight(150.0, 0.0);
-const Vector2d kLeft(-150.0, 0.0);
-
-// The head of a tube is in hand, seen from the front of it: x goes to the right.
-class AnEditor : public ::testing::Test {
- protected:
-  void SetUp() override {
-    LAPWING_NEEDS_GPU();
-    const AppState state = chosen_tube();
-    view_.camera = fit(state.rest->positions, {-Vector3d::UnitY(), Vector3d::UnitZ()},
-                       kWindow.x() / kWindow.y());
-    view_.size = kWindow;
-    context_ = std::make_shared<gpu::Context>();
-    editor_.emplace(
-        EditStart{History(state), state.rest, {}, {}, folder_.path()}, context_,
-        [this](const Message& said) {
-          if (!expects_notes_) {
-            EXPECT_EQ(said.text, "");
-          }
-          said_ = said.text;
-        },
-        [this] {
-          if (!by_steps_) return;
-          waits_ = true;
-          steps_.acquire();
-        });
-    wait_until_ready();
-  }
-  void TearDown() override { let_worker_go(); }
-
-  void send(const InputEvent& event) { editor_->handle(event, view_); }
-  // By the mouse alone, from the middle of the window.
-  void begin_drag(const Vector2d& by) {
-    const Vector2d middle = 0.5 * kWindow;
-    send(move_to(middle));
-    send(key('G'));
-    send(move_to(middle + by));
-    EXPECT_TRUE(editor_->is_dragging());
-  }
-  // What was ready when it looked is on the screen afterwards.
-  void wait_until_ready() {
-    for (bool ready = false; !ready;) {
-      ready = editor_->session().preparation().status().phase == Phase::ready;
-      editor_->update();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-  // Until the handle in hand has columns.
-  void wait_for_columns() {
-    do {
-      editor_->update();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    } while (editor_->session().preparation().drag_response().response->handles() !=
-             std::vector<std::size_t>{editor_->handle()});
-  }
-  Vector2d shown_pixel(Index v) const { return *view_.projection().to_pixel(rest()[v]); }
-
-  // Until a settled result of the drag is on the screen.
-  void wait_for_live_result() {
-    do {
-      editor_->update();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    } while (!editor_->shows_live_result());
-  }
-
-  // The worker prepares anew and is held where the preview is ready, and nothing more.
-  void prepare_the_preview_alone() {
-    by_steps_ = true;
-    editor_->session().cancel_preparation();
-    editor_->session().prepare();
-    while (!editor_->session().preparation().preview()) {
-      if (waits_.exchange(false)) steps_.release();
-      std::this_thread::yield();
-    }
-  }
-  // At the next stage that it reports, so that no result comes.
-  void hold_worker() { by_steps_ = true; }
-  void let_worker_go() {
-    by_steps_ = false;
-    steps_.release();
-  }
-  // The handle is turned, and the surface has settled.
-  void turn_and_settle(double degrees) {
-    editor_->perform(MoveHandle{0, twisted(degrees)});
-    wait_until_ready();
-    ASSERT_NE(editor_->state().settled, nullptr);
-  }
-  // Until the drag is settled on the screen and the worker rests.
-  void wait_until_drag_is_settled() {
-    wait_for_live_result();
-    for (int same = 0; same < 20;) {
-      const std::uint64_t version = editor_->surface().version();
-      editor_->update();
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      const bool rests = editor_->session().preparation().status().phase == Phase::ready;
-      same = rests && editor_->surface().version() == version ? same + 1 : 0;
-    }
-  }
-  double diagonal() const { return bounds_of(rest()).diagonal(); }
-
-  Positions on_screen() const { return editor_->surface().shown().positions(); }
-  const Positions& rest() const { return editor_->state().rest->positions; }
-  // How far to the right the head is on the screen.
-  double head_moved() const {
-    const Index v = editor_->state().selection.handles[0].vertices.front();
-    return on_screen()[v].x() - rest()[v].x();
-  }
-
-  TemporaryFolder folder_;
-  bool expects_notes_ = false;
-  std::string said_;
-  ViewFrame view_;
-  std::atomic<bool> by_steps_ = false;
-  std::atomic<bool> waits_ = false;
-  std::counting_semaphore<> steps_{0};
-  std::shared_ptr<gpu::Context> context_;
-  std::optional<Editor> editor_;
-};
 
 TEST_F(AnEditor, DragThatIsGivenUpLeavesNothing) {
   for (const InputEvent& end :
@@ -284,6 +148,108 @@ TEST_F(AnEditor, SizingADiskIsOneStepHoweverManyNotches) {
   EXPECT_EQ(roi(), clicked);
   editor_->update();
   EXPECT_LT(largest_distance(on_screen(), settled), kVisible);
+}
+
+TEST_F(AnEditor, AGripSizesTheRoiInOneStepWhileItsHandleComesNext) {
+  expects_notes_ = true;
+  editor_->perform(Choose{kRoi, box(2.3, 4.0)});
+  editor_->choose(kRoi);
+  editor_->take(Action::take_disk);
+  const Vector2d middle = 0.5 * kWindow + Vector2d(0.0, 60.0);
+  const Vector2d rim = middle + Vector2d(0.0, 70.0);
+  for (const InputEvent& event : {press(middle), move_to(rim), release(rim), move_to(middle)}) {
+    send(event);
+  }
+  ASSERT_EQ(editor_->part().role, Part::Role::handle);
+  const std::size_t done = editor_->session().history().done();
+  const std::size_t before = editor_->state().selection.roi.vertices.size();
+  Vector2d lowest = middle;
+  for (const RimGrip& grip : editor_->tool().marks().grips) {
+    const Vector2d pixel = *view_.projection().to_pixel(grip.position);
+    if (grip.faces_eye(view_.projection()) && pixel.y() > lowest.y()) lowest = pixel;
+  }
+  const Vector2d wider = lowest + Vector2d(0.0, 40.0);
+  for (const InputEvent& event : {press(lowest), move_to(wider), release(wider)}) send(event);
+  EXPECT_GT(editor_->state().selection.roi.vertices.size(), before);
+  EXPECT_EQ(editor_->session().history().done(), done + 1);
+  EXPECT_EQ(editor_->part().role, Part::Role::handle) << "the handle still comes next";
+  editor_->undo();
+  EXPECT_EQ(editor_->state().selection.roi.vertices.size(), before);
+}
+
+TEST_F(AnEditor, APivotIsPickedOnTheSurfaceAndIsNoStep) {
+  const Vector2d somewhere = 0.5 * kWindow;
+  editor_->begin_picking_pivot();
+  EXPECT_NE(std::string(editor_->hint()).find("turn about"), std::string::npos);
+  send(key(kEscape));
+  EXPECT_FALSE(editor_->picks_pivot());
+  editor_->begin_picking_pivot();
+  const auto seen = editor_->shown().pick(view_, somewhere);
+  ASSERT_TRUE(seen);
+  send(press(somewhere));
+  EXPECT_EQ(editor_->gizmo_choices().pivot, GizmoPivot::point);
+  EXPECT_EQ(editor_->gizmo_choices().point, seen->position);
+  EXPECT_FALSE(editor_->is_dragging());
+  EXPECT_EQ(editor_->session().history().done(), 0U);
+}
+
+TEST_F(AnEditor, TheGizmosAxesGoAroundByAKeyAndAreNoStep) {
+  expects_notes_ = true;
+  std::vector<GizmoAxes> seen;
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_TRUE(perform_on(*editor_, Action::next_gizmo_axes));
+    seen.push_back(editor_->gizmo_choices().axes);
+    EXPECT_NE(said_, "");
+  }
+  EXPECT_EQ(seen, (std::vector{GizmoAxes::local, GizmoAxes::normal, GizmoAxes::world}));
+  ASSERT_TRUE(perform_on(*editor_, Action::toggle_sticking));
+  EXPECT_TRUE(editor_->gizmo_choices().sticks_to_surface);
+  EXPECT_EQ(editor_->session().history().done(), 0U);
+}
+
+TEST_F(AnEditor, AMeasureStaysWithOtherToolsAndGoesWithADrag) {
+  const auto pixel = [&](double z) { return *view_.projection().to_pixel({0.0, -0.5, z}); };
+  editor_->take(Action::take_ruler);
+  for (const double z : {0.2, 2.9}) {
+    send(press(pixel(z)));
+    send(release(pixel(z)));
+  }
+  ASSERT_TRUE(editor_->ruler_tool().has_both_ends());
+  const double before = editor_->ruler_tool().straight();
+  editor_->take(Action::take_move);
+  begin_drag(kRight);
+  wait_for_live_result();
+  EXPECT_GT(editor_->ruler_tool().straight(), before + 0.02);
+  send(key(kEscape));
+  editor_->update();
+  EXPECT_NEAR(editor_->ruler_tool().straight(), before, kVisible);
+  EXPECT_EQ(editor_->session().history().done(), 0U);
+}
+
+TEST_F(AnEditor, NothingIsSaidOfAMirrorThatIsOff) {
+  expects_notes_ = true;
+  editor_->perform(SetMirror{MirrorPlane{Vector3d::Zero(), Vector3d::UnitX()}});
+  EXPECT_NE(said_.find("both sides"), std::string::npos) << said_;
+  ASSERT_TRUE(perform_on(*editor_, Action::toggle_mirror));
+  EXPECT_FALSE(editor_->state().selection.mirror);
+  EXPECT_EQ(said_, "nothing is mirrored any more");
+}
+
+// Of the tube its foot, below z = 0.3, is not in the ROI.
+TEST_F(AnEditor, AHandleThatSticksGoesToTheSurfaceBesideTheRoi) {
+  editor_->set_gizmo_choices({.sticks_to_surface = true});
+  const Vector2d foot = *view_.projection().to_pixel({0.1, -0.5, 0.15});
+  send(move_to(0.5 * kWindow));
+  send(key('G'));
+  send(move_to(foot));
+  send(key(kEnter));
+  const Vector3d middle =
+      to_affine(editor_->state().moves[0], handle_centroid(editor_->state(), 0)) *
+      handle_centroid(editor_->state(), 0);
+  const auto seen =
+      pick_surface(editor_->state().rest->topology(), rest(), view_.projection().ray_through(foot));
+  ASSERT_TRUE(seen);
+  EXPECT_LT((middle - seen->position).norm(), 1e-9);
 }
 
 // The middle of the tube is away from the head that was turned.

@@ -107,5 +107,94 @@ TEST_F(ADisk, ChoosesThePartItIsToldTo) {
   EXPECT_EQ(sphere_.state.selection.handles.size(), 1U);
 }
 
+// A disk of the front, chosen, and the grips on its rim.
+class ADiskWithGrips : public ADisk {
+ protected:
+  void SetUp() override {
+    send(press(front_));
+    const Vector2d rim = sphere_.pixel_of(Vector3d(std::sin(0.7), 0, std::cos(0.7)));
+    send(move_to(rim));
+    sphere_.perform(send(release(rim)));
+    send(move_to(front_));
+  }
+  std::vector<RimGrip> grips() const { return tool_.marks().grips; }
+  // The one farthest to the right, and where it shows.
+  Vector2d right_grip() const {
+    Vector2d right = front_;
+    for (const RimGrip& grip : grips()) {
+      const Vector2d pixel = sphere_.pixel_of(grip.position);
+      if (pixel.x() > right.x()) right = pixel;
+    }
+    return right;
+  }
+};
+
+TEST_F(ADiskWithGrips, HasThemOnItsRimAllAround) {
+  ASSERT_EQ(grips().size(), 8U);
+  Vector3d sum = Vector3d::Zero();
+  for (const RimGrip& grip : grips()) {
+    EXPECT_NEAR(std::acos(grip.position.normalized().z()), tool_.radius(), 0.05);
+    EXPECT_GT(grip.normal.dot(grip.position), 0.9);
+    sum += grip.position;
+  }
+  EXPECT_LT(sum.head<2>().norm(), 0.8) << "on all sides";
+}
+
+TEST_F(ADiskWithGrips, ADragOfOneSizesTheDiskAboutItsMiddle) {
+  const Vector2d grip = right_grip();
+  send(move_to(grip));
+  EXPECT_TRUE(tool_.marks().grip.has_value());
+  EXPECT_STREQ(tool_.hint(sphere_.state, kRoi), "drag the rim's dot to size the disk");
+  send(press(grip));
+  const Vector2d rim = sphere_.pixel_of(Vector3d(std::sin(0.9), 0, std::cos(0.9)));
+  send(move_to(rim));
+  const VertexSet live = tool_.live();
+  const ToolAnswer answer = send(release(rim));
+  EXPECT_TRUE(answer.resizes);
+  EXPECT_NEAR(disk_of(answer).radius, 0.9, 0.06);
+  sphere_.perform(answer);
+  EXPECT_EQ(sphere_.roi(), live);
+  send(move_to(front_));
+  EXPECT_EQ(grips().size(), 8U) << "on its rim as it is now";
+}
+
+TEST_F(ADiskWithGrips, AClickOnOneAndEscapeChangeNothing) {
+  const double radius = tool_.radius();
+  const Vector2d grip = right_grip();
+  send(press(grip));
+  EXPECT_FALSE(send(release(grip)).command);
+  send(press(grip));
+  send(move_to(grip + Vector2d(40.0, 0.0)));
+  EXPECT_NE(tool_.radius(), radius);
+  send(key(kEscape));
+  EXPECT_EQ(tool_.radius(), radius);
+  EXPECT_FALSE(tool_.is_dragging());
+  send(move_to(front_));
+  EXPECT_FALSE(grips().empty());
+}
+
+TEST_F(ADiskWithGrips, BesideThemAPressBeginsAnotherDisk) {
+  send(press(front_));
+  EXPECT_TRUE(tool_.is_dragging());
+  EXPECT_FALSE(tool_.live().empty());
+  EXPECT_TRUE(send(release(front_)).command.has_value());
+}
+
+TEST_F(ADiskWithGrips, HasNoneWhileASurfaceThatMovesHasNotSettled) {
+  const Choose handle{{Part::Role::handle, 0}, {ListedVertices{{sphere_.roi().front()}}}};
+  SimilarityMove move;
+  move.translate = Vector3d::UnitZ();
+  sphere_.state = apply(std::move(sphere_.state), handle);
+  sphere_.state = apply(std::move(sphere_.state), MoveHandle{0, move});
+  send(move_to(front_));
+  EXPECT_TRUE(grips().empty());
+}
+
+TEST_F(ADiskWithGrips, HasNoneOnceSomethingElseIsChosen) {
+  sphere_.state = apply(std::move(sphere_.state), Paint{kRoi, {}, {sphere_.roi().front()}});
+  send(move_to(front_));
+  EXPECT_TRUE(grips().empty());
+}
+
 }  // namespace
 }  // namespace lapwing::viewer::test

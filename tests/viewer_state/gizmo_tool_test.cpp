@@ -107,12 +107,66 @@ TEST_F(AGizmoTool, ShiftHoldsToThePlane) {
   EXPECT_NEAR(translation(*tool_.move()).y(), 0.0, 1e-9);
 }
 
-TEST_F(AGizmoTool, TheSameAxisAgainSetsItFree) {
+TEST_F(AGizmoTool, TheSameAxisAgainIsTheHandlesOwnAndThenSetsItFree) {
   send(key('G'));
   send(key('Y'));
   EXPECT_EQ(tool_.part(), GizmoPart::y);
+  EXPECT_THAT(readout(), HasSubstr("along y"));
+  send(key('Y'));
+  EXPECT_EQ(tool_.part(), GizmoPart::y);
+  EXPECT_THAT(readout(), HasSubstr("along the handle's y"));
   send(key('Y'));
   EXPECT_EQ(tool_.part(), GizmoPart::view);
+  send(key('Y'));
+  EXPECT_THAT(readout(), HasSubstr("along y"));
+  send(key('X'));
+  EXPECT_THAT(readout(), HasSubstr("along x"));
+}
+
+TEST_F(AGizmoTool, KeysGoAlongTheAxesThatAreChosen) {
+  tool_.set_choices({.axes = GizmoAxes::local});
+  const Eigen::Matrix3d axes = gizmo_axes(GizmoAxes::local, state_, 0, Eigen::Affine3d::Identity());
+  send(move_to(middle_));
+  send(key('G'));
+  send(key('X'));
+  type("0.5");
+  EXPECT_LT((translation(performed(send(key(kEnter)))) - 0.5 * axes.col(0)).norm(), 1e-12);
+}
+
+TEST_F(AGizmoTool, TurnsAboutTheChosenPivotWhichStays) {
+  tool_.set_choices({.pivot = GizmoPivot::origin});
+  send(key('R'));
+  send(key('Y'));
+  type("90");
+  const Move move = performed(send(key(kEnter)));
+  const Eigen::Affine3d motion = to_affine(move, center_);
+  EXPECT_LT((motion * Vector3d::Zero()).norm(), 1e-9);
+  EXPECT_LT((motion * Vector3d::UnitZ() - Vector3d::UnitX()).norm(), 1e-9);
+}
+
+TEST_F(AGizmoTool, SticksToTheSurfaceWhereThereIsOne) {
+  tool_.set_choices({.sticks_to_surface = true});
+  const Vector3d wall(0.3, -0.4, 0.2);
+  bool is_there = true;
+  const auto pick_still = [&](const Vector2d&) -> std::optional<SurfacePoint> {
+    if (!is_there) return {};
+    return SurfacePoint{0, 0, wall};
+  };
+  const auto send_there = [&](const InputEvent& event) {
+    return tool_.handle(event, {state_, {}, view_, {}, {}, {}, 0, keys_, pick_still});
+  };
+  send_there(move_to(middle_));
+  send_there(key('G'));
+  send_there(move_to(middle_ + Vector2d(30.0, 10.0)));
+  EXPECT_LT((center_ + translation(*tool_.move()) - wall).norm(), 1e-12);
+  send_there(key('Z'));
+  EXPECT_LT((translation(*tool_.move()) - Vector3d(0, 0, wall.z() - center_.z())).norm(), 1e-12)
+      << "as far as the axis lets it";
+  send_there(key('Z'));
+  send_there(key('Z'));
+  is_there = false;
+  send_there(move_to(middle_));
+  EXPECT_LT(translation(*tool_.move()).norm(), 1e-9) << "beside it as without";
 }
 
 TEST_F(AGizmoTool, EscapeAndTheRightButtonGiveUp) {

@@ -11,12 +11,14 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
+#include "lapwing/region/geodesic.h"
 #include "lapwing/session/run_recipe.h"
 #include "state/journal.h"
 #include "support/gpu.h"
 #include "support/keep_picture.h"
 #include "support/largest_distance.h"
 #include "support/models.h"
+#include "tools/disk_rim.h"
 #include "viewer_state/sheet_edit.h"
 #include "viewer_window/person.h"
 
@@ -201,6 +203,89 @@ TEST_F(Editing, EachSelectionToolChoosesWhatItShows) {
     return resolved(d.open.roi, mesh_).size() > mesh_.vertex_count() - before - 100;
   })) << "inverted";
   expect_quits_silently();
+}
+
+TEST_F(Editing, ADotOfTheRimSizesTheDisk) {
+  open_tube();
+  const auto disk = [&] { return std::get<GeodesicDisk>(person_->draft().value().open.roi.form); };
+  const Vector2d middle = person_->pixel_of({0.5, 0.0, 3.0});
+  const Vector2d rim = person_->pixel_of({0.5, 0.0, 4.0});
+  person_->keys("d");
+  person_->keys("i");
+  person_->drag({middle, 0.5 * (middle + rim), rim});
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
+  const GeodesicDisk before = disk();
+  const Index center = std::get<Index>(before.center);
+  const auto distances = geodesic_distances(mesh_.topology(), mesh_.positions, {&center, 1});
+  Vector2d leftmost = middle;
+  for (const viewer::RimGrip& grip :
+       viewer::rim_grips(mesh_.topology(), mesh_.positions, distances, center, before.radius)) {
+    const Vector2d pixel = person_->pixel_of(grip.position);
+    if (grip.faces_eye(person_->projection()) && pixel.x() < leftmost.x()) leftmost = pixel;
+  }
+  person_->move_to(leftmost);
+  test::keep_picture(desktop_->settled_picture(), "grip");
+  const Vector2d wider = leftmost + 0.4 * (rim - middle);
+  person_->drag({leftmost, 0.5 * (leftmost + wider), wider});
+  EXPECT_TRUE(person_->eventually_is([&](const Draft& d) {
+    const auto* now = std::get_if<GeodesicDisk>(&d.open.roi.form);
+    return now != nullptr && now->center == before.center && now->radius > 1.2 * before.radius;
+  }));
+  person_->keys("ctrl+z");
+  EXPECT_TRUE(person_->eventually_is([&](const Draft& d) {
+    const auto* now = std::get_if<GeodesicDisk>(&d.open.roi.form);
+    return now != nullptr && *now == before;
+  })) << "one step";
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
+}
+
+// Of a picture that shows nothing else that moves.
+TEST_F(Editing, AMeasureIsDrawnStaysWhileTheViewTurnsAndGoesByEscape) {
+  open_tube();
+  const Image before = desktop_->settled_picture();
+  person_->keys("u");
+  person_->click(person_->pixel_of({0.5, 0.0, 1.5}));
+  person_->click(person_->pixel_of({0.5, 0.0, 4.5}));
+  person_->move_to({20.0, 100.0});
+  const Image measured = desktop_->settled_picture();
+  test::keep_picture(measured, "measure");
+  EXPECT_GT(test::mean_difference(measured, before), kSamePicture);
+  person_->keys("Left");
+  person_->keys("Right");
+  EXPECT_LT(test::mean_difference(desktop_->settled_picture(), measured), kSamePicture);
+  person_->keys("Escape");
+  EXPECT_LT(test::mean_difference(desktop_->settled_picture(), before), kSamePicture);
+  expect_quits_silently();
+}
+
+// Without a look at whether the first edit has settled.
+TEST_F(Editing, ADiskElsewhereRightAfterADragBeginsTheNextEdit) {
+  open_tube();
+  person_->keys("b");
+  person_->keys("i");
+  box_from(3.5);
+  person_->keys("h");
+  box_from(5.4);
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+  person_->keys("m");
+  const Vector2d middle = person_->pixel_of({0.5, 0.0, 1.5});
+  const Vector2d rim = person_->pixel_of({0.5, 0.0, 2.3});
+  const Vector2d inner = person_->pixel_of({0.5, 0.0, 1.8});
+  drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -60.0});
+  person_->keys("d");
+  person_->drag({middle, 0.5 * (middle + rim), rim});
+  person_->drag({middle, 0.5 * (middle + inner), inner});
+  EXPECT_TRUE(person_->eventually_is([](const Draft& d) {
+    return d.steps.size() == 1 && is<GeodesicDisk>(d.open.roi) && d.open.handles.size() == 1;
+  }));
+  test::keep_picture(desktop_->settled_picture(), "elsewhere");
+  person_->keys("Tab");
+  test::keep_picture(desktop_->settled_picture(), "panels");
+  const auto& moved = std::get<DeformRequest>(person_->draft().value().steps.front());
+  EXPECT_GT(std::get<SimilarityMove>(moved.handles.at(0).move).translate.y(), 0.05);
+  EXPECT_EQ(person_->discard_and_quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
 }
 
 TEST_F(Editing, PinsHoldTheTubeAndOneIsDragged) {

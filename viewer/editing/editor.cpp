@@ -14,8 +14,6 @@ using Role = Part::Role;
 // So that between handle and belt something is left to follow.
 constexpr int kRingsAroundHandle = 6;
 
-const char* const kBeginsHere = "a new edit begins here; undo goes back to the last one";
-
 bool is_of_pointer(const InputEvent& event) {
   return event.kind != InputKind::key && event.kind != InputKind::text;
 }
@@ -60,7 +58,9 @@ Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Sa
 }
 
 void Editor::release_device() {
+  const GizmoChoices choices = tools_.gizmo.choices();
   tools_.gizmo = {};
+  tools_.gizmo.set_choices(choices);
   session_->cancel_preparation();
   carry_follower_.cancel();
   carried_.release_device();
@@ -87,12 +87,15 @@ ToolScene Editor::scene(const ViewFrame& view, const Projection& projection) {
     return SeenVertices(shown_.picture(view), surface_of(state())->topology(), positions(),
                         projection)(vertex);
   };
-  return {state(), positions(), projection, pick, is_visible, part_, handle_, gizmo_keys_};
+  const Positions& seen = shown_.follows() ? shown_.positions_on_screen() : positions();
+  return {state(), seen, projection, pick, is_visible, part_, handle_, gizmo_keys_};
 }
 
 Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   // Alt and the left button turn the view with every tool.
   if (event.kind == InputKind::press && event.modifiers.alt && !is_dragging()) return {};
+  if (postpones(event, view)) return {true, false};
+  if (picks_pivot_ && pick_pivot(event, view)) return {true, true};
   const Projection projection = view.projection();
   // A lent tool has the keys to itself.
   const bool keys = !is_of_pointer(event) && row_ != nullptr;
@@ -112,35 +115,14 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
   const ToolAnswer answer = tool_->handle(event, scene(view, projection));
   const bool chooses_roi = answer.holds && state().selection.roi.vertices.empty();
   if (chooses_roi) perform(Choose{{Role::roi}, {AllVertices{}, "ROI"}});
+  classes_are_old_ = classes_are_old_ || answer.taken;
+  if (postpones(answer, event, view)) return {true, true};
   Handled handled = act_on(answer, chooses_roi ? Joining::with_last : Joining::own_step);
   take_hold(answer, event.position, projection);
-  classes_are_old_ = classes_are_old_ || answer.taken;
   if (event.kind == InputKind::move) {
     handled.changed = handled.taken || row_ == nullptr || tool_->follows_cursor();
   }
   return handled;
-}
-
-// A handle lies in the ROI: who takes the disk for it elsewhere means another ROI.
-void Editor::choose_elsewhere(const InputEvent& event, const ViewFrame& view) {
-  const EditSelection& selection = state().selection;
-  const bool may_be = has_in_hand(tools_.disk) && part_.role == Role::handle &&
-                      event.button == MouseButton::left && !selection.mirror;
-  if (!may_be || selection.roi.vertices.empty() || !shown_.has_triangles_of_state()) return;
-  const auto pick = shown_.pick(view, event.position);
-  if (pick && !contains(selection.roi.vertices, pick->vertex)) choose({Role::roi});
-}
-
-// Whether a stroke away from an edit that is done chooses the ROI of another.
-bool Editor::begins_elsewhere(const Command& command) const {
-  const auto* stroke = std::get_if<Paint>(&command);
-  if (stroke == nullptr || stroke->part.role != Role::roi || stroke->added.empty() ||
-      !stroke->removed.empty() || !state().settled) {
-    return false;
-  }
-  const VertexSet around =
-      with_ring_neighbours(stroke->added, surface_of(state())->topology().rings);
-  return intersect(around, state().selection.roi.vertices).empty();
 }
 
 // Whoever chooses must see what there is to choose of.
@@ -153,8 +135,11 @@ void Editor::return_to_triangles_of_state() {
 ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& projection) {
   GizmoTool& gizmo = tools_.gizmo;
   const bool was_dragging = gizmo.is_dragging();
-  ToolAnswer answer =
-      gizmo.handle(event, {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
+  const auto pick_still = [this, &projection](const Eigen::Vector2d& pixel) {
+    return pick_beside_roi(projection.ray_through(pixel));
+  };
+  ToolAnswer answer = gizmo.handle(
+      event, {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_, pick_still});
   if (gizmo.is_dragging() && !was_dragging) begin_drag();
   // Then it is of use again: nothing has come in its place.
   const bool given_up = was_dragging && !gizmo.is_dragging() && !answer.command;
@@ -176,44 +161,6 @@ void Editor::begin_drag() {
   live_.reset();
   dragged_from_ = shown_.pose();
   motions_dragged_from_ = pose_motions_;
-}
-
-void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
-                       const Projection& projection) {
-  if (!answer.holds || *answer.holds >= handle_count()) return;
-  choose({Role::handle, *answer.holds});
-  if (!answer.drags_held) return;
-  tools_.gizmo.take_hold(pixel,
-                         {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
-  begin_drag();
-  drag_is_of_last_step_ = answer.command.has_value();
-}
-
-Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
-  if (!answer.message.empty()) say_({answer.message, Tone::warning});
-  if (answer.command) {
-    const Part part = part_;
-    const bool may_change = tool_->may_change_choice();
-    if (begins_elsewhere(*answer.command) && perform(NewEdit{})) {
-      joining = Joining::with_last;
-      say_(kBeginsHere);
-    }
-    const std::size_t done = session_->history().done();
-    const bool sizes_on = answer.resizes && sizable_at_ == done;
-    const bool is_done = perform(*answer.command, sizes_on ? Joining::instead_of_last : joining);
-    const std::size_t expected = sizes_on || joining == Joining::with_last ? done : done + 1;
-    if (is_done && session_->history().done() == expected && (may_change || answer.resizes)) {
-      sizable_at_ = expected;
-    }
-    const bool is_choice = std::holds_alternative<Choose>(*answer.command);
-    if (is_done && is_choice && !may_change && !answer.resizes) after_choice(part);
-  }
-  return {answer.taken, answer.taken};
-}
-
-// A disk that was clicked waits to be sized; what was painted, for more strokes.
-void Editor::after_choice(const Part& part) {
-  if (part_ == part) go_on();
 }
 
 void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
@@ -249,6 +196,10 @@ bool Editor::attempt(const std::function<void()>& change) {
 }
 
 bool Editor::perform(const Command& command, Joining joining) {
+  if (waits() && commits(command)) {
+    postpone([this, command, joining] { perform(command, joining); });
+    return false;
+  }
   sizable_at_.reset();
   hold_pose();
   const std::size_t handles = handle_count();
@@ -258,24 +209,27 @@ bool Editor::perform(const Command& command, Joining joining) {
   const bool of_roi = (chosen != nullptr && chosen->part.role == Role::roi) ||
                       (painted != nullptr && painted->part.role == Role::roi);
   if (is_done && of_roi) say_what_was_let_go(handles);
+  if (const auto* mirror = std::get_if<SetMirror>(&command); is_done && mirror != nullptr) {
+    say_(mirror->plane ? "all is done on both sides of the plane" : "nothing is mirrored any more");
+  }
   return is_done;
-}
-
-void Editor::say_what_was_let_go(std::size_t handles_before) {
-  if (handle_count() >= handles_before) return;
-  say_(handle_count() == 0 ? kBeginsHere
-                           : "handles outside the ROI were let go; undo brings them back");
 }
 
 // What is shown of a state that waits for its result does not hang on how one came to it.
 void Editor::step_through_history(const std::function<void()>& change) {
   if (is_dragging()) return;
+  give_up_postponed();
   shown_.follow_from(nullptr);
   say_("");  // what was said is of the step that goes
   attempt(change);
 }
 
+// What waits was done last.
 void Editor::undo() {
+  if (has_postponed() && !is_dragging()) {
+    give_up_postponed();
+    return say_("");
+  }
   step_through_history([&] { session_->undo(); });
 }
 
@@ -322,8 +276,7 @@ void Editor::carry_along(const std::vector<std::filesystem::path>& files) {
 
 void Editor::new_edit() {
   if (is_dragging()) return;
-  begins_new_edit_ = session_->awaits_result();
-  if (begins_new_edit_) return say_("the new edit begins once the drag has settled");
+  if (waits()) return postpone([this] { new_edit(); });
   if (!perform(NewEdit{})) return;
   choose({Role::roi});
   if (has_in_hand(tools_.gizmo)) take(Action::take_disk);
@@ -359,12 +312,12 @@ void Editor::remove_handle() {
 void Editor::mirror_by_shape() {
   try {
     const FoundMirror found = find_mirror_plane(*surface_of(state()), "mirror");
+    if (!perform(SetMirror{found.plane})) return;
     char text[96];
     std::snprintf(text, sizeof text,
                   "the surface is off from its mirror image by %.2g%% of its size",
                   100.0 * found.asymmetry);
     say_(text);
-    perform(SetMirror{found.plane});
   } catch (const Error& error) {
     say_(Message(error));
   }

@@ -25,6 +25,9 @@ struct EditStart {
   std::filesystem::path journals;           ///< EditSession's
 };
 
+/// Whether the command makes what has settled the rest shape of what comes then (`apply`).
+bool commits(const Command& command);
+
 /// One mesh being edited in a window: its session, the tool in hand, and what is shown of it.
 /// Events go in; `shown` is what to draw. Panels perform commands and ask for steps. What does not
 /// work is said to `say`, and nothing has changed then.
@@ -55,7 +58,15 @@ class Editor {
   /// the worker has, and lets the surface follow the hand.
   void update();
 
-  /// Whether it was carried out.
+  /// Whether what a person does next may have to wait: the last edit still settles, or something
+  /// waits for that already.
+  bool waits() const;
+  bool has_postponed() const { return !postponed_.empty(); }
+  /// Does `act` once it has settled, after what waits already. Undo gives up all that waits, and
+  /// nothing else then; so does whatever else goes through the history, on its way.
+  void postpone(std::function<void()> act);
+
+  /// Whether it was carried out. What chooses anew (`commits`) waits until what moved has settled.
   bool perform(const Command& command, Joining joining = Joining::own_step);
   void undo();
   void redo();
@@ -107,8 +118,17 @@ class Editor {
 
   PaintTool& paint_tool() { return tools_.paint; }
   const GizmoTool& gizmo_tool() const { return tools_.gizmo; }
+  const RulerTool& ruler_tool() const { return tools_.ruler; }
   bool has_gizmo() const { return has_in_hand(tools_.gizmo) && handle_ < handle_count(); }
   void show_gizmo(GizmoMode mode) { tools_.gizmo.show(mode); }
+  const GizmoChoices& gizmo_choices() const { return tools_.gizmo.choices(); }
+  void set_gizmo_choices(const GizmoChoices& choices) { tools_.gizmo.set_choices(choices); }
+  /// Say what they come to.
+  void take_next_gizmo_axes();
+  void toggle_sticking();
+  /// The next click on the surface says what the handle turns about; Escape leaves it as it is.
+  void begin_picking_pivot() { picks_pivot_ = !is_dragging(); }
+  bool picks_pivot() const { return picks_pivot_; }
   std::size_t handle() const { return handle_; }  ///< the one that is moved
   void set_gizmo_keys(GizmoKeys keys) { gizmo_keys_ = keys; }
   bool is_dragging() const;
@@ -144,13 +164,16 @@ class Editor {
   Bounds bounds() const;
   /// Of what is chosen: the part, or else the ROI; of everything without.
   std::vector<Index> selected() const;
-  const char* hint() const { return tool_->hint(state(), part_); }  ///< what to do next
+  const char* hint() const;  ///< what to do next
 
  private:
   ToolScene scene(const ViewFrame& view, const Projection& projection);
   ToolAnswer send_to_gizmo(const InputEvent& event, const Projection& projection);
+  bool pick_pivot(const InputEvent& event, const ViewFrame& view);
+  std::optional<SurfacePoint> pick_beside_roi(const SightLine& ray) const;
   void return_to_triangles_of_state();
   Handled act_on(const ToolAnswer& answer, Joining joining);
+  Handled act_on(const ToolAnswer& answer, Joining joining, bool may_change);
   void begin_drag();
   void take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
                  const Projection& projection);
@@ -158,7 +181,11 @@ class Editor {
   void say_what_was_let_go(std::size_t handles_before);
   void choose_elsewhere(const InputEvent& event, const ViewFrame& view);
   bool begins_elsewhere(const Command& command) const;
-  void state_changed();
+  bool postpones(const InputEvent& event, const ViewFrame& view);
+  bool postpones(const ToolAnswer& answer, const InputEvent& event, const ViewFrame& view);
+  void take_up_postponed();
+  void give_up_postponed();
+  void state_changed(bool by_result = false);
   std::size_t handle_count() const { return state().selection.handles.size(); }
 
   void take_step();
@@ -184,6 +211,7 @@ class Editor {
   Part part_;
   std::size_t handle_ = 0;
   GizmoKeys gizmo_keys_ = GizmoKeys::blender;
+  bool picks_pivot_ = false;
 
   std::vector<CertificateWarning> warnings_;
   std::vector<Eigen::Affine3d> motions_;
@@ -196,7 +224,8 @@ class Editor {
   std::vector<Eigen::Affine3d> motions_dragged_from_;
   bool classes_are_old_ = true;
   bool continuous_ = true;
-  bool begins_new_edit_ = false;  // once what moved has settled
+  std::vector<std::function<void()>> postponed_;  // until what moved has settled, in order
+  bool postpones_drag_ = false;                   // the button that began what waits is still down
   // How many steps were done after a choice that may still be sized as one step with it.
   std::optional<std::size_t> sizable_at_;
   bool drag_is_of_last_step_ = false;  // what is dragged was made by the press that holds it

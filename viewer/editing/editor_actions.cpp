@@ -24,9 +24,20 @@ constexpr std::array kPlainActions{PlainAction{Action::go_on, &Editor::go_on},
                                    PlainAction{Action::undo, &Editor::undo},
                                    PlainAction{Action::redo, &Editor::redo}};
 
+// What goes by the order in which a person chooses.
+constexpr std::array kChoices{Action::choose_roi, Action::choose_handle, Action::add_handle,
+                              Action::choose_belt, Action::go_on};
+
 }  // namespace
 
 bool perform_on(Editor& editor, Action action) {
+  const bool chooses =
+      std::ranges::find(kChoices, action) != kChoices.end() ||
+      std::ranges::find(tool_rows(), action, &ToolRow::action) != tool_rows().end();
+  if (chooses && editor.has_postponed()) {
+    editor.postpone([&editor, action] { perform_on(editor, action); });
+    return true;
+  }
   const std::size_t handles = editor.state().selection.handles.size();
   const auto choose = [&](const Part& part) {
     editor.choose(part);
@@ -57,6 +68,12 @@ bool perform_on(Editor& editor, Action action) {
       } else {
         editor.mirror_by_shape();
       }
+      return true;
+    case Action::next_gizmo_axes:
+      editor.take_next_gizmo_axes();
+      return true;
+    case Action::toggle_sticking:
+      editor.toggle_sticking();
       return true;
     case Action::toggle_before:
       editor.show_before(!editor.shown().shows_before());

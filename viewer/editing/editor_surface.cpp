@@ -19,11 +19,14 @@ constexpr double kLargestLeadStretch = 0.3;
 
 }  // namespace
 
-void Editor::state_changed() {
+// A result of what moved takes nothing from who goes on to choose elsewhere meanwhile.
+void Editor::state_changed(bool by_result) {
   const AppState& now = state();
   if (part_.role == Part::Role::handle) part_.handle = std::min(part_.handle, handle_count());
   handle_ = handle_count() == 0 ? 0 : std::min(handle_, handle_count() - 1);
-  if (shown_.take(now)) {
+  const bool goes_on =
+      by_result && (is_dragging() || !postponed_.empty() || !tools_.loop.corners().empty());
+  if (shown_.take(now) && !goes_on) {
     tools_.disk.reset();
     tools_.loop.reset();
   }
@@ -75,12 +78,16 @@ void Editor::show_before(bool before) {
 }
 
 void Editor::update() {
-  if (session_->take_result()) state_changed();
-  if (begins_new_edit_ && !session_->awaits_result() && !is_dragging()) new_edit();
+  if (session_->take_result()) state_changed(true);
+  if (!is_dragging()) take_up_postponed();
   // The ground would be pulled from under a stroke.
   if (!is_dragging()) take_step();
   follow_hand();
   follow_carried();
+  if (tools_.ruler.is_begun() && shown_.has_triangles_of_state()) {
+    tools_.ruler.follow(surface_of(state())->shared_topology(), shown_.positions_on_screen(),
+                        !shown_.follows());
+  }
   show_classes();
   if (!tools_.gizmo.is_dragging()) shown_.renew_measure();
 }

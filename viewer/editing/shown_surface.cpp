@@ -25,8 +25,8 @@ void ShownSurface::release_device() {
 void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   context_ = std::move(context);
   device_.emplace(now_ ? *now_ : *opened_, context_);
-  is_placed_ = false;
   measured_.reset();
+  dragged_version_.reset();
   needs_classes_ = true;
 }
 
@@ -39,7 +39,6 @@ bool ShownSurface::take(const AppState& state) {
   if (now_ == surface && settled_ == state.settled) return false;
   if (device_ && now_ != surface) device_->surface.drag_from(nullptr);
   const bool has_same_triangles = now_ && now_->shares_faces_with(*surface);
-  is_placed_ = false;
   now_ = std::move(surface);
   settled_ = state.settled;
   Positions positions = positions_of(state);
@@ -64,10 +63,10 @@ void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
     device_.reset();
     device_.emplace(mesh, context_);
     measured_.reset();
+    dragged_version_.reset();
     needs_classes_ = true;
   }
   device_->surface.place(positions);
-  is_placed_ = true;
 }
 
 void ShownSurface::follow(const Preparation& preparation,
@@ -79,6 +78,7 @@ void ShownSurface::follow(const Preparation& preparation,
   if (!device_->surface.drag(preparation, motions)) return;
   follows_ = true;
   followed_.assign(motions.begin(), motions.end());
+  dragged_by_.assign(motions.begin(), motions.end());
 }
 
 void ShownSurface::follow_from(std::shared_ptr<const SettledPose> pose) {
@@ -139,16 +139,31 @@ void ShownSurface::renew_measure() {
 
 std::optional<SurfacePoint> ShownSurface::pick(const ViewFrame& view,
                                                const Eigen::Vector2d& pixel) {
-  // No frame is waited for, and no picture drawn, where the host knows the surface: from what has
-  // been read back already, or along the line of sight.
   const bool inside = (pixel.array() >= 0.0).all() && (pixel.array() < view.size.array()).all();
   if (!inside) return {};
-  const bool known = is_placed_ && device_->surface.source() == SurfaceSource::still;
-  if (known && !device_->picker.is_current(device_->surface, view)) {
-    return pick_surface(*device_->topology, still_positions(),
-                        view.projection().ray_through(middle_of(pixel)));
+  const Positions& positions = positions_on_screen();
+  const SightLine ray = view.projection().ray_through(middle_of(pixel));
+  const Topology& topology = *device_->topology;
+  // A picture that is there already says at once where to look. Seen from its edge, a triangle may
+  // be missed by rounding.
+  if (device_->picker.is_current(device_->surface, view)) {
+    const auto triangle = device_->picker.triangle_at(pixel);
+    if (!triangle) return {};
+    if (const auto found = pick_triangle(topology, positions, *triangle, ray)) return found;
   }
-  return device_->picker.pick(device_->surface, view, pixel);
+  return pick_surface(topology, positions, ray);
+}
+
+// By the same motions and the same response as on the device, once for what shows.
+const Positions& ShownSurface::positions_on_screen() {
+  const auto& drag = device_->surface.drag_shown();
+  if (!drag) return still_positions();
+  if (dragged_version_ != device_->surface.version()) {
+    dragged_positions_ = drag->response()->rest();
+    Drag(drag->response(), drag->pose()).move(dragged_by_, dragged_positions_);
+    dragged_version_ = device_->surface.version();
+  }
+  return dragged_positions_;
 }
 
 TrianglePicture ShownSurface::picture(const ViewFrame& view) {

@@ -54,10 +54,7 @@ class ShownSurface {
 
   /// The mesh as it was opened, to compare with.
   bool shows_before() const { return before_; }
-  void show_before(bool before) {
-    is_placed_ = is_placed_ && before == before_;
-    before_ = before;
-  }
+  void show_before(bool before) { before_ = before; }
 
   /// Whether the triangles on the screen are those of the state, so that tools can choose there.
   bool has_triangles_of_state() const { return device_->topology.get() == &now_->topology(); }
@@ -77,8 +74,12 @@ class ShownSurface {
   void renew_measure();
   const ScalarRange& measure_range() const { return measure_range_; }
 
+  /// What shows at `pixel`, in a drag, too; nothing beside the surface. Neither draws nor waits for
+  /// the device. Linear in the triangles, at most.
   std::optional<SurfacePoint> pick(const ViewFrame& view, const Eigen::Vector2d& pixel);
-  /// Valid until the next call of this or `pick`.
+  /// Where the vertices show, a drag under way included. Until anything changes.
+  const Positions& positions_on_screen();
+  /// Waits for the device where it is to be drawn. Valid until the next call of this or `pick`.
   TrianglePicture picture(const ViewFrame& view);
 
   const EditSurface& device() const { return device_->surface; }
@@ -122,9 +123,11 @@ class ShownSurface {
   std::vector<VertexClass> preview_classes_;
   bool needs_classes_ = true;
   bool before_ = false;
-  bool is_placed_ = false;  ///< a still surface on the device stands at `still_positions`
   bool follows_ = false;
   std::vector<Eigen::Affine3d> followed_;
+  std::vector<Eigen::Affine3d> dragged_by_;  // what the device shows of a drag, ended or not
+  Positions dragged_positions_;              // by those, where the surface has this version:
+  std::optional<std::uint64_t> dragged_version_;
 
   std::optional<PoseMeasure> measure_;
   std::optional<PoseMeasure> measured_;  // what the paint's numbers are, of that surface:

@@ -22,16 +22,13 @@ class SurfacePicker {
     return view_ == view && version_ == surface.version();
   }
 
-  /// What shows at `pixel`; nothing beside the surface.
-  std::optional<SurfacePoint> pick(const EditSurface& surface, const ViewFrame& view,
-                                   const Eigen::Vector2d& pixel);
+  /// The triangle at `pixel` of the picture that was drawn last; nothing beside the surface.
+  std::optional<Index> triangle_at(const Eigen::Vector2d& pixel) const;
 
-  /// The whole picture; valid until the next call.
+  /// The whole picture; valid until the next call. Waits for the device where it is to be drawn.
   TrianglePicture picture(const EditSurface& surface, const ViewFrame& view);
 
  private:
-  void renew(const EditSurface& surface, const ViewFrame& view);
-
   IdPicture picture_;
   std::optional<ViewFrame> view_;  // of the picture
   std::uint64_t version_ = 0;      // of the surface in it

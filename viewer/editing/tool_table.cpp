@@ -20,7 +20,8 @@ constexpr std::array kRows{
     ToolRow{"Lasso", Action::take_lasso, take_paint<Shape::lasso>},
     ToolRow{"Box", Action::take_box, take_paint<Shape::box>},
     ToolRow{"Pin", Action::take_pin, [](Tools& tools) -> SceneTool& { return tools.pin; }},
-    ToolRow{"Move", Action::take_move, [](Tools& tools) -> SceneTool& { return tools.gizmo; }}};
+    ToolRow{"Move", Action::take_move, [](Tools& tools) -> SceneTool& { return tools.gizmo; }},
+    ToolRow{"Measure", Action::take_ruler, [](Tools& tools) -> SceneTool& { return tools.ruler; }}};
 
 }  // namespace
 

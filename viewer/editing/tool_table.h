@@ -8,6 +8,7 @@
 #include "tools/loop_tool.h"
 #include "tools/paint_tool.h"
 #include "tools/pin_tool.h"
+#include "tools/ruler_tool.h"
 
 namespace lapwing::viewer {
 
@@ -18,6 +19,7 @@ struct Tools {
   PaintTool paint;
   PinTool pin;
   GizmoTool gizmo;
+  RulerTool ruler;
 };
 
 /// One that can be taken in hand.

@@ -59,7 +59,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'H', kShift, Action::add_handle, "choose one more handle"},
      {'T', kPlain, Action::choose_belt, "choose the belt by hand"},
      {'D', kPlain, Action::take_disk,
-      "choose by a disk: drag from its middle to its rim, or click; [ and ] size it"},
+      "choose by a disk: drag from its middle to its rim, or click; [ and ], or a dot of its rim, "
+      "size it"},
      {'O', kPlain, Action::take_loop,
       "choose by a loop: click around, close it, click the side to keep"},
      {'P', kPlain, Action::take_brush, "choose by a brush: [ and ] size it, Ctrl erases"},
@@ -67,8 +68,14 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'B', kPlain, Action::take_box, "choose by a box: Ctrl erases"},
      {'V', kPlain, Action::take_pin,
       "pin single vertices and drag them; with Shift only pin or choose them"},
+     {'U', kPlain, Action::take_ruler,
+      "measure between two points, straight and along the surface; Escape removes it"},
      {'M', kPlain, Action::take_move, "move: the gizmo, and the left button turns the view"},
      {kEscape, kPlain, Action::take_move},
+     {',', kPlain, Action::next_gizmo_axes,
+      "the gizmo's axes: the world's, the handle's own, along the normal"},
+     {kTab, kShift, Action::toggle_sticking,
+      "a handle that is moved sticks to the surface beside the ROI, or no longer"},
      {kEnter, kPlain, Action::go_on,
       "go on from the ROI to the handle, and from there to moving it"},
      {'N', kControl, Action::new_edit, "begin a new edit: what was done stays, nothing is chosen"},
@@ -167,7 +174,9 @@ std::string key_name(int key) {
 // GizmoTool's keys.
 std::vector<ControlLine> gizmo_controls() {
   return {{"G, R, S", "move, turn, scale the handle with the mouse (Maya: R scales, E turns)"},
-          {"X, Y, Z meanwhile", "along or about that axis; with Shift, in the plane across it"},
+          {"X, Y, Z meanwhile",
+           "along or about that axis of the gizmo, again: the handle's own or the world's; with "
+           "Shift, in the plane across it"},
           {"0 to 9, . and - meanwhile", "by that number"},
           {"Ctrl meanwhile", "in steps"},
           {"Enter or click, Escape or right click", "done, or give it up"},

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "lapwing/region/geodesic.h"
+#include "tools/hidden_place.h"
 #include "tools/selection_edits.h"
 
 namespace lapwing::viewer {
@@ -42,7 +44,15 @@ Vector3d barycentric(const Vector3d& a, const Vector3d& b, const Vector3d& c, co
 }  // namespace
 
 ToolAnswer DiskTool::handle(const InputEvent& event, const ToolScene& scene) {
+  renew_grips(scene);
+  const auto hovered =
+      std::exchange(hovered_, dragging_ ? hovered_ : grip_at_cursor(event.position, scene));
+  hover_changed_ = hovered_ != hovered;
   if (event.kind == InputKind::press && event.button == MouseButton::left) {
+    if (hovered_) {
+      take_grip(event, scene);
+      return ToolAnswer::only_taken();
+    }
     const auto pick = scene.pick(event.position);
     if (!pick) return ToolAnswer::passed_on();
     begin(*pick, event, scene);
@@ -52,25 +62,91 @@ ToolAnswer DiskTool::handle(const InputEvent& event, const ToolScene& scene) {
     return resized(steps);
   }
   if (!dragging_) return ToolAnswer::passed_on();
+  return drag(event, scene);
+}
+
+ToolAnswer DiskTool::drag(const InputEvent& event, const ToolScene& scene) {
   if (event.kind == InputKind::key && event.key == kEscape) {
-    reset();
+    give_up();
     return ToolAnswer::only_taken();
   }
   const bool releases = event.kind == InputKind::release && event.button == MouseButton::left;
   if (event.kind != InputKind::move && !releases) return ToolAnswer::passed_on();
-  has_moved_ = has_moved_ || (event.position - start_).norm() > kClickPixels;
-  if (has_moved_ && event.kind == InputKind::move) radius_ = radius_at(event.position, scene);
+  follows_hand_ = follows_hand_ || (event.position - pressed_).norm() > kClickPixels;
+  if (follows_hand_ && event.kind == InputKind::move) radius_ = radius_at(event.position, scene);
   if (!releases) return ToolAnswer::only_taken();
   dragging_ = false;
-  return chosen();
+  if (!size_before_) {
+    has_moved_ = follows_hand_;
+    return chosen();
+  }
+  size_before_.reset();
+  if (!follows_hand_) return ToolAnswer::only_taken();
+  ToolAnswer answer = chosen();
+  answer.resizes = true;
+  return answer;
+}
+
+// Of a disk that was there before its size comes back.
+void DiskTool::give_up() {
+  if (!size_before_) return reset();
+  dragging_ = false;
+  radius_ = *std::exchange(size_before_, std::nullopt);
+}
+
+bool DiskTool::is_at_grip(const Vector2d& pixel, const ToolScene& scene) {
+  renew_grips(scene);
+  return !dragging_ && grip_at_cursor(pixel, scene).has_value();
+}
+
+// What stands before it hides a grip.
+std::optional<std::size_t> DiskTool::grip_at_cursor(const Vector2d& pixel,
+                                                    const ToolScene& scene) const {
+  const auto at = grip_at(grips_, pixel, scene.projection);
+  if (!at || is_hidden(grips_[*at].position, pixel, scene)) return std::nullopt;
+  return at;
+}
+
+// Only of the disk that the state has, which may have been undone, painted on or chosen otherwise
+// since, and where it stands still.
+void DiskTool::renew_grips(const ToolScene& scene) {
+  if (dragging_ || center_ == kNoIndex || needs_settling(scene.state) ||
+      !is_chosen(scene.state.selection)) {
+    grips_.clear();
+    grips_radius_ = 0.0;
+  } else if (grips_radius_ != radius_) {
+    grips_ = rim_grips(surface_of(scene.state)->topology(), scene.positions, distances_, center_,
+                       radius_);
+    grips_radius_ = radius_;
+  }
+}
+
+bool DiskTool::is_chosen(const EditSelection& selection) const {
+  const bool is_handle = part_.role == Part::Role::handle;
+  if (is_handle && part_.handle >= selection.handles.size()) return false;
+  const ChosenRegion& region = is_handle                        ? selection.handles[part_.handle]
+                               : part_.role == Part::Role::belt ? selection.belt
+                                                                : selection.roi;
+  const auto* disk = std::get_if<GeodesicDisk>(&region.made.form);
+  return disk != nullptr && *disk == GeodesicDisk{center_, radius_} && region.added.empty() &&
+         region.removed.empty();
+}
+
+void DiskTool::take_grip(const InputEvent& event, const ToolScene& scene) {
+  dragging_ = true;
+  follows_hand_ = false;
+  size_before_ = radius_;
+  pressed_ = event.position;
+  start_ = scene.projection.to_pixel(scene.positions[center_]).value_or(event.position);
 }
 
 void DiskTool::begin(const SurfacePoint& pick, const InputEvent& event, const ToolScene& scene) {
   dragging_ = true;
-  has_moved_ = false;
+  follows_hand_ = has_moved_ = false;
+  size_before_.reset();
   part_ = scene.part;
   center_ = pick.vertex;
-  start_ = event.position;
+  start_ = pressed_ = event.position;
   if (radius_ == 0.0) radius_ = kFirstRadius * bounds_of(scene.positions).diagonal();
   distances_ =
       geodesic_distances(surface_of(scene.state)->topology(), scene.positions, {&center_, 1});
@@ -102,12 +178,20 @@ ToolAnswer DiskTool::resized(double steps) {
 }
 
 const char* DiskTool::hint(const AppState& state, const Part& part) const {
+  if (hovered_) return "drag the rim's dot to size the disk";
   if (may_change_choice() && !vertices_of(state.selection, part).empty()) {
-    return "Ctrl + wheel sizes the disk; Enter accepts it";
+    return "Ctrl + wheel, or a dot of its rim, sizes the disk; Enter accepts it";
   }
   return of_part(part, "drag from the middle of the region to edit to its rim",
                  "choose the belt, between ROI and handle",
                  "drag from the middle of a handle in the ROI to its rim");
+}
+
+ToolMarks DiskTool::marks() const {
+  ToolMarks marks;
+  marks.grips = grips_;
+  marks.grip = hovered_;
+  return marks;
 }
 
 VertexSet DiskTool::live() const {

@@ -135,6 +135,11 @@ void GizmoDrag::move_to(const Vector2d& pixel) {
   last_ = pixel;
 }
 
+void GizmoDrag::move_center_to(const Vector3d& place) {
+  const Vector3d along = gizmo_.axes.transpose() * (place - gizmo_.center);
+  dragged_.lengths = (moved_axes() * along.array()).matrix();
+}
+
 GizmoAmount GizmoDrag::amount(const std::optional<SnapSteps>& snap,
                               const std::optional<double>& typed) const {
   GizmoAmount amount = dragged_;

@@ -38,6 +38,9 @@ class GizmoDrag {
   /// than half of one at a time.
   void move_to(const Eigen::Vector2d& pixel);
 
+  /// Moved, the gizmo's centre goes to `place`, as far as the part lets it.
+  void move_center_to(const Eigen::Vector3d& place);
+
   GizmoPart part() const { return part_; }
   GizmoMode mode() const { return gizmo_.mode; }
 

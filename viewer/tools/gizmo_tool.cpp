@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "lapwing/deform/turn_tracker.h"
 
@@ -16,9 +17,11 @@ constexpr double kRoundingDegrees = 1e-6;
 
 constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
 
-void append_direction(std::string& text, GizmoPart part, GizmoMode mode) {
+void append_direction(std::string& text, GizmoPart part, GizmoMode mode, GizmoAxes axes) {
   if (part == GizmoPart::view) return;
   text += mode == GizmoMode::rotate ? " about " : is_plane(part) ? " without " : " along ";
+  if (axes == GizmoAxes::local) text += "the handle's ";
+  if (axes == GizmoAxes::normal) text += "the normal's ";
   text += kAxisNames[static_cast<std::size_t>(axis_of(part))];
 }
 
@@ -62,14 +65,22 @@ bool belongs_to_number(char32_t c) {
 }  // namespace
 
 const char* GizmoTool::hint(const AppState& state, const Part&) const {
-  return state.selection.handles.empty() ? "H chooses a handle"
-                                         : "drag the gizmo, or press G, R or S";
+  if (!state.selection.handles.empty()) return "drag the gizmo, or press G, R or S";
+  return state.selection.roi.vertices.empty() ? "I chooses the region to edit"
+                                              : "H chooses a handle";
 }
 
 Gizmo GizmoTool::gizmo(const AppState& state, std::size_t handle) const {
   const Eigen::Vector3d centroid = handle_centroid(state, handle);
   const Move& move = move_ ? *move_ : state.moves[handle];
-  return {mode(), to_affine(move, centroid) * centroid, Eigen::Matrix3d::Identity()};
+  const Eigen::Affine3d motion = to_affine(move, centroid);
+  return {mode(), gizmo_center(choices_, state, handle, motion),
+          gizmo_axes(axes(), state, handle, motion)};
+}
+
+GizmoAxes GizmoTool::axes() const {
+  if (!by_other_axes_) return choices_.axes;
+  return choices_.axes == GizmoAxes::world ? GizmoAxes::local : GizmoAxes::world;
 }
 
 ToolAnswer GizmoTool::handle(const InputEvent& event, const ToolScene& scene) {
@@ -124,26 +135,29 @@ ToolAnswer GizmoTool::handle_drag_key(const InputEvent& event, const ToolScene& 
   if (event.key == kEnter) return confirm(scene);
   GizmoMode mode = drag_->mode();
   GizmoPart part = drag_->part();
+  bool by_other_axes = by_other_axes_;
   if (event.key == kBackspace) {
     if (!typed_.empty()) typed_.pop_back();
   } else if (const int axis = axis_of_key(event.key); axis >= 0) {
     // Turning without an axis is turning about it.
     const bool plane = event.modifiers.shift && mode != GizmoMode::rotate;
     part = part_of_axis(axis, plane);
-    if (part == drag_->part()) part = GizmoPart::view;
+    const bool again = part == drag_->part();
+    if (again && by_other_axes) part = GizmoPart::view;
+    by_other_axes = again && !by_other_axes;
   } else if (const auto other = drag_of_key(event.key, scene.keys)) {
     mode = *other;
   }
-  if (mode != drag_->mode() || part != drag_->part()) {
-    const std::string typed = typed_;
-    const Vector2d cursor = cursor_;
+  if (mode != drag_->mode() || part != drag_->part() || by_other_axes != by_other_axes_) {
     const bool by_button = by_button_;
-    cursor_ = start_;
+    const Vector2d cursor = std::exchange(cursor_, start_);
+    std::string typed = typed_;
     give_up();
+    by_other_axes_ = by_other_axes;
     begin(mode, part, scene);
     by_button_ = by_button;
     cursor_ = cursor;
-    typed_ = typed;
+    typed_ = std::move(typed);
     drag_->move_to(cursor_);
   }
   renew(scene);
@@ -170,6 +184,11 @@ void GizmoTool::take_hold(const Vector2d& pixel, const ToolScene& scene) {
 void GizmoTool::begin(GizmoMode mode, GizmoPart part, const ToolScene& scene) {
   Gizmo there = gizmo(scene.state, scene.handle);
   there.mode = mode;
+  if (mode == GizmoMode::translate && choices_.sticks_to_surface) {
+    // That is what comes to the surface, whatever the handle turns about.
+    const Eigen::Vector3d centroid = handle_centroid(scene.state, scene.handle);
+    there.center = to_affine(scene.state.moves[scene.handle], centroid) * centroid;
+  }
   start_ = cursor_;
   snap_length_ = snap_length(there, scene.projection);
   drag_.emplace(there, part, scene.projection, start_);
@@ -177,6 +196,9 @@ void GizmoTool::begin(GizmoMode mode, GizmoPart part, const ToolScene& scene) {
 }
 
 void GizmoTool::renew(const ToolScene& scene) {
+  if (choices_.sticks_to_surface && drag_->mode() == GizmoMode::translate && scene.pick_still) {
+    if (const auto under = scene.pick_still(cursor_)) drag_->move_center_to(under->position);
+  }
   std::optional<SnapSteps> snap;
   if (snaps_) snap = SnapSteps{.length = snap_length_};
   amount_ = drag_->amount(snap, typed_number());
@@ -196,6 +218,7 @@ ToolAnswer GizmoTool::confirm(const ToolScene& scene) {
 void GizmoTool::give_up() {
   drag_.reset();
   move_.reset();
+  by_other_axes_ = false;
   turns_too_far_ = false;
   typed_.clear();
 }
@@ -222,7 +245,7 @@ void GizmoTool::read_out(std::string& text) const {
       append(text, "scale (%.4g, %.4g, %.4g)", amount_.factors.x(), amount_.factors.y(),
              amount_.factors.z());
   }
-  append_direction(text, drag_->part(), drag_->mode());
+  append_direction(text, drag_->part(), drag_->mode(), axes());
   if (!typed_.empty()) text.append(" [").append(typed_).append("]");
   if (turns_too_far_) {
     append(text,

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tools/gizmo_drag.h"
+#include "tools/gizmo_frame.h"
 #include "tools/scene_tool.h"
 
 namespace lapwing::viewer {
@@ -12,6 +13,10 @@ namespace lapwing::viewer {
 /// axis by X, Y, Z, to a plane by Shift with them, and by numbers typed. Control snaps. W, E and Q
 /// (in Maya R) choose what the gizmo shows. Enter or a click ends a drag, Escape or the right
 /// button gives it up.
+///
+/// The gizmo stands as the choices say. X, Y and Z go by its axes; the same again by the other ones
+/// (the handle's own in place of the world's, the world's in place of any other), and once more
+/// lets go of the axis.
 class GizmoTool final : public SceneTool {
  public:
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;
@@ -26,6 +31,9 @@ class GizmoTool final : public SceneTool {
   void show(GizmoMode mode) {
     if (!drag_) mode_ = mode;
   }
+  const GizmoChoices& choices() const { return choices_; }
+  /// From the next drag on.
+  void set_choices(const GizmoChoices& choices) { choices_ = choices; }
   GizmoMode mode() const { return drag_ ? drag_->mode() : mode_; }
   /// The part dragged or under the cursor.
   GizmoPart part() const { return drag_ ? drag_->part() : hovered_; }
@@ -43,11 +51,14 @@ class GizmoTool final : public SceneTool {
   ToolAnswer handle_drag_key(const InputEvent& event, const ToolScene& scene);
   ToolAnswer handle_text(const InputEvent& event, const ToolScene& scene);
   void begin(GizmoMode mode, GizmoPart part, const ToolScene& scene);
+  GizmoAxes axes() const;
   void renew(const ToolScene& scene);
   ToolAnswer confirm(const ToolScene& scene);
   void give_up();
   std::optional<double> typed_number() const;
 
+  GizmoChoices choices_;
+  bool by_other_axes_ = false;  // this drag
   GizmoMode mode_ = GizmoMode::translate;
   GizmoPart hovered_ = GizmoPart::none;
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();

@@ -9,9 +9,7 @@ Guide guide_of(const AppState& state, const Part& part, const SceneTool& tool, b
   guide.steps = {{{"Region", has_roi}, {"Handle", has_handle}, {"Drag", is_moved(state)}, {}}};
   const bool can_move = moves && has_roi && has_handle;
   guide.current = can_move ? 2 : part.role == Part::Role::handle && has_roi ? 1 : 0;
-  guide.what = moves && !has_handle
-                   ? has_roi ? "H chooses a handle" : "I chooses the region to edit"
-                   : tool.hint(state, part);
+  guide.what = tool.hint(state, part);
   if (can_move && is_moved(state)) guide.what = "drag the gizmo on; Ctrl+N begins another edit";
   return guide;
 }

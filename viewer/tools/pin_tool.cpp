@@ -1,5 +1,7 @@
 #include "tools/pin_tool.h"
 
+#include "tools/hidden_place.h"
+
 namespace lapwing::viewer {
 namespace {
 
@@ -8,17 +10,6 @@ constexpr double kPinReachPixels = 9.0;
 
 // A single vertex of weight 1 stays behind the hand by some of an edge.
 constexpr double kPinWeight = 10.0;
-
-// A surface this much nearer to the eye hides a pin, as a share of the mesh's diagonal: the tip
-// that a pin draws out is its own.
-constexpr double kHides = 0.02;
-
-bool is_hidden(const Eigen::Vector3d& pin, const Eigen::Vector2d& pixel, const ToolScene& scene) {
-  const auto hit = scene.pick ? scene.pick(pixel) : std::nullopt;
-  if (!hit) return false;
-  const double nearer = (hit->position - pin).dot(scene.projection.toward_eye(pin));
-  return nearer > kHides * bounds_of(scene.positions).diagonal();
-}
 
 }  // namespace
 

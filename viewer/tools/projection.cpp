@@ -1,5 +1,6 @@
 #include "tools/projection.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -15,9 +16,10 @@ using Eigen::Vector4d;
 constexpr double kNear = 1.0;
 constexpr double kFar = 0.0;
 
+constexpr double kMiss = std::numeric_limits<double>::infinity();
+
 // Distance along the ray (Moeller and Trumbore 1997); infinity where it passes by.
 double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, const SightLine& ray) {
-  constexpr double kMiss = std::numeric_limits<double>::infinity();
   const Vector3d p = ray.direction.cross(c - a);
   const double determinant = p.dot(b - a);
   if (determinant == 0.0) return kMiss;
@@ -65,6 +67,29 @@ double Projection::length_of_pixel(const Vector3d& point) const {
   return (toward - toward.dot(beside.direction) * beside.direction).norm();
 }
 
+namespace {
+
+// Where the ray first meets a triangle that counts.
+template <typename Counts>
+std::optional<SurfacePoint> first_of(const Topology& topology, std::span<const Vector3d> positions,
+                                     const SightLine& ray, const Counts& counts) {
+  double least = kMiss;
+  Index first = kNoIndex;
+  for (Index t = 0; t < topology.triangles.size(); ++t) {
+    const Triangle& corners = topology.triangles[t];
+    if (!counts(corners)) continue;
+    const double distance =
+        distance_to(positions[corners[0]], positions[corners[1]], positions[corners[2]], ray);
+    if (distance >= least) continue;
+    least = distance;
+    first = t;
+  }
+  if (first == kNoIndex) return std::nullopt;
+  return surface_point(topology, positions, first, ray.origin + least * ray.direction);
+}
+
+}  // namespace
+
 SurfacePoint surface_point(const Topology& topology, std::span<const Vector3d> positions,
                            Index triangle, const Vector3d& position) {
   SurfacePoint pick{triangle, kNoIndex, position};
@@ -78,21 +103,27 @@ SurfacePoint surface_point(const Topology& topology, std::span<const Vector3d> p
   return pick;
 }
 
+std::optional<SurfacePoint> pick_triangle(const Topology& topology,
+                                          std::span<const Vector3d> positions, Index triangle,
+                                          const SightLine& ray) {
+  const auto& [a, b, c] = topology.triangles[triangle];
+  const double distance = distance_to(positions[a], positions[b], positions[c], ray);
+  if (distance == kMiss) return std::nullopt;
+  return surface_point(topology, positions, triangle, ray.origin + distance * ray.direction);
+}
+
 std::optional<SurfacePoint> pick_surface(const Topology& topology,
                                          std::span<const Vector3d> positions,
                                          const SightLine& ray) {
-  double least = std::numeric_limits<double>::infinity();
-  Index first = kNoIndex;
-  for (Index t = 0; t < topology.triangles.size(); ++t) {
-    const Triangle& corners = topology.triangles[t];
-    const double distance =
-        distance_to(positions[corners[0]], positions[corners[1]], positions[corners[2]], ray);
-    if (distance >= least) continue;
-    least = distance;
-    first = t;
-  }
-  if (first == kNoIndex) return std::nullopt;
-  return surface_point(topology, positions, first, ray.origin + least * ray.direction);
+  return first_of(topology, positions, ray, [](const Triangle&) { return true; });
+}
+
+std::optional<SurfacePoint> pick_beside(const Topology& topology,
+                                        std::span<const Vector3d> positions,
+                                        std::span<const char> left_out, const SightLine& ray) {
+  return first_of(topology, positions, ray, [&](const Triangle& corners) {
+    return std::ranges::none_of(corners, [&](Index v) { return left_out[v] != 0; });
+  });
 }
 
 }  // namespace lapwing::viewer

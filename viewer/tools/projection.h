@@ -49,6 +49,16 @@ std::optional<SurfacePoint> pick_surface(const Topology& topology,
                                          std::span<const Eigen::Vector3d> positions,
                                          const SightLine& ray);
 
+/// The same of the triangles without a corner that `left_out` marks, one entry per vertex.
+std::optional<SurfacePoint> pick_beside(const Topology& topology,
+                                        std::span<const Eigen::Vector3d> positions,
+                                        std::span<const char> left_out, const SightLine& ray);
+
+/// Where `ray` meets that triangle; nothing where it passes by.
+std::optional<SurfacePoint> pick_triangle(const Topology& topology,
+                                          std::span<const Eigen::Vector3d> positions,
+                                          Index triangle, const SightLine& ray);
+
 /// The place `position` on `triangle`.
 SurfacePoint surface_point(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                            Index triangle, const Eigen::Vector3d& position);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "tools/disk_rim.h"
 #include "tools/input.h"
 #include "tools/tool_answer.h"
 #include "tools/tool_scene.h"
@@ -13,6 +15,8 @@ struct ToolMarks {
   std::vector<Index> line;  ///< through these vertices
   bool line_is_done = false;
   std::vector<Index> dots;
+  std::vector<RimGrip> grips;            ///< to be dragged
+  std::optional<std::size_t> grip;       ///< of them, the one under the cursor
   std::vector<Eigen::Vector2d> outline;  ///< a closed line, in pixels
   double brush = 0.0;                    ///< radius of a circle around the cursor, in pixels
 };

@@ -24,6 +24,8 @@ struct ToolScene {
   Part part = {};          ///< what is being chosen
   std::size_t handle = 0;  ///< of the state, which is moved
   GizmoKeys keys = GizmoKeys::blender;
+  /// What shows at a pixel of the surface that the edit leaves where it is.
+  std::function<std::optional<SurfacePoint>(const Eigen::Vector2d& pixel)> pick_still = {};
 };
 
 }  // namespace lapwing::viewer

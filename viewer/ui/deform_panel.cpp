@@ -1,8 +1,8 @@
 #include <imgui.h>
 
 #include "lapwing/step/step.h"
-#include "ui/choose.h"
 #include "ui/explain.h"
+#include "ui/gizmo_panel.h"
 #include "ui/panels.h"
 #include "ui/parameter_panel.h"
 
@@ -38,13 +38,7 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   ImGui::SameLine();
   if (ImGui::SmallButton("back to rest")) editor.perform(MoveHandle{handle, SimilarityMove{}});
   explain("Puts the handle where it was before it was moved.");
-  GizmoMode mode = editor.gizmo_tool().mode();
-  if (choose("gizmo", mode,
-             {{"move", GizmoMode::translate},
-              {"turn", GizmoMode::rotate},
-              {"scale", GizmoMode::scale}})) {
-    editor.show_gizmo(mode);
-  }
+  draw_gizmo_panel(editor);
   const Move& now = editor.gizmo_tool().move() ? *editor.gizmo_tool().move() : state.moves[handle];
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {

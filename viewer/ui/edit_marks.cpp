@@ -153,6 +153,20 @@ void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& 
   }
 }
 
+void draw_ruler(Pen& pen, const Editor& editor, std::string& readout) {
+  const RulerTool& ruler = editor.ruler_tool();
+  if (!ruler.has_both_ends() || !editor.shown().has_triangles_of_state()) return;
+  const auto line = pen.pixels_of(ruler.line());
+  if (line.size() < 2) return;
+  const std::array<Vector2d, 2> ends{line.front(), line.back()};
+  const Vector2d middle = line[line.size() / 2];
+  pen.line(line, false, kHighlight, kThick);
+  pen.line(ends, false, kLine, 1.0F);
+  for (const Vector2d& end : ends) pen.dot(end, kHighlight);
+  ruler.read_out(readout);
+  pen.text(middle + Vector2d(12.0, 12.0), readout);
+}
+
 // Pins are too small to be seen by their colour.
 void draw_pins(Pen& pen, const Editor& editor) {
   if (!editor.shown().has_triangles_of_state()) return;
@@ -199,6 +213,14 @@ void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
   const ImU32 color = marks.line_is_done ? kHighlight : kLine;
   pen.line(pen.pixels_of(editor, marks.line), false, color, kThick);
   for (const Vector2d& dot : pen.pixels_of(editor, marks.dots)) pen.dot(dot, kHighlight);
+  for (std::size_t k = 0; k < marks.grips.size(); ++k) {
+    // Of what is being moved they would stay behind.
+    if (editor.shown().follows() || !marks.grips[k].faces_eye(pen.projection())) continue;
+    const auto pixel = pen.projection().to_pixel(marks.grips[k].position);
+    if (!pixel) continue;
+    pen.dot(*pixel, marks.grip == k ? kHighlight : kLine);
+    if (marks.grip == k) pen.text(*pixel + Vector2d(14.0, 14.0), "drag to size the disk");
+  }
   if (marks.brush > 0.0) pen.circle(cursor, marks.brush, kLine);
   pen.line(marks.outline, true, kLine, 1.5F);
 }
@@ -261,6 +283,7 @@ void EditMarks::draw(const Editor& editor, const ViewFrame& view, double pixels_
   }
   draw_mirror(pen, editor);
   draw_pins(pen, editor);
+  draw_ruler(pen, editor, readout_);
   draw_marks(pen, editor, cursor);
   for (const Vector2d& pixel : pen.pixels_of(editor, editor.pointed_at())) {
     pen.circle(pixel, 14.0, kPointer);

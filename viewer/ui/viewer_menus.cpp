@@ -94,6 +94,8 @@ void ViewerApp::draw_edit_menu() {
                               Item{"Shrink", Action::shrink},
                               Item{"Invert", Action::invert},
                               kDivider,
+                              Item{"Measure", Action::take_ruler},
+                              kDivider,
                               Item{"Coat the ROI...", Action::begin_coat},
                               Item{"Mix on the ROI...", Action::begin_mix},
                               Item{"Transplant a part", Action::take_part}};

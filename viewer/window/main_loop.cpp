@@ -1,10 +1,8 @@
 #include "window/main_loop.h"
 
 #include <algorithm>
-#include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 #include <imgui_internal.h>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -136,21 +134,30 @@ class MainLoop {
     return true;
   }
 
+  // In the order in which it happened, however long a frame takes: what the panels could not tell
+  // from what came before waits until they are laid out, which takes a small part of a frame. What
+  // follows on an event that lost the device is handed on in the next turn.
   void hand_on_input() {
     if (window_.take_close_request()) app_.ask_to_close();
-    // What follows on an event that lost the device is handed on in the next turn.
-    if (events_.empty()) events_ = window_.take_events();
-    while (!events_.empty()) {
-      const InputEvent& event = events_.front();
-      events_ = events_.subspan(1);
-      if (app_.handle(event)) frames_due_ = kFramesPerChange;
+    while (window_.has_input()) {
+      if (!window_.panels().fits(window_.next_input())) lay_out_panels();
+      const auto event = window_.hand_on();
+      if (event && app_.handle(*event)) frames_due_ = kFramesPerChange;
     }
+    if (window_.take_changed()) frames_due_ = kFramesPerChange;
     for (const std::filesystem::path& file : window_.take_dropped_files()) app_.open(file);
   }
 
-  void draw() {
-    const Stopwatch panels;
-    ImGui_ImplGlfw_NewFrame();
+  // Until it is said who gets the next key.
+  void lay_out_panels() {
+    for (int k = 0; k < kFramesPerChange; ++k) {
+      lay_out();
+      if (!window_.panels().focus_is_on_its_way()) return;
+    }
+  }
+
+  void lay_out() {
+    window_.panels().new_frame();
     ImGui::NewFrame();
     try {
       app_.draw_ui(timings_);
@@ -161,7 +168,12 @@ class MainLoop {
       throw;
     }
     ImGui::Render();
-    window_.panels_have_seen_keys();
+    window_.panels().laid_out();
+  }
+
+  void draw() {
+    const Stopwatch panels;
+    lay_out();
     timings_.panels_ms = panels.elapsed_ms();
     // A window that changed while it was drawn is drawn again.
     const bool at_rest = still_seconds() >= kRestSeconds;
@@ -187,8 +199,7 @@ class MainLoop {
   double scale_ = 0.0;
   Theme theme_ = Theme::dark;
   std::string title_;
-  std::span<const InputEvent> events_;  // not yet handed on
-  Stopwatch since_change_;              // of what the scene shows
+  Stopwatch since_change_;  // of what the scene shows
   int frames_due_ = kFramesPerChange;
 };
 

@@ -12,14 +12,16 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/instance.h"
+#include "window/panel_input.h"
 #include "window/window_error.h"
 
 namespace lapwing::viewer {
 namespace {
+
+using Kind = DesktopEvent::Kind;
 
 // There is one window, and whoever wakes it may not know it.
 std::atomic<bool> woken = false;
@@ -50,13 +52,16 @@ Modifiers modifiers_of(int mods) {
   return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
 }
 
-Modifiers pressed_modifiers(GLFWwindow* window) {
-  const auto down = [&](int left, int right) {
-    return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+// As GLFW's bits.
+int pressed_modifiers(GLFWwindow* window) {
+  const auto bit_if_down = [&](int bit, int left, int right) {
+    const bool is_down =
+        glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+    return is_down ? bit : 0;
   };
-  return {down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
-          down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
-          down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+  return bit_if_down(GLFW_MOD_SHIFT, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) |
+         bit_if_down(GLFW_MOD_CONTROL, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) |
+         bit_if_down(GLFW_MOD_ALT, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
 }
 
 MouseButton button_of(int button) {
@@ -104,141 +109,57 @@ int key_of(int key, int scancode) {
 
 }  // namespace
 
-// GLFW's callbacks: each goes to ImGui first, which says whether a panel wants it.
+// GLFW's callbacks: what they say waits, in its order, until it is handed on.
 struct WindowCallbacks {
   static Window& of(GLFWwindow* handle) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   }
 
-  // Where the cursor was when the event that is handled came: GLFW, asked, says where it is by now.
-  static Eigen::Vector2d in_pixels(GLFWwindow* handle) {
-    int width = 0;
-    int height = 0;
-    glfwGetWindowSize(handle, &width, &height);
-    const VkExtent2D pixels = of(handle).pixels();
-    const Eigen::Vector2d& cursor = of(handle).cursor_;
-    if (width == 0 || height == 0) return cursor;
-    return {cursor.x() * pixels.width / width, cursor.y() * pixels.height / height};
-  }
-
-  // ImGui itself knows only at the next frame.
-  static bool over_panel(const Eigen::Vector2d& cursor) {
-    const ImVec2 place(static_cast<float>(cursor.x()), static_cast<float>(cursor.y()));
-    for (const ImGuiWindow* panel : ImGui::GetCurrentContext()->Windows) {
-      if ((panel->Flags & ImGuiWindowFlags_NoMouseInputs) != 0) continue;
-      if (panel->WasActive && panel->OuterRectClipped.Contains(place)) return true;
-    }
-    return false;
-  }
-
-  // A click beside an open menu closes it.
-  static bool panels_want_mouse(GLFWwindow* handle) {
-    return over_panel(of(handle).cursor_) || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
-  }
-
-  static void add(GLFWwindow* handle, InputEvent event) {
+  static void add(GLFWwindow* handle, DesktopEvent event) {
     Window& window = of(handle);
-    window.changed_ = true;
-    window.events_.push_back(event);
+    event.cursor = window.cursor_;
+    window.waiting_.push_back(event);
   }
 
   static void on_button(GLFWwindow* handle, int button, int action, int mods) {
-    ImGui_ImplGlfw_MouseButtonCallback(handle, button, action, mods);
-    Window& window = of(handle);
-    window.changed_ = true;
-    InputEvent event;
-    event.kind = action == GLFW_PRESS ? InputKind::press : InputKind::release;
-    event.position = in_pixels(handle);
-    event.button = button_of(button);
-    event.modifiers = modifiers_of(mods);
-    if (event.kind == InputKind::press) {
-      if (window.dragging_ != MouseButton::none || panels_want_mouse(handle)) return;
-      window.dragging_ = event.button;
-    } else {
-      if (window.dragging_ != event.button) return;
-      window.dragging_ = MouseButton::none;
-    }
-    add(handle, event);
+    of(handle).buttons_down_ += action == GLFW_PRESS ? 1 : -1;
+    add(handle, {.kind = Kind::button, .code = button, .action = action, .modifiers = mods});
   }
 
   static void on_move(GLFWwindow* handle, double x, double y) {
     Window& window = of(handle);
     window.cursor_ = {x, y};
-    // Panels light up under the cursor; what changes in the picture the app says.
-    if (ImGui::GetIO().WantCaptureMouse || over_panel(window.cursor_)) window.changed_ = true;
-    InputEvent event;
-    event.kind = InputKind::move;
-    event.position = in_pixels(handle);
-    event.button = window.dragging_;
-    event.modifiers = pressed_modifiers(handle);
     // A lasso is all of its way, however long a frame takes; otherwise where the cursor is by now
     // is enough.
-    const bool may_skip = window.dragging_ == MouseButton::none && !window.events_.empty() &&
-                          window.events_.back().kind == InputKind::move;
-    if (may_skip) {
-      window.events_.back() = event;
-    } else {
-      window.events_.push_back(event);
+    if (window.buttons_down_ == 0 && window.has_input() &&
+        window.waiting_.back().kind == Kind::move) {
+      window.waiting_.pop_back();
     }
+    add(handle, {.kind = Kind::move, .modifiers = pressed_modifiers(handle)});
   }
 
   static void on_scroll(GLFWwindow* handle, double x, double y) {
-    ImGui_ImplGlfw_ScrollCallback(handle, x, y);
-    of(handle).changed_ = true;
-    if (panels_want_mouse(handle)) return;
-    InputEvent event;
-    event.kind = InputKind::scroll;
-    event.position = in_pixels(handle);
-    event.modifiers = pressed_modifiers(handle);
-    event.scroll = y;
-    add(handle, event);
-  }
-
-  // ImGui sees keys as they are at each frame: one that goes down and up between two would be lost
-  // to it, however long a frame takes.
-  static void tell_imgui(GLFWwindow* handle, const Window::KeyRelease& key, int action) {
-    Window& window = of(handle);
-    if (action == GLFW_PRESS) window.pressed_since_frame_.push_back(key.key);
-    const auto& pressed = window.pressed_since_frame_;
-    const bool is_new = std::find(pressed.begin(), pressed.end(), key.key) != pressed.end();
-    if (action == GLFW_RELEASE && is_new) {
-      window.late_releases_.push_back(key);
-    } else {
-      ImGui_ImplGlfw_KeyCallback(handle, key.key, key.scancode, action, key.modifiers);
-    }
+    add(handle, {.kind = Kind::scroll, .modifiers = pressed_modifiers(handle), .scroll = {x, y}});
   }
 
   static void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
-    tell_imgui(handle, {key, scancode, mods}, action);
-    of(handle).changed_ = true;
-    if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
-    InputEvent event;
-    event.kind = InputKind::key;
-    event.position = in_pixels(handle);
-    event.modifiers = modifiers_of(mods);
-    event.key = key_of(key, scancode);
-    if (event.key != 0) add(handle, event);
+    add(handle, {.kind = Kind::key,
+                 .code = key,
+                 .scancode = scancode,
+                 .action = action,
+                 .modifiers = mods});
   }
 
   static void on_text(GLFWwindow* handle, unsigned int character) {
-    ImGui_ImplGlfw_CharCallback(handle, character);
-    of(handle).changed_ = true;
-    if (ImGui::GetIO().WantTextInput) return;
-    InputEvent event;
-    event.kind = InputKind::text;
-    event.position = in_pixels(handle);
-    event.text = static_cast<char32_t>(character);
-    add(handle, event);
+    add(handle, {.kind = Kind::text, .code = static_cast<int>(character)});
   }
 
   static void on_focus(GLFWwindow* handle, int focused) {
-    ImGui_ImplGlfw_WindowFocusCallback(handle, focused);
-    of(handle).changed_ = true;
+    add(handle, {.kind = Kind::focus, .action = focused});
   }
 
   static void on_enter(GLFWwindow* handle, int entered) {
-    ImGui_ImplGlfw_CursorEnterCallback(handle, entered);
-    of(handle).changed_ = true;
+    add(handle, {.kind = Kind::enter, .action = entered});
   }
 
   static void on_drop(GLFWwindow* handle, int count, const char** paths) {
@@ -285,10 +206,12 @@ Window::Window(const std::string& title, int width, int height) {
   glfwSetWindowSizeLimits(handle_, 64, 64, GLFW_DONT_CARE, GLFW_DONT_CARE);
   ImGui::CreateContext();
   ImGui_ImplGlfw_InitForOther(handle_, false);
+  panels_ = std::make_unique<PanelInput>(handle_);
   WindowCallbacks::install(handle_);
 }
 
 Window::~Window() {
+  panels_.reset();
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
   glfwDestroyWindow(handle_);
@@ -337,22 +260,95 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
-std::span<const InputEvent> Window::take_events() {
-  // Swapped, so that both keep their memory.
-  taken_.clear();
-  taken_.swap(events_);
-  return taken_;
+// Of what waits those at the front are handed on already: the list keeps its memory.
+std::optional<InputEvent> Window::hand_on() {
+  const DesktopEvent event = waiting_[handed_on_++];
+  if (!has_input()) {
+    waiting_.clear();
+    handed_on_ = 0;
+  }
+  const bool over_panel = PanelInput::is_over_panel(event.cursor) || ImGui::IsAnyItemActive();
+  // Panels light up under the cursor; what changes in the picture the app says.
+  if (event.kind != DesktopEvent::Kind::move || over_panel || was_over_panel_) changed_ = true;
+  was_over_panel_ = over_panel;
+  const bool is_for_picture = goes_to_picture(event);
+  panels_->hand_on(event);
+  if (!is_for_picture) return {};
+  return input_event(event);
 }
+
+// By how the panels were laid out last.
+bool Window::goes_to_picture(const DesktopEvent& event) {
+  const MouseButton button = button_of(event.code);
+  switch (event.kind) {
+    case Kind::move:
+      return true;
+    case Kind::button:
+      if (event.action == GLFW_PRESS) {
+        if (dragging_ != MouseButton::none || PanelInput::want_mouse(event.cursor)) return false;
+        dragging_ = button;
+        return true;
+      }
+      if (dragging_ != button) return false;
+      dragging_ = MouseButton::none;
+      return true;
+    case Kind::scroll:
+      return !PanelInput::want_mouse(event.cursor);
+    case Kind::key:
+      // What a key types goes where the key went, whatever that has opened.
+      types_into_panel_ = PanelInput::want_keys();
+      return event.action != GLFW_RELEASE && !types_into_panel_ &&
+             key_of(event.code, event.scancode) != 0;
+    case Kind::text:
+      return !types_into_panel_;
+    case Kind::enter:
+    case Kind::focus:
+      return false;
+  }
+  return false;
+}
+
+InputEvent Window::input_event(const DesktopEvent& event) const {
+  InputEvent input;
+  input.position = in_pixels(event.cursor);
+  input.modifiers = modifiers_of(event.modifiers);
+  switch (event.kind) {
+    case Kind::button:
+      input.kind = event.action == GLFW_PRESS ? InputKind::press : InputKind::release;
+      input.button = button_of(event.code);
+      break;
+    case Kind::scroll:
+      input.kind = InputKind::scroll;
+      input.scroll = event.scroll.y();
+      break;
+    case Kind::key:
+      input.kind = InputKind::key;
+      input.key = key_of(event.code, event.scancode);
+      break;
+    case Kind::text:
+      input.kind = InputKind::text;
+      input.text = static_cast<char32_t>(event.code);
+      break;
+    case Kind::move:
+    case Kind::enter:
+    case Kind::focus:
+      input.button = dragging_;
+      break;
+  }
+  return input;
+}
+
+Eigen::Vector2d Window::in_pixels(const Eigen::Vector2d& cursor) const {
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(handle_, &width, &height);
+  const VkExtent2D pixels = this->pixels();
+  if (width == 0 || height == 0) return cursor;
+  return {cursor.x() * pixels.width / width, cursor.y() * pixels.height / height};
+}
+
 std::vector<std::filesystem::path> Window::take_dropped_files() {
   return std::exchange(dropped_, {});
-}
-void Window::panels_have_seen_keys() {
-  pressed_since_frame_.clear();
-  for (const KeyRelease& key : late_releases_) {
-    ImGui_ImplGlfw_KeyCallback(handle_, key.key, key.scancode, GLFW_RELEASE, key.modifiers);
-    changed_ = true;
-  }
-  late_releases_.clear();
 }
 bool Window::take_changed() {
   const bool changed = std::exchange(changed_, false);

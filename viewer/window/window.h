@@ -1,13 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <span>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <volk.h>
 
 #include "tools/input.h"
+#include "window/panel_input.h"
 
 struct GLFWwindow;
 
@@ -41,14 +44,16 @@ class Window {
   /// Wakes `wait` for another frame. May be called from any thread.
   static void wake();
 
-  /// What happened since the last call, oldest first; input that the panels want is left out.
-  /// Until the next call.
-  std::span<const InputEvent> take_events();
+  /// Whether something that happened is yet to be handed on.
+  bool has_input() const { return handed_on_ < waiting_.size(); }
+  /// Of that the oldest, to the panels; returned if it is (also) for the picture. As the panels
+  /// were laid out last: first they are to be laid out again where it does not fit
+  /// (`panels().fits(next_input())`).
+  std::optional<InputEvent> hand_on();
+  const DesktopEvent& next_input() const { return waiting_[handed_on_]; }
+  PanelInput& panels() { return *panels_; }
   std::vector<std::filesystem::path> take_dropped_files();
-  /// The panels have been laid out: keys that were let go since they were pressed are up for the
-  /// next one.
-  void panels_have_seen_keys();
-  /// Whether anything happened since the last call that may change the panels.
+  /// Whether anything was handed on or happened since the last call that may change the panels.
   bool take_changed();
 
   /// Whether the person wanted the window closed since the last call.
@@ -62,21 +67,20 @@ class Window {
  private:
   friend struct WindowCallbacks;
 
-  /// As GLFW says it.
-  struct KeyRelease {
-    int key;
-    int scancode;
-    int modifiers;
-  };
+  bool goes_to_picture(const DesktopEvent& event);
+  InputEvent input_event(const DesktopEvent& event) const;
+  Eigen::Vector2d in_pixels(const Eigen::Vector2d& cursor) const;
 
   GLFWwindow* handle_ = nullptr;
-  std::vector<InputEvent> events_;
-  std::vector<InputEvent> taken_;
+  std::unique_ptr<PanelInput> panels_;
+  std::vector<DesktopEvent> waiting_;
+  std::size_t handed_on_ = 0;  ///< of those that wait
   std::vector<std::filesystem::path> dropped_;
-  Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< in screen units
+  Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< in screen units, by now
+  int buttons_down_ = 0;                              ///< by now
   MouseButton dragging_ = MouseButton::none;          ///< pressed over the picture
-  std::vector<int> pressed_since_frame_;              ///< GLFW's keys
-  std::vector<KeyRelease> late_releases_;
+  bool types_into_panel_ = false;                     ///< the key pressed last
+  bool was_over_panel_ = false;                       ///< the cursor
   bool changed_ = true;
 };
 

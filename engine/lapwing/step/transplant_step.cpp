@@ -14,7 +14,7 @@ void describe(TransplantParameters& parameters, KeyVisitor& visitor) {
   visitor.object({.name = "transition",
                   .help = "the detail goes over from the host's to the part's within this geodesic "
                           "distance of the part's loop; narrow is sharp, wide is soft",
-                  .absent = "half the hole's radius, smooth"},
+                  .absent = "half the hole's radius or what fits, smooth"},
                  parameters.transition, ObjectForm::optional);
   visitor.group({.name = "belt",
                  .help = "beyond it, on both sides, vertices are free over `padding` and held over "

@@ -13,6 +13,7 @@
 #include "lapwing/laplacian/laplacian_system.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/transplant/laid_collar.h"
+#include "lapwing/transplant/seam_collars.h"
 #include "lapwing/transplant/seam_zone.h"
 
 namespace lapwing {
@@ -64,7 +65,6 @@ class SeamReconstruction {
     body();
     timings_.add(name, watch.elapsed_ms());
   }
-  std::vector<double> distances_in_cut() const;
   void lay_collars();
   void make_system();
   void smooth_geometry();
@@ -111,41 +111,10 @@ class SeamReconstruction {
   TransplantResult result_;
 };
 
-std::vector<double> SeamReconstruction::distances_in_cut() const {
-  std::vector<char> allowed(host_.positions.size(), 0);
-  for (const Triangle& corners : host_.cut) {
-    for (const Index v : corners) allowed[v] = 1;
-  }
-  return geodesic_distances(host_.topology, host_.positions, host_.hole, kNoLimit, allowed);
-}
-
 // What D lies on: the host's vertices on themselves, the transition on what was cut.
 void SeamReconstruction::lay_collars() {
-  double depth = 0.0;
-  for (const Triangle& corners : host_.cut) {
-    for (const Index v : corners) {
-      if (std::isfinite(cut_distances_[v])) depth = std::max(depth, cut_distances_[v]);
-    }
-  }
-  // Of a hole that is small all but its middle, which would be laid onto a whole side of the
-  // square.
-  constexpr double kDeepest = 0.8;
-  const double width = options_.transition.width;
-  const Collar below = make_collar(host_.cut, host_.hole, cut_distances_,
-                                   std::min(width + joined_.gap, kDeepest * depth), where_);
-  std::vector<Triangle> piece;
-  std::vector<double> depths(joined_.positions.size(), 0.0);
-  for (Index v = 0; v < depths.size(); ++v) {
-    if (!is_host(v)) depths[v] = joined_.depths[v];
-  }
-  for (std::size_t t = 0; t < joined_.topology.triangles.size(); ++t) {
-    if (joined_.topology.triangle_faces[t] >= joined_.host_faces) {
-      piece.push_back(joined_.topology.triangles[t]);
-    }
-  }
-  // Triangles between the loops belong to it, however narrow it is.
-  const double reach = std::max(width, 1e-9 * bounds_of(joined_.positions).diagonal());
-  const Collar above = make_collar(piece, zone_.seam, depths, reach, where_);
+  const auto [below, above] =
+      seam_collars(host_, joined_, zone_.seam, cut_distances_, options_.transition.width, where_);
   points_.assign(joined_.positions.size(), SurfacePoint::nowhere());
   // From the same vertex on both.
   std::vector<char> starts(host_.positions.size(), 0);
@@ -173,9 +142,9 @@ void SeamReconstruction::make_system() {
   pattern_ =
       std::make_unique<SystemPattern>(joined_.topology, zone_.region.roi, constraints_.unknowns);
   pattern_->order();
-  system_ =
-      std::make_unique<LaplacianSystem>(joined_.geometry, joined_.topology, zone_.region.roi,
-                                        constraints_, *pattern_, EnergyTerms{options_.weights, 0.0}, timings_);
+  system_ = std::make_unique<LaplacianSystem>(joined_.geometry, joined_.topology, zone_.region.roi,
+                                              constraints_, *pattern_,
+                                              EnergyTerms{options_.weights, 0.0}, timings_);
   for (const Index v : rings().vertices) {
     on_host_.push_back(points_[v]);
     on_itself_.push_back(SurfacePoint::at_vertex(v));
@@ -240,7 +209,7 @@ std::vector<Vector3d> SeamReconstruction::host_detail() const {
 
 // Of the same part of the host as of the joined mesh.
 void SeamReconstruction::smooth_geometry() {
-  cut_distances_ = distances_in_cut();
+  cut_distances_ = distances_in_cut(host_);
   VertexSet region;
   for (const Index v : zone_.region.roi) {
     if (is_host(v)) region.push_back(joined_.host_vertices[v]);

@@ -1,6 +1,7 @@
 #include "lapwing/transplant/seam_zone.h"
 
 #include "lapwing/region/geodesic.h"
+#include "lapwing/transplant/seam_collars.h"
 
 namespace lapwing {
 
@@ -19,10 +20,9 @@ SeamZone seam_zone(const TransplantHost& host, const TransplantJoined& joined,
                    const TransplantOptions& options) {
   SeamZone zone;
   const std::size_t count = joined.positions.size();
-  const std::vector<Index> of_host = places_in(joined.host_vertices, host.positions.size());
   std::vector<char> allowed(count, 0);
   for (Index v = 0; v < count; ++v) allowed[v] = joined.host_vertices[v] != kNoIndex ? 1 : 0;
-  for (const Index v : host.hole) zone.seam.push_back(of_host[v]);
+  zone.seam = seam_of(host, joined);
   zone.distances = geodesic_distances(joined.topology, joined.positions, zone.seam,
                                       options.padding + options.belt, allowed);
   for (Index v = 0; v < count; ++v) {

@@ -20,6 +20,7 @@
 #include "lapwing/transplant/loop_curve.h"
 #include "lapwing/transplant/placed_part.h"
 #include "lapwing/transplant/reconstruct_seam.h"
+#include "lapwing/transplant/seam_collars.h"
 #include "lapwing/transplant/seam_lengths.h"
 #include "lapwing/transplant/zip.h"
 
@@ -68,6 +69,8 @@ class TransplantRun {
   TransplantHost host() const;
   TransplantJoined joined() const;
   TransplantOptions options();
+  void narrow(TransplantOptions& chosen) const;
+  void tell_narrowed(double from, double to);
   void reconstruct();
   void require_valid(const TransplantResult& seam) const;
   double seam_degrees(const Positions& positions) const;
@@ -164,6 +167,26 @@ TransplantOptions TransplantRun::options() {
   return options;
 }
 
+// A width that nobody has asked for gives way to holes and handles next to the seam.
+void TransplantRun::narrow(TransplantOptions& chosen) const {
+  const TransplantParameters& parameters = request_.parameters;
+  if (parameters.transition) return;
+  const double width = width_that_fits(host(), joined(), chosen.transition.width);
+  const double share = width / chosen.transition.width;
+  if (share == 1.0) return;
+  chosen.transition.width = width;
+  if (!parameters.padding) chosen.padding *= share;
+  if (!parameters.belt) chosen.belt *= share;
+}
+
+void TransplantRun::tell_narrowed(double from, double to) {
+  std::ostringstream text;
+  text << request_.where << ": the transition was narrowed from " << from << " to " << to
+       << ", since it would reach another boundary or a handle of the surface; give \"transition\" "
+          "a \"width\" to choose it yourself";
+  result_.warnings.push_back(text.str());
+}
+
 void TransplantRun::remesh() {
   if (request_.parameters.remesh == Remeshing::none) return;
   const double width = result_.report.transition_width;
@@ -241,12 +264,20 @@ TransplantJoined TransplantRun::joined() const {
 
 void TransplantRun::reconstruct() {
   TransplantReport& report = result_.report;
-  const TransplantOptions chosen = options();
+  TransplantOptions chosen = options();
+  const double wanted = chosen.transition.width;
+  timed("smooth", [&] {
+    narrow(chosen);
+    joined_.geometry = smooth_seam(host(), joined(), chosen);
+  });
   report.transition_width = chosen.transition.width;
   report.padding = chosen.padding;
   report.belt = chosen.belt;
-  timed("smooth", [&] { joined_.geometry = smooth_seam(host(), joined(), chosen); });
   remesh();
+  // What is next to a hole of the part may have been cut anew.
+  narrow(chosen);
+  report.transition_width = chosen.transition.width;
+  if (chosen.transition.width < wanted) tell_narrowed(wanted, chosen.transition.width);
   TransplantResult seam = reconstruct_seam(host(), joined(), chosen, kernels_, request_.where,
                                            result_.timings, progress_);
   require_valid(seam);

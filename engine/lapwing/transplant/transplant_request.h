@@ -21,7 +21,7 @@ using PartPlace = std::variant<LoopFit, Move>;
 /// How a transplant is computed. Lengths are on the mesh that the part is put on.
 struct TransplantParameters {
   /// How far over the part the host's detail goes over into the part's; none: half the radius of
-  /// the hole, and smooth.
+  /// the hole, or as much of it as other holes and handles leave room for, and smooth.
   std::optional<Transition> transition;
   std::optional<double> padding;  ///< free on both sides beyond it; none: half the transition
   std::optional<double> belt;     ///< held beyond that; none: a quarter of it

@@ -9,12 +9,14 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/subdivide.h"
 #include "lapwing/render/closed_surface.h"
+#include "lapwing/render/id_picture.h"
 #include "lapwing/render/surface.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "navigation/camera_motion.h"
 #include "run/measure.h"
 #include "run/subject.h"
 #include "studies/studies.h"
+#include "tools/projection.h"
 #include "ui/panels.h"
 #include "window/frame_painter.h"
 #include "window/offscreen_screen.h"
@@ -165,6 +167,26 @@ class DraggedMesh {
     parts.add(times_, frame.elapsed_ms());
   }
 
+  // What is under the middle of the window in a frame of a drag, as the viewer finds it and as a
+  // picture of triangle numbers, which the device would have to draw first, says it.
+  void pick(Samples& along_ray, Samples& by_picture) {
+    const Eigen::Vector2d size(size_.width, size_.height);
+    const viewer::Projection projection(
+        scene_.camera.projection(size.x() / size.y()) * scene_.camera.view(), size);
+    const std::array motions{motion_at(1.0, diagonal_)};
+    const Stopwatch of_ray;
+    dragged_ = mesh_.positions;
+    drag_.move(motions, dragged_);
+    const auto found =
+        viewer::pick_surface(topology_, dragged_, projection.ray_through(0.5 * size));
+    along_ray.milliseconds.push_back(of_ray.elapsed_ms());
+    const Stopwatch of_picture;
+    picture_of_ids_.draw(surface_, scene_.camera, size_.width, size_.height);
+    const auto seen = picture_of_ids_.pick(surface_, size_.width / 2, size_.height / 2);
+    by_picture.milliseconds.push_back(of_picture.elapsed_ms());
+    if (found.has_value() != seen.has_value()) std::puts("the two do not see the same");
+  }
+
   std::size_t vertex_count() const { return mesh_.vertex_count(); }
   const std::string& device() const { return context_->description().name; }
   std::uint32_t coarseness() const { return kept_.painter.picture().pixels_per_pixel(); }
@@ -199,6 +221,8 @@ class DraggedMesh {
   Panels panels_;
   Window kept_;
   Window anew_;
+  IdPicture picture_of_ids_{*context_};
+  Positions dragged_;
   Scene scene_;
   Camera camera_;  // it begins with
   VkExtent2D size_;
@@ -250,6 +274,16 @@ void bench_frame(const FrameBench& settings) {
   std::printf("while the camera moves, one pixel drawn stands for %u x %u\n", coarseness,
               coarseness);
   for (std::size_t k = 0; k < kKinds.size(); ++k) measured[k].print(kKinds[k].title);
+  Samples along_ray;
+  Samples by_picture;
+  for (int k = 0; k < kFramesPerRun * settings.repeats; ++k) dragged.pick(along_ray, by_picture);
+  const auto print = [](const char* title, const Samples& samples) {
+    std::printf("    %-46s %10.2f %10.2f %10.2f\n", title, samples.median(), samples.min(),
+                samples.max());
+  };
+  std::puts("  what is under the cursor in a drag");
+  print("along the line of sight, processor", along_ray);
+  print("by a picture drawn for it, device", by_picture);
   if (!settings.picture.empty()) write_png(settings.picture, dragged.picture());
 }
 

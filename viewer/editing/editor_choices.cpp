@@ -1,0 +1,155 @@
+// How a person goes on to choose: the answers of tools, another edit that begins elsewhere, and
+// what waits until the last one has settled.
+
+#include <algorithm>
+#include <utility>
+
+#include "editing/editor.h"
+
+namespace lapwing::viewer {
+namespace {
+
+using Role = Part::Role;
+
+const char* const kBeginsHere = "a new edit begins here; undo goes back to the last one";
+
+// What is chosen is chosen on the surface as it has settled (`apply`).
+struct Commits {
+  template <class Other>
+  bool operator()(const Other&) const {
+    return false;
+  }
+  bool operator()(const Choose&) const { return true; }
+  bool operator()(const Paint&) const { return true; }
+  bool operator()(const RemoveHandle&) const { return true; }
+  bool operator()(const Commit&) const { return true; }
+  bool operator()(const NewEdit&) const { return true; }
+};
+
+}  // namespace
+
+bool commits(const Command& command) {
+  return std::visit(Commits{}, command);
+}
+
+// A handle lies in the ROI: who takes the disk for it elsewhere means another ROI.
+void Editor::choose_elsewhere(const InputEvent& event, const ViewFrame& view) {
+  const EditSelection& selection = state().selection;
+  const bool may_be = has_in_hand(tools_.disk) && part_.role == Role::handle &&
+                      event.button == MouseButton::left && !selection.mirror;
+  if (!may_be || selection.roi.vertices.empty() || !shown_.has_triangles_of_state()) return;
+  if (tools_.disk.is_at_grip(event.position, scene(view, view.projection()))) return;
+  const auto pick = shown_.pick(view, event.position);
+  if (!pick || std::ranges::binary_search(selection.roi.vertices, pick->vertex)) return;
+  choose({Role::roi});
+}
+
+// Whether a stroke away from an edit that is done chooses the ROI of another.
+bool Editor::begins_elsewhere(const Command& command) const {
+  const auto* stroke = std::get_if<Paint>(&command);
+  if (stroke == nullptr || stroke->part.role != Role::roi || stroke->added.empty() ||
+      !stroke->removed.empty() || !state().settled) {
+    return false;
+  }
+  const VertexSet around =
+      with_ring_neighbours(stroke->added, surface_of(state())->topology().rings);
+  return intersect(around, state().selection.roi.vertices).empty();
+}
+
+void Editor::take_hold(const ToolAnswer& answer, const Eigen::Vector2d& pixel,
+                       const Projection& projection) {
+  if (!answer.holds || *answer.holds >= handle_count()) return;
+  choose({Role::handle, *answer.holds});
+  if (!answer.drags_held) return;
+  tools_.gizmo.take_hold(pixel,
+                         {state(), positions(), projection, {}, {}, part_, handle_, gizmo_keys_});
+  begin_drag();
+  drag_is_of_last_step_ = answer.command.has_value();
+}
+
+Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining) {
+  return act_on(answer, joining, tool_->may_change_choice());
+}
+
+// `may_change`: the tool may still size what it chose.
+Editor::Handled Editor::act_on(const ToolAnswer& answer, Joining joining, bool may_change) {
+  if (!answer.message.empty()) say_({answer.message, Tone::warning});
+  if (answer.command) {
+    const Part part = part_;
+    if (begins_elsewhere(*answer.command) && perform(NewEdit{})) {
+      joining = Joining::with_last;
+      say_(kBeginsHere);
+    }
+    const std::size_t done = session_->history().done();
+    const bool sizes_on = answer.resizes && sizable_at_ == done;
+    const bool is_done = perform(*answer.command, sizes_on ? Joining::instead_of_last : joining);
+    const std::size_t expected = sizes_on || joining == Joining::with_last ? done : done + 1;
+    if (is_done && session_->history().done() == expected && (may_change || answer.resizes)) {
+      sizable_at_ = expected;
+    }
+    const bool is_choice = std::holds_alternative<Choose>(*answer.command);
+    if (is_done && is_choice && !may_change && !answer.resizes) after_choice(part);
+  }
+  return {answer.taken, answer.taken};
+}
+
+// A disk that was clicked waits to be sized; what was painted, for more strokes.
+void Editor::after_choice(const Part& part) {
+  if (part_ == part) go_on();
+}
+
+void Editor::say_what_was_let_go(std::size_t handles_before) {
+  if (handle_count() >= handles_before) return;
+  say_(handle_count() == 0 ? kBeginsHere
+                           : "handles outside the ROI were let go; undo brings them back");
+}
+
+bool Editor::waits() const {
+  return session_->awaits_result() || !postponed_.empty();
+}
+
+void Editor::postpone(std::function<void()> act) {
+  if (postponed_.empty()) say_("goes on once the last edit has settled; undo gives it up");
+  postponed_.push_back(std::move(act));
+}
+
+// A person who goes on while the last edit settles finds later what would have come of it then.
+// What follows on something that waits waits, too, so that all comes in its order; the camera does
+// not.
+bool Editor::postpones(const InputEvent& event, const ViewFrame& view) {
+  const bool begins = event.kind == InputKind::press && event.button == MouseButton::left &&
+                      !postponed_.empty() && shown_.pick(view, event.position);
+  const bool goes_on = postpones_drag_ && is_of_pointer(event);
+  if (!begins && !goes_on) return false;
+  if (event.kind == InputKind::press) postpones_drag_ = true;
+  if (event.kind == InputKind::release) postpones_drag_ = false;
+  postpone([this, event, view] { handle(event, view); });
+  return true;
+}
+
+// Of what a tool has chosen meanwhile. A handle that is yet to be chosen cannot be dragged before.
+bool Editor::postpones(const ToolAnswer& answer, const InputEvent& event, const ViewFrame& view) {
+  if (!answer.command || !commits(*answer.command) || !waits()) return false;
+  postpones_drag_ = answer.drags_held;
+  const bool may_change = tool_->may_change_choice();
+  postpone([this, answer, may_change, pixel = event.position, view] {
+    act_on(answer, Joining::own_step, may_change);
+    take_hold(answer, pixel, view.projection());
+  });
+  return true;
+}
+
+void Editor::take_up_postponed() {
+  if (postponed_.empty() || session_->awaits_result()) return;
+  postpones_drag_ = false;
+  say_("");
+  const auto acts = std::exchange(postponed_, {});
+  for (const auto& act : acts) act();
+}
+
+void Editor::give_up_postponed() {
+  postponed_.clear();
+  postpones_drag_ = false;
+}
+
+}  // namespace lapwing::viewer

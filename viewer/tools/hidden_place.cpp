@@ -1,0 +1,18 @@
+#include "tools/hidden_place.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// A surface this much nearer to the eye hides a place, as a share of the mesh's diagonal.
+constexpr double kHides = 0.02;
+
+}  // namespace
+
+bool is_hidden(const Eigen::Vector3d& place, const Eigen::Vector2d& pixel, const ToolScene& scene) {
+  const auto hit = scene.pick ? scene.pick(pixel) : std::nullopt;
+  if (!hit) return false;
+  const double nearer = (hit->position - place).dot(scene.projection.toward_eye(place));
+  return nearer > kHides * bounds_of(scene.positions).diagonal();
+}
+
+}  // namespace lapwing::viewer

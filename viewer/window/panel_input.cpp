@@ -1,0 +1,99 @@
+#include "window/panel_input.h"
+
+#include <cfloat>
+
+#include <volk.h>
+// volk declares Vulkan before GLFW looks for it.
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace lapwing::viewer {
+namespace {
+
+using Kind = DesktopEvent::Kind;
+
+}  // namespace
+
+void PanelInput::hand_on(const DesktopEvent& event) {
+  frame_.add(event);
+  cursor_ = event.cursor;
+  switch (event.kind) {
+    case Kind::move:
+      is_inside_ = true;
+      break;
+    case Kind::enter:
+      is_inside_ = event.action != 0;
+      ImGui_ImplGlfw_CursorEnterCallback(window_, event.action);
+      break;
+    case Kind::button:
+      is_inside_ = true;
+      if (const auto button = static_cast<std::size_t>(event.code); button < kButtons) {
+        down_[button] = event.action == GLFW_PRESS;
+      }
+      break;
+    case Kind::scroll:
+      ImGui_ImplGlfw_ScrollCallback(window_, event.scroll.x(), event.scroll.y());
+      break;
+    case Kind::key:
+      ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action,
+                                 event.modifiers);
+      break;
+    case Kind::text:
+      // What the picture gets must not be typed into a field that opens by it.
+      if (want_keys()) {
+        ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned int>(event.code));
+      }
+      break;
+    case Kind::focus:
+      ImGui_ImplGlfw_WindowFocusCallback(window_, event.action);
+      break;
+  }
+}
+
+void PanelInput::new_frame() {
+  popups_ = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+  ImGui_ImplGlfw_NewFrame();
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = is_inside_
+                    ? ImVec2(static_cast<float>(cursor_.x()), static_cast<float>(cursor_.y()))
+                    : ImVec2(-FLT_MAX, -FLT_MAX);
+  for (std::size_t button = 0; button < kButtons; ++button) io.MouseDown[button] = down_[button];
+}
+
+void PanelInput::laid_out() {
+  frame_.clear();
+  popups_changed_ = ImGui::GetCurrentContext()->OpenPopupStack.Size != popups_;
+}
+
+bool PanelInput::focus_is_on_its_way() const {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return popups_changed_ || context.NavMoveSubmitted || context.NavNextActivateId != 0;
+}
+
+// ImGui itself knows only at the next frame.
+bool PanelInput::is_over_panel(const Eigen::Vector2d& cursor) {
+  const ImVec2 place(static_cast<float>(cursor.x()), static_cast<float>(cursor.y()));
+  for (const ImGuiWindow* panel : ImGui::GetCurrentContext()->Windows) {
+    const bool takes_mouse = (panel->Flags & ImGuiWindowFlags_NoMouseInputs) == 0;
+    if (panel->Active && !panel->Hidden && takes_mouse && panel->OuterRectClipped.Contains(place)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool PanelInput::want_mouse(const Eigen::Vector2d& cursor) {
+  return is_over_panel(cursor) || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+}
+
+// Likewise: ImGui::GetIO().WantTextInput is a frame late. A slider that was typed into keeps its
+// number as that of the field, and what is dragged is no field.
+bool PanelInput::want_keys() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.WantTextInputNextFrame == 1 && context.ActiveId != 0 &&
+         context.ActiveId == context.InputTextState.ID;
+}
+
+}  // namespace lapwing::viewer
