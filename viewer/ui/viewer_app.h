@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "files/recent_files.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "navigation/keymap.h"
 #include "ui/document.h"
+#include "ui/file_chooser.h"
 #include "ui/load_file.h"
 #include "ui/panels.h"
 #include "window/app.h"
@@ -26,7 +28,8 @@ struct PictureOrder {
 };
 
 /// The viewer: what is open, how it is looked at, and the panels around it. Its sources are by
-/// concern: viewer_app (files), viewer_input (mouse and keys), viewer_frame (panels).
+/// concern: viewer_app (what is open), viewer_files (what is read and written), viewer_input (mouse
+/// and keys), viewer_frame (panels).
 class ViewerApp final : public App {
  public:
   /// Journals go to that folder.
@@ -39,7 +42,8 @@ class ViewerApp final : public App {
   bool handle(const InputEvent& event) override;
   void open(const std::filesystem::path& file) override { open(file, {}); }
   /// `carry` follow the surface from the first edit by hand on.
-  void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry);
+  void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry,
+            std::optional<PathPurpose> asked_for = {});
   void resize(const Eigen::Vector2d& size) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
@@ -51,15 +55,24 @@ class ViewerApp final : public App {
  private:
   // Files.
   using Load = std::function<LoadedFile(Kernels& kernels, const Progress& progress)>;
-  /// Begins with `load`, beside the window, and calls it `name`; what is still being loaded is
-  /// given up.
-  void load(std::string name, Load load);
+  /// What is loaded, and what the person was asked for: where it cannot be, that is asked again.
+  struct Loading {
+    std::filesystem::path file;
+    std::optional<PathPurpose> asked_for = {};
+  };
+  /// Begins with `load`, beside the window; what is still being loaded is given up.
+  void load(Loading what, Load load);
   void show(LoadedFile file);
   void go_on_with(LoadedFile replay);
   void take_loaded();
   /// Goes on with `action`, which gives up what is open, once nothing is lost by it.
   void leave_for(std::function<void()> action);
   void ask_for_path(PathPurpose purpose);
+  /// Says what is wrong with `path`, which was chosen or known for `purpose`, and asks for another.
+  void ask_again(PathPurpose purpose, const std::filesystem::path& path, std::string trouble);
+  std::string suggested_name(PathPurpose purpose) const;
+  std::filesystem::path folder_to_ask_in(PathPurpose purpose) const;
+  std::vector<BrowserPlace> places(PathPurpose purpose) const;
   /// Does `write`; where `file` is there already only after the person has said so, `otherwise`
   /// where not.
   void write_to(const std::filesystem::path& file, std::function<void()> write,
@@ -73,7 +86,8 @@ class ViewerApp final : public App {
   void save_to(const std::filesystem::path& path, std::function<void()> then = {});
   void save_carried();
   void save_recipe(const std::filesystem::path& path);
-  void use_path();
+  void use_path(const ChosenPath& chosen);
+  void save_chosen_picture(const std::filesystem::path& path);
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void carry_out_order();
   /// Says something in the status line and the log.
@@ -114,6 +128,7 @@ class ViewerApp final : public App {
   void update_document();
   void draw_menu();
   void draw_file_menu();
+  void draw_recent_menu();
   void draw_edit_menu();
   void draw_view_menu();
   void draw_sidebar(const FrameTimings& last);
@@ -130,7 +145,7 @@ class ViewerApp final : public App {
   std::shared_ptr<gpu::Context> context_;
   std::filesystem::path journals_;
   Job<LoadedFile> loader_;
-  std::string loading_;  // what is loaded, in words
+  Loading loading_;
   std::unique_ptr<Document> document_;
   Camera camera_;
   UpAxis up_axis_ = UpAxis::y;
@@ -149,7 +164,9 @@ class ViewerApp final : public App {
   bool transplants_ = false;    ///< a part was in hand in the last frame
   PartPictures part_pictures_;  ///< not the document's: a frame may show them when that is closed
   PicturePlan picture_plan_;
-  PathPlan path_plan_;
+  FileChooser chooser_;
+  RecentFiles recent_;
+  std::filesystem::path last_folder_;  ///< that a file was chosen in
   std::vector<InterruptedEdit> interrupted_;
   /// A file that is there already, and what to do once the person has said.
   struct Overwriting {
@@ -161,7 +178,7 @@ class ViewerApp final : public App {
   std::function<void()> saving_;       ///< waits for the surface to settle
   std::function<void()> leaving_for_;  ///< waits for the person to say what becomes of the edit
   std::vector<std::filesystem::path> samples_;
-  std::string typed_path_;
+  std::string start_trouble_;  ///< why what was to be opened is not
   std::vector<std::string> log_;
   std::string status_;
   std::string status_line_;  ///< kept from one frame to the next

@@ -5,6 +5,7 @@
 #include <imgui.h>
 #include <utility>
 
+#include "files/typed_path.h"
 #include "lapwing/base/errors.h"
 #include "ui/viewer_app.h"
 
@@ -121,7 +122,7 @@ void ViewerApp::update_document() {
 void ViewerApp::draw_dialogs() {
   if (!interrupted_.empty()) {
     draw_interrupted();
-  } else if (show_start_ && !loader_.status().busy) {
+  } else if (show_start_ && !chooser_.is_open() && !loader_.status().busy) {
     draw_start();
   }
   if (overwriting_) {
@@ -129,35 +130,27 @@ void ViewerApp::draw_dialogs() {
     if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
   } else {
     if (picture_plan_.open && document_) draw_picture();
-    if (document_ && draw_path_panel(path_plan_)) use_path();
-    if (leaving_for_ && !path_plan_.purpose && !overwriting_) draw_unsaved();
+    if (const auto chosen = chooser_.draw()) use_path(*chosen);
+    if (leaving_for_ && !chooser_.is_open() && !overwriting_) draw_unsaved();
   }
   if (show_controls_) draw_controls_list(keymaps()[keymap_], show_controls_);
 }
 
 void ViewerApp::draw_picture() {
-  if (!draw_picture_panel(picture_plan_)) return;
-  const std::filesystem::path path = picture_plan_.path;
-  const VkExtent2D size{static_cast<std::uint32_t>(picture_plan_.width),
-                        static_cast<std::uint32_t>(picture_plan_.height)};
-  const auto save = [this, path, size] {
-    try {
-      save_picture(path, size);
-      say("saved " + path.string());
-    } catch (const Error& error) {
-      say(error.what());
-    }
-  };
-  write_to(path, save, [this] { picture_plan_.open = true; });
+  if (chooser_.is_open()) return;
+  if (draw_picture_panel(picture_plan_)) ask_for_path(PathPurpose::save_picture);
 }
 
 void ViewerApp::draw_start() {
-  const auto choice = draw_start_panel(samples_, typed_path_);
+  const auto choice = draw_start_panel({samples_, recent_.items(), start_trouble_},
+                                       document_ ? &show_start_ : nullptr);
   if (!choice) return;
   if (const auto* path = std::get_if<std::filesystem::path>(&*choice)) {
     open(*path);
+  } else if (const auto* shape = std::get_if<const NamedShape*>(&*choice)) {
+    leave_for([this, shape = *shape] { show(load_shape(*shape)); });
   } else {
-    leave_for([this, shape = std::get<const NamedShape*>(*choice)] { show(load_shape(*shape)); });
+    ask_for_path(PathPurpose::open);
   }
 }
 
@@ -171,7 +164,7 @@ void ViewerApp::draw_interrupted() {
   if (choice->what == What::discard) return discard(edit);
   interrupted_.clear();
   leave_for([this, edit] {
-    load(edit.opened.filename().string(), [edit](Kernels& kernels, const Progress& progress) {
+    load({edit.opened}, [edit](Kernels& kernels, const Progress& progress) {
       return load_interrupted(edit, kernels, progress);
     });
   });
@@ -214,7 +207,9 @@ void ViewerApp::draw_file_menu() {
   const auto item = [&](const char* label, const char* keys, Action action) {
     if (ImGui::MenuItem(label, keys, false, is_open)) perform(action);
   };
-  if (ImGui::MenuItem("Open...", "Ctrl+O")) show_start_ = true;
+  if (ImGui::MenuItem("Open...", "Ctrl+O")) perform(Action::open);
+  draw_recent_menu();
+  if (ImGui::MenuItem("Samples and shapes...")) show_start_ = true;
   item("Save", "Ctrl+S", Action::save);
   item("Save as...", "Ctrl+Shift+S", Action::save_as);
   item("Save picture...", "Ctrl+P", Action::save_picture);
@@ -226,6 +221,22 @@ void ViewerApp::draw_file_menu() {
   item("Replay a recipe...", "Ctrl+R", Action::replay_recipe);
   ImGui::Separator();
   if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
+}
+
+void ViewerApp::draw_recent_menu() {
+  if (!begin_menu("Open recent")) return;
+  if (ImGui::IsWindowAppearing()) recent_.reload();
+  std::optional<std::filesystem::path> chosen;
+  for (const RecentFiles::Item& item : recent_.items()) {
+    if (ImGui::MenuItem(with_tilde(item.path).c_str(), nullptr, false, item.is_there)) {
+      chosen = item.path;
+    }
+  }
+  if (recent_.items().empty()) ImGui::TextDisabled("What you open is listed here.");
+  ImGui::Separator();
+  if (ImGui::MenuItem("Forget these", nullptr, false, !recent_.items().empty())) recent_.clear();
+  ImGui::EndMenu();
+  if (chosen) open(*chosen);
 }
 
 void ViewerApp::draw_edit_menu() {
@@ -307,7 +318,9 @@ void ViewerApp::draw_operations(Editor& editor) {
   }
   if (transplant.is_open()) ImGui::SetNextItemOpen(true);
   if (ImGui::CollapsingHeader("Transplant")) {
-    draw_transplant_panel(transplant, part_pictures_, editor, drafts_);
+    if (const auto purpose = draw_transplant_panel(transplant, part_pictures_, editor, drafts_)) {
+      ask_for_path(*purpose);
+    }
   }
 }
 
@@ -354,7 +367,10 @@ const std::string& ViewerApp::status_text() {
   }
   text += "  |  ";
   if (const WorkStatus loading = loader_.status(); loading.busy) {
-    text.append(loading_).append(": ").append(loading.stage).append(" (Escape cancels)");
+    text.append(loading_.file.filename().string())
+        .append(": ")
+        .append(loading.stage)
+        .append(" (Escape cancels)");
   } else if (!status_.empty()) {
     text += status_;
   } else {
