@@ -19,9 +19,9 @@ using test::Person;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double kPatience = 60.0;
+constexpr double kFilesPatience = 60.0;
 // Mean difference of pictures that show the same.
-constexpr double kSame = 0.05;
+constexpr double kSameScreen = 0.05;
 
 class ChoosingFiles : public ::testing::Test {
  protected:
@@ -43,18 +43,19 @@ class ChoosingFiles : public ::testing::Test {
   }
 
   bool is_open(const std::string& name) const {
-    return eventually(kPatience, [&] {
+    return eventually(kFilesPatience, [&] {
       return !desktop_->xdotool("search --onlyvisible --name '^" + name + "'").empty();
     });
   }
 
   bool differs(const Image& picture) const {
-    return eventually(kPatience,
+    return eventually(kFilesPatience,
                       [&] { return test::mean_difference(desktop_->picture(), picture) > 1.0; });
   }
   bool shows(const Image& picture) const {
-    return eventually(kPatience,
-                      [&] { return test::mean_difference(desktop_->picture(), picture) < kSame; });
+    return eventually(kFilesPatience, [&] {
+      return test::mean_difference(desktop_->picture(), picture) < kSameScreen;
+    });
   }
 
   // What the desktop's dialog does from now on.
@@ -146,7 +147,7 @@ TEST_F(ChoosingFiles, AnErrorKeepsWhatWasTyped) {
   person_->type(later.string());
   const Image typed = desktop_->settled_picture();
   person_->keys("Return");
-  ASSERT_TRUE(eventually(kPatience, [&] {
+  ASSERT_TRUE(eventually(kFilesPatience, [&] {
     return test::mean_difference(desktop_->picture(), typed) > 0.05;
   })) << "it is said";
   desktop_->settled_picture();
@@ -179,7 +180,7 @@ TEST_F(ChoosingFiles, WhatCannotBeSavedIsAskedForAgain) {
   desktop_->settled_picture();
   fs::create_directory(target.parent_path());
   person_->keys("Return");
-  EXPECT_TRUE(eventually(kPatience, [&] { return fs::exists(target); }));
+  EXPECT_TRUE(eventually(kFilesPatience, [&] { return fs::exists(target); }));
   desktop_->settled_picture();
   expect_quits_silently();
 }
@@ -209,7 +210,7 @@ TEST_F(ChoosingFiles, TheDialogOfTheDesktopIsUsedWhereThereIsOne) {
   person_->keys("ctrl+shift+s");
   EXPECT_FALSE(eventually(1.0, [&] { return fs::exists(saved); }))
       << "a name without extension gets that of the suggestion, which is obj here";
-  EXPECT_TRUE(eventually(kPatience, [&] { return fs::exists(folder_ / "a b.obj"); }));
+  EXPECT_TRUE(eventually(kFilesPatience, [&] { return fs::exists(folder_ / "a b.obj"); }));
   desktop_->settled_picture();
   expect_quits_silently();
 }
@@ -220,7 +221,7 @@ TEST_F(ChoosingFiles, ADialogThatIsCancelledChangesNothing) {
   person_->move_to({20, 400});
   const Image before = desktop_->settled_picture();
   person_->keys("ctrl+o");
-  ASSERT_TRUE(eventually(kPatience, [&] { return fs::exists(folder_ / "asked"); }));
+  ASSERT_TRUE(eventually(kFilesPatience, [&] { return fs::exists(folder_ / "asked"); }));
   EXPECT_TRUE(shows(before));
   expect_quits_silently();
 }
@@ -248,8 +249,9 @@ TEST_F(ChoosingFiles, ADialogThatNeverAnswersHoldsNoFrameUpAndEndsWithEscape) {
   const std::string process = content_of(folder_ / "asked");
   person_->keys("Escape");
   EXPECT_TRUE(shows(before));
-  EXPECT_TRUE(eventually(
-      kPatience, [&] { return !fs::exists("/proc/" + process.substr(0, process.find('\n'))); }));
+  EXPECT_TRUE(eventually(kFilesPatience, [&] {
+    return !fs::exists("/proc/" + process.substr(0, process.find('\n')));
+  }));
   expect_quits_silently();
 }
 

@@ -159,6 +159,8 @@ Scene ViewerApp::scene() {
   scene.carried = editor.carried().drawn();
   scene.camera = view_frame().camera;
   scene.style = style_of(display_, editor);
+  // What the doctor means is marked in the colours of regions.
+  if (document_->banner.marks()) scene.style.color = SurfaceColor::regions;
   scene.moving = motion_.has_value() || editor.is_dragging();
   const bool closed = document_->closed_outward && editor.shown().is_comparable();
   if (scene.moving && closed && !is_inside(editor.bounds())) {

@@ -87,6 +87,7 @@ class ViewerApp final : public App {
   void save_carried();
   void save_recipe(const std::filesystem::path& path);
   void use_path(const ChosenPath& chosen);
+  void save_repaired(const std::filesystem::path& path);
   void save_chosen_picture(const std::filesystem::path& path);
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void carry_out_order();
@@ -138,6 +139,8 @@ class ViewerApp final : public App {
   void draw_dialogs();
   void draw_start();
   void draw_interrupted();
+  /// At the top of the picture, its corner there; how much of the height it takes.
+  double draw_banner(const Eigen::Vector2d& corner);
   void draw_unsaved();
   void draw_picture();
   VkExtent2D window_size() const;
@@ -148,6 +151,7 @@ class ViewerApp final : public App {
   Loading loading_;
   std::unique_ptr<Document> document_;
   Camera camera_;
+  Camera camera_before_;  ///< the doctor showed its places
   UpAxis up_axis_ = UpAxis::y;
   DisplayChoices display_;
   std::size_t keymap_ = 0;  ///< of keymaps()

@@ -13,10 +13,14 @@ namespace {
 namespace fs = std::filesystem;
 
 // Beside the mesh that was opened, and not over it.
-fs::path edited_path(const OpenedMesh& opened) {
+fs::path path_beside(const OpenedMesh& opened, const char* ending) {
   if (!opened.file) return opened.name + ".ply";
   const fs::path& path = opened.file->path;
-  return path.parent_path() / (path.stem().string() + "-edited" + path.extension().string());
+  return path.parent_path() / (path.stem().string() + ending + path.extension().string());
+}
+
+fs::path edited_path(const OpenedMesh& opened) {
+  return path_beside(opened, "-edited");
 }
 
 std::string and_carried(const AppState& state) {
@@ -34,6 +38,8 @@ std::string ViewerApp::suggested_name(PathPurpose purpose) const {
           .filename();
     case PathPurpose::save_recipe:
       return edited_path(document_->opened).replace_extension(".json").filename();
+    case PathPurpose::save_repaired:
+      return path_beside(document_->opened, "-repaired").filename();
     case PathPurpose::save_picture:
       return edited_path(document_->opened).stem().string() + ".png";
     default:
@@ -221,7 +227,21 @@ void ViewerApp::use_path(const ChosenPath& chosen) {
       document_->transplant.shelf().add(path);
       break;
     case PathPurpose::save_repaired:
+      write_to(
+          path, [this, path] { save_repaired(path); }, ask);
       break;
+  }
+}
+
+void ViewerApp::save_repaired(const fs::path& path) {
+  const auto mesh = document_ ? document_->banner.repair() : nullptr;
+  if (mesh == nullptr) return say("the repair is not shown any more; repair the mesh again");
+  try {
+    say(write_mesh(*mesh, path));
+    say("saved " + path.string());
+    open(path, {});
+  } catch (const Error& error) {
+    ask_again(PathPurpose::save_repaired, path, error.what());
   }
 }
 

@@ -16,6 +16,9 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+// Of what the doctor shows, how much smaller it is than the picture.
+constexpr double kRoomForBanner = 1.4;
+
 float status_height() {
   return ImGui::GetFrameHeight();
 }
@@ -87,15 +90,48 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
     }
     if (show_panels_) draw_sidebar(last);
     const bool deforms = !document_->desk.is_open() && !document_->transplant.is_open();
-    if (show_panels_ && deforms) {
-      const ImVec2 top = ImGui::GetMainViewport()->WorkPos;
-      const double gap = 0.5 * static_cast<double>(ImGui::GetFontSize());
-      draw_guide(document_->editor, {sidebar_pixels() / per_unit + static_cast<double>(top.x) + gap,
-                                     static_cast<double>(top.y) + gap});
+    const ImVec2 top = ImGui::GetMainViewport()->WorkPos;
+    const double gap = 0.5 * static_cast<double>(ImGui::GetFontSize());
+    Eigen::Vector2d corner(sidebar_pixels() / per_unit + static_cast<double>(top.x) + gap,
+                           static_cast<double>(top.y) + gap);
+    if (const double taken = draw_banner(corner); taken > 0.0) corner.y() += taken + gap;
+    const bool edits = !document_->banner.is_empty() && !document_->banner.has_picture();
+    if (show_panels_ && deforms && edits) {
+      draw_guide(document_->editor, corner);
     }
   }
   draw_dialogs();
   if (document_) ++frames_shown_;
+}
+
+double ViewerApp::draw_banner(const Eigen::Vector2d& corner) {
+  const bool others = document_->desk.is_open() || document_->transplant.is_open();
+  if (others && !document_->banner.is_empty()) return 0.0;
+  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+  const Eigen::Vector2d end(viewport.WorkPos.x + viewport.WorkSize.x,
+                            viewport.WorkPos.y + viewport.WorkSize.y - status_height());
+  DoctorBanner& banner = document_->banner;
+  const auto wish = banner.draw(document_->editor, corner, end - corner);
+  if (!wish) return banner.height();
+  switch (*wish) {
+    case BannerWish::look_at_places:
+      camera_before_ = camera_;
+      frame(banner.places());
+      // The banner covers a part of the picture.
+      zoom_by(1.0 / kRoomForBanner, 0.5 * size_);
+      break;
+    case BannerWish::look_back:
+      camera_ = camera_before_;
+      camera_.target_across = covered_share();
+      break;
+    case BannerWish::keep_repair:
+      ask_for_path(PathPurpose::save_repaired);
+      break;
+    case BannerWish::open_another:
+      ask_for_path(PathPurpose::open);
+      break;
+  }
+  return banner.height();
 }
 
 void ViewerApp::update_document() {
@@ -111,6 +147,7 @@ void ViewerApp::update_document() {
   transplants_ = transplant.is_open();
   desk.update(editor);
   transplant.update(editor);
+  document_->banner.update(editor, desk.is_open() || transplant.is_open());
   part_pictures_.renew(transplant.shelf(), *context_);
   const auto area = source_area();
   if (area) document_->desk.view()->resize(area->size);
