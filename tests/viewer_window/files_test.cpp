@@ -6,6 +6,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/gpu.h"
+#include "viewer_window/drag_and_drop.h"
 #include "viewer_window/person.h"
 
 namespace lapwing {
@@ -182,6 +183,52 @@ TEST_F(ChoosingFiles, WhatCannotBeSavedIsAskedForAgain) {
   person_->keys("Return");
   EXPECT_TRUE(eventually(kFilesPatience, [&] { return fs::exists(target); }));
   desktop_->settled_picture();
+  expect_quits_silently();
+}
+
+TEST_F(ChoosingFiles, ASourceThatCannotBeReadIsAskedForAgain) {
+  const fs::path source = folder_.file("work/source.obj", "f 1 2 3\n");
+  open_tube();
+  person_->open_dialog("ctrl+k");
+  const Image coating = desktop_->settled_picture();
+  person_->open_dialog("ctrl+shift+k");
+  person_->type("source.obj");
+  person_->keys("Return");
+  desktop_->settled_picture();
+  test::sleep_seconds(0.5);
+  const Image refused = desktop_->settled_picture();
+  EXPECT_GT(test::mean_difference(refused, coating), 5.0) << "the browser is there again";
+  write_mesh(icosphere(2), source);
+  person_->keys("Return");
+  EXPECT_TRUE(differs(refused));
+  test::keep_picture(desktop_->settled_picture(), "source-after-all");
+  expect_quits_silently();
+}
+
+TEST_F(ChoosingFiles, AFileDroppedOnTheWindowAnswersTheQuestion) {
+  open_tube();
+  person_->open_dialog("ctrl+o");
+  std::string window = desktop_->xdotool("search --onlyvisible --name Lapwing");
+  window = window.substr(0, window.find('\n'));
+  EXPECT_TRUE(test::drop_file(desktop_->name(), window, ball()));
+  EXPECT_TRUE(is_open("ball.obj"));
+  desktop_->settled_picture();
+  expect_quits_silently();
+}
+
+TEST_F(ChoosingFiles, WhatCannotBeOpenedAtTheStartIsSaidThere) {
+  person_->open(folder_.file("work/broken.obj", "v 0 0 zero\n"));
+  ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
+  const Image start = desktop_->settled_picture();
+  test::keep_picture(start, "start-with-an-error");
+  bool is_red = false;
+  for (std::uint32_t y = 0; y < start.height && !is_red; ++y) {
+    for (std::uint32_t x = 0; x < start.width && !is_red; ++x) {
+      const auto pixel = start.pixel(x, y);
+      is_red = pixel[0] > 220 && pixel[1] > 120 && pixel[1] < 160 && pixel[2] < 130;
+    }
+  }
+  EXPECT_TRUE(is_red);
   expect_quits_silently();
 }
 

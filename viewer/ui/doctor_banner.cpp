@@ -14,8 +14,10 @@ namespace {
 // In letters of the font.
 constexpr float kBannerLetters = 52.0F;
 constexpr float kEmptyLetters = 30.0F;
-// Rings around more vertices than this hide the mesh that they are to show.
+// Rings around more vertices than this hide the mesh that they are to show: then the colours do,
+// and only what is on no face is ringed.
 constexpr std::size_t kMostRings = 200;
+constexpr std::size_t kMostLooseRings = 2000;
 constexpr float kBannerOpacity = 0.92F;
 const ImVec4 kProblem{0.95F, 0.76F, 0.30F, 1.0F};
 
@@ -92,7 +94,12 @@ void DoctorBanner::mark(Editor& editor) {
   // What is framed and ringed is of the edit, which may have come to other vertices.
   std::erase_if(places_, [&](Index v) { return v >= editor.positions().size(); });
   std::vector<Index> ringed = places_;
-  if (ringed.size() > kMostRings) ringed.clear();
+  if (ringed.size() > kMostRings) {
+    std::vector<unsigned char> has_face(mesh_->vertex_count(), 0);
+    for (const Index v : mesh_->face_vertices()) has_face[v] = 1;
+    std::erase_if(ringed, [&](Index v) { return has_face[v] != 0; });
+    ringed.resize(std::min(ringed.size(), kMostLooseRings));
+  }
   editor.point_at(std::move(ringed));
   state_ = State::marking;
 }

@@ -17,7 +17,9 @@ bool draw_picture_panel(PicturePlan& plan) {
       plan.width = std::max(1, size[0]);
       plan.height = std::max(1, size[1]);
     }
-    save = ImGui::Button("Save as...");
+    const bool enters = !ImGui::IsAnyItemActive() && !ImGui::IsWindowAppearing() &&
+                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+    save = ImGui::Button("Save as...") || enters;
     if (save) plan.open = false;
   }
   ImGui::End();

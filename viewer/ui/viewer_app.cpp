@@ -95,7 +95,7 @@ void ViewerApp::show(LoadedFile file) {
   saving_ = nullptr;
   document_ = std::make_unique<Document>(
       std::move(file), journals_, context_,
-      [this](std::string message) { say(std::move(message)); }, &Window::wake);
+      [this](std::string message) { hear(std::move(message)); }, &Window::wake);
   document_->editor.set_gizmo_keys(gizmo_keys());
   up_axis_ = document_->opened.up_axis;
   frames_shown_ = 0;

@@ -29,7 +29,7 @@ struct PictureOrder {
 
 /// The viewer: what is open, how it is looked at, and the panels around it. Its sources are by
 /// concern: viewer_app (what is open), viewer_files (what is read and written), viewer_input (mouse
-/// and keys), viewer_frame (panels).
+/// and keys), viewer_frame (panels), viewer_dialogs (what is asked and offered over the picture).
 class ViewerApp final : public App {
  public:
   /// Journals go to that folder.
@@ -87,6 +87,8 @@ class ViewerApp final : public App {
   void save_carried();
   void save_recipe(const std::filesystem::path& path);
   void use_path(const ChosenPath& chosen);
+  /// What the editor and its desks say; of a file that was just chosen, that is asked for again.
+  void hear(std::string message);
   void save_repaired(const std::filesystem::path& path);
   void save_chosen_picture(const std::filesystem::path& path);
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
@@ -139,8 +141,8 @@ class ViewerApp final : public App {
   void draw_dialogs();
   void draw_start();
   void draw_interrupted();
-  /// At the top of the picture, its corner there; how much of the height it takes.
-  double draw_banner(const Eigen::Vector2d& corner);
+  /// At the top of the picture, which goes from `corner` to `end`; how much of the height it takes.
+  double draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector2d& end);
   void draw_unsaved();
   void draw_picture();
   VkExtent2D window_size() const;
@@ -169,6 +171,7 @@ class ViewerApp final : public App {
   PartPictures part_pictures_;  ///< not the document's: a frame may show them when that is closed
   PicturePlan picture_plan_;
   FileChooser chooser_;
+  std::optional<ChosenPath> chosen_;  ///< that the editor or a desk is reading
   RecentFiles recent_;
   std::filesystem::path last_folder_;  ///< that a file was chosen in
   std::vector<InterruptedEdit> interrupted_;

@@ -187,6 +187,7 @@ void ViewerApp::answer_overwriting(bool writes) {
 void ViewerApp::use_path(const ChosenPath& chosen) {
   const fs::path& path = chosen.path;
   last_folder_ = path.parent_path();
+  chosen_ = chosen;
   const auto ask = [this] { chooser_.ask_again({}); };
   switch (chosen.purpose) {
     case PathPurpose::open:
@@ -231,6 +232,14 @@ void ViewerApp::use_path(const ChosenPath& chosen) {
           path, [this, path] { save_repaired(path); }, ask);
       break;
   }
+}
+
+void ViewerApp::hear(std::string message) {
+  // Whatever cannot be read is named first.
+  const bool is_of_chosen = chosen_ && message.starts_with(chosen_->path.string());
+  if (!is_of_chosen) return say(std::move(message));
+  const ChosenPath chosen = *std::exchange(chosen_, std::nullopt);
+  ask_again(chosen.purpose, chosen.path, std::move(message));
 }
 
 void ViewerApp::save_repaired(const fs::path& path) {

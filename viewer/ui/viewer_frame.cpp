@@ -5,7 +5,6 @@
 #include <imgui.h>
 #include <utility>
 
-#include "files/typed_path.h"
 #include "lapwing/base/errors.h"
 #include "ui/viewer_app.h"
 
@@ -15,9 +14,6 @@ namespace {
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-// Of what the doctor shows, how much smaller it is than the picture.
-constexpr double kRoomForBanner = 1.4;
 
 float status_height() {
   return ImGui::GetFrameHeight();
@@ -94,7 +90,9 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
     const double gap = 0.5 * static_cast<double>(ImGui::GetFontSize());
     Eigen::Vector2d corner(sidebar_pixels() / per_unit + static_cast<double>(top.x) + gap,
                            static_cast<double>(top.y) + gap);
-    if (const double taken = draw_banner(corner); taken > 0.0) corner.y() += taken + gap;
+    const ImVec2 below = ImGui::GetMainViewport()->WorkSize;
+    const Eigen::Vector2d end(top.x + below.x, top.y + below.y - status_height());
+    if (const double taken = draw_banner(corner, end); taken > 0.0) corner.y() += taken + gap;
     const bool edits = !document_->banner.is_empty() && !document_->banner.has_picture();
     if (show_panels_ && deforms && edits) {
       draw_guide(document_->editor, corner);
@@ -102,36 +100,6 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   }
   draw_dialogs();
   if (document_) ++frames_shown_;
-}
-
-double ViewerApp::draw_banner(const Eigen::Vector2d& corner) {
-  const bool others = document_->desk.is_open() || document_->transplant.is_open();
-  if (others && !document_->banner.is_empty()) return 0.0;
-  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-  const Eigen::Vector2d end(viewport.WorkPos.x + viewport.WorkSize.x,
-                            viewport.WorkPos.y + viewport.WorkSize.y - status_height());
-  DoctorBanner& banner = document_->banner;
-  const auto wish = banner.draw(document_->editor, corner, end - corner);
-  if (!wish) return banner.height();
-  switch (*wish) {
-    case BannerWish::look_at_places:
-      camera_before_ = camera_;
-      frame(banner.places());
-      // The banner covers a part of the picture.
-      zoom_by(1.0 / kRoomForBanner, 0.5 * size_);
-      break;
-    case BannerWish::look_back:
-      camera_ = camera_before_;
-      camera_.target_across = covered_share();
-      break;
-    case BannerWish::keep_repair:
-      ask_for_path(PathPurpose::save_repaired);
-      break;
-    case BannerWish::open_another:
-      ask_for_path(PathPurpose::open);
-      break;
-  }
-  return banner.height();
 }
 
 void ViewerApp::update_document() {
@@ -171,24 +139,6 @@ void ViewerApp::draw_dialogs() {
     if (leaving_for_ && !chooser_.is_open() && !overwriting_) draw_unsaved();
   }
   if (show_controls_) draw_controls_list(keymaps()[keymap_], show_controls_);
-}
-
-void ViewerApp::draw_picture() {
-  if (chooser_.is_open()) return;
-  if (draw_picture_panel(picture_plan_)) ask_for_path(PathPurpose::save_picture);
-}
-
-void ViewerApp::draw_start() {
-  const auto choice = draw_start_panel({samples_, recent_.items(), start_trouble_},
-                                       document_ ? &show_start_ : nullptr);
-  if (!choice) return;
-  if (const auto* path = std::get_if<std::filesystem::path>(&*choice)) {
-    open(*path);
-  } else if (const auto* shape = std::get_if<const NamedShape*>(&*choice)) {
-    leave_for([this, shape = *shape] { show(load_shape(*shape)); });
-  } else {
-    ask_for_path(PathPurpose::open);
-  }
 }
 
 void ViewerApp::draw_interrupted() {
@@ -258,22 +208,6 @@ void ViewerApp::draw_file_menu() {
   item("Replay a recipe...", "Ctrl+R", Action::replay_recipe);
   ImGui::Separator();
   if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
-}
-
-void ViewerApp::draw_recent_menu() {
-  if (!begin_menu("Open recent")) return;
-  if (ImGui::IsWindowAppearing()) recent_.reload();
-  std::optional<std::filesystem::path> chosen;
-  for (const RecentFiles::Item& item : recent_.items()) {
-    if (ImGui::MenuItem(with_tilde(item.path).c_str(), nullptr, false, item.is_there)) {
-      chosen = item.path;
-    }
-  }
-  if (recent_.items().empty()) ImGui::TextDisabled("What you open is listed here.");
-  ImGui::Separator();
-  if (ImGui::MenuItem("Forget these", nullptr, false, !recent_.items().empty())) recent_.clear();
-  ImGui::EndMenu();
-  if (chosen) open(*chosen);
 }
 
 void ViewerApp::draw_edit_menu() {
