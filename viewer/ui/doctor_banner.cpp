@@ -18,7 +18,7 @@ constexpr float kEmptyLetters = 30.0F;
 // and only what is on no face is ringed.
 constexpr std::size_t kMostRings = 200;
 constexpr std::size_t kMostLooseRings = 2000;
-constexpr float kBannerOpacity = 0.92F;
+constexpr float kBannerOpacity = 0.98F;
 const ImVec4 kProblem{0.95F, 0.76F, 0.30F, 1.0F};
 
 constexpr ImGuiWindowFlags kOverPicture =
@@ -59,6 +59,7 @@ DoctorBanner::DoctorBanner(std::string name, std::shared_ptr<const Mesh> mesh, C
       hindrance_(hindrance_in_words(report_)),
       job_([] { return std::make_unique<CpuKernels>(); }, std::move(wake)) {
   if (!is_empty() && problems_.empty()) state_ = State::ignored;
+  problems_ = name_ + " has " + problems_ + ".";
 }
 
 std::shared_ptr<const Mesh> DoctorBanner::repair() const {
@@ -145,7 +146,7 @@ std::optional<BannerWish> DoctorBanner::draw(Editor& editor, const Eigen::Vector
 }
 
 std::optional<BannerWish> DoctorBanner::draw_offer(Editor& editor) {
-  write_problem(name_ + " has " + problems_ + ".");
+  write_problem(problems_);
   if (ImGui::IsItemHovered()) explain(report_);
   ImGui::TextWrapped("%s", hindrance_.c_str());
   std::optional<BannerWish> wish;

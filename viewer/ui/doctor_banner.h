@@ -69,7 +69,7 @@ class DoctorBanner {
   std::string name_;
   std::shared_ptr<const Mesh> mesh_;
   CheckReport report_;
-  std::string problems_;
+  std::string problems_;  // a sentence
   std::string hindrance_;
   State state_ = State::offering;
   std::vector<Index> places_;

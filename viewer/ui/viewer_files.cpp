@@ -158,6 +158,8 @@ void ViewerApp::ask_again(PathPurpose purpose, const fs::path& path, std::string
   say(trouble);
   // Something else is being asked by now.
   if (chooser_.is_open()) return;
+  // It stands where it is to be corrected, and no longer than that.
+  status_.clear();
   if (chooser_.purpose() == purpose && chooser_.chosen() == path) {
     return chooser_.ask_again(std::move(trouble));
   }
