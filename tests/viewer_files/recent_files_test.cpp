@@ -67,9 +67,8 @@ TEST_F(Recent, ViewersThatAddAtTheSameTimeLoseNothing) {
 
 TEST_F(Recent, AFileThatIsNoListIsIgnored) {
   fs::create_directories(list().parent_path());
-  folder_.file("state/recent-files", std::string("\x7f"
-                                                 "ELF\0\0\n\n/ok.ply\nrelative.ply\n/ok.ply",
-                                                 39));
+  using namespace std::string_view_literals;
+  folder_.file("state/recent-files", "\177ELF\0\0\n\n/ok.ply\nrelative.ply\n/ok.ply"sv);
   RecentFiles recent(list());
   EXPECT_THAT(names_of(recent), ElementsAre("ok.ply"));
   recent.add("/new.ply");

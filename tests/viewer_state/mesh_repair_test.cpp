@@ -44,6 +44,21 @@ TEST(MeshRepair, FindsTheVerticesOfEachProblem) {
   EXPECT_GT(places.size(), 1U) << "the neighbours of the one that is nowhere";
 }
 
+TEST(MeshRepair, FindsTheSideFromWhichPlacesShow) {
+  Mesh ball = icosphere(3);
+  std::vector<Index> cap;
+  std::vector<Index> all;
+  for (Index v = 0; v < ball.vertex_count(); ++v) {
+    all.push_back(v);
+    if (ball.positions[v].y() < -0.9) cap.push_back(v);
+  }
+  EXPECT_LT((side_of(ball, cap).value() + Eigen::Vector3d::UnitY()).norm(), 0.05);
+  EXPECT_FALSE(side_of(ball, all)) << "they are all around";
+  EXPECT_FALSE(side_of(ball, {}));
+  for (auto& p : ball.positions) p = -p;  // turned inside out
+  EXPECT_LT((side_of(ball, cap).value() - Eigen::Vector3d::UnitY()).norm(), 0.05);
+}
+
 TEST(MeshRepair, ASoundMeshHasNoFaultyVertices) {
   // Two components are worth knowing, and no fault.
   Mesh mesh = icosphere(1);

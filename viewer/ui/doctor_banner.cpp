@@ -87,6 +87,7 @@ void DoctorBanner::update(Editor& editor, bool others_preview) {
 void DoctorBanner::mark(Editor& editor) {
   const FaultyVertices faulty = faulty_vertices(*mesh_, report_);
   places_ = places_of(*mesh_, faulty);
+  side_ = side_of(*mesh_, places_);
   std::vector<VertexClass> classes(mesh_->vertex_count(), VertexClass::outside);
   for (const Index v : faulty.others) classes[v] = VertexClass::handle;
   for (const Index v : places_) classes[v] = VertexClass::handle;

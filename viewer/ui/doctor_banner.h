@@ -53,6 +53,8 @@ class DoctorBanner {
   /// Whether the picture shows something else than the edit, marks or a repair.
   bool has_picture() const { return marks() || state_ == State::previewing; }
   std::span<const Index> places() const { return places_; }
+  /// From where they show (side_of).
+  const std::optional<Eigen::Vector3d>& side() const { return side_; }
   /// The mesh to keep; null unless it is previewed.
   std::shared_ptr<const Mesh> repair() const;
 
@@ -73,6 +75,7 @@ class DoctorBanner {
   std::string hindrance_;
   State state_ = State::offering;
   std::vector<Index> places_;
+  std::optional<Eigen::Vector3d> side_;
   Job<RepairedMesh> job_;
   std::optional<RepairedMesh> repaired_;
   std::string trouble_;  // why it cannot be repaired

@@ -15,8 +15,9 @@ void place_in_the_middle() {
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
 }
 
+// What led to the question, in the frame before, is no answer to it.
 bool is_pressed(ImGuiKey key) {
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+  return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
 }  // namespace

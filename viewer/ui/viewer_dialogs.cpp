@@ -1,8 +1,10 @@
 // What is asked and offered over the picture.
 
+#include <cmath>
 #include <imgui.h>
 
 #include "files/typed_path.h"
+#include "navigation/camera_motion.h"
 #include "ui/viewer_app.h"
 
 namespace lapwing::viewer {
@@ -10,6 +12,20 @@ namespace {
 
 // Of what the doctor shows, how much smaller it is than the picture.
 constexpr double kRoomForBanner = 1.4;
+
+// From that side, a little towards where the person looked from: so it shows where that is.
+Camera looking_at_side(const Camera& camera, const Eigen::Vector3d& side,
+                       const Eigen::Vector3d& up) {
+  constexpr double kTowardsBefore = 0.4;
+  constexpr double kParallel = 0.98;
+  const Eigen::Matrix4d view = camera.view();
+  const Eigen::Vector3d before = view.block<1, 3>(2, 0).transpose();
+  const Eigen::Vector3d toward_eye = (side + kTowardsBefore * before).normalized();
+  // What is up on the screen stays so where the view goes along what is up in the mesh.
+  const Eigen::Vector3d on_screen = view.block<1, 3>(1, 0).transpose();
+  const bool along_up = std::abs(toward_eye.dot(up)) > kParallel;
+  return looking_from(camera, {toward_eye, along_up ? on_screen : up});
+}
 
 }  // namespace
 
@@ -57,6 +73,7 @@ double ViewerApp::draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector
   switch (*wish) {
     case BannerWish::look_at_places:
       camera_before_ = camera_;
+      if (banner.side()) camera_ = looking_at_side(camera_, *banner.side(), upward());
       frame(banner.places());
       // The banner covers a part of the picture.
       zoom_by(1.0 / kRoomForBanner, 0.5 * size_);

@@ -47,40 +47,43 @@ std::string ViewerApp::suggested_name(PathPurpose purpose) const {
   }
 }
 
-// Where a person begins: beside the open mesh, or where a file was chosen last.
+// Where a person begins: beside the open mesh, or where a file was chosen last. The first that is
+// there.
 fs::path ViewerApp::folder_to_ask_in(PathPurpose purpose) const {
-  if (document_ && purpose == PathPurpose::parts_folder) {
-    return fs::absolute(document_->transplant.shelf().folder()).lexically_normal();
-  }
-  if (document_ && purpose == PathPurpose::save_mesh && !document_->save_path.empty()) {
-    return fs::absolute(document_->save_path).lexically_normal().parent_path();
-  }
-  if (document_ && document_->opened.file) return document_->opened.file->path.parent_path();
-  if (!last_folder_.empty()) return last_folder_;
   std::error_code error;
-  const fs::path here = fs::current_path(error);
-  return error ? fs::path("/") : here;
+  std::vector<fs::path> folders;
+  if (document_) {
+    if (purpose == PathPurpose::parts_folder)
+      folders.push_back(document_->transplant.shelf().folder());
+    if (purpose == PathPurpose::save_mesh) folders.push_back(document_->save_path.parent_path());
+    if (document_->opened.file) folders.push_back(document_->opened.file->path.parent_path());
+  }
+  folders.push_back(last_folder_);
+  folders.push_back(fs::current_path(error));
+  for (const fs::path& folder : folders) {
+    if (fs::is_directory(folder, error)) return fs::absolute(folder).lexically_normal();
+  }
+  return "/";
 }
 
 std::vector<BrowserPlace> ViewerApp::places(PathPurpose purpose) const {
   std::vector<BrowserPlace> places;
-  const auto add = [&](const char* label, const fs::path& folder) {
+  const auto add = [&](const char* label, const fs::path& wanted) {
+    std::error_code error;
+    if (wanted.empty() || !fs::is_directory(wanted, error)) return;
+    const fs::path folder = fs::absolute(wanted).lexically_normal();
     const auto is_same = [&](const BrowserPlace& place) { return place.path == folder; };
-    if (folder.empty() || std::any_of(places.begin(), places.end(), is_same)) return;
-    places.push_back({label, folder});
+    if (std::none_of(places.begin(), places.end(), is_same)) places.push_back({label, folder});
   };
   add("Home", home_folder());
   if (document_ && document_->opened.file) {
     add("Open mesh", document_->opened.file->path.parent_path());
   }
-  if (!samples_.empty())
-    add("Samples", fs::absolute(samples_.front()).lexically_normal().parent_path());
-  add("Parts", document_ ? fs::absolute(document_->transplant.shelf().folder()) : fs::path());
+  if (!samples_.empty()) add("Samples", samples_.front().parent_path());
+  if (document_) add("Parts", document_->transplant.shelf().folder());
   add("Computer", "/");
   if (purpose != PathPurpose::open) return places;
-  constexpr std::size_t kMost = 8;
   for (const RecentFiles::Item& item : recent_.items()) {
-    if (places.size() > kMost + 4) break;
     if (item.is_there) places.push_back({item.path.filename(), item.path, true});
   }
   return places;

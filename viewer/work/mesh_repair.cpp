@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace lapwing::viewer {
 namespace {
 
@@ -83,6 +85,27 @@ std::vector<Index> places_of(const Mesh& mesh, const FaultyVertices& vertices) {
   }
   sort_once(places);
   return places;
+}
+
+std::optional<Eigen::Vector3d> side_of(const Mesh& mesh, std::span<const Index> places) {
+  // Below this length of their mean, normals go all ways.
+  constexpr double kShortMean = 0.3;
+  std::vector<unsigned char> is_place(mesh.vertex_count(), 0);
+  for (const Index v : places) is_place[v] = 1;
+  const Eigen::Vector3d center = bounds_of(mesh.positions).center();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0.0;
+  for (const auto& [a, b, c] : mesh.topology().triangles) {
+    if (is_place[a] + is_place[b] + is_place[c] == 0) continue;
+    const Eigen::Vector3d& corner = mesh.positions[a];
+    const Eigen::Vector3d normal =
+        (mesh.positions[b] - corner).cross(mesh.positions[c] - corner).stableNormalized();
+    if (!normal.allFinite() || normal.isZero()) continue;
+    sum += normal.dot(corner - center) < 0.0 ? Eigen::Vector3d(-normal) : normal;
+    count += 1.0;
+  }
+  if (count == 0.0 || sum.norm() < kShortMean * count) return {};
+  return sum.normalized();
 }
 
 }  // namespace lapwing::viewer

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "lapwing/base/progress.h"
@@ -32,5 +34,9 @@ FaultyVertices faulty_vertices(const Mesh& mesh, const CheckReport& report);
 /// Where to look for `vertices`: those that are finite, and for the others the finite corners of
 /// their faces. Ascending.
 std::vector<Index> places_of(const Mesh& mesh, const FaultyVertices& vertices);
+
+/// From which side `places` show, whichever way their faces are turned: a unit vector. Nothing
+/// where they are on no face, or about as many on opposite sides.
+std::optional<Eigen::Vector3d> side_of(const Mesh& mesh, std::span<const Index> places);
 
 }  // namespace lapwing::viewer
