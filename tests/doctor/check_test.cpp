@@ -193,5 +193,13 @@ TEST(DefectInfo, EveryKindHasItsOwnKeyAndWords) {
   EXPECT_EQ(std::ranges::adjacent_find(keys), keys.end());
 }
 
+TEST(Check, ListsAsManyPlacesAsAreAskedFor) {
+  Mesh mesh = bow_tie();
+  mesh.positions.resize(100, Eigen::Vector3d(9, 9, 9));
+  EXPECT_EQ(check(mesh).find(DefectKind::loose_vertex)->first.size(), kMaxListed);
+  EXPECT_EQ(check(mesh, 20).find(DefectKind::loose_vertex)->first.size(), 20U);
+  EXPECT_EQ(check(mesh, 1000).find(DefectKind::loose_vertex)->first.size(), 95U);
+}
+
 }  // namespace
 }  // namespace lapwing

@@ -28,6 +28,7 @@ class Panels : public ::testing::TestWithParam<Look> {
   void SetUp() override {
     LAPWING_NEEDS_GPU();
     context_ = std::make_shared<gpu::Context>();
+    setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
     viewer_ = std::make_unique<ShownViewer>(context_, GetParam());
     const std::filesystem::path parts = viewer_->folder() / "data" / "lapwing" / "parts";
     setenv("XDG_DATA_HOME", (viewer_->folder() / "data").c_str(), 1);
@@ -35,7 +36,10 @@ class Panels : public ::testing::TestWithParam<Look> {
     write_mesh(lapwing::test::finger(24, 12, 0.2, 0.6), parts / "finger.ply");
     write_mesh(rippled_cylinder(24, 41), viewer_->folder() / "tube.obj");
   }
-  void TearDown() override { unsetenv("XDG_DATA_HOME"); }
+  void TearDown() override {
+    unsetenv("XDG_DATA_HOME");
+    unsetenv("XDG_STATE_HOME");
+  }
 
   // The tube with a handle that was moved far: the certificate has much to say.
   std::filesystem::path bent() const {
@@ -70,6 +74,7 @@ class Panels : public ::testing::TestWithParam<Look> {
     viewer_->click(menu);
   }
 
+  TemporaryFolder folder_;
   std::shared_ptr<gpu::Context> context_;
   std::unique_ptr<ShownViewer> viewer_;
 };

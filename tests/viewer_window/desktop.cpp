@@ -178,6 +178,19 @@ Image Desktop::settled_picture() const {
   return last;
 }
 
+std::vector<std::string> viewer_environment(const Desktop& desktop,
+                                            const std::filesystem::path& folder) {
+  const std::string base = folder.string();
+  return {desktop.display(),
+          "HOME=" + base,
+          "PATH=" + base + "/bin",
+          "XDG_CACHE_HOME=" + base + "/cache",
+          "XDG_DATA_HOME=" + base + "/data",
+          "XDG_STATE_HOME=" + base + "/state",
+          "WAYLAND_DISPLAY=",
+          "XDG_CURRENT_DESKTOP="};
+}
+
 void sleep_seconds(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }

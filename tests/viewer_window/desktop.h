@@ -63,6 +63,11 @@ class Desktop {
   std::unique_ptr<Process> server_;
 };
 
+/// The environment of a viewer on `desktop` that keeps in `folder` whatever it keeps anywhere, and
+/// finds there the programs that it starts: in bin/, which is empty unless a test fills it.
+std::vector<std::string> viewer_environment(const Desktop& desktop,
+                                            const std::filesystem::path& folder);
+
 /// Waits, at most `seconds`, until `happened` returns true; what it returned last.
 template <typename Happened>
 bool eventually(double seconds, Happened happened);

@@ -537,6 +537,29 @@ TEST_F(Editing, ClosingAsksWhetherToSave) {
   EXPECT_FALSE(person_->draft()) << "nothing is left to restore";
 }
 
+TEST_F(Editing, OpeningAnotherFileAsksWhetherToSave) {
+  open_tube();
+  choose_parts();
+  person_->keys("g");
+  person_->type("0.5");
+  person_->keys("Return");
+  ASSERT_TRUE(settles());
+  const fs::path ball = folder_ / "ball.obj";
+  write_mesh(icosphere(2), ball);
+  person_->open_dialog("ctrl+o");
+  person_->type(ball.string());
+  person_->keys("Return");
+  desktop_->settled_picture();
+  EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "the key that accepts is no answer";
+  ASSERT_TRUE(person_->draft()) << "still there";
+  person_->keys("Delete");
+  EXPECT_TRUE(test::eventually(
+      60.0, [&] { return !desktop_->xdotool("search --onlyvisible --name '^ball.obj'").empty(); }));
+  EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "discarded";
+  desktop_->settled_picture();
+  expect_quits_silently();
+}
+
 TEST_F(Editing, SavingAsAFileThatIsThereAsksFirst) {
   open_tube();
   choose_parts();

@@ -47,7 +47,7 @@ class TypingApp final : public App {
     return true;
   }
   void open(const std::filesystem::path&) override {}
-  void resize(const Eigen::Vector2d&) override {}
+  void resize(const Eigen::Vector2d&, double) override {}
   void ask_to_close() override {}
   void use_device(std::shared_ptr<gpu::Context>) override {}
   std::string_view title() const override { return "Typing"; }

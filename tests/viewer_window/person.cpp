@@ -53,12 +53,8 @@ void Person::open(const fs::path& mesh, const std::vector<std::string>& flags) {
   std::vector<std::string> arguments{LAPWING_VIEWER};
   arguments.insert(arguments.end(), flags.begin(), flags.end());
   if (!mesh.empty()) arguments.push_back(mesh);
-  viewer_ = std::make_unique<Process>(
-      arguments,
-      std::vector{desktop_.display(), "XDG_CACHE_HOME=" + (folder_ / "cache").string(),
-                  "XDG_CONFIG_HOME=" + (folder_ / "config").string(),
-                  "XDG_DATA_HOME=" + (folder_ / "data").string()},
-      folder_ / "errors");
+  viewer_ = std::make_unique<Process>(arguments, viewer_environment(desktop_, folder_),
+                                      folder_ / "errors");
 }
 
 bool Person::waits_for_window() {

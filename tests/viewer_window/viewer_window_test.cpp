@@ -42,16 +42,12 @@ class ViewerWindow : public ::testing::Test {
 
   fs::path tube() const { return folder_ / "tube.obj"; }
 
-  // Of a person who has edited nothing yet.
-  std::vector<std::string> environment() const {
-    return {desktop_->display(), "XDG_CACHE_HOME=" + (folder_ / "cache").string()};
-  }
-
   // The messages of the validation layers, where they are on, go to standard error. (Not under
   // AddressSanitizer: they leak what they know of swapchains.)
   void start(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), LAPWING_VIEWER);
-    viewer_ = std::make_unique<Process>(arguments, environment(), folder_ / "errors");
+    viewer_ = std::make_unique<Process>(arguments, test::viewer_environment(*desktop_, folder_),
+                                        folder_ / "errors");
   }
 
   // Opens the tube and waits until it is on the screen.

@@ -32,5 +32,9 @@ struct ToolRow {
 /// All of them, as the panel has them. A new tool is a row here, a member of Tools, and its action
 /// in the keymap.
 std::span<const ToolRow> tool_rows();
+/// Whether it chooses vertices: what a new mesh may begin with.
+inline bool chooses(const ToolRow& row) {
+  return row.action != Action::take_move && row.action != Action::take_ruler;
+}
 
 }  // namespace lapwing::viewer

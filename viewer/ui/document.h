@@ -6,6 +6,7 @@
 #include "editing/editor.h"
 #include "editing/layer_desk.h"
 #include "editing/transplant_desk.h"
+#include "ui/doctor_banner.h"
 #include "ui/load_file.h"
 
 namespace lapwing::viewer {
@@ -22,6 +23,7 @@ struct Document {
         editor(
             {std::move(file.history), opened.mesh, opened.file, std::move(file.restored), journals},
             context, say, wake),
+        banner(opened.name, opened.mesh, report, wake),
         desk(opened.up_axis, context, say, wake),
         transplant(context, std::move(say), std::move(wake)),
         save_path(file.from_recipe ? std::filesystem::path() : editor.session().file()) {}
@@ -32,6 +34,7 @@ struct Document {
   CheckReport report;
   bool closed_outward;
   Editor editor;
+  DoctorBanner banner;
   LayerDesk desk;
   TransplantDesk transplant;
   std::filesystem::path save_path;  ///< empty as long as nobody has said where

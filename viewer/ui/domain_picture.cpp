@@ -62,9 +62,12 @@ void draw_domain(const LayeredCoat* layers, std::size_t source) {
     const Index own = layers->target_patch().own_number(pin[1]);
     if (own != kNoIndex) list.AddCircleFilled(window.at(map.target.points[own]), 4.0F, kPin);
   }
-  ImGui::TextColored(ImColor(kSource | IM_COL32_A_MASK), "source");
-  ImGui::SameLine();
-  ImGui::TextColored(ImColor(kTarget | IM_COL32_A_MASK), "target");
+  // Each name in its lines' colour, on the ground that these lie on.
+  const float line = ImGui::GetFontSize();
+  list.AddText({corner.x + 0.3F * line, corner.y + 0.1F * line}, kSource | IM_COL32_A_MASK,
+               "source");
+  list.AddText({corner.x + 0.3F * line, corner.y + 1.2F * line}, kTarget | IM_COL32_A_MASK,
+               "target");
 }
 
 }  // namespace lapwing::viewer

@@ -1,11 +1,8 @@
-// The panels that ask about files.
+// The questions about files that take no path.
 
-#include <array>
-#include <chrono>
-#include <ctime>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
+#include "files/file_words.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
@@ -18,68 +15,12 @@ void place_in_the_middle() {
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
 }
 
+// What led to the question, in the frame before, is no answer to it.
 bool is_pressed(ImGuiKey key) {
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
-}
-
-// "2004-07-08 14:05", by the clock on the wall.
-std::string in_words(std::filesystem::file_time_type time) {
-  const auto system = std::chrono::file_clock::to_sys(time);
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(
-      std::chrono::time_point_cast<std::chrono::system_clock::duration>(system));
-  std::tm local{};
-  localtime_r(&seconds, &local);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local);
-  return text.data();
-}
-
-struct PathWords {
-  const char* title;
-  const char* note;
-  const char* button;
-};
-
-PathWords words(PathPurpose purpose) {
-  switch (purpose) {
-    case PathPurpose::save_mesh:
-      return {"Save the mesh", "The extension chooses the format: obj, off, ply or stl.", "Save"};
-    case PathPurpose::save_recipe:
-      return {"Save the steps as a recipe", "lapwing run carries it out without a window.", "Save"};
-    case PathPurpose::replay_recipe:
-      return {"Replay a recipe", "Its steps run on the open mesh.", "Replay"};
-    case PathPurpose::open_source:
-      return {"Take from another mesh", "You choose its patch in the view beside the open mesh.",
-              "Open"};
-    case PathPurpose::carry_file:
-      return {"Carry a file along", "A mesh, a point cloud or a table of points.", "Add"};
-  }
-  return {};
+  return !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
 }  // namespace
-
-bool draw_path_panel(PathPlan& plan) {
-  if (!plan.purpose) return false;
-  const PathWords said = words(*plan.purpose);
-  place_in_the_middle();
-  bool open = true;
-  bool use = false;
-  if (ImGui::Begin(said.title, &open, kDialog)) {
-    ImGui::TextDisabled("%s", said.note);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(24.0F * ImGui::GetFontSize());
-    const bool entered =
-        ImGui::InputText("##path", &plan.path,
-                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    use = (ImGui::Button(said.button) || entered) && !plan.path.empty();
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel")) open = false;
-  }
-  ImGui::End();
-  if (!open) plan.purpose.reset();
-  return use && open;
-}
 
 std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file) {
   std::optional<bool> choice;
@@ -131,7 +72,7 @@ std::optional<InterruptedChoice> draw_interrupted_panel(std::span<const Interrup
                                 : count == 1 ? "1 edit"
                                              : std::to_string(count) + " edits";
       ImGui::Text("%s, %s, %s", edits[e].opened.filename().c_str(), steps.c_str(),
-                  in_words(edits[e].last_step).c_str());
+                  date_in_words(edits[e].last_step).c_str());
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", edits[e].opened.c_str());
       ImGui::PopID();
     }

@@ -1,5 +1,7 @@
 #include "ui/load_file.h"
 
+#include <limits>
+
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/recipe/recipe.h"
@@ -25,7 +27,8 @@ OpenedMesh read(const fs::path& path, const Progress& progress) {
 LoadedFile examined(OpenedMesh opened, History history, const Progress& progress) {
   report_progress(progress, "check", 0.0);
   const Mesh& mesh = *opened.mesh;
-  CheckReport report = check(mesh);
+  // All places: a person may want to see them.
+  CheckReport report = check(mesh, std::numeric_limits<std::size_t>::max());
   const bool closed = is_closed_outward(mesh.positions, mesh.topology().triangles);
   return {std::move(opened), std::move(report), std::move(history), closed};
 }

@@ -27,6 +27,10 @@ void Messages::say(Message message, double now) {
     if (toasts_.size() == kMostToasts) toasts_.erase(toasts_.begin());
     toasts_.push_back({message, now, 1});
   }
+  record(std::move(message));
+}
+
+void Messages::record(Message message) {
   if (log_.size() == kLongestLog) log_.erase(log_.begin());
   log_.push_back(std::move(message));
 }

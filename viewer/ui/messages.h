@@ -20,6 +20,8 @@ class Messages {
 
   /// Adds to log and toasts; an empty message takes the note away.
   void say(Message message, double now);
+  /// Adds to the log alone: it is shown elsewhere.
+  void record(Message message);
   /// The person did something: a note that there was time to read goes.
   void acted(double now);
   void close(std::size_t toast);

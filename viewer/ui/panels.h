@@ -9,6 +9,8 @@
 #include "editing/desk_guides.h"
 #include "editing/editor.h"
 #include "editing/layer_desk.h"
+#include "files/file_purpose.h"
+#include "files/recent_files.h"
 #include "lapwing/gpu/devices.h"
 #include "lapwing/mesh/shapes.h"
 #include "navigation/keymap.h"
@@ -29,8 +31,6 @@ struct PanelDrafts {
   std::optional<EditParameters> parameters;
   KeptSettling settling;
   std::size_t history_shown = 0;  ///< step that the list was scrolled to
-  std::string parts_folder;       ///< being typed in; empty: as the shelf has it
-  std::string part_path;          ///< likewise, to be used or added
   std::string part_name;          ///< of what is to be cut
 };
 
@@ -70,14 +70,11 @@ struct ResultWish {
 /// How far the worker is, and what the result promises. `points`: vertices are being shown.
 ResultWish draw_result_panel(Editor& editor, bool points);
 
-/// Parts, the one in hand, and how it is sewn on.
-void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, Editor& editor,
-                           PanelDrafts& drafts);
+/// Parts, the one in hand, and how it is sewn on; what a person wants to be asked for.
+std::optional<PathPurpose> draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures,
+                                                 Editor& editor, PanelDrafts& drafts);
 /// Apply and cancel, and what the transplant comes to, while one is open.
 void draw_transplant_result(TransplantDesk& desk, Editor& editor);
-
-/// What a path is typed in for.
-enum class PathPurpose { save_mesh, save_recipe, replay_recipe, open_source, carry_file };
 
 /// A coat or a mix in the making, as `task` says: where it comes from, where it goes, and how;
 /// whether another source is to be opened. Without one of that kind, how to begin one.
@@ -156,30 +153,27 @@ double draw_guide(const Guide& guide, const PictureArea& area);
 /// The list of controls, in a window of its own; `open` turns false when it is closed.
 void draw_controls_list(const Keymap& keymap, bool& open);
 
-/// What a person chose to open.
-using Choice = std::variant<std::filesystem::path, const NamedShape*>;
-/// Meshes to begin with, in a window of its own: `samples`, generated ones, or a path that is typed
-/// in and kept in `typed`.
-std::optional<Choice> draw_start_panel(std::span<const std::filesystem::path> samples,
-                                       std::string& typed);
+/// What a person chose to open: a file, a generated mesh, or one to be asked for.
+struct AnotherFile {};
+using Choice = std::variant<std::filesystem::path, const NamedShape*, AnotherFile>;
+/// Meshes to begin with.
+struct StartOffer {
+  std::span<const std::filesystem::path> samples;
+  std::span<const RecentFiles::Item> recent;
+  const std::string& trouble;  ///< why the last one could not be opened; empty otherwise
+};
+/// Offers them, and generated ones, in a window of its own. `open` turns false when it is closed;
+/// without that it cannot be.
+std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open);
 
 /// A picture that a person wants to save.
 struct PicturePlan {
   bool open = false;  ///< whether the panel is shown
-  std::string path = "lapwing.png";
-  int width = 0;  ///< in pixels, both at least 1
+  int width = 0;      ///< in pixels, both at least 1
   int height = 0;
 };
-/// Asks for path and size, in a window of its own; true when the picture is to be saved.
+/// Asks for its size, in a window of its own; true when the file is to be asked for.
 bool draw_picture_panel(PicturePlan& plan);
-
-/// A path that is being typed in.
-struct PathPlan {
-  std::optional<PathPurpose> purpose;  ///< none while nothing is asked
-  std::string path;
-};
-/// Asks for it, in a window of its own; true when it is to be used.
-bool draw_path_panel(PathPlan& plan);
 
 /// Asks whether to write over a file, in a window of its own; nothing until the person says.
 std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file);

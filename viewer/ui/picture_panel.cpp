@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include "ui/panels.h"
 
@@ -13,13 +12,14 @@ bool draw_picture_panel(PicturePlan& plan) {
   const bool shown = ImGui::Begin("Save a picture", &plan.open,
                                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
   if (shown) {
-    ImGui::InputText("PNG file", &plan.path);
     std::array<int, 2> size{plan.width, plan.height};
     if (ImGui::InputInt2("pixels", size.data())) {
       plan.width = std::max(1, size[0]);
       plan.height = std::max(1, size[1]);
     }
-    save = ImGui::Button("Save") && !plan.path.empty();
+    const bool enters = !ImGui::IsAnyItemActive() && !ImGui::IsWindowAppearing() &&
+                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+    save = ImGui::Button("Save as...") || enters;
     if (save) plan.open = false;
   }
   ImGui::End();

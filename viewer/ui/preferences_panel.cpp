@@ -28,6 +28,8 @@ void draw_preferences_panel(Preferences& preferences) {
   }
   ImGui::Checkbox("guide at the picture", &preferences.shows_guide);
   explain("What to do now, step by step.");
+  ImGui::Checkbox("the desktop's file dialogs", &preferences.uses_system_dialogs);
+  explain("Where it has any (zenity, kdialog); otherwise the viewer's own.");
 }
 
 }  // namespace lapwing::viewer

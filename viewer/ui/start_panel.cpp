@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
+#include "files/typed_path.h"
 #include "ui/panels.h"
+#include "window/theme.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -32,6 +34,35 @@ std::optional<std::size_t> pressed_button(const Items& items, const NameOf& name
   return chosen;
 }
 
+void draw_start_trouble(const std::string& trouble) {
+  ImGui::PushStyleColor(ImGuiCol_Text, text_color(Tone::error));
+  ImGui::PushTextWrapPos(3.2F * column_width());
+  ImGui::TextUnformatted(trouble.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::Spacing();
+}
+
+// The newest few, as lines: their folders tell files of one name apart.
+std::optional<fs::path> draw_recent(std::span<const RecentFiles::Item> items) {
+  constexpr std::size_t kMost = 6;
+  std::optional<fs::path> chosen;
+  if (items.empty()) return chosen;
+  ImGui::Spacing();
+  ImGui::TextDisabled("Recent");
+  for (std::size_t k = 0; k < std::min(items.size(), kMost); ++k) {
+    const RecentFiles::Item& item = items[k];
+    ImGui::PushID(static_cast<int>(k));
+    const auto flags = item.is_there ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+    if (ImGui::Selectable(item.path.filename().c_str(), false, flags)) chosen = item.path;
+    ImGui::SameLine(column_width());
+    ImGui::TextDisabled("%s%s", with_tilde(item.path.parent_path()).c_str(),
+                        item.is_there ? "" : " (not there any more)");
+    ImGui::PopID();
+  }
+  return chosen;
+}
+
 }  // namespace
 
 std::vector<fs::path> find_samples() {
@@ -56,24 +87,23 @@ std::vector<fs::path> find_samples() {
   return found;
 }
 
-std::optional<Choice> draw_start_panel(std::span<const fs::path> samples, std::string& typed) {
+std::optional<Choice> draw_start_panel(const StartOffer& offer, bool* open) {
   std::optional<Choice> choice;
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::Begin(
-      "Open a mesh", nullptr,
+      "Open a mesh", open,
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
-  ImGui::TextDisabled("Drop an OBJ, OFF, PLY or STL file, or a recipe, on the window, or type:");
-  ImGui::SetNextItemWidth(2.4F * column_width());
-  const bool entered = ImGui::InputText("##path", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
-  ImGui::SameLine();
-  if ((ImGui::Button("Open") || entered) && !typed.empty()) choice = fs::path(typed);
-  if (!samples.empty()) {
+  if (!offer.trouble.empty()) draw_start_trouble(offer.trouble);
+  ImGui::TextDisabled("Drop an OBJ, OFF, PLY or STL file, or a recipe, on the window, or");
+  if (ImGui::Button("Choose a file... (Ctrl+O)")) choice = AnotherFile{};
+  if (const auto recent = draw_recent(offer.recent)) choice = *recent;
+  if (!offer.samples.empty()) {
     ImGui::Spacing();
     ImGui::TextDisabled("Samples");
     const auto name = [](const fs::path& path) {
       return path.extension() == ".json" ? path.filename().string() : path.stem().string();
     };
-    if (const auto chosen = pressed_button(samples, name)) choice = samples[*chosen];
+    if (const auto chosen = pressed_button(offer.samples, name)) choice = offer.samples[*chosen];
   }
   ImGui::Spacing();
   ImGui::TextDisabled("Generated");

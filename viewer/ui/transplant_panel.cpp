@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 #include <optional>
 
+#include "files/typed_path.h"
 #include "lapwing/step/step.h"
 #include "state/step_words.h"
 #include "ui/choose.h"
@@ -93,23 +94,16 @@ void draw_strip(TransplantDesk& desk, const PartPictures& pictures) {
   if (taken) desk.take_part(*taken);
 }
 
-void draw_more_parts(TransplantDesk& desk, Editor& editor, PanelDrafts& drafts) {
+std::optional<PathPurpose> draw_more_parts(TransplantDesk& desk, Editor& editor,
+                                           PanelDrafts& drafts) {
+  std::optional<PathPurpose> purpose;
   PartShelf& shelf = desk.shelf();
-  if (!ImGui::TreeNode("More parts")) return;
-  if (drafts.parts_folder.empty()) drafts.parts_folder = shelf.folder();
-  ImGui::TextDisabled("folder");
-  ImGui::SetNextItemWidth(-1.0F);
-  if (ImGui::InputText("##folder", &drafts.parts_folder, ImGuiInputTextFlags_EnterReturnsTrue)) {
-    shelf.open(drafts.parts_folder);
-  }
-  ImGui::TextDisabled("mesh file");
-  ImGui::SetNextItemWidth(-1.0F);
-  const bool entered =
-      ImGui::InputText("##file", &drafts.part_path, ImGuiInputTextFlags_EnterReturnsTrue);
-  const bool has_path = !drafts.part_path.empty();
-  if ((ImGui::Button("Use") || entered) && has_path) desk.take_part(drafts.part_path);
+  if (!ImGui::TreeNode("More parts")) return purpose;
+  ImGui::TextWrapped("folder: %s", with_tilde(shelf.folder()).c_str());
+  if (ImGui::Button("Another folder...")) purpose = PathPurpose::parts_folder;
+  if (ImGui::Button("Use a file...")) purpose = PathPurpose::use_part;
   ImGui::SameLine();
-  if (ImGui::Button("Add to the folder") && has_path) shelf.add(drafts.part_path);
+  if (ImGui::Button("Add a file...")) purpose = PathPurpose::add_part;
   ImGui::TextDisabled("cut the ROI out as a part named");
   ImGui::SetNextItemWidth(-4.0F * ImGui::GetFontSize());
   ImGui::InputText("##name", &drafts.part_name);
@@ -121,6 +115,7 @@ void draw_more_parts(TransplantDesk& desk, Editor& editor, PanelDrafts& drafts) 
   }
   if (!can_cut) ImGui::TextDisabled("choose an ROI to cut one out");
   ImGui::TreePop();
+  return purpose;
 }
 
 void draw_place(TransplantDesk& desk, Editor& editor) {
@@ -206,12 +201,12 @@ void draw_steps(TransplantDesk& desk, const Editor& editor) {
 
 }  // namespace
 
-void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, Editor& editor,
-                           PanelDrafts& drafts) {
+std::optional<PathPurpose> draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures,
+                                                 Editor& editor, PanelDrafts& drafts) {
   ImGui::PushItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
   draw_strip(desk, pictures);
   draw_trouble(desk.shelf().message());
-  draw_more_parts(desk, editor, drafts);
+  const auto purpose = draw_more_parts(desk, editor, drafts);
   if (!desk.is_open()) draw_steps(desk, editor);
   if (desk.has_part()) {
     draw_draft(desk, editor);
@@ -219,6 +214,7 @@ void draw_transplant_panel(TransplantDesk& desk, const PartPictures& pictures, E
     ImGui::TextDisabled("reading the part");
   }
   ImGui::PopItemWidth();
+  return purpose;
 }
 
 void draw_transplant_result(TransplantDesk& desk, Editor& editor) {

@@ -9,29 +9,14 @@
 
 namespace lapwing::viewer {
 
-namespace {
-
-// Beside the mesh that was opened, and not over it.
-std::filesystem::path edited_path(const OpenedMesh& opened) {
-  if (!opened.file) return opened.name + ".ply";
-  const std::filesystem::path& path = opened.file->path;
-  return path.parent_path() / (path.stem().string() + "-edited" + path.extension().string());
-}
-
-std::string and_carried(const AppState& state) {
-  const std::size_t count = state.carried.size();
-  if (count == 0) return {};
-  return " and " + std::to_string(count) + (count == 1 ? " carried file" : " carried files");
-}
-
-}  // namespace
-
 ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals,
                      std::filesystem::path preferences)
     : context_(context),
       journals_(std::move(journals)),
       preferences_file_(std::move(preferences)),
       loader_(kernels_like(context), &Window::wake),
+      chooser_(&Window::wake),
+      recent_(recent_files_path()),
       samples_(find_samples()) {
   if (preferences_file_.empty()) return;
   ReadPreferences read = read_preferences(preferences_file_);
@@ -66,17 +51,21 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
 }
 
 void ViewerApp::open(const std::filesystem::path& file,
-                     const std::vector<std::filesystem::path>& carry) {
-  leave_for([this, file, carry] {
-    load(file.filename().string(), [file, carry](Kernels& kernels, const Progress& progress) {
+                     const std::vector<std::filesystem::path>& carry,
+                     std::optional<PathPurpose> asked_for) {
+  // What is dropped on the window answers what is asked.
+  if (chooser_.is_open() && chooser_.purpose() == PathPurpose::open) chooser_.close();
+  leave_for([this, file, carry, asked_for] {
+    load({file, asked_for}, [file, carry](Kernels& kernels, const Progress& progress) {
       return load_file(file, carry, kernels, progress);
     });
   });
 }
 
-void ViewerApp::load(std::string name, Load load) {
+void ViewerApp::load(Loading what, Load load) {
   show_start_ = false;
-  loading_ = std::move(name);
+  start_trouble_.clear();
+  loading_ = std::move(what);
   loader_.start(
       [load = std::move(load)](const std::shared_ptr<Kernels>& kernels, const Progress& progress) {
         return load(*kernels, progress);
@@ -90,11 +79,18 @@ void ViewerApp::take_loaded() {
     if (file->replayed_from) {
       go_on_with(std::move(*file));
     } else {
+      const bool is_restored = file->restored.has_value();
       show(std::move(*file));
+      if (!is_restored && !order_) recent_.add(loading_.file);
     }
   } catch (const Error& error) {
     if (order_) throw;
-    say(Message(error));
+    if (loading_.asked_for) {
+      ask_again(*loading_.asked_for, loading_.file, error.what());
+    } else {
+      document_ ? say(Message(error)) : messages_.record(Message(error));
+      start_trouble_ = error.what();
+    }
   }
   show_start_ = !document_;
 }
@@ -105,7 +101,7 @@ void ViewerApp::show(LoadedFile file) {
   document_.reset();
   saving_ = nullptr;
   document_ = std::make_unique<Document>(
-      std::move(file), journals_, context_, [this](Message message) { say(std::move(message)); },
+      std::move(file), journals_, context_, [this](Message message) { hear(std::move(message)); },
       &Window::wake);
   take_preferred_tools();
   up_axis_ = document_->opened.up_axis;
@@ -127,7 +123,7 @@ void ViewerApp::take_preferred_tools() {
   // An edit that was begun already goes on with its gizmo.
   if (editor.row() == nullptr || editor.row()->action == Action::take_move) return;
   for (const ToolRow& row : tool_rows()) {
-    if (row.name == preferences_.tool && row.action != Action::take_move) editor.take(row);
+    if (row.name == preferences_.tool && chooses(row)) editor.take(row);
   }
 }
 
@@ -169,130 +165,6 @@ std::string_view ViewerApp::title() const {
                                                          : document_->title;
 }
 
-void ViewerApp::ask_for_path(PathPurpose purpose) {
-  path_plan_.purpose = purpose;
-  const auto& path = document_->save_path;
-  switch (purpose) {
-    case PathPurpose::save_mesh:
-      path_plan_.path = path.empty() ? edited_path(document_->opened).string() : path.string();
-      break;
-    case PathPurpose::save_recipe:
-      path_plan_.path = edited_path(document_->opened).replace_extension(".json").string();
-      break;
-    case PathPurpose::replay_recipe:
-    case PathPurpose::open_source:
-    case PathPurpose::carry_file:
-      path_plan_.path.clear();
-      break;
-  }
-}
-
-void ViewerApp::once_settled(std::function<void()> action) {
-  EditSession& session = document_->editor.session();
-  if (!needs_settling(session.state())) return action();
-  // Settling that was given up begins again: half of a step is never saved.
-  if (!session.awaits_result()) session.prepare();
-  saving_ = std::move(action);
-  say("the drag is settling; saved once it has");
-}
-
-void ViewerApp::take_settled() {
-  if (!saving_) return;
-  const EditSession* session = document_ ? &document_->editor.session() : nullptr;
-  if (session != nullptr && session->awaits_result()) return;
-  const auto action = std::exchange(saving_, nullptr);
-  if (session == nullptr) return;
-  if (!needs_settling(session->state())) return action();
-  say({"not saved: the drag did not settle; settle or undo it, and save again", Tone::error});
-}
-
-void ViewerApp::save_to(const std::filesystem::path& path, std::function<void()> then) {
-  once_settled([this, path, then = std::move(then)] {
-    try {
-      say(document_->editor.session().save(path));
-      document_->save_path = path;
-      say("saved " + path.string() + and_carried(document_->editor.state()));
-      if (then) then();
-    } catch (const Error& error) {
-      say(Message(error));
-    }
-  });
-}
-
-void ViewerApp::save_carried() {
-  once_settled([this] {
-    const std::filesystem::path beside =
-        document_->save_path.empty() ? edited_path(document_->opened) : document_->save_path;
-    try {
-      say(document_->editor.session().save_carried(beside));
-      for (const auto& file : carried_of(document_->editor.state())) {
-        say("saved " + file->target(beside).string());
-      }
-    } catch (const Error& error) {
-      say(Message(error));
-    }
-  });
-}
-
-void ViewerApp::save_recipe(const std::filesystem::path& path) {
-  once_settled([this, path] {
-    try {
-      document_->editor.session().save_recipe(path);
-      say("saved " + path.string());
-    } catch (const Error& error) {
-      say(Message(error));
-    }
-  });
-}
-
-void ViewerApp::say(const WriteReport& report) {
-  for (const std::string& lost : report.not_carried) say({"not saved: " + lost, Tone::warning});
-  for (const std::string& note : report.notes) say(note);
-}
-
-void ViewerApp::write_to(const std::filesystem::path& file, std::function<void()> write,
-                         std::function<void()> otherwise) {
-  std::error_code none;
-  if (!std::filesystem::exists(file, none)) return write();
-  overwriting_ = {file, std::move(write), std::move(otherwise)};
-}
-
-void ViewerApp::answer_overwriting(bool writes) {
-  const Overwriting asked = *std::exchange(overwriting_, std::nullopt);
-  const auto& action = writes ? asked.write : asked.otherwise;
-  if (action) action();
-}
-
-// Of the path that a person has typed in.
-void ViewerApp::use_path() {
-  const std::filesystem::path path = path_plan_.path;
-  EditSession& session = document_->editor.session();
-  const PathPurpose purpose = *std::exchange(path_plan_.purpose, std::nullopt);
-  const auto ask_again = [this, purpose] { path_plan_.purpose = purpose; };
-  switch (purpose) {
-    case PathPurpose::save_mesh:
-      write_to(
-          path, [this, path] { save_to(path, std::exchange(leaving_for_, nullptr)); }, ask_again);
-      break;
-    case PathPurpose::save_recipe:
-      write_to(
-          path, [this, path] { save_recipe(path); }, ask_again);
-      break;
-    case PathPurpose::replay_recipe:
-      load(path.filename().string(),
-           [path, history = session.history()](Kernels& kernels, const Progress& progress) {
-             return load_replay(path, history, kernels, progress);
-           });
-      break;
-    case PathPurpose::open_source:
-      document_->desk.use_source(document_->desk.current(),
-                                 std::filesystem::absolute(session.folder() / path));
-      break;
-    case PathPurpose::carry_file:
-      document_->editor.carry_along({path});
-  }
-}
-
 // Whether the eye is, give or take.
 bool ViewerApp::is_inside(const Bounds& bounds) const {
   return (bounds.min.array() <= camera_.eye.array()).all() &&
@@ -309,6 +181,8 @@ Scene ViewerApp::scene() {
   scene.carried = editor.carried().drawn();
   scene.camera = view_frame().camera;
   scene.style = style_of(display_, editor);
+  // What the doctor means is marked in the colours of regions.
+  if (document_->banner.marks()) scene.style.color = SurfaceColor::regions;
   scene.moving = motion_.has_value() || editor.is_dragging();
   const bool closed = document_->closed_outward && editor.shown().is_comparable();
   if (scene.moving && closed && !is_inside(editor.bounds())) {

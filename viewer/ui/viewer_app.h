@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "files/recent_files.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "navigation/keymap.h"
 #include "preferences/preferences.h"
 #include "ui/document.h"
+#include "ui/file_chooser.h"
 #include "ui/load_file.h"
 #include "ui/messages.h"
 #include "ui/panels.h"
@@ -29,8 +31,9 @@ struct PictureOrder {
 };
 
 /// The viewer: what is open, how it is looked at, and the panels around it. Its sources are by
-/// concern: viewer_app (files), viewer_input (mouse and keys), viewer_menus, viewer_sidebar, and
-/// viewer_frame (the rest of a frame).
+/// concern: viewer_app (what is open), viewer_files (what is read and written), viewer_input (mouse
+/// and keys), viewer_menus, viewer_sidebar, viewer_dialogs (what is asked and offered over the
+/// picture), and viewer_frame (the rest of a frame).
 class ViewerApp final : public App {
  public:
   /// Journals go to that folder; preferences are read from that file and kept there, or nowhere
@@ -45,7 +48,8 @@ class ViewerApp final : public App {
   bool handle(const InputEvent& event) override;
   void open(const std::filesystem::path& file) override { open(file, {}); }
   /// `carry` follow the surface from the first edit by hand on.
-  void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry);
+  void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry,
+            std::optional<PathPurpose> asked_for = {});
   void resize(const Eigen::Vector2d& size, double scale) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
@@ -58,15 +62,24 @@ class ViewerApp final : public App {
  private:
   // Files.
   using Load = std::function<LoadedFile(Kernels& kernels, const Progress& progress)>;
-  /// Begins with `load`, beside the window, and calls it `name`; what is still being loaded is
-  /// given up.
-  void load(std::string name, Load load);
+  /// What is loaded, and what the person was asked for: where it cannot be, that is asked again.
+  struct Loading {
+    std::filesystem::path file;
+    std::optional<PathPurpose> asked_for = {};
+  };
+  /// Begins with `load`, beside the window; what is still being loaded is given up.
+  void load(Loading what, Load load);
   void show(LoadedFile file);
   void go_on_with(LoadedFile replay);
   void take_loaded();
   /// Goes on with `action`, which gives up what is open, once nothing is lost by it.
   void leave_for(std::function<void()> action);
   void ask_for_path(PathPurpose purpose);
+  /// Says what is wrong with `path`, which was chosen or known for `purpose`, and asks for another.
+  void ask_again(PathPurpose purpose, const std::filesystem::path& path, std::string trouble);
+  std::string suggested_name(PathPurpose purpose) const;
+  std::filesystem::path folder_to_ask_in(PathPurpose purpose) const;
+  std::vector<BrowserPlace> places(PathPurpose purpose) const;
   /// Does `write`; where `file` is there already only after the person has said so, `otherwise`
   /// where not.
   void write_to(const std::filesystem::path& file, std::function<void()> write,
@@ -80,7 +93,11 @@ class ViewerApp final : public App {
   void save_to(const std::filesystem::path& path, std::function<void()> then = {});
   void save_carried();
   void save_recipe(const std::filesystem::path& path);
-  void use_path();
+  void use_path(const ChosenPath& chosen);
+  /// What the editor and its desks say; of a file that was just chosen, that is asked for again.
+  void hear(Message message);
+  void save_repaired(const std::filesystem::path& path);
+  void save_chosen_picture(const std::filesystem::path& path);
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void carry_out_order();
   /// In a toast and the log.
@@ -124,6 +141,7 @@ class ViewerApp final : public App {
   // The menu.
   void draw_menu();
   void draw_file_menu();
+  void draw_recent_menu();
   void draw_edit_menu();
   void draw_view_menu();
 
@@ -153,6 +171,8 @@ class ViewerApp final : public App {
   void draw_dialogs();
   void draw_start();
   void draw_interrupted();
+  /// At the top of the picture, which goes from `corner` to `end`; how much of the height it takes.
+  double draw_banner(const Eigen::Vector2d& corner, const Eigen::Vector2d& end);
   void draw_unsaved();
   void draw_picture();
   VkExtent2D window_size() const;
@@ -163,9 +183,10 @@ class ViewerApp final : public App {
   Preferences preferences_;
   Preferences kept_preferences_;  ///< as the file has them
   Job<LoadedFile> loader_;
-  std::string loading_;  // what is loaded, in words
+  Loading loading_;
   std::unique_ptr<Document> document_;
   Camera camera_;
+  Camera camera_before_;  ///< the doctor showed its places
   UpAxis up_axis_ = UpAxis::y;
   DisplayChoices display_;
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
@@ -185,12 +206,16 @@ class ViewerApp final : public App {
   double sidebar_width_ = 0.0;         ///< in ImGui's units
   double toolbar_height_ = 0.0;        ///< likewise
   double guide_height_ = 0.0;          ///< likewise
+  double banner_height_ = 0.0;         ///< likewise
   PanelDrafts drafts_;
   EditMarks marks_;
   bool transplants_ = false;    ///< a part was in hand in the last frame
   PartPictures part_pictures_;  ///< not the document's: a frame may show them when that is closed
   PicturePlan picture_plan_;
-  PathPlan path_plan_;
+  FileChooser chooser_;
+  std::optional<ChosenPath> chosen_;  ///< that the editor or a desk is reading
+  RecentFiles recent_;
+  std::filesystem::path last_folder_;  ///< that a file was chosen in
   std::vector<InterruptedEdit> interrupted_;
   /// A file that is there already, and what to do once the person has said.
   struct Overwriting {
@@ -202,7 +227,7 @@ class ViewerApp final : public App {
   std::function<void()> saving_;       ///< waits for the surface to settle
   std::function<void()> leaving_for_;  ///< waits for the person to say what becomes of the edit
   std::vector<std::filesystem::path> samples_;
-  std::string typed_path_;
+  std::string start_trouble_;  ///< why what was to be opened is not
   Stopwatch started_;
   Messages messages_;
   std::string status_line_;  ///< kept from one frame to the next

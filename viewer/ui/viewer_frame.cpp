@@ -81,7 +81,8 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   }
   draw_dialogs();
   PictureArea free = picture_area();
-  free.size.y() -= guide_height_;
+  free.corner.y() += banner_height_;
+  free.size.y() -= banner_height_ + guide_height_;
   draw_toasts(messages_, free);
   if (show_machine_) draw_machine(last);
   if (show_messages_) draw_messages_panel(messages_, show_messages_);
@@ -117,10 +118,18 @@ void ViewerApp::draw_marks() {
 }
 
 void ViewerApp::draw_over_picture() {
-  toolbar_height_ = guide_height_ = 0.0;
-  if (!show_panels_) return;
-  toolbar_height_ = draw_toolbar(document_->editor, picture_area());
-  if (!preferences_.shows_guide) return;
+  toolbar_height_ = guide_height_ = banner_height_ = 0.0;
+  const bool edits = !document_->banner.is_empty() && !document_->banner.has_picture();
+  // Also over what the banner shows, which must not move under the cursor.
+  if (show_panels_ && !document_->banner.is_empty()) {
+    toolbar_height_ = draw_toolbar(document_->editor, picture_area());
+  }
+  const double gap = 0.5 * static_cast<double>(ImGui::GetFontSize());
+  const PictureArea area = picture_area();
+  const Eigen::Vector2d inside(gap, gap);
+  const double taken = draw_banner(area.corner + inside, area.corner + area.size - inside);
+  if (taken > 0.0) banner_height_ = taken + gap;
+  if (!show_panels_ || !edits || !preferences_.shows_guide) return;
   const Guide guide = guide_of(document_->desk, document_->transplant, document_->editor);
   guide_height_ = draw_guide(guide, picture_area());
 }
@@ -137,7 +146,7 @@ void ViewerApp::keep_preferences() {
     preferences_.settles_while_dragging = editor.wants_to_settle_while_dragging();
     preferences_.brush_radius = editor.paint_tool().options().radius;
     preferences_.paints_through = editor.paint_tool().options().through;
-    if (editor.row() != nullptr && editor.row()->action != Action::take_move) {
+    if (editor.row() != nullptr && chooses(*editor.row())) {
       preferences_.tool = editor.row()->name;
     }
   }
@@ -166,6 +175,7 @@ void ViewerApp::update_document() {
   transplants_ = transplant.is_open();
   desk.update(editor);
   transplant.update(editor);
+  document_->banner.update(editor, desk.is_open() || transplant.is_open());
   part_pictures_.renew(transplant.shelf(), *context_);
   const auto area = source_area();
   if (area) document_->desk.view()->resize(area->size);
@@ -177,7 +187,7 @@ void ViewerApp::update_document() {
 void ViewerApp::draw_dialogs() {
   if (!interrupted_.empty()) {
     draw_interrupted();
-  } else if (show_start_ && !loader_.status().busy) {
+  } else if (show_start_ && !chooser_.is_open() && !loader_.status().busy) {
     draw_start();
   }
   if (overwriting_) {
@@ -185,36 +195,10 @@ void ViewerApp::draw_dialogs() {
     if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
   } else {
     if (picture_plan_.open && document_) draw_picture();
-    if (document_ && draw_path_panel(path_plan_)) use_path();
-    if (leaving_for_ && !path_plan_.purpose && !overwriting_) draw_unsaved();
+    if (const auto chosen = chooser_.draw()) use_path(*chosen);
+    if (leaving_for_ && !chooser_.is_open() && !overwriting_) draw_unsaved();
   }
   if (show_controls_) draw_controls_list(keymap(), show_controls_);
-}
-
-void ViewerApp::draw_picture() {
-  if (!draw_picture_panel(picture_plan_)) return;
-  const std::filesystem::path path = picture_plan_.path;
-  const VkExtent2D size{static_cast<std::uint32_t>(picture_plan_.width),
-                        static_cast<std::uint32_t>(picture_plan_.height)};
-  const auto save = [this, path, size] {
-    try {
-      save_picture(path, size);
-      say("saved " + path.string());
-    } catch (const Error& error) {
-      say(Message(error));
-    }
-  };
-  write_to(path, save, [this] { picture_plan_.open = true; });
-}
-
-void ViewerApp::draw_start() {
-  const auto choice = draw_start_panel(samples_, typed_path_);
-  if (!choice) return;
-  if (const auto* path = std::get_if<std::filesystem::path>(&*choice)) {
-    open(*path);
-  } else {
-    leave_for([this, shape = std::get<const NamedShape*>(*choice)] { show(load_shape(*shape)); });
-  }
 }
 
 void ViewerApp::draw_interrupted() {
@@ -227,7 +211,7 @@ void ViewerApp::draw_interrupted() {
   if (choice->what == What::discard) return discard(edit);
   interrupted_.clear();
   leave_for([this, edit] {
-    load(edit.opened.filename().string(), [edit](Kernels& kernels, const Progress& progress) {
+    load({edit.opened}, [edit](Kernels& kernels, const Progress& progress) {
       return load_interrupted(edit, kernels, progress);
     });
   });
@@ -249,7 +233,8 @@ const std::string& ViewerApp::status_text() {
   std::string& text = status_line_;
   text.clear();
   if (const WorkStatus loading = loader_.status(); loading.busy) {
-    text.append(loading_).append(": ").append(loading.stage).append(" (Escape cancels)");
+    text.append(loading_.file.filename().string()).append(": ").append(loading.stage);
+    text.append(" (Escape cancels)");
     return text;
   }
   if (!document_) return text = "? lists the controls";

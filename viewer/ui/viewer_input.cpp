@@ -148,12 +148,13 @@ void ViewerApp::drag_to(const InputEvent& event) {
 
 // While a dialog waits for an answer keys are its own.
 bool ViewerApp::asks() const {
-  return leaving_for_ || overwriting_ || !interrupted_.empty() || path_plan_.purpose;
+  return leaving_for_ || overwriting_ || !interrupted_.empty() || chooser_.is_open() ||
+         picture_plan_.open;
 }
 
 // By a list or a menu, which Escape closes before it means anything to the tool in hand.
 bool ViewerApp::is_covered() const {
-  return show_controls_ || picture_plan_.open ||
+  return show_controls_ || (show_start_ && document_) ||
          ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
@@ -175,7 +176,11 @@ std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
 bool ViewerApp::handle(const InputEvent& event) {
   if (event.kind != InputKind::move) messages_.acted(now());
   if (asks() && (event.kind == InputKind::key || event.kind == InputKind::text)) {
-    if (event.key == kEscape) escape();
+    if (event.key == kEscape) {
+      escape();
+    } else if (!overwriting_) {
+      chooser_.take(event);
+    }
     return true;
   }
   if (event.kind == InputKind::key && event.key == kEscape && is_covered()) {
@@ -223,7 +228,8 @@ void ViewerApp::escape() {
   show_machine_ = false;
   show_messages_ = false;
   picture_plan_.open = false;
-  path_plan_.purpose.reset();
+  // One thing at a time: what the file was asked for is there again.
+  if (chooser_.is_open()) return chooser_.close();
   leaving_for_ = nullptr;
   interrupted_.clear();
   show_start_ = !document_;
@@ -292,8 +298,7 @@ void ViewerApp::perform(Action action) {
       if (document_) document_->transplant.take_up_last(document_->editor);
       return;
     case Action::open:
-      show_start_ = true;
-      return;
+      return ask_for_path(PathPurpose::open);
     case Action::save:
       if (!document_) return;
       if (document_->save_path.empty()) return ask_for_path(PathPurpose::save_mesh);
@@ -318,7 +323,7 @@ void ViewerApp::perform(Action action) {
       if (document_) save_carried();
       return;
     case Action::save_picture:
-      picture_plan_.open = true;
+      picture_plan_.open = document_ != nullptr;
       picture_plan_.width = static_cast<int>(size_.x());
       picture_plan_.height = static_cast<int>(size_.y());
       return;

@@ -72,7 +72,9 @@ void ViewerApp::draw_file_menu() {
                               Item{"Save recipe...", Action::save_recipe},
                               Item{"Replay a recipe...", Action::replay_recipe},
                               kDivider};
-  if (ImGui::MenuItem("Open...", "Ctrl+O")) show_start_ = true;
+  if (ImGui::MenuItem("Open...", "Ctrl+O")) perform(Action::open);
+  draw_recent_menu();
+  if (ImGui::MenuItem("Samples and shapes...")) show_start_ = true;
   if (const auto action = draw_items(kItems, document_ != nullptr)) perform(*action);
   if (ImGui::MenuItem("Quit", "Ctrl+Q")) ask_to_close();
 }

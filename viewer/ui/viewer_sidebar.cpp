@@ -124,7 +124,10 @@ void ViewerApp::draw_task(Task task) {
       }
       break;
     case Task::transplant:
-      draw_transplant_panel(document_->transplant, part_pictures_, editor, drafts_);
+      if (const auto purpose =
+              draw_transplant_panel(document_->transplant, part_pictures_, editor, drafts_)) {
+        ask_for_path(*purpose);
+      }
       break;
     case Task::mesh:
       draw_mesh_panel(*document_, preferences_.unit);

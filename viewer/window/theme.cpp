@@ -127,6 +127,7 @@ void set_theme(Theme theme, double scale) {
   style = ImGuiStyle();
   is_light ? ImGui::StyleColorsLight(&style) : ImGui::StyleColorsDark(&style);
   set_colors(style, *current);
+  style.DisabledAlpha = 0.85F;
   style.WindowRounding = 0.0F;
   style.FrameRounding = 3.0F;
   style.GrabRounding = 3.0F;

@@ -23,12 +23,19 @@ using Eigen::Vector3d;
 // off its eigenvalues there too.
 constexpr double kZeroShare = 1e-12;
 
+// What has been found so far.
+struct Findings {
+  CheckReport& report;
+  std::size_t most_listed;
+};
+
 // Appends the defect unless nothing was found.
-void add(CheckReport& report, DefectKind kind, std::span<const Index> found) {
+void add(const Findings& findings, DefectKind kind, std::span<const Index> found) {
   if (found.empty()) return;
   const std::size_t width = describe(kind).element == Element::edge ? 2 : 1;
-  const auto listed = found.first(std::min(found.size(), kMaxListed * width));
-  report.defects.push_back({kind, found.size() / width, {listed.begin(), listed.end()}});
+  const std::size_t count = found.size() / width;
+  const auto listed = found.first(std::min(count, findings.most_listed) * width);
+  findings.report.defects.push_back({kind, count, {listed.begin(), listed.end()}});
 }
 
 // The ends of the edges, one after another.
@@ -102,26 +109,26 @@ RingShape shape_of_ring(Index i, std::span<const Index> ring, const Positions& p
   return off_line <= kZeroShare * size ? RingShape::line : RingShape::proper;
 }
 
-void check_faces(const Mesh& mesh, CheckReport& report) {
-  add(report, DefectKind::degenerate_face,
+void check_faces(const Mesh& mesh, const Findings& findings) {
+  add(findings, DefectKind::degenerate_face,
       indices_where(mesh.face_count(), [&](Index f) { return is_degenerate(mesh.face(f)); }));
-  add(report, DefectKind::repeated_face, find_repeated_faces(mesh));
-  add(report, DefectKind::zero_area_face, find_zero_area_faces(mesh));
+  add(findings, DefectKind::repeated_face, find_repeated_faces(mesh));
+  add(findings, DefectKind::zero_area_face, find_zero_area_faces(mesh));
 }
 
-void check_vertices_and_seams(const Mesh& mesh, const Edges& edges, CheckReport& report) {
+void check_vertices_and_seams(const Mesh& mesh, const Edges& edges, const Findings& findings) {
   const std::vector<unsigned char> on_face = mask_of(mesh.vertex_count(), mesh.face_vertices());
-  add(report, DefectKind::loose_vertex,
+  add(findings, DefectKind::loose_vertex,
       indices_where(mesh.vertex_count(), [&](Index v) { return !on_face[v]; }));
   const std::vector<Index> first_at_position = first_at_same_position(mesh.positions);
-  add(report, DefectKind::duplicate_vertex,
+  add(findings, DefectKind::duplicate_vertex,
       indices_where(mesh.vertex_count(), [&](Index v) { return first_at_position[v] != v; }));
   std::vector<Index> seam_edges = find_seams(mesh, edges, first_at_position).values;
   std::ranges::sort(seam_edges);
-  add(report, DefectKind::unwelded_seam, ends_of(edges, seam_edges));
+  add(findings, DefectKind::unwelded_seam, ends_of(edges, seam_edges));
 }
 
-void check_rings(const Mesh& mesh, CheckReport& report) {
+void check_rings(const Mesh& mesh, const Findings& findings) {
   const Topology& topology = mesh.topology();
   std::vector<Index> points;
   std::vector<Index> lines;
@@ -131,11 +138,11 @@ void check_rings(const Mesh& mesh, CheckReport& report) {
     if (shape == RingShape::point) points.push_back(v);
     if (shape == RingShape::line) lines.push_back(v);
   }
-  add(report, DefectKind::point_ring, points);
-  add(report, DefectKind::collinear_ring, lines);
+  add(findings, DefectKind::point_ring, points);
+  add(findings, DefectKind::collinear_ring, lines);
 }
 
-void check_components(const Topology& topology, CheckReport& report) {
+void check_components(const Topology& topology, const Findings& findings) {
   const Components components = connected_components(topology.rings);
   std::vector<unsigned char> seen(components.count, 0);
   const std::vector<Index> first = indices_where(topology.vertex_count(), [&](Index v) {
@@ -143,7 +150,7 @@ void check_components(const Topology& topology, CheckReport& report) {
     seen[components.of_vertex[v]] = 1;
     return true;
   });
-  if (first.size() > 1) add(report, DefectKind::several_components, first);
+  if (first.size() > 1) add(findings, DefectKind::several_components, first);
 }
 
 }  // namespace
@@ -162,28 +169,31 @@ bool CheckReport::is_fixable() const {
   return std::ranges::any_of(defects, [](const Defect& d) { return describe(d.kind).fixable; });
 }
 
-CheckReport check(const Mesh& mesh) {
+CheckReport check(const Mesh& mesh, std::size_t most_listed) {
   const Topology& topology = mesh.topology();
   const Edges edges = build_edges(mesh, mask_of(mesh.face_count(), topology.triangle_faces));
   const Fans fans = find_fans(mesh, edges);
   const Orientation orientation = analyze_orientation(mesh, edges);
 
   CheckReport report;
+  const Findings findings{report, most_listed};
   report.statistics = measure(mesh, edges, fans, orientation);
   if (!has_usable_face(mesh)) {
     report.defects.push_back({DefectKind::no_faces, 1, {}});
   }
-  add(report, DefectKind::non_finite_vertex,
+  add(findings, DefectKind::non_finite_vertex,
       indices_where(mesh.vertex_count(), [&](Index v) { return !mesh.positions[v].allFinite(); }));
-  check_faces(mesh, report);
-  check_vertices_and_seams(mesh, edges, report);
+  check_faces(mesh, findings);
+  check_vertices_and_seams(mesh, edges, findings);
   const auto crowded = [&](Index e) { return edges.sides.size(e) > 2; };
-  add(report, DefectKind::non_manifold_edge, ends_of(edges, indices_where(edges.count(), crowded)));
-  add(report, DefectKind::bow_tie_vertex, fans.bow_tie_vertices);
-  add(report, DefectKind::inconsistent_orientation, ends_of(edges, orientation.inconsistent_edges));
-  add(report, DefectKind::one_sided_surface, ends_of(edges, orientation.one_sided_edges));
-  check_rings(mesh, report);
-  check_components(topology, report);
+  add(findings, DefectKind::non_manifold_edge,
+      ends_of(edges, indices_where(edges.count(), crowded)));
+  add(findings, DefectKind::bow_tie_vertex, fans.bow_tie_vertices);
+  add(findings, DefectKind::inconsistent_orientation,
+      ends_of(edges, orientation.inconsistent_edges));
+  add(findings, DefectKind::one_sided_surface, ends_of(edges, orientation.one_sided_edges));
+  check_rings(mesh, findings);
+  check_components(topology, findings);
   return report;
 }
 
@@ -193,7 +203,7 @@ void add_self_intersections(const Mesh& mesh, CheckReport& report) {
   for (const auto& pair : self_intersections(topology.triangles, mesh.positions)) {
     for (const Index t : pair) concerned[topology.triangle_faces[t]] = 1;
   }
-  add(report, DefectKind::self_intersection,
+  add({report, kMaxListed}, DefectKind::self_intersection,
       indices_where(mesh.face_count(), [&](Index f) { return concerned[f] != 0; }));
 }
 

@@ -9,7 +9,7 @@
 
 namespace lapwing {
 
-/// A defect lists at most this many of its places.
+/// A defect lists at most this many of its places, unless more are asked for.
 inline constexpr std::size_t kMaxListed = 8;
 
 /// One kind of defect and where it is. `describe(kind)` says what it means.
@@ -32,10 +32,11 @@ struct CheckReport {
   bool is_fixable() const;
 };
 
-/// Examines `mesh`. Positions are compared exactly; a face has zero area, and a ring lies on one
-/// line, below 1e-12 of the square of its size. Near-linear in the size of the mesh. Accepts any
-/// mesh whose faces name vertices that it has.
-CheckReport check(const Mesh& mesh);
+/// Examines `mesh`. Each defect lists its first `most_listed` places. Positions are compared
+/// exactly; a face has zero area, and a ring lies on one line, below 1e-12 of the square of its
+/// size. Near-linear in the size of the mesh. Accepts any mesh whose faces name vertices that it
+/// has.
+CheckReport check(const Mesh& mesh, std::size_t most_listed = kMaxListed);
 
 /// Adds to the report on `mesh` the faces that cut through or touch others, which `check` leaves
 /// out because it takes several times as long; see self_intersections.h.

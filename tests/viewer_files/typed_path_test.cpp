@@ -1,0 +1,77 @@
+#include "files/typed_path.h"
+
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "viewer_files/environment.h"
+
+namespace lapwing::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(TypedPath, ATildeIsTheHomeFolder) {
+  const test::Environment home("HOME", "/home/ann");
+  EXPECT_EQ(path_of("~", "/work"), "/home/ann");
+  EXPECT_EQ(path_of("~/hand.ply", "/work"), "/home/ann/hand.ply");
+  EXPECT_EQ(path_of("~bob/hand.ply", "/work"), "/work/~bob/hand.ply") << "a file may be called so";
+  EXPECT_EQ(with_tilde("/home/ann/a/hand.ply"), "~/a/hand.ply");
+  EXPECT_EQ(with_tilde("/home/ann"), "~");
+  EXPECT_EQ(with_tilde("/home/anna/hand.ply"), "/home/anna/hand.ply");
+}
+
+TEST(TypedPath, WhatIsNotAbsoluteIsInTheFolderThatIsShown) {
+  EXPECT_EQ(path_of("hand.ply", "/work"), "/work/hand.ply");
+  EXPECT_EQ(path_of("  a/../b/hand.ply ", "/work"), "/work/b/hand.ply");
+  EXPECT_EQ(path_of("../hand.ply", "/work/a"), "/work/hand.ply");
+  EXPECT_EQ(path_of("models/", "/work"), "/work/models");
+  EXPECT_EQ(path_of("/tmp//x", "/work"), "/tmp/x");
+  EXPECT_EQ(path_of("/", "/work"), "/");
+}
+
+class Completion : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directory(folder_ / "Models");
+    folder_.file("arm-1.ply", "");
+    folder_.file("arm-2.ply", "");
+    folder_.file("größe.obj", "");
+    folder_.file("größer.obj", "");
+    folder_.file(".hidden", "");
+    folder_.file("Models/hand.off", "");
+  }
+  std::string after(std::string_view typed) const { return completed(typed, folder_.path()); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Completion, GoesAsFarAsThereIsOneWay) {
+  EXPECT_EQ(after("a"), "arm-");
+  EXPECT_EQ(after("arm-1"), "arm-1.ply");
+  EXPECT_EQ(after("Models/h"), "Models/hand.off");
+  EXPECT_EQ(after("x"), "x");
+  EXPECT_EQ(after("nowhere/x"), "nowhere/x");
+}
+
+TEST_F(Completion, GoesIntoAFolderAndCorrectsTheCase) {
+  EXPECT_EQ(after("mod"), "Models/");
+  EXPECT_EQ(after(folder_.path().string() + "/Mod"), folder_.path().string() + "/Models/");
+}
+
+TEST_F(Completion, KnowsLettersOfSeveralBytes) {
+  EXPECT_EQ(after("gr"), "größe");
+}
+
+TEST_F(Completion, HiddenNamesNeedTheirDot) {
+  EXPECT_EQ(after(".h"), ".hidden");
+  EXPECT_NE(after(""), ".");
+}
+
+TEST_F(Completion, KnowsTheHomeFolder) {
+  const test::Environment home("HOME", folder_.path());
+  EXPECT_EQ(after("~"), "~/");
+  EXPECT_EQ(after("~/Mod"), "~/Models/");
+}
+
+}  // namespace
+}  // namespace lapwing::viewer

@@ -1,0 +1,148 @@
+#include "files/file_purpose.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <unistd.h>
+
+#include "files/letters.h"
+
+namespace lapwing::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using Wants = PathWords::Wants;
+
+// Those that format_of knows.
+constexpr std::array<std::string_view, 7> kMesh{".obj",  ".off",  ".ply",  ".stl",
+                                                ".coff", ".noff", ".cnoff"};
+constexpr std::array<std::string_view, 1> kRecipe{".json"};
+constexpr std::array<std::string_view, 1> kPicture{".png"};
+constexpr std::array<std::string_view, 8> kMeshOrRecipe{".obj",  ".off",  ".ply",   ".stl",
+                                                        ".coff", ".noff", ".cnoff", ".json"};
+constexpr std::array<std::string_view, 11> kCarried{
+    ".obj", ".off", ".ply", ".stl", ".coff", ".noff", ".cnoff", ".csv", ".txt", ".tsv", ".npy"};
+
+constexpr FileKind kAll{"All files", {}};
+constexpr std::array kMeshes{FileKind{"Meshes", kMesh}, kAll};
+constexpr std::array kRecipes{FileKind{"Recipes", kRecipe}, kAll};
+constexpr std::array kPictures{FileKind{"Pictures", kPicture}, kAll};
+constexpr std::array kOpened{FileKind{"Meshes and recipes", kMeshOrRecipe},
+                             FileKind{"Meshes", kMesh}, FileKind{"Recipes", kRecipe}, kAll};
+constexpr std::array kFollowers{FileKind{"Meshes, clouds and tables", kCarried}, kAll};
+
+constexpr std::string_view kFormats = "The extension chooses the format: obj, off, ply or stl.";
+
+// In the order of PathPurpose.
+constexpr std::array<PathWords, 11> kWords{{
+    {"Open", "A mesh, or a recipe, which is carried out.", "Open", Wants::file, kOpened},
+    {"Save the mesh", kFormats, "Save", Wants::new_file, kMeshes},
+    {"Save the repaired mesh", kFormats, "Save and open", Wants::new_file, kMeshes},
+    {"Save the steps as a recipe", "lapwing run carries it out without a window.", "Save",
+     Wants::new_file, kRecipes},
+    {"Replay a recipe", "Its steps run on the open mesh.", "Replay", Wants::file, kRecipes},
+    {"Take from another mesh", "You choose its patch in the view beside the open mesh.", "Open",
+     Wants::file, kMeshes},
+    {"Carry a file along", "A mesh, a point cloud or a table of points.", "Add", Wants::file,
+     kFollowers},
+    {"Save a picture", "As the view shows it, without panels.", "Save", Wants::new_file, kPictures},
+    {"Choose the folder of parts",
+     "Its meshes are shown in the Transplant panel.",
+     "Use this folder",
+     Wants::folder,
+     {}},
+    {"Take a part from a file", "A mesh with a hole, which is sewn on along that.", "Use",
+     Wants::file, kMeshes},
+    {"Add a part to the folder", "A mesh with a hole; it is copied there.", "Add", Wants::file,
+     kMeshes},
+}};
+
+std::string lower_extension(const fs::path& file) {
+  return lower_case(file.extension().string());
+}
+
+// "obj, off, ply or stl"
+std::string listed(std::span<const std::string_view> extensions) {
+  std::string text;
+  for (std::size_t k = 0; k < extensions.size(); ++k) {
+    if (k > 0) text += k + 1 == extensions.size() ? " or " : ", ";
+    text += extensions[k].substr(1);
+  }
+  return text;
+}
+
+std::string trouble_with_new(const fs::path& path, const PathWords& words) {
+  std::error_code error;
+  const fs::path folder = path.parent_path();
+  if (fs::is_directory(path, error)) return path.string() + " is a folder; add a file name";
+  if (!fs::is_directory(folder, error)) {
+    return "there is no folder " + folder.string() + "; make it first, or choose another one";
+  }
+  const fs::path touched = fs::exists(path, error) ? path : folder;
+  if (access(touched.c_str(), W_OK) != 0) {
+    return touched.string() + " cannot be written to; choose another place, or allow it with chmod";
+  }
+  const FileKind& kind = words.kinds.front();
+  if (!kind.holds(path)) {
+    return path.filename().string() + ": end the name in " + listed(kind.extensions);
+  }
+  return {};
+}
+
+std::string trouble_with_old(const fs::path& path, const PathWords& words) {
+  std::error_code error;
+  if (!fs::exists(path, error)) {
+    return "there is no file " + path.string() + "; correct the name, or choose one of the list";
+  }
+  if (fs::is_directory(path, error)) return path.string() + " is a folder; choose a file in it";
+  if (access(path.c_str(), R_OK) != 0) {
+    return path.string() + " cannot be read; allow it with chmod, or choose another file";
+  }
+  const FileKind& kind = words.kinds.front();
+  if (!kind.holds(path)) {
+    return path.filename().string() + " cannot be read here: choose a file that ends in " +
+           listed(kind.extensions);
+  }
+  return {};
+}
+
+}  // namespace
+
+bool FileKind::holds(const fs::path& file) const {
+  return extensions.empty() ||
+         std::ranges::find(extensions, lower_extension(file)) != extensions.end();
+}
+
+const PathWords& words_of(PathPurpose purpose) {
+  return kWords[static_cast<std::size_t>(purpose)];
+}
+
+fs::path with_extension(fs::path typed, PathPurpose purpose, const fs::path& suggested) {
+  const PathWords& words = words_of(purpose);
+  if (words.wants != Wants::new_file || typed.filename().empty()) return typed;
+  if (words.kinds.front().holds(typed)) return typed;
+  // A name such as "hand.v2" keeps its dot; one such as "hand.fbx" is refused, not renamed.
+  const std::string extension = lower_extension(typed);
+  const bool looks_like_format = extension.size() > 1 && extension.size() <= 5 &&
+                                 std::all_of(extension.begin() + 1, extension.end(),
+                                             [](unsigned char c) { return std::isalpha(c) != 0; });
+  if (!looks_like_format) typed += suggested.extension();
+  return typed;
+}
+
+std::string trouble_with(const fs::path& path, PathPurpose purpose) {
+  const PathWords& words = words_of(purpose);
+  std::error_code error;
+  switch (words.wants) {
+    case Wants::new_file:
+      return trouble_with_new(path, words);
+    case Wants::file:
+      return trouble_with_old(path, words);
+    case Wants::folder:
+      if (fs::is_directory(path, error)) return {};
+      return "there is no folder " + path.string() + "; make it first, or choose another one";
+  }
+  return {};
+}
+
+}  // namespace lapwing::viewer

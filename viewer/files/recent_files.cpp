@@ -1,0 +1,95 @@
+#include "files/recent_files.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <string>
+#include <sys/file.h>
+#include <utility>
+
+#include "files/typed_path.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/io/atomic_file.h"
+#include "lapwing/io/file_descriptor.h"
+
+namespace lapwing::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A list of ours is a few kilobytes; what is larger is something else.
+constexpr std::size_t kMostBytes = 1U << 20U;
+
+// The paths that `list` names: lines that are none are left out.
+std::vector<fs::path> read_list(const fs::path& list) {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  if (fs::file_size(list, error) > kMostBytes || error) return paths;
+  std::ifstream file(list, std::ios::binary);
+  for (std::string line; paths.size() < RecentFiles::kMost && std::getline(file, line);) {
+    if (!line.starts_with('/') || line.find('\0') != std::string::npos) continue;
+    if (std::ranges::find(paths, fs::path(line)) == paths.end()) paths.emplace_back(line);
+  }
+  return paths;
+}
+
+}  // namespace
+
+fs::path recent_files_path() {
+  const fs::path name = fs::path("lapwing") / "recent-files";
+  const char* state = std::getenv("XDG_STATE_HOME");
+  if (state != nullptr && *state == '/') return fs::path(state) / name;
+  const fs::path home = home_folder();
+  return (home.empty() ? fs::temp_directory_path() : home / ".local" / "state") / name;
+}
+
+RecentFiles::RecentFiles(fs::path kept_in) : kept_in_(std::move(kept_in)) {
+  reload();
+}
+
+void RecentFiles::reload() {
+  items_.clear();
+  for (fs::path& path : read_list(kept_in_)) {
+    std::error_code error;
+    const bool is_there = fs::exists(path, error);
+    items_.push_back({std::move(path), is_there});
+  }
+}
+
+void RecentFiles::add(const fs::path& file) {
+  const fs::path path = fs::absolute(file).lexically_normal();
+  // It would be two lines.
+  if (path.string().find('\n') != std::string::npos) return;
+  change({path}, true);
+}
+
+void RecentFiles::clear() {
+  change({}, false);
+}
+
+void RecentFiles::change(const std::vector<fs::path>& first, bool keeps_others) {
+  std::error_code error;
+  fs::create_directories(kept_in_.parent_path(), error);
+  // Whoever holds the lock on a file beside the list may replace that.
+  const std::string lock_path = kept_in_.string() + ".lock";
+  const FileDescriptor lock(open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+  if (lock.is_open()) flock(lock.get(), LOCK_EX);
+  std::vector<fs::path> paths = first;
+  if (keeps_others) {
+    for (fs::path& other : read_list(kept_in_)) {
+      if (std::ranges::find(paths, other) == paths.end()) paths.push_back(std::move(other));
+    }
+  }
+  paths.resize(std::min(paths.size(), kMost));
+  std::string text;
+  for (const fs::path& path : paths) text += path.string() + '\n';
+  try {
+    replace_file(kept_in_, text);
+  } catch (const IoError&) {
+    // Nothing that a person asked for has failed.
+  }
+  reload();
+}
+
+}  // namespace lapwing::viewer

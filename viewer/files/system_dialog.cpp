@@ -1,0 +1,175 @@
+#include "files/system_dialog.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <string_view>
+#include <sys/eventfd.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+
+extern char** environ;
+
+namespace lapwing::viewer {
+namespace {
+
+// Messages of a toolkit can go on for ever; the last of them say why it ended.
+constexpr std::size_t kMostWords = 4096;
+// A program ends a moment after its output has.
+constexpr int kLookAgainMs = 10;
+
+struct Pipe {
+  int read = -1;
+  int write = -1;
+};
+
+Pipe open_pipe() {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    throw IoError("no pipe can be opened: " + std::generic_category().message(errno) +
+                  "; close other programs");
+  }
+  return {ends[0], ends[1]};
+}
+
+// Starts `command` in a process group of its own, with these for its output and its errors, and
+// nothing else that this program has open.
+pid_t start(const std::vector<std::string>& command, int output, int errors) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : command) {
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  }
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
+#if defined(__GLIBC_PREREQ)
+#if __GLIBC_PREREQ(2, 34)
+  posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
+#endif
+#endif
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  pid_t process = -1;
+  const int failed =
+      posix_spawn(&process, arguments[0], &files, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  if (failed != 0) {
+    throw IoError(command[0] + " cannot be started: " + std::generic_category().message(failed));
+  }
+  return process;
+}
+
+// Appends what can be read now; false at the end.
+bool read_some(int descriptor, std::string& text) {
+  std::array<char, 1024> part;
+  const ssize_t count = read(descriptor, part.data(), part.size());
+  if (count < 0) return errno == EINTR || errno == EAGAIN;
+  text.append(part.data(), static_cast<std::size_t>(count));
+  return count > 0;
+}
+
+std::string last_line(std::string_view text) {
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  const auto newline = text.rfind('\n');
+  return std::string(newline == std::string_view::npos ? text : text.substr(newline + 1));
+}
+
+// Both programs: 0 with the path on a line, 1 where it was cancelled. zenity ends with 1, too,
+// where it cannot show itself.
+DialogAnswer answer_of(const std::string& name, int status, std::string output,
+                       const std::string& errors) {
+  using What = DialogAnswer::What;
+  const std::string words = last_line(errors);
+  if (WIFSIGNALED(status)) {
+    return {What::failed, {}, name + " was ended by signal " + std::to_string(WTERMSIG(status))};
+  }
+  const int code = WEXITSTATUS(status);
+  const bool is_blind = errors.find("cannot open display") != std::string::npos ||
+                        errors.find("could not connect to display") != std::string::npos;
+  if (code == 1 && !is_blind) return {What::cancelled, {}, {}};
+  if (output.ends_with('\n')) output.pop_back();
+  if (code == 0 && output.starts_with('/')) return {What::chosen, output, {}};
+  const std::string why = !words.empty() ? words
+                          : code == 0    ? "it named no file"
+                                         : "it ended with code " + std::to_string(code);
+  return {What::failed, {}, name + ": " + why};
+}
+
+}  // namespace
+
+SystemDialog::SystemDialog(const std::vector<std::string>& command, std::function<void()> wake)
+    : name_(std::filesystem::path(command.at(0)).filename()), wake_(std::move(wake)) {
+  const Pipe output = open_pipe();
+  output_.emplace(output.read);
+  FileDescriptor output_end(output.write);
+  const Pipe errors = open_pipe();
+  errors_.emplace(errors.read);
+  FileDescriptor errors_end(errors.write);
+  stop_.emplace(eventfd(0, EFD_CLOEXEC));
+  process_ = start(command, output.write, errors.write);
+  thread_ = std::thread([this] { wait_for_answer(); });
+}
+
+SystemDialog::~SystemDialog() {
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto written = write(stop_->get(), &one, sizeof one);
+  thread_.join();
+}
+
+std::optional<DialogAnswer> SystemDialog::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(answer_, std::nullopt);
+}
+
+void SystemDialog::wait_for_answer() {
+  std::string output;
+  std::string errors;
+  std::array<pollfd, 3> watched{
+      {{output_->get(), POLLIN, 0}, {errors_->get(), POLLIN, 0}, {stop_->get(), POLLIN, 0}}};
+  bool stopped = false;
+  // Its output ends with it. What it leaves behind may hold the other pipe for ever.
+  while (watched[0].fd >= 0 && !stopped) {
+    if (poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) break;
+    if (watched[1].revents != 0 && !read_some(errors_->get(), errors)) watched[1].fd = -1;
+    if (errors.size() > kMostWords) errors.erase(0, errors.size() - kMostWords);
+    if (watched[0].revents != 0 && !read_some(output_->get(), output)) watched[0].fd = -1;
+    stopped = watched[2].revents != 0;
+  }
+  int status = 0;
+  while (!stopped && waitpid(process_, &status, WNOHANG) == 0) {
+    pollfd stop{stop_->get(), POLLIN, 0};
+    stopped = poll(&stop, 1, kLookAgainMs) > 0;
+  }
+  if (stopped) {
+    // A dialog has nothing to put away.
+    kill(-process_, SIGKILL);
+    waitpid(process_, &status, 0);
+    return;
+  }
+  fcntl(errors_->get(), F_SETFL, O_NONBLOCK);
+  while (watched[1].fd >= 0 && errors.size() <= kMostWords) {
+    const std::size_t before = errors.size();
+    if (!read_some(errors_->get(), errors) || errors.size() == before) break;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    answer_ = answer_of(name_, status, std::move(output), errors);
+  }
+  if (wake_) wake_();
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,106 @@
+// How the dialogs of desktops are asked.
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <string_view>
+#include <unistd.h>
+
+#include "files/system_dialog.h"
+
+namespace lapwing::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using Wants = PathWords::Wants;
+
+fs::path found_on_path(std::string_view program) {
+  const char* variable = std::getenv("PATH");
+  std::string_view folders = variable != nullptr ? variable : "";
+  while (!folders.empty()) {
+    const auto colon = folders.find(':');
+    const std::string_view folder = folders.substr(0, colon);
+    folders.remove_prefix(colon == std::string_view::npos ? folders.size() : colon + 1);
+    // One that is not absolute depends on where the viewer was started.
+    if (!folder.starts_with('/')) continue;
+    fs::path path = fs::path(folder) / program;
+    std::error_code error;
+    if (fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0) return path;
+  }
+  return {};
+}
+
+bool is_set(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0';
+}
+
+// "*.obj *.OBJ": desktops match letters as they are.
+std::string patterns(const FileKind& kind) {
+  if (kind.extensions.empty()) return "*";
+  std::string text;
+  for (const std::string_view extension : kind.extensions) {
+    std::string upper(extension);
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    text.append(text.empty() ? "*" : " *").append(extension).append(" *").append(upper);
+  }
+  return text;
+}
+
+std::vector<std::string> ask_zenity(const std::string& program, const DialogRequest& request) {
+  const PathWords& words = words_of(request.purpose);
+  std::vector<std::string> command{program, "--file-selection",
+                                   "--title=" + std::string(words.title)};
+  if (words.wants == Wants::new_file) command.emplace_back("--save");
+  if (words.wants == Wants::folder) command.emplace_back("--directory");
+  // With a slash at its end it is the folder to begin in.
+  command.push_back("--filename=" + (request.folder / request.name).string());
+  for (const FileKind& kind : words.kinds) {
+    command.push_back("--file-filter=" + std::string(kind.name) + " | " + patterns(kind));
+  }
+  return command;
+}
+
+std::vector<std::string> ask_kdialog(const std::string& program, const DialogRequest& request) {
+  const PathWords& words = words_of(request.purpose);
+  std::vector<std::string> command{program, "--title", std::string(words.title)};
+  const char* asks = words.wants == Wants::folder     ? "--getexistingdirectory"
+                     : words.wants == Wants::new_file ? "--getsavefilename"
+                                                      : "--getopenfilename";
+  command.emplace_back(asks);
+  command.push_back((request.folder / request.name).string());
+  std::string filter;
+  for (const FileKind& kind : words.kinds) {
+    filter.append(filter.empty() ? "" : "\n").append(patterns(kind)).append("|").append(kind.name);
+  }
+  if (!filter.empty()) command.push_back(filter);
+  return command;
+}
+
+}  // namespace
+
+std::optional<DialogProgram> find_dialog_program() {
+  using Kind = DialogProgram::Kind;
+  if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return {};
+  std::array<std::pair<Kind, std::string_view>, 2> programs{
+      {{Kind::zenity, "zenity"}, {Kind::kdialog, "kdialog"}}};
+  const char* desktop = std::getenv("XDG_CURRENT_DESKTOP");
+  if (desktop != nullptr && std::string_view(desktop).find("KDE") != std::string_view::npos) {
+    std::swap(programs[0], programs[1]);
+  }
+  for (const auto& [kind, name] : programs) {
+    fs::path path = found_on_path(name);
+    if (!path.empty()) return DialogProgram{kind, std::move(path)};
+  }
+  return {};
+}
+
+std::vector<std::string> dialog_command(const DialogProgram& program,
+                                        const DialogRequest& request) {
+  return program.kind == DialogProgram::Kind::zenity ? ask_zenity(program.path, request)
+                                                     : ask_kdialog(program.path, request);
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,219 @@
+#include "ui/doctor_banner.h"
+
+#include <algorithm>
+#include <imgui.h>
+#include <utility>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "window/theme.h"
+#include "work/doctor_words.h"
+
+namespace lapwing::viewer {
+namespace {
+
+// In letters of the font.
+constexpr float kBannerLetters = 52.0F;
+constexpr float kEmptyLetters = 30.0F;
+// Rings around more vertices than this hide the mesh that they are to show: then the colours do,
+// and only what is on no face is ringed.
+constexpr std::size_t kMostRings = 200;
+constexpr std::size_t kMostLooseRings = 2000;
+constexpr float kBannerOpacity = 0.98F;
+
+constexpr ImGuiWindowFlags kBanner =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_AlwaysAutoResize;
+
+void write_problem(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, text_color(Tone::warning));
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+// What each kind means, and what can be done about it.
+void draw_findings(const CheckReport& report) {
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 32.0F);
+  for (const Defect& defect : report.defects) {
+    const DefectInfo& info = describe(defect.kind);
+    if (info.severity == Severity::info) continue;
+    ImGui::TextUnformatted(info.name.data(), info.name.data() + info.name.size());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextUnformatted(info.meaning.data(), info.meaning.data() + info.meaning.size());
+    ImGui::PopStyleColor();
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+DoctorBanner::DoctorBanner(std::string name, std::shared_ptr<const Mesh> mesh, CheckReport report,
+                           std::function<void()> wake)
+    : name_(std::move(name)),
+      mesh_(std::move(mesh)),
+      report_(std::move(report)),
+      problems_(problems_in_words(report_)),
+      hindrance_(hindrance_in_words(report_)),
+      job_([] { return std::make_unique<CpuKernels>(); }, std::move(wake)) {
+  if (!is_empty() && problems_.empty()) state_ = State::ignored;
+  problems_ = name_ + " has " + problems_ + ".";
+}
+
+std::shared_ptr<const Mesh> DoctorBanner::repair() const {
+  return state_ == State::previewing ? repaired_->mesh : nullptr;
+}
+
+void DoctorBanner::update(Editor& editor, bool others_preview) {
+  try {
+    if (auto result = job_.take(); result && state_ == State::repairing) {
+      repaired_ = std::move(result);
+      editor.shown().show_preview(repaired_->mesh);
+      state_ = State::previewing;
+    }
+  } catch (const Error& error) {
+    trouble_ = error.what();
+    state_ = State::offering;
+  }
+  if (!has_picture() || (editor.shown().previews() && !others_preview)) return;
+  // An edit, an undo or another preview has taken the picture.
+  if (state_ == State::marking) editor.point_at({});
+  state_ = State::offering;
+  repaired_.reset();
+}
+
+void DoctorBanner::mark(Editor& editor) {
+  const FaultyVertices faulty = faulty_vertices(*mesh_, report_);
+  places_ = places_of(*mesh_, faulty);
+  side_ = side_of(*mesh_, places_);
+  std::vector<VertexClass> classes(mesh_->vertex_count(), VertexClass::outside);
+  for (const Index v : faulty.others) classes[v] = VertexClass::handle;
+  for (const Index v : places_) classes[v] = VertexClass::handle;
+  for (const Index v : faulty.hindering) classes[v] = VertexClass::belt;
+  editor.shown().show_preview(mesh_, std::move(classes));
+  // What is framed and ringed is of the edit, which may have come to other vertices.
+  std::erase_if(places_, [&](Index v) { return v >= editor.positions().size(); });
+  std::vector<Index> ringed = places_;
+  if (ringed.size() > kMostRings) {
+    std::vector<unsigned char> has_face(mesh_->vertex_count(), 0);
+    for (const Index v : mesh_->face_vertices()) has_face[v] = 1;
+    std::erase_if(ringed, [&](Index v) { return has_face[v] != 0; });
+    ringed.resize(std::min(ringed.size(), kMostLooseRings));
+  }
+  editor.point_at(std::move(ringed));
+  state_ = State::marking;
+}
+
+void DoctorBanner::show_as_before(Editor& editor) {
+  editor.point_at({});
+  editor.shown().end_preview();
+  repaired_.reset();
+  state_ = State::offering;
+}
+
+std::optional<BannerWish> DoctorBanner::draw(Editor& editor, const Eigen::Vector2d& corner,
+                                             const Eigen::Vector2d& free_size) {
+  height_ = 0.0;
+  if (state_ == State::ignored) return {};
+  const float letter = ImGui::GetFontSize();
+  const ImVec2 at(static_cast<float>(corner.x()), static_cast<float>(corner.y()));
+  const ImVec2 free(static_cast<float>(free_size.x()), static_cast<float>(free_size.y()));
+  const float width = std::min((is_empty() ? kEmptyLetters : kBannerLetters) * letter, free.x);
+  if (is_empty()) {
+    ImGui::SetNextWindowPos({at.x + 0.5F * free.x, at.y + 0.5F * free.y}, ImGuiCond_Always,
+                            {0.5F, 0.5F});
+  } else {
+    ImGui::SetNextWindowPos(at);
+  }
+  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, free.y});
+  ImGui::SetNextWindowBgAlpha(kBannerOpacity);
+  std::optional<BannerWish> wish;
+  if (ImGui::Begin("Mesh doctor", nullptr, kBanner)) {
+    if (is_empty()) {
+      wish = draw_empty();
+    } else if (state_ == State::repairing) {
+      draw_repairing();
+    } else if (state_ == State::previewing) {
+      wish = draw_preview(editor);
+    } else {
+      wish = draw_offer(editor);
+    }
+    if (!is_empty()) height_ = static_cast<double>(ImGui::GetWindowHeight());
+  }
+  ImGui::End();
+  return wish;
+}
+
+std::optional<BannerWish> DoctorBanner::draw_offer(Editor& editor) {
+  write_problem(problems_);
+  if (ImGui::IsItemHovered()) draw_findings(report_);
+  ImGui::TextWrapped("%s", hindrance_.c_str());
+  std::optional<BannerWish> wish;
+  if (state_ == State::marking) {
+    if (ImGui::Button("Back")) {
+      show_as_before(editor);
+      wish = BannerWish::look_back;
+    }
+  } else if (ImGui::Button("Show")) {
+    mark(editor);
+    wish = BannerWish::look_at_places;
+  }
+  ImGui::SameLine();
+  const bool is_edited = editor.session().history().done() > 0;
+  if (!report_.is_fixable()) {
+    ImGui::TextDisabled("No repair is sure to be right.");
+  } else if (is_edited) {
+    ImGui::TextDisabled("Undo the edit to repair the mesh.");
+  } else if (ImGui::Button("Repair")) {
+    trouble_.clear();
+    if (state_ == State::marking) show_as_before(editor);
+    state_ = State::repairing;
+    job_.start([mesh = mesh_](const std::shared_ptr<Kernels>&, const Progress& progress) {
+      return repaired(*mesh, progress);
+    });
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("Ignore")) {
+    if (state_ == State::marking) {
+      show_as_before(editor);
+      wish = BannerWish::look_back;
+    }
+    state_ = State::ignored;
+  }
+  if (!trouble_.empty()) write_problem(trouble_);
+  return wish;
+}
+
+void DoctorBanner::draw_repairing() {
+  const WorkStatus status = job_.status();
+  ImGui::Text("Repairing %s: %s", name_.c_str(), status.stage.c_str());
+  if (!ImGui::Button("Stop")) return;
+  job_.cancel();
+  state_ = State::offering;
+}
+
+std::optional<BannerWish> DoctorBanner::draw_preview(Editor& editor) {
+  std::optional<BannerWish> wish;
+  ImGui::TextWrapped("Repaired: %s.", repairs_in_words(repaired_->done).c_str());
+  const std::string left = problems_in_words(repaired_->left);
+  if (!left.empty()) ImGui::TextWrapped("What is left: %s.", left.c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::TextWrapped(
+      "This is a preview. Kept, it is a file of its own, which is opened: recipes begin with it.");
+  ImGui::PopStyleColor();
+  if (ImGui::Button("Keep...")) wish = BannerWish::keep_repair;
+  ImGui::SameLine();
+  if (ImGui::Button("Undo repair")) show_as_before(editor);
+  return wish;
+}
+
+std::optional<BannerWish> DoctorBanner::draw_empty() {
+  write_problem("There is nothing to see here.");
+  ImGui::TextWrapped("%s", emptiness_in_words(name_, report_.statistics).c_str());
+  if (ImGui::Button("Open another file...")) return BannerWish::open_another;
+  return {};
+}
+
+}  // namespace lapwing::viewer

@@ -1,0 +1,274 @@
+// What is read and written, and the paths that a person is asked for.
+
+#include <algorithm>
+#include <utility>
+
+#include "files/typed_path.h"
+#include "lapwing/base/errors.h"
+#include "ui/viewer_app.h"
+
+namespace lapwing::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Beside the mesh that was opened, and not over it.
+fs::path path_beside(const OpenedMesh& opened, const char* ending) {
+  if (!opened.file) return opened.name + ".ply";
+  const fs::path& path = opened.file->path;
+  return path.parent_path() / (path.stem().string() + ending + path.extension().string());
+}
+
+fs::path edited_path(const OpenedMesh& opened) {
+  return path_beside(opened, "-edited");
+}
+
+std::string and_carried(const AppState& state) {
+  const std::size_t count = state.carried.size();
+  if (count == 0) return {};
+  return " and " + std::to_string(count) + (count == 1 ? " carried file" : " carried files");
+}
+
+}  // namespace
+
+std::string ViewerApp::suggested_name(PathPurpose purpose) const {
+  switch (purpose) {
+    case PathPurpose::save_mesh:
+      return (document_->save_path.empty() ? edited_path(document_->opened) : document_->save_path)
+          .filename();
+    case PathPurpose::save_recipe:
+      return edited_path(document_->opened).replace_extension(".json").filename();
+    case PathPurpose::save_repaired:
+      return path_beside(document_->opened, "-repaired").filename();
+    case PathPurpose::save_picture:
+      return edited_path(document_->opened).stem().string() + ".png";
+    default:
+      return {};
+  }
+}
+
+// Where a person begins: beside the open mesh, or where a file was chosen last. The first that is
+// there.
+fs::path ViewerApp::folder_to_ask_in(PathPurpose purpose) const {
+  std::error_code error;
+  std::vector<fs::path> folders;
+  if (document_) {
+    if (purpose == PathPurpose::parts_folder)
+      folders.push_back(document_->transplant.shelf().folder());
+    if (purpose == PathPurpose::save_mesh) folders.push_back(document_->save_path.parent_path());
+    if (document_->opened.file) folders.push_back(document_->opened.file->path.parent_path());
+  }
+  folders.push_back(last_folder_);
+  folders.push_back(fs::current_path(error));
+  for (const fs::path& folder : folders) {
+    if (fs::is_directory(folder, error)) return fs::absolute(folder).lexically_normal();
+  }
+  return "/";
+}
+
+std::vector<BrowserPlace> ViewerApp::places(PathPurpose purpose) const {
+  std::vector<BrowserPlace> places;
+  const auto add = [&](const char* label, const fs::path& wanted) {
+    std::error_code error;
+    if (wanted.empty() || !fs::is_directory(wanted, error)) return;
+    const fs::path folder = fs::absolute(wanted).lexically_normal();
+    const auto is_same = [&](const BrowserPlace& place) { return place.path == folder; };
+    if (std::none_of(places.begin(), places.end(), is_same)) places.push_back({label, folder});
+  };
+  add("Home", home_folder());
+  if (document_ && document_->opened.file) {
+    add("Open mesh", document_->opened.file->path.parent_path());
+  }
+  if (!samples_.empty()) add("Samples", samples_.front().parent_path());
+  if (document_) add("Parts", document_->transplant.shelf().folder());
+  add("Computer", "/");
+  if (purpose != PathPurpose::open) return places;
+  for (const RecentFiles::Item& item : recent_.items()) {
+    if (item.is_there) places.push_back({item.path.filename(), item.path, true});
+  }
+  return places;
+}
+
+void ViewerApp::ask_for_path(PathPurpose purpose) {
+  if (!document_ && purpose != PathPurpose::open) return;
+  recent_.reload();
+  chooser_.uses_system_dialog = preferences_.uses_system_dialogs;
+  chooser_.ask({purpose, folder_to_ask_in(purpose), suggested_name(purpose), places(purpose)});
+}
+
+void ViewerApp::once_settled(std::function<void()> action) {
+  EditSession& session = document_->editor.session();
+  if (!needs_settling(session.state())) return action();
+  // Settling that was given up begins again: half of a step is never saved.
+  if (!session.awaits_result()) session.prepare();
+  saving_ = std::move(action);
+  say("the drag is settling; saved once it has");
+}
+
+void ViewerApp::take_settled() {
+  if (!saving_) return;
+  const EditSession* session = document_ ? &document_->editor.session() : nullptr;
+  if (session != nullptr && session->awaits_result()) return;
+  const auto action = std::exchange(saving_, nullptr);
+  if (session == nullptr) return;
+  if (!needs_settling(session->state())) return action();
+  say({"not saved: the drag did not settle; settle or undo it, and save again", Tone::error});
+}
+
+void ViewerApp::save_to(const fs::path& path, std::function<void()> then) {
+  once_settled([this, path, then = std::move(then)] {
+    try {
+      say(document_->editor.session().save(path));
+      document_->save_path = path;
+      recent_.add(path);
+      say("saved " + path.string() + and_carried(document_->editor.state()));
+      if (then) then();
+    } catch (const Error& error) {
+      // Whoever wanted to leave is asked again once there is a place for it.
+      leaving_for_ = then;
+      ask_again(PathPurpose::save_mesh, path, error.what());
+    }
+  });
+}
+
+void ViewerApp::save_carried() {
+  once_settled([this] {
+    const fs::path beside =
+        document_->save_path.empty() ? edited_path(document_->opened) : document_->save_path;
+    try {
+      say(document_->editor.session().save_carried(beside));
+      for (const auto& file : carried_of(document_->editor.state())) {
+        say("saved " + file->target(beside).string());
+      }
+    } catch (const Error& error) {
+      say(Message(error));
+    }
+  });
+}
+
+void ViewerApp::save_recipe(const fs::path& path) {
+  once_settled([this, path] {
+    try {
+      document_->editor.session().save_recipe(path);
+      recent_.add(path);
+      say("saved " + path.string());
+    } catch (const Error& error) {
+      ask_again(PathPurpose::save_recipe, path, error.what());
+    }
+  });
+}
+
+void ViewerApp::ask_again(PathPurpose purpose, const fs::path& path, std::string trouble) {
+  // Something else is being asked by now.
+  if (chooser_.is_open()) return say({std::move(trouble), Tone::error});
+  // It stands where it is to be corrected, and no longer than that.
+  messages_.record({trouble, Tone::error});
+  if (chooser_.purpose() == purpose && chooser_.chosen() == path) {
+    return chooser_.ask_again(std::move(trouble));
+  }
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  chooser_.ask_again({purpose, whole.parent_path(), whole.filename(), places(purpose)},
+                     std::move(trouble));
+}
+
+void ViewerApp::say(const WriteReport& report) {
+  for (const std::string& lost : report.not_carried) say({"not saved: " + lost, Tone::warning});
+  for (const std::string& note : report.notes) say(note);
+}
+
+void ViewerApp::write_to(const fs::path& file, std::function<void()> write,
+                         std::function<void()> otherwise) {
+  std::error_code none;
+  if (!fs::exists(file, none)) return write();
+  overwriting_ = {file, std::move(write), std::move(otherwise)};
+}
+
+void ViewerApp::answer_overwriting(bool writes) {
+  const Overwriting asked = *std::exchange(overwriting_, std::nullopt);
+  const auto& action = writes ? asked.write : asked.otherwise;
+  if (action) action();
+}
+
+void ViewerApp::use_path(const ChosenPath& chosen) {
+  const fs::path& path = chosen.path;
+  last_folder_ = path.parent_path();
+  chosen_ = chosen;
+  const auto ask = [this] { chooser_.ask_again({}); };
+  switch (chosen.purpose) {
+    case PathPurpose::open:
+      open(path, {}, PathPurpose::open);
+      break;
+    case PathPurpose::save_mesh:
+      write_to(
+          path, [this, path] { save_to(path, std::exchange(leaving_for_, nullptr)); }, ask);
+      break;
+    case PathPurpose::save_recipe:
+      write_to(
+          path, [this, path] { save_recipe(path); }, ask);
+      break;
+    case PathPurpose::save_picture:
+      write_to(
+          path, [this, path] { save_chosen_picture(path); }, ask);
+      break;
+    case PathPurpose::replay_recipe:
+      load({path, PathPurpose::replay_recipe},
+           [path, history = document_->editor.session().history()](Kernels& kernels,
+                                                                   const Progress& progress) {
+             return load_replay(path, history, kernels, progress);
+           });
+      break;
+    case PathPurpose::open_source:
+      document_->desk.use_source(document_->desk.current(), path);
+      break;
+    case PathPurpose::carry_file:
+      document_->editor.carry_along({path});
+      break;
+    case PathPurpose::parts_folder:
+      document_->transplant.shelf().open(path);
+      break;
+    case PathPurpose::use_part:
+      document_->transplant.take_part(path);
+      break;
+    case PathPurpose::add_part:
+      document_->transplant.shelf().add(path);
+      break;
+    case PathPurpose::save_repaired:
+      write_to(
+          path, [this, path] { save_repaired(path); }, ask);
+      break;
+  }
+}
+
+void ViewerApp::hear(Message message) {
+  // Whatever cannot be read is named first.
+  const bool is_of_chosen = chosen_ && message.text.starts_with(chosen_->path.string());
+  if (!is_of_chosen) return say(std::move(message));
+  const ChosenPath chosen = *std::exchange(chosen_, std::nullopt);
+  ask_again(chosen.purpose, chosen.path, std::move(message.text));
+}
+
+void ViewerApp::save_repaired(const fs::path& path) {
+  const auto mesh = document_ ? document_->banner.repair() : nullptr;
+  if (mesh == nullptr)
+    return say({"the repair is not shown any more; repair the mesh again", Tone::error});
+  try {
+    say(write_mesh(*mesh, path));
+    say("saved " + path.string());
+    open(path, {});
+  } catch (const Error& error) {
+    ask_again(PathPurpose::save_repaired, path, error.what());
+  }
+}
+
+void ViewerApp::save_chosen_picture(const fs::path& path) {
+  const VkExtent2D size{static_cast<std::uint32_t>(picture_plan_.width),
+                        static_cast<std::uint32_t>(picture_plan_.height)};
+  try {
+    save_picture(path, size);
+    say("saved " + path.string());
+  } catch (const Error& error) {
+    ask_again(PathPurpose::save_picture, path, error.what());
+  }
+}
+
+}  // namespace lapwing::viewer

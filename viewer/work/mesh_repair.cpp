@@ -1,0 +1,111 @@
+#include "work/mesh_repair.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace lapwing::viewer {
+namespace {
+
+void append_vertices(const Mesh& mesh, const Defect& defect, std::vector<Index>& vertices) {
+  switch (describe(defect.kind).element) {
+    case Element::none:
+    case Element::component:
+      break;
+    case Element::vertex:
+    case Element::edge:
+      vertices.insert(vertices.end(), defect.first.begin(), defect.first.end());
+      break;
+    case Element::face:
+      for (const Index face : defect.first) {
+        const auto corners = mesh.face(face);
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+      }
+      break;
+  }
+}
+
+void sort_once(std::vector<Index>& vertices) {
+  std::ranges::sort(vertices);
+  const auto repeated = std::ranges::unique(vertices);
+  vertices.erase(repeated.begin(), repeated.end());
+}
+
+bool is_finite(const Mesh& mesh, Index vertex) {
+  return mesh.positions[vertex].allFinite();
+}
+
+}  // namespace
+
+RepairedMesh repaired(const Mesh& mesh, const Progress& progress) {
+  report_progress(progress, "repair", 0.0);
+  Mesh copy = mesh;
+  RepairedMesh result;
+  result.done = fix(copy);
+  report_progress(progress, "topology", 0.0);
+  copy.topology();
+  report_progress(progress, "check", 0.0);
+  result.left = check(copy);
+  result.mesh = std::make_shared<const Mesh>(std::move(copy));
+  return result;
+}
+
+FaultyVertices faulty_vertices(const Mesh& mesh, const CheckReport& report) {
+  FaultyVertices faulty;
+  for (const Defect& defect : report.defects) {
+    const Severity severity = describe(defect.kind).severity;
+    if (severity == Severity::info) continue;
+    append_vertices(mesh, defect, severity == Severity::error ? faulty.hindering : faulty.others);
+  }
+  sort_once(faulty.hindering);
+  sort_once(faulty.others);
+  return faulty;
+}
+
+std::vector<Index> places_of(const Mesh& mesh, const FaultyVertices& vertices) {
+  std::vector<Index> places;
+  std::vector<unsigned char> is_nowhere(mesh.vertex_count(), 0);
+  bool any_is_nowhere = false;
+  for (const auto& list : {vertices.hindering, vertices.others}) {
+    for (const Index v : list) {
+      if (is_finite(mesh, v)) {
+        places.push_back(v);
+      } else {
+        is_nowhere[v] = 1;
+        any_is_nowhere = true;
+      }
+    }
+  }
+  for (Index f = 0; any_is_nowhere && f < mesh.face_count(); ++f) {
+    const auto corners = mesh.face(f);
+    if (std::ranges::none_of(corners, [&](Index v) { return is_nowhere[v] != 0; })) continue;
+    std::ranges::copy_if(corners, std::back_inserter(places),
+                         [&](Index v) { return is_finite(mesh, v); });
+  }
+  sort_once(places);
+  return places;
+}
+
+std::optional<Eigen::Vector3d> side_of(const Mesh& mesh, std::span<const Index> places) {
+  // Below this length of their mean, normals go all ways.
+  constexpr double kShortMean = 0.3;
+  std::vector<unsigned char> is_place(mesh.vertex_count(), 0);
+  for (const Index v : places) is_place[v] = 1;
+  const Eigen::Vector3d center = bounds_of(mesh.positions).center();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0.0;
+  for (const auto& [a, b, c] : mesh.topology().triangles) {
+    if (is_place[a] + is_place[b] + is_place[c] == 0) continue;
+    const Eigen::Vector3d& corner = mesh.positions[a];
+    const Eigen::Vector3d normal =
+        (mesh.positions[b] - corner).cross(mesh.positions[c] - corner).stableNormalized();
+    if (!normal.allFinite() || normal.isZero()) continue;
+    sum += normal.dot(corner - center) < 0.0 ? Eigen::Vector3d(-normal) : normal;
+    count += 1.0;
+  }
+  if (count == 0.0 || sum.norm() < kShortMean * count) return {};
+  return sum.normalized();
+}
+
+}  // namespace lapwing::viewer
