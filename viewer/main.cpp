@@ -47,13 +47,17 @@ void show(const Arguments& arguments) {
   const auto size = parse_size(arguments.size);
   // A picture that is ordered does not depend on who orders it.
   const bool is_order = !arguments.screenshot.empty();
-  const std::filesystem::path kept = is_order ? std::filesystem::path() : preferences_file();
-  const Preferences preferences = is_order ? Preferences() : read_preferences(kept).preferences;
+  KeptFiles kept{.journals = journal_folder()};
+  if (!is_order) {
+    kept.preferences = preferences_file();
+    kept.recent = recent_files_path();
+  }
+  const Preferences preferences = read_preferences(kept.preferences).preferences;
   Window window("Lapwing", preferences.window_width, preferences.window_height);
   window.exit_when_display_goes(kDevice);
   WindowGraphics graphics(window, arguments.device);
   auto context = graphics.open_device();
-  ViewerApp app(context, journal_folder(), kept);
+  ViewerApp app(context, std::move(kept));
   if (!arguments.file.empty()) {
     app.open(arguments.file, {arguments.carry.begin(), arguments.carry.end()});
   }

@@ -23,7 +23,7 @@ ShownViewer::ShownViewer(std::shared_ptr<gpu::Context> context, const Look& look
       context_(std::move(context)),
       screen_(*context_),
       painter_(*context_, screen_),
-      app_(context_, folder_ / "journals", folder_ / "viewer.json") {
+      app_(context_, {folder_ / "journals", folder_ / "viewer.json", folder_ / "recent-files"}) {
   ImGui::CreateContext();
   set_fonts(look_.scale);
   set_theme(look_.theme, look_.scale);

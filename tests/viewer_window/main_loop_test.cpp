@@ -174,7 +174,7 @@ TEST_F(MainLoopTest, EndsWhereEveryFrameLosesTheDevice) {
 class DraggingViewer final : public App {
  public:
   DraggingViewer(std::shared_ptr<gpu::Context> context, const fs::path& journals)
-      : viewer_(std::move(context), journals) {}
+      : viewer_(std::move(context), {.journals = journals}) {}
 
   bool handle(const InputEvent& event) override { return viewer_.handle(event); }
   void open(const fs::path& file) override { viewer_.open(file); }
@@ -244,7 +244,8 @@ TEST_F(MainLoopTest, DraggingAHandleInTheViewerAllocatesNothing) {
 class WatchedViewer final : public App {
  public:
   WatchedViewer(std::shared_ptr<gpu::Context> context, const Desktop& desktop)
-      : viewer_(std::move(context), desktop.folder() / "journals"), desktop_(desktop) {}
+      : viewer_(std::move(context), {.journals = desktop.folder() / "journals"}),
+        desktop_(desktop) {}
 
   bool handle(const InputEvent& event) override { return viewer_.handle(event); }
   void open(const fs::path& file) override { viewer_.open(file); }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <utility>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/parts/part_library.h"
 #include "lapwing/render/part_picture.h"
 #include "lapwing/transplant/cut.h"
+#include "state/user_folder.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -28,12 +28,7 @@ PartShelf::Item item_of(const lapwing::Part& part, const std::shared_ptr<gpu::Co
 }  // namespace
 
 fs::path parts_folder() {
-  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/') {
-    return fs::path(data) / "lapwing" / "parts";
-  }
-  const char* home = std::getenv("HOME");
-  const fs::path base = home != nullptr ? fs::path(home) : fs::temp_directory_path();
-  return base / ".local" / "share" / "lapwing" / "parts";
+  return user_folder("XDG_DATA_HOME", ".local/share") / "parts";
 }
 
 PartShelf::PartShelf(std::shared_ptr<gpu::Context> context, JobThread::MakeKernels make_kernels,

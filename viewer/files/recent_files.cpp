@@ -1,17 +1,16 @@
 #include "files/recent_files.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
 #include <string>
 #include <sys/file.h>
 #include <utility>
 
-#include "files/typed_path.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/io/file_descriptor.h"
+#include "state/user_folder.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -37,11 +36,7 @@ std::vector<fs::path> read_list(const fs::path& list) {
 }  // namespace
 
 fs::path recent_files_path() {
-  const fs::path name = fs::path("lapwing") / "recent-files";
-  const char* state = std::getenv("XDG_STATE_HOME");
-  if (state != nullptr && *state == '/') return fs::path(state) / name;
-  const fs::path home = home_folder();
-  return (home.empty() ? fs::temp_directory_path() : home / ".local" / "state") / name;
+  return user_folder("XDG_STATE_HOME", ".local/state") / "recent-files";
 }
 
 RecentFiles::RecentFiles(fs::path kept_in) : kept_in_(std::move(kept_in)) {
@@ -69,6 +64,7 @@ void RecentFiles::clear() {
 }
 
 void RecentFiles::change(const std::vector<fs::path>& first, bool keeps_others) {
+  if (kept_in_.empty()) return;
   std::error_code error;
   fs::create_directories(kept_in_.parent_path(), error);
   // Whoever holds the lock on a file beside the list may replace that.

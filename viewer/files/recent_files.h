@@ -21,7 +21,7 @@ class RecentFiles {
     bool is_there = true;  ///< when the list was read
   };
 
-  /// `kept_in` need not be there. Reads it.
+  /// `kept_in` need not be there; without a name nothing is remembered. Reads it.
   explicit RecentFiles(std::filesystem::path kept_in);
 
   std::span<const Item> items() const { return items_; }

@@ -1,6 +1,5 @@
 #include "preferences/preferences.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
+#include "state/user_folder.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -88,12 +88,7 @@ std::optional<Json> parsed(const fs::path& file) {
 }  // namespace
 
 fs::path preferences_file() {
-  if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder != nullptr && *folder == '/') {
-    return fs::path(folder) / "lapwing" / "viewer.json";
-  }
-  const char* home = std::getenv("HOME");
-  const fs::path base = home != nullptr ? fs::path(home) : fs::temp_directory_path();
-  return base / ".config" / "lapwing" / "viewer.json";
+  return user_folder("XDG_CONFIG_HOME", ".config") / "viewer.json";
 }
 
 ReadPreferences read_preferences(const fs::path& file) {

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lapwing/base/errors.h"
+#include "state/user_folder.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -157,12 +158,7 @@ MeshStamp stamp_of(const fs::path& mesh) {
 }
 
 fs::path journal_folder() {
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') {
-    return fs::path(cache) / "lapwing";
-  }
-  const char* home = std::getenv("HOME");
-  const fs::path base = home != nullptr ? fs::path(home) : fs::temp_directory_path();
-  return base / ".cache" / "lapwing";
+  return user_folder("XDG_CACHE_HOME", ".cache");
 }
 
 Journal::Journal(const fs::path& folder, const MeshStamp& mesh)

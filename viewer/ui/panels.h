@@ -38,7 +38,7 @@ struct PanelDrafts {
 // what it is given.
 
 /// What the sidebar has a tab for.
-enum class Task { deform, coat, mix, transplant, mesh, view };
+enum class Task { deform, coat, mix, transplant, mesh, display };
 
 /// In ImGui's units, of the line at the bottom of the window.
 float status_height();

@@ -9,23 +9,21 @@
 
 namespace lapwing::viewer {
 
-ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals,
-                     std::filesystem::path preferences)
+ViewerApp::ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept)
     : context_(context),
-      journals_(std::move(journals)),
-      preferences_file_(std::move(preferences)),
+      kept_(std::move(kept)),
       loader_(kernels_like(context), &Window::wake),
       chooser_(&Window::wake),
-      recent_(recent_files_path()),
+      recent_(kept_.recent),
       samples_(find_samples()) {
-  if (preferences_file_.empty()) return;
-  ReadPreferences read = read_preferences(preferences_file_);
+  if (kept_.preferences.empty()) return;
+  ReadPreferences read = read_preferences(kept_.preferences);
   preferences_ = kept_preferences_ = std::move(read.preferences);
   for (std::string& trouble : read.troubles) say({std::move(trouble), Tone::warning});
 }
 
 void ViewerApp::offer_interrupted() {
-  interrupted_ = find_interrupted(journals_);
+  interrupted_ = find_interrupted(kept_.journals);
   // Nothing of these would come back.
   std::erase_if(interrupted_, [](const InterruptedEdit& edit) {
     if (edit.is_empty()) discard(edit);
@@ -101,8 +99,8 @@ void ViewerApp::show(LoadedFile file) {
   document_.reset();
   saving_ = nullptr;
   document_ = std::make_unique<Document>(
-      std::move(file), journals_, context_, [this](Message message) { hear(std::move(message)); },
-      &Window::wake);
+      std::move(file), kept_.journals, context_,
+      [this](Message message) { hear(std::move(message)); }, &Window::wake);
   take_preferred_tools();
   up_axis_ = document_->opened.up_axis;
   frames_shown_ = 0;

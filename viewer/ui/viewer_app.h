@@ -30,16 +30,20 @@ struct PictureOrder {
   std::optional<VkExtent2D> size;  ///< the window's unless given
 };
 
+/// Where the viewer keeps what outlives it. Without a name nothing of that kind is kept.
+struct KeptFiles {
+  std::filesystem::path journals;  ///< a folder
+  std::filesystem::path preferences;
+  std::filesystem::path recent;
+};
+
 /// The viewer: what is open, how it is looked at, and the panels around it. Its sources are by
 /// concern: viewer_app (what is open), viewer_files (what is read and written), viewer_input (mouse
 /// and keys), viewer_menus, viewer_sidebar, viewer_dialogs (what is asked and offered over the
 /// picture), and viewer_frame (the rest of a frame).
 class ViewerApp final : public App {
  public:
-  /// Journals go to that folder; preferences are read from that file and kept there, or nowhere
-  /// where it has no name.
-  ViewerApp(std::shared_ptr<gpu::Context> context, std::filesystem::path journals,
-            std::filesystem::path preferences = {});
+  ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept);
 
   void order(PictureOrder picture) { order_ = std::move(picture); }
   /// Offers edits that a crash interrupted.
@@ -178,8 +182,7 @@ class ViewerApp final : public App {
   VkExtent2D window_size() const;
 
   std::shared_ptr<gpu::Context> context_;
-  std::filesystem::path journals_;
-  std::filesystem::path preferences_file_;
+  KeptFiles kept_;
   Preferences preferences_;
   Preferences kept_preferences_;  ///< as the file has them
   Job<LoadedFile> loader_;

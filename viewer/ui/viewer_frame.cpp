@@ -150,15 +150,15 @@ void ViewerApp::keep_preferences() {
       preferences_.tool = editor.row()->name;
     }
   }
-  if (preferences_file_.empty() || preferences_ == kept_preferences_ || ImGui::IsAnyMouseDown()) {
+  if (kept_.preferences.empty() || preferences_ == kept_preferences_ || ImGui::IsAnyMouseDown()) {
     return;
   }
   kept_preferences_ = preferences_;
   try {
-    write_preferences(preferences_, preferences_file_);
+    write_preferences(preferences_, kept_.preferences);
   } catch (const Error& error) {
     say({error.what(), Tone::warning});
-    preferences_file_.clear();  // said once
+    kept_.preferences.clear();  // said once
   }
 }
 

@@ -25,8 +25,9 @@ struct Tab {
   const char* name;
   Task task;
 };
-constexpr Tab kTabs[]{{"Deform", Task::deform},         {"Coat", Task::coat}, {"Mix", Task::mix},
-                      {"Transplant", Task::transplant}, {"Mesh", Task::mesh}, {"View", Task::view}};
+constexpr Tab kTabs[]{{"Deform", Task::deform}, {"Coat", Task::coat},
+                      {"Mix", Task::mix},       {"Transplant", Task::transplant},
+                      {"Mesh", Task::mesh},     {"Display", Task::display}};
 
 // So wide that no tab's name is cut off, in letters of the font.
 double least_letters() {
@@ -136,7 +137,7 @@ void ViewerApp::draw_task(Task task) {
         if (const auto wanted = draw_carried_panel(editor)) perform(*wanted);
       }
       break;
-    case Task::view:
+    case Task::display:
       draw_display_panel(display_, editor);
       if (ImGui::CollapsingHeader("Preferences", kOpen)) {
         const std::string mouse = preferences_.mouse;
