@@ -128,7 +128,7 @@ TEST_P(Panels, OfMenusAndDialogsAreWhole) {
   check("dialog-machine");
   viewer_->key(kEscape);
   viewer_->app().open(viewer_->folder() / "a file with quite a long name that is not there.obj");
-  viewer_->wait_for([&] { return viewer_->shows("x"); }, "the error is said");
+  viewer_->wait_for([&] { return viewer_->shows("close"); }, "the error is said");
   check("toast");
   viewer_->click("Help");
   viewer_->click("Messages");
@@ -167,6 +167,19 @@ TEST_P(Panels, OfATransplantAreWhole) {
   check("transplant-carried");
   viewer_->click("More parts");
   check("transplant-more");
+}
+
+// However many lines it takes.
+TEST_P(Panels, OfMessagesOfAllLengthsAreWhole) {
+  viewer_->open(viewer_->folder() / "tube.obj");
+  for (std::size_t letters = 1; letters < 60; letters += 4) {
+    const std::string name = std::string(letters, 'i') + ".obj";
+    viewer_->app().open(viewer_->folder() / name);
+    viewer_->wait_for([&] { return viewer_->shows("close"); }, name + " is said");
+    check("toast-of-" + std::to_string(letters));
+    viewer_->click("close");
+    EXPECT_FALSE(viewer_->shows("close"));
+  }
 }
 
 // Whatever there is to say of a result, no other control moves for it.

@@ -66,12 +66,11 @@ ToolAnswer RulerTool::end(Index vertex, const ToolScene& scene) {
   }
   to_ = vertex;
   path_ = std::move(path);
-  measure(*topology_, scene.positions);
+  measure_along_path(*topology_, scene.positions);
   return ToolAnswer::only_taken();
 }
 
-void RulerTool::measure(const Topology& topology, std::span<const Vector3d> positions) {
-  path_ = shortest_edge_path(topology, positions, from_, to_);
+void RulerTool::measure_along_path(const Topology& topology, std::span<const Vector3d> positions) {
   line_.clear();
   for (const Index v : path_) line_.push_back(positions[v]);
   measured_length_ = length_of(line_);
@@ -94,7 +93,8 @@ void RulerTool::follow(const std::shared_ptr<const Topology>& topology,
   if (length == measured_length_) {
     along_ = measured_along_;
   } else if (still) {
-    measure(*topology, positions);
+    path_ = shortest_edge_path(*topology, positions, from_, to_);
+    measure_along_path(*topology, positions);
   } else {
     along_ = measured_length_ > 0.0 ? measured_along_ * length / measured_length_ : length;
   }

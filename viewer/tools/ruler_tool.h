@@ -38,7 +38,7 @@ class RulerTool final : public SceneTool {
  private:
   ToolAnswer begin(const InputEvent& event, const ToolScene& scene);
   ToolAnswer end(Index vertex, const ToolScene& scene);
-  void measure(const Topology& topology, std::span<const Eigen::Vector3d> positions);
+  void measure_along_path(const Topology& topology, std::span<const Eigen::Vector3d> positions);
 
   std::shared_ptr<const Topology> topology_;
   Index from_ = kNoIndex;

@@ -30,8 +30,8 @@ bool draw_toast(const Messages::Toast& toast) {
     draw_colored(toast.message);
     if (toast.times > 1) ImGui::TextDisabled("%d times", toast.times);
     ImGui::TableNextColumn();
-    closes = ImGui::SmallButton("x");
-    explain("Closes it; Help > Messages keeps all of them.");
+    closes = ImGui::SmallButton("close");
+    explain("Help > Messages keeps all of them.");
     ImGui::EndTable();
   }
   return closes;

@@ -150,7 +150,8 @@ class ViewerApp final : public App {
   void draw_view_menu();
 
   // The sidebar.
-  void lay_out_sidebar();
+  /// What panels take, from the font of this frame: outside of frames that may be gone.
+  void measure_panels();
   void draw_sidebar();
   void draw_sidebar_edge(float right, float top, float height);
   void follow_task();
@@ -207,6 +208,7 @@ class ViewerApp final : public App {
   Task begun_task_ = Task::deform;     ///< the one that is open
   std::optional<Camera> view_before_;  ///< vertices were shown
   double sidebar_width_ = 0.0;         ///< in ImGui's units
+  double covered_top_ = 0.0;           ///< likewise, of the picture, while the panels are shown
   double toolbar_height_ = 0.0;        ///< likewise
   double guide_height_ = 0.0;          ///< likewise
   double banner_height_ = 0.0;         ///< likewise

@@ -67,7 +67,7 @@ float status_height() {
 }
 
 void ViewerApp::draw_ui(const FrameTimings& last) {
-  lay_out_sidebar();
+  measure_panels();
   take_loaded();
   update_document();
   take_settled();

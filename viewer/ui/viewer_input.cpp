@@ -23,6 +23,8 @@ constexpr double kZoomPixels = 150.0;
 constexpr double kOrbitShare = 1.0 / 12.0;
 // Of what the mesh measures.
 constexpr ZoomRange kZoomRange{1e-4, 1e2};
+// Of half the window's height, however low that is.
+constexpr double kLeastFree = 0.5;
 // Vertices are framed with so much around them, of what the mesh measures.
 constexpr double kSurroundings = 0.02;
 
@@ -113,6 +115,11 @@ void ViewerApp::frame_points(std::span<const Vector3d> points) {
   const ViewAxes axes{view.block<1, 3>(2, 0).transpose(), view.block<1, 3>(1, 0).transpose()};
   camera_ = fit(points, axes, size_.x() / size_.y(), framing);
   camera_.target_across = framing.legend;
+  if (!show_panels_) return;
+  // What is fitted to the window stays clear of menu and tools, too.
+  const double half = 0.5 * size_.y();
+  const double free = std::max(half - covered_top_ * pixels_per_unit(), kLeastFree * half);
+  zoom_by(free / half, {0.5 * (1.0 + framing.legend) * size_.x(), half});
 }
 
 void ViewerApp::look_from(View view) {

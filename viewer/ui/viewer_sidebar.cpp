@@ -46,9 +46,13 @@ float height_of_lines(float lines, float most) {
 
 }  // namespace
 
-void ViewerApp::lay_out_sidebar() {
+void ViewerApp::measure_panels() {
   sidebar_width_ = std::max(preferences_.sidebar_letters, least_letters()) *
                    static_cast<double>(ImGui::GetFontSize());
+  // Menu and tools, which in the first frame are not there yet.
+  const double row = static_cast<double>(ImGui::GetFrameHeight());
+  const double menu = static_cast<double>(ImGui::GetMainViewport()->WorkPos.y);
+  covered_top_ = std::max(menu, row) + std::max(toolbar_height_, row);
 }
 
 double ViewerApp::sidebar_pixels() const {

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.h"
+#include "lapwing/io/atomic_file.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/region/geodesic.h"
+#include "lapwing/session/run_recipe.h"
+#include "state/journal.h"
+#include "support/gpu.h"
+#include "support/keep_picture.h"
+#include "support/largest_distance.h"
+#include "support/models.h"
+#include "tools/disk_rim.h"
+#include "viewer_state/sheet_edit.h"
+#include "viewer_window/person.h"
+
+namespace lapwing {
+
+namespace fs = std::filesystem;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using test::Desktop;
+using test::Person;
+using ::testing::IsEmpty;
+using viewer::Draft;
+using viewer::GizmoMode;
+using viewer::GizmoPart;
+
+template <typename Form>
+bool is(const RegionSpec& region) {
+  return std::holds_alternative<Form>(region.form);
+}
+
+// The vertices that a region of the draft holds on `mesh`.
+inline VertexSet resolved(const RegionSpec& region, const Mesh& mesh) {
+  return resolve(region, mesh);
+}
+
+// Mean difference of pictures that show the same: what moves is drawn without antialiasing.
+inline constexpr double kSamePicture = 0.25;
+
+class Editing : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    LAPWING_NEEDS_DESKTOP();
+    desktop_ = std::make_unique<Desktop>(folder_.path());
+    person_ = std::make_unique<Person>(*desktop_, folder_.path());
+  }
+
+  // A tube along z, seen from the right: z goes to the left.
+  void open_tube() {
+    write_mesh(rippled_cylinder(24, 41), tube());
+    mesh_ = read_mesh(tube());
+    person_->open(tube());
+    ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
+    desktop_->settled_picture();
+    person_->look_from(View::right, mesh_.positions);
+  }
+
+  // ROI and handle by brushes of the box tool: from z = 1 on, and from z = 5.4 on.
+  void choose_parts() {
+    person_->keys("b");
+    person_->keys("i");
+    box_from(1.0);
+    ASSERT_TRUE(
+        person_->eventually_is([](const Draft& d) { return is<ListedVertices>(d.open.roi); }));
+    person_->keys("h");
+    box_from(5.4);
+    ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+    person_->keys("m");
+  }
+
+  void box_from(double z) {
+    const Vector2d corner = person_->pixel_of({0.5, -0.7, z});
+    const Vector2d opposite = person_->pixel_of({0.5, 0.7, 6.2});
+    person_->drag({corner, 0.5 * (corner + opposite), opposite});
+  }
+
+  // Until the result of what the person did last is there.
+  bool settles() {
+    return person_->eventually_is([](const Draft& d) { return d.settled; });
+  }
+
+  viewer::Gizmo gizmo(GizmoMode mode) const {
+    const Draft draft = person_->draft().value();
+    const VertexSet vertices = resolved(draft.open.handles.at(0).region, mesh_);
+    Vector3d centroid = Vector3d::Zero();
+    for (const Index v : vertices) centroid += mesh_.positions[v];
+    centroid /= static_cast<double>(vertices.size());
+    return {mode, to_affine(draft.open.handles[0].move, centroid) * centroid};
+  }
+
+  // Takes a part of the gizmo and drags it by so many pixels.
+  void drag_part(GizmoMode mode, GizmoPart part, const Vector2d& by) {
+    const Vector2d from = test::middle_of(gizmo(mode), part, person_->projection());
+    person_->drag({from, from + 0.3 * by, from + 0.7 * by, from + by});
+  }
+
+  // The picture where the tube is between belt and handle, beside the gizmo.
+  Image free_part() const {
+    const Image screen = desktop_->settled_picture();
+    const auto corner = person_->pixel_of({0.5, 1.5, 4.4}).cast<std::uint32_t>().eval();
+    const auto opposite = person_->pixel_of({0.5, -0.7, 1.0}).cast<std::uint32_t>().eval();
+    Image part{opposite.x() - corner.x(), opposite.y() - corner.y(), {}};
+    for (std::uint32_t y = corner.y(); y < opposite.y(); ++y) {
+      for (std::uint32_t x = corner.x(); x < opposite.x(); ++x) {
+        const auto pixel = screen.pixel(x, y);
+        part.rgba.insert(part.rgba.end(), pixel.begin(), pixel.end());
+      }
+    }
+    return part;
+  }
+
+  SimilarityMove move() const {
+    return std::get<SimilarityMove>(person_->draft().value().open.handles.at(0).move);
+  }
+
+  void expect_quits_silently() {
+    EXPECT_EQ(person_->quit(), 0);
+    EXPECT_THAT(person_->errors(), IsEmpty());
+  }
+
+  fs::path tube() const { return folder_ / "tube.obj"; }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<Desktop> desktop_;
+  std::unique_ptr<Person> person_;
+  Mesh mesh_;
+};
+
+}  // namespace lapwing

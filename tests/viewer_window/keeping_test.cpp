@@ -1,0 +1,213 @@
+// What a person edits in a real window is kept: saved, asked about, restored and replayed.
+#include "viewer_window/editing_window.h"
+
+namespace lapwing {
+namespace {
+
+TEST_F(Editing, ClosingAsksWhetherToSave) {
+  open_tube();
+  choose_parts();
+  person_->keys("g");
+  person_->type("0.5");
+  person_->keys("Return");
+  ASSERT_TRUE(settles());
+  person_->open_dialog("ctrl+q");
+  person_->keys("Escape");
+  desktop_->settled_picture();
+  ASSERT_TRUE(person_->draft()) << "still editing";
+  person_->open_dialog("ctrl+q");
+  person_->keys("Return");
+  EXPECT_EQ(person_->wait(), 0);
+  EXPECT_GT(test::largest_distance(read_mesh(tube()).positions, mesh_.positions), 0.1) << "saved";
+  EXPECT_FALSE(person_->draft()) << "nothing is left to restore";
+}
+
+TEST_F(Editing, OpeningAnotherFileAsksWhetherToSave) {
+  open_tube();
+  choose_parts();
+  person_->keys("g");
+  person_->type("0.5");
+  person_->keys("Return");
+  ASSERT_TRUE(settles());
+  const fs::path ball = folder_ / "ball.obj";
+  write_mesh(icosphere(2), ball);
+  person_->open_dialog("ctrl+o");
+  person_->type(ball.string());
+  person_->keys("Return");
+  desktop_->settled_picture();
+  EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "the key that accepts is no answer";
+  ASSERT_TRUE(person_->draft()) << "still there";
+  person_->keys("Delete");
+  EXPECT_TRUE(test::eventually(
+      60.0, [&] { return !desktop_->xdotool("search --onlyvisible --name '^ball.obj'").empty(); }));
+  EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "discarded";
+  desktop_->settled_picture();
+  expect_quits_silently();
+}
+
+TEST_F(Editing, SavingAsAFileThatIsThereAsksFirst) {
+  open_tube();
+  choose_parts();
+  person_->keys("g");
+  person_->type("0.5");
+  person_->keys("Return");
+  const fs::path there = folder_ / "there.ply";
+  replace_file(there, "precious");
+  person_->open_dialog("ctrl+shift+s");
+  person_->type(there.string());
+  person_->open_dialog("Return");
+  EXPECT_EQ(fs::file_size(there), 8U) << "not without a word";
+  person_->keys("Escape");
+  desktop_->settled_picture();
+  EXPECT_EQ(fs::file_size(there), 8U);
+  person_->open_dialog("Return");
+  person_->keys("Return");
+  EXPECT_TRUE(test::eventually(60.0, [&] { return fs::file_size(there) > 1000; }));
+  desktop_->settled_picture();
+  expect_quits_silently();
+  EXPECT_GT(test::largest_distance(read_mesh(there).positions, mesh_.positions), 0.1)
+      << "settled, though it was saved at once";
+}
+
+TEST_F(Editing, EveryStepSurvivesBeingKilledAtAnyMoment) {
+  open_tube();
+  choose_parts();
+  std::mt19937 random(20040708);
+  for (int crash = 0; crash < 20; ++crash) {
+    const std::string number = "0." + std::to_string(1 + crash % 7);
+    person_->keys(crash % 2 == 0 ? "g" : "r");
+    person_->type(number);
+    person_->keys("Return");
+    test::sleep_seconds(std::uniform_real_distribution(0.0, 0.4)(random));
+    const Draft seen = person_->draft().value();
+    person_->kill();
+    const auto edits = viewer::find_interrupted(person_->journals());
+    ASSERT_EQ(edits.size(), 1U) << "crash " << crash;
+    const Draft left = edits[0].draft;
+    EXPECT_TRUE(left == seen || left.settled || left.open != seen.open)
+        << "what was recorded is there, or what came after it";
+
+    person_->start();
+    ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
+    desktop_->settled_picture();
+    person_->keys("Return");
+    ASSERT_TRUE(test::eventually(60.0, [&] { return !fs::exists(edits[0].journal); }))
+        << "crash " << crash << ": nobody took the edit over";
+    ASSERT_TRUE(person_->eventually_is([&](const Draft& d) { return d.open == left.open; }))
+        << "crash " << crash;
+  }
+  ASSERT_TRUE(settles()) << "what was moved and not settled is settled now";
+  const SimilarityMove moved = move();
+  EXPECT_GT(moved.translate.norm() + moved.rotate.degrees, 0.0) << "steps were made in between";
+}
+
+// Its triangles come out as others, so that the surface on the device is made anew each time.
+TEST_F(Editing, ACoatOfAnOpenedRecipeIsUndoneRedoneAndSaved) {
+  const viewer::test::SheetAndRelief files;
+  const fs::path opened = files.folder() / "coat.json";
+  replace_file(opened, to_json({files.sheet(), {files.coat(1.0, Remeshing::automatic)}, "", {}}));
+  person_->open(opened);
+  ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.steps.size() == 1; }));
+  const auto differs = [&](const Image& picture, double by) {
+    return test::eventually(
+        60.0, [&] { return test::mean_difference(desktop_->picture(), picture) > by; });
+  };
+  const auto shows = [&](const Image& picture) {
+    return test::eventually(
+        60.0, [&] { return test::mean_difference(desktop_->picture(), picture) < 0.1; });
+  };
+  const Image with_panels = desktop_->settled_picture();
+  person_->keys("Tab");
+  ASSERT_TRUE(differs(with_panels, 1.0));
+  const Image coated = desktop_->settled_picture();
+  person_->keys("ctrl+z");
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.steps.empty(); }));
+  ASSERT_TRUE(differs(coated, 0.1));
+  const Image undone = desktop_->settled_picture();
+  person_->keys("ctrl+shift+z");
+  EXPECT_TRUE(shows(coated));
+  person_->keys("ctrl+z");
+  EXPECT_TRUE(shows(undone));
+  person_->keys("ctrl+shift+z");
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.steps.size() == 1; }));
+
+  const fs::path saved = folder_ / "again.json";
+  person_->open_dialog("ctrl+e");
+  person_->type(saved.string());
+  person_->keys("Return");
+  ASSERT_TRUE(test::eventually(60.0, [&] { return fs::exists(saved); }));
+  desktop_->settled_picture();
+  expect_quits_silently();
+  CpuKernels kernels;
+  EXPECT_EQ(run_recipe(read_recipe(saved), kernels)->mesh.positions,
+            run_recipe(read_recipe(opened), kernels)->mesh.positions);
+}
+
+TEST_F(Editing, AScriptedPersonBendsTheArmOfTheArmadillo) {
+  LAPWING_NEEDS_MODELS(files, "cgal");
+  const fs::path armadillo = folder_ / "armadillo.off";
+  fs::copy_file(test::models_folder() / "cgal" / "meshes" / "armadillo.off", armadillo);
+  mesh_ = read_mesh(armadillo);
+  person_->open(armadillo);
+  ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
+  desktop_->settled_picture();
+  person_->look_from(View::front, mesh_.positions);
+  const Image opened = desktop_->settled_picture();
+
+  // The left hand is what lies farthest to one side.
+  const Vector3d hand =
+      *std::max_element(mesh_.positions.begin(), mesh_.positions.end(),
+                        [](const Vector3d& a, const Vector3d& b) { return a.x() < b.x(); });
+  const double size = bounds_of(mesh_.positions).diagonal();
+  const Vector2d wrist = person_->pixel_of(hand + Vector3d(-0.02 * size, 0.0, 0.0));
+  const Vector2d arm = person_->pixel_of(hand + Vector3d(-0.16 * size, 0.0, 0.0));
+  const Vector2d palm = person_->pixel_of(hand + Vector3d(-0.07 * size, 0.0, 0.0));
+  person_->drag({wrist, 0.5 * (wrist + arm), arm});
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return is<GeodesicDisk>(d.open.roi); }));
+  person_->drag({wrist, 0.5 * (wrist + palm), palm});
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return d.open.handles.size() == 1; }));
+
+  drag_part(GizmoMode::translate, GizmoPart::y, {0.0, -40.0});
+  ASSERT_TRUE(settles());
+  const Draft bent = person_->draft().value();
+  // The journal is written before the window is painted.
+  Image edited;
+  EXPECT_TRUE(test::eventually(60.0, [&] {
+    edited = desktop_->settled_picture();
+    return test::mean_difference(edited, opened) > 0.5;
+  }));
+  const auto eventually_shown = [&](const std::function<bool(double)>& is_right) {
+    return test::eventually(
+        60.0, [&] { return is_right(test::mean_difference(desktop_->settled_picture(), edited)); });
+  };
+
+  person_->keys("ctrl+z");
+  ASSERT_TRUE(person_->eventually_is([](const Draft& d) { return !d.settled; }));
+  EXPECT_TRUE(eventually_shown([](double difference) { return difference > 0.3; }));
+  person_->keys("ctrl+shift+z");
+  ASSERT_TRUE(person_->eventually_is([&](const Draft& d) { return d == bent; }));
+  EXPECT_TRUE(eventually_shown([](double difference) { return difference < 0.3; }));
+
+  const auto save_as = [&](const std::string& keys, const fs::path& path) {
+    person_->open_dialog(keys);
+    person_->type(path.string());
+    person_->keys("Return");
+    const bool saved = test::eventually(60.0, [&] { return fs::exists(path); });
+    desktop_->settled_picture();
+    return saved;
+  };
+  ASSERT_TRUE(save_as("ctrl+e", folder_ / "arm.json"));
+  ASSERT_TRUE(save_as("ctrl+shift+s", folder_ / "arm.ply"));
+  expect_quits_silently();
+
+  CpuKernels kernels;
+  const auto replayed = run_recipe(read_recipe(folder_ / "arm.json"), kernels);
+  EXPECT_TRUE(replayed->report.steps.at(0).deform->certificate.settled);
+  const Positions saved = read_mesh(folder_ / "arm.ply").positions;
+  EXPECT_LT(test::largest_distance(saved, replayed->mesh.positions), 1e-5 * size);
+  EXPECT_GT(test::largest_distance(saved, mesh_.positions), 0.02 * size);
+}
+
+}  // namespace
+}  // namespace lapwing
