@@ -149,7 +149,7 @@ TEST_F(Editing, ADiskElsewhereRightAfterADragBeginsTheNextEdit) {
   test::keep_picture(desktop_->settled_picture(), "elsewhere");
   person_->keys("Tab");
   test::keep_picture(desktop_->settled_picture(), "panels");
-  const auto& moved = std::get<DeformRequest>(person_->draft().value().steps.front());
+  const auto moved = std::get<DeformRequest>(person_->draft().value().steps.front());
   EXPECT_GT(std::get<SimilarityMove>(moved.handles.at(0).move).translate.y(), 0.05);
   EXPECT_EQ(person_->discard_and_quit(), 0);
   EXPECT_THAT(person_->errors(), IsEmpty());

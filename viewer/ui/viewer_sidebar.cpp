@@ -52,7 +52,8 @@ void ViewerApp::measure_panels() {
   // Menu and tools, which in the first frame are not there yet.
   const double row = static_cast<double>(ImGui::GetFrameHeight());
   const double menu = static_cast<double>(ImGui::GetMainViewport()->WorkPos.y);
-  covered_top_ = std::max(menu, row) + std::max(toolbar_height_, row);
+  const double one_row = row + 2.0 * static_cast<double>(ImGui::GetStyle().FramePadding.y);
+  covered_top_ = std::max(menu, row) + std::max(toolbar_height_, one_row);
 }
 
 double ViewerApp::sidebar_pixels() const {
