@@ -21,7 +21,6 @@ using ::testing::IsEmpty;
 
 // WCAG 2.1, 1.4.3.
 constexpr double kLeastContrast = 4.5;
-constexpr Modifiers kControl{.control = true};
 
 class Panels : public ::testing::TestWithParam<Look> {
  protected:

@@ -1,11 +1,14 @@
 #include "viewer_panels/shown_viewer.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "window/panel_input.h"
 #include "window/theme.h"
 
 namespace lapwing::viewer::test {
@@ -16,10 +19,52 @@ constexpr double kPatienceMs = 60'000.0;
 // ImGui knows what is under the mouse from the frame before.
 constexpr int kFramesPerChange = 3;
 
+// Keys of the panels; letters are their own code.
+constexpr auto kPanelKeys =
+    std::to_array<std::pair<ImGuiKey, int>>({{ImGuiKey_Tab, kTab},
+                                             {ImGuiKey_LeftArrow, kLeft},
+                                             {ImGuiKey_RightArrow, kRight},
+                                             {ImGuiKey_UpArrow, kUp},
+                                             {ImGuiKey_DownArrow, kDown},
+                                             {ImGuiKey_Home, kHome},
+                                             {ImGuiKey_End, kEnd},
+                                             {ImGuiKey_Delete, kDelete},
+                                             {ImGuiKey_Backspace, kBackspace},
+                                             {ImGuiKey_Enter, kEnter},
+                                             {ImGuiKey_Escape, kEscape},
+                                             {ImGuiKey_A, 'A'},
+                                             {ImGuiKey_C, 'C'},
+                                             {ImGuiKey_V, 'V'},
+                                             {ImGuiKey_X, 'X'},
+                                             {ImGuiKey_Y, 'Y'},
+                                             {ImGuiKey_Z, 'Z'}});
+
+ImVec2 place_of(const Eigen::Vector2d& pixel) {
+  return {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
+}
+
+// ImGui's.
+std::optional<int> button_of(MouseButton button) {
+  switch (button) {
+    case MouseButton::left:
+      return 0;
+    case MouseButton::right:
+      return 1;
+    case MouseButton::middle:
+      return 2;
+    case MouseButton::none:
+      return {};
+  }
+  return {};
+}
+
 }  // namespace
 
-ShownViewer::ShownViewer(std::shared_ptr<gpu::Context> context, const Look& look)
-    : look_(look),
+ShownViewer::ShownViewer(std::shared_ptr<gpu::Context> context, const Look& look,
+                         std::filesystem::path folder)
+    : own_folder_(folder.empty() ? std::make_optional<TemporaryFolder>() : std::nullopt),
+      folder_(own_folder_ ? own_folder_->path() : std::move(folder)),
+      look_(look),
       context_(std::move(context)),
       screen_(*context_),
       painter_(*context_, screen_),
@@ -32,6 +77,7 @@ ShownViewer::ShownViewer(std::shared_ptr<gpu::Context> context, const Look& look
   io.DisplaySize = {static_cast<float>(look_.size.width), static_cast<float>(look_.size.height)};
   io.DeltaTime = 1.0F / 60.0F;
   io.MousePos = {-1.0F, -1.0F};
+  for (const auto& [panel_key, key] : kPanelKeys) io.KeyMap[panel_key] = key;
   app_.resize({look_.size.width, look_.size.height}, look_.scale);
 }
 
@@ -40,16 +86,21 @@ ShownViewer::~ShownViewer() {
 }
 
 void ShownViewer::lay_out() {
-  painter_.finish_frame(timings_);
   ImGui::NewFrame();
   app_.draw_ui(timings_);
   ImGui::Render();
 }
 
+// What the frame asked of the device is done once it is drawn. Nothing that happens next finds the
+// device at work.
+void ShownViewer::draw(bool at_rest) {
+  painter_.paint(look_.size, app_.scene(), *ImGui::GetDrawData(), at_rest);
+  painter_.finish_frame(timings_);
+}
+
 const std::vector<ShownText>& ShownViewer::look_at() {
   for (int k = 0; k < kFramesPerChange; ++k) lay_out();
-  // What the frame asked of the device is done once it is drawn.
-  painter_.paint(look_.size, app_.scene(), *ImGui::GetDrawData());
+  draw(true);
   return texts_ = read_screen(*ImGui::GetDrawData());
 }
 
@@ -82,8 +133,65 @@ std::string ShownViewer::all_texts() const {
 
 Image ShownViewer::picture() {
   look_at();
-  painter_.finish_frame(timings_);
   return screen_.picture();
+}
+
+// As Window has it.
+bool ShownViewer::goes_to_picture(const InputEvent& event) {
+  switch (event.kind) {
+    case InputKind::press:
+      if (dragging_ != MouseButton::none || PanelInput::want_mouse(event.position)) return false;
+      dragging_ = event.button;
+      return true;
+    case InputKind::release:
+      if (dragging_ != event.button) return false;
+      dragging_ = MouseButton::none;
+      return true;
+    case InputKind::scroll:
+      return !PanelInput::want_mouse(event.position);
+    case InputKind::key:
+    case InputKind::text:
+      return !PanelInput::want_keys();
+    case InputKind::move:
+      return true;
+  }
+  return false;
+}
+
+void ShownViewer::press_and_release(const InputEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  for (const bool down : {true, false}) {
+    io.KeysDown[event.key] = down;
+    io.KeyCtrl = down && event.modifiers.control;
+    io.KeyShift = down && event.modifiers.shift;
+    io.KeyAlt = down && event.modifiers.alt;
+    lay_out();
+  }
+}
+
+void ShownViewer::send(const InputEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  const bool is_for_picture = goes_to_picture(event);
+  const bool has_place = event.kind != InputKind::key && event.kind != InputKind::text;
+  if (has_place) io.MousePos = place_of(event.position);
+  if (const auto button = button_of(event.button); button && event.kind != InputKind::move) {
+    io.MouseDown[*button] = event.kind == InputKind::press;
+  }
+  if (event.kind == InputKind::scroll) io.MouseWheel += static_cast<float>(event.scroll);
+  if (event.kind == InputKind::text && !is_for_picture) {
+    io.AddInputCharacter(static_cast<unsigned int>(event.text));
+  }
+  if (is_for_picture) {
+    InputEvent seen = event;
+    if (event.kind == InputKind::move) seen.button = dragging_;
+    app_.handle(seen);
+  }
+  if (event.kind == InputKind::key) {
+    press_and_release(event);
+  } else {
+    lay_out();
+  }
+  draw(false);
 }
 
 void ShownViewer::key(int key, const Modifiers& modifiers) {

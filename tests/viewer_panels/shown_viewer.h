@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@
 
 namespace lapwing::viewer::test {
 
+inline constexpr Modifiers kControl{.control = true};
+inline constexpr Modifiers kControlShift{.shift = true, .control = true};
+
 /// What the desktop and the person say of how the viewer looks.
 struct Look {
   Theme theme = Theme::dark;
@@ -22,10 +26,11 @@ struct Look {
 };
 
 /// The whole viewer without a window: frames are laid out and drawn as the main loop does it, and
-/// whoever looks reads their texts. Files are in a folder of its own.
+/// whoever looks reads their texts. Files are in `folder`, or else in one of its own.
 class ShownViewer {
  public:
-  explicit ShownViewer(std::shared_ptr<gpu::Context> context, const Look& look = {});
+  explicit ShownViewer(std::shared_ptr<gpu::Context> context, const Look& look = {},
+                       std::filesystem::path folder = {});
   ~ShownViewer();
   ShownViewer(const ShownViewer&) = delete;
   ShownViewer& operator=(const ShownViewer&) = delete;
@@ -44,6 +49,10 @@ class ShownViewer {
   bool says(const std::string& words) const;
   Image picture();
 
+  /// Hands on what a person did as a window does it: to the panels, and to the picture unless they
+  /// take it. A key is let go at once. Then draws a frame.
+  void send(const InputEvent& event);
+
   /// Presses a key over the picture.
   void key(int key, const Modifiers& modifiers = {});
   /// Types a character over the picture.
@@ -55,14 +64,20 @@ class ShownViewer {
   void drag(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
   ViewerApp& app() { return app_; }
-  const std::filesystem::path& folder() const { return folder_.path(); }
+  const std::filesystem::path& folder() const { return folder_; }
+  const Look& look() const { return look_; }
 
  private:
   void lay_out();
+  /// Finely once nothing moves any more.
+  void draw(bool at_rest);
+  bool goes_to_picture(const InputEvent& event);
+  void press_and_release(const InputEvent& event);
   std::string all_texts() const;  ///< a line for each
   void place_mouse(const ImVec2& at);
 
-  TemporaryFolder folder_;
+  std::optional<TemporaryFolder> own_folder_;
+  std::filesystem::path folder_;
   Look look_;
   std::shared_ptr<gpu::Context> context_;
   OffscreenScreen screen_;
@@ -70,6 +85,7 @@ class ShownViewer {
   ViewerApp app_;
   FrameTimings timings_;
   std::vector<ShownText> texts_;
+  MouseButton dragging_ = MouseButton::none;  // pressed over the picture
 };
 
 }  // namespace lapwing::viewer::test

@@ -46,6 +46,10 @@ class ViewerApp final : public App {
   ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept);
 
   void order(PictureOrder picture) { order_ = std::move(picture); }
+  /// What is open; null where nothing is.
+  const Document* document() const { return document_.get(); }
+  /// A file or folder, by the desktop's dialog or the browser.
+  bool asks_for_path() const { return chooser_.is_open(); }
   /// Offers edits that a crash interrupted.
   void offer_interrupted();
 
