@@ -164,7 +164,6 @@ void Monkey::drag_along(const Vector2d& from, const Vector2d& to) {
   send(InputKind::release, to, MouseButton::left, {});
 }
 
-// As one does who knows how: a disk, a smaller one within it as the handle, and that is moved.
 std::string Monkey::edit() {
   press_key(kHome);
   press_key('D');

@@ -19,6 +19,8 @@ class Monkey {
 
   /// One gesture; what it was, in words.
   std::string act();
+  /// As one does who knows how: a disk, a smaller one within it as the handle, and that is moved.
+  std::string edit();
   /// Goes on with another viewer.
   void go_to(ShownViewer& viewer) { viewer_ = &viewer; }
 
@@ -47,7 +49,6 @@ class Monkey {
   std::string pull_on_text();
   std::string scroll();
   std::string press_bound_key();
-  std::string edit();
   std::string coat_or_mix();
   std::string transplant();
   std::string move_handle();

@@ -15,7 +15,7 @@
 #include "support/gpu.h"
 #include "support/largest_distance.h"
 #include "support/models.h"
-#include "viewer_window/person.h"
+#include "viewer_window/window_test.h"
 
 namespace lapwing {
 namespace {
@@ -55,10 +55,11 @@ Spot carried_in(const Image& picture) {
 }
 
 // head.off looks along -x, its neck ends at y = 0, its crown at y = 17.
-class CarryingInAWindow : public ::testing::Test {
+class CarryingInAWindow : public test::WindowTest {
  protected:
   void SetUp() override {
-    LAPWING_NEEDS_DESKTOP();
+    WindowTest::SetUp();
+    if (IsSkipped()) return;
     LAPWING_NEEDS_MODELS(files, "cgal");
     write_mesh(read_mesh(test::models_folder() / "cgal/meshes/head.off"), folder_ / "head.obj");
     head_ = read_mesh(folder_ / "head.obj");
@@ -72,8 +73,6 @@ class CarryingInAWindow : public ::testing::Test {
       beads << 7.0 * std::cos(angle) << "," << 9.0 << "," << 7.0 * std::sin(angle) << "\n";
     }
     beads.close();
-    desktop_ = std::make_unique<Desktop>(folder_.path());
-    person_ = std::make_unique<Person>(*desktop_, folder_.path());
     // The neck is held, the crown is the handle.
     std::ofstream(folder_ / "head.json") << R"({"lapwing": 1, "mesh": "head.obj", "steps": [
         {"op": "deform", "roi": {"all": true},
@@ -103,18 +102,7 @@ class CarryingInAWindow : public ::testing::Test {
     }
     return {GizmoMode::translate, centroid};
   }
-  bool saves_as(const std::string& keys, const fs::path& path) const {
-    person_->open_dialog(keys);
-    person_->type(path.string());
-    person_->keys("Return");
-    const bool saved = test::eventually(60.0, [&] { return fs::exists(path); });
-    desktop_->settled_picture();
-    return saved;
-  }
 
-  TemporaryFolder folder_;
-  std::unique_ptr<Desktop> desktop_;
-  std::unique_ptr<Person> person_;
   Mesh head_;
 };
 

@@ -21,7 +21,7 @@
 #include "support/models.h"
 #include "tools/disk_rim.h"
 #include "viewer_state/sheet_edit.h"
-#include "viewer_window/person.h"
+#include "viewer_window/window_test.h"
 
 namespace lapwing {
 
@@ -48,21 +48,13 @@ inline VertexSet resolved(const RegionSpec& region, const Mesh& mesh) {
 // Mean difference of pictures that show the same: what moves is drawn without antialiasing.
 inline constexpr double kSamePicture = 0.25;
 
-class Editing : public ::testing::Test {
+class Editing : public test::WindowTest {
  protected:
-  void SetUp() override {
-    LAPWING_NEEDS_DESKTOP();
-    desktop_ = std::make_unique<Desktop>(folder_.path());
-    person_ = std::make_unique<Person>(*desktop_, folder_.path());
-  }
-
   // A tube along z, seen from the right: z goes to the left.
   void open_tube() {
     write_mesh(rippled_cylinder(24, 41), tube());
     mesh_ = read_mesh(tube());
-    person_->open(tube());
-    ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
-    desktop_->settled_picture();
+    open(tube());
     person_->look_from(View::right, mesh_.positions);
   }
 
@@ -124,16 +116,8 @@ class Editing : public ::testing::Test {
     return std::get<SimilarityMove>(person_->draft().value().open.handles.at(0).move);
   }
 
-  void expect_quits_silently() {
-    EXPECT_EQ(person_->quit(), 0);
-    EXPECT_THAT(person_->errors(), IsEmpty());
-  }
-
   fs::path tube() const { return folder_ / "tube.obj"; }
 
-  TemporaryFolder folder_;
-  std::unique_ptr<Desktop> desktop_;
-  std::unique_ptr<Person> person_;
   Mesh mesh_;
 };
 

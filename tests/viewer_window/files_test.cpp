@@ -10,7 +10,7 @@
 #include "support/gpu.h"
 #include "support/keep_picture.h"
 #include "viewer_window/drag_and_drop.h"
-#include "viewer_window/person.h"
+#include "viewer_window/window_test.h"
 
 namespace lapwing {
 namespace {
@@ -27,16 +27,15 @@ constexpr double kFilesPatience = 60.0;
 // Mean difference of pictures that show the same.
 constexpr double kSameScreen = 0.05;
 
-class ChoosingFiles : public ::testing::Test {
+class ChoosingFiles : public test::WindowTest {
  protected:
   void SetUp() override {
-    LAPWING_NEEDS_DESKTOP();
+    WindowTest::SetUp();
+    if (IsSkipped()) return;
     fs::create_directories(work() / "models");
     fs::create_directory(folder_ / "bin");
     write_mesh(rippled_cylinder(24, 41), work() / "tube.obj");
     write_mesh(icosphere(3), work() / "models" / "ball.obj");
-    desktop_ = std::make_unique<Desktop>(folder_.path());
-    person_ = std::make_unique<Person>(*desktop_, folder_.path());
   }
 
   void open_tube() {
@@ -84,17 +83,8 @@ class ChoosingFiles : public ::testing::Test {
     fs::permissions(program, fs::perms::owner_all);
   }
 
-  void expect_quits_silently() {
-    EXPECT_EQ(person_->quit(), 0);
-    EXPECT_THAT(person_->errors(), IsEmpty());
-  }
-
   fs::path work() const { return folder_ / "work"; }
   fs::path ball() const { return work() / "models" / "ball.obj"; }
-
-  TemporaryFolder folder_;
-  std::unique_ptr<Desktop> desktop_;
-  std::unique_ptr<Person> person_;
 };
 
 TEST_F(ChoosingFiles, APathTypedRightAfterTheKeyOpensThatFile) {

@@ -6,7 +6,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/gpu.h"
-#include "viewer_window/person.h"
+#include "viewer_window/window_test.h"
 
 namespace lapwing {
 namespace {
@@ -22,15 +22,9 @@ constexpr std::size_t kKeys = 200;
 constexpr std::uint32_t kTop = 40;
 constexpr std::uint32_t kBottom = 760;
 
-class FramesInAWindow : public ::testing::Test {
+class FramesInAWindow : public test::WindowTest {
  protected:
-  void SetUp() override {
-    LAPWING_NEEDS_DESKTOP();
-    desktop_ = std::make_unique<Desktop>(folder_.path());
-    person_ = std::make_unique<Person>(*desktop_, folder_.path());
-  }
-
-  void open(const Mesh& mesh) {
+  void open_mesh(const Mesh& mesh) {
     write_mesh(mesh, folder_ / "mesh.obj");
     person_->open(folder_ / "mesh.obj");
     ASSERT_TRUE(person_->waits_for_window()) << person_->errors();
@@ -54,18 +48,14 @@ class FramesInAWindow : public ::testing::Test {
     return part;
   }
 
-  void expect_quits_silently() {
+  void expect_discards_silently() {
     EXPECT_EQ(person_->discard_and_quit(), 0);
     EXPECT_THAT(person_->errors(), IsEmpty());
   }
-
-  TemporaryFolder folder_;
-  std::unique_ptr<Desktop> desktop_;
-  std::unique_ptr<Person> person_;
 };
 
 TEST_F(FramesInAWindow, TextTypedFastArrivesWholeWhileAnEditIsPrepared) {
-  open(icosphere(6));
+  open_mesh(icosphere(6));
   person_->look_from(View::front, icosphere(6).positions);
   person_->keys("b");
   person_->keys("i");
@@ -88,11 +78,11 @@ TEST_F(FramesInAWindow, TextTypedFastArrivesWholeWhileAnEditIsPrepared) {
   const fs::path saved = folder + name + ".json";
   EXPECT_EQ(saved.string().size(), kKeys);
   EXPECT_TRUE(test::eventually(30.0, [&] { return fs::exists(saved); }));
-  expect_quits_silently();
+  expect_discards_silently();
 }
 
 TEST_F(FramesInAWindow, APanelThatChangesLeavesTheSurfaceAsItIs) {
-  open(icosphere(4));
+  open_mesh(icosphere(4));
   constexpr std::uint32_t kBesideTheMenu = 400;
   person_->move_to({20, 10});  // the tool marks where the cursor is
   const Image before = desktop_->settled_picture();
@@ -108,7 +98,7 @@ TEST_F(FramesInAWindow, APanelThatChangesLeavesTheSurfaceAsItIs) {
 }
 
 TEST_F(FramesInAWindow, AfterADragOfTheViewThePictureIsTheOneDrawnAnew) {
-  open(icosphere(6));
+  open_mesh(icosphere(6));
   person_->open_dialog("Tab");  // waits until the panels are gone
   person_->drag({{300, 300}, {340, 310}, {420, 330}, {500, 380}});
   const Image still = desktop_->settled_picture();
