@@ -47,12 +47,11 @@ bool draw_part(const PartShelf::Item& item, const UiPicture* picture, bool in_ha
   list.PushClipRect(from, {from.x + size.x, from.y + size.y}, true);
   list.AddText({from.x, from.y + side}, ImGui::GetColorU32(ImGuiCol_Text), item.name.c_str());
   list.PopClipRect();
-  if (ImGui::IsItemHovered()) {
-    if (item.trouble.empty()) {
-      ImGui::SetTooltip("%s, %zu vertices", item.file.c_str(), item.vertices);
-    } else {
-      ImGui::SetTooltip("%s", item.trouble.c_str());
-    }
+  if (item.trouble.empty()) {
+    explain(item.file.string() + ", " + std::to_string(item.vertices) + " vertices",
+            "click it, or drag it onto the mesh; key N takes one after the other");
+  } else {
+    explain(item.trouble);
   }
   return pressed && item.trouble.empty();
 }
