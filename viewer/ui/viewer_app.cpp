@@ -116,7 +116,7 @@ void ViewerApp::take_preferred_tools() {
   Editor& editor = document_->editor;
   editor.set_gizmo_keys(gizmo_keys());
   editor.set_settles_while_dragging(preferences_.settles_while_dragging);
-  editor.paint_tool().options().radius = preferences_.brush_radius;
+  editor.paint_tool().options().radius_pt = preferences_.brush_radius_pt;
   editor.paint_tool().options().through = preferences_.paints_through;
   // An edit that was begun already goes on with its gizmo.
   if (editor.row() == nullptr || editor.row()->action == Action::take_move) return;
@@ -181,6 +181,7 @@ Scene ViewerApp::scene() {
   scene.style = style_of(display_, editor);
   // What the doctor means is marked in the colours of regions.
   if (document_->banner.marks()) scene.style.color = SurfaceColor::regions;
+  scene.style.pixels_per_point = static_cast<float>(pixels_per_point_);
   scene.moving = motion_.has_value() || editor.is_dragging();
   const bool closed = document_->closed_outward && editor.shown().is_comparable();
   if (scene.moving && closed && !is_inside(editor.bounds())) {
@@ -194,6 +195,7 @@ Scene ViewerApp::scene() {
     beside.camera = view.view_frame().camera;
     beside.style = display_.style;
     beside.style.color = SurfaceColor::regions;
+    beside.style.pixels_per_point = scene.style.pixels_per_point;
     beside.corner = area->corner;
     beside.size = area->size;
     scene.moving = scene.moving || view.is_moving();
@@ -212,6 +214,7 @@ void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size)
   options.height = size.height;
   options.background = display_.background;
   options.style = style_of(display_, editor);
+  options.style.pixels_per_point = static_cast<float>(pixels_per_point_);
   if (options.style.color == SurfaceColor::scalar) {
     options.legend_title = legend_title(*measure_of(display_.coloring));
   }

@@ -54,7 +54,7 @@ class ViewerApp final : public App {
   /// `carry` follow the surface from the first edit by hand on.
   void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry,
             std::optional<PathPurpose> asked_for = {});
-  void resize(const Eigen::Vector2d& size, double scale) override;
+  void resize(const Eigen::Vector2d& size, double pixels_per_point) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
   std::string_view title() const override;
@@ -121,6 +121,7 @@ class ViewerApp final : public App {
   void frame(std::span<const Index> vertices);
   void frame_points(std::span<const Eigen::Vector3d> points);
   void orbit_by(double right, double down);
+  bool is_click(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
   Eigen::Vector3d upward() const;
   ViewFrame view_frame() const;
@@ -194,6 +195,7 @@ class ViewerApp final : public App {
   UpAxis up_axis_ = UpAxis::y;
   DisplayChoices display_;
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
+  double pixels_per_point_ = 1.0;
   std::optional<Motion> motion_;  ///< of the camera, under way
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();

@@ -144,7 +144,7 @@ void ViewerApp::keep_preferences() {
   if (document_) {
     Editor& editor = document_->editor;
     preferences_.settles_while_dragging = editor.wants_to_settle_while_dragging();
-    preferences_.brush_radius = editor.paint_tool().options().radius;
+    preferences_.brush_radius_pt = editor.paint_tool().options().radius_pt;
     preferences_.paints_through = editor.paint_tool().options().through;
     if (editor.row() != nullptr && chooses(*editor.row())) {
       preferences_.tool = editor.row()->name;
@@ -178,7 +178,7 @@ void ViewerApp::update_document() {
   document_->banner.update(editor, desk.is_open() || transplant.is_open());
   part_pictures_.renew(transplant.shelf(), *context_);
   const auto area = source_area();
-  if (area) document_->desk.view()->resize(area->size);
+  if (area) document_->desk.view()->resize(area->size, pixels_per_point_);
   camera_.target_across = covered_share();
   // What is left of the window is another part of it.
   if (std::exchange(shows_source_, area.has_value()) != area.has_value()) frame_all();

@@ -14,11 +14,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A press and release within so many pixels is a click, not a drag.
-constexpr double kClickPixels = 3.0;
+// A press and release within so many points is a click, not a drag.
+constexpr double kClickPt = 3.0;
 constexpr double kZoomPerNotch = 1.15;
-// Of a drag that zooms: pixels that make things e times as large.
-constexpr double kZoomPixels = 150.0;
+// Of a drag that zooms: points that make things e times as large.
+constexpr double kZoomPt = 150.0;
 // Arrow keys turn by a twelfth of half a turn, 15 degrees.
 constexpr double kOrbitShare = 1.0 / 12.0;
 // Of what the mesh measures.
@@ -28,17 +28,18 @@ constexpr double kLeastFree = 0.5;
 // Vertices are framed with so much around them, of what the mesh measures.
 constexpr double kSurroundings = 0.02;
 
-bool is_click(const Vector2d& from, const Vector2d& to) {
-  return (to - from).norm() <= kClickPixels;
-}
-
 }  // namespace
 
-void ViewerApp::resize(const Vector2d& size, double scale) {
+void ViewerApp::resize(const Vector2d& size, double pixels_per_point) {
   size_ = size;
-  preferences_.window_width = static_cast<int>(std::lround(size.x() / scale));
-  preferences_.window_height = static_cast<int>(std::lround(size.y() / scale));
+  pixels_per_point_ = pixels_per_point;
+  preferences_.window_width = static_cast<int>(std::lround(size.x() / pixels_per_point));
+  preferences_.window_height = static_cast<int>(std::lround(size.y() / pixels_per_point));
   camera_.target_across = covered_share();
+}
+
+bool ViewerApp::is_click(const Vector2d& from, const Vector2d& to) const {
+  return (to - from).norm() <= kClickPt * pixels_per_point_;
 }
 
 Vector3d ViewerApp::upward() const {
@@ -60,7 +61,7 @@ double ViewerApp::covered_share() const {
 }
 
 ViewFrame ViewerApp::view_frame() const {
-  ViewFrame view{camera_, size_};
+  ViewFrame view{camera_, size_, pixels_per_point_};
   fit_depth(view.camera, document_->editor.bounds());
   return view;
 }
@@ -148,7 +149,7 @@ void ViewerApp::drag_to(const InputEvent& event) {
       camera_ = panned(camera_, moved, size_);
       break;
     case Motion::zoom:
-      zoom_by(std::exp((moved.x() - moved.y()) / kZoomPixels), pressed_at_);
+      zoom_by(std::exp((moved.x() - moved.y()) / (kZoomPt * pixels_per_point_)), pressed_at_);
       break;
   }
 }
