@@ -62,16 +62,16 @@ TEST_P(AGizmoOnADenseDisplay, IsHitAtTheSamePlaces) {
 
 TEST_P(AGizmoOnADenseDisplay, IsDraggedByTheSameWayOfTheHand) {
   const Vector2d center = *plain_.to_pixel(gizmo_.center);
-  for (const GizmoPart part :
-       {GizmoPart::x, GizmoPart::y, GizmoPart::without_z, GizmoPart::view}) {
+  for (const GizmoPart part : {GizmoPart::x, GizmoPart::y, GizmoPart::without_z, GizmoPart::view}) {
     const Vector2d from = center + Vector2d(12.0, 5.0);
     const Vector2d to = center + Vector2d(70.0, -30.0);
     GizmoDrag plain(gizmo_, part, plain_, from);
     plain.move_to(to);
     GizmoDrag dense(gizmo_, part, dense_, kDensity * from);
     dense.move_to(kDensity * to);
-    EXPECT_LT((plain.motion(plain.amount()).matrix() - dense.motion(dense.amount()).matrix()).norm(),
-              1e-9);
+    EXPECT_LT(
+        (plain.motion(plain.amount()).matrix() - dense.motion(dense.amount()).matrix()).norm(),
+        1e-9);
     EXPECT_NE(plain.amount(), GizmoAmount{});
   }
   EXPECT_DOUBLE_EQ(snap_length(gizmo_, plain_), snap_length(gizmo_, dense_));
@@ -163,7 +163,8 @@ TEST_P(AHand, DrawsARulerFromAFewPointsOn) {
 TEST_P(AHand, ClosesALoopAFewPointsBesideItsFirstCorner) {
   for (const double way : {9.0, 11.0}) {
     LoopTool tool;
-    for (const Vector3d& corner : {Vector3d(0, 0, 1), Vector3d(0.6, 0, 0.8), Vector3d(0, 0.6, 0.8)}) {
+    for (const Vector3d& corner :
+         {Vector3d(0, 0, 1), Vector3d(0.6, 0, 0.8), Vector3d(0, 0.6, 0.8)}) {
       send(tool, press(sphere_.pixel_of(sphere_.vertex_near(corner))));
     }
     send(tool, press(beside(front_, way)));

@@ -123,8 +123,7 @@ void SourceView::drag_to(const Vector2d& pixel) {
       camera_ = panned(camera_, moved, size_);
       break;
     case Motion::zoom:
-      camera_ = zoomed(camera_,
-                       std::exp((moved.x() - moved.y()) / (kZoomPt * pixels_per_point_)),
+      camera_ = zoomed(camera_, std::exp((moved.x() - moved.y()) / (kZoomPt * pixels_per_point_)),
                        pressed_at_, size_, {kZoomRange.nearest * size, kZoomRange.farthest * size});
       break;
   }

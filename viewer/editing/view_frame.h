@@ -13,8 +13,7 @@ struct ViewFrame {
   double pixels_per_point = 1.0;
 
   Projection projection() const {
-    return {camera.projection(size.x() / size.y()) * camera.view(), size,
-            pixels_per_point};
+    return {camera.projection(size.x() / size.y()) * camera.view(), size, pixels_per_point};
   }
 
   bool operator==(const ViewFrame&) const = default;

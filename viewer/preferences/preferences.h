@@ -19,7 +19,7 @@ struct Preferences {
   double sidebar_letters = 24.0;    ///< its width, in letters of the font
   int window_width = 1280;          ///< in points (tools/projection.h)
   int window_height = 800;
-  std::string tool = "Disk";   ///< the one that a new mesh begins with
+  std::string tool = "Disk";  ///< the one that a new mesh begins with
   double brush_radius_pt = 20.0;
   bool paints_through = false;
 

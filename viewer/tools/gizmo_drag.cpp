@@ -35,7 +35,8 @@ double snapped(double value, double step) {
 }  // namespace
 
 double snap_length(const Gizmo& gizmo, const Projection& projection) {
-  const double wanted = 0.1 * projection.in_pixels(kArmPt) * projection.length_of_pixel(gizmo.center);
+  const double wanted =
+      0.1 * projection.in_pixels(kArmPt) * projection.length_of_pixel(gizmo.center);
   if (!(wanted > 0.0)) return 1.0;
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
   for (const double digit : {1.0, 2.0, 5.0}) {

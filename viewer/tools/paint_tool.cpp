@@ -65,10 +65,9 @@ void PaintTool::begin(const InputEvent& event, const ToolScene& scene) {
 void PaintTool::extend(const Vector2d& to, const ToolScene& scene) {
   switch (options_.shape) {
     case Shape::brush:
-      touched_ = unite(touched_,
-                       seen(near_line(pixels_, way_.back(), to,
-                                      scene.projection.in_pixels(options_.radius_pt)),
-                            scene));
+      touched_ = unite(touched_, seen(near_line(pixels_, way_.back(), to,
+                                                scene.projection.in_pixels(options_.radius_pt)),
+                                      scene));
       way_ = {to};
       break;
     case Shape::lasso:
