@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/temporary_folder.h"
-#include "viewer_files/environment.h"
+#include "support/environment.h"
 
 namespace lapwing::viewer {
 namespace {

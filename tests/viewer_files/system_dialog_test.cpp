@@ -10,7 +10,7 @@
 
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
-#include "viewer_files/environment.h"
+#include "support/environment.h"
 
 namespace lapwing::viewer {
 namespace {

@@ -22,6 +22,7 @@ using ::testing::IsEmpty;
 // WCAG 2.1, 1.4.3.
 constexpr double kLeastContrast = 4.5;
 constexpr Modifiers kControl{.control = true};
+constexpr Modifiers kControlShift{.shift = true, .control = true};
 
 class Panels : public ::testing::TestWithParam<Look> {
  protected:
@@ -118,6 +119,10 @@ TEST_P(Panels, OfMenusAndDialogsAreWhole) {
   viewer_->key('P', kControl);
   ASSERT_TRUE(viewer_->shows("Save a picture"));
   check("dialog-picture");
+  viewer_->key(kEscape);
+  viewer_->key('P', kControlShift);
+  ASSERT_TRUE(viewer_->shows("Save a turntable"));
+  check("dialog-turntable");
   viewer_->key(kEscape);
   viewer_->type(U'?');
   ASSERT_TRUE(viewer_->shows("Keys"));

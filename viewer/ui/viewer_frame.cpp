@@ -71,6 +71,7 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   take_loaded();
   update_document();
   take_settled();
+  record_turntable();
   carry_out_order();
   draw_menu();
   draw_status();
@@ -195,9 +196,11 @@ void ViewerApp::draw_dialogs() {
     if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
   } else {
     if (picture_plan_.open && document_) draw_picture();
+    if (turntable_plan_.picture.open && document_) draw_turntable();
     if (const auto chosen = chooser_.draw()) use_path(*chosen);
     if (leaving_for_ && !chooser_.is_open() && !overwriting_) draw_unsaved();
   }
+  if (draw_turntable_progress(recording_.get())) give_up_turntable("cancelled");
   if (show_controls_) draw_controls_list(keymap(), show_controls_);
 }
 

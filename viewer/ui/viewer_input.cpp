@@ -157,7 +157,7 @@ void ViewerApp::drag_to(const InputEvent& event) {
 // While a dialog waits for an answer keys are its own.
 bool ViewerApp::asks() const {
   return leaving_for_ || overwriting_ || !interrupted_.empty() || chooser_.is_open() ||
-         picture_plan_.open;
+         picture_plan_.open || turntable_plan_.picture.open || recording_;
 }
 
 // By a list or a menu, which Escape closes before it means anything to the tool in hand.
@@ -183,6 +183,11 @@ std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
 
 bool ViewerApp::handle(const InputEvent& event) {
   if (event.kind != InputKind::move) messages_.acted(now());
+  if (recording_) {
+    // What is being saved stays as it is.
+    if (event.kind == InputKind::key && event.key == kEscape) escape();
+    return true;
+  }
   if (asks() && (event.kind == InputKind::key || event.kind == InputKind::text)) {
     if (event.key == kEscape) {
       escape();
@@ -230,18 +235,25 @@ bool ViewerApp::handle(const InputEvent& event) {
 }
 
 void ViewerApp::escape() {
+  if (recording_) return give_up_turntable("cancelled");
   if (overwriting_) return answer_overwriting(false);
   if (view_before_) look_back();
   show_controls_ = false;
   show_machine_ = false;
   show_messages_ = false;
   picture_plan_.open = false;
+  turntable_plan_.picture.open = false;
   // One thing at a time: what the file was asked for is there again.
   if (chooser_.is_open()) return chooser_.close();
   leaving_for_ = nullptr;
   interrupted_.clear();
   show_start_ = !document_;
   loader_.cancel();
+}
+
+// As large as the window.
+PicturePlan ViewerApp::window_picture() const {
+  return {document_ != nullptr, static_cast<int>(size_.x()), static_cast<int>(size_.y())};
 }
 
 void ViewerApp::perform(Action action) {
@@ -331,9 +343,10 @@ void ViewerApp::perform(Action action) {
       if (document_) save_carried();
       return;
     case Action::save_picture:
-      picture_plan_.open = document_ != nullptr;
-      picture_plan_.width = static_cast<int>(size_.x());
-      picture_plan_.height = static_cast<int>(size_.y());
+      picture_plan_ = window_picture();
+      return;
+    case Action::save_turntable:
+      turntable_plan_.picture = window_picture();
       return;
     case Action::quit:
       return ask_to_close();

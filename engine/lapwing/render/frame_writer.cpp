@@ -44,6 +44,10 @@ bool is_video(const fs::path& output) {
   return video_format_of(ending_of(output)).has_value();
 }
 
+bool can_write_videos() {
+  return find_ffmpeg().has_value();
+}
+
 fs::path frame_file(const fs::path& output, int number, int count) {
   std::string digits = std::to_string(number);
   const std::size_t width = std::max(kFewestDigits, std::to_string(count).size());
@@ -54,7 +58,7 @@ fs::path frame_file(const fs::path& output, int number, int count) {
 
 void check_frames_name(const fs::path& output) {
   if (is_video(output)) {
-    find_ffmpeg(output);
+    require_ffmpeg(output);
   } else if (ending_of(output) != ".png") {
     throw InputError(output.string() +
                      ": end the name in .png for numbered pictures, or in .mp4, .webm or .gif for "

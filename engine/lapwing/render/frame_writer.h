@@ -32,6 +32,9 @@ class FrameWriter {
 /// Whether a sequence called so is a video: .mp4, .webm or .gif, in either case of letters.
 bool is_video(const std::filesystem::path& output);
 
+/// Whether the program that writes videos, ffmpeg, is on $PATH.
+bool can_write_videos();
+
 /// The file of picture `number`, from 1, of a sequence of `count` called NAME.png: NAME-0001.png.
 std::filesystem::path frame_file(const std::filesystem::path& output, int number, int count);
 

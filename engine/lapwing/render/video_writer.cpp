@@ -112,7 +112,7 @@ std::optional<VideoFormat> video_format_of(std::string_view ending) {
   return {};
 }
 
-fs::path find_ffmpeg(const fs::path& output) {
+std::optional<fs::path> find_ffmpeg() {
   const char* path = std::getenv("PATH");
   std::string_view left = path != nullptr ? path : "";
   while (!left.empty()) {
@@ -122,9 +122,17 @@ fs::path find_ffmpeg(const fs::path& output) {
     std::error_code error;
     if (fs::is_regular_file(program, error) && access(program.c_str(), X_OK) == 0) return program;
   }
-  throw IoError(output.string() +
-                ": a video is written by the program ffmpeg, which is not on the PATH; install the "
-                "package ffmpeg, or end the name in .png for numbered pictures");
+  return {};
+}
+
+fs::path require_ffmpeg(const fs::path& output) {
+  auto program = find_ffmpeg();
+  if (!program) {
+    throw IoError(output.string() +
+                  ": a video is written by the program ffmpeg, which is not on the PATH; install "
+                  "the package ffmpeg, or end the name in .png for numbered pictures");
+  }
+  return *std::move(program);
 }
 
 VideoWriter::VideoWriter(const fs::path& output, VideoFormat format, const FrameSequence& sequence)
@@ -132,7 +140,7 @@ VideoWriter::VideoWriter(const fs::path& output, VideoFormat format, const Frame
       format_(format),
       replacement_(output),
       errors_(std::tmpfile(), &std::fclose) {
-  const fs::path program = find_ffmpeg(output);
+  const fs::path program = require_ffmpeg(output);
   // A socket, because writing to one that nobody reads any more is an error and no signal.
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {

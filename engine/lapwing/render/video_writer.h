@@ -16,9 +16,10 @@ enum class VideoFormat { mp4, webm, gif };
 /// By the ending of a name: ".mp4".
 std::optional<VideoFormat> video_format_of(std::string_view ending);
 
-/// The program of that name on $PATH. Throws IoError where there is none, which says what `output`
-/// needs and what else can be done.
-std::filesystem::path find_ffmpeg(const std::filesystem::path& output);
+/// The program of that name on $PATH, if there is one.
+std::optional<std::filesystem::path> find_ffmpeg();
+/// Likewise for the video `output`. Throws IoError where there is none, which says what to do.
+std::filesystem::path require_ffmpeg(const std::filesystem::path& output);
 
 /// Hands frames to ffmpeg, a process of its own that reads them as they come, and writes into a
 /// temporary beside the video until that is whole.
