@@ -10,9 +10,15 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A run by `timeout` is interrupted after so long, as by Ctrl+C; once, since a second time ends it
-// at once.
-const char* const kInterrupted = "timeout --foreground --signal=INT --preserve-status 2";
+// `sh interrupt FILE PROGRAM ...` runs the program until that file is there, and interrupts it
+// then, as Ctrl+C does.
+const char* const kInterrupt = R"(awaited=$1
+shift
+"$@" &
+while [ ! -e "$awaited" ] && kill -0 $!; do sleep 0.02; done
+kill -INT $!
+wait $!
+)";
 
 std::size_t files_called(const std::filesystem::path& folder, const std::string& part) {
   std::size_t count = 0;
@@ -62,10 +68,12 @@ TEST_F(CommandLine, InterruptedTurntableLeavesNoHalfFile) {
   const test::StandInFfmpeg ffmpeg(folder_.path());
   write("t.mp4", "old");
   const std::string render = "render tube.obj --turntable 100000 --size 160x120 -o ";
-  const Outcome video = lapwing(render + "t.mp4", kInterrupted);
+  write("interrupt", kInterrupt);
+  const Outcome video = lapwing(render + "t.mp4", "sh interrupt arguments");
   EXPECT_EQ(video.exit_code, 130) << video.output;
+  EXPECT_THAT(video.output, HasSubstr("nothing was written"));
   EXPECT_EQ(read("t.mp4"), "old");
-  const Outcome pictures = lapwing(render + "t.png", kInterrupted);
+  const Outcome pictures = lapwing(render + "t.png", "sh interrupt t-000002.png");
   EXPECT_EQ(pictures.exit_code, 130) << pictures.output;
   EXPECT_THAT(pictures.output, HasSubstr("of 100000 pictures are written"));
   for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {

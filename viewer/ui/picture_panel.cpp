@@ -87,8 +87,6 @@ bool draw_turntable_progress(const TurntableRecording* recording) {
   if (recording == nullptr && !is_shown) return false;
   if (!is_shown) ImGui::OpenPopup(kTitle);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
-  // The picture is what it is about.
-  ImGui::PushStyleColor(ImGuiCol_ModalWindowDimBg, ImVec4());
   bool give_up = false;
   if (ImGui::BeginPopupModal(kTitle, nullptr,
                              ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
@@ -100,7 +98,6 @@ bool draw_turntable_progress(const TurntableRecording* recording) {
     }
     ImGui::EndPopup();
   }
-  ImGui::PopStyleColor();
   return give_up;
 }
 

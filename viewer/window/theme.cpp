@@ -113,6 +113,8 @@ void set_colors(ImGuiStyle& style, const Palette& p) {
   set(ImGuiCol_PlotHistogram, p.accent);
   set(ImGuiCol_TextSelectedBg, p.accent);
   set(ImGuiCol_TableHeaderBg, gray(p.header));
+  // The picture stays to be seen beside a dialog that all else waits for.
+  set(ImGuiCol_ModalWindowDimBg, {});
 }
 
 }  // namespace
