@@ -150,7 +150,7 @@ TEST_P(AVideo, WithoutFfmpegSaysWhatToInstall) {
 TEST(Mp4, ShowsWhatIsTransparentOnBlack) {
   const TemporaryFolder folder;
   const StandInFfmpeg ffmpeg(folder.path());
-  const auto writer = open_frames(folder / "a.mp4", {.width = 4, .height = 2});
+  const auto writer = open_frames(folder / "a.mp4", {.width = 4, .height = 2, .transparent = true});
   writer->write(image_of({255, 255, 255, 0}, 4, 2));
   writer->finish();
   EXPECT_EQ(text_of(folder / "a.mp4"), bytes_of(image_of({0, 0, 0, 255}, 4, 2)));

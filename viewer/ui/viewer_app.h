@@ -39,10 +39,10 @@ struct KeptFiles {
 };
 
 /// The viewer: what is open, how it is looked at, and the panels around it. Its sources are by
-/// concern: viewer_app (what is open), viewer_files (what is read and written), viewer_input (mouse
-/// and keys), viewer_menus, viewer_sidebar, viewer_dialogs (what is asked and offered over the
-/// picture), viewer_turntable, and viewer_frame (the
-/// rest of a frame).
+/// concern: viewer_app (what is open), viewer_files (what is read and written), viewer_turntable
+/// (what is saved from all around), viewer_input (mouse and keys), viewer_menus, viewer_sidebar,
+/// viewer_dialogs (what is asked and offered over the picture), and viewer_frame (the rest of a
+/// frame).
 class ViewerApp final : public App {
  public:
   ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept);

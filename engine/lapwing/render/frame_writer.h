@@ -39,9 +39,9 @@ bool can_write_videos();
 std::filesystem::path frame_file(const std::filesystem::path& output, int number, int count);
 
 /// Writes numbered PNG files where `output` ends in .png, and a video by the program ffmpeg where
-/// it ends in .mp4, .webm or .gif. Of these .mp4 knows no transparency: it is black there. Throws
-/// InputError for another ending, and IoError where ffmpeg is not on $PATH or the file cannot be
-/// made.
+/// it ends in .mp4, .webm or .gif. Of these .mp4 knows no transparency: it is black there; for a
+/// .gif all pictures are in memory at once. Throws InputError for another ending, and IoError where
+/// ffmpeg is not on $PATH or the file cannot be made.
 std::unique_ptr<FrameWriter> open_frames(const std::filesystem::path& output,
                                          const FrameSequence& sequence);
 

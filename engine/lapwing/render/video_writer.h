@@ -40,7 +40,7 @@ class VideoWriter final : public FrameWriter {
   int wait_for_end();
 
   std::filesystem::path output_;
-  VideoFormat format_;
+  bool puts_on_black_;
   FileReplacement replacement_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> errors_;  // what ffmpeg says
   FileDescriptor frames_{-1};                               // what ffmpeg reads
