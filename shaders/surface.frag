@@ -62,10 +62,10 @@ vec3 surface_color() {
   return linear_of(kClay) * tint;
 }
 
-// How much the surface bends outwards (positive) or inwards over a few pixels: hollows darker and
+// How much the surface bends outwards (positive) or inwards over a few points: hollows darker and
 // ridges lighter make detail legible that the lights alone flatten. In [-1, 1].
 float bend(vec3 normal) {
-  const float pixels = 6.0;
+  const float pixels = 6.0 * pixels_per_point;
   const vec3 px = dFdx(view_position);
   const vec3 py = dFdy(view_position);
   const float along_x = dot(dFdx(normal), px) / max(length(px), 1e-20);
@@ -89,15 +89,16 @@ vec3 shade(vec3 albedo, vec3 normal, vec3 eye) {
   return albedo * light * relief + 0.05 * gloss + 0.20 * rim * vec3(0.85, 0.93, 1.0);
 }
 
-// How much of the pixel shown edges cover. Where triangles are only few pixels high, lines fade, so
+// How much of the pixel shown edges cover. Where triangles are only few points high, lines fade, so
 // that a dense mesh does not turn black.
 float line_coverage() {
   const vec3 gradient = sqrt(dFdx(barycentric) * dFdx(barycentric) +
                              dFdy(barycentric) * dFdy(barycentric));
   const vec3 height = 1.0 / max(gradient, vec3(1e-6));  // of the triangle over each edge, in pixels
   const vec3 pixels = barycentric * height;
-  const vec3 covered = clamp(0.5 * line_width + 0.5 - pixels, 0.0, 1.0) *
-                       clamp(height / (6.0 * line_width), 0.25, 1.0);
+  const float width = pixels_per_point;  // of a point
+  const vec3 covered = clamp(0.5 * width + 0.5 - pixels, 0.0, 1.0) *
+                       clamp(height / (6.0 * width), 0.25, 1.0);
   // Edge e joins corners e and e + 1: the weight of the third corner is 0 on it.
   float most = 0;
   for (int e = 0; e < 3; ++e) {

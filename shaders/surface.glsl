@@ -5,7 +5,7 @@ layout(push_constant) uniform Push {
   uint flags;
   float scalar_low;
   float scalar_scale;  // 1 / (high - low)
-  float line_width;    // of the wireframe, in pixels
+  float pixels_per_point;
 };
 
 const uint kRegions = 1;

@@ -146,5 +146,27 @@ TEST(ReplaceFile, ReadOnlyFolderKeepsItsFile) {
   EXPECT_EQ(content_of(path), "one");
 }
 
+TEST(FileReplacement, IsThereOnceItIsCommitted) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("a.txt", "old");
+  {
+    FileReplacement replacement(path);
+    std::ofstream(replacement.temporary()) << "by another program";
+    EXPECT_EQ(content_of(path), "old");
+    EXPECT_EQ(replacement.temporary().parent_path(), path.parent_path());
+    replacement.commit();
+  }
+  EXPECT_EQ(content_of(path), "by another program");
+  EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(FileReplacement, WithoutCommitLeavesTheOldFileAndNoTemporary) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.file("a.txt", "old");
+  FileReplacement(path).write("new");
+  EXPECT_EQ(content_of(path), "old");
+  EXPECT_EQ(files_in(folder), 1U);
+}
+
 }  // namespace
 }  // namespace lapwing

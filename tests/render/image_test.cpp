@@ -69,6 +69,14 @@ TEST(Png, FolderThatDoesNotExistIsAnError) {
   EXPECT_THROW(write_png(path, gradient(255)), IoError);
 }
 
+TEST(Image, OnBlackIsOpaqueAndAsDarkAsItWasTransparent) {
+  Image image{3, 1, {200, 100, 50, 255, 200, 100, 50, 128, 200, 100, 50, 0}};
+  put_on_black(image);
+  EXPECT_THAT(image.pixel(0, 0), ElementsAre(200, 100, 50, 255));
+  EXPECT_THAT(image.pixel(1, 0), ElementsAre(147, 72, 34, 255)) << "half the light";
+  EXPECT_THAT(image.pixel(2, 0), ElementsAre(0, 0, 0, 255));
+}
+
 TEST(Image, DividingByOpacityGivesBackTheColor) {
   // 188 encodes half the light of 255.
   Image image{3, 1, {188, 188, 0, 128, 90, 80, 70, 255, 0, 0, 0, 0}};

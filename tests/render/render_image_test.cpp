@@ -322,5 +322,16 @@ TEST(RenderImage, SurfaceWithoutTrianglesIsAnEmptyPicture) {
   EXPECT_EQ(coverage(subject.render()), 0.0);
 }
 
+TEST(ImageRenderer, DrawsOneAfterTheOtherAsEachAlone) {
+  LAPWING_NEEDS_GPU();
+  Subject subject(torus(24, 12, 2.0, 0.5));
+  ImageRenderer renderer(*subject.context, subject.options);
+  for (const View view : {View::front, View::top, View::front}) {
+    subject.camera = fit(subject.mesh.positions, view_axes(view), 1.0);
+    EXPECT_EQ(renderer.render(subject.surface, subject.paint, subject.camera).rgba,
+              subject.render().rgba);
+  }
+}
+
 }  // namespace
 }  // namespace lapwing

@@ -118,6 +118,10 @@ TEST_P(Panels, OfMenusAndDialogsAreWhole) {
   ASSERT_TRUE(viewer_->shows("Save a picture"));
   check("dialog-picture");
   viewer_->key(kEscape);
+  viewer_->key('P', kControlShift);
+  ASSERT_TRUE(viewer_->shows("Save a turntable"));
+  check("dialog-turntable");
+  viewer_->key(kEscape);
   viewer_->type(U'?');
   ASSERT_TRUE(viewer_->shows("Keys"));
   check("dialog-controls");

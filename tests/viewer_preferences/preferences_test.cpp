@@ -43,7 +43,7 @@ TEST_F(PreferencesTest, ComeBackAsTheyWereWritten) {
                             .window_width = 1900,
                             .window_height = 1000,
                             .tool = "Brush",
-                            .brush_radius = 55.0,
+                            .brush_radius_pt = 55.0,
                             .paints_through = true};
   const auto file = folder_ / "not there yet" / "viewer.json";
   write_preferences(written, file);

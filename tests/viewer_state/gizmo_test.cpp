@@ -14,7 +14,7 @@ using Eigen::AngleAxisd;
 
 // Pixels of a point that the gizmo's axes reach in `arms`.
 Vector2d pixel_at(const Gizmo& gizmo, const Projection& view, const Vector3d& arms) {
-  const double arm = kArmPixels * view.length_of_pixel(gizmo.center);
+  const double arm = kArmPt * view.length_of_pixel(gizmo.center);
   return *view.to_pixel(gizmo.center + gizmo.axes * (arm * arms));
 }
 
@@ -49,7 +49,7 @@ TEST_P(AGizmo, RingsAreHitOnTheHalvesThatFaceTheEye) {
   EXPECT_EQ(hit_gizmo(gizmo_, view_, pixel({h, 0, h})), GizmoPart::y);
   EXPECT_EQ(hit_gizmo(gizmo_, view_, pixel({h, h, 0})), GizmoPart::z);
   EXPECT_NE(hit_gizmo(gizmo_, view_, pixel({0, -h, -h})), GizmoPart::x);
-  EXPECT_EQ(hit_gizmo(gizmo_, view_, pixel({0, 0, 0}) + Vector2d(1.2 * kArmPixels, 0)),
+  EXPECT_EQ(hit_gizmo(gizmo_, view_, pixel({0, 0, 0}) + Vector2d(1.2 * kArmPt, 0)),
             GizmoPart::view);
 }
 
@@ -57,7 +57,7 @@ TEST_P(AGizmo, DraggedPointStaysUnderTheCursor) {
   const Vector3d from(0.8, 0, 0);
   GizmoDrag drag(gizmo_, GizmoPart::x, view_, pixel(from));
   drag.move_to(pixel({2.0, 0, 0}));
-  const Vector3d grabbed = gizmo_.center + kArmPixels * view_.length_of_pixel(gizmo_.center) * from;
+  const Vector3d grabbed = gizmo_.center + kArmPt * view_.length_of_pixel(gizmo_.center) * from;
   const Vector3d moved = drag.motion(drag.amount()) * grabbed;
   EXPECT_LT((*view_.to_pixel(moved) - pixel({2.0, 0, 0})).norm(), 1e-6);
 }
@@ -115,7 +115,7 @@ TEST_P(AGizmo, RingSeenFromItsEdgeFollowsTheHand) {
   const Projection side = perspective({5.5, 0.2, 0.1}, gizmo_.center);
   const Vector2d center = *side.to_pixel(gizmo_.center);
   GizmoDrag drag(gizmo_, GizmoPart::y, side, center);
-  drag.move_to(center + Vector2d(0.5 * std::numbers::pi * kArmPixels, 0));
+  drag.move_to(center + Vector2d(0.5 * std::numbers::pi * kArmPt, 0));
   EXPECT_NEAR(std::abs(drag.amount().degrees), 90.0, 1.0);
   const Vector3d front = gizmo_.center + Vector3d(0.5, 0, 0);
   EXPECT_GT(side.to_pixel(drag.motion(drag.amount()) * front)->x(), center.x());

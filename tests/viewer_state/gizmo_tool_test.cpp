@@ -44,7 +44,7 @@ class AGizmoTool : public ::testing::Test {
 
 TEST_F(AGizmoTool, DragOfAnArmMovesTheHandleAlongIt) {
   const Vector2d arm =
-      *view_.to_pixel(center_ + Vector3d(0.7 * kArmPixels * view_.length_of_pixel(center_), 0, 0));
+      *view_.to_pixel(center_ + Vector3d(0.7 * kArmPt * view_.length_of_pixel(center_), 0, 0));
   send(move_to(arm));
   EXPECT_EQ(tool_.part(), GizmoPart::x);
   EXPECT_TRUE(send(press(arm)).taken);

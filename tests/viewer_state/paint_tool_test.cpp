@@ -97,18 +97,18 @@ TEST_F(Painting, LassoHoldsWhatItGoesAround) {
 }
 
 TEST_F(Painting, KeysAndScrollingChangeTheBrush) {
-  const double radius = tool_.options().radius;
+  const double radius = tool_.options().radius_pt;
   send(key(']'));
-  EXPECT_GT(tool_.options().radius, radius);
+  EXPECT_GT(tool_.options().radius_pt, radius);
   send(press(left_));
   EXPECT_TRUE(send(scrolled(left_, -1.0, kSizes)).taken);
-  EXPECT_NEAR(tool_.options().radius, radius, 1e-9);
+  EXPECT_NEAR(tool_.options().radius_pt, radius, 1e-9);
   EXPECT_TRUE(send(scrolled(left_, -1.0)).taken) << "nothing zooms under a stroke";
-  EXPECT_NEAR(tool_.options().radius, radius, 1e-9);
+  EXPECT_NEAR(tool_.options().radius_pt, radius, 1e-9);
   sphere_.perform(send(release(left_)));
   EXPECT_FALSE(send(scrolled(left_, 1.0)).taken) << "the camera's, between strokes";
   EXPECT_TRUE(send(scrolled(left_, 1.0, kSizes)).taken);
-  EXPECT_GT(tool_.options().radius, radius);
+  EXPECT_GT(tool_.options().radius_pt, radius);
 }
 
 class Editing : public ::testing::Test {

@@ -27,9 +27,11 @@ inline Eigen::Matrix4d look_at(const Vector3d& eye, const Vector3d& target, cons
   return view;
 }
 
-/// As the renderer's camera: y down, depth 1 near and 0 far.
+/// As the renderer's camera: y down, depth 1 near and 0 far. The window is as large in points on
+/// every display.
 inline Projection perspective(const Vector3d& eye, const Vector3d& target,
-                              const Vector3d& up = Vector3d::UnitY()) {
+                              const Vector3d& up = Vector3d::UnitY(),
+                              double pixels_per_point = 1.0) {
   const double near = 0.1;
   const double far = 100.0;
   const double f = 1.0 / std::tan(15.0 * std::numbers::pi / 180.0);
@@ -39,7 +41,7 @@ inline Projection perspective(const Vector3d& eye, const Vector3d& target,
   clip(2, 2) = near / (far - near);
   clip(2, 3) = near * far / (far - near);
   clip(3, 2) = -1.0;
-  return {clip * look_at(eye, target, up), kWindow};
+  return {clip * look_at(eye, target, up), pixels_per_point * kWindow, pixels_per_point};
 }
 
 /// Parallel, `height` of the world in the window's height.

@@ -56,8 +56,12 @@ RenderOptions PictureOptions::render_options() const {
   return options;
 }
 
-Camera PictureOptions::camera(std::span<const Eigen::Vector3d> points, bool with_legend) const {
-  ViewAxes axes = view_axes(view_named(view), up == "z" ? UpAxis::z : UpAxis::y);
+UpAxis PictureOptions::up_axis() const {
+  return up == "z" ? UpAxis::z : UpAxis::y;
+}
+
+ViewAxes PictureOptions::axes() const {
+  ViewAxes axes = view_axes(view_named(view), up_axis());
   if (!from.empty()) {
     axes.toward_eye = Eigen::Vector3d(from[0], from[1], from[2]);
     if (axes.toward_eye.cross(axes.up).norm() <= 1e-6 * axes.toward_eye.norm()) {
@@ -66,11 +70,24 @@ Camera PictureOptions::camera(std::span<const Eigen::Vector3d> points, bool with
                                  "use --view top or bottom for that");
     }
   }
+  return axes;
+}
+
+Framing PictureOptions::framing(bool with_legend) const {
   Framing framing;
   framing.orthographic = orthographic;
   const RenderOptions options = render_options();
   if (with_legend) framing.legend = legend_share(options.width, options.height);
-  return fit(points, axes, options.aspect(), framing);
+  return framing;
+}
+
+Camera PictureOptions::camera(std::span<const Eigen::Vector3d> points, bool with_legend) const {
+  return fit(points, axes(), render_options().aspect(), framing(with_legend));
+}
+
+Turntable PictureOptions::turntable(std::span<const Eigen::Vector3d> points,
+                                    bool with_legend) const {
+  return {points, axes(), up_axis(), render_options().aspect(), framing(with_legend)};
 }
 
 }  // namespace lapwing::cli

@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 
 #include "lapwing/render/render_image.h"
+#include "lapwing/render/turntable.h"
 
 namespace lapwing::cli {
 
@@ -27,6 +28,13 @@ struct PictureOptions {
   RenderOptions render_options() const;
   /// Frames all of `points`, beside a legend where there is one.
   Camera camera(std::span<const Eigen::Vector3d> points, bool with_legend) const;
+  /// The same from all around, beginning there.
+  Turntable turntable(std::span<const Eigen::Vector3d> points, bool with_legend) const;
+
+ private:
+  UpAxis up_axis() const;
+  ViewAxes axes() const;
+  Framing framing(bool with_legend) const;
 };
 
 }  // namespace lapwing::cli

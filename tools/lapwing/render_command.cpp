@@ -9,6 +9,7 @@
 #include "lapwing/render/surface.h"
 #include "picture_options.h"
 #include "pose_colors.h"
+#include "turntable_output.h"
 
 namespace lapwing::cli {
 namespace {
@@ -20,6 +21,7 @@ struct RenderArguments {
   std::string color = "displacement";
   std::string device = "auto";
   PictureOptions picture;
+  TurntableOptions turntable;
 };
 
 Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
@@ -33,6 +35,7 @@ Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
 }
 
 void render(const RenderArguments& arguments) {
+  arguments.turntable.check(arguments.image);
   RenderOptions options = arguments.picture.render_options();
   const Mesh mesh = read_mesh(arguments.mesh);
   Surface surface(std::make_shared<gpu::Context>(gpu::ContextOptions{arguments.device}),
@@ -43,7 +46,13 @@ void render(const RenderArguments& arguments) {
     const Mesh rest = read_rest_pose(arguments.rest, mesh);
     color_by(arguments.color, mesh, rest.positions, paint, options);
   }
-  const Camera camera = arguments.picture.camera(mesh.positions, !arguments.rest.empty());
+  const bool with_legend = !arguments.rest.empty();
+  if (arguments.turntable.count > 0) {
+    return write_turntable(arguments.image, arguments.turntable,
+                           arguments.picture.turntable(mesh.positions, with_legend), surface, paint,
+                           options);
+  }
+  const Camera camera = arguments.picture.camera(mesh.positions, with_legend);
   write_png(arguments.image, render_image(surface, paint, camera, options));
 }
 
@@ -53,7 +62,9 @@ void add_render(CLI::App& app) {
   auto* command = app.add_subcommand("render", "a picture of a mesh, without a display");
   auto arguments = std::make_shared<RenderArguments>();
   command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
-  command->add_option("-o,--output", arguments->image, "PNG")->required();
+  command
+      ->add_option("-o,--output", arguments->image, "PNG; of a turntable also .mp4, .webm or .gif")
+      ->required();
   auto* rest = command->add_option("--rest", arguments->rest,
                                    "colour by the difference from this pose of the same mesh");
   command->add_option("--color", arguments->color, "which difference")
@@ -63,6 +74,7 @@ void add_render(CLI::App& app) {
   command->add_option("--device", arguments->device, "auto, an index or a part of a name")
       ->capture_default_str();
   arguments->picture.add_to(*command);
+  arguments->turntable.add_to(*command);
   command->callback([arguments] { render(*arguments); });
 }
 

@@ -14,7 +14,7 @@ constexpr Part kPatch{Part::Role::roi};
 
 // As in the main view.
 constexpr double kZoomPerNotch = 1.15;
-constexpr double kZoomPixels = 150.0;
+constexpr double kZoomPt = 150.0;
 constexpr ZoomRange kZoomRange{1e-4, 1e2};
 
 }  // namespace
@@ -41,15 +41,16 @@ void SourceView::choose_patch(const RegionSpec& region) {
   classes_are_old_ = true;
 }
 
-void SourceView::resize(const Vector2d& size) {
+void SourceView::resize(const Vector2d& size, double pixels_per_point) {
   size_ = size;
+  pixels_per_point_ = pixels_per_point;
   if (is_framed_) return;
   is_framed_ = true;
   camera_ = fit(shown_.positions(), view_axes(View::three_quarter, up_axis_), size.x() / size.y());
 }
 
 ViewFrame SourceView::view_frame() const {
-  ViewFrame view{camera_, size_};
+  ViewFrame view{camera_, size_, pixels_per_point_};
   fit_depth(view.camera, shown_.bounds());
   return view;
 }
@@ -122,8 +123,8 @@ void SourceView::drag_to(const Vector2d& pixel) {
       camera_ = panned(camera_, moved, size_);
       break;
     case Motion::zoom:
-      camera_ = zoomed(camera_, std::exp((moved.x() - moved.y()) / kZoomPixels), pressed_at_, size_,
-                       {kZoomRange.nearest * size, kZoomRange.farthest * size});
+      camera_ = zoomed(camera_, std::exp((moved.x() - moved.y()) / (kZoomPt * pixels_per_point_)),
+                       pressed_at_, size_, {kZoomRange.nearest * size, kZoomRange.farthest * size});
       break;
   }
 }

@@ -32,7 +32,8 @@ class SourceView {
   SourceTool tool() const { return tool_; }
   void take(SourceTool tool) { tool_ = tool; }
 
-  void resize(const Eigen::Vector2d& size);
+  /// In pixels, and those of a point (Projection's).
+  void resize(const Eigen::Vector2d& size, double pixels_per_point);
   Editor::Handled handle(const InputEvent& event, const Keymap& keymap);
   /// Whether a button that was pressed on it is still down.
   bool holds_mouse() const { return motion_.has_value() || disk_.is_dragging(); }
@@ -56,6 +57,7 @@ class SourceView {
   ShownSurface shown_;
   Camera camera_;
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
+  double pixels_per_point_ = 1.0;
   bool is_framed_ = false;
   SourceTool tool_ = SourceTool::disk;
   DiskTool disk_;

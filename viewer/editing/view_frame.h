@@ -6,13 +6,14 @@
 namespace lapwing::viewer {
 
 /// Through what a person looks at the surface: the camera, its near and far planes fitted, and the
-/// picture's size in pixels.
+/// picture's size and density in pixels.
 struct ViewFrame {
   Camera camera;
   Eigen::Vector2d size = Eigen::Vector2d::Ones();
+  double pixels_per_point = 1.0;
 
   Projection projection() const {
-    return {camera.projection(size.x() / size.y()) * camera.view(), size};
+    return {camera.projection(size.x() / size.y()) * camera.view(), size, pixels_per_point};
   }
 
   bool operator==(const ViewFrame&) const = default;

@@ -18,6 +18,7 @@ constexpr std::array<std::string_view, 7> kMesh{".obj",  ".off",  ".ply",  ".stl
                                                 ".coff", ".noff", ".cnoff"};
 constexpr std::array<std::string_view, 1> kRecipe{".json"};
 constexpr std::array<std::string_view, 1> kPicture{".png"};
+constexpr std::array<std::string_view, 4> kTurntable{".mp4", ".webm", ".gif", ".png"};
 constexpr std::array<std::string_view, 8> kMeshOrRecipe{".obj",  ".off",  ".ply",   ".stl",
                                                         ".coff", ".noff", ".cnoff", ".json"};
 constexpr std::array<std::string_view, 11> kCarried{
@@ -27,6 +28,7 @@ constexpr FileKind kAll{"All files", {}};
 constexpr std::array kMeshes{FileKind{"Meshes", kMesh}, kAll};
 constexpr std::array kRecipes{FileKind{"Recipes", kRecipe}, kAll};
 constexpr std::array kPictures{FileKind{"Pictures", kPicture}, kAll};
+constexpr std::array kTurntables{FileKind{"Videos and numbered pictures", kTurntable}, kAll};
 constexpr std::array kOpened{FileKind{"Meshes and recipes", kMeshOrRecipe},
                              FileKind{"Meshes", kMesh}, FileKind{"Recipes", kRecipe}, kAll};
 constexpr std::array kFollowers{FileKind{"Meshes, clouds and tables", kCarried}, kAll};
@@ -34,7 +36,7 @@ constexpr std::array kFollowers{FileKind{"Meshes, clouds and tables", kCarried},
 constexpr std::string_view kFormats = "The extension chooses the format: obj, off, ply or stl.";
 
 // In the order of PathPurpose.
-constexpr std::array<PathWords, 11> kWords{{
+constexpr std::array<PathWords, 12> kWords{{
     {"Open", "A mesh, or a recipe, which is carried out.", "Open", Wants::file, kOpened},
     {"Save the mesh", kFormats, "Save", Wants::new_file, kMeshes},
     {"Save the repaired mesh", kFormats, "Save and open", Wants::new_file, kMeshes},
@@ -46,6 +48,8 @@ constexpr std::array<PathWords, 11> kWords{{
     {"Carry a file along", "A mesh, a point cloud or a table of points.", "Add", Wants::file,
      kFollowers},
     {"Save a picture", "As the view shows it, without panels.", "Save", Wants::new_file, kPictures},
+    {"Save a turntable", "A video (mp4, webm, gif; by ffmpeg), or numbered pictures (png).", "Save",
+     Wants::new_file, kTurntables},
     {"Choose the folder of parts",
      "Its meshes are shown in the Transplant panel.",
      "Use this folder",

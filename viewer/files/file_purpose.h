@@ -17,6 +17,7 @@ enum class PathPurpose {
   open_source,
   carry_file,
   save_picture,
+  save_turntable,
   parts_folder,
   use_part,
   add_part,

@@ -104,6 +104,8 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'E', kControl, Action::save_recipe, "save the steps as a recipe"},
      {'R', kControl, Action::replay_recipe, "replay a recipe on this mesh"},
      {'P', kControl, Action::save_picture, "save a picture"},
+     {'P', kControlShift, Action::save_turntable,
+      "save pictures from all around, or a video of them"},
      {'Q', kControl, Action::quit, "quit"}});
 
 std::string_view words(Motion motion) {

@@ -76,6 +76,7 @@ enum class Action {
   save_recipe,
   replay_recipe,
   save_picture,
+  save_turntable,
   carry_file,
   save_carried,
   quit,

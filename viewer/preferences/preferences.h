@@ -17,10 +17,10 @@ struct Preferences {
   bool settles_while_dragging = true;
   bool uses_system_dialogs = true;  ///< the desktop's, for files, where there are any
   double sidebar_letters = 24.0;    ///< its width, in letters of the font
-  int window_width = 1280;          ///< in units of the desktop
+  int window_width = 1280;          ///< in points (tools/projection.h)
   int window_height = 800;
-  std::string tool = "Disk";   ///< the one that a new mesh begins with
-  double brush_radius = 20.0;  ///< in pixels
+  std::string tool = "Disk";  ///< the one that a new mesh begins with
+  double brush_radius_pt = 20.0;
   bool paints_through = false;
 
   bool operator==(const Preferences&) const = default;

@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kGripCount = 8;
-constexpr double kGripReachPixels = 8.0;
+constexpr double kGripReachPt = 8.0;
 
 Vector3d normal_of(const Triangle& t, std::span<const Vector3d> positions) {
   const Vector3d ab = positions[t[1]] - positions[t[0]];
@@ -71,7 +71,7 @@ std::vector<RimGrip> rim_grips(const Topology& topology, std::span<const Vector3
 std::optional<std::size_t> grip_at(std::span<const RimGrip> grips, const Vector2d& pixel,
                                    const Projection& projection) {
   std::optional<std::size_t> nearest;
-  double least = kGripReachPixels;
+  double least = projection.in_pixels(kGripReachPt);
   for (std::size_t k = 0; k < grips.size(); ++k) {
     if (!grips[k].faces_eye(projection)) continue;
     const auto place = projection.to_pixel(grips[k].position);

@@ -25,7 +25,7 @@ struct RimGrip {
 std::vector<RimGrip> rim_grips(const Topology& topology, std::span<const Eigen::Vector3d> positions,
                                std::span<const double> distances, Index center, double radius);
 
-/// The nearest of those that face the eye within a few pixels of `pixel`.
+/// The nearest of those that face the eye within a few points of `pixel`.
 std::optional<std::size_t> grip_at(std::span<const RimGrip> grips, const Eigen::Vector2d& pixel,
                                    const Projection& projection);
 

@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // A hand that clicks moves by less.
-constexpr double kClickPixels = 4.0;
+constexpr double kClickPt = 4.0;
 
 // Of a click, before any disk was dragged: a part of the mesh's diagonal.
 constexpr double kFirstRadius = 0.1;
@@ -72,7 +72,8 @@ ToolAnswer DiskTool::drag(const InputEvent& event, const ToolScene& scene) {
   }
   const bool releases = event.kind == InputKind::release && event.button == MouseButton::left;
   if (event.kind != InputKind::move && !releases) return ToolAnswer::passed_on();
-  follows_hand_ = follows_hand_ || (event.position - pressed_).norm() > kClickPixels;
+  const double way = (event.position - pressed_).norm();
+  follows_hand_ = follows_hand_ || way > scene.projection.in_pixels(kClickPt);
   if (follows_hand_ && event.kind == InputKind::move) radius_ = radius_at(event.position, scene);
   if (!releases) return ToolAnswer::only_taken();
   dragging_ = false;

@@ -16,9 +16,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kReachPixels = 8.0;
-constexpr double kMiddlePixels = 12.0;
-constexpr double kViewRingPixels = 1.2 * kArmPixels;
+constexpr double kReachPt = 8.0;
+constexpr double kMiddlePt = 12.0;
+constexpr double kViewRingPt = 1.2 * kArmPt;
 // Arms begin outside the middle, planes lie between a quarter and half an arm.
 constexpr double kArmStart = 0.15;
 constexpr double kPlaneStart = 0.25;
@@ -104,7 +104,7 @@ void GizmoLines::add_rings(const Gizmo& gizmo, double arm, const Projection& pro
           return gizmo.center + arm * (std::cos(angle) * half.front + std::sin(angle) * half.side);
         });
   }
-  add_circle(*projection.to_pixel(gizmo.center), kViewRingPixels);
+  add_circle(*projection.to_pixel(gizmo.center), projection.in_pixels(kViewRingPt));
 }
 
 void GizmoLines::add_arms(const Gizmo& gizmo, double arm, const Projection& projection) {
@@ -126,13 +126,13 @@ void GizmoLines::add_arms(const Gizmo& gizmo, double arm, const Projection& proj
       return gizmo.center + kAlong[corner] * u + kAcross[corner] * v;
     });
   }
-  add_circle(*projection.to_pixel(gizmo.center), kMiddlePixels - kReachPixels);
+  add_circle(*projection.to_pixel(gizmo.center), projection.in_pixels(kMiddlePt - kReachPt));
 }
 
 void GizmoLines::renew(const Gizmo& gizmo, const Projection& projection) {
   count_ = 0;
   if (!projection.to_pixel(gizmo.center)) return;
-  const double arm = kArmPixels * projection.length_of_pixel(gizmo.center);
+  const double arm = projection.in_pixels(kArmPt) * projection.length_of_pixel(gizmo.center);
   if (gizmo.mode == GizmoMode::rotate) {
     add_rings(gizmo, arm, projection);
   } else {
@@ -163,7 +163,7 @@ bool is_plane(GizmoPart part) {
 
 GizmoPart hit_gizmo(const Gizmo& gizmo, const Projection& projection, const Vector2d& pixel) {
   GizmoPart nearest = GizmoPart::none;
-  double least = kReachPixels;
+  double least = projection.in_pixels(kReachPt);
   const GizmoLines lines(gizmo, projection);
   for (const bool planes : {false, true}) {
     if (nearest != GizmoPart::none) break;

@@ -25,7 +25,7 @@ struct Gizmo {
 };
 
 /// How long the arms show.
-inline constexpr double kArmPixels = 90.0;
+inline constexpr double kArmPt = 90.0;
 
 /// One line of the gizmo as it shows; what can be taken hold of is what is drawn.
 struct GizmoLine {
@@ -58,7 +58,7 @@ class GizmoLines {
   std::size_t count_ = 0;  // of them, those that are shown
 };
 
-/// The part within a few pixels of `pixel`; the nearest of several, planes last.
+/// The part within a few points of `pixel`; the nearest of several, planes last.
 GizmoPart hit_gizmo(const Gizmo& gizmo, const Projection& projection, const Eigen::Vector2d& pixel);
 
 }  // namespace lapwing::viewer

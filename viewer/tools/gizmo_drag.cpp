@@ -35,7 +35,8 @@ double snapped(double value, double step) {
 }  // namespace
 
 double snap_length(const Gizmo& gizmo, const Projection& projection) {
-  const double wanted = 0.1 * kArmPixels * projection.length_of_pixel(gizmo.center);
+  const double wanted =
+      0.1 * projection.in_pixels(kArmPt) * projection.length_of_pixel(gizmo.center);
   if (!(wanted > 0.0)) return 1.0;
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
   for (const double digit : {1.0, 2.0, 5.0}) {
@@ -79,10 +80,11 @@ double GizmoDrag::angle_at(const Vector2d& pixel) const {
   const double facing = axis().dot(toward_eye_);
   if (std::abs(facing) < kRingFromItsEdge) {
     const Vector3d tangent = axis().cross(toward_eye_).normalized();
-    const double arm = kArmPixels * projection_.length_of_pixel(gizmo_.center);
-    const auto ahead = projection_.to_pixel(gizmo_.center + arm * tangent);
+    const double arm = projection_.in_pixels(kArmPt);
+    const auto ahead = projection_.to_pixel(
+        gizmo_.center + arm * projection_.length_of_pixel(gizmo_.center) * tangent);
     if (!ahead) return 0.0;
-    return (pixel - center_pixel_).dot((*ahead - center_pixel_).normalized()) / kArmPixels;
+    return (pixel - center_pixel_).dot((*ahead - center_pixel_).normalized()) / arm;
   }
   if (part_ == GizmoPart::view) {
     // On the screen y points down, which turns the sense round.
@@ -105,7 +107,8 @@ double GizmoDrag::factor_at(const Vector2d& pixel) const {
   }
   // Near the middle a ratio would be wild: from there an arm's length to the right doubles.
   const double from = (start_ - center_pixel_).norm();
-  if (from < 0.25 * kArmPixels) return 1.0 + (pixel - start_).x() / kArmPixels;
+  const double arm = projection_.in_pixels(kArmPt);
+  if (from < 0.25 * arm) return 1.0 + (pixel - start_).x() / arm;
   return (pixel - center_pixel_).norm() / from;
 }
 

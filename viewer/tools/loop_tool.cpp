@@ -6,7 +6,7 @@
 namespace lapwing::viewer {
 namespace {
 
-constexpr double kClosingPixels = 10.0;
+constexpr double kClosingPt = 10.0;
 constexpr std::size_t kFewestCorners = 3;
 
 std::vector<Index> path(Index from, Index to, const ToolScene& scene) {
@@ -119,7 +119,7 @@ void LoopTool::hover(const Eigen::Vector2d& pixel, const ToolScene& scene) {
 bool LoopTool::is_first(const Eigen::Vector2d& pixel, const ToolScene& scene) const {
   if (corners_.size() < kFewestCorners) return false;
   const auto first = scene.projection.to_pixel(scene.positions[corners_.front()]);
-  return first && (*first - pixel).norm() < kClosingPixels;
+  return first && (*first - pixel).norm() < scene.projection.in_pixels(kClosingPt);
 }
 
 std::vector<Index> LoopTool::line() const {

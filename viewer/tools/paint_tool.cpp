@@ -12,8 +12,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kFactorOfStep = 1.15;
-constexpr double kSmallestBrush = 1.0;
-constexpr double kLargestBrush = 500.0;
+constexpr double kSmallestBrushPt = 1.0;
+constexpr double kLargestBrushPt = 500.0;
 
 }  // namespace
 
@@ -65,7 +65,9 @@ void PaintTool::begin(const InputEvent& event, const ToolScene& scene) {
 void PaintTool::extend(const Vector2d& to, const ToolScene& scene) {
   switch (options_.shape) {
     case Shape::brush:
-      touched_ = unite(touched_, seen(near_line(pixels_, way_.back(), to, options_.radius), scene));
+      touched_ = unite(touched_, seen(near_line(pixels_, way_.back(), to,
+                                                scene.projection.in_pixels(options_.radius_pt)),
+                                      scene));
       way_ = {to};
       break;
     case Shape::lasso:
@@ -99,8 +101,8 @@ void PaintTool::give_up() {
 }
 
 void PaintTool::resize_brush(double steps) {
-  options_.radius =
-      std::clamp(options_.radius * std::pow(kFactorOfStep, steps), kSmallestBrush, kLargestBrush);
+  options_.radius_pt = std::clamp(options_.radius_pt * std::pow(kFactorOfStep, steps),
+                                  kSmallestBrushPt, kLargestBrushPt);
 }
 
 const char* PaintTool::hint(const AppState& state, const Part& part) const {
@@ -121,7 +123,7 @@ std::size_t PaintTool::count_with(const VertexSet& chosen) const {
 ToolMarks PaintTool::marks() const {
   ToolMarks marks;
   marks.outline = outline();
-  if (options_.shape == Shape::brush) marks.brush = options_.radius;
+  if (options_.shape == Shape::brush) marks.brush_pt = options_.radius_pt;
   return marks;
 }
 

@@ -16,7 +16,7 @@ class PaintTool final : public SceneTool {
     Shape shape = Shape::brush;
     bool through = false;  ///< what the surface hides, too
     bool erase = false;
-    double radius = 20.0;  ///< of the brush, in pixels
+    double radius_pt = 20.0;  ///< of the brush
   };
 
   ToolAnswer handle(const InputEvent& event, const ToolScene& scene) override;

@@ -6,7 +6,7 @@ namespace lapwing::viewer {
 namespace {
 
 // A pin's dot, and the hand's own inaccuracy.
-constexpr double kPinReachPixels = 9.0;
+constexpr double kPinReachPt = 9.0;
 
 // A single vertex of weight 1 stays behind the hand by some of an edge.
 constexpr double kPinWeight = 10.0;
@@ -19,7 +19,7 @@ bool is_pin(const ChosenRegion& handle) {
 
 std::optional<std::size_t> pin_at(const Eigen::Vector2d& pixel, const ToolScene& scene) {
   std::optional<std::size_t> nearest;
-  double distance = kPinReachPixels;
+  double distance = scene.projection.in_pixels(kPinReachPt);
   const auto& handles = scene.state.selection.handles;
   for (std::size_t h = 0; h < handles.size(); ++h) {
     if (!is_pin(handles[h])) continue;

@@ -18,7 +18,7 @@ class PinTool final : public SceneTool {
   bool may_change_choice() const override { return true; }
 };
 
-/// The pin that shows within a few pixels of `pixel`, the nearest; none where none does.
+/// The pin that shows within a few points of `pixel`, the nearest; none where none does.
 std::optional<std::size_t> pin_at(const Eigen::Vector2d& pixel, const ToolScene& scene);
 
 }  // namespace lapwing::viewer

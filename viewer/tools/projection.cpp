@@ -34,10 +34,12 @@ double distance_to(const Vector3d& a, const Vector3d& b, const Vector3d& c, cons
 
 }  // namespace
 
-Projection::Projection(const Eigen::Matrix4d& clip_from_world, const Vector2d& size_in_pixels)
+Projection::Projection(const Eigen::Matrix4d& clip_from_world, const Vector2d& size_in_pixels,
+                       double pixels_per_point)
     : clip_from_world_(clip_from_world),
       world_from_clip_(clip_from_world.inverse()),
-      size_(size_in_pixels) {}
+      size_(size_in_pixels),
+      pixels_per_point_(pixels_per_point) {}
 
 std::optional<Vector2d> Projection::to_pixel(const Vector3d& point) const {
   const Vector4d clip = clip_from_world_ * point.homogeneous();

@@ -17,9 +17,14 @@ struct SightLine {
 
 /// How the window shows space, in pixels from its upper left corner. `Camera::projection(aspect) *
 /// Camera::view()` gives the matrix: y down, depth 1 near and 0 far.
+///
+/// What is sized for the hand and the eye (how near a click must be, how thick a line is) is given
+/// in points: a pixel of a desktop that enlarges nothing, 1/96 inch or so, and as many pixels on a
+/// dense display as its scale says. Names of such lengths end in `Pt` or `_pt`.
 class Projection {
  public:
-  Projection(const Eigen::Matrix4d& clip_from_world, const Eigen::Vector2d& size_in_pixels);
+  Projection(const Eigen::Matrix4d& clip_from_world, const Eigen::Vector2d& size_in_pixels,
+             double pixels_per_point = 1.0);
 
   /// Where `point` shows, inside the window or not; nothing behind the eye.
   std::optional<Eigen::Vector2d> to_pixel(const Eigen::Vector3d& point) const;
@@ -29,11 +34,13 @@ class Projection {
   Eigen::Vector3d toward_eye(const Eigen::Vector3d& point) const;
   /// The length, across the view at `point`, that one pixel shows.
   double length_of_pixel(const Eigen::Vector3d& point) const;
+  double in_pixels(double length_pt) const { return pixels_per_point_ * length_pt; }
 
  private:
   Eigen::Matrix4d clip_from_world_;
   Eigen::Matrix4d world_from_clip_;
   Eigen::Vector2d size_;
+  double pixels_per_point_;
 };
 
 /// A place on the surface.

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 // A hand that clicks moves by less.
-constexpr double kDragPixels = 4.0;
+constexpr double kDragPt = 4.0;
 
 double length_of(std::span<const Vector3d> line) {
   double length = 0.0;
@@ -34,7 +34,8 @@ ToolAnswer RulerTool::handle(const InputEvent& event, const ToolScene& scene) {
   if (event.kind == InputKind::move) return ToolAnswer::only_taken();
   if (event.kind != InputKind::release || !of_left) return ToolAnswer::passed_on();
   is_pressed_ = false;
-  if (has_both_ends() || (event.position - pressed_).norm() <= kDragPixels) {
+  const double way = (event.position - pressed_).norm();
+  if (has_both_ends() || way <= scene.projection.in_pixels(kDragPt)) {
     return ToolAnswer::only_taken();
   }
   const auto pick = scene.pick(event.position);

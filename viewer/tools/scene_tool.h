@@ -18,7 +18,7 @@ struct ToolMarks {
   std::vector<RimGrip> grips;            ///< to be dragged
   std::optional<std::size_t> grip;       ///< of them, the one under the cursor
   std::vector<Eigen::Vector2d> outline;  ///< a closed line, in pixels
-  double brush = 0.0;                    ///< radius of a circle around the cursor, in pixels
+  double brush_pt = 0.0;                 ///< radius of a circle around the cursor
 };
 
 /// What the left button does on the surface: a tool of the window's own (editing/tool_table.h), or

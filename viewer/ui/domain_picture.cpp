@@ -10,6 +10,7 @@ constexpr ImU32 kFrame = IM_COL32(30, 30, 34, 255);
 constexpr ImU32 kSource = IM_COL32(242, 194, 77, 150);
 constexpr ImU32 kTarget = IM_COL32(110, 170, 255, 150);
 constexpr ImU32 kPin = IM_COL32(255, 90, 90, 255);
+constexpr float kPinLetters = 0.27F;  // its radius, in letters of the font
 // More lines than this are a grey area, and cost the panel more than the surface.
 constexpr std::size_t kMostEdges = 12'000;
 
@@ -60,7 +61,9 @@ void draw_domain(const LayeredCoat* layers, std::size_t source) {
   draw_edges(list, window, layers->target_patch(), map.target, kTarget);
   for (const VertexPair& pin : map.pins) {
     const Index own = layers->target_patch().own_number(pin[1]);
-    if (own != kNoIndex) list.AddCircleFilled(window.at(map.target.points[own]), 4.0F, kPin);
+    if (own == kNoIndex) continue;
+    list.AddCircleFilled(window.at(map.target.points[own]), kPinLetters * ImGui::GetFontSize(),
+                         kPin);
   }
   // Each name in its lines' colour, on the ground that these lie on.
   const float line = ImGui::GetFontSize();

@@ -17,7 +17,9 @@ constexpr ImU32 kGround = IM_COL32(20, 20, 24, 225);
 constexpr ImU32 kPointer = IM_COL32(255, 90, 200, 255);
 constexpr ImU32 kHole = IM_COL32(90, 190, 255, 255);
 constexpr ImU32 kMirror = IM_COL32(90, 190, 255, 28);
-constexpr float kThick = 2.5F;
+constexpr double kThickPt = 2.5;
+// Around words, in letters.
+constexpr float kPaddingLetters = 0.27F;
 
 ImU32 color_of(GizmoPart part) {
   constexpr std::array kAxes{IM_COL32(235, 80, 80, 255), IM_COL32(120, 205, 80, 255),
@@ -30,12 +32,14 @@ ImU32 color_of(GizmoPart part) {
 void draw_words(ImDrawList& list, const Vector2d& place, const std::string& words) {
   const ImVec2 from{static_cast<float>(place.x()), static_cast<float>(place.y())};
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-  list.AddRectFilled({from.x - 4.0F, from.y - 2.0F},
-                     {from.x + size.x + 4.0F, from.y + size.y + 2.0F}, kGround, 3.0F);
+  const float padding = kPaddingLetters * ImGui::GetFontSize();
+  list.AddRectFilled({from.x - padding, from.y - 0.5F * padding},
+                     {from.x + size.x + padding, from.y + size.y + 0.5F * padding}, kGround,
+                     ImGui::GetStyle().FrameRounding);
   list.AddText(from, kLine, words.c_str());
 }
 
-// Draws in pixels of the picture.
+// Draws at pixels of the picture; how large is in points.
 class Pen {
  public:
   Pen(const ViewFrame& view, double pixels_per_unit, std::vector<Vector2d>& points,
@@ -44,17 +48,18 @@ class Pen {
         projection_(view.projection()),
         corner_(corner),
         unit_(pixels_per_unit),
+        units_per_point_(view.pixels_per_point / pixels_per_unit),
         points_(points) {}
 
   const Projection& projection() const { return projection_; }
 
   // Dark below, so that it shows on every surface.
-  void line(std::span<const Vector2d> pixels, bool closed, ImU32 color, float thickness) {
+  void line(std::span<const Vector2d> pixels, bool closed, ImU32 color, double thickness_pt) {
     if (pixels.size() < 2) return;
-    for (const auto& [shade, width] :
-         {std::pair{kShade, thickness + 2.0F}, std::pair{color, thickness}}) {
+    for (const auto& [shade, width_pt] :
+         {std::pair{kShade, thickness_pt + 2.0}, std::pair{color, thickness_pt}}) {
       for (const Vector2d& pixel : pixels) list_.PathLineTo(at(pixel));
-      list_.PathStroke(shade, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width);
+      list_.PathStroke(shade, closed ? ImDrawFlags_Closed : ImDrawFlags_None, units(width_pt));
     }
   }
 
@@ -63,20 +68,19 @@ class Pen {
     list_.PathFillConvex(color);
   }
 
-  void circle(const Vector2d& pixel, double radius, ImU32 color) {
-    const float r = static_cast<float>(radius / unit_);
-    list_.AddCircle(at(pixel), r, kShade, 0, kThick + 1.0F);
-    list_.AddCircle(at(pixel), r, color, 0, kThick - 1.0F);
+  void circle(const Vector2d& pixel, double radius_pt, ImU32 color) {
+    list_.AddCircle(at(pixel), units(radius_pt), kShade, 0, units(kThickPt + 1.0));
+    list_.AddCircle(at(pixel), units(radius_pt), color, 0, units(kThickPt - 1.0));
   }
 
   void dot(const Vector2d& pixel, ImU32 color) {
-    list_.AddCircleFilled(at(pixel), 5.0F, kShade);
-    list_.AddCircleFilled(at(pixel), 4.0F, color);
+    list_.AddCircleFilled(at(pixel), units(5.0), kShade);
+    list_.AddCircleFilled(at(pixel), units(4.0), color);
   }
 
-  void text(const Vector2d& pixel, const std::string& words) {
-    const ImVec2 from = at(pixel);
-    draw_words(list_, {from.x, from.y}, words);
+  // So far to the right of the pixel, and below.
+  void text(const Vector2d& pixel, const Vector2d& offset_pt, const std::string& words) {
+    draw_words(list_, (corner_ + pixel) / unit_ + units_per_point_ * offset_pt, words);
   }
 
   // Where points show, until the next call.
@@ -103,26 +107,31 @@ class Pen {
     return {static_cast<float>(place.x()), static_cast<float>(place.y())};
   }
 
+  float units(double points) const { return static_cast<float>(units_per_point_ * points); }
+
   ImDrawList& list_;
   const Projection projection_;
   const Vector2d corner_;
-  const double unit_;
+  const double unit_;  // ImGui's, in pixels
+  const double units_per_point_;
   std::vector<Vector2d>& points_;
 };
 
 // A box at the end of an arm that scales, an arrow's head at one that moves.
 void draw_arm_end(Pen& pen, const GizmoLine& line, GizmoMode mode, ImU32 color) {
+  constexpr double kHalfWidthPt = 5.0;
+  constexpr double kHeadPt = 12.0;
   const Vector2d& end = line.pixels.back();
-  const Vector2d along = (end - line.pixels.front()).normalized();
+  const Vector2d direction = (end - line.pixels.front()).normalized();
+  const Vector2d along = pen.projection().in_pixels(kHalfWidthPt) * direction;
   const Vector2d across(-along.y(), along.x());
   if (mode == GizmoMode::scale) {
-    const std::array<Vector2d, 4> box{
-        end - 5.0 * along - 5.0 * across, end + 5.0 * along - 5.0 * across,
-        end + 5.0 * along + 5.0 * across, end - 5.0 * along + 5.0 * across};
+    const std::array<Vector2d, 4> box{end - along - across, end + along - across,
+                                      end + along + across, end - along + across};
     pen.area(box, color);
   } else {
-    const std::array<Vector2d, 3> head{end + 12.0 * along, end + 5.0 * across, end - 5.0 * across};
-    pen.area(head, color);
+    const Vector2d tip = end + pen.projection().in_pixels(kHeadPt) * direction;
+    pen.area(std::array<Vector2d, 3>{tip, end + across, end - across}, color);
   }
 }
 
@@ -136,7 +145,7 @@ void draw_gizmo(Pen& pen, const Gizmo& gizmo, GizmoPart taken_part, GizmoLines& 
     if (is_plane(line.part)) {
       pen.area(line.pixels, (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, taken ? 170 : 90));
     }
-    pen.line(line.pixels, line.closed, color, kThick);
+    pen.line(line.pixels, line.closed, color, kThickPt);
     const bool arm = !line.closed && axis_of(line.part) >= 0 && !is_plane(line.part);
     if (arm && gizmo.mode != GizmoMode::rotate) draw_arm_end(pen, line, gizmo.mode, color);
   }
@@ -149,7 +158,7 @@ void draw_gizmo(Pen& pen, const Editor& editor, GizmoLines& lines, std::string& 
   if (!tool.is_dragging()) return;
   if (const auto center = pen.projection().to_pixel(gizmo.center)) {
     tool.read_out(readout);
-    pen.text(*center + Vector2d(24.0, 24.0), readout);
+    pen.text(*center, {24.0, 24.0}, readout);
   }
 }
 
@@ -160,11 +169,11 @@ void draw_ruler(Pen& pen, const Editor& editor, std::string& readout) {
   if (line.size() < 2) return;
   const std::array<Vector2d, 2> ends{line.front(), line.back()};
   const Vector2d middle = line[line.size() / 2];
-  pen.line(line, false, kHighlight, kThick);
-  pen.line(ends, false, kLine, 1.0F);
+  pen.line(line, false, kHighlight, kThickPt);
+  pen.line(ends, false, kLine, 1.0);
   for (const Vector2d& end : ends) pen.dot(end, kHighlight);
   ruler.read_out(readout);
-  pen.text(middle + Vector2d(12.0, 12.0), readout);
+  pen.text(middle, {12.0, 12.0}, readout);
 }
 
 // Pins are too small to be seen by their colour.
@@ -205,13 +214,13 @@ void draw_mirror(Pen& pen, const Editor& editor) {
   const std::span<const Vector2d> pixels = pen.pixels_of(corners);
   if (pixels.size() < corners.size()) return;  // the eye is within it
   pen.area(pixels, kMirror);
-  pen.line(pixels, true, kHole, 1.0F);
+  pen.line(pixels, true, kHole, 1.0);
 }
 
 void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
   const ToolMarks marks = editor.tool().marks();
   const ImU32 color = marks.line_is_done ? kHighlight : kLine;
-  pen.line(pen.pixels_of(editor, marks.line), false, color, kThick);
+  pen.line(pen.pixels_of(editor, marks.line), false, color, kThickPt);
   for (const Vector2d& dot : pen.pixels_of(editor, marks.dots)) pen.dot(dot, kHighlight);
   for (std::size_t k = 0; k < marks.grips.size(); ++k) {
     // Of what is being moved they would stay behind.
@@ -219,10 +228,10 @@ void draw_marks(Pen& pen, const Editor& editor, const Vector2d& cursor) {
     const auto pixel = pen.projection().to_pixel(marks.grips[k].position);
     if (!pixel) continue;
     pen.dot(*pixel, marks.grip == k ? kHighlight : kLine);
-    if (marks.grip == k) pen.text(*pixel + Vector2d(14.0, 14.0), "drag to size the disk");
+    if (marks.grip == k) pen.text(*pixel, {14.0, 14.0}, "drag to size the disk");
   }
-  if (marks.brush > 0.0) pen.circle(cursor, marks.brush, kLine);
-  pen.line(marks.outline, true, kLine, 1.5F);
+  if (marks.brush_pt > 0.0) pen.circle(cursor, marks.brush_pt, kLine);
+  pen.line(marks.outline, true, kLine, 1.5);
 }
 
 // One end of each pair, 0 on the source and 1 on the target.
@@ -233,7 +242,7 @@ void draw_ends(Pen& pen, const CoatSource& source, std::size_t end, std::optiona
     const auto pixel = pen.projection().to_pixel(positions[vertex]);
     if (!pixel) return;
     pen.dot(*pixel, color);
-    if (!name.empty()) pen.text(*pixel + Vector2d(8.0, -8.0), name);
+    if (!name.empty()) pen.text(*pixel, {8.0, -8.0}, name);
   };
   for (std::size_t p = 0; p < source.inner_pairs.size(); ++p) {
     mark(source.inner_pairs[p][end], kHighlight, std::to_string(p + 1));
@@ -251,7 +260,7 @@ void EditMarks::draw(const LayerDesk& desk, const Editor& editor, const ViewFram
   if (desk.view() == nullptr) return;
   const double right = corner.x() + desk.view()->view_frame().size.x();
   const std::array<Vector2d, 2> seam{Vector2d(right, 0.0), Vector2d(right, view.size.y())};
-  Pen(view, pixels_per_unit, points_).line(seam, false, kLine, 1.0F);
+  Pen(view, pixels_per_unit, points_).line(seam, false, kLine, 1.0);
   const CoatSource& source = desk.draft().sources[desk.current()];
   Pen beside(desk.view()->view_frame(), pixels_per_unit, points_, corner);
   draw_ends(beside, source, 0, desk.picked_source(), desk.view()->shown().positions());
@@ -295,9 +304,9 @@ void EditMarks::draw_transplant(const TransplantDesk& desk, const ViewFrame& vie
   const PlaceTool& tool = desk.tool();
   if (!desk.has_part() || !tool.draft().stands) return;
   Pen pen(view, pixels_per_unit, points_);
-  pen.line(pen.pixels_of(desk.hole()), true, kHole, 1.5F);
+  pen.line(pen.pixels_of(desk.hole()), true, kHole, 1.5);
   const auto loop = transformed(tool.draft().part->loop, tool.draft().placement);
-  pen.line(pen.pixels_of(loop), true, kHighlight, 1.5F);
+  pen.line(pen.pixels_of(loop), true, kHighlight, 1.5);
   if (const auto gizmo = tool.gizmo()) draw_gizmo(pen, *gizmo, tool.part(), gizmo_);
 }
 

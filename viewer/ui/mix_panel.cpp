@@ -26,9 +26,9 @@ void draw_painting(LayerDesk& desk, Editor& editor) {
   bool paints = desk.is_painting();
   if (ImGui::Checkbox("paint it", &paints)) desk.paint_weight(paints, editor);
   draw_slider("weight", paint.strength, 0.0, 1.0);
-  float radius = static_cast<float>(paint.brush().radius);
-  if (ImGui::SliderFloat("brush##weight", &radius, 1.0F, 200.0F, "%.0f pixels")) {
-    paint.brush().radius = static_cast<double>(radius);
+  float radius = static_cast<float>(paint.brush().radius_pt);
+  if (ImGui::SliderFloat("brush##weight", &radius, 1.0F, 200.0F, "%.0f points")) {
+    paint.brush().radius_pt = static_cast<double>(radius);
   }
   if (ImGui::Button("Soften")) paint.soften(editor.state().rest->topology());
 }

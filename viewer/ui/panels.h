@@ -19,6 +19,7 @@
 #include "ui/document.h"
 #include "ui/messages.h"
 #include "ui/part_pictures.h"
+#include "ui/turntable_recording.h"
 #include "window/app.h"
 
 namespace lapwing::viewer {
@@ -174,6 +175,18 @@ struct PicturePlan {
 };
 /// Asks for its size, in a window of its own; true when the file is to be asked for.
 bool draw_picture_panel(PicturePlan& plan);
+
+/// Pictures from all around that a person wants to save.
+struct TurntablePlan {
+  PicturePlan picture;  ///< each of them
+  int count = 120;      ///< at least 1
+  double per_second = 30.0;
+};
+/// Asks for these, in a window of its own; true when the file is to be asked for.
+bool draw_turntable_panel(TurntablePlan& plan);
+/// How far it is, in a window that nothing else can be done beside; true when it is given up.
+/// Without one, none is shown: to be called in every frame.
+bool draw_turntable_progress(const TurntableRecording* recording);
 
 /// Asks whether to write over a file, in a window of its own; nothing until the person says.
 std::optional<bool> draw_overwrite_panel(const std::filesystem::path& file);

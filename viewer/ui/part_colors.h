@@ -16,7 +16,8 @@ inline void draw_swatch(const ImVec4& color) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float top = at.y + 0.5F * (ImGui::GetFrameHeight() - side);
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side},
-                                            ImGui::GetColorU32(color), 2.0F);
+                                            ImGui::GetColorU32(color),
+                                            0.13F * ImGui::GetFontSize());
   ImGui::Dummy({side, ImGui::GetFrameHeight()});
   ImGui::SameLine(0.0F, 0.25F * ImGui::GetFontSize());
 }

@@ -1,29 +1,104 @@
+// What is asked for a picture, and for pictures from all around.
+
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <imgui.h>
 
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
+namespace {
+
+constexpr int kMostPictures = 9999;
+constexpr double kMostPerSecond = 120.0;
+constexpr float kFieldLetters = 9.0F;
+constexpr float kProgressLetters = 24.0F;
+
+bool begin_dialog(const char* title, bool& open) {
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+  return ImGui::Begin(title, &open,
+                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+}
+
+void ask_for_size(PicturePlan& plan) {
+  std::array<int, 2> size{plan.width, plan.height};
+  if (!ImGui::InputInt2("pixels", size.data())) return;
+  plan.width = std::max(1, size[0]);
+  plan.height = std::max(1, size[1]);
+}
+
+// By the button or by Enter, which closes the dialog.
+bool is_accepted(PicturePlan& plan) {
+  const bool enters = !ImGui::IsAnyItemActive() && !ImGui::IsWindowAppearing() &&
+                      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+  const bool accepted = ImGui::Button("Save as...") || enters;
+  if (accepted) plan.open = false;
+  return accepted;
+}
+
+// True when it is given up.
+bool draw_progress(const TurntableRecording& recording) {
+  const TurntableRecording::Order& order = recording.order();
+  const int written = recording.written();
+  ImGui::TextUnformatted(order.output.filename().c_str());
+  std::array<char, 64> words{};
+  std::snprintf(words.data(), words.size(), "%d of %d pictures", written, order.count);
+  ImGui::ProgressBar(static_cast<float>(written) / static_cast<float>(order.count),
+                     {kProgressLetters * ImGui::GetFontSize(), 0.0F}, words.data());
+  return ImGui::Button("Cancel");
+}
+
+}  // namespace
 
 bool draw_picture_panel(PicturePlan& plan) {
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
   bool save = false;
-  const bool shown = ImGui::Begin("Save a picture", &plan.open,
-                                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
-  if (shown) {
-    std::array<int, 2> size{plan.width, plan.height};
-    if (ImGui::InputInt2("pixels", size.data())) {
-      plan.width = std::max(1, size[0]);
-      plan.height = std::max(1, size[1]);
-    }
-    const bool enters = !ImGui::IsAnyItemActive() && !ImGui::IsWindowAppearing() &&
-                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
-    save = ImGui::Button("Save as...") || enters;
-    if (save) plan.open = false;
+  if (begin_dialog("Save a picture", plan.open)) {
+    ask_for_size(plan);
+    save = is_accepted(plan);
   }
   ImGui::End();
   return save;
+}
+
+bool draw_turntable_panel(TurntablePlan& plan) {
+  bool save = false;
+  if (begin_dialog("Save a turntable", plan.picture.open)) {
+    ImGui::TextUnformatted("Once around the upward axis, as the view shows the mesh.");
+    ImGui::PushItemWidth(kFieldLetters * ImGui::GetFontSize());
+    if (ImGui::InputInt("pictures", &plan.count)) {
+      plan.count = std::clamp(plan.count, 1, kMostPictures);
+    }
+    if (ImGui::InputDouble("in a second, of a video", &plan.per_second, 1.0, 0.0, "%.4g")) {
+      plan.per_second = std::clamp(plan.per_second, 1.0, kMostPerSecond);
+    }
+    ask_for_size(plan.picture);
+    ImGui::PopItemWidth();
+    ImGui::TextDisabled("%.3g seconds, then it begins again", plan.count / plan.per_second);
+    save = is_accepted(plan.picture);
+  }
+  ImGui::End();
+  return save;
+}
+
+bool draw_turntable_progress(const TurntableRecording* recording) {
+  constexpr const char* kTitle = "Saving a turntable";
+  const bool is_shown = ImGui::IsPopupOpen(kTitle);
+  if (recording == nullptr && !is_shown) return false;
+  if (!is_shown) ImGui::OpenPopup(kTitle);
+  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+  bool give_up = false;
+  if (ImGui::BeginPopupModal(kTitle, nullptr,
+                             ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
+                                 ImGuiWindowFlags_NoSavedSettings)) {
+    if (recording == nullptr) {
+      ImGui::CloseCurrentPopup();
+    } else {
+      give_up = draw_progress(*recording);
+    }
+    ImGui::EndPopup();
+  }
+  return give_up;
 }
 
 }  // namespace lapwing::viewer

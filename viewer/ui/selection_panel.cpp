@@ -66,8 +66,8 @@ void draw_paint_options(Editor& editor) {
   ImGui::Checkbox("erase", &options.erase);
   explain("Takes away from what is chosen.", "Ctrl while painting");
   if (options.shape != PaintTool::Shape::brush) return;
-  float radius = static_cast<float>(options.radius);
-  if (ImGui::SliderFloat("brush", &radius, 1.0F, 200.0F, "%.0f pixels")) options.radius = radius;
+  float radius = static_cast<float>(options.radius_pt);
+  if (ImGui::SliderFloat("brush", &radius, 1.0F, 200.0F, "%.0f points")) options.radius_pt = radius;
   explain("Radius of the brush.", "[ and ], Ctrl + wheel");
 }
 

@@ -2,6 +2,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 #include <optional>
+#include <string>
 
 #include "files/typed_path.h"
 #include "lapwing/step/step.h"
@@ -20,6 +21,7 @@ using Stage = PlaceTool::Stage;
 // In letters of the font.
 constexpr float kPictureLetters = 4.4F;
 constexpr float kStripLetters = 13.0F;
+constexpr float kRimLetters = 0.13F;
 constexpr ImU32 kInHand = IM_COL32(255, 220, 90, 255);
 constexpr ImU32 kHovered = IM_COL32(255, 240, 200, 160);
 
@@ -39,10 +41,12 @@ bool draw_part(const PartShelf::Item& item, const UiPicture* picture, bool in_ha
   const bool pressed = ImGui::IsItemActivated();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 corner{from.x + size.x, from.y + side};
-  list.AddRectFilled(from, corner, ImGui::GetColorU32(ImGuiCol_FrameBg), 4.0F);
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  list.AddRectFilled(from, corner, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
   if (picture != nullptr) list.AddImage(picture->id(), from, corner);
   if (in_hand || ImGui::IsItemHovered()) {
-    list.AddRect(from, corner, in_hand ? kInHand : kHovered, 4.0F, 0, 2.0F);
+    list.AddRect(from, corner, in_hand ? kInHand : kHovered, rounding, 0,
+                 kRimLetters * ImGui::GetFontSize());
   }
   list.PushClipRect(from, {from.x + size.x, from.y + size.y}, true);
   list.AddText({from.x, from.y + side}, ImGui::GetColorU32(ImGuiCol_Text), item.name.c_str());

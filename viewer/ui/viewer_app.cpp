@@ -32,6 +32,7 @@ void ViewerApp::offer_interrupted() {
 }
 
 void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
+  give_up_turntable("the device was lost");
   part_pictures_.release();
   if (document_) {
     document_->transplant.release_device();
@@ -94,6 +95,7 @@ void ViewerApp::take_loaded() {
 }
 
 void ViewerApp::show(LoadedFile file) {
+  give_up_turntable("another mesh is open");
   // Two meshes at a time may not fit on the device.
   if (document_) document_->editor.session().close();
   document_.reset();
@@ -116,7 +118,7 @@ void ViewerApp::take_preferred_tools() {
   Editor& editor = document_->editor;
   editor.set_gizmo_keys(gizmo_keys());
   editor.set_settles_while_dragging(preferences_.settles_while_dragging);
-  editor.paint_tool().options().radius = preferences_.brush_radius;
+  editor.paint_tool().options().radius_pt = preferences_.brush_radius_pt;
   editor.paint_tool().options().through = preferences_.paints_through;
   // An edit that was begun already goes on with its gizmo.
   if (editor.row() == nullptr || editor.row()->action == Action::take_move) return;
@@ -169,6 +171,13 @@ bool ViewerApp::is_inside(const Bounds& bounds) const {
          (camera_.eye.array() <= bounds.max.array()).all();
 }
 
+SurfaceStyle ViewerApp::shown_style() const {
+  SurfaceStyle style = style_of(display_, document_->editor);
+  // What the doctor means is marked in the colours of regions.
+  if (document_->banner.marks()) style.color = SurfaceColor::regions;
+  return style;
+}
+
 Scene ViewerApp::scene() {
   Scene scene;
   scene.background = display_.background;
@@ -178,9 +187,8 @@ Scene ViewerApp::scene() {
   scene.paint = &editor.surface().paint();
   scene.carried = editor.carried().drawn();
   scene.camera = view_frame().camera;
-  scene.style = style_of(display_, editor);
-  // What the doctor means is marked in the colours of regions.
-  if (document_->banner.marks()) scene.style.color = SurfaceColor::regions;
+  scene.style = shown_style();
+  scene.style.pixels_per_point = static_cast<float>(pixels_per_point_);
   scene.moving = motion_.has_value() || editor.is_dragging();
   const bool closed = document_->closed_outward && editor.shown().is_comparable();
   if (scene.moving && closed && !is_inside(editor.bounds())) {
@@ -194,6 +202,7 @@ Scene ViewerApp::scene() {
     beside.camera = view.view_frame().camera;
     beside.style = display_.style;
     beside.style.color = SurfaceColor::regions;
+    beside.style.pixels_per_point = scene.style.pixels_per_point;
     beside.corner = area->corner;
     beside.size = area->size;
     scene.moving = scene.moving || view.is_moving();
@@ -205,21 +214,28 @@ VkExtent2D ViewerApp::window_size() const {
   return {static_cast<std::uint32_t>(size_.x()), static_cast<std::uint32_t>(size_.y())};
 }
 
-void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size) const {
-  const Editor& editor = document_->editor;
+RenderOptions ViewerApp::picture_options(VkExtent2D size) const {
   RenderOptions options;
   options.width = size.width;
   options.height = size.height;
   options.background = display_.background;
-  options.style = style_of(display_, editor);
+  options.style = shown_style();
+  // Lines are as thick beside the rest as in the window.
+  options.style.pixels_per_point =
+      static_cast<float>(pixels_per_point_ * static_cast<double>(size.height) / size_.y());
   if (options.style.color == SurfaceColor::scalar) {
     options.legend_title = legend_title(*measure_of(display_.coloring));
   }
+  return options;
+}
+
+void ViewerApp::save_picture(const std::filesystem::path& path, VkExtent2D size) const {
+  const Editor& editor = document_->editor;
   Camera camera = view_frame().camera;
   // Nothing covers a part of this picture.
   camera.target_across = 0.0;
-  write_png(path, render_image(editor.surface().shown(), editor.surface().paint(), camera, options,
-                               editor.carried().drawn()));
+  write_png(path, render_image(editor.surface().shown(), editor.surface().paint(), camera,
+                               picture_options(size), editor.carried().drawn()));
 }
 
 void ViewerApp::carry_out_order() {

@@ -18,6 +18,7 @@
 #include "ui/load_file.h"
 #include "ui/messages.h"
 #include "ui/panels.h"
+#include "ui/turntable_recording.h"
 #include "window/app.h"
 #include "work/job.h"
 
@@ -38,9 +39,10 @@ struct KeptFiles {
 };
 
 /// The viewer: what is open, how it is looked at, and the panels around it. Its sources are by
-/// concern: viewer_app (what is open), viewer_files (what is read and written), viewer_input (mouse
-/// and keys), viewer_menus, viewer_sidebar, viewer_dialogs (what is asked and offered over the
-/// picture), and viewer_frame (the rest of a frame).
+/// concern: viewer_app (what is open), viewer_files (what is read and written), viewer_turntable
+/// (what is saved from all around), viewer_input (mouse and keys), viewer_menus, viewer_sidebar,
+/// viewer_dialogs (what is asked and offered over the picture), and viewer_frame (the rest of a
+/// frame).
 class ViewerApp final : public App {
  public:
   ViewerApp(std::shared_ptr<gpu::Context> context, KeptFiles kept);
@@ -58,7 +60,7 @@ class ViewerApp final : public App {
   /// `carry` follow the surface from the first edit by hand on.
   void open(const std::filesystem::path& file, const std::vector<std::filesystem::path>& carry,
             std::optional<PathPurpose> asked_for = {});
-  void resize(const Eigen::Vector2d& size, double scale) override;
+  void resize(const Eigen::Vector2d& size, double pixels_per_point) override;
   void draw_ui(const FrameTimings& last) override;
   Scene scene() override;
   std::string_view title() const override;
@@ -106,6 +108,8 @@ class ViewerApp final : public App {
   void hear(Message message);
   void save_repaired(const std::filesystem::path& path);
   void save_chosen_picture(const std::filesystem::path& path);
+  /// As the view shows it.
+  RenderOptions picture_options(VkExtent2D size) const;
   void save_picture(const std::filesystem::path& path, VkExtent2D size) const;
   void carry_out_order();
   /// In a toast and the log.
@@ -114,17 +118,25 @@ class ViewerApp final : public App {
   double now() const;
   void take_preferred_tools();
 
+  // A turntable.
+  void save_turntable(const std::filesystem::path& path);
+  void record_turntable();
+  void give_up_turntable(const std::string& why);
+  void draw_turntable();
+
   // Mouse and keys.
   void perform(Action action);
   void drag_to(const InputEvent& event);
   void escape();
   bool asks() const;
+  PicturePlan window_picture() const;
   bool is_covered() const;
   void look_from(View view);
   void frame_all();
   void frame(std::span<const Index> vertices);
   void frame_points(std::span<const Eigen::Vector3d> points);
   void orbit_by(double right, double down);
+  bool is_click(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   void zoom_by(double factor, const Eigen::Vector2d& cursor);
   Eigen::Vector3d upward() const;
   ViewFrame view_frame() const;
@@ -169,6 +181,7 @@ class ViewerApp final : public App {
   // What else is in a frame.
   void update_document();
   double pixels_per_unit() const;
+  SurfaceStyle shown_style() const;
   PictureArea picture_area() const;
   void draw_marks();
   void draw_over_picture();
@@ -198,6 +211,7 @@ class ViewerApp final : public App {
   UpAxis up_axis_ = UpAxis::y;
   DisplayChoices display_;
   Eigen::Vector2d size_ = Eigen::Vector2d::Ones();
+  double pixels_per_point_ = 1.0;
   std::optional<Motion> motion_;  ///< of the camera, under way
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pressed_at_ = Eigen::Vector2d::Zero();
@@ -221,6 +235,8 @@ class ViewerApp final : public App {
   bool transplants_ = false;    ///< a part was in hand in the last frame
   PartPictures part_pictures_;  ///< not the document's: a frame may show them when that is closed
   PicturePlan picture_plan_;
+  TurntablePlan turntable_plan_;
+  std::unique_ptr<TurntableRecording> recording_;
   FileChooser chooser_;
   std::optional<ChosenPath> chosen_;  ///< that the editor or a desk is reading
   RecentFiles recent_;

@@ -42,6 +42,9 @@ std::string ViewerApp::suggested_name(PathPurpose purpose) const {
       return path_beside(document_->opened, "-repaired").filename();
     case PathPurpose::save_picture:
       return edited_path(document_->opened).stem().string() + ".png";
+    case PathPurpose::save_turntable:
+      return path_beside(document_->opened, "-turntable").stem().string() +
+             (can_write_videos() ? ".mp4" : ".png");
     default:
       return {};
   }
@@ -210,6 +213,12 @@ void ViewerApp::use_path(const ChosenPath& chosen) {
       write_to(
           path, [this, path] { save_chosen_picture(path); }, ask);
       break;
+    case PathPurpose::save_turntable: {
+      const fs::path first = is_video(path) ? path : frame_file(path, 1, turntable_plan_.count);
+      const auto save = [this, path] { once_settled([this, path] { save_turntable(path); }); };
+      write_to(first, save, ask);
+      break;
+    }
     case PathPurpose::replay_recipe:
       load({path, PathPurpose::replay_recipe},
            [path, history = document_->editor.session().history()](Kernels& kernels,

@@ -71,6 +71,7 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   take_loaded();
   update_document();
   take_settled();
+  record_turntable();
   carry_out_order();
   draw_menu();
   draw_status();
@@ -144,7 +145,7 @@ void ViewerApp::keep_preferences() {
   if (document_) {
     Editor& editor = document_->editor;
     preferences_.settles_while_dragging = editor.wants_to_settle_while_dragging();
-    preferences_.brush_radius = editor.paint_tool().options().radius;
+    preferences_.brush_radius_pt = editor.paint_tool().options().radius_pt;
     preferences_.paints_through = editor.paint_tool().options().through;
     if (editor.row() != nullptr && chooses(*editor.row())) {
       preferences_.tool = editor.row()->name;
@@ -178,7 +179,7 @@ void ViewerApp::update_document() {
   document_->banner.update(editor, desk.is_open() || transplant.is_open());
   part_pictures_.renew(transplant.shelf(), *context_);
   const auto area = source_area();
-  if (area) document_->desk.view()->resize(area->size);
+  if (area) document_->desk.view()->resize(area->size, pixels_per_point_);
   camera_.target_across = covered_share();
   // What is left of the window is another part of it.
   if (std::exchange(shows_source_, area.has_value()) != area.has_value()) frame_all();
@@ -195,9 +196,11 @@ void ViewerApp::draw_dialogs() {
     if (const auto writes = draw_overwrite_panel(overwriting_->file)) answer_overwriting(*writes);
   } else {
     if (picture_plan_.open && document_) draw_picture();
+    if (turntable_plan_.picture.open && document_) draw_turntable();
     if (const auto chosen = chooser_.draw()) use_path(*chosen);
     if (leaving_for_ && !chooser_.is_open() && !overwriting_) draw_unsaved();
   }
+  if (draw_turntable_progress(recording_.get())) give_up_turntable("cancelled");
   if (show_controls_) draw_controls_list(keymap(), show_controls_);
 }
 

@@ -14,11 +14,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A press and release within so many pixels is a click, not a drag.
-constexpr double kClickPixels = 3.0;
+// A press and release within so many points is a click, not a drag.
+constexpr double kClickPt = 3.0;
 constexpr double kZoomPerNotch = 1.15;
-// Of a drag that zooms: pixels that make things e times as large.
-constexpr double kZoomPixels = 150.0;
+// Of a drag that zooms: points that make things e times as large.
+constexpr double kZoomPt = 150.0;
 // Arrow keys turn by a twelfth of half a turn, 15 degrees.
 constexpr double kOrbitShare = 1.0 / 12.0;
 // Of what the mesh measures.
@@ -28,17 +28,18 @@ constexpr double kLeastFree = 0.5;
 // Vertices are framed with so much around them, of what the mesh measures.
 constexpr double kSurroundings = 0.02;
 
-bool is_click(const Vector2d& from, const Vector2d& to) {
-  return (to - from).norm() <= kClickPixels;
-}
-
 }  // namespace
 
-void ViewerApp::resize(const Vector2d& size, double scale) {
+void ViewerApp::resize(const Vector2d& size, double pixels_per_point) {
   size_ = size;
-  preferences_.window_width = static_cast<int>(std::lround(size.x() / scale));
-  preferences_.window_height = static_cast<int>(std::lround(size.y() / scale));
+  pixels_per_point_ = pixels_per_point;
+  preferences_.window_width = static_cast<int>(std::lround(size.x() / pixels_per_point));
+  preferences_.window_height = static_cast<int>(std::lround(size.y() / pixels_per_point));
   camera_.target_across = covered_share();
+}
+
+bool ViewerApp::is_click(const Vector2d& from, const Vector2d& to) const {
+  return (to - from).norm() <= kClickPt * pixels_per_point_;
 }
 
 Vector3d ViewerApp::upward() const {
@@ -60,7 +61,7 @@ double ViewerApp::covered_share() const {
 }
 
 ViewFrame ViewerApp::view_frame() const {
-  ViewFrame view{camera_, size_};
+  ViewFrame view{camera_, size_, pixels_per_point_};
   fit_depth(view.camera, document_->editor.bounds());
   return view;
 }
@@ -148,7 +149,7 @@ void ViewerApp::drag_to(const InputEvent& event) {
       camera_ = panned(camera_, moved, size_);
       break;
     case Motion::zoom:
-      zoom_by(std::exp((moved.x() - moved.y()) / kZoomPixels), pressed_at_);
+      zoom_by(std::exp((moved.x() - moved.y()) / (kZoomPt * pixels_per_point_)), pressed_at_);
       break;
   }
 }
@@ -156,7 +157,7 @@ void ViewerApp::drag_to(const InputEvent& event) {
 // While a dialog waits for an answer keys are its own.
 bool ViewerApp::asks() const {
   return leaving_for_ || overwriting_ || !interrupted_.empty() || chooser_.is_open() ||
-         picture_plan_.open;
+         picture_plan_.open || turntable_plan_.picture.open || recording_;
 }
 
 // By a list or a menu, which Escape closes before it means anything to the tool in hand.
@@ -182,6 +183,11 @@ std::optional<bool> ViewerApp::handle_source(const InputEvent& event) {
 
 bool ViewerApp::handle(const InputEvent& event) {
   if (event.kind != InputKind::move) messages_.acted(now());
+  if (recording_) {
+    // What is being saved stays as it is.
+    if (event.kind == InputKind::key && event.key == kEscape) escape();
+    return true;
+  }
   if (asks() && (event.kind == InputKind::key || event.kind == InputKind::text)) {
     if (event.key == kEscape) {
       escape();
@@ -229,18 +235,25 @@ bool ViewerApp::handle(const InputEvent& event) {
 }
 
 void ViewerApp::escape() {
+  if (recording_) return give_up_turntable("cancelled");
   if (overwriting_) return answer_overwriting(false);
   if (view_before_) look_back();
   show_controls_ = false;
   show_machine_ = false;
   show_messages_ = false;
   picture_plan_.open = false;
+  turntable_plan_.picture.open = false;
   // One thing at a time: what the file was asked for is there again.
   if (chooser_.is_open()) return chooser_.close();
   leaving_for_ = nullptr;
   interrupted_.clear();
   show_start_ = !document_;
   loader_.cancel();
+}
+
+// As large as the window.
+PicturePlan ViewerApp::window_picture() const {
+  return {document_ != nullptr, static_cast<int>(size_.x()), static_cast<int>(size_.y())};
 }
 
 void ViewerApp::perform(Action action) {
@@ -330,9 +343,10 @@ void ViewerApp::perform(Action action) {
       if (document_) save_carried();
       return;
     case Action::save_picture:
-      picture_plan_.open = document_ != nullptr;
-      picture_plan_.width = static_cast<int>(size_.x());
-      picture_plan_.height = static_cast<int>(size_.y());
+      picture_plan_ = window_picture();
+      return;
+    case Action::save_turntable:
+      turntable_plan_.picture = window_picture();
       return;
     case Action::quit:
       return ask_to_close();

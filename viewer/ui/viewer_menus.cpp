@@ -65,6 +65,7 @@ void ViewerApp::draw_file_menu() {
   constexpr std::array kItems{Item{"Save", Action::save},
                               Item{"Save as...", Action::save_as},
                               Item{"Save picture...", Action::save_picture},
+                              Item{"Save turntable...", Action::save_turntable},
                               kDivider,
                               Item{"Carry a file along...", Action::carry_file},
                               Item{"Save carried objects", Action::save_carried},

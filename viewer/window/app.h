@@ -65,9 +65,9 @@ class App {
   virtual bool handle(const InputEvent& event) = 0;
   /// A file dropped on the window.
   virtual void open(const std::filesystem::path& file) = 0;
-  /// The pixels of the picture, never 0, and how many of them the desktop enlarges one to; before
-  /// the first frame and whenever they change.
-  virtual void resize(const Eigen::Vector2d& size, double scale) = 0;
+  /// The pixels of the picture, never 0, and of a point (Projection's), above 0; before the first
+  /// frame and whenever they change.
+  virtual void resize(const Eigen::Vector2d& size, double pixels_per_point) = 0;
   /// Calls ImGui for the panels of one frame. `last` is of the frame before. What this throws ends
   /// the main loop, but for gpu::DeviceLost.
   virtual void draw_ui(const FrameTimings& last) = 0;

@@ -88,12 +88,13 @@ void KeptPicture::record(VkCommandBuffer commands, const Scene& scene, PictureWa
   drawing.renderer.begin(commands, drawing.extent, scene.background);
   // All else is told the window's size: lines and points are as wide there, however coarse.
   SurfaceStyle style = scene.style;
-  style.line_width /= static_cast<float>(drawing.pixels);
+  style.pixels_per_point /= static_cast<float>(drawing.pixels);
   if (scene.surface != nullptr) {
     drawing.renderer.draw(commands, extent_, *scene.surface, *scene.paint, scene.camera, style);
   }
   for (const CarriedDrawing& carried : scene.carried) {
-    drawing.renderer.draw(commands, extent_, carried, scene.camera, style);
+    drawing.renderer.draw(commands, extent_, carried, scene.camera,
+                          carried.surface != nullptr ? style : scene.style);
   }
   if (scene.beside) draw_beside(commands, drawing, *scene.beside, scene.background);
   drawing.scope->end(commands);

@@ -8,6 +8,7 @@ namespace lapwing::viewer {
 namespace {
 
 constexpr float kFontPixels = 15.0F;         // of DejaVu Sans, at scale 1
+constexpr float kClickUnits = 6.0F;          // ImGui's own, at scale 1
 constexpr float kBuiltInFontPixels = 13.0F;  // what ImGui's own bitmap is drawn for
 
 void load_font(float scale) {
@@ -112,6 +113,8 @@ void set_colors(ImGuiStyle& style, const Palette& p) {
   set(ImGuiCol_PlotHistogram, p.accent);
   set(ImGuiCol_TextSelectedBg, p.accent);
   set(ImGuiCol_TableHeaderBg, gray(p.header));
+  // The picture stays to be seen beside a dialog that all else waits for.
+  set(ImGuiCol_ModalWindowDimBg, {});
 }
 
 }  // namespace
@@ -142,6 +145,9 @@ void set_theme(Theme theme, double scale) {
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.ConfigInputTextCursorBlink = false;
+  // How far a hand may go that clicks.
+  io.MouseDragThreshold = kClickUnits * static_cast<float>(scale);
+  io.MouseDoubleClickMaxDist = kClickUnits * static_cast<float>(scale);
 }
 
 const ImVec4& text_color(Tone tone) {

@@ -60,7 +60,7 @@ class Window {
   bool take_close_request();
   /// In pixels; 0 while minimized.
   VkExtent2D pixels() const;
-  /// Pixels per unit of a desktop at 96 dots an inch: what texts are to be enlarged by.
+  /// Pixels of a point (Projection's): what is to be seen and touched is enlarged by it.
   double content_scale() const;
   void set_title(const std::string& title);
 

@@ -36,8 +36,18 @@ fs::path resolve_links(fs::path path) {
   return path;
 }
 
+// Makes the rename itself survive a power cut. Some file systems cannot; the file is then whole
+// all the same.
+void flush_directory(const fs::path& target) {
+  const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const FileDescriptor directory(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.is_open()) ::fsync(directory.get());
+}
+
+}  // namespace
+
 // A file beside the target that is gone at the end unless it was renamed over the target.
-class Temporary {
+class FileReplacement::Temporary {
  public:
   explicit Temporary(const fs::path& target) : target_(target), file_(create()) {}
   ~Temporary() {
@@ -54,6 +64,9 @@ class Temporary {
       bytes.remove_prefix(static_cast<std::size_t>(put));
     }
   }
+
+  const fs::path& path() const { return path_; }
+  const fs::path& target() const { return target_; }
 
   void set_permissions(mode_t mode) {
     if (::fchmod(file_.get(), mode & 07777U) != 0) fail_to_write(target_, errno);
@@ -84,17 +97,7 @@ class Temporary {
   FileDescriptor file_;
 };
 
-// Makes the rename itself survive a power cut. Some file systems cannot; the file is then whole
-// all the same.
-void flush_directory(const fs::path& target) {
-  const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  const FileDescriptor directory(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (directory.is_open()) ::fsync(directory.get());
-}
-
-}  // namespace
-
-void replace_file(const fs::path& path, std::string_view bytes) {
+FileReplacement::FileReplacement(const fs::path& path) {
   const fs::path target = resolve_links(path);
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
@@ -106,12 +109,29 @@ void replace_file(const fs::path& path, std::string_view bytes) {
   if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
     fail_to_write(path, errno);
   }
+  temporary_ = std::make_unique<Temporary>(target);
+  if (exists) temporary_->set_permissions(old.st_mode);
+}
 
-  Temporary temporary(target);
-  if (exists) temporary.set_permissions(old.st_mode);
-  temporary.write(bytes);
-  temporary.rename_to_target();
-  flush_directory(target);
+FileReplacement::~FileReplacement() = default;
+
+const fs::path& FileReplacement::temporary() const {
+  return temporary_->path();
+}
+
+void FileReplacement::write(std::string_view bytes) {
+  temporary_->write(bytes);
+}
+
+void FileReplacement::commit() {
+  temporary_->rename_to_target();
+  flush_directory(temporary_->target());
+}
+
+void replace_file(const fs::path& path, std::string_view bytes) {
+  FileReplacement replacement(path);
+  replacement.write(bytes);
+  replacement.commit();
 }
 
 }  // namespace lapwing

@@ -15,6 +15,11 @@ class FileDescriptor {
 
   bool is_open() const { return descriptor_ >= 0; }
   int get() const { return descriptor_; }
+  /// Owns this one from now on.
+  void reset(int descriptor) {
+    close();
+    descriptor_ = descriptor;
+  }
   /// False, with errno set, when the system reports a late write error.
   bool close() {
     const int descriptor = std::exchange(descriptor_, -1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -49,6 +50,16 @@ void divide_by_opacity(Image& image) {
     if (opacity == 0 || opacity == kOpaque) continue;
     for (std::size_t channel = at; channel < at + 3; ++channel) {
       image.rgba[channel] = encoded_of(linear_of(image.rgba[channel]) * 255.0F / opacity);
+    }
+  }
+}
+
+void put_on_black(Image& image) {
+  for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
+    const std::uint8_t opacity = std::exchange(image.rgba[at + 3], kOpaque);
+    if (opacity == kOpaque) continue;
+    for (std::size_t channel = at; channel < at + 3; ++channel) {
+      image.rgba[channel] = encoded_of(linear_of(image.rgba[channel]) * opacity / 255.0F);
     }
   }
 }

@@ -26,6 +26,9 @@ struct Image {
 /// Turns colours that were multiplied by their opacity (in linear light) into plain ones.
 void divide_by_opacity(Image& image);
 
+/// Puts the image before black: colours multiplied by their opacity (in linear light), and opaque.
+void put_on_black(Image& image);
+
 /// The bytes of a PNG file; without the fourth channel where all of the image is opaque. Throws
 /// IoError for more than 2^29 bytes of pixels.
 std::string encode_png(const Image& image);

@@ -2,38 +2,45 @@
 
 #include <optional>
 
-#include "lapwing/render/offscreen.h"
 #include "lapwing/render/surface.h"
 
 namespace lapwing {
 
-Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
-                   const RenderOptions& options, std::span<const CarriedDrawing> carried) {
+ImageRenderer::ImageRenderer(gpu::Context& context, const RenderOptions& options)
+    : context_(context),
+      options_(options),
+      target_(context, options.width, options.height, options.samples),
+      renderer_(context, target_.format()) {}
+
+Image ImageRenderer::render(Surface& surface, const SurfacePaint& paint, const Camera& camera,
+                            std::span<const CarriedDrawing> carried) {
   surface.finish();
   for (const CarriedDrawing& drawing : carried) {
     if (drawing.surface != nullptr) drawing.surface->finish();
   }
-  gpu::Context& context = surface.context();
-  OffscreenTarget target(context, options.width, options.height, options.samples);
-  const Renderer renderer(context, target.format());
   std::optional<OverlayBuffer> legend;
-  if (options.legend && options.style.color == SurfaceColor::scalar) {
-    const ScalarRange shown = color_range(options.style, paint);
+  if (options_.legend && options_.style.color == SurfaceColor::scalar) {
+    const ScalarRange shown = color_range(options_.style, paint);
     const ScalarRange& numbers = paint.scalar_range();
-    legend.emplace(context, legend_overlay({options.style.color_map, shown, options.legend_title,
-                                            numbers.high > shown.high, numbers.low < shown.low},
-                                           options.width, options.height));
+    legend.emplace(context_, legend_overlay({options_.style.color_map, shown, options_.legend_title,
+                                             numbers.high > shown.high, numbers.low < shown.low},
+                                            options_.width, options_.height));
   }
-  Image image = target.render([&](VkCommandBuffer commands) {
-    renderer.begin(commands, target.extent(), options.background);
-    renderer.draw(commands, target.extent(), surface, paint, camera, options.style);
+  Image image = target_.render([&](VkCommandBuffer commands) {
+    renderer_.begin(commands, target_.extent(), options_.background);
+    renderer_.draw(commands, target_.extent(), surface, paint, camera, options_.style);
     for (const CarriedDrawing& drawing : carried) {
-      renderer.draw(commands, target.extent(), drawing, camera, options.style);
+      renderer_.draw(commands, target_.extent(), drawing, camera, options_.style);
     }
-    if (legend) renderer.draw(commands, target.extent(), *legend);
+    if (legend) renderer_.draw(commands, target_.extent(), *legend);
   });
-  if (options.background == Background::transparent) divide_by_opacity(image);
+  if (options_.background == Background::transparent) divide_by_opacity(image);
   return image;
+}
+
+Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
+                   const RenderOptions& options, std::span<const CarriedDrawing> carried) {
+  return ImageRenderer(surface.context(), options).render(surface, paint, camera, carried);
 }
 
 }  // namespace lapwing

@@ -6,6 +6,7 @@
 
 #include "lapwing/render/camera.h"
 #include "lapwing/render/image.h"
+#include "lapwing/render/offscreen.h"
 #include "lapwing/render/renderer.h"
 
 namespace lapwing {
@@ -22,10 +23,25 @@ struct RenderOptions {
   double aspect() const { return static_cast<double>(width) / static_cast<double>(height); }
 };
 
-/// A picture of `surface` as its buffers are now, and of what is carried along with it, without a
-/// display. Makes pipelines and images for the one picture: for many, keep an OffscreenTarget and a
-/// Renderer. Same input, same bits on one device. Throws GpuError for a device that cannot draw and
-/// for sizes beyond its limits.
+/// Pictures without a display, one after the other: keeps the pipelines and images that one takes.
+/// Same input, same bits on one device. The context must outlive it.
+class ImageRenderer {
+ public:
+  /// Throws GpuError for a device that cannot draw and for sizes beyond its limits.
+  ImageRenderer(gpu::Context& context, const RenderOptions& options);
+
+  /// `surface` as its buffers are now, and what is carried along with it; all on the context.
+  Image render(Surface& surface, const SurfacePaint& paint, const Camera& camera,
+               std::span<const CarriedDrawing> carried = {});
+
+ private:
+  gpu::Context& context_;
+  RenderOptions options_;
+  OffscreenTarget target_;
+  Renderer renderer_;
+};
+
+/// One such picture, on the context of `surface`.
 Image render_image(Surface& surface, const SurfacePaint& paint, const Camera& camera,
                    const RenderOptions& options = {}, std::span<const CarriedDrawing> carried = {});
 

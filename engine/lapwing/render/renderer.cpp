@@ -34,7 +34,7 @@ struct SurfacePush {
   std::uint32_t flags;
   float scalar_low;
   float scalar_scale;
-  float line_width;
+  float pixels_per_point;
 };
 static_assert(sizeof(SurfacePush) == 128, "what every device offers");
 
@@ -47,8 +47,7 @@ struct PointsPush {
   std::array<float, 2> clip_radius;
 };
 
-// In pixels.
-constexpr float kPointRadius = 3.5F;
+constexpr float kCarriedRadiusPt = 3.5F;
 
 // Bits of SurfacePush::flags; shaders/surface.glsl.
 enum SurfaceFlag : std::uint32_t {
@@ -117,7 +116,7 @@ SurfacePush surface_push(VkExtent2D extent, const Eigen::Vector3d& origin, const
   push.flags = flags_of(style, camera);
   push.scalar_low = range.low;
   push.scalar_scale = range.high > range.low ? 1.0F / (range.high - range.low) : 0.0F;
-  push.line_width = style.line_width;
+  push.pixels_per_point = style.pixels_per_point;
   return push;
 }
 
@@ -241,8 +240,9 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDr
   PointsPush push{};
   Eigen::Map<Eigen::Matrix4f>(push.clip_from_points.data()) =
       clip_from_surface(camera, extent, points.origin()).cast<float>();
-  push.clip_radius = {2.0F * kPointRadius / static_cast<float>(extent.width),
-                      2.0F * kPointRadius / static_cast<float>(extent.height)};
+  const float radius = style.pixels_per_point * kCarriedRadiusPt;
+  push.clip_radius = {2.0F * radius / static_cast<float>(extent.width),
+                      2.0F * radius / static_cast<float>(extent.height)};
   points_.draw(commands, {&points.buffer()}, push, static_cast<std::uint32_t>(6 * points.size()));
 }
 

@@ -36,7 +36,9 @@ struct SurfaceStyle {
   std::optional<ScalarRange> range;  ///< of the colour map; of the numbers themselves by default
   bool wireframe = false;            ///< polygon edges over the surface
   bool flat = false;                 ///< one normal per triangle
-  float line_width = 1.0F;           ///< of the wireframe, in pixels
+  /// Of a picture for a dense display: what is to be seen whatever the density (edges of the
+  /// wireframe, carried points, how far relief is darkened) is as many times as large in pixels.
+  float pixels_per_point = 1.0F;
   /// `front` draws faster, and the same picture where no back is seen (see is_closed_outward).
   Sides sides = Sides::both;
 
@@ -84,7 +86,7 @@ class Renderer {
             const SurfacePaint& paint, const Camera& camera, const SurfaceStyle& style) const;
   void draw(VkCommandBuffer commands, VkExtent2D extent, const OverlayBuffer& overlay) const;
   /// A mesh in the style but for its colour, which is SurfaceColor::carried; points as disks of
-  /// that colour, a few pixels wide.
+  /// that colour, a few points wide.
   void draw(VkCommandBuffer commands, VkExtent2D extent, const CarriedDrawing& drawing,
             const Camera& camera, const SurfaceStyle& style) const;
 

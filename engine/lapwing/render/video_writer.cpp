@@ -1,0 +1,211 @@
+#include "lapwing/render/video_writer.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <string>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include "lapwing/base/errors.h"
+
+extern char** environ;
+
+namespace lapwing {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FormatWords {
+  std::string_view ending;
+  std::string_view muxer;  // ffmpeg's name
+};
+// In the order of VideoFormat.
+constexpr std::array<FormatWords, 3> kFormats{
+    {{".mp4", "mp4"}, {".webm", "webm"}, {".gif", "gif"}}};
+
+// Where the eye sees no loss: of H.264 and of VP9, each on its own scale.
+constexpr const char* kQualityOfMp4 = "18";
+constexpr const char* kQualityOfWebm = "24";
+// Of 0 to 5: half the time of the default, for a file a tenth larger.
+constexpr const char* kHasteOfWebm = "4";
+
+// One palette for the whole sequence, for which ffmpeg keeps all of it in memory: one for each
+// frame would flicker, and make a file more than half as large again.
+constexpr const char* kPalette = "split[a][b];[a]palettegen[p];[b][p]paletteuse";
+// Rec. 709 is what players take a video of today's sizes for.
+constexpr const char* kRec709 = "scale=out_color_matrix=bt709:out_range=tv";
+// Colours have half the resolution, so that sizes are even; up to a row and a column is left out.
+constexpr const char* kEven = "crop=trunc(iw/2)*2:trunc(ih/2)*2,";
+
+void append(std::vector<std::string>& to, std::initializer_list<std::string> more) {
+  to.insert(to.end(), more);
+}
+
+std::vector<std::string> ffmpeg_command(const fs::path& program, const fs::path& file,
+                                        VideoFormat format, const FrameSequence& sequence) {
+  const std::string size = std::to_string(sequence.width) + "x" + std::to_string(sequence.height);
+  std::vector<std::string> command{program.string(), "-hide_banner", "-loglevel", "error", "-y"};
+  append(command, {"-f", "rawvideo", "-pixel_format", "rgba", "-video_size", size, "-framerate",
+                   std::to_string(sequence.per_second), "-i", "pipe:0"});
+  const std::string rec709 = std::string(kRec709) + ",format=";
+  const std::initializer_list<std::string> tags{"-colorspace", "bt709", "-color_primaries", "bt709",
+                                                "-color_trc",  "bt709", "-color_range",     "tv"};
+  switch (format) {
+    case VideoFormat::mp4:
+      append(command,
+             {"-vf", kEven + rec709 + "yuv420p", "-crf", kQualityOfMp4, "-movflags", "+faststart"});
+      append(command, tags);
+      break;
+    case VideoFormat::webm:
+      append(command, {"-vf", rec709 + (sequence.transparent ? "yuva420p" : "yuv420p"), "-crf",
+                       kQualityOfWebm, "-b:v", "0", "-cpu-used", kHasteOfWebm, "-row-mt", "1"});
+      append(command, tags);
+      break;
+    case VideoFormat::gif:
+      append(command, {"-vf", kPalette});
+      break;
+  }
+  const FormatWords& words = kFormats[static_cast<std::size_t>(format)];
+  append(command, {"-f", std::string(words.muxer), "file:" + file.string()});
+  return command;
+}
+
+// In a process group of its own: an interrupt from the terminal is not for it.
+pid_t start(const std::vector<std::string>& command, int frames, int errors) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : command) {
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  }
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, frames, STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  pid_t process = -1;
+  const int failed =
+      posix_spawn(&process, arguments[0], &files, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  if (failed != 0) {
+    throw IoError(command[0] + " cannot be started: " + std::generic_category().message(failed) +
+                  "; name a .png for numbered pictures");
+  }
+  return process;
+}
+
+}  // namespace
+
+std::optional<VideoFormat> video_format_of(std::string_view ending) {
+  for (std::size_t k = 0; k < kFormats.size(); ++k) {
+    if (kFormats[k].ending == ending) return static_cast<VideoFormat>(k);
+  }
+  return {};
+}
+
+std::optional<fs::path> find_ffmpeg() {
+  const char* path = std::getenv("PATH");
+  std::string_view left = path != nullptr ? path : "";
+  while (!left.empty()) {
+    const std::size_t end = std::min(left.find(':'), left.size());
+    const fs::path program = fs::path(left.substr(0, end)) / "ffmpeg";
+    left.remove_prefix(std::min(end + 1, left.size()));
+    std::error_code error;
+    if (fs::is_regular_file(program, error) && access(program.c_str(), X_OK) == 0) return program;
+  }
+  return {};
+}
+
+fs::path require_ffmpeg(const fs::path& output) {
+  auto program = find_ffmpeg();
+  if (!program) {
+    throw IoError(output.string() +
+                  ": a video is written by the program ffmpeg, which is not on the PATH; install "
+                  "the package ffmpeg, or end the name in .png for numbered pictures");
+  }
+  return *std::move(program);
+}
+
+VideoWriter::VideoWriter(const fs::path& output, VideoFormat format, const FrameSequence& sequence)
+    : output_(output),
+      puts_on_black_(sequence.transparent && format == VideoFormat::mp4),
+      replacement_(output),
+      errors_(std::tmpfile(), &std::fclose) {
+  const fs::path program = require_ffmpeg(output);
+  // A socket, because writing to one that nobody reads any more is an error and no signal.
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw IoError("no socket can be opened: " + std::generic_category().message(errno) +
+                  "; close other programs");
+  }
+  frames_.reset(ends[0]);
+  const FileDescriptor child_end(ends[1]);
+  if (errors_ == nullptr) {
+    throw IoError("no temporary file can be made: " + std::generic_category().message(errno) +
+                  "; make room in the folder of temporary files");
+  }
+  process_ = start(ffmpeg_command(program, replacement_.temporary(), format, sequence), ends[1],
+                   fileno(errors_.get()));
+}
+
+VideoWriter::~VideoWriter() {
+  if (process_ <= 0) return;
+  kill(-process_, SIGKILL);
+  wait_for_end();
+}
+
+void VideoWriter::write(const Image& frame) {
+  std::optional<Image> opaque;
+  if (puts_on_black_) put_on_black(opaque.emplace(frame));
+  const std::vector<std::uint8_t>& bytes = opaque ? opaque->rgba : frame.rgba;
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t put = send(frames_.get(), bytes.data() + done, bytes.size() - done, MSG_NOSIGNAL);
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) fail();
+    done += static_cast<std::size_t>(put);
+  }
+}
+
+void VideoWriter::finish() {
+  frames_.close();
+  if (wait_for_end() != 0) fail();
+  replacement_.commit();
+}
+
+int VideoWriter::wait_for_end() {
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  return status;
+}
+
+// The last line of what ffmpeg said is why.
+void VideoWriter::fail() {
+  frames_.close();
+  if (process_ > 0) wait_for_end();
+  std::rewind(errors_.get());
+  std::array<char, 1024> line{};
+  std::string last = "it ended before the last picture";
+  while (std::fgets(line.data(), line.size(), errors_.get()) != nullptr) {
+    std::string_view words(line.data());
+    while (words.ends_with('\n')) words.remove_suffix(1);
+    if (!words.empty()) last = words;
+  }
+  throw IoError("ffmpeg cannot write " + output_.string() + ": " + last +
+                "; nothing was changed, name a .png for numbered pictures");
+}
+
+}  // namespace lapwing
