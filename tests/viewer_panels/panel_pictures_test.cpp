@@ -9,6 +9,7 @@
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
 #include "session/transplant_runs.h"
+#include "support/environment.h"
 #include "support/gpu.h"
 #include "support/keep_picture.h"
 #include "viewer_panels/shown_viewer.h"
@@ -152,6 +153,9 @@ TEST_P(Panels, OfACoatAreWhole) {
   check("coat-patch");
   viewer_->click("How it is computed");
   check("coat-parameters");
+  viewer_->click("How it is computed");
+  viewer_->click("Domain");
+  check("coat-domain");
 }
 
 TEST_P(Panels, OfAMixAreWhole) {
@@ -170,6 +174,50 @@ TEST_P(Panels, OfATransplantAreWhole) {
   check("transplant-carried");
   viewer_->click("More parts");
   check("transplant-more");
+}
+
+TEST_P(Panels, OfTheBrowserAreWhole) {
+  const lapwing::test::Environment no_programs("PATH", "");  // no dialogs of the desktop
+  std::filesystem::create_directories(viewer_->folder() / "scans of last year" / "raw");
+  viewer_->open(viewer_->folder() / "tube.obj");
+  for (const auto& [key, modifiers, button] :
+       {std::tuple{'O', kControl, "Open"}, {'S', kControlShift, "Save"}, {'E', kControl, "Save"}}) {
+    viewer_->key(key, modifiers);
+    viewer_->wait_for([&] { return viewer_->shows(button) && viewer_->shows("Cancel"); },
+                      "the browser is there");
+    check(std::string("browser-") + static_cast<char>(key));
+    viewer_->key(kEscape);
+  }
+  viewer_->key('O', kControl);
+  viewer_->look_at();
+  for (const char letter : std::string("nothing.obj")) {
+    viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(letter)});
+  }
+  viewer_->send({.kind = InputKind::key, .key = kEnter});
+  viewer_->wait_for([&] { return viewer_->says("there is no file"); },
+                    "that it is not there is said");
+  check("browser-refuses");
+}
+
+// Of a ball with a face twice and vertices without a face.
+TEST_P(Panels, OfTheDoctorAreWhole) {
+  Mesh ball = icosphere(3);
+  ball.add_face(std::vector<Index>(ball.face(100).begin(), ball.face(100).end()));
+  for (int k = 0; k < 12; ++k) ball.positions.emplace_back(1.4, 0.1 * k, 0.0);
+  write_mesh(ball, viewer_->folder() / "broken.obj");
+  viewer_->open(viewer_->folder() / "broken.obj");
+  viewer_->wait_for([&] { return viewer_->shows("Repair"); }, "a repair is offered");
+  check("doctor-offer");
+  viewer_->click("Show");
+  check("doctor-places");
+  viewer_->click("Back");
+  viewer_->click("Repair");
+  viewer_->wait_for([&] { return viewer_->shows("Keep..."); }, "the repair is shown");
+  check("doctor-preview");
+  std::ofstream(viewer_->folder() / "cloud.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  viewer_->open(viewer_->folder() / "cloud.obj");
+  viewer_->wait_for([&] { return viewer_->shows("Open another file..."); }, "nothing is there");
+  check("doctor-empty");
 }
 
 // However many lines it takes.
