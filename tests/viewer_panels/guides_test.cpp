@@ -1,5 +1,5 @@
-// Every key that a person needs for an edit, a coat, a mix or a transplant stands on the screen when
-// it is needed: in the guide, at the control that does the same, or in a menu.
+// Every key that a person needs for an edit, a coat, a mix or a transplant stands on the screen
+// when it is needed: in the guide, at the control that does the same, or in a menu.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ class Guides : public ::testing::Test {
     std::filesystem::create_directories(parts);
     write_mesh(lapwing::test::finger(24, 12, 0.2, 0.6), parts / "finger.ply");
     write_mesh(rippled_cylinder(24, 41), folder_ / "tube.obj");
-    viewer_ = std::make_unique<ShownViewer>(std::make_shared<gpu::Context>(), Look{},
-                                            folder_.path());
+    viewer_ =
+        std::make_unique<ShownViewer>(std::make_shared<gpu::Context>(), Look{}, folder_.path());
     viewer_->open(folder_ / "tube.obj");
   }
 
@@ -115,6 +115,27 @@ TEST_F(Guides, NameTheKeysOfACoat) {
   expect_at("Apply", "Ctrl+Enter");
   viewer_->click("the whole source");
   expect_says("K picks corresponding points");
+}
+
+// It stays what it was in each frame, so that what is chosen on it stays, too.
+TEST_F(Guides, LeadFromADragToACoatOfWhatWasMoved) {
+  choose_roi();
+  viewer_->key('H');
+  drag_disk(20.0);
+  viewer_->key('G');
+  viewer_->type(U'1');
+  viewer_->key(kEnter);
+  const Editor& editor = viewer_->app().document()->editor;
+  viewer_->wait_for([&] { return editor.state().settled && !editor.waits(); }, "it settles");
+  viewer_->key('K', kControl);
+  viewer_->wait_for([&] { return viewer_->says("source: "); }, "the coat begins");
+  viewer_->click("the whole source");
+  expect_says("source patch: 984 vertices");
+  const auto& preview = viewer_->app().document()->desk.preview();
+  viewer_->wait_for([&] { return !preview.message().empty(); }, "the preview says what it misses");
+  EXPECT_THAT(preview.message(), ::testing::HasSubstr("disk"));
+  viewer_->look_at();
+  EXPECT_FALSE(preview.is_behind()) << "it is not computed again and again";
 }
 
 TEST_F(Guides, NameTheKeysOfAMix) {

@@ -92,7 +92,7 @@ class APreview : public ::testing::Test {
 
   // Until what is wanted is shown, or cannot be.
   void show(const LayerDraft& draft) {
-    preview_.follow(target_, draft);
+    preview_.follow(target_.rest, draft);
     preview_.update();
     while (preview_.is_behind()) {
       preview_.update();
@@ -134,11 +134,11 @@ TEST_F(APreview, FollowsTheAmplitudeAtOnce) {
   LayerDraft draft = coat_draft(files_);
   show(draft);
   draft.sources[0].amplitude = 0.25;
-  preview_.follow(target_, draft);
+  preview_.follow(target_.rest, draft);
   EXPECT_TRUE(preview_.update()) << "without the worker";
   EXPECT_EQ(preview_.positions(), applied(draft).positions);
   draft.sources[0].amplitude = 0.0;
-  preview_.follow(target_, draft);
+  preview_.follow(target_.rest, draft);
   EXPECT_TRUE(preview_.update());
   EXPECT_EQ(preview_.positions(), target_.rest->positions);
 }
@@ -150,7 +150,7 @@ TEST_F(APreview, FollowsTheDetailSizeAtOnceAndThenExactly) {
   const auto mesh = preview_.mesh();
   const Positions before = preview_.positions();
   draft.sources[0].detail_size = 0.25;
-  preview_.follow(target_, draft);
+  preview_.follow(target_.rest, draft);
   while (!preview_.update()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(preview_.mesh(), mesh) << "what was prepared";
   EXPECT_FALSE(preview_.is_exact());
@@ -162,11 +162,11 @@ TEST_F(APreview, FollowsTheDetailSizeAtOnceAndThenExactly) {
 
 TEST_F(APreview, WhatIsAskedForMeanwhileIsWhatComes) {
   LayerDraft draft = coat_draft(files_);
-  preview_.follow(target_, draft);
+  preview_.follow(target_.rest, draft);
   preview_.update();
   for (const double amplitude : {0.5, 0.75}) {
     draft.sources[0].amplitude = amplitude;
-    preview_.follow(target_, draft);
+    preview_.follow(target_.rest, draft);
     preview_.update();
   }
   draft.target_patch = {GeodesicDisk{Eigen::Vector3d(0.4, 0.5, 0.016), 0.25}};

@@ -164,9 +164,17 @@ void LayerDesk::pick(Picking what, Editor& editor) {
   }
 }
 
-// The surface that the step comes to, with what is settled.
-AppState LayerDesk::target_of(const Editor& editor) const {
-  return start_ ? *start_ : viewer::apply(editor.state(), Commit{});
+// The surface that the step comes to, with what is settled: the same one in every frame until
+// something is edited, since views and the preview begin anew on another.
+std::shared_ptr<const Mesh> LayerDesk::target_of(const Editor& editor) {
+  if (start_) return start_->rest;
+  const AppState& now = editor.state();
+  if (!now.settled) return now.rest;
+  if (committed_from_ != now.settled) {
+    committed_ = viewer::apply(now, Commit{}).rest;
+    committed_from_ = now.settled;
+  }
+  return committed_;
 }
 
 void LayerDesk::update(Editor& editor) {
@@ -183,11 +191,11 @@ void LayerDesk::update(Editor& editor) {
   take_read();
   read_next();
   if (needs_settling(editor.state())) return;
-  const AppState target = target_of(editor);
+  const std::shared_ptr<const Mesh> target = target_of(editor);
   renew_own_views(target);
   take_what_was_done(editor);
   if (view() != nullptr) view()->update();
-  take_weight(target);
+  take_weight(*target);
   if (is_painting_) return show_weight(editor, target);
   const bool wanted = wants_preview(editor);
   if (wanted) preview_.follow(target, draft_);
@@ -200,10 +208,10 @@ bool LayerDesk::wants_preview(const Editor& editor) const {
 }
 
 // A field of other vertices is no weight any more.
-void LayerDesk::take_weight(const AppState& target) {
+void LayerDesk::take_weight(const Mesh& target) {
   auto* painted = std::get_if<PaintedWeight>(&draft_.weight.form);
   if (painted == nullptr) return;
-  const std::size_t count = target.rest->vertex_count();
+  const std::size_t count = target.vertex_count();
   if (weight_paint_.field().size() != count) {
     weight_paint_.set_field(painted->field.size() == count ? painted->field
                                                            : std::vector<double>(count, 0.0));
@@ -211,10 +219,10 @@ void LayerDesk::take_weight(const AppState& target) {
   if (painted->field != weight_paint_.field()) painted->field = weight_paint_.field();
 }
 
-void LayerDesk::show_weight(Editor& editor, const AppState& target) {
+void LayerDesk::show_weight(Editor& editor, const std::shared_ptr<const Mesh>& target) {
   previewed_.reset();
   editor.shown().show_preview(
-      target.rest, classes_of(weight_paint_.live_field(), editor.state().selection.roi.vertices));
+      target, classes_of(weight_paint_.live_field(), editor.state().selection.roi.vertices));
 }
 
 void LayerDesk::take_read() {
@@ -246,11 +254,11 @@ void LayerDesk::read_next() {
 }
 
 // A source that is the mesh itself shows it as it is.
-void LayerDesk::renew_own_views(const AppState& target) {
+void LayerDesk::renew_own_views(const std::shared_ptr<const Mesh>& target) {
   for (std::size_t k = 0; k < draft_.source_count(); ++k) {
     if (!draft_.sources[k].mesh.empty() || reading_ == k) continue;
-    if (views_[k] && views_[k]->state().rest == target.rest) continue;
-    views_[k] = std::make_unique<SourceView>(target.rest, up_axis_, context_);
+    if (views_[k] && views_[k]->state().rest == target) continue;
+    views_[k] = std::make_unique<SourceView>(target, up_axis_, context_);
     if (picking_ != Picking::none) views_[k]->take(SourceTool::point);
     try {
       if (!is_nothing(draft_.sources[k].patch)) views_[k]->choose_patch(draft_.sources[k].patch);
@@ -307,7 +315,7 @@ void LayerDesk::take_points(const Editor& editor) {
 }
 
 void LayerDesk::add_pair(const Editor& editor) {
-  const AppState target = target_of(editor);
+  const std::shared_ptr<const Mesh> target = target_of(editor);
   CoatSource& source = draft_.sources[current_];
   VertexPair pair{*picked_source_, *point_tool_.picked};
   if (picking_ == Picking::inside) {
@@ -316,7 +324,7 @@ void LayerDesk::add_pair(const Editor& editor) {
   }
   const AppState& from = view()->state();
   pair[0] = nearest_on_border(pair[0], view()->patch().vertices, *from.rest);
-  pair[1] = nearest_on_border(pair[1], resolve(draft_.target_patch, *target.rest), *target.rest);
+  pair[1] = nearest_on_border(pair[1], resolve(draft_.target_patch, *target), *target);
   // So many fit the domain; one more begins anew.
   if (source.boundary_pairs.size() >= pin_count(draft_.parameters.domain)) {
     source.boundary_pairs.clear();

@@ -87,16 +87,16 @@ class LayerDesk {
   bool can_click_target(const Editor& editor) const;
   void take_read();
   void read_next();
-  void renew_own_views(const AppState& target);
+  void renew_own_views(const std::shared_ptr<const Mesh>& target);
   void take_what_was_done(const Editor& editor);
   void take_patches(const Editor& editor);
   void take_points(const Editor& editor);
   void add_pair(const Editor& editor);
-  void take_weight(const AppState& target);
-  void show_weight(Editor& editor, const AppState& target);
+  void take_weight(const Mesh& target);
+  void show_weight(Editor& editor, const std::shared_ptr<const Mesh>& target);
   bool wants_preview(const Editor& editor) const;
   void show_preview(Editor& editor);
-  AppState target_of(const Editor& editor) const;
+  std::shared_ptr<const Mesh> target_of(const Editor& editor);
 
   UpAxis up_axis_;
   std::shared_ptr<gpu::Context> context_;
@@ -106,6 +106,9 @@ class LayerDesk {
   LayerDraft draft_;
   std::optional<std::size_t> taken_up_;
   std::optional<AppState> start_;  // of the step taken up: the surface before it
+  // Else what the open edit comes to, if it has moved something.
+  std::shared_ptr<const Mesh> committed_;
+  std::shared_ptr<const MovedVertices> committed_from_;
   std::size_t current_ = 0;
   std::array<std::unique_ptr<SourceView>, 2> views_;
   std::array<bool, 2> is_to_read_{};

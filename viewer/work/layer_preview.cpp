@@ -1,5 +1,7 @@
 #include "work/layer_preview.h"
 
+#include <utility>
+
 #include "lapwing/base/errors.h"
 #include "lapwing/step/coat_step.h"
 #include "state/command.h"
@@ -33,9 +35,9 @@ double amplitude_of(const LayerDraft& draft) {
 LayerPreview::LayerPreview(JobThread::MakeKernels make_kernels, std::function<void()> wake)
     : job_(std::move(make_kernels), std::move(wake)) {}
 
-void LayerPreview::follow(const AppState& target, const LayerDraft& draft) {
-  if (wanted_ && wanted_->target.rest == target.rest && wanted_->draft == draft) return;
-  wanted_ = Wanted{target, draft};
+void LayerPreview::follow(std::shared_ptr<const Mesh> target, const LayerDraft& draft) {
+  if (wanted_ && wanted_->target == target && wanted_->draft == draft) return;
+  wanted_ = Wanted{std::move(target), draft};
 }
 
 void LayerPreview::stop() {
@@ -93,7 +95,7 @@ bool LayerPreview::take_result() {
 bool LayerPreview::go_on() {
   if (!wanted_ || wanted_ == failed_) return false;
   const auto alike = [this](const std::optional<Wanted>& other) {
-    return other && other->target.rest == wanted_->target.rest &&
+    return other && other->target == wanted_->target &&
            same_but_for_sliders(other->draft, wanted_->draft);
   };
   if (!is_lent() && alike(shown_)) return slide();
@@ -134,8 +136,8 @@ LayerPreview::Result LayerPreview::prepared(const Wanted& wanted,
   auto result = std::make_shared<Prepared>(Prepared{kernels, wanted.target, wanted.draft, nullptr});
   report_progress(progress, "source", 0.0);
   result->layers = std::make_unique<LayeredCoat>(
-      layered(result->draft), *result->target.rest,
-      read_source_meshes(result->draft.all_sources(), ""), *kernels, progress);
+      layered(result->draft), *result->target, read_source_meshes(result->draft.all_sources(), ""),
+      *kernels, progress);
   return result;
 }
 

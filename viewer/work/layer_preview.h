@@ -20,9 +20,8 @@ class LayerPreview {
   /// JobThread's.
   explicit LayerPreview(JobThread::MakeKernels make_kernels, std::function<void()> wake = {});
 
-  /// Wants the result of `draft` on the surface of `target`, whose moves are settled. Nothing
-  /// happens where that is what was wanted last.
-  void follow(const AppState& target, const LayerDraft& draft);
+  /// Wants the result of `draft` on `target`. Nothing happens where that is what was wanted last.
+  void follow(std::shared_ptr<const Mesh> target, const LayerDraft& draft);
   /// Wants nothing any more.
   void stop();
   void use_kernels(JobThread::MakeKernels make_kernels);
@@ -51,16 +50,16 @@ class LayerPreview {
   // The request, what its result refers to, and what came of it.
   struct Prepared {
     std::shared_ptr<Kernels> kernels;
-    AppState target;
+    std::shared_ptr<const Mesh> target;
     LayerDraft draft;
     std::unique_ptr<LayeredCoat> layers;
   };
   struct Wanted {
-    AppState target;
+    std::shared_ptr<const Mesh> target;
     LayerDraft draft;
 
     bool operator==(const Wanted& other) const {
-      return target.rest == other.target.rest && draft == other.draft;
+      return target == other.target && draft == other.draft;
     }
   };
   using Result = std::shared_ptr<Prepared>;
