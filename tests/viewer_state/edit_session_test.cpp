@@ -182,6 +182,9 @@ TEST_F(ASession, CertificateGoesWithItsResult) {
   EXPECT_EQ(session_->certificate()->largest_rotation_degrees, first);
   session_->go_to(4);
   EXPECT_EQ(session_->certificate()->largest_rotation_degrees, second);
+  crash_and_restore();
+  ASSERT_NE(session_->certificate(), nullptr) << "restored";
+  EXPECT_EQ(session_->certificate()->largest_rotation_degrees, second);
   session_->perform(Commit{});
   EXPECT_EQ(session_->certificate(), nullptr);
 }

@@ -27,7 +27,7 @@ class SeamState : public ::testing::Test {
   AppState settled() const {
     CpuKernels kernels;
     const AppState state = apply(chosen(), MoveHandle{0, bent()});
-    return apply(state, Settle{solve_open_step(state, kernels).moved});
+    return apply(state, Settle{solve_open_step(state, kernels)});
   }
   bool is_closed(const Positions& positions) const {
     for (Index v = 0; v < positions.size(); ++v) {

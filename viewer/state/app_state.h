@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/deform/certificate.h"
 #include "lapwing/mesh/joined_surface.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/region/edit_region.h"
@@ -24,8 +25,12 @@ struct MovedVertices {
   Positions positions;
   /// Where it puts AppState::carried, in that order; none where none of them follows.
   CarriedFiles carried = {};
+  /// Of an edit that was settled; no part of the value.
+  std::shared_ptr<const Certificate> certificate = {};
 
-  bool operator==(const MovedVertices&) const = default;
+  bool operator==(const MovedVertices& other) const {
+    return vertices == other.vertices && positions == other.positions && carried == other.carried;
+  }
 };
 
 /// The vertices whose bits differ between `before` and `after`, of one mesh, where `after` puts

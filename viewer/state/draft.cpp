@@ -79,7 +79,8 @@ Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
   return recipe;
 }
 
-Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& progress) {
+std::shared_ptr<const MovedVertices> solve_open_step(const AppState& state, Kernels& kernels,
+                                                     const Progress& progress) {
   RunResult result;
   result.mesh = *state.rest;
   result.carried = carried_at_rest(state.carried);
@@ -87,13 +88,13 @@ Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& 
       run_step(open_step(state), {state.steps.size() + 1, {}, kernels, progress, result});
   MovedVertices moved = moved_vertices(state.rest->positions, result.mesh.positions);
   if (any_follows(state.carried)) moved.carried = share(std::move(result.carried));
-  return {std::make_shared<const MovedVertices>(std::move(moved)),
-          std::move(report.deform->certificate)};
+  moved.certificate = std::make_shared<const Certificate>(std::move(report.deform->certificate));
+  return std::make_shared<const MovedVertices>(std::move(moved));
 }
 
 CarryOut carry_out_with(Kernels& kernels, Progress progress) {
   return {[&kernels, progress](const AppState& state) {
-            return solve_open_step(state, kernels, progress).moved;
+            return solve_open_step(state, kernels, progress);
           },
           [&kernels, progress](const AppState& state, const Step& step) {
             return apply_step(state, step, {}, kernels, progress).result;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lapwing/base/progress.h"
-#include "lapwing/deform/certificate.h"
 #include "lapwing/kernels/kernels.h"
 #include "state/applied_step.h"
 #include "state/history.h"
@@ -36,12 +35,10 @@ Recipe to_recipe(const AppState& state, const std::filesystem::path& mesh,
 /// What a state's moves come to.
 using Solve = std::function<std::shared_ptr<const MovedVertices>(const AppState&)>;
 
-struct Solved {
-  std::shared_ptr<const MovedVertices> moved;
-  Certificate certificate;
-};
-/// Runs the open step as `run_recipe` does, in parts where it says so. Throws what that does.
-Solved solve_open_step(const AppState& state, Kernels& kernels, const Progress& progress = {});
+/// Runs the open step as `run_recipe` does, in parts where it says so, and then certifies all of
+/// them as one. Throws what that does.
+std::shared_ptr<const MovedVertices> solve_open_step(const AppState& state, Kernels& kernels,
+                                                     const Progress& progress = {});
 
 /// How the steps of a recipe are carried out. What throws ends the replay.
 struct CarryOut {

@@ -127,8 +127,6 @@ bool EditSession::take_result() {
   auto result = preparation_.take_result();
   if (!result || !needs_settling(state()) || result->moves != state().moves) return false;
   history_.perform(Settle{result->moved});
-  std::erase_if(certificates_, [](const auto& known) { return known.first.expired(); });
-  certificates_.insert_or_assign(result->moved, std::move(result->certificate));
   follow();
   return true;
 }
@@ -233,9 +231,7 @@ std::optional<LiveResult> EditSession::take_live_result() {
 }
 
 const Certificate* EditSession::certificate() const {
-  if (!state().settled) return nullptr;
-  const auto known = certificates_.find(state().settled);
-  return known == certificates_.end() ? nullptr : &known->second;
+  return state().settled ? state().settled->certificate.get() : nullptr;
 }
 
 // What is carried along as it is now, if all of it can be written beside `path`.

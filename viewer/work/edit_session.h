@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -113,8 +112,7 @@ class EditSession {
   /// Where files that steps name are looked for: the mesh file's folder, or the current one.
   std::filesystem::path folder() const;
 
-  /// Of the result that the state shows, also after undo and redo back to it; null without one, and
-  /// where it is not known, as for a restored one.
+  /// Of the result that the state shows; null without one.
   const Certificate* certificate() const;
 
   /// Writes the surface as it is, and before it what is carried along, as a run does beside its
@@ -149,11 +147,7 @@ class EditSession {
   // What of the state must stay as it is while a step is carried out.
   enum class Needs { nothing, surface, surface_and_choice };
 
-  // By the result that is certified, as long as the history knows it.
-  using Certificates = std::map<std::weak_ptr<const MovedVertices>, Certificate, std::owner_less<>>;
-
   History history_;
-  Certificates certificates_;
   std::optional<MeshStamp> file_;
   std::optional<Journal> journal_;
   std::string warning_;

@@ -35,8 +35,7 @@ bool same_preparation(const AppState& a, const AppState& b) {
 SettledResult settled_result(const AppState& state, const Deformer& exact, Kernels& kernels,
                              CarryContacts& contacts, const Progress& progress) {
   if (state.parameters.commit_every) {
-    Solved solved = solve_open_step(state, kernels, progress);
-    return {state.moves, std::move(solved.moved), std::move(solved.certificate)};
+    return {state.moves, solve_open_step(state, kernels, progress)};
   }
   DeformResult solved = exact.solve(motions_of(state), turns_of(state), progress);
   const JoinedSurface* joined = joined_seams(state);
@@ -49,8 +48,8 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
     moved.carried =
         files_of(state.carried, contacts.carry(state.carried, state.rest, deformed, progress));
   }
-  return {state.moves, std::make_shared<const MovedVertices>(std::move(moved)),
-          std::move(solved.certificate)};
+  moved.certificate = std::make_shared<const Certificate>(std::move(solved.certificate));
+  return {state.moves, std::make_shared<const MovedVertices>(std::move(moved))};
 }
 
 }  // namespace

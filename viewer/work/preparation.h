@@ -39,9 +39,8 @@ struct PreparationStatus {
 
 /// What settling came to.
 struct SettledResult {
-  std::vector<Move> moves;  ///< those of the state that asked
-  std::shared_ptr<const MovedVertices> moved;
-  Certificate certificate;  ///< of all parts as one where the step commits on the way
+  std::vector<Move> moves;                     ///< those of the state that asked
+  std::shared_ptr<const MovedVertices> moved;  ///< certified
 };
 
 /// Where a drag under way has been brought.
