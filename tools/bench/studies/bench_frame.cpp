@@ -15,7 +15,9 @@
 #include "navigation/camera_motion.h"
 #include "run/measure.h"
 #include "run/subject.h"
+#include "studies/frame_parts.h"
 #include "studies/studies.h"
+#include "studies/viewer_frames.h"
 #include "tools/projection.h"
 #include "ui/panels.h"
 #include "window/frame_painter.h"
@@ -27,9 +29,6 @@ namespace {
 
 using viewer::FrameTimings;
 using viewer::Scene;
-
-// Frames of each kind for one counted run.
-constexpr int kFramesPerRun = 8;
 
 // Panels about as large as the viewer's.
 class Panels {
@@ -68,29 +67,6 @@ class Panels {
  private:
   std::vector<viewer::Message> log_ =
       std::vector<viewer::Message>(12, "a line of the log, to be read");
-};
-
-// What a frame costs, part by part, in the order of the table.
-struct Parts {
-  std::array<Samples, 6> parts;
-
-  void add(const FrameTimings& times, double frame_ms) {
-    const std::array values{times.blend_ms, times.normals_ms, times.draw_ms,
-                            times.ui_ms,    times.panels_ms,  frame_ms};
-    for (std::size_t p = 0; p < values.size(); ++p) parts[p].milliseconds.push_back(values[p]);
-  }
-
-  void print(const char* title) const {
-    constexpr std::array kNames{"blend, device",  "normals, device",   "surface, device",
-                                "panels, device", "panels, processor", "whole frame"};
-    std::printf("  %-48s %10s %10s %10s\n", title, "median", "min", "max");
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      std::printf("    %-46s %10.2f %10.2f %10.2f\n", kNames[p], parts[p].median(), parts[p].min(),
-                  parts[p].max());
-    }
-    const double compute = parts[0].median() + parts[1].median();
-    std::printf("    %-46s %10.3f\n", "compute / whole frame", compute / parts[5].median());
-  }
 };
 
 // The handle on its way: all 12 numbers of its motion are in use.
@@ -141,7 +117,7 @@ class DraggedMesh {
   }
 
   // One frame, drawn as the window does while something moves or as when nothing does.
-  void paint(Change change, bool quick, bool anew, Parts& parts) {
+  void paint(Change change, bool quick, bool anew, FrameParts& parts) {
     const Stopwatch frame;
     ++frames_;
     if (change == Change::handle) {
@@ -247,16 +223,14 @@ constexpr std::array<Kind, 6> kKinds{
      {"the eye jumps, as with a wheel", Change::camera, false, false},
      {"a handle is dragged", Change::handle, true, false}}};
 
-}  // namespace
-
-void bench_frame(const FrameBench& settings) {
+void print_dragged_mesh(const FrameBench& settings) {
   DraggedMesh dragged(settings);
-  std::array<Parts, kKinds.size()> measured;
+  std::array<FrameParts, kKinds.size()> measured;
   std::uint32_t coarseness = 1;
   for (int run = -1; run < settings.repeats; ++run) {
     for (std::size_t k = 0; k < kKinds.size(); ++k) {
       const Kind& kind = kKinds[k];
-      Parts uncounted;
+      FrameParts uncounted;
       // The first frame of a kind may follow on one that showed something else.
       dragged.paint(kind.change, kind.quick, kind.anew, uncounted);
       for (int f = 0; f < kFramesPerRun; ++f) {
@@ -285,6 +259,13 @@ void bench_frame(const FrameBench& settings) {
   print("along the line of sight, processor", along_ray);
   print("by a picture drawn for it, device", by_picture);
   if (!settings.picture.empty()) write_png(settings.picture, dragged.picture());
+}
+
+}  // namespace
+
+void bench_frame(const FrameBench& settings) {
+  print_dragged_mesh(settings);
+  print_viewer_frames(settings, subject_of(settings));
 }
 
 }  // namespace lapwing::bench
