@@ -34,9 +34,12 @@ struct SurfaceStyle {
   SurfaceColor color = SurfaceColor::plain;
   ColorMap color_map = ColorMap::sequential;
   std::optional<ScalarRange> range;  ///< of the colour map; of the numbers themselves by default
-  bool wireframe = false;            ///< polygon edges over the surface
-  bool flat = false;                 ///< one normal per triangle
-  float line_width = 1.0F;           ///< of the wireframe, in pixels
+  /// In place of the clay, and under regions in place of the grey outside: what the mesh's file
+  /// says, where the paint has that.
+  bool file_colors = false;
+  bool wireframe = false;   ///< polygon edges over the surface
+  bool flat = false;        ///< one normal per triangle
+  float line_width = 1.0F;  ///< of the wireframe, in pixels
   /// `front` draws faster, and the same picture where no back is seen (see is_closed_outward).
   Sides sides = Sides::both;
 
