@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lapwing/render/mip_levels.h"
+#include "lapwing/render/file_paint.h"
 #include "render/picture.h"
 #include "render/textured_square.h"
 #include "support/gpu.h"
@@ -130,7 +130,7 @@ class InFileColors {
     return with(colors);
   }
   Image with(const FileColors& colors) {
-    subject.paint.set_file_colors(subject.mesh, colors, mip_levels(colors.images));
+    subject.paint.set_file_colors(subject.mesh, FilePaint(colors));
     return subject.render();
   }
 
@@ -330,7 +330,7 @@ TEST(FileColor, CountsOfAnotherMeshAreRefused) {
   Subject one(textured_square());
   Mesh other = textured_square();
   other.add_face(std::array<Index, 3>{0, 1, 2});
-  EXPECT_THROW(one.paint.set_file_colors(other, {}, {}), InputError);
+  EXPECT_THROW(one.paint.set_file_colors(other, FilePaint({})), InputError);
 }
 
 }  // namespace

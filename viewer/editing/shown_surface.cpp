@@ -14,8 +14,11 @@ Eigen::Vector2d middle_of(const Eigen::Vector2d& pixel) {
 
 }  // namespace
 
-ShownSurface::ShownSurface(std::shared_ptr<const Mesh> opened)
-    : opened_(std::move(opened)), opened_bounds_(bounds_of(opened_->positions)) {}
+ShownSurface::ShownSurface(std::shared_ptr<const Mesh> opened,
+                           std::shared_ptr<const FilePaint> file)
+    : opened_(std::move(opened)),
+      file_(std::move(file)),
+      opened_bounds_(bounds_of(opened_->positions)) {}
 
 void ShownSurface::release_device() {
   device_.reset();
@@ -24,7 +27,7 @@ void ShownSurface::release_device() {
 
 void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   context_ = std::move(context);
-  device_.emplace(now_ ? *now_ : *opened_, context_);
+  device_.emplace(now_ ? *now_ : *opened_, context_, file_.get());
   measured_.reset();
   dragged_version_.reset();
   needs_classes_ = true;
@@ -61,7 +64,7 @@ void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
   if (device_->topology.get() != &mesh.topology()) {
     // Two at a time may not fit on the device.
     device_.reset();
-    device_.emplace(mesh, context_);
+    device_.emplace(mesh, context_, file_.get());
     measured_.reset();
     dragged_version_.reset();
     needs_classes_ = true;

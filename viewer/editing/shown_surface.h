@@ -20,8 +20,10 @@ namespace lapwing::viewer {
 /// `show_before` says so; a drag, while it is followed; the surface as the state knows it.
 class ShownSurface {
  public:
-  /// `opened` is the mesh before any step, to compare with.
-  explicit ShownSurface(std::shared_ptr<const Mesh> opened);
+  /// `opened` is the mesh before any step, to compare with. `file` colours it, and what comes of it
+  /// with other triangles, as far as those have attributes of the file; null for none.
+  explicit ShownSurface(std::shared_ptr<const Mesh> opened,
+                        std::shared_ptr<const FilePaint> file = nullptr);
 
   /// Lets all go that is on the device, or makes it there. Between them only `take` may be called.
   void release_device();
@@ -65,6 +67,9 @@ class ShownSurface {
   /// Whether other triangles have come since.
   bool needs_classes() const { return needs_classes_; }
 
+  /// Whether the file gives what is on the screen a colour.
+  bool has_file_colors() const { return device_->surface.paint().has_file_colors(); }
+
   /// Colours by how the surface differs from the one opened; nothing: by regions.
   void color_by(std::optional<PoseMeasure> measure) { measure_ = measure; }
   /// Whether it has the triangles of the one opened.
@@ -98,8 +103,8 @@ class ShownSurface {
 
   // All that is in device memory but for the worker's.
   struct OnDevice {
-    OnDevice(const Mesh& mesh, const std::shared_ptr<gpu::Context>& context)
-        : topology(mesh.shared_topology()), picker(*context), surface(context, mesh) {}
+    OnDevice(const Mesh& mesh, const std::shared_ptr<gpu::Context>& context, const FilePaint* file)
+        : topology(mesh.shared_topology()), picker(*context), surface(context, mesh, file) {}
 
     std::shared_ptr<const Topology> topology;
     SurfacePicker picker;
@@ -109,6 +114,7 @@ class ShownSurface {
   std::shared_ptr<gpu::Context> context_;
   std::optional<OnDevice> device_;
   std::shared_ptr<const Mesh> opened_;
+  std::shared_ptr<const FilePaint> file_;
   Bounds opened_bounds_;
 
   // What the state says, and where that takes the vertices.

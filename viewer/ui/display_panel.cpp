@@ -84,6 +84,10 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   ImGui::SameLine();
   bool before = editor.shown().shows_before();
   if (ImGui::Checkbox("Before", &before)) editor.show_before(before);
+  if (editor.shown().has_file_colors()) {
+    ImGui::SameLine();
+    ImGui::Checkbox("File's colours", &style.file_colors);
+  }
   choose_in_pairs(
       "Colour", choices.coloring,
       std::array{std::pair{"plain", Coloring::plain}, std::pair{"regions", Coloring::regions},

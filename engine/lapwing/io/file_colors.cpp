@@ -41,18 +41,15 @@ class ImageShelf {
  public:
   explicit ImageShelf(std::vector<std::string>& notes) : notes_(notes) {}
 
-  /// Number of the image `name`, to be looked for in `folders` in turn; kNoIndex if it is not
-  /// there.
-  Index add(const std::string& name, const std::vector<fs::path>& folders) {
-    const auto [known, is_new] = by_name_.try_emplace({folders.front(), name}, kNoIndex);
+  /// Number of the image that file `namer` calls `name`, looked for beside that and then beside the
+  /// mesh; kNoIndex if it is not there.
+  Index add(const std::string& name, const fs::path& namer, const fs::path& mesh) {
+    const auto [known, is_new] = by_name_.try_emplace({namer, name}, kNoIndex);
     if (!is_new) return known->second;
-    std::optional<fs::path> path;
-    for (const fs::path& folder : folders) {
-      if (!path) path = find_named_file(folder, name);
-    }
+    std::optional<fs::path> path = find_named_file(namer.parent_path(), name);
+    if (!path) path = find_named_file(mesh.parent_path(), name);
     if (!path) {
-      notes_.push_back("image '" + name + "' is not beside " + folders.front().string() +
-                       "; put it there");
+      notes_.push_back("image '" + name + "' is not beside " + namer.string() + "; put it there");
     } else {
       known->second = add_file(*path);
     }
@@ -125,7 +122,7 @@ class ImageShelf {
 class FileColorReader {
  public:
   FileColorReader(const Mesh& mesh, const fs::path& path)
-      : mesh_(mesh), attributes_(mesh.attributes()), path_(path), folder_(path.parent_path()) {}
+      : mesh_(mesh), attributes_(mesh.attributes()), path_(path) {}
 
   FileColors read() {
     if (!attributes_.materials.empty() || !attributes_.material_libraries.empty()) {
@@ -146,10 +143,9 @@ class FileColorReader {
   }
 
  private:
-  // Of a library, with the folder that its names are relative to.
   struct Known {
     Material material;
-    fs::path folder;
+    fs::path library;
   };
 
   void read_libraries() {
@@ -172,7 +168,7 @@ class FileColorReader {
   }
 
   bool read_library(const std::string& name) {
-    const auto path = find_named_file(folder_, name);
+    const auto path = find_named_file(path_.parent_path(), name);
     if (path) add_library(*path);
     return path.has_value();
   }
@@ -189,7 +185,7 @@ class FileColorReader {
     try {
       for (Material& material : read_material_library(path, notes_)) {
         std::string name = material.name;
-        known_.try_emplace(std::move(name), Known{std::move(material), path.parent_path()});
+        known_.try_emplace(std::move(name), Known{std::move(material), path});
       }
     } catch (const Error& error) {
       notes_.emplace_back(error.what());
@@ -224,12 +220,12 @@ class FileColorReader {
         colors_.materials.emplace_back(FileMaterial{.name = from.name, .color = from.color});
     material.uv_scale = from.uv_scale;
     material.uv_offset = from.uv_offset;
-    if (!from.image.empty()) material.image = add_image(from.image, known.folder);
+    if (!from.image.empty()) material.image = add_image(from.image, known.library);
   }
 
-  // Without texture coordinates an image has no place.
-  Index add_image(const std::string& name, const fs::path& folder) {
-    if (!attributes_.corner_uvs.empty()) return shelf_.add(name, {folder, folder_});
+  // Of a file that `namer` names. Without texture coordinates an image has no place.
+  Index add_image(const std::string& name, const fs::path& namer) {
+    if (!attributes_.corner_uvs.empty()) return shelf_.add(name, namer, path_);
     if (!std::exchange(lacks_corners_, true)) {
       notes_.push_back(path_.string() +
                        " has no texture coordinates; the images of its materials are not shown");
@@ -243,7 +239,7 @@ class FileColorReader {
       colors_.are_numbered = true;
       FileMaterial& texture = colors_.materials.emplace_back();
       texture.name = comment.substr(kTextureComment.size());
-      texture.image = add_image(texture.name, folder_);
+      texture.image = add_image(texture.name, path_);
     }
   }
 
@@ -275,7 +271,6 @@ class FileColorReader {
   const Mesh& mesh_;
   const MeshAttributes& attributes_;
   const fs::path& path_;
-  fs::path folder_;
   std::vector<std::string> notes_;
   std::unordered_map<std::string, Known> known_;
   ImageShelf shelf_{notes_};

@@ -118,6 +118,8 @@ class CornerPainter {
 }  // namespace
 
 CornerColors corner_colors(const Mesh& mesh, const FileColors& colors) {
+  const MeshAttributes& a = mesh.attributes();
+  if (colors.materials.empty() && a.vertex_colors.empty() && a.face_colors.empty()) return {};
   return CornerPainter(mesh, colors).run();
 }
 

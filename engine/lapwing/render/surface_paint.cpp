@@ -111,20 +111,19 @@ void SurfacePaint::set_polygons(const Mesh& mesh) {
   transfer_.upload(edges_, std::span(edges));
 }
 
-void SurfacePaint::set_file_colors(const Mesh& mesh, const FileColors& colors,
-                                   std::span<const std::uint32_t> images) {
+void SurfacePaint::set_file_colors(const Mesh& mesh, const FilePaint& file) {
   check_count(mesh.topology().triangles.size(), triangle_count_, "triangles");
   revision_.renew();
-  CornerColors corners = corner_colors(mesh, colors);
-  if (std::span(corners.places).size_bytes() > context_.limits().maxStorageBufferRange)
-    corners = {};
+  CornerColors corners = corner_colors(mesh, file.colors);
+  const VkDeviceSize limit = context_.limits().maxStorageBufferRange;
+  if (std::span(corners.places).size_bytes() > limit) corners = {};
   const auto replace = [&](gpu::Buffer& buffer, auto values) {
     buffer = gpu::Buffer(context_, buffer.name(), values.size_bytes());
     transfer_.upload(buffer, values);
   };
   replace(corner_sources_, std::span<const std::uint32_t>(corners.sources));
   replace(corner_places_, std::span<const std::array<float, 2>>(corners.places));
-  replace(images_, corners.places.empty() ? std::span<const std::uint32_t>() : images);
+  replace(images_, std::span(file.images).first(corners.places.empty() ? 0 : file.images.size()));
 }
 
 std::vector<std::uint32_t> polygon_edges(const Mesh& mesh) {

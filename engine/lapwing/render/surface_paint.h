@@ -6,9 +6,9 @@
 
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/transfer.h"
-#include "lapwing/io/file_colors.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
+#include "lapwing/render/file_paint.h"
 #include "lapwing/render/revision.h"
 
 namespace lapwing {
@@ -56,12 +56,11 @@ class SurfacePaint {
   /// surface; InputError otherwise.
   void set_polygons(const Mesh& mesh);
 
-  /// What the file of `mesh` says of its colours. `mesh` has the triangles of the surface,
-  /// InputError otherwise; `images` are the mip_levels of those of `colors`. Nothing where they
-  /// give no corner a colour, or where the places in images, 24 bytes a triangle, exceed a storage
-  /// buffer of the device: 5.6 million triangles at 128 MiB.
-  void set_file_colors(const Mesh& mesh, const FileColors& colors,
-                       std::span<const std::uint32_t> images);
+  /// What the attributes of `mesh` and its file say of its colours. `mesh` has the triangles of the
+  /// surface, InputError otherwise. Nothing where they give no corner a colour, or where the places
+  /// in images, 24 bytes a triangle, exceed a storage buffer of the device: 5.6 million triangles
+  /// at 128 MiB.
+  void set_file_colors(const Mesh& mesh, const FilePaint& file);
   bool has_file_colors() const { return corner_sources_.bytes() > 0; }
 
   /// Of the finite numbers; 0 and 0 if there are none.
