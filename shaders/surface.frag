@@ -32,6 +32,7 @@ const vec3 kNoNumber = vec3(0.55, 0.55, 0.55);
 const vec3 kBackTint = vec3(0.62, 0.55, 0.60);  // multiplies the front's colour
 const vec3 kLine = vec3(0.10, 0.11, 0.13);
 const float kTint = 0.65;      // how much of a class shows over the file's colours
+const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
 const float kExposure = 0.85;  // of those: white that faces the key light is just white
 
 const int kColorMapEntries = 256;  // per map; render/renderer.cpp
@@ -49,10 +50,12 @@ vec3 file_color() {
 }
 
 // Each pixel has the colour of the class with the largest weight; the border is a pixel wide. Over
-// colours of the file, classes tint those, but for the first one, which leaves them as they are.
+// colours of the file, the first class leaves those as they are. Of what is under the others it shows
+// how light that is: a red belt is to be seen on red skin, too.
 vec3 class_color() {
   const vec3 base = has(kFileColor) ? file_color() : linear_of(kClassColors[0]);
   const float tint = has(kFileColor) ? kTint : 1.0;
+  const vec3 under = vec3(dot(base, kLuminance));
   vec3 sum = vec3(0);
   float total = 0;
   for (int c = 0; c < 4; ++c) {
@@ -61,10 +64,10 @@ vec3 class_color() {
     const float lead =
         class_weights[c] - max(max(others.x, others.y), max(others.z, others.w));
     const float covered = clamp(lead / max(fwidth(lead), 1e-6) + 0.5, 0.0, 1.0);
-    sum += covered * (c == 0 ? base : mix(base, linear_of(kClassColors[c]), tint));
+    sum += covered * (c == 0 ? base : mix(under, linear_of(kClassColors[c]), tint));
     total += covered;
   }
-  return mix(sum / max(total, 1e-6), mix(base, linear_of(kClassColors[3]), tint), held);
+  return mix(sum / max(total, 1e-6), mix(under, linear_of(kClassColors[3]), tint), held);
 }
 
 vec3 map_color() {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/topology.h"
 #include "render/textured_square.h"
 
@@ -109,6 +110,21 @@ TEST(CornerColors, NamesThatAMeshHasFromElsewhereAreNoMaterials) {
   mesh.edit_attributes().materials[0] = "of another file";
   EXPECT_THAT(corner_colors(mesh, skin()).sources, IsEmpty());
   EXPECT_THAT(corner_colors(mesh, {}).sources, IsEmpty());
+}
+
+TEST(CornerColors, JoinedSeamsKeepWhatEachSideHas) {
+  // Two triangles that meet along an edge, with vertices and colours of their own.
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.add_face(std::array<Index, 3>{0, 1, 2});
+  mesh.add_face(std::array<Index, 3>{3, 4, 5});
+  mesh.edit_attributes().vertex_colors.assign(3, {1, 0, 0, 1});
+  mesh.edit_attributes().vertex_colors.resize(6, {0, 0, 1, 1});
+  const JoinedSurface joined = joined_surface(mesh);
+  ASSERT_FALSE(joined.empty());
+  EXPECT_THAT(corner_colors(joined.surface, mesh, {}).sources,
+              ElementsAre(kRed, kRed, kRed, kBlue, kBlue, kBlue));
+  EXPECT_THAT(corner_colors(textured_square(), mesh, {}).sources, IsEmpty()) << "other corners";
 }
 
 }  // namespace

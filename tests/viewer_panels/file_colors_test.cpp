@@ -1,5 +1,6 @@
 // A mesh with a texture in the viewer: shown, moved, sewn to another, and left out.
 #include <fstream>
+#include <numeric>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +16,11 @@ namespace lapwing::viewer::test {
 namespace {
 
 constexpr Index kSide = 24;
+
+constexpr const char* kBump = R"({"op": "deform",
+    "roi": {"disk": {"near": [0.5, 0.5, 0], "radius": 0.3}},
+    "handles": [{"region": {"disk": {"near": [0.5, 0.5, 0], "radius": 0.1}},
+                 "move": {"translate": [0, 0, 0.3]}}]})";
 
 // An upright sheet, whose texture coordinates are its x and y, in an image that is all red.
 class TexturedSheet : public ::testing::Test {
@@ -71,10 +77,20 @@ TEST_F(TexturedSheet, ShowsItsImageUntilThatIsTurnedOff) {
 }
 
 TEST_F(TexturedSheet, KeepsItsImageWhereItIsMoved) {
-  viewer_->open(recipe(R"({"op": "deform", "roi": {"disk": {"near": [0.5, 0.5, 0], "radius": 0.3}},
-      "handles": [{"region": {"disk": {"near": [0.5, 0.5, 0], "radius": 0.1}},
-                   "move": {"translate": [0, 0, 0.3]}}]})"));
+  viewer_->open(recipe(kBump));
   EXPECT_GT(red("textured-sheet-moved"), 0.1);
+}
+
+// The surface that is edited has no vertices of its own for each triangle.
+TEST_F(TexturedSheet, KeepsItsImageWhereSeamsAreJoined) {
+  Mesh soup = read_mesh(file("sheet.obj"));
+  Positions corners;
+  for (const Index v : soup.face_vertices()) corners.push_back(soup.positions[v]);
+  std::iota(soup.edit_faces().vertices.begin(), soup.edit_faces().vertices.end(), 0U);
+  soup.positions = std::move(corners);
+  write_mesh(soup, file("sheet.obj"));
+  viewer_->open(recipe(kBump));
+  EXPECT_GT(red("textured-soup"), 0.1);
 }
 
 TEST_F(TexturedSheet, KeepsItsImageBesideAPartThatHasNone) {
@@ -82,6 +98,18 @@ TEST_F(TexturedSheet, KeepsItsImageBesideAPartThatHasNone) {
   viewer_->open(recipe(R"({"op": "transplant", "part": "finger.ply",
       "target_region": {"disk": {"near": [0.5, 0.5, 0], "radius": 0.2}}})"));
   EXPECT_GT(red("textured-sheet-with-finger"), 0.05);
+}
+
+TEST_F(TexturedSheet, KeepsItsImageWhileAPartIsInHand) {
+  const auto parts = viewer_->folder() / "data" / "lapwing" / "parts";
+  setenv("XDG_DATA_HOME", (viewer_->folder() / "data").c_str(), 1);
+  std::filesystem::create_directories(parts);
+  write_mesh(lapwing::test::finger(24, 12, 0.2, 0.6), parts / "finger.ply");
+  viewer_->open(file("sheet.obj"));
+  viewer_->key('N');
+  viewer_->wait_for([&] { return viewer_->says("Shift + wheel turns"); }, "the part is in hand");
+  unsetenv("XDG_DATA_HOME");
+  EXPECT_GT(red("textured-sheet-and-part"), 0.05);
 }
 
 TEST_F(TexturedSheet, SaysWhichImageIsMissingAndHasItsMaterialsColor) {

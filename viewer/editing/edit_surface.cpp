@@ -37,12 +37,10 @@ std::vector<VertexClass> classes_of(const AppState& state) {
 
 }  // namespace
 
-EditSurface::EditSurface(std::shared_ptr<gpu::Context> context, const Mesh& mesh,
-                         const FilePaint* file)
+EditSurface::EditSurface(std::shared_ptr<gpu::Context> context, const Mesh& mesh)
     : surface_(std::make_unique<Surface>(std::move(context), mesh.positions, mesh.topology())),
       paint_(*surface_) {
   paint_.set_polygons(mesh);
-  if (file != nullptr) paint_.set_file_colors(mesh, *file);
 }
 
 void EditSurface::changed(SurfaceSource source) {

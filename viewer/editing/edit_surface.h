@@ -25,9 +25,8 @@ enum class SurfaceSource {
 /// done with what was drawn when it changes.
 class EditSurface {
  public:
-  /// A mesh that shares the faces of `mesh` must outlive it. `file` colours it, unless it is null.
-  EditSurface(std::shared_ptr<gpu::Context> context, const Mesh& mesh,
-              const FilePaint* file = nullptr);
+  /// A mesh that shares the faces of `mesh` must outlive it.
+  EditSurface(std::shared_ptr<gpu::Context> context, const Mesh& mesh);
 
   /// Puts the surface where `positions` says: uploads the vertices that are not there.
   void place(std::span<const Eigen::Vector3d> positions);

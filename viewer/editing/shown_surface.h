@@ -12,6 +12,13 @@
 
 namespace lapwing::viewer {
 
+/// What colours the surface of an edit, and whatever comes of it with other triangles, as far as
+/// that has attributes of the file.
+struct FileColoring {
+  std::shared_ptr<const FilePaint> file;  ///< null for none
+  std::shared_ptr<const Mesh> opened;     ///< before any step and with attributes, seams not joined
+};
+
 /// What of an edit is on the screen: the surface on the device, where its vertices are, what its
 /// colours say, and what is under a pixel. Made anew on the device when the triangles are others;
 /// the device must be done with what was drawn then, and whenever it changes.
@@ -20,10 +27,8 @@ namespace lapwing::viewer {
 /// `show_before` says so; a drag, while it is followed; the surface as the state knows it.
 class ShownSurface {
  public:
-  /// `opened` is the mesh before any step, to compare with. `file` colours it, and what comes of it
-  /// with other triangles, as far as those have attributes of the file; null for none.
-  explicit ShownSurface(std::shared_ptr<const Mesh> opened,
-                        std::shared_ptr<const FilePaint> file = nullptr);
+  /// `opened` is the mesh before any step, to compare with.
+  explicit ShownSurface(std::shared_ptr<const Mesh> opened, FileColoring coloring = {});
 
   /// Lets all go that is on the device, or makes it there. Between them only `take` may be called.
   void release_device();
@@ -98,13 +103,15 @@ class ShownSurface {
   const Bounds& opened_bounds() const { return opened_bounds_; }
 
  private:
+  void make(const Mesh& mesh);
+  const Mesh& with_attributes(const Mesh& mesh) const;
   void put(const Mesh& mesh, const Positions& positions);
   const Positions& still_positions() const;
 
   // All that is in device memory but for the worker's.
   struct OnDevice {
-    OnDevice(const Mesh& mesh, const std::shared_ptr<gpu::Context>& context, const FilePaint* file)
-        : topology(mesh.shared_topology()), picker(*context), surface(context, mesh, file) {}
+    OnDevice(const Mesh& mesh, const std::shared_ptr<gpu::Context>& context)
+        : topology(mesh.shared_topology()), picker(*context), surface(context, mesh) {}
 
     std::shared_ptr<const Topology> topology;
     SurfacePicker picker;
@@ -114,11 +121,12 @@ class ShownSurface {
   std::shared_ptr<gpu::Context> context_;
   std::optional<OnDevice> device_;
   std::shared_ptr<const Mesh> opened_;
-  std::shared_ptr<const FilePaint> file_;
+  FileColoring coloring_;
   Bounds opened_bounds_;
 
   // What the state says, and where that takes the vertices.
   std::shared_ptr<const Mesh> now_;
+  std::shared_ptr<const Mesh> rest_;
   std::shared_ptr<const MovedVertices> settled_;
   Positions positions_;
   Bounds bounds_;

@@ -22,11 +22,11 @@ std::uint32_t word_of(const Eigen::Vector3f& srgb) {
 
 // The corners of the polygon that the corners of one of its triangles are. Of a polygon that comes
 // to a vertex twice, the first one there.
-std::array<Index, 3> corners_of(const Mesh& mesh, Index face, const Triangle& triangle) {
-  const std::span<const Index> polygon = mesh.face(face);
+std::array<Index, 3> corners_of(const Mesh& drawn, Index face, const Triangle& triangle) {
+  const std::span<const Index> polygon = drawn.face(face);
   std::array<Index, 3> corners{};
   for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] = mesh.face_starts()[face] +
+    corners[k] = drawn.face_starts()[face] +
                  static_cast<Index>(std::ranges::find(polygon, triangle[k]) - polygon.begin());
   }
   return corners;
@@ -34,14 +34,15 @@ std::array<Index, 3> corners_of(const Mesh& mesh, Index face, const Triangle& tr
 
 class CornerPainter {
  public:
-  CornerPainter(const Mesh& mesh, const FileColors& colors)
-      : mesh_(mesh),
+  CornerPainter(const Mesh& drawn, const Mesh& mesh, const FileColors& colors)
+      : drawn_(drawn),
+        mesh_(mesh),
         attributes_(mesh.attributes()),
         colors_(colors),
         materials_(materials_of_faces(colors, mesh)) {}
 
   CornerColors run() {
-    const Topology& topology = mesh_.topology();
+    const Topology& topology = drawn_.topology();
     for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
       paint(topology.triangle_faces[t], topology.triangles[t]);
     }
@@ -58,14 +59,15 @@ class CornerPainter {
     const FileMaterial* const material = materials_.empty() || materials_[face] == kNoIndex
                                              ? nullptr
                                              : &colors_.materials[materials_[face]];
-    if (const auto places = find_places(material, face, triangle)) {
+    const std::array<Index, 3> corners = corners_of(drawn_, face, triangle);
+    if (const auto places = find_places(material, corners)) {
       has_images_ = true;
       for (const Place& place : *places) {
         add(static_cast<std::uint32_t>(CornerSource::image) | material->image, place);
       }
       return;
     }
-    for (const Index vertex : triangle) add(color_of(vertex, face, material), {});
+    for (const Index corner : corners) add(color_of(corner, face, material), {});
   }
 
   void add(std::uint32_t source, const Place& place) {
@@ -73,9 +75,9 @@ class CornerPainter {
     result_.places.push_back(place);
   }
 
-  std::uint32_t color_of(Index vertex, Index face, const FileMaterial* material) const {
+  std::uint32_t color_of(Index corner, Index face, const FileMaterial* material) const {
     if (!attributes_.vertex_colors.empty()) {
-      return word_of(attributes_.vertex_colors[vertex].head<3>());
+      return word_of(attributes_.vertex_colors[mesh_.face_vertices()[corner]].head<3>());
     }
     if (!attributes_.face_colors.empty()) return word_of(attributes_.face_colors[face].head<3>());
     if (material != nullptr && material->color) return word_of(*material->color);
@@ -83,12 +85,11 @@ class CornerPainter {
   }
 
   // In the image of `material`; nothing where that has none or a corner has no place.
-  std::optional<std::array<Place, 3>> find_places(const FileMaterial* material, Index face,
-                                                  const Triangle& triangle) const {
+  std::optional<std::array<Place, 3>> find_places(const FileMaterial* material,
+                                                  const std::array<Index, 3>& corners) const {
     if (material == nullptr || material->image == kNoIndex || attributes_.corner_uvs.empty()) {
       return {};
     }
-    const std::array<Index, 3> corners = corners_of(mesh_, face, triangle);
     std::array<Eigen::Vector2d, 3> wide;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index uv = attributes_.corner_uvs[corners[k]];
@@ -107,6 +108,7 @@ class CornerPainter {
     return places;
   }
 
+  const Mesh& drawn_;
   const Mesh& mesh_;
   const MeshAttributes& attributes_;
   const FileColors& colors_;
@@ -118,9 +120,14 @@ class CornerPainter {
 }  // namespace
 
 CornerColors corner_colors(const Mesh& mesh, const FileColors& colors) {
+  return corner_colors(mesh, mesh, colors);
+}
+
+CornerColors corner_colors(const Mesh& drawn, const Mesh& mesh, const FileColors& colors) {
   const MeshAttributes& a = mesh.attributes();
   if (colors.materials.empty() && a.vertex_colors.empty() && a.face_colors.empty()) return {};
-  return CornerPainter(mesh, colors).run();
+  if (!drawn.shares_faces_with(mesh) && drawn.face_starts() != mesh.face_starts()) return {};
+  return CornerPainter(drawn, mesh, colors).run();
 }
 
 }  // namespace lapwing

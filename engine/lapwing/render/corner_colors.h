@@ -29,5 +29,8 @@ struct CornerColors {
 /// first that it has: an image and a place in it at every corner, colours of vertices, the colour
 /// of its face, the colour of its material. An image stands for itself: Kd does not darken it.
 CornerColors corner_colors(const Mesh& mesh, const FileColors& colors);
+/// The same for `drawn`, whose polygons have the corners of those of `mesh` but name other
+/// vertices, as where seams are joined (JoinedSurface); nothing where they have not.
+CornerColors corner_colors(const Mesh& drawn, const Mesh& mesh, const FileColors& colors);
 
 }  // namespace lapwing

@@ -111,10 +111,10 @@ void SurfacePaint::set_polygons(const Mesh& mesh) {
   transfer_.upload(edges_, std::span(edges));
 }
 
-void SurfacePaint::set_file_colors(const Mesh& mesh, const FilePaint& file) {
-  check_count(mesh.topology().triangles.size(), triangle_count_, "triangles");
+void SurfacePaint::set_file_colors(const Mesh& drawn, const Mesh& mesh, const FilePaint& file) {
+  check_count(drawn.topology().triangles.size(), triangle_count_, "triangles");
   revision_.renew();
-  CornerColors corners = corner_colors(mesh, file.colors);
+  CornerColors corners = corner_colors(drawn, mesh, file.colors);
   const VkDeviceSize limit = context_.limits().maxStorageBufferRange;
   if (std::span(corners.places).size_bytes() > limit) corners = {};
   const auto replace = [&](gpu::Buffer& buffer, auto values) {

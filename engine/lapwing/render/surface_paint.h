@@ -56,11 +56,11 @@ class SurfacePaint {
   /// surface; InputError otherwise.
   void set_polygons(const Mesh& mesh);
 
-  /// What the attributes of `mesh` and its file say of its colours. `mesh` has the triangles of the
-  /// surface, InputError otherwise. Nothing where they give no corner a colour, or where the places
-  /// in images, 24 bytes a triangle, exceed a storage buffer of the device: 5.6 million triangles
-  /// at 128 MiB.
-  void set_file_colors(const Mesh& mesh, const FilePaint& file);
+  /// What the attributes of `mesh` and its file say of the colours of `drawn`, which has the
+  /// triangles of the surface, InputError otherwise; as in corner_colors. Nothing where they give
+  /// no corner a colour, or where the places in images, 24 bytes a triangle, exceed a storage
+  /// buffer of the device: 5.6 million triangles at 128 MiB.
+  void set_file_colors(const Mesh& drawn, const Mesh& mesh, const FilePaint& file);
   bool has_file_colors() const { return corner_sources_.bytes() > 0; }
 
   /// Of the finite numbers; 0 and 0 if there are none.
