@@ -11,15 +11,14 @@
 layout(std430, binding = 6) readonly buffer ColorMaps { vec4 color_maps[]; };
 
 layout(location = 0) in vec3 view_position;
+layout(location = 0, component = 3) in float scalar;
 layout(location = 1) in vec3 view_normal;
+layout(location = 1, component = 3) in float held;
 layout(location = 2) in vec3 barycentric;
 layout(location = 3) in vec4 class_weights;
-layout(location = 4) in float scalar;
-layout(location = 5) flat in uint shown_edges;
-layout(location = 6) in float held;
-layout(location = 7) flat in uint file_source;
-layout(location = 8) in vec3 file_corner_color;
-layout(location = 9) in vec2 file_place;
+layout(location = 4) flat in uint shown_edges;
+layout(location = 4, component = 1) flat in uint file_source;
+layout(location = 5) in vec3 file_value;
 
 layout(location = 0) out vec4 written;
 
@@ -40,13 +39,13 @@ const int kColorMapEntries = 256;  // per map; render/renderer.cpp
 // What the file says; clay where it says nothing.
 vec3 file_color() {
   // Outside of all branches, where neighbours have them, too.
-  const vec2 across = dFdx(file_place);
-  const vec2 down = dFdy(file_place);
+  const vec2 across = dFdx(file_value.xy);
+  const vec2 down = dFdy(file_value.xy);
   const uint kind = file_source >> 24;
   if (kind == kSourceImage) {
-    return kExposure * image_color(file_source & 0xFFFFFFu, file_place, across, down);
+    return kExposure * image_color(file_source & 0xFFFFFFu, file_value.xy, across, down);
   }
-  return kind == kSourceColor ? kExposure * file_corner_color : linear_of(kClay);
+  return kind == kSourceColor ? kExposure * file_value : linear_of(kClay);
 }
 
 // Each pixel has the colour of the class with the largest weight; the border is a pixel wide. Over

@@ -109,7 +109,11 @@ TEST_F(TexturedSheet, KeepsItsImageWhileAPartIsInHand) {
   viewer_->key('N');
   viewer_->wait_for([&] { return viewer_->says("Shift + wheel turns"); }, "the part is in hand");
   unsetenv("XDG_DATA_HOME");
-  EXPECT_GT(red("textured-sheet-and-part"), 0.05);
+  const double alone = red("textured-sheet");
+  viewer_->app().handle({.kind = InputKind::move, .position = {850.0, 400.0}});
+  const double beside = red("textured-sheet-and-part");
+  EXPECT_LT(beside, 0.98 * alone) << "the part covers some";
+  EXPECT_GT(beside, 0.2 * alone);
 }
 
 TEST_F(TexturedSheet, SaysWhichImageIsMissingAndHasItsMaterialsColor) {
