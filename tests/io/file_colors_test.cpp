@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -145,7 +146,8 @@ TEST_F(FileColorsOf, CornersWithoutTextureCoordinatesAreCounted) {
   // The third index is beyond the file's two.
   const FileColors some =
       read("b.obj", triangle + "vt 0 0\nvt 1 0\nf 1/1 2/2 3/1\nf 1/1 2/2 3/7\n");
-  EXPECT_THAT(some.notes, ElementsAre(HasSubstr("1 faces of material 'a' have no texture")));
+  EXPECT_THAT(some.notes,
+              ElementsAre(HasSubstr("faces of material 'a' have no texture coordinates (1)")));
   EXPECT_THAT(mesh_.attributes().corner_uvs, ElementsAre(0, 1, 0, 0, 1, kNone));
   EXPECT_THAT(mesh_.attributes().uneditable,
               ElementsAre("texture coordinates that are not there (1)"));
@@ -170,6 +172,33 @@ TEST_F(FileColorsOf, LargeImagesAreHalvedUntilAllFit) {
   EXPECT_EQ(colors.images[2].width, 4096U);
   EXPECT_EQ(colors.images[0].width, 2048U);
   EXPECT_THAT(colors.notes, ElementsAre(HasSubstr("more than 128 MiB together")));
+}
+
+TEST_F(FileColorsOf, DamagedFilesAreNotesAtMost) {
+  const std::string library =
+      "newmtl a\nKd 1 0.5 0\nmap_Kd -s 2 2 -o 0 0 skin.png\nnewmtl b\nKd 1\nmap_Kd \"skin.png\"\n";
+  const std::string image = encode_png(one_color(9, 7, 90));
+  std::mt19937 random(3);
+  std::size_t read_well = 0;
+  for (int k = 0; k < 400; ++k) {
+    std::string damaged = k % 2 == 0 ? library : image;
+    for (int d = k % 8 + 1; d > 0; --d) {
+      damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+    }
+    if (k % 5 == 0) damaged.resize(random() % damaged.size());
+    folder_.file("a.mtl", k % 2 == 0 ? damaged : library);
+    folder_.file("skin.png", k % 2 == 0 ? image : damaged);
+    const FileColors colors = read_obj("mtllib a.mtl\n");
+    if (!colors.materials.empty()) ++read_well;
+    for (const FileMaterial& material : colors.materials) {
+      const bool has_pixels =
+          material.image == kNone || !colors.images.at(material.image).rgba.empty();
+      EXPECT_TRUE(has_pixels);
+      const Vector3f color = material.color.value_or(Vector3f::Zero());
+      EXPECT_TRUE((color.array() >= 0 && color.array() <= 1).all());
+    }
+  }
+  EXPECT_GT(read_well, 300U);
 }
 
 TEST_F(FileColorsOf, ManyNotesAreCounted) {

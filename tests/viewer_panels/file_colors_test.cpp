@@ -74,6 +74,8 @@ TEST_F(TexturedSheet, ShowsItsImageUntilThatIsTurnedOff) {
   EXPECT_NEAR(red("textured-sheet-plain"), shown, 0.01);
   viewer_->click("File's colours");
   EXPECT_LT(red("clay-sheet"), 0.01);
+  viewer_->click("Mesh");
+  EXPECT_TRUE(viewer_->shows("1 (with images: 1)"));
 }
 
 TEST_F(TexturedSheet, KeepsItsImageWhereItIsMoved) {

@@ -152,14 +152,13 @@ class FileColorReader {
     for (const std::string& names : attributes_.material_libraries) {
       // All of the line may be one name with blanks, or several names.
       if (read_library(names)) continue;
-      std::size_t found = 0;
-      std::size_t words = 0;
-      for (std::size_t at = 0; at < names.size(); ++words) {
+      bool found = false;
+      for (std::size_t at = 0; at < names.size();) {
         const std::size_t end = std::min(names.find(' ', at), names.size());
-        if (end > at && read_library(names.substr(at, end - at))) ++found;
+        if (end > at) found = read_library(names.substr(at, end - at)) || found;
         at = end + 1;
       }
-      if (found == 0) read_library_of_same_name(names);
+      if (!found && !attributes_.materials.empty()) read_library_of_same_name(names);
     }
     if (attributes_.material_libraries.empty()) {
       notes_.push_back(path_.string() +
@@ -263,8 +262,9 @@ class FileColorReader {
     }
     for (std::size_t m = 0; m < without.size(); ++m) {
       if (without[m] == 0) continue;
-      notes_.push_back(grouped(without[m]) + " faces of material '" + colors_.materials[m].name +
-                       "' have no texture coordinates; they do not show its image");
+      notes_.push_back("faces of material '" + colors_.materials[m].name +
+                       "' have no texture coordinates (" + grouped(without[m]) +
+                       "); give them some, to show its image");
     }
   }
 
@@ -296,8 +296,8 @@ std::vector<Index> materials_of_faces(const FileColors& colors, const Mesh& mesh
   const MeshAttributes& attributes = mesh.attributes();
   if (!colors.are_numbered) {
     std::unordered_map<std::string_view, Index> by_name;
-    for (const FileMaterial& material : colors.materials) {
-      by_name.try_emplace(material.name, static_cast<Index>(by_name.size()));
+    for (Index m = 0; m < colors.materials.size(); ++m) {
+      by_name.try_emplace(colors.materials[m].name, m);
     }
     std::vector<Index> of_faces = attributes.face_materials;
     for (Index& material : of_faces) {

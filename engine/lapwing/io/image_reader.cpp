@@ -26,6 +26,8 @@ void* allocate_for_image(void* old, std::size_t bytes) {
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
+// What else stb can read is rarely a texture, and the parts of it with the most faults found so
+// far.
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
