@@ -41,7 +41,8 @@ vec3 image_color(uint image, vec2 place, vec2 across, vec2 down) {
   const vec2 texels_across = across * vec2(size);
   const vec2 texels_down = down * vec2(size);
   const float texels = max(dot(texels_across, texels_across), dot(texels_down, texels_down));
-  const float level = clamp(0.5 * log2(max(texels, 1e-20)), 0.0, float(levels - 1));
+  // What is not a number, as beyond the rim of a triangle, is 0.
+  const float level = texels > 1.0 ? min(0.5 * log2(texels), float(levels - 1)) : 0.0;
   const uint fine = uint(level);
   const float share = level - float(fine);
   const vec2 inside = fract(place);
