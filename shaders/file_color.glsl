@@ -1,5 +1,5 @@
-// Looks up the images of a mesh's file, with their mip levels (render/mip_levels.h). They are filtered
-// in linear light, bilinear in a level and linear between two, and repeat.
+// Looks up the images of a mesh's file, with their mip levels (render/mip_levels.h). They are
+// filtered in linear light, bilinear in a level and linear between two, and repeat.
 
 layout(std430, binding = 9) readonly buffer Images { uint image_words[]; };
 
@@ -31,8 +31,8 @@ vec3 level_color(uint first, ivec2 size, vec2 place) {
              share.y);
 }
 
-// Linear light of image number `image` at `place`, which changes by `across` and `down` from a pixel
-// to the next.
+// Linear light of image number `image` at `place`, which changes by `across` and `down` from a
+// pixel to the next.
 vec3 image_color(uint image, vec2 place, vec2 across, vec2 down) {
   const uint record = kLinearWords + kWordsPerImage * image;
   const ivec2 size = ivec2(image_words[record], image_words[record + 1]);
@@ -50,6 +50,7 @@ vec3 image_color(uint image, vec2 place, vec2 across, vec2 down) {
       level_color(image_words[places + fine], max(size >> fine, ivec2(1)), inside);
   if (share == 0.0) return color;
   const uint coarse = fine + 1;
-  return mix(color, level_color(image_words[places + coarse], max(size >> coarse, ivec2(1)), inside),
-             share);
+  const vec3 blurred =
+      level_color(image_words[places + coarse], max(size >> coarse, ivec2(1)), inside);
+  return mix(color, blurred, share);
 }
