@@ -4,18 +4,21 @@
 // Matte clay under a key, a fill and a rim light that move with the camera.
 
 #include "carried.glsl"
+#include "file_color.glsl"
 #include "srgb.glsl"
 #include "surface.glsl"
 
 layout(std430, binding = 6) readonly buffer ColorMaps { vec4 color_maps[]; };
 
 layout(location = 0) in vec3 view_position;
+layout(location = 0, component = 3) in float scalar;
 layout(location = 1) in vec3 view_normal;
+layout(location = 1, component = 3) in float held;
 layout(location = 2) in vec3 barycentric;
 layout(location = 3) in vec4 class_weights;
-layout(location = 4) in float scalar;
-layout(location = 5) flat in uint shown_edges;
-layout(location = 6) in float held;
+layout(location = 4) flat in uint shown_edges;
+layout(location = 4, component = 1) flat in uint file_source;
+layout(location = 5) in vec3 file_value;
 
 layout(location = 0) out vec4 written;
 
@@ -27,11 +30,31 @@ const vec3 kClassColors[4] =
 const vec3 kNoNumber = vec3(0.55, 0.55, 0.55);
 const vec3 kBackTint = vec3(0.62, 0.55, 0.60);  // multiplies the front's colour
 const vec3 kLine = vec3(0.10, 0.11, 0.13);
+const float kTint = 0.65;      // how much of a class shows over the file's colours
+const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
+const float kExposure = 0.85;  // of those: white that faces the key light is just white
 
 const int kColorMapEntries = 256;  // per map; render/renderer.cpp
 
-// Each pixel has the colour of the class with the largest weight; the border is a pixel wide.
+// What the file says; clay where it says nothing.
+vec3 file_color() {
+  // Outside of all branches, where neighbours have them, too.
+  const vec2 across = dFdx(file_value.xy);
+  const vec2 down = dFdy(file_value.xy);
+  const uint kind = file_source >> 24;
+  if (kind == kSourceImage) {
+    return kExposure * image_color(file_source & 0xFFFFFFu, file_value.xy, across, down);
+  }
+  return kind == kSourceColor ? kExposure * file_value : linear_of(kClay);
+}
+
+// Each pixel has the colour of the class with the largest weight; the border is a pixel wide. Over
+// colours of the file, the first class leaves those as they are. Of what is under the others it shows
+// how light that is: a red belt is to be seen on red skin, too.
 vec3 class_color() {
+  const vec3 base = has(kFileColor) ? file_color() : linear_of(kClassColors[0]);
+  const float tint = has(kFileColor) ? kTint : 1.0;
+  const vec3 under = vec3(dot(base, kLuminance));
   vec3 sum = vec3(0);
   float total = 0;
   for (int c = 0; c < 4; ++c) {
@@ -40,10 +63,10 @@ vec3 class_color() {
     const float lead =
         class_weights[c] - max(max(others.x, others.y), max(others.z, others.w));
     const float covered = clamp(lead / max(fwidth(lead), 1e-6) + 0.5, 0.0, 1.0);
-    sum += covered * linear_of(kClassColors[c]);
+    sum += covered * (c == 0 ? base : mix(under, linear_of(kClassColors[c]), tint));
     total += covered;
   }
-  return mix(sum / max(total, 1e-6), linear_of(kClassColors[3]), held);
+  return mix(sum / max(total, 1e-6), mix(under, linear_of(kClassColors[3]), tint), held);
 }
 
 vec3 map_color() {
@@ -59,6 +82,7 @@ vec3 surface_color() {
   if (has(kRegions)) return class_color() * tint;
   if (has(kScalar)) return map_color() * tint;
   if (has(kCarriedColor)) return linear_of(kCarried) * tint;
+  if (has(kFileColor)) return file_color() * tint;
   return linear_of(kClay) * tint;
 }
 

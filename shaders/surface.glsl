@@ -15,6 +15,11 @@ const uint kFlat = 8;
 const uint kDiverging = 16;
 const uint kOrthographic = 32;
 const uint kCarriedColor = 64;
+const uint kFileColor = 128;
+
+// Highest byte of what colours a corner by the file; render/corner_colors.h.
+const uint kSourceColor = 1;
+const uint kSourceImage = 2;
 
 // What a pipeline made for some flags alone has them from: what the others say is left out of it,
 // which a branch on a number that is pushed is not on a software device.

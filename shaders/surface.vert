@@ -3,6 +3,7 @@
 
 // Corner gl_VertexIndex of a triangle list, pulled from the surface's own buffers.
 
+#include "srgb.glsl"
 #include "surface.glsl"
 
 layout(std430, binding = 0) readonly buffer Positions { vec4 positions[]; };
@@ -11,14 +12,22 @@ layout(std430, binding = 2) readonly buffer Triangles { uint corners[]; };
 layout(std430, binding = 3) readonly buffer Classes { uint classes[]; };
 layout(std430, binding = 4) readonly buffer Scalars { float scalars[]; };
 layout(std430, binding = 5) readonly buffer Edges { uint edges[]; };
+// Per corner; binding 6 is the fragment shader's.
+layout(std430, binding = 7) readonly buffer CornerSources { uint corner_sources[]; };
+layout(std430, binding = 8) readonly buffer CornerPlaces { vec2 corner_places[]; };
 
+// A software device writes and reads whole locations: they are few, and full.
 layout(location = 0) out vec3 view_position;
+layout(location = 0, component = 3) out float scalar;  // in [0, 1] over the colour map's range
 layout(location = 1) out vec3 view_normal;
+layout(location = 1, component = 3) out float held;  // a handle's share of the vertex besides
 layout(location = 2) out vec3 barycentric;
 layout(location = 3) out vec4 class_weights;  // outside, ROI, belt, handle
-layout(location = 4) out float scalar;        // in [0, 1] over the colour map's range
-layout(location = 5) flat out uint shown_edges;
-layout(location = 6) out float held;  // the share that a handle has of the vertex besides
+layout(location = 4) flat out uint shown_edges;
+// What the file says: the source, alike at the corners of a triangle but for their colours, and with
+// it the colour in linear light or the place in an image.
+layout(location = 4, component = 1) flat out uint file_source;
+layout(location = 5) out vec3 file_value;
 
 vec3 rotate_to_view(vec3 v) {
   return vec3(dot(view_from_surface[0].xyz, v), dot(view_from_surface[1].xyz, v),
@@ -54,5 +63,9 @@ void main() {
   held = float(class_word >> 8) / 255.0;
   scalar = has(kScalar) ? (scalars[vertex] - scalar_low) * scalar_scale : 0.0;
   shown_edges = has(kWireframe) ? edges[gl_VertexIndex / 3] : 0;
+  file_source = has(kFileColor) ? corner_sources[gl_VertexIndex] : 0;
+  file_value = vec3(0);
+  if (file_source >> 24 == kSourceColor) file_value = linear_of(unpackUnorm4x8(file_source).rgb);
+  if (file_source >> 24 == kSourceImage) file_value.xy = corner_places[gl_VertexIndex];
   gl_Position = clip_from_surface * vec4(position, 1);
 }

@@ -103,6 +103,22 @@ TEST_F(CommandLine, RenderDrawsAMeshAndHowItDiffersFromItsRestPose) {
   EXPECT_EQ(lapwing(render + "--color rotation").exit_code, 2) << "without --rest";
 }
 
+TEST_F(CommandLine, RenderShowsTheColorsOfTheFileAndSaysWhatIsMissing) {
+  LAPWING_NEEDS_GPU();
+  write("a.mtl", "newmtl skin\nKd 1 0 0\nmap_Kd gone.png\n");
+  write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl skin\nf 1/1 2/1 3/1\n");
+  const std::string render = "render a.obj -o a.png --size 160x120 ";
+  const Outcome red = lapwing(render);
+  ASSERT_EQ(red.exit_code, 0) << red.output;
+  EXPECT_EQ(red.output, "lapwing: note: image 'gone.png' is not beside a.mtl; put it there\n");
+  const std::string picture = read("a.png");
+  EXPECT_EQ(lapwing(render + "--color file").exit_code, 0);
+  EXPECT_EQ(read("a.png"), picture);
+  EXPECT_EQ(lapwing(render + "--color plain").output, "");
+  EXPECT_NE(read("a.png"), picture);
+  EXPECT_EQ(lapwing(render + "--color file --rest a.obj").exit_code, 2) << "no difference";
+}
+
 TEST_F(CommandLine, EditDrawsHowItsResultDiffersFromWhatWasThere) {
   LAPWING_NEEDS_GPU();
   std::set<std::string> pictures;

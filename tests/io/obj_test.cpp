@@ -34,6 +34,17 @@ TEST_F(Obj, EveryFormOfCornerIsRead) {
               ElementsAre(no, no, no, no, no, no, 0, 0, 0, 0, 0, 0));
 }
 
+TEST_F(Obj, TextureCoordinatesAndNormalsThatAreNotThereAreLeftOut) {
+  const Mesh mesh =
+      read("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1/1 2/-9/1 3/5/0\nf 1/2 2 3\nvt 1 1\n");
+  EXPECT_THAT(mesh.attributes().corner_uvs,
+              ElementsAre(0, kNoIndex, kNoIndex, 1, kNoIndex, kNoIndex));
+  EXPECT_TRUE(mesh.attributes().corner_normals.empty());
+  EXPECT_THAT(
+      mesh.attributes().uneditable,
+      ElementsAre("normals that are not there (3)", "texture coordinates that are not there (2)"));
+}
+
 TEST_F(Obj, LinesMayBeContinuedAndEndInAnyWay) {
   const Mesh mesh = read("v\t0 0 \\\r\n 0\r\nv 1 0 0\rv 0  1 0   \n\n   f 1 \\\n2 3 # and so on");
   EXPECT_EQ(mesh.vertex_count(), 3U);

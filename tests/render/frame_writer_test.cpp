@@ -21,8 +21,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 using Color = std::array<std::uint8_t, 4>;
-constexpr Color kRed{220, 30, 40, 255};
-constexpr Color kBlue{40, 60, 210, 255};
+constexpr Color kRedFrame{220, 30, 40, 255};
+constexpr Color kBlueFrame{40, 60, 210, 255};
 
 // Enough bytes that none of the buffers on the way holds them.
 Image image_of(const Color& color, std::uint32_t width = 640, std::uint32_t height = 480) {
@@ -68,11 +68,11 @@ TEST(FrameFile, IsNumberedSoThatAllSortInTheirOrder) {
 TEST(OpenFrames, WritesNumberedPictures) {
   const TemporaryFolder folder;
   const auto writer = open_frames(folder / "a.png", kTwo);
-  writer->write(image_of(kRed));
-  EXPECT_EQ(text_of(folder / "a-0001.png"), encode_png(image_of(kRed))) << "whole at once";
-  writer->write(image_of(kBlue));
+  writer->write(image_of(kRedFrame));
+  EXPECT_EQ(text_of(folder / "a-0001.png"), encode_png(image_of(kRedFrame))) << "whole at once";
+  writer->write(image_of(kBlueFrame));
   writer->finish();
-  EXPECT_EQ(text_of(folder / "a-0002.png"), encode_png(image_of(kBlue)));
+  EXPECT_EQ(text_of(folder / "a-0002.png"), encode_png(image_of(kBlueFrame)));
   EXPECT_EQ(files_in(folder.path()), 2U);
 }
 
@@ -97,11 +97,11 @@ INSTANTIATE_TEST_SUITE_P(Formats, AVideo, ::testing::Values(".mp4", ".webm", ".g
 TEST_P(AVideo, HandsFfmpegEveryByteAndItsSizeAndSpeed) {
   const StandInFfmpeg ffmpeg(folder_.path());
   const auto writer = open_frames(video(), kTwo);
-  writer->write(image_of(kRed));
-  writer->write(image_of(kBlue));
+  writer->write(image_of(kRedFrame));
+  writer->write(image_of(kBlueFrame));
   EXPECT_FALSE(fs::exists(video())) << "not before it is whole";
   writer->finish();
-  EXPECT_EQ(text_of(video()), bytes_of(image_of(kRed)) + bytes_of(image_of(kBlue)));
+  EXPECT_EQ(text_of(video()), bytes_of(image_of(kRedFrame)) + bytes_of(image_of(kBlueFrame)));
   EXPECT_THAT(text_of(folder_ / "arguments"),
               AllOf(HasSubstr("-video_size\n640x480\n"), HasSubstr("-framerate\n24.000000\n"),
                     HasSubstr("-pixel_format\nrgba\n")));
@@ -113,7 +113,7 @@ TEST_P(AVideo, ThatIsGivenUpLeavesWhatWasThere) {
   std::ofstream(video()) << "old";
   {
     const auto writer = open_frames(video(), kTwo);
-    writer->write(image_of(kRed));
+    writer->write(image_of(kRedFrame));
   }
   EXPECT_EQ(text_of(video()), "old");
   EXPECT_EQ(files_in(videos_.path()), 1U);
@@ -128,8 +128,8 @@ TEST_P(AVideo, ThatFfmpegCannotWriteSaysWhy) {
                                                    "exit 1");
     const std::string message = message_of([&] {
       const auto writer = open_frames(video(), kTwo);
-      writer->write(image_of(kRed));
-      writer->write(image_of(kBlue));
+      writer->write(image_of(kRedFrame));
+      writer->write(image_of(kBlueFrame));
       writer->finish();
     });
     EXPECT_THAT(message, AllOf(HasSubstr("Unknown encoder"), HasSubstr(video().string()),
@@ -160,7 +160,7 @@ TEST(Mp4, ByFfmpegItselfHasThePicturesAndTheirColors) {
   if (!can_write_videos()) GTEST_SKIP() << "no ffmpeg on the PATH";
   const TemporaryFolder folder;
   const auto writer = open_frames(folder / "a.mp4", {.count = 6, .width = 65, .height = 49});
-  for (int k = 0; k < 6; ++k) writer->write(image_of(k < 3 ? kRed : kBlue, 65, 49));
+  for (int k = 0; k < 6; ++k) writer->write(image_of(k < 3 ? kRedFrame : kBlueFrame, 65, 49));
   writer->finish();
   const std::string decode = "ffmpeg -loglevel error -i '" + (folder / "a.mp4").string() +
                              "' -f rawvideo -pix_fmt rgb24 '" + (folder / "raw").string() + "'";
@@ -172,8 +172,8 @@ TEST(Mp4, ByFfmpegItselfHasThePicturesAndTheirColors) {
     const auto channel = [&](std::size_t frame) {
       return static_cast<std::uint8_t>(raw[frame * kFrame + kFrame / 2 + c]);
     };
-    EXPECT_NEAR(channel(0), kRed[c], 8);
-    EXPECT_NEAR(channel(5), kBlue[c], 8);
+    EXPECT_NEAR(channel(0), kRedFrame[c], 8);
+    EXPECT_NEAR(channel(5), kBlueFrame[c], 8);
   }
 }
 

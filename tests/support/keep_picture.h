@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "lapwing/render/image.h"
+#include "lapwing/io/image.h"
 
 namespace lapwing::test {
 

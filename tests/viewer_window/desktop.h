@@ -5,7 +5,7 @@
 #include <sys/types.h>
 #include <vector>
 
-#include "lapwing/render/image.h"
+#include "lapwing/io/image.h"
 
 namespace lapwing::test {
 

@@ -233,7 +233,7 @@ TEST(FramePainter, DrawsFromTheVeryBuffersThatTheKernelsWrote) {
   EXPECT_EQ(written.size(), 2U);
   const auto drawn = std::find_if(
       CommandSpy::bound.begin(), CommandSpy::bound.end(), [](const CommandSpy::Bound& bound) {
-        return bound.point == VK_PIPELINE_BIND_POINT_GRAPHICS && bound.buffers.size() == 7;
+        return bound.point == VK_PIPELINE_BIND_POINT_GRAPHICS && bound.buffers.size() == 10;
       });
   ASSERT_NE(drawn, CommandSpy::bound.end());
   const VkBuffer positions = drawn->buffers[0];

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "lapwing/io/image.h"
 #include "lapwing/parameterize/domain_map.h"
-#include "lapwing/render/image.h"
 
 namespace lapwing::cli {
 

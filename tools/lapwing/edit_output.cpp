@@ -7,13 +7,13 @@
 
 #include "commands.h"
 #include "exit_code.h"
+#include "file_color_option.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/io/mesh_format.h"
 #include "lapwing/render/render_image.h"
 #include "lapwing/render/surface.h"
 #include "lapwing/session/report.h"
 #include "pose_colors.h"
-#include "progress_display.h"
 
 namespace lapwing::cli {
 namespace {
@@ -102,7 +102,7 @@ void print_written(const RunResult& result, const std::filesystem::path& target)
 }  // namespace
 
 void EditOutput::add_to(CLI::App& command) {
-  std::vector<std::string> colors{"regions", "plain"};
+  std::vector<std::string> colors{"regions", kFileColor, kPlainColor};
   colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
   command.add_option("--save", save, "write the edited mesh here");
   command.add_flag("--vertex-motion", vertex_motion,
@@ -117,7 +117,9 @@ void EditOutput::add_to(CLI::App& command) {
       ->needs(reported);
   command.add_option("--render", render, "write a picture of the result (PNG)");
   command.add_option("--render-before", render_before, "the same picture before the edit (PNG)");
-  command.add_option("--color", color, "what the pictures show")
+  command
+      .add_option("--color", color,
+                  "what the pictures show; regions are laid over the colours of the mesh's file")
       ->check(CLI::IsMember(colors))
       ->capture_default_str();
   command.add_option("--device", device, "auto, cpu, an index or a part of a name (lapwing info)")
@@ -153,7 +155,7 @@ void EditOutput::run(const Recipe& recipe) const {
   display.note("device: " + opened.kernels->device().name);
   const auto result = run_recipe(recipe, *opened.kernels, display.callback(), {report_vertices});
   if (!target.empty()) save_result(*result, target, {vertex_motion});
-  if (!render.empty() || !render_before.empty()) draw(*result, opened);
+  if (!render.empty() || !render_before.empty()) draw(*result, recipe.mesh_path(), opened, display);
   for (const std::string& warning : result->report.warnings) display.note("note: " + warning);
   for (const std::string& note : result->report.notes) display.note("note: " + note);
   if (!report.empty()) replace_file(report, to_json(result->report));
@@ -170,17 +172,23 @@ void EditOutput::run(const Recipe& recipe) const {
   }
 }
 
-void EditOutput::draw(const RunResult& result, const Device& used) const {
+void EditOutput::draw(const RunResult& result, const std::filesystem::path& mesh_file,
+                      const Device& used, ProgressDisplay& display) const {
   // An edit on the processor has no device to draw on, so one is opened for the picture alone.
   Surface surface(used.context ? used.context : open_device("auto").context, result.original,
                   result.mesh.topology());
   SurfacePaint paint(surface);
   paint.set_polygons(result.mesh);
   RenderOptions options = picture.render_options();
+  if (color == "regions" || color == kFileColor) {
+    for (const auto& note : color_by_file(result.mesh, mesh_file, paint, options)) {
+      display.note("note: " + note);
+    }
+  }
   if (color == "regions" && !result.region.roi.empty()) {
     options.style.color = SurfaceColor::regions;
     paint.set_classes(vertex_classes(result.region, result.mesh.vertex_count()));
-  } else if (color != "regions" && color != "plain") {
+  } else if (std::ranges::count(pose_colors(), color) > 0) {
     color_by(color, result.mesh, result.original, paint, options);
   }
   Positions both = result.original;

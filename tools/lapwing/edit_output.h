@@ -8,6 +8,7 @@
 #include "lapwing/session/run_recipe.h"
 #include "lapwing/vulkan/open_device.h"
 #include "picture_options.h"
+#include "progress_display.h"
 
 namespace lapwing::cli {
 
@@ -33,7 +34,8 @@ struct EditOutput {
  private:
   // The vertex motion is asked for before there is any.
   void require_place_for_motion(const std::filesystem::path& target) const;
-  void draw(const RunResult& result, const Device& device) const;
+  void draw(const RunResult& result, const std::filesystem::path& mesh_file, const Device& device,
+            ProgressDisplay& display) const;
 };
 
 }  // namespace lapwing::cli

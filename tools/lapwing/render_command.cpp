@@ -1,9 +1,12 @@
+#include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "file_color_option.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/render/surface.h"
@@ -18,7 +21,7 @@ struct RenderArguments {
   std::string mesh;
   std::string image;
   std::string rest;
-  std::string color = "displacement";
+  std::string color;  ///< empty: by what there is
   std::string device = "auto";
   PictureOptions picture;
   TurntableOptions turntable;
@@ -34,17 +37,36 @@ Mesh read_rest_pose(const std::string& path, const Mesh& mesh) {
   return rest;
 }
 
+// Throws CLI::ValidationError where that does not go with `--rest`.
+std::string color_of(const RenderArguments& arguments) {
+  const bool has_rest = !arguments.rest.empty();
+  if (arguments.color.empty()) return has_rest ? pose_colors().front() : kFileColor;
+  const bool compares = arguments.color != kFileColor && arguments.color != kPlainColor;
+  if (compares && !has_rest) {
+    throw CLI::ValidationError("--color", arguments.color + " is a difference; it needs --rest");
+  }
+  if (!compares && has_rest) {
+    throw CLI::ValidationError("--rest", "--color " + arguments.color + " shows no difference");
+  }
+  return arguments.color;
+}
+
 void render(const RenderArguments& arguments) {
   arguments.turntable.check(arguments.image);
+  const std::string color = color_of(arguments);
   RenderOptions options = arguments.picture.render_options();
   const Mesh mesh = read_mesh(arguments.mesh);
   Surface surface(std::make_shared<gpu::Context>(gpu::ContextOptions{arguments.device}),
                   mesh.positions, mesh.topology());
   SurfacePaint paint(surface);
   paint.set_polygons(mesh);
-  if (!arguments.rest.empty()) {
+  if (color == kFileColor) {
+    for (const std::string& note : color_by_file(mesh, arguments.mesh, paint, options)) {
+      std::fprintf(stderr, "lapwing: note: %s\n", note.c_str());
+    }
+  } else if (color != kPlainColor) {
     const Mesh rest = read_rest_pose(arguments.rest, mesh);
-    color_by(arguments.color, mesh, rest.positions, paint, options);
+    color_by(color, mesh, rest.positions, paint, options);
   }
   const bool with_legend = !arguments.rest.empty();
   if (arguments.turntable.count > 0) {
@@ -65,12 +87,15 @@ void add_render(CLI::App& app) {
   command
       ->add_option("-o,--output", arguments->image, "PNG; of a turntable also .mp4, .webm or .gif")
       ->required();
-  auto* rest = command->add_option("--rest", arguments->rest,
-                                   "colour by the difference from this pose of the same mesh");
-  command->add_option("--color", arguments->color, "which difference")
-      ->check(CLI::IsMember(pose_colors()))
-      ->needs(rest)
-      ->capture_default_str();
+  command->add_option("--rest", arguments->rest,
+                      "colour by the difference from this pose of the same mesh");
+  std::vector<std::string> colors{kFileColor, kPlainColor};
+  colors.insert(colors.end(), pose_colors().begin(), pose_colors().end());
+  command
+      ->add_option("--color", arguments->color,
+                   "the file's own (textures, materials, vertex and face colours), clay, or which "
+                   "difference; displacement with --rest, else file")
+      ->check(CLI::IsMember(colors));
   command->add_option("--device", arguments->device, "auto, an index or a part of a name")
       ->capture_default_str();
   arguments->picture.add_to(*command);

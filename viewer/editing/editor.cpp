@@ -34,7 +34,9 @@ std::shared_ptr<const Mesh> opened_surface(const EditStart& start) {
 
 Editor::Editor(EditStart start, const std::shared_ptr<gpu::Context>& context, Say say,
                std::function<void()> wake)
-    : say_(std::move(say)), shown_(opened_surface(start)), carry_follower_(wake) {
+    : say_(std::move(say)),
+      shown_(opened_surface(start), {start.colors, start.opened}),
+      carry_follower_(wake) {
   session_ = start.restored
                  ? std::make_unique<EditSession>(*start.restored, std::move(start.history),
                                                  start.journals, kernels_like(context),

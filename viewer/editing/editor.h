@@ -23,6 +23,7 @@ struct EditStart {
   std::optional<MeshStamp> file;            ///< EditSession's
   std::optional<InterruptedEdit> restored;  ///< what the history continues
   std::filesystem::path journals;           ///< EditSession's
+  std::shared_ptr<const FilePaint> colors;  ///< of the file of `opened`; null for none
 };
 
 /// Whether the command makes what has settled the rest shape of what comes then (`apply`).

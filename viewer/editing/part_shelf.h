@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/render/image.h"
+#include "lapwing/io/image.h"
 #include "state/app_state.h"
 #include "work/job.h"
 

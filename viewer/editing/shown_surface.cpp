@@ -14,8 +14,10 @@ Eigen::Vector2d middle_of(const Eigen::Vector2d& pixel) {
 
 }  // namespace
 
-ShownSurface::ShownSurface(std::shared_ptr<const Mesh> opened)
-    : opened_(std::move(opened)), opened_bounds_(bounds_of(opened_->positions)) {}
+ShownSurface::ShownSurface(std::shared_ptr<const Mesh> opened, FileColoring coloring)
+    : opened_(std::move(opened)),
+      coloring_(std::move(coloring)),
+      opened_bounds_(bounds_of(opened_->positions)) {}
 
 void ShownSurface::release_device() {
   device_.reset();
@@ -24,10 +26,22 @@ void ShownSurface::release_device() {
 
 void ShownSurface::use_device(std::shared_ptr<gpu::Context> context) {
   context_ = std::move(context);
-  device_.emplace(now_ ? *now_ : *opened_, context_);
+  make(now_ ? *now_ : *opened_);
   measured_.reset();
   dragged_version_.reset();
   needs_classes_ = true;
+}
+
+void ShownSurface::make(const Mesh& mesh) {
+  device_.emplace(mesh, context_);
+  if (!coloring_.file) return;
+  device_->surface.paint().set_file_colors(mesh, with_attributes(mesh), *coloring_.file);
+}
+
+// Surfaces whose seams are joined have none of their own.
+const Mesh& ShownSurface::with_attributes(const Mesh& mesh) const {
+  if (&mesh == now_.get()) return *rest_;
+  return &mesh == opened_.get() ? *coloring_.opened : mesh;
 }
 
 bool ShownSurface::take(const AppState& state) {
@@ -38,6 +52,7 @@ bool ShownSurface::take(const AppState& state) {
   std::shared_ptr<const Mesh> surface = surface_of(state);
   if (now_ == surface && settled_ == state.settled) return false;
   if (device_ && now_ != surface) device_->surface.drag_from(nullptr);
+  rest_ = state.rest;
   const bool has_same_triangles = now_ && now_->shares_faces_with(*surface);
   now_ = std::move(surface);
   settled_ = state.settled;
@@ -61,7 +76,7 @@ void ShownSurface::put(const Mesh& mesh, const Positions& positions) {
   if (device_->topology.get() != &mesh.topology()) {
     // Two at a time may not fit on the device.
     device_.reset();
-    device_.emplace(mesh, context_);
+    make(mesh);
     measured_.reset();
     dragged_version_.reset();
     needs_classes_ = true;

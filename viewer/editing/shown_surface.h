@@ -12,6 +12,13 @@
 
 namespace lapwing::viewer {
 
+/// What colours the surface of an edit, and whatever comes of it with other triangles, as far as
+/// that has attributes of the file.
+struct FileColoring {
+  std::shared_ptr<const FilePaint> file;  ///< null for none
+  std::shared_ptr<const Mesh> opened;     ///< before any step and with attributes, seams not joined
+};
+
 /// What of an edit is on the screen: the surface on the device, where its vertices are, what its
 /// colours say, and what is under a pixel. Made anew on the device when the triangles are others;
 /// the device must be done with what was drawn then, and whenever it changes.
@@ -21,7 +28,7 @@ namespace lapwing::viewer {
 class ShownSurface {
  public:
   /// `opened` is the mesh before any step, to compare with.
-  explicit ShownSurface(std::shared_ptr<const Mesh> opened);
+  explicit ShownSurface(std::shared_ptr<const Mesh> opened, FileColoring coloring = {});
 
   /// Lets all go that is on the device, or makes it there. Between them only `take` may be called.
   void release_device();
@@ -65,6 +72,9 @@ class ShownSurface {
   /// Whether other triangles have come since.
   bool needs_classes() const { return needs_classes_; }
 
+  /// Whether the file gives what is on the screen a colour.
+  bool has_file_colors() const { return device_->surface.paint().has_file_colors(); }
+
   /// Colours by how the surface differs from the one opened; nothing: by regions.
   void color_by(std::optional<PoseMeasure> measure) { measure_ = measure; }
   /// Whether it has the triangles of the one opened.
@@ -93,6 +103,8 @@ class ShownSurface {
   const Bounds& opened_bounds() const { return opened_bounds_; }
 
  private:
+  void make(const Mesh& mesh);
+  const Mesh& with_attributes(const Mesh& mesh) const;
   void put(const Mesh& mesh, const Positions& positions);
   const Positions& still_positions() const;
 
@@ -109,10 +121,12 @@ class ShownSurface {
   std::shared_ptr<gpu::Context> context_;
   std::optional<OnDevice> device_;
   std::shared_ptr<const Mesh> opened_;
+  FileColoring coloring_;
   Bounds opened_bounds_;
 
   // What the state says, and where that takes the vertices.
   std::shared_ptr<const Mesh> now_;
+  std::shared_ptr<const Mesh> rest_;
   std::shared_ptr<const MovedVertices> settled_;
   Positions positions_;
   Bounds bounds_;

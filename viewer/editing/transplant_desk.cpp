@@ -1,10 +1,12 @@
 #include "editing/transplant_desk.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "editing/kernels_like.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/transplant/join_attributes.h"
 #include "state/revision.h"
 
 namespace lapwing::viewer {
@@ -12,7 +14,7 @@ namespace {
 
 using Stage = PlaceTool::Stage;
 
-// Both as they are, without what they carry.
+// Both as they are, in the colours that the result will have.
 Mesh side_by_side(const Mesh& host, const Mesh& part) {
   Mesh both;
   both.positions = host.positions;
@@ -25,6 +27,11 @@ Mesh side_by_side(const Mesh& host, const Mesh& part) {
   for (std::size_t f = 1; f < part.face_starts().size(); ++f) {
     faces.starts.push_back(first_corner + part.face_starts()[f]);
   }
+  std::vector<Index> all_of_part(part.vertex_count());
+  std::iota(all_of_part.begin(), all_of_part.end(), 0U);
+  std::vector<std::string> said_with_the_result;
+  both.edit_attributes() =
+      join_attributes({host, part, std::move(all_of_part), {}}, {}, said_with_the_result);
   return both;
 }
 

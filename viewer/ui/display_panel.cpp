@@ -1,23 +1,17 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <imgui.h>
 #include <utility>
 
+#include "lapwing/base/srgb.h"
 #include "ui/panels.h"
 
 namespace lapwing::viewer {
 namespace {
 
 ImU32 encoded(const Eigen::Vector3f& linear) {
-  std::array<int, 3> bytes;
-  for (int c = 0; c < 3; ++c) {
-    const float x = std::clamp(linear[c], 0.0F, 1.0F);
-    const float srgb = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
-    bytes[static_cast<std::size_t>(c)] = static_cast<int>(std::lround(255.0F * srgb));
-  }
-  return IM_COL32(bytes[0], bytes[1], bytes[2], 255);
+  return IM_COL32(srgb_byte_of(linear[0]), srgb_byte_of(linear[1]), srgb_byte_of(linear[2]), 255);
 }
 
 void draw_legend(const SurfaceStyle& style) {
@@ -90,6 +84,10 @@ void draw_display_panel(DisplayChoices& choices, Editor& editor) {
   ImGui::SameLine();
   bool before = editor.shown().shows_before();
   if (ImGui::Checkbox("Before", &before)) editor.show_before(before);
+  if (editor.shown().has_file_colors()) {
+    ImGui::SameLine();
+    ImGui::Checkbox("File's colours", &style.file_colors);
+  }
   choose_in_pairs(
       "Colour", choices.coloring,
       std::array{std::pair{"plain", Coloring::plain}, std::pair{"regions", Coloring::regions},

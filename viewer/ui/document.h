@@ -20,9 +20,9 @@ struct Document {
         unsaved_title(opened.name + "* - Lapwing"),
         report(std::move(file.report)),
         closed_outward(file.closed_outward),
-        editor(
-            {std::move(file.history), opened.mesh, opened.file, std::move(file.restored), journals},
-            context, say, wake),
+        editor({std::move(file.history), opened.mesh, opened.file, std::move(file.restored),
+                journals, opened.colors},
+               context, say, wake),
         banner(opened.name, opened.mesh, report, wake),
         desk(opened.up_axis, context, say, wake),
         transplant(context, std::move(say), std::move(wake)),

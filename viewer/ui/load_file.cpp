@@ -21,7 +21,11 @@ std::shared_ptr<const Mesh> triangulated(Mesh mesh, const Progress& progress) {
 
 OpenedMesh read(const fs::path& path, const Progress& progress) {
   report_progress(progress, "read", 0.0);
-  return {path.filename().string(), triangulated(read_mesh(path), progress), stamp_of(path)};
+  OpenedMesh opened{path.filename().string(), triangulated(read_mesh(path), progress),
+                    stamp_of(path)};
+  report_progress(progress, "colours", 0.0);
+  opened.colors = std::make_shared<const FilePaint>(read_file_colors(*opened.mesh, path));
+  return opened;
 }
 
 LoadedFile examined(OpenedMesh opened, History history, const Progress& progress) {

@@ -12,6 +12,7 @@
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/render/camera.h"
+#include "lapwing/render/file_paint.h"
 #include "state/history.h"
 #include "state/journal.h"
 
@@ -23,6 +24,7 @@ struct OpenedMesh {
   std::shared_ptr<const Mesh> mesh;  ///< before any step
   std::optional<MeshStamp> file;     ///< none for a generated mesh
   UpAxis up_axis = UpAxis::y;
+  std::shared_ptr<const FilePaint> colors = nullptr;  ///< of the file, with notes; null for a shape
 };
 
 /// An edit to show, and what is to be said of it.

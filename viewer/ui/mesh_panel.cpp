@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <imgui.h>
 
@@ -20,6 +21,19 @@ std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
+}
+
+// What its file says of the mesh's colours.
+void color_rows(const OpenedMesh& opened) {
+  const MeshAttributes& attributes = opened.mesh->attributes();
+  if (!attributes.vertex_colors.empty()) row("colours", "of vertices");
+  if (!attributes.face_colors.empty()) row("colours", "of faces");
+  if (!opened.colors || opened.colors->colors.materials.empty()) return;
+  const std::vector<FileMaterial>& materials = opened.colors->colors.materials;
+  const auto with_image = std::ranges::count_if(
+      materials, [](const FileMaterial& material) { return material.image != kNoIndex; });
+  row("materials",
+      std::to_string(materials.size()) + " (with images: " + std::to_string(with_image) + ")");
 }
 
 Tone tone_of(Severity severity) {
@@ -53,6 +67,7 @@ void draw_mesh_panel(const Document& document, const std::string& unit) {
     const Eigen::Vector3d size = s.bounds.max - s.bounds.min;
     row("size", number(size.x()) + " x " + number(size.y()) + " x " + number(size.z()) + behind);
     row("mean edge", number(s.mean_edge_length) + behind);
+    color_rows(document.opened);
     ImGui::EndTable();
   }
   if (!document.report.has_problems()) ImGui::TextDisabled("The mesh doctor finds no problem.");

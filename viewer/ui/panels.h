@@ -97,7 +97,7 @@ std::optional<PoseMeasure> measure_of(Coloring coloring);
 
 /// How the picture looks.
 struct DisplayChoices {
-  SurfaceStyle style;
+  SurfaceStyle style{.file_colors = true};
   Background background = Background::gradient;
   Coloring coloring = Coloring::regions;
 };

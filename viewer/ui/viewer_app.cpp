@@ -112,6 +112,18 @@ void ViewerApp::show(LoadedFile file) {
   task_to_show_ = begun_task_ = Task::deform;
   look_from(View::three_quarter);
   frame_all();
+  say_of_colors();
+}
+
+// One note at a time is shown; the log has all.
+void ViewerApp::say_of_colors() {
+  if (!document_->opened.colors) return;
+  const std::vector<std::string>& notes = document_->opened.colors->colors.notes;
+  for (std::size_t n = 1; n < notes.size(); ++n) messages_.record(notes[n]);
+  if (notes.empty()) return;
+  say(notes.size() == 1 ? notes[0]
+                        : notes[0] + ", and " + std::to_string(notes.size() - 1) +
+                              " more: \"Messages\" in the Help menu");
 }
 
 void ViewerApp::take_preferred_tools() {

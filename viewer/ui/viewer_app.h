@@ -116,6 +116,7 @@ class ViewerApp final : public App {
   void say(Message message);
   void say(const WriteReport& report);
   double now() const;
+  void say_of_colors();
   void take_preferred_tools();
 
   // A turntable.

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "lapwing/render/image.h"
+#include "lapwing/io/image.h"
 #include "window/screen.h"
 
 namespace lapwing::viewer {

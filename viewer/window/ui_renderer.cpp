@@ -8,7 +8,7 @@
 
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/transfer.h"
-#include "lapwing/render/image.h"
+#include "lapwing/io/image.h"
 #include "lapwing/shaders/ui_frag.h"
 #include "lapwing/shaders/ui_vert.h"
 

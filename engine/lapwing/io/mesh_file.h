@@ -15,7 +15,8 @@ namespace lapwing {
 /// equal, in order of appearance. Point clouds and empty files of the format are read too. Throws
 /// IoError when the file cannot be read, InputError "path:line: expected ..., found ..." (binary:
 /// "path: byte offset: ...") when it is malformed. Time and memory are linear in the file's size,
-/// whatever its header promises.
+/// whatever its header promises. Texture coordinates and normals that a face of an OBJ names and the
+/// file does not have are left out, and counted (MeshAttributes::uneditable).
 Mesh read_mesh(const std::filesystem::path& path);
 
 struct WriteOptions {

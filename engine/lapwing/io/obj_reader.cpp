@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <unordered_map>
 
 #include "lapwing/io/formats.h"
@@ -54,6 +55,7 @@ class ObjReader {
     Kind kind;
     std::uint64_t offset;
     Index index;
+    std::size_t corner;  ///< of all corners
   };
 
   void read_statement() {
@@ -174,20 +176,22 @@ class ObjReader {
     const std::int64_t number = scan_.integer("a corner such as 7, 7/2, 7//3 or 7/2/3");
     const std::int64_t index = number > 0 ? number - 1 : static_cast<std::int64_t>(known) + number;
     if (number == 0 || index < 0 || index >= std::int64_t{kNoIndex}) {
-      fail_index(kind, offset, number, known);
+      leave_out(kind, offset, number, known);
+      return kNoIndex;
     }
     if (index >= static_cast<std::int64_t>(known)) {
-      forward_.push_back({kind, offset, static_cast<Index>(index)});
+      forward_.push_back({kind, offset, static_cast<Index>(index), polygons_.vertices.size()});
     }
     return static_cast<Index>(index);
   }
 
-  [[noreturn]] void fail_index(Kind kind, std::uint64_t offset, std::int64_t number,
-                               std::size_t known) const {
-    constexpr std::array<std::string_view, 3> kNames{"vertex", "texture coordinate", "normal"};
-    file_.fail_at_line(offset, "the face names " + std::string(kNames[kind]) + " " +
-                                   std::to_string(number) + ", but the file has " +
-                                   std::to_string(known) + " (numbered from 1)");
+  // A shape stands without its texture coordinates and normals, but not without its vertices.
+  void leave_out(Kind kind, std::uint64_t offset, std::int64_t number, std::size_t known) {
+    if (kind == kTexture) return uneditable_.add("texture coordinates that are not there");
+    if (kind == kNormal) return uneditable_.add("normals that are not there");
+    file_.fail_at_line(offset, "the face names vertex " + std::to_string(number) +
+                                   ", but the file has " + std::to_string(known) +
+                                   " (numbered from 1)");
   }
 
   void read_other(std::string_view keyword) {
@@ -222,21 +226,35 @@ class ObjReader {
     while (!scan_.at_line_end()) scan_.word();
   }
 
+  void resolve_forward() {
+    const std::array<std::size_t, 3> known{mesh_.positions.size(), attributes_.uvs.size(),
+                                           attributes_.normals.size()};
+    for (const Forward& reference : forward_) {
+      if (reference.index < known[reference.kind]) continue;
+      leave_out(reference.kind, reference.offset, std::int64_t{reference.index} + 1,
+                known[reference.kind]);
+      auto& corners =
+          reference.kind == kTexture ? attributes_.corner_uvs : attributes_.corner_normals;
+      corners[reference.corner] = kNoIndex;
+    }
+  }
+
+  // A list without a number is none.
+  static void finish_corners(std::vector<Index>& list, std::size_t corners) {
+    const bool has_none =
+        std::all_of(list.begin(), list.end(), [](Index i) { return i == kNoIndex; });
+    if (has_none) return list.clear();
+    list.resize(corners, kNoIndex);
+  }
+
   void finish() {
     if (mesh_.positions.empty() && mesh_.face_count() == 0 && first_unknown_ != 0) {
       file_.fail_at_line(first_unknown_, "expected an OBJ statement such as 'v' or 'f'");
     }
-    for (const Forward& reference : forward_) {
-      const std::array<std::size_t, 3> known{mesh_.positions.size(), attributes_.uvs.size(),
-                                             attributes_.normals.size()};
-      if (reference.index >= known[reference.kind]) {
-        fail_index(reference.kind, reference.offset, std::int64_t{reference.index} + 1,
-                   known[reference.kind]);
-      }
-    }
+    resolve_forward();
     const std::size_t corners = mesh_.face_vertices().size();
-    if (!attributes_.corner_uvs.empty()) attributes_.corner_uvs.resize(corners, kNoIndex);
-    if (!attributes_.corner_normals.empty()) attributes_.corner_normals.resize(corners, kNoIndex);
+    finish_corners(attributes_.corner_uvs, corners);
+    finish_corners(attributes_.corner_normals, corners);
     groups_.finish(mesh_.face_count());
     materials_.finish(mesh_.face_count());
     if (!colors_.empty()) colors_.resize(mesh_.vertex_count(), kNoColor);

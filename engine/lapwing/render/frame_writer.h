@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "lapwing/render/image.h"
+#include "lapwing/io/image.h"
 
 namespace lapwing {
 

@@ -1,6 +1,7 @@
 #include "lapwing/render/graphics_pipeline.h"
 
 #include <array>
+#include <stdexcept>
 #include <vector>
 
 #include "lapwing/base/errors.h"
@@ -11,7 +12,7 @@ namespace lapwing {
 namespace {
 
 constexpr VkShaderStageFlags kStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-constexpr std::size_t kMaxBuffers = 8;
+constexpr std::size_t kMaxBuffers = 10;
 
 class ShaderModule {
  public:
@@ -105,6 +106,9 @@ GraphicsPipeline::GraphicsPipeline(const gpu::Context& context, const TargetForm
 
 void GraphicsPipeline::create_layout(const GraphicsPipelineInfo& info) {
   std::array<VkDescriptorSetLayoutBinding, kMaxBuffers> bindings{};
+  if (info.storage_buffers > bindings.size()) {
+    throw std::logic_error(name_ + " needs more buffers than kMaxBuffers");
+  }
   for (std::uint32_t b = 0; b < info.storage_buffers; ++b) {
     bindings[b].binding = b;
     bindings[b].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;

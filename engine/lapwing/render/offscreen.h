@@ -5,10 +5,10 @@
 
 #include "lapwing/gpu/buffer.h"
 #include "lapwing/gpu/command_list.h"
+#include "lapwing/io/image.h"
 #include "lapwing/render/device_image.h"
 #include "lapwing/render/draw_scope.h"
 #include "lapwing/render/graphics_pipeline.h"
-#include "lapwing/render/image.h"
 
 namespace lapwing {
 

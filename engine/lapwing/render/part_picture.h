@@ -4,8 +4,8 @@
 #include <memory>
 #include <span>
 
+#include "lapwing/io/image.h"
 #include "lapwing/mesh/mesh.h"
-#include "lapwing/render/image.h"
 
 namespace lapwing {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
+#include "lapwing/io/image.h"
 #include "lapwing/render/camera.h"
-#include "lapwing/render/image.h"
 #include "lapwing/render/offscreen.h"
 #include "lapwing/render/renderer.h"
 

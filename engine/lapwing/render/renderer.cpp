@@ -58,12 +58,15 @@ enum SurfaceFlag : std::uint32_t {
   kDiverging = 16,
   kOrthographic = 32,
   kCarriedColor = 64,
+  kFileColor = 128,
 };
 
 constexpr std::size_t kColorMapEntries = 256;  // per map; shaders/surface.frag
 
-std::uint32_t flags_of(const SurfaceStyle& style, const Camera& camera) {
+std::uint32_t flags_of(const SurfaceStyle& style, const SurfacePaint& paint, const Camera& camera) {
   std::uint32_t flags = 0;
+  const bool has_own = style.color == SurfaceColor::plain || style.color == SurfaceColor::regions;
+  if (has_own && style.file_colors && paint.has_file_colors()) flags |= kFileColor;
   if (style.color == SurfaceColor::regions) flags |= kRegions;
   if (style.color == SurfaceColor::scalar) flags |= kScalar;
   if (style.color == SurfaceColor::carried) flags |= kCarriedColor;
@@ -107,13 +110,14 @@ Eigen::Matrix4d view_from_surface(const Camera& camera, const Eigen::Vector3d& o
 }
 
 SurfacePush surface_push(VkExtent2D extent, const Eigen::Vector3d& origin, const Camera& camera,
-                         const SurfaceStyle& style, const ScalarRange& range) {
+                         const SurfaceStyle& style, const SurfacePaint& paint) {
   SurfacePush push{};
   Eigen::Map<Eigen::Matrix4f>(push.clip_from_surface.data()) =
       clip_from_surface(camera, extent, origin).cast<float>();
   Eigen::Map<Eigen::Matrix<float, 3, 4, Eigen::RowMajor>>(push.view_from_surface.data()) =
       view_from_surface(camera, origin).topRows<3>().cast<float>();
-  push.flags = flags_of(style, camera);
+  const ScalarRange range = color_range(style, paint);
+  push.flags = flags_of(style, paint, camera);
   push.scalar_low = range.low;
   push.scalar_scale = range.high > range.low ? 1.0F / (range.high - range.low) : 0.0F;
   push.pixels_per_point = style.pixels_per_point;
@@ -144,7 +148,7 @@ Renderer::StylePipeline::StylePipeline(const gpu::Context& context, const Target
                {.name = "a surface",
                 .vertex_spirv = shaders::surface_vert(),
                 .fragment_spirv = shaders::surface_frag(),
-                .storage_buffers = 7,
+                .storage_buffers = 10,
                 .push_constant_bytes = sizeof(SurfacePush),
                 .constants = constants,
                 .depth = true}) {}
@@ -202,11 +206,12 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
                     const SurfacePaint& paint, const Camera& camera,
                     const SurfaceStyle& style) const {
   if (surface.triangle_count() == 0) return;
-  surface_pipeline(flags_of(style, camera))
+  surface_pipeline(flags_of(style, paint, camera))
       .draw(commands,
             {&surface.position_buffer(), &surface.normal_buffer(), &surface.triangle_buffer(),
-             &paint.class_buffer(), &paint.scalar_buffer(), &paint.edge_buffer(), &color_maps_},
-            surface_push(extent, surface.origin(), camera, style, color_range(style, paint)),
+             &paint.class_buffer(), &paint.scalar_buffer(), &paint.edge_buffer(), &color_maps_,
+             &paint.corner_source_buffer(), &paint.corner_place_buffer(), &paint.image_buffer()},
+            surface_push(extent, surface.origin(), camera, style, paint),
             static_cast<std::uint32_t>(3 * surface.triangle_count()), 0, style.sides);
 }
 

@@ -34,8 +34,11 @@ struct SurfaceStyle {
   SurfaceColor color = SurfaceColor::plain;
   ColorMap color_map = ColorMap::sequential;
   std::optional<ScalarRange> range;  ///< of the colour map; of the numbers themselves by default
-  bool wireframe = false;            ///< polygon edges over the surface
-  bool flat = false;                 ///< one normal per triangle
+  /// In place of the clay, and under regions in place of the grey outside: what the mesh's file
+  /// says, where the paint has that.
+  bool file_colors = false;
+  bool wireframe = false;  ///< polygon edges over the surface
+  bool flat = false;       ///< one normal per triangle
   /// Of a picture for a dense display: what is to be seen whatever the density (edges of the
   /// wireframe, carried points, how far relief is darkened) is as many times as large in pixels.
   float pixels_per_point = 1.0F;

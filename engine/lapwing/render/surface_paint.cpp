@@ -6,6 +6,8 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/gpu/context.h"
+#include "lapwing/render/corner_colors.h"
 #include "lapwing/render/surface.h"
 
 namespace lapwing {
@@ -73,12 +75,16 @@ std::vector<VertexClass> vertex_classes(const EditRegion& region, std::size_t ve
 }
 
 SurfacePaint::SurfacePaint(const Surface& surface)
-    : vertex_count_(surface.vertex_count()),
+    : context_(surface.context()),
+      vertex_count_(surface.vertex_count()),
       triangle_count_(surface.triangle_count()),
       transfer_(surface.context()),
       classes_(surface.context(), "vertex classes", vertex_count_ * sizeof(VertexClass)),
       scalars_(surface.context(), "vertex scalars", vertex_count_ * sizeof(float)),
-      edges_(surface.context(), "shown edges", triangle_count_ * sizeof(kAllEdges)) {
+      edges_(surface.context(), "shown edges", triangle_count_ * sizeof(kAllEdges)),
+      corner_sources_(context_, "colours of the file", 0),
+      corner_places_(context_, "places in images", 0),
+      images_(context_, "images", 0) {
   set_classes(std::vector<VertexClass>(vertex_count_, VertexClass::outside));
   set_scalars(std::vector<float>(vertex_count_, 0.0F));
   const std::vector<std::uint32_t> edges(triangle_count_, kAllEdges);
@@ -103,6 +109,21 @@ void SurfacePaint::set_polygons(const Mesh& mesh) {
   revision_.renew();
   const std::vector<std::uint32_t> edges = polygon_edges(mesh);
   transfer_.upload(edges_, std::span(edges));
+}
+
+void SurfacePaint::set_file_colors(const Mesh& drawn, const Mesh& mesh, const FilePaint& file) {
+  check_count(drawn.topology().triangles.size(), triangle_count_, "triangles");
+  revision_.renew();
+  CornerColors corners = corner_colors(drawn, mesh, file.colors);
+  const VkDeviceSize limit = context_.limits().maxStorageBufferRange;
+  if (std::span(corners.places).size_bytes() > limit) corners = {};
+  const auto replace = [&](gpu::Buffer& buffer, auto values) {
+    buffer = gpu::Buffer(context_, buffer.name(), values.size_bytes());
+    transfer_.upload(buffer, values);
+  };
+  replace(corner_sources_, std::span<const std::uint32_t>(corners.sources));
+  replace(corner_places_, std::span<const std::array<float, 2>>(corners.places));
+  replace(images_, std::span(file.images).first(corners.places.empty() ? 0 : file.images.size()));
 }
 
 std::vector<std::uint32_t> polygon_edges(const Mesh& mesh) {

@@ -8,6 +8,7 @@
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
+#include "lapwing/render/file_paint.h"
 #include "lapwing/render/revision.h"
 
 namespace lapwing {
@@ -37,9 +38,10 @@ struct ScalarRange {
 };
 
 /// What one needs besides positions and normals to colour a surface: classes and numbers per
-/// vertex, and which triangle edges the wireframe shows. In device memory, 4 bytes each; apart from
-/// the surface, so that it is uploaded when it changes and not when the surface moves. The device
-/// must be done with it when it is changed. The surface's context must outlive it.
+/// vertex, which triangle edges the wireframe shows, and what the mesh's file says. In device
+/// memory, 4 bytes each; apart from the surface, so that it is uploaded when it changes and not
+/// when the surface moves. The device must be done with it when it is changed. The surface's
+/// context must outlive it.
 class SurfacePaint {
  public:
   /// All vertices outside, all numbers 0, all triangle edges shown.
@@ -54,6 +56,13 @@ class SurfacePaint {
   /// surface; InputError otherwise.
   void set_polygons(const Mesh& mesh);
 
+  /// What the attributes of `mesh` and its file say of the colours of `drawn`, which has the
+  /// triangles of the surface, InputError otherwise; as in corner_colors. Nothing where they give
+  /// no corner a colour, or where the places in images, 24 bytes a triangle, exceed a storage
+  /// buffer of the device: 5.6 million triangles at 128 MiB.
+  void set_file_colors(const Mesh& drawn, const Mesh& mesh, const FilePaint& file);
+  bool has_file_colors() const { return corner_sources_.bytes() > 0; }
+
   /// Of the finite numbers; 0 and 0 if there are none.
   const ScalarRange& scalar_range() const { return scalar_range_; }
 
@@ -65,14 +74,22 @@ class SurfacePaint {
   const gpu::Buffer& scalar_buffer() const { return scalars_; }  ///< float per vertex
   /// uint per triangle: bit e is set if the edge from corner e to corner e + 1 (mod 3) is shown.
   const gpu::Buffer& edge_buffer() const { return edges_; }
+  // What CornerColors and mip_levels hold; empty without colours of a file.
+  const gpu::Buffer& corner_source_buffer() const { return corner_sources_; }
+  const gpu::Buffer& corner_place_buffer() const { return corner_places_; }
+  const gpu::Buffer& image_buffer() const { return images_; }
 
  private:
+  gpu::Context& context_;
   std::size_t vertex_count_;
   std::size_t triangle_count_;
   gpu::Transfer transfer_;
   gpu::Buffer classes_;
   gpu::Buffer scalars_;
   gpu::Buffer edges_;
+  gpu::Buffer corner_sources_;
+  gpu::Buffer corner_places_;
+  gpu::Buffer images_;
   ScalarRange scalar_range_;
   Revision revision_;
 };

@@ -29,6 +29,26 @@ void divide_by_opacity(Image& image);
 /// Puts the image before black: colours multiplied by their opacity (in linear light), and opaque.
 void put_on_black(Image& image);
 
+/// Half as many columns and rows, rounded down, but at least 1 of each: every pixel is the mean, in
+/// linear light, of what it covers. Opacity is averaged apart from the colours.
+Image halved(const Image& image);
+
+/// Reads a PNG, JPEG, BMP or TGA file; the content says which. Opacity is 255 where it has none.
+/// Throws IoError when the file cannot be read, InputError when it is none of these, is broken or
+/// has more than `kMostImagePixels`. Memory is bounded by that limit, whatever the file says.
+Image read_image(const std::filesystem::path& path);
+
+/// 8192 x 8192.
+inline constexpr std::uint64_t kMostImagePixels = std::uint64_t{1} << 26U;
+
+/// The columns and rows of the image that `read_image` would read, from the head of the file.
+/// Throws what that throws, but for a file that is broken further on.
+struct ImageSize {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+ImageSize read_image_size(const std::filesystem::path& path);
+
 /// The bytes of a PNG file; without the fourth channel where all of the image is opaque. Throws
 /// IoError for more than 2^29 bytes of pixels.
 std::string encode_png(const Image& image);

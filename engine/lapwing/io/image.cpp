@@ -1,8 +1,8 @@
-#include "lapwing/render/image.h"
+#include "lapwing/io/image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -11,6 +11,7 @@
 #include <stb/stb_image_write.h>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/srgb.h"
 #include "lapwing/io/atomic_file.h"
 
 namespace lapwing {
@@ -19,18 +20,6 @@ namespace {
 constexpr std::uint8_t kOpaque = 255;
 // The encoder counts in int, with room for its own overhead.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 29U;
-
-// IEC 61966-2-1.
-float linear_of(std::uint8_t encoded) {
-  const float c = static_cast<float>(encoded) / 255.0F;
-  return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
-}
-
-std::uint8_t encoded_of(float linear) {
-  const float c = std::clamp(linear, 0.0F, 1.0F);
-  const float s = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(255.0F * s));
-}
 
 std::vector<std::uint8_t> without_opacity(const Image& image) {
   std::vector<std::uint8_t> rgb;
@@ -49,7 +38,7 @@ void divide_by_opacity(Image& image) {
     const std::uint8_t opacity = image.rgba[at + 3];
     if (opacity == 0 || opacity == kOpaque) continue;
     for (std::size_t channel = at; channel < at + 3; ++channel) {
-      image.rgba[channel] = encoded_of(linear_of(image.rgba[channel]) * 255.0F / opacity);
+      image.rgba[channel] = srgb_byte_of(linear_of_srgb(image.rgba[channel]) * 255.0F / opacity);
     }
   }
 }
@@ -59,9 +48,63 @@ void put_on_black(Image& image) {
     const std::uint8_t opacity = std::exchange(image.rgba[at + 3], kOpaque);
     if (opacity == kOpaque) continue;
     for (std::size_t channel = at; channel < at + 3; ++channel) {
-      image.rgba[channel] = encoded_of(linear_of(image.rgba[channel]) * opacity / 255.0F);
+      image.rgba[channel] = srgb_byte_of(linear_of_srgb(image.rgba[channel]) * opacity / 255.0F);
     }
   }
+}
+
+namespace {
+
+// The pixels along one axis that pixel `to` of the half as long one covers, and how much of each.
+struct Covered {
+  std::uint32_t first = 0;
+  std::array<float, 3> shares{};  // of `first` and the two behind it; their sum is 1
+};
+
+// Of an odd length each pixel of the half covers a little over two.
+Covered covered_by(std::uint32_t to, std::uint32_t half, std::uint32_t length) {
+  const double step = static_cast<double>(length) / half;
+  const double begin = to * step;
+  Covered covered{.first = static_cast<std::uint32_t>(begin)};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const double from = std::max(begin, static_cast<double>(covered.first + k));
+    const double until = std::min(begin + step, static_cast<double>(covered.first + k + 1));
+    covered.shares[k] = static_cast<float>(std::max(0.0, until - from) / step);
+  }
+  return covered;
+}
+
+}  // namespace
+
+Image halved(const Image& image) {
+  Image half{std::max(1U, image.width / 2), std::max(1U, image.height / 2), {}};
+  half.rgba.reserve(std::size_t{4} * half.width * half.height);
+  std::array<float, 256> linear;
+  for (std::size_t b = 0; b < linear.size(); ++b) {
+    linear[b] = linear_of_srgb(static_cast<std::uint8_t>(b));
+  }
+  std::vector<Covered> columns;
+  for (std::uint32_t x = 0; x < half.width; ++x) {
+    columns.push_back(covered_by(x, half.width, image.width));
+  }
+  for (std::uint32_t y = 0; y < half.height; ++y) {
+    const Covered rows = covered_by(y, half.height, image.height);
+    for (const Covered& column : columns) {
+      std::array<float, 4> sum{};
+      for (std::uint32_t j = 0; j < 3; ++j) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+          const float share = rows.shares[j] * column.shares[i];
+          if (share == 0.0F) continue;
+          const auto pixel = image.pixel(column.first + i, rows.first + j);
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += share * linear[pixel[c]];
+          sum[3] += share * static_cast<float>(pixel[3]);
+        }
+      }
+      for (std::size_t c = 0; c < 3; ++c) half.rgba.push_back(srgb_byte_of(sum[c]));
+      half.rgba.push_back(static_cast<std::uint8_t>(std::lround(sum[3])));
+    }
+  }
+  return half;
 }
 
 std::string encode_png(const Image& image) {

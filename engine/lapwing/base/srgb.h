@@ -1,0 +1,27 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace lapwing {
+
+// One component of a colour, red, green or blue, in linear light and encoded in sRGB: IEC
+// 61966-2-1.
+
+/// `encoded` in [0, 1].
+inline float linear_of_srgb(float encoded) {
+  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+}
+inline float linear_of_srgb(std::uint8_t encoded) {
+  return linear_of_srgb(static_cast<float>(encoded) / 255.0F);
+}
+
+/// The nearest byte; `linear` is clamped to [0, 1].
+inline std::uint8_t srgb_byte_of(float linear) {
+  const float c = std::clamp(linear, 0.0F, 1.0F);
+  const float s = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
+  return static_cast<std::uint8_t>(std::lround(255.0F * s));
+}
+
+}  // namespace lapwing
