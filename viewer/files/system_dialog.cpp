@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <string_view>
 #include <sys/eventfd.h>
 #include <sys/wait.h>
@@ -15,8 +14,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-
-extern char** environ;
+#include "lapwing/io/child_process.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -38,39 +36,6 @@ Pipe open_pipe() {
                   "; close other programs");
   }
   return {ends[0], ends[1]};
-}
-
-// Starts `command` in a process group of its own, with these for its output and its errors, and
-// nothing else that this program has open.
-pid_t start(const std::vector<std::string>& command, int output, int errors) {
-  std::vector<char*> arguments;
-  for (const std::string& argument : command) {
-    arguments.push_back(const_cast<char*>(argument.c_str()));
-  }
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
-#if defined(__GLIBC_PREREQ)
-#if __GLIBC_PREREQ(2, 34)
-  posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
-#endif
-#endif
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  pid_t process = -1;
-  const int failed =
-      posix_spawn(&process, arguments[0], &files, &attributes, arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  if (failed != 0) {
-    throw IoError(command[0] + " cannot be started: " + std::generic_category().message(failed));
-  }
-  return process;
 }
 
 // Appends what can be read now; false at the end.
@@ -120,7 +85,7 @@ SystemDialog::SystemDialog(const std::vector<std::string>& command, std::functio
   errors_.emplace(errors.read);
   FileDescriptor errors_end(errors.write);
   stop_.emplace(eventfd(0, EFD_CLOEXEC));
-  process_ = start(command, output.write, errors.write);
+  process_ = start_child(command, {.output = output.write, .errors = errors.write});
   thread_ = std::thread([this] { wait_for_answer(); });
 }
 

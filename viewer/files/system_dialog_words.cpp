@@ -5,31 +5,14 @@
 #include <cctype>
 #include <cstdlib>
 #include <string_view>
-#include <unistd.h>
 
 #include "files/system_dialog.h"
+#include "lapwing/io/child_process.h"
 
 namespace lapwing::viewer {
 namespace {
 
-namespace fs = std::filesystem;
 using Wants = PathWords::Wants;
-
-fs::path found_on_path(std::string_view program) {
-  const char* variable = std::getenv("PATH");
-  std::string_view folders = variable != nullptr ? variable : "";
-  while (!folders.empty()) {
-    const auto colon = folders.find(':');
-    const std::string_view folder = folders.substr(0, colon);
-    folders.remove_prefix(colon == std::string_view::npos ? folders.size() : colon + 1);
-    // One that is not absolute depends on where the viewer was started.
-    if (!folder.starts_with('/')) continue;
-    fs::path path = fs::path(folder) / program;
-    std::error_code error;
-    if (fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0) return path;
-  }
-  return {};
-}
 
 bool is_set(const char* name) {
   const char* value = std::getenv(name);
@@ -91,8 +74,7 @@ std::optional<DialogProgram> find_dialog_program() {
     std::swap(programs[0], programs[1]);
   }
   for (const auto& [kind, name] : programs) {
-    fs::path path = found_on_path(name);
-    if (!path.empty()) return DialogProgram{kind, std::move(path)};
+    if (auto path = find_program(name)) return DialogProgram{kind, *std::move(path)};
   }
   return {};
 }

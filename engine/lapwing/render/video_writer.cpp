@@ -2,10 +2,7 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
-#include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <string>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -15,8 +12,7 @@
 #include <vector>
 
 #include "lapwing/base/errors.h"
-
-extern char** environ;
+#include "lapwing/io/child_process.h"
 
 namespace lapwing {
 namespace {
@@ -78,34 +74,6 @@ std::vector<std::string> ffmpeg_command(const fs::path& program, const fs::path&
   return command;
 }
 
-// In a process group of its own: an interrupt from the terminal is not for it.
-pid_t start(const std::vector<std::string>& command, int frames, int errors) {
-  std::vector<char*> arguments;
-  for (const std::string& argument : command) {
-    arguments.push_back(const_cast<char*>(argument.c_str()));
-  }
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, frames, STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  pid_t process = -1;
-  const int failed =
-      posix_spawn(&process, arguments[0], &files, &attributes, arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  if (failed != 0) {
-    throw IoError(command[0] + " cannot be started: " + std::generic_category().message(failed) +
-                  "; name a .png for numbered pictures");
-  }
-  return process;
-}
-
 }  // namespace
 
 std::optional<VideoFormat> video_format_of(std::string_view ending) {
@@ -116,16 +84,7 @@ std::optional<VideoFormat> video_format_of(std::string_view ending) {
 }
 
 std::optional<fs::path> find_ffmpeg() {
-  const char* path = std::getenv("PATH");
-  std::string_view left = path != nullptr ? path : "";
-  while (!left.empty()) {
-    const std::size_t end = std::min(left.find(':'), left.size());
-    const fs::path program = fs::path(left.substr(0, end)) / "ffmpeg";
-    left.remove_prefix(std::min(end + 1, left.size()));
-    std::error_code error;
-    if (fs::is_regular_file(program, error) && access(program.c_str(), X_OK) == 0) return program;
-  }
-  return {};
+  return find_program("ffmpeg");
 }
 
 fs::path require_ffmpeg(const fs::path& output) {
@@ -156,8 +115,12 @@ VideoWriter::VideoWriter(const fs::path& output, VideoFormat format, const Frame
     throw IoError("no temporary file can be made: " + std::generic_category().message(errno) +
                   "; make room in the folder of temporary files");
   }
-  process_ = start(ffmpeg_command(program, replacement_.temporary(), format, sequence), ends[1],
-                   fileno(errors_.get()));
+  try {
+    process_ = start_child(ffmpeg_command(program, replacement_.temporary(), format, sequence),
+                           {.input = ends[1], .errors = fileno(errors_.get())});
+  } catch (const IoError& error) {
+    throw IoError(std::string(error.what()) + "; name a .png for numbered pictures");
+  }
 }
 
 VideoWriter::~VideoWriter() {

@@ -1,34 +1,13 @@
 #include <filesystem>
 #include <string>
-#include <system_error>
-#include <unistd.h>
 
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
 #include "run/stages.h"
+#include "run/temporary_mesh.h"
 
 namespace lapwing::bench {
 namespace {
-
-// A mesh file for as long as it is needed, beside those of other processes.
-class TemporaryMesh {
- public:
-  TemporaryMesh(const Mesh& mesh, const std::string& extension)
-      : path_(std::filesystem::temp_directory_path() /
-              ("lapwing-bench-" + std::to_string(getpid()) + extension)) {
-    write_mesh(mesh, path_);
-  }
-  ~TemporaryMesh() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryMesh(const TemporaryMesh&) = delete;
-  TemporaryMesh& operator=(const TemporaryMesh&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 void measure_reading(BenchRun& run, const Subject& subject, const std::string& stage,
                      const std::string& extension) {

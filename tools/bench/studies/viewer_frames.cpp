@@ -3,10 +3,9 @@
 #include <chrono>
 #include <imgui.h>
 #include <thread>
-#include <unistd.h>
 
 #include "lapwing/gpu/context.h"
-#include "lapwing/io/mesh_file.h"
+#include "run/temporary_mesh.h"
 #include "studies/frame_parts.h"
 #include "ui/viewer_app.h"
 #include "window/frame_painter.h"
@@ -19,27 +18,6 @@ namespace {
 using Eigen::Vector2d;
 using viewer::InputKind;
 using viewer::MouseButton;
-
-// The viewer opens files: this one lives as long as the mesh is measured.
-class TemporaryMesh {
- public:
-  explicit TemporaryMesh(const Mesh& mesh)
-      : path_(std::filesystem::temp_directory_path() /
-              ("lapwing-bench-" + std::to_string(getpid()) + ".ply")) {
-    write_mesh(mesh, path_);
-  }
-  ~TemporaryMesh() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryMesh(const TemporaryMesh&) = delete;
-  TemporaryMesh& operator=(const TemporaryMesh&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 // Its panels in the look that they have by default. Nothing is kept of it.
 class WholeViewer {
@@ -129,7 +107,7 @@ class WholeViewer {
 }  // namespace
 
 void print_viewer_frames(const FrameBench& settings, const Mesh& mesh) {
-  const TemporaryMesh file(mesh);
+  const TemporaryMesh file(mesh, ".ply");
   WholeViewer whole(settings, file.path());
   FrameParts panels;
   FrameParts camera;
