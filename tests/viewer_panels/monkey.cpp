@@ -65,7 +65,11 @@ void Monkey::send(InputKind kind, const Vector2d& at, MouseButton button, const 
 }
 
 void Monkey::press_key(int key, const Modifiers& held) {
-  if (key != '?') viewer_->send({.kind = InputKind::key, .modifiers = held, .key = key});
+  // On most keyboards a '?' is on another key, with Shift.
+  const bool is_shifted = key == '?';
+  viewer_->send({.kind = InputKind::key,
+                 .modifiers = is_shifted ? Modifiers{.shift = true} : held,
+                 .key = is_shifted ? '/' : key});
   if (key > ' ' && key < 128 && !held.control && !held.alt) {
     viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(std::tolower(key))});
   }
@@ -246,6 +250,8 @@ std::string Monkey::open_file() {
   const std::string_view name = kNames[below(3)];
   viewer_->app().open(viewer_->folder() / name);
   viewer_->look_at();
+  // Where there is nothing else to do. Another file would take its place before it is read.
+  if (!has_own_file()) viewer_->wait_for([this] { return has_own_file(); }, "a mesh is open");
   return "drop " + std::string(name) + " on the window";
 }
 

@@ -130,10 +130,16 @@ TEST_P(MonkeyTest, BreaksNothingAndLosesNothing) {
   Monkey monkey(*viewer_, GetParam());
   viewer_->open(folder_ / "tube.obj");
   std::deque<std::string> told;
+  std::size_t changes = 0;
+  Draft seen;
   for (std::size_t gesture = 0; gesture < gesture_count(); ++gesture) {
     told.push_back(monkey.act());
     if (told.size() > kTold) told.pop_front();
     if (gesture % kGesturesPerReading == 0) expect_sound();
+    if (document() != nullptr && seen != draft_of(editor().state())) {
+      ++changes;
+      seen = draft_of(editor().state());
+    }
     if (viewer_->app().wants_to_quit()) {
       EXPECT_FALSE(journalled()) << "what was given up or saved is not restored";
       start();
@@ -145,6 +151,7 @@ TEST_P(MonkeyTest, BreaksNothingAndLosesNothing) {
       FAIL() << "after gesture " << gesture;
     }
   }
+  EXPECT_GT(changes, gesture_count() / 10) << "it does not get at the mesh any more";
   come_to_rest();
   monkey.edit();
   come_to_rest();
