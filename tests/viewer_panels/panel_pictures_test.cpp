@@ -193,6 +193,7 @@ TEST_P(Panels, OfTheBrowserAreWhole) {
   viewer_->key('O', kControl);
   viewer_->look_at();
   for (const char letter : std::string("nothing.obj")) {
+    viewer_->send({.kind = InputKind::key, .key = std::toupper(letter)});
     viewer_->send({.kind = InputKind::text, .text = static_cast<char32_t>(letter)});
   }
   viewer_->send({.kind = InputKind::key, .key = kEnter});

@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "window/panel_input.h"
 #include "window/theme.h"
 
 namespace lapwing::viewer::test {
@@ -136,28 +135,6 @@ Image ShownViewer::picture() {
   return screen_.picture();
 }
 
-// As Window has it.
-bool ShownViewer::goes_to_picture(const InputEvent& event) {
-  switch (event.kind) {
-    case InputKind::press:
-      if (dragging_ != MouseButton::none || PanelInput::want_mouse(event.position)) return false;
-      dragging_ = event.button;
-      return true;
-    case InputKind::release:
-      if (dragging_ != event.button) return false;
-      dragging_ = MouseButton::none;
-      return true;
-    case InputKind::scroll:
-      return !PanelInput::want_mouse(event.position);
-    case InputKind::key:
-    case InputKind::text:
-      return !PanelInput::want_keys();
-    case InputKind::move:
-      return true;
-  }
-  return false;
-}
-
 void ShownViewer::press_and_release(const InputEvent& event) {
   ImGuiIO& io = ImGui::GetIO();
   for (const bool down : {true, false}) {
@@ -171,7 +148,7 @@ void ShownViewer::press_and_release(const InputEvent& event) {
 
 void ShownViewer::send(const InputEvent& event) {
   ImGuiIO& io = ImGui::GetIO();
-  const bool is_for_picture = goes_to_picture(event);
+  const bool is_for_picture = picture_.gets(event.kind, event.button, event.position);
   const bool has_place = event.kind != InputKind::key && event.kind != InputKind::text;
   if (has_place) io.MousePos = place_of(event.position);
   if (const auto button = button_of(event.button); button && event.kind != InputKind::move) {
@@ -183,7 +160,7 @@ void ShownViewer::send(const InputEvent& event) {
   }
   if (is_for_picture) {
     InputEvent seen = event;
-    if (event.kind == InputKind::move) seen.button = dragging_;
+    if (event.kind == InputKind::move) seen.button = picture_.dragging();
     app_.handle(seen);
   }
   if (event.kind == InputKind::key) {

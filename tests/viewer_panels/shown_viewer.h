@@ -12,6 +12,7 @@
 #include "viewer_panels/screen_reader.h"
 #include "window/frame_painter.h"
 #include "window/offscreen_screen.h"
+#include "window/picture_input.h"
 
 namespace lapwing::viewer::test {
 
@@ -71,7 +72,6 @@ class ShownViewer {
   void lay_out();
   /// Finely once nothing moves any more.
   void draw(bool at_rest);
-  bool goes_to_picture(const InputEvent& event);
   void press_and_release(const InputEvent& event);
   std::string all_texts() const;  ///< a line for each
   void place_mouse(const ImVec2& at);
@@ -85,7 +85,7 @@ class ShownViewer {
   ViewerApp app_;
   FrameTimings timings_;
   std::vector<ShownText> texts_;
-  MouseButton dragging_ = MouseButton::none;  // pressed over the picture
+  PictureInput picture_;
 };
 
 }  // namespace lapwing::viewer::test

@@ -42,9 +42,7 @@ class LayersByHand : public Layers {
 
 TEST_F(LayersByHand, ACoatDoneByHandIsItsRecipe) {
   choose_target();
-  begin("ctrl+k");
-  take_from_relief();
-  choose_source(relief_);
+  choose_coat();
   // The same place on both, side by side.
   person_->keys("k");
   person_->look_again_from(View::front, sheet_.positions, 0.5);
@@ -65,12 +63,7 @@ TEST_F(LayersByHand, ACoatDoneByHandIsItsRecipe) {
 
 TEST_F(LayersByHand, AMixDoneByHandIsItsRecipe) {
   choose_target();
-  begin("ctrl+m");
-  take_from_relief();
-  choose_source(relief_);
-  person_->keys("shift+k");
-  desktop_->settled_picture();
-  choose_source(sheet_);
+  choose_mix();
   apply_undo_and_redo();
   const auto mix = std::get<MixStep>(person_->draft()->steps.at(0));
   EXPECT_EQ(mix.sources[0].mesh, files_.relief());

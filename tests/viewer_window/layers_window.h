@@ -68,6 +68,22 @@ class Layers : public test::WindowTest {
     desktop_->settled_picture();
   }
 
+  // A coat that takes from the relief, up to what applies it.
+  void choose_coat() {
+    begin("ctrl+k");
+    take_from_relief();
+    choose_source(relief_);
+  }
+  // A mix of the relief with the sheet itself, likewise.
+  void choose_mix() {
+    begin("ctrl+m");
+    take_from_relief();
+    choose_source(relief_);
+    person_->keys("shift+k");
+    desktop_->settled_picture();
+    choose_source(sheet_);
+  }
+
   viewer::test::SheetAndRelief files_;
   Mesh sheet_;
   Mesh relief_;

@@ -160,15 +160,11 @@ class LayerSessions : public Session<Layers> {
 
 TEST_F(LayerSessions, ACoatFromAnotherMesh) {
   choose_target();
-  begin("ctrl+k");
-  take_from_relief();
-  choose_source(relief_);
+  choose_coat();
   // What stands at the desk is no step yet: the target is kept.
   crash();
   EXPECT_TRUE(has_steps(0));
-  begin("ctrl+k");
-  take_from_relief();
-  choose_source(relief_);
+  choose_coat();
   person_->keys("ctrl+Return");
   ASSERT_TRUE(has_steps(1));
   keep_picture("session-coat");
@@ -179,9 +175,7 @@ TEST_F(LayerSessions, ACoatFromAnotherMesh) {
   crash();
   // The coat that was restored is one step: before it nothing was chosen.
   choose_target();
-  begin("ctrl+k");
-  take_from_relief();
-  choose_source(relief_);
+  choose_coat();
   keep_picture("session-coat-again");
   person_->keys("ctrl+Return");
   ASSERT_TRUE(has_steps(1)) << "once more";
@@ -191,12 +185,7 @@ TEST_F(LayerSessions, ACoatFromAnotherMesh) {
 TEST_F(LayerSessions, AMix) {
   choose_target();
   crash();
-  begin("ctrl+m");
-  take_from_relief();
-  choose_source(relief_);
-  person_->keys("shift+k");
-  desktop_->settled_picture();
-  choose_source(sheet_);
+  choose_mix();
   keep_picture("session-mix-sources");
   // While it is carried out, or right after.
   person_->keys("ctrl+Return");
@@ -204,12 +193,7 @@ TEST_F(LayerSessions, AMix) {
   crash();
   const bool was_done = person_->draft()->steps.size() == 1;
   if (!was_done) {
-    begin("ctrl+m");
-    take_from_relief();
-    choose_source(relief_);
-    person_->keys("shift+k");
-    desktop_->settled_picture();
-    choose_source(sheet_);
+    choose_mix();
     person_->keys("ctrl+Return");
   }
   ASSERT_TRUE(has_steps(1));

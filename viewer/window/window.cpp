@@ -271,44 +271,17 @@ std::optional<InputEvent> Window::hand_on() {
   // Panels light up under the cursor; what changes in the picture the app says.
   if (event.kind != DesktopEvent::Kind::move || over_panel || was_over_panel_) changed_ = true;
   was_over_panel_ = over_panel;
-  const bool is_for_picture = goes_to_picture(event);
+  const auto input = input_event(event);
+  const bool is_for_picture = input && picture_.gets(input->kind, input->button, event.cursor);
   panels_->hand_on(event);
   if (!is_for_picture) return {};
-  return input_event(event);
+  const bool is_release_or_unknown =
+      event.kind == DesktopEvent::Kind::key && (event.action == GLFW_RELEASE || input->key == 0);
+  return is_release_or_unknown ? std::nullopt : input;
 }
 
-// By how the panels were laid out last.
-bool Window::goes_to_picture(const DesktopEvent& event) {
-  const MouseButton button = button_of(event.code);
-  switch (event.kind) {
-    case Kind::move:
-      return true;
-    case Kind::button:
-      if (event.action == GLFW_PRESS) {
-        if (dragging_ != MouseButton::none || PanelInput::want_mouse(event.cursor)) return false;
-        dragging_ = button;
-        return true;
-      }
-      if (dragging_ != button) return false;
-      dragging_ = MouseButton::none;
-      return true;
-    case Kind::scroll:
-      return !PanelInput::want_mouse(event.cursor);
-    case Kind::key:
-      // What a key types goes where the key went, whatever that has opened.
-      types_into_panel_ = PanelInput::want_keys();
-      return event.action != GLFW_RELEASE && !types_into_panel_ &&
-             key_of(event.code, event.scancode) != 0;
-    case Kind::text:
-      return !types_into_panel_;
-    case Kind::enter:
-    case Kind::focus:
-      return false;
-  }
-  return false;
-}
-
-InputEvent Window::input_event(const DesktopEvent& event) const {
+// Nothing where it means nothing to a picture.
+std::optional<InputEvent> Window::input_event(const DesktopEvent& event) const {
   InputEvent input;
   input.position = in_pixels(event.cursor);
   input.modifiers = modifiers_of(event.modifiers);
@@ -330,10 +303,11 @@ InputEvent Window::input_event(const DesktopEvent& event) const {
       input.text = static_cast<char32_t>(event.code);
       break;
     case Kind::move:
+      input.button = picture_.dragging();
+      break;
     case Kind::enter:
     case Kind::focus:
-      input.button = dragging_;
-      break;
+      return {};
   }
   return input;
 }

@@ -11,6 +11,7 @@
 
 #include "tools/input.h"
 #include "window/panel_input.h"
+#include "window/picture_input.h"
 
 struct GLFWwindow;
 
@@ -67,8 +68,7 @@ class Window {
  private:
   friend struct WindowCallbacks;
 
-  bool goes_to_picture(const DesktopEvent& event);
-  InputEvent input_event(const DesktopEvent& event) const;
+  std::optional<InputEvent> input_event(const DesktopEvent& event) const;
   Eigen::Vector2d in_pixels(const Eigen::Vector2d& cursor) const;
 
   GLFWwindow* handle_ = nullptr;
@@ -78,9 +78,8 @@ class Window {
   std::vector<std::filesystem::path> dropped_;
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  ///< in screen units, by now
   int buttons_down_ = 0;                              ///< by now
-  MouseButton dragging_ = MouseButton::none;          ///< pressed over the picture
-  bool types_into_panel_ = false;                     ///< the key pressed last
-  bool was_over_panel_ = false;                       ///< the cursor
+  PictureInput picture_;
+  bool was_over_panel_ = false;  ///< the cursor
   bool changed_ = true;
 };
 

@@ -22,15 +22,11 @@ constexpr std::uint64_t kMostTexels = (std::uint64_t{1} << 25U) - (std::uint64_t
 constexpr std::size_t kMostNotes = 20;
 constexpr std::string_view kTextureComment = "TextureFile ";
 
-ImageSize half_of(const ImageSize& size) {
-  return {std::max(1U, size.width / 2), std::max(1U, size.height / 2)};
-}
-
 // With all mip levels.
 std::uint64_t texels_of(ImageSize size) {
   std::uint64_t texels = std::uint64_t{size.width} * size.height;
   while (size.width > 1 || size.height > 1) {
-    size = half_of(size);
+    size = halved(size);
     texels += std::uint64_t{size.width} * size.height;
   }
   return texels;
@@ -104,7 +100,7 @@ class ImageShelf {
       File& largest = *std::ranges::max_element(
           files_, {}, [](const File& file) { return texels_of(file.size); });
       texels -= texels_of(largest.size);
-      largest.size = half_of(largest.size);
+      largest.size = halved(largest.size);
       ++largest.halvings;
       texels += texels_of(largest.size);
     }

@@ -76,8 +76,13 @@ Covered covered_by(std::uint32_t to, std::uint32_t half, std::uint32_t length) {
 
 }  // namespace
 
+ImageSize halved(const ImageSize& size) {
+  return {std::max(1U, size.width / 2), std::max(1U, size.height / 2)};
+}
+
 Image halved(const Image& image) {
-  Image half{std::max(1U, image.width / 2), std::max(1U, image.height / 2), {}};
+  const ImageSize size = halved(ImageSize{image.width, image.height});
+  Image half{size.width, size.height, {}};
   half.rgba.reserve(std::size_t{4} * half.width * half.height);
   std::array<float, 256> linear;
   for (std::size_t b = 0; b < linear.size(); ++b) {

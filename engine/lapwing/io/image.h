@@ -29,8 +29,16 @@ void divide_by_opacity(Image& image);
 /// Puts the image before black: colours multiplied by their opacity (in linear light), and opaque.
 void put_on_black(Image& image);
 
-/// Half as many columns and rows, rounded down, but at least 1 of each: every pixel is the mean, in
-/// linear light, of what it covers. Opacity is averaged apart from the colours.
+/// In pixels.
+struct ImageSize {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+
+/// Half as many columns and rows, rounded down, but at least 1 of each.
+ImageSize halved(const ImageSize& size);
+/// An image of that size: every pixel is the mean, in linear light, of what it covers. Opacity is
+/// averaged apart from the colours.
 Image halved(const Image& image);
 
 /// Reads a PNG, JPEG, BMP or TGA file; the content says which. Opacity is 255 where it has none.
@@ -43,10 +51,6 @@ inline constexpr std::uint64_t kMostImagePixels = std::uint64_t{1} << 26U;
 
 /// The columns and rows of the image that `read_image` would read, from the head of the file.
 /// Throws what that throws, but for a file that is broken further on.
-struct ImageSize {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-};
 ImageSize read_image_size(const std::filesystem::path& path);
 
 /// The bytes of a PNG file; without the fourth channel where all of the image is opaque. Throws
