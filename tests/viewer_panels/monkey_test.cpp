@@ -135,15 +135,16 @@ TEST_P(MonkeyTest, BreaksNothingAndLosesNothing) {
   for (std::size_t gesture = 0; gesture < gesture_count(); ++gesture) {
     told.push_back(monkey.act());
     if (told.size() > kTold) told.pop_front();
-    if (gesture % kGesturesPerReading == 0) expect_sound();
-    if (document() != nullptr && seen != draft_of(editor().state())) {
-      ++changes;
-      seen = draft_of(editor().state());
-    }
     if (viewer_->app().wants_to_quit()) {
       EXPECT_FALSE(journalled()) << "what was given up or saved is not restored";
       start();
       monkey.go_to(*viewer_);
+    } else if (gesture % kGesturesPerReading == 0) {
+      expect_sound();
+    }
+    if (document() != nullptr && seen != draft_of(editor().state())) {
+      ++changes;
+      seen = draft_of(editor().state());
     }
     if (HasFailure()) {
       for (const std::string& words : told) std::cerr << words << '\n';
