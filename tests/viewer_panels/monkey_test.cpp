@@ -32,6 +32,13 @@ std::size_t gesture_count() {
   return wanted != nullptr ? std::strtoul(wanted, nullptr, 10) : 120;
 }
 
+// As a recipe that says whether the last step has its result.
+std::string in_words(const Draft& draft) {
+  Recipe recipe{.steps = draft.steps};
+  recipe.steps.emplace_back(draft.open);
+  return to_json(recipe) + (draft.settled ? "settled\n" : "open\n");
+}
+
 class MonkeyTest : public ::testing::TestWithParam<std::uint64_t> {
  protected:
   void SetUp() override {
@@ -71,7 +78,10 @@ class MonkeyTest : public ::testing::TestWithParam<std::uint64_t> {
     if (document() == nullptr || !document()->opened.file) return;
     EXPECT_EQ(editor().session().warning(), "");
     const AppState& state = editor().state();
-    EXPECT_EQ(journalled().value_or(Draft{}), draft_of(state)) << "journal and history";
+    const Draft draft = draft_of(state);
+    const Draft written = journalled().value_or(Draft{});
+    EXPECT_EQ(written, draft) << "journal and history:\n"
+                              << in_words(written) << in_words(draft);
     for (const Eigen::Vector3d& position : editor().positions()) {
       ASSERT_TRUE(position.allFinite());
     }

@@ -147,7 +147,7 @@ void EditOutput::require_place_for_motion(const std::filesystem::path& target) c
 
 void EditOutput::run(const Recipe& recipe) const {
   // A picture's options are checked before the work, not after.
-  picture.render_options();
+  picture.request();
   const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
   require_place_for_motion(target);
   const Device opened = open_device(device, frames == "device");
@@ -179,7 +179,8 @@ void EditOutput::draw(const RunResult& result, const std::filesystem::path& mesh
                   result.mesh.topology());
   SurfacePaint paint(surface);
   paint.set_polygons(result.mesh);
-  RenderOptions options = picture.render_options();
+  const PictureRequest asked = picture.request();
+  RenderOptions options = asked.options();
   if (color == "regions" || color == kFileColor) {
     for (const auto& note : color_by_file(result.mesh, mesh_file, paint, options)) {
       display.note("note: " + note);
@@ -193,7 +194,7 @@ void EditOutput::draw(const RunResult& result, const std::filesystem::path& mesh
   }
   Positions both = result.original;
   both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());
-  const Camera camera = picture.camera(both, options.style.color == SurfaceColor::scalar);
+  const Camera camera = asked.camera(both, options.style.color == SurfaceColor::scalar);
   if (!render_before.empty()) {
     write_png(render_before, render_image(surface, paint, camera, options));
   }

@@ -3,16 +3,15 @@
 #include <charconv>
 
 #include <CLI/CLI.hpp>
-#include <Eigen/Geometry>
 
 namespace lapwing::cli {
 namespace {
 
-void parse_size(const std::string& text, RenderOptions& options) {
+void parse_size(const std::string& text, PictureRequest& request) {
   const char* end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, options.width);
+  const auto width = std::from_chars(text.data(), end, request.width);
   if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-    const auto height = std::from_chars(width.ptr + 1, end, options.height);
+    const auto height = std::from_chars(width.ptr + 1, end, request.height);
     if (height.ec == std::errc() && height.ptr == end) return;
   }
   throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, as in 1280x960, got " + text);
@@ -45,49 +44,24 @@ void PictureOptions::add_to(CLI::App& command) {
   command.add_flag("--flat", flat, "one normal per triangle")->group(group);
 }
 
-RenderOptions PictureOptions::render_options() const {
-  RenderOptions options;
-  parse_size(size, options);
-  options.background = background == "white"         ? Background::white
+PictureRequest PictureOptions::request() const {
+  PictureRequest request;
+  parse_size(size, request);
+  request.view = view_named(view);
+  if (!from.empty()) request.from = Eigen::Vector3d(from[0], from[1], from[2]);
+  request.up = up == "z" ? UpAxis::z : UpAxis::y;
+  request.background = background == "white"         ? Background::white
                        : background == "transparent" ? Background::transparent
                                                      : Background::gradient;
-  options.style.wireframe = wireframe;
-  options.style.flat = flat;
-  return options;
-}
-
-UpAxis PictureOptions::up_axis() const {
-  return up == "z" ? UpAxis::z : UpAxis::y;
-}
-
-ViewAxes PictureOptions::axes() const {
-  ViewAxes axes = view_axes(view_named(view), up_axis());
-  if (!from.empty()) {
-    axes.toward_eye = Eigen::Vector3d(from[0], from[1], from[2]);
-    if (axes.toward_eye.cross(axes.up).norm() <= 1e-6 * axes.toward_eye.norm()) {
-      throw CLI::ValidationError("--from",
-                                 "the direction must not be 0 or along the upward axis; "
-                                 "use --view top or bottom for that");
-    }
+  request.orthographic = orthographic;
+  request.wireframe = wireframe;
+  request.flat = flat;
+  if (!request.can_look()) {
+    throw CLI::ValidationError("--from",
+                               "the direction must not be 0 or along the upward axis; "
+                               "use --view top or bottom for that");
   }
-  return axes;
-}
-
-Framing PictureOptions::framing(bool with_legend) const {
-  Framing framing;
-  framing.orthographic = orthographic;
-  const RenderOptions options = render_options();
-  if (with_legend) framing.legend = legend_share(options.width, options.height);
-  return framing;
-}
-
-Camera PictureOptions::camera(std::span<const Eigen::Vector3d> points, bool with_legend) const {
-  return fit(points, axes(), render_options().aspect(), framing(with_legend));
-}
-
-Turntable PictureOptions::turntable(std::span<const Eigen::Vector3d> points,
-                                    bool with_legend) const {
-  return {points, axes(), up_axis(), render_options().aspect(), framing(with_legend)};
+  return request;
 }
 
 }  // namespace lapwing::cli

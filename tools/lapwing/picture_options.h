@@ -1,14 +1,11 @@
 #pragma once
 
-#include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 #include <CLI/App.hpp>
 
-#include "lapwing/render/render_image.h"
-#include "lapwing/render/turntable.h"
+#include "lapwing/render/picture_request.h"
 
 namespace lapwing::cli {
 
@@ -24,17 +21,8 @@ struct PictureOptions {
   bool flat = false;
 
   void add_to(CLI::App& command);
-  /// Throws CLI::ValidationError for a size that is none.
-  RenderOptions render_options() const;
-  /// Frames all of `points`, beside a legend where there is one.
-  Camera camera(std::span<const Eigen::Vector3d> points, bool with_legend) const;
-  /// The same from all around, beginning there.
-  Turntable turntable(std::span<const Eigen::Vector3d> points, bool with_legend) const;
-
- private:
-  UpAxis up_axis() const;
-  ViewAxes axes() const;
-  Framing framing(bool with_legend) const;
+  /// What they say. Throws CLI::ValidationError for a size or direction that is none.
+  PictureRequest request() const;
 };
 
 }  // namespace lapwing::cli

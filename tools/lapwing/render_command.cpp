@@ -54,7 +54,8 @@ std::string color_of(const RenderArguments& arguments) {
 void render(const RenderArguments& arguments) {
   arguments.turntable.check(arguments.image);
   const std::string color = color_of(arguments);
-  RenderOptions options = arguments.picture.render_options();
+  const PictureRequest picture = arguments.picture.request();
+  RenderOptions options = picture.options();
   const Mesh mesh = read_mesh(arguments.mesh);
   Surface surface(std::make_shared<gpu::Context>(gpu::ContextOptions{arguments.device}),
                   mesh.positions, mesh.topology());
@@ -71,10 +72,9 @@ void render(const RenderArguments& arguments) {
   const bool with_legend = !arguments.rest.empty();
   if (arguments.turntable.count > 0) {
     return write_turntable(arguments.image, arguments.turntable,
-                           arguments.picture.turntable(mesh.positions, with_legend), surface, paint,
-                           options);
+                           picture.turntable(mesh.positions, with_legend), surface, paint, options);
   }
-  const Camera camera = arguments.picture.camera(mesh.positions, with_legend);
+  const Camera camera = picture.camera(mesh.positions, with_legend);
   write_png(arguments.image, render_image(surface, paint, camera, options));
 }
 

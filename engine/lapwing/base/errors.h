@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace lapwing {
 
@@ -9,7 +12,15 @@ namespace lapwing {
 /// pointer, device) and the next step, in words a user of the command line can act on.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Error(const std::string& what, std::vector<std::uint32_t> vertices = {})
+      : std::runtime_error(what), vertices_(std::move(vertices)) {}
+
+  /// The vertices that the message is about, all of them where it names the first few; empty where
+  /// it is about none. Of a transplant or coat they may be those of the other mesh.
+  const std::vector<std::uint32_t>& vertices() const { return vertices_; }
+
+ private:
+  std::vector<std::uint32_t> vertices_;
 };
 
 /// What the caller gave cannot be used: a malformed file, a recipe with an unknown key, a region

@@ -80,7 +80,8 @@ DomainMap map_of(const PlacedPatch& side, std::size_t which, Domain domain,
   try {
     return mean_value_map(side.patch, side.positions, domain, pins);
   } catch (const InputError& error) {
-    throw InputError(where + ": the " + std::string(kSides[which]) + " patch: " + error.what());
+    throw InputError(where + ": the " + std::string(kSides[which]) + " patch: " + error.what(),
+                     error.vertices());
   }
 }
 

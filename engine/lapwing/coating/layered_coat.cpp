@@ -34,10 +34,11 @@ void require_valid(const Patch& patch, const Positions& positions, double relati
                    const std::string& where) {
   for (const Index v : patch.vertices) {
     if (positions[v].allFinite()) continue;
-    throw SolverError(where + ": the result has positions that are not finite, vertex " +
-                      std::to_string(v) +
-                      " for one, so the mesh was left as it was; run `lapwing check` on source and "
-                      "target, and see that \"amplitude\" and \"scale\" are no larger than needed");
+    throw SolverError(
+        where + ": the result has positions that are not finite, vertex " + std::to_string(v) +
+            " for one, so the mesh was left as it was; run `lapwing check` on source and "
+            "target, and see that \"amplitude\" and \"scale\" are no larger than needed",
+        {v});
   }
   if (!(relative_residual <= kLargestResidual)) {
     std::ostringstream text;
@@ -240,7 +241,7 @@ void LayeredCoat::make_coater() {
   try {
     coater_.emplace(target, target_->mesh().topology(), target_->patch(), options_, kernels_);
   } catch (const InputError& error) {
-    throw InputError(request_.target_patch.where + ": " + error.what());
+    throw InputError(request_.target_patch.where + ": " + error.what(), error.vertices());
   }
 }
 

@@ -25,11 +25,13 @@ void TargetSide::choose_handles(std::span<const MovedHandle> handles) {
     }
     if (const VertexSet outside = subtract(vertices, patch_.vertices); !outside.empty()) {
       throw InputError(where + ": the handle leaves the target patch at " + name_vertices(outside) +
-                       "; enlarge the patch, or leave them out of the handle");
+                           "; enlarge the patch, or leave them out of the handle",
+                       outside);
     }
     if (const VertexSet shared = intersect(vertices, chosen); !shared.empty()) {
       throw InputError(where + ": the handle shares " + name_vertices(shared) +
-                       " with another; leave them out of one of the two (\"minus\" does that)");
+                           " with another; leave them out of one of the two (\"minus\" does that)",
+                       shared);
     }
     chosen = unite(chosen, vertices);
     const Vector3d centroid = handle_frame(vertices, mesh().positions).centroid;

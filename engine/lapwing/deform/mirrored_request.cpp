@@ -124,8 +124,9 @@ class Mirroring {
       const VertexSet shared = intersect(held[k], image);
       if (shared.empty()) continue;
       throw InputError(handles[h].region.where + ": its mirror image takes vertex " +
-                       std::to_string(shared.front()) + " of handle " + std::to_string(k) +
-                       "; give the handles of one side only, or leave out the mirror");
+                           std::to_string(shared.front()) + " of handle " + std::to_string(k) +
+                           "; give the handles of one side only, or leave out the mirror",
+                       shared);
     }
   }
 

@@ -140,10 +140,12 @@ void ResponseSystem::factor(std::span<const double> W, const Progress& progress,
     factor_.factor(W, progress);
   } catch (const NotPositiveDefinite& error) {
     const Index vertex = constraints_.unknowns.vertices[error.block];
-    throw SolverError("the system is singular at vertex " + std::to_string(vertex) + ", in " +
-                      component_of(vertex, topology_, constraints_.unknowns) +
-                      ": its belt and handle do not hold it. Add belt vertices there, leave it out "
-                      "of the region, or run `lapwing check` to find degenerate triangles");
+    throw SolverError(
+        "the system is singular at vertex " + std::to_string(vertex) + ", in " +
+            component_of(vertex, topology_, constraints_.unknowns) +
+            ": its belt and handle do not hold it. Add belt vertices there, leave it out "
+            "of the region, or run `lapwing check` to find degenerate triangles",
+        {vertex});
   }
   timings.add("factor", watch.elapsed_ms());
 }

@@ -70,10 +70,11 @@ void LaplacianSystem::factor(std::span<const double> W) {
   try {
     factor_.factor(W);
   } catch (const NotPositiveDefinite& error) {
-    throw SolverError("the Laplacian system is singular at vertex " +
-                      std::to_string(constraints_.unknowns.vertices[error.block]) +
-                      ": belt and handle do not hold its component. Add belt vertices there, or "
-                      "leave it out of the region");
+    const Index vertex = constraints_.unknowns.vertices[error.block];
+    throw SolverError("the Laplacian system is singular at vertex " + std::to_string(vertex) +
+                          ": belt and handle do not hold its component. Add belt vertices there, "
+                          "or leave it out of the region",
+                      {vertex});
   }
 }
 

@@ -64,8 +64,9 @@ void validate_indices(const Mesh& mesh) {
     for (const Index v : mesh.face(f)) {
       if (v >= mesh.vertex_count()) {
         throw InputError("face " + std::to_string(f) + " names vertex " + std::to_string(v) +
-                         ", but the mesh has " + std::to_string(mesh.vertex_count()) +
-                         " vertices (numbered from 0); remove the face or add the vertex");
+                             ", but the mesh has " + std::to_string(mesh.vertex_count()) +
+                             " vertices (numbered from 0); remove the face or add the vertex",
+                         {v});
       }
     }
   }

@@ -16,8 +16,9 @@ using Eigen::Vector2d;
 enum class Role : char { unused, inner, boundary, pulled };
 
 [[noreturn]] void refuse(std::size_t pull, Index vertex, const std::string& why) {
-  throw InputError("pull " + std::to_string(pull) + " of vertex " + std::to_string(vertex) + ": " +
-                   why);
+  throw InputError(
+      "pull " + std::to_string(pull) + " of vertex " + std::to_string(vertex) + ": " + why,
+      {vertex});
 }
 
 std::string in_words(const Vector2d& p) {

@@ -12,8 +12,9 @@ BoundaryPins own_pins(const ParameterizeRequest& request, const Patch& patch) {
     pins.push_back(patch.own_number(v));
     if (pins.back() != kNoIndex) continue;
     throw InputError(request.where + ": vertex " + std::to_string(v) +
-                     " is not in the patch; name one on its boundary, such as vertex " +
-                     std::to_string(patch.vertices[patch.loop.front()]));
+                         " is not in the patch; name one on its boundary, such as vertex " +
+                         std::to_string(patch.vertices[patch.loop.front()]),
+                     {v});
   }
   return pins;
 }

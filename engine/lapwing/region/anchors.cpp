@@ -111,7 +111,7 @@ void check_anchors(const EditRegion& region, std::span<const Vector3d> positions
                    const Topology& topology, const std::string& where) {
   for (const CheckedComponent& component : checked_components(region, positions, topology)) {
     if (component.fault.empty() || (region.turns_freely && component.has_anchor)) continue;
-    throw InputError(where + ": " + component.fault);
+    throw InputError(where + ": " + component.fault, component.vertices);
   }
 }
 
@@ -121,7 +121,9 @@ void set_loose_parts_aside(EditRegion& region, std::span<const Vector3d> positio
   const auto first_fault = std::find_if(components.begin(), components.end(),
                                         [](const auto& c) { return !c.fault.empty(); });
   if (first_fault == components.end()) return;
-  if (policy == LoosePolicy::refuse) throw InputError(where + ": " + first_fault->fault);
+  if (policy == LoosePolicy::refuse) {
+    throw InputError(where + ": " + first_fault->fault, first_fault->vertices);
+  }
   EditRegion held = region;
   held.turns_freely = std::none_of(components.begin(), components.end(),
                                    [](const auto& c) { return c.fault.empty(); });

@@ -59,13 +59,16 @@ void require_loops(const Boundary& boundary, const std::string& where) {
   const VertexSet at_odd_edges = intersect(wrong, boundary.odd_ends);
   if (!at_odd_edges.empty()) {
     throw InputError(where + ": the boundary ends at " + name_vertices(at_odd_edges) +
-                     ", at edges with more than two triangles or with two that face opposite "
-                     "ways, and so is no closed loop; see `lapwing check MESH`, repair it with "
-                     "--fix, or leave these vertices out of the region");
+                         ", at edges with more than two triangles or with two that face opposite "
+                         "ways, and so is no closed loop; see `lapwing check MESH`, repair it with "
+                         "--fix, or leave these vertices out of the region",
+                     at_odd_edges);
   }
-  throw InputError(where + ": the boundary touches itself at " + name_vertices(wrong) +
-                   "; give each surface there its own vertex with `lapwing check MESH --fix OUT`, "
-                   "or add or leave out the triangles around it");
+  throw InputError(
+      where + ": the boundary touches itself at " + name_vertices(wrong) +
+          "; give each surface there its own vertex with `lapwing check MESH --fix OUT`, "
+          "or add or leave out the triangles around it",
+      wrong);
 }
 
 }  // namespace

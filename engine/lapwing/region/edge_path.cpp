@@ -16,7 +16,8 @@ namespace {
 void require_end(const Topology& topology, Index v) {
   if (v < topology.vertex_count()) return;
   throw InputError("vertex " + std::to_string(v) + " cannot end a path: the mesh has " +
-                   std::to_string(topology.vertex_count()) + " vertices (numbered from 0)");
+                       std::to_string(topology.vertex_count()) + " vertices (numbered from 0)",
+                   {v});
 }
 
 struct Reached {

@@ -18,7 +18,8 @@ void require_inside(const VertexSet& vertices, const VertexSet& roi, const std::
   const VertexSet outside = subtract(vertices, roi);
   if (outside.empty()) return;
   throw InputError(where + ": the " + what + " leaves the roi at " + name_vertices(outside) +
-                   "; enlarge the roi, or leave them out of the " + what);
+                       "; enlarge the roi, or leave them out of the " + what,
+                   outside);
 }
 
 void require_disjoint(const VertexSet& vertices, const VertexSet& others, const std::string& where,
@@ -26,7 +27,8 @@ void require_disjoint(const VertexSet& vertices, const VertexSet& others, const 
   const VertexSet shared = intersect(vertices, others);
   if (shared.empty()) return;
   throw InputError(where + ": the handle shares " + name_vertices(shared) + " with " + what +
-                   "; leave them out of one of the two (\"minus\" does that)");
+                       "; leave them out of one of the two (\"minus\" does that)",
+                   shared);
 }
 
 void require_finite(const VertexSet& roi, const Mesh& mesh, const std::string& where) {
@@ -39,10 +41,11 @@ void require_finite(const VertexSet& roi, const Mesh& mesh, const std::string& w
     std::copy_if(ring.begin(), ring.end(), std::back_inserter(broken), is_broken);
   }
   if (broken.empty()) return;
-  throw InputError(where + ": the roi or its rings hold " +
-                   name_vertices(make_vertex_set(std::move(broken))) +
-                   " with a position that is not finite; repair the mesh with `lapwing check "
-                   "--fix`, or keep the roi away from there");
+  broken = make_vertex_set(std::move(broken));
+  throw InputError(where + ": the roi or its rings hold " + name_vertices(broken) +
+                       " with a position that is not finite; repair the mesh with `lapwing check "
+                       "--fix`, or keep the roi away from there",
+                   broken);
 }
 
 VertexSet resolve_belt(const BeltSpec& spec, const VertexSet& roi,
@@ -66,7 +69,8 @@ void require_field(std::span<const double> field, const Mesh& mesh, const std::s
   for (std::size_t v = 0; v < field.size(); ++v) {
     if (field[v] >= 0.0 && field[v] <= 1.0) continue;
     throw InputError(where + ": the weight of vertex " + std::to_string(v) +
-                     " is to be from 0 to 1, not " + std::to_string(field[v]));
+                         " is to be from 0 to 1, not " + std::to_string(field[v]),
+                     {static_cast<Index>(v)});
   }
 }
 

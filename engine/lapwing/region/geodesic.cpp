@@ -167,8 +167,9 @@ std::vector<double> geodesic_distances(const Topology& topology,
   for (const Index source : sources) {
     if (source >= topology.vertex_count()) {
       throw InputError("vertex " + std::to_string(source) +
-                       " cannot be a source of distances: the mesh has " +
-                       std::to_string(topology.vertex_count()) + " vertices (numbered from 0)");
+                           " cannot be a source of distances: the mesh has " +
+                           std::to_string(topology.vertex_count()) + " vertices (numbered from 0)",
+                       {source});
     }
     front.start_at(source);
   }

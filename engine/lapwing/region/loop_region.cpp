@@ -39,9 +39,10 @@ ClosedLoop join(const std::vector<Index>& corners, const std::string& where, con
     const std::vector<Index> path = shortest_edge_path(mesh.topology(), mesh.positions, from, to);
     if (path.empty()) {
       throw InputError(where + "/loop/" + std::to_string(k) +
-                       ": no path of edges leads from vertex " + std::to_string(from) +
-                       " to vertex " + std::to_string(to) +
-                       ", which lies on another component; draw the loop on one component");
+                           ": no path of edges leads from vertex " + std::to_string(from) +
+                           " to vertex " + std::to_string(to) +
+                           ", which lies on another component; draw the loop on one component",
+                       {from, to});
     }
     for (std::size_t p = 0; p + 1 < path.size(); ++p) {
       loop.vertices.push_back(path[p]);
@@ -116,8 +117,9 @@ VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const
                      "add vertices so that it goes around the region");
   }
   if (std::find(loop.vertices.begin(), loop.vertices.end(), region.inside) != loop.vertices.end()) {
-    throw InputError(where + "/inside: vertex " + inside +
-                     " lies on the loop; name one on the side to keep");
+    throw InputError(
+        where + "/inside: vertex " + inside + " lies on the loop; name one on the side to keep",
+        {region.inside});
   }
   Flood flood(mesh.topology(), loop.cut);
   flood.run_from(region.inside);
@@ -130,13 +132,15 @@ VertexSet resolve_loop(const LoopRegion& region, const std::string& where, const
     touches = touches || sides > 0;
     if (sides > 1) {
       throw InputError(where + "/loop: the loop does not separate the mesh: vertex " + inside +
-                       " reaches both sides of its edge " + name_edge(a, b) +
-                       "; close the loop around one part, or add another region to cut it off");
+                           " reaches both sides of its edge " + name_edge(a, b) +
+                           "; close the loop around one part, or add another region to cut it off",
+                       {region.inside, a, b});
     }
   }
   if (!touches) {
     throw InputError(where + "/inside: no path over triangles leads from vertex " + inside +
-                     " to the loop; name a vertex on the loop's own component");
+                         " to the loop; name a vertex on the loop's own component",
+                     {region.inside});
   }
   std::vector<Index> vertices = flood.vertices();
   vertices.insert(vertices.end(), loop.vertices.begin(), loop.vertices.end());

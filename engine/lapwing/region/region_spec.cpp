@@ -23,7 +23,8 @@ std::string in_words(const Vector3d& p) {
 void require_vertex(Index v, const Mesh& mesh, const std::string& where) {
   if (v < mesh.vertex_count()) return;
   throw InputError(where + ": vertex " + std::to_string(v) + " is not in the mesh, which has " +
-                   std::to_string(mesh.vertex_count()) + " vertices (numbered from 0)");
+                       std::to_string(mesh.vertex_count()) + " vertices (numbered from 0)",
+                   {v});
 }
 
 void require_vertices(const std::vector<Index>& vertices, const Mesh& mesh,

@@ -43,8 +43,9 @@ class Binding {
   }
 
  private:
-  [[noreturn]] void fail(std::size_t row, const std::string& what) const {
-    throw InputError(spec_.where + ": " + name_of(row) + ": " + what);
+  [[noreturn]] void fail(std::size_t row, const std::string& what,
+                         std::vector<Index> vertices = {}) const {
+    throw InputError(spec_.where + ": " + name_of(row) + ": " + what, std::move(vertices));
   }
 
   std::string name_of(std::size_t row) const {
@@ -55,18 +56,24 @@ class Binding {
 
   Target at_vertex(std::size_t row, Index v) const {
     if (v >= mesh_.vertex_count()) {
-      fail(row, "the mesh has no vertex " + std::to_string(v) + ", only 0 to " +
-                    std::to_string(mesh_.vertex_count() - 1));
+      fail(row,
+           "the mesh has no vertex " + std::to_string(v) + ", only 0 to " +
+               std::to_string(mesh_.vertex_count() - 1),
+           {v});
     }
     if (!in_roi_[v]) {
-      fail(row, "vertex " + std::to_string(v) +
-                    " is outside the roi; enlarge the roi, or leave the "
-                    "row out");
+      fail(row,
+           "vertex " + std::to_string(v) +
+               " is outside the roi; enlarge the roi, or leave the "
+               "row out",
+           {v});
     }
     if (is_held_[v]) {
-      fail(row, "vertex " + std::to_string(v) +
-                    " belongs to the belt or a handle, too; leave it "
-                    "out of one of the two");
+      fail(row,
+           "vertex " + std::to_string(v) +
+               " belongs to the belt or a handle, too; leave it "
+               "out of one of the two",
+           {v});
     }
     return {{v, v, v}, {1.0, 0.0, 0.0}};
   }
@@ -102,8 +109,10 @@ class Binding {
     const auto [found, is_new] = first_rows_.emplace(target.corners[0], row);
     if (is_new) return true;
     if (spec_.rows[found->second].position != target.position) {
-      fail(row, "vertex " + std::to_string(target.corners[0]) + " has another position in " +
-                    name_of(found->second) + "; remove one of the two");
+      fail(row,
+           "vertex " + std::to_string(target.corners[0]) + " has another position in " +
+               name_of(found->second) + "; remove one of the two",
+           {target.corners[0]});
     }
     return false;
   }

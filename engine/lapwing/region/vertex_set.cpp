@@ -57,8 +57,9 @@ void require_finite(const VertexSet& region, std::span<const Eigen::Vector3d> po
   }
   if (broken.empty()) return;
   throw InputError(where + ": " + name_vertices(broken) +
-                   " of the region has no finite position; leave it out, or mend the mesh with "
-                   "`lapwing check --fix`");
+                       " of the region has no finite position; leave it out, or mend the mesh with "
+                       "`lapwing check --fix`",
+                   broken);
 }
 
 }  // namespace lapwing

@@ -71,9 +71,10 @@ class PatchCutter {
       }
     }
     if (broken.empty()) return;
-    throw InputError("the patch to remesh has no finite position at " +
-                     name_vertices(make_vertex_set(std::move(broken))) +
-                     "; run `lapwing check --fix` or leave them out of the region");
+    broken = make_vertex_set(std::move(broken));
+    throw InputError("the patch to remesh has no finite position at " + name_vertices(broken) +
+                         "; run `lapwing check --fix` or leave them out of the region",
+                     broken);
   }
 
   std::vector<Side> collect_sides() {

@@ -31,7 +31,8 @@ Mesh read_carried_mesh(const fs::path& file) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.positions[v].allFinite()) continue;
     throw InputError(file.string() + ": the position of vertex " + std::to_string(v) +
-                     " is not finite; lapwing check --fix repairs a mesh");
+                         " is not finite; lapwing check --fix repairs a mesh",
+                     {static_cast<Index>(v)});
   }
   return mesh;
 }

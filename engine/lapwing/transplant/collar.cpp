@@ -122,13 +122,15 @@ Collar make_collar(std::span<const Triangle> piece, const BoundaryLoop& seam,
   }
   if (loops.size() != 2 || others.size() != 1) {
     throw InputError(where + ": the transition reaches another boundary of the mesh, at " +
-                     name_vertices(others) + "; make its \"width\" less than " +
-                     std::to_string(width) + ", or close that hole before");
+                         name_vertices(others) + "; make its \"width\" less than " +
+                         std::to_string(width) + ", or close that hole before",
+                     others);
   }
   if (euler_characteristic(collar.triangles, sides) != 0) {
     throw InputError(where + ": there is a handle of the surface within the transition, around " +
-                     name_vertices(collar.inner) + "; make its \"width\" less than " +
-                     std::to_string(width));
+                         name_vertices(collar.inner) + "; make its \"width\" less than " +
+                         std::to_string(width),
+                     collar.inner);
   }
   collar.seam = seam;
   return collar;

@@ -96,7 +96,8 @@ PlacedPart cut_part(const TransplantRequest& request, const Mesh& source) {
   for (std::size_t v = 0; v < part.mesh.vertex_count(); ++v) {
     if (part.mesh.positions[v].allFinite()) continue;
     throw InputError(where + ": vertex " + std::to_string(v) +
-                     " of the part has no finite position; mend it with `lapwing check --fix`");
+                         " of the part has no finite position; mend it with `lapwing check --fix`",
+                     {static_cast<Index>(v)});
   }
   part.loop = choose_loop(request, part.mesh, where);
   return part;
@@ -160,8 +161,9 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh) {
   const VertexSet open = without_other_side(hole.loop, hole.rest, numbers);
   if (!open.empty()) {
     throw InputError(where + ": the region reaches the boundary of the mesh at " +
-                     name_vertices(open) +
-                     "; leave the faces there out of it, so that the hole has a rim");
+                         name_vertices(open) +
+                         "; leave the faces there out of it, so that the hole has a rim",
+                     open);
   }
   for (const Index v : hole.loop) hole.rest_loop.push_back(numbers[v]);
   std::reverse(hole.rest_loop.begin() + 1, hole.rest_loop.end());

@@ -233,10 +233,12 @@ void TransplantRun::take_over(RemeshResult& remeshed) {
 void TransplantRun::require_valid(const TransplantResult& seam) const {
   for (const Index v : seam.region) {
     if (seam.positions[v].allFinite()) continue;
-    throw SolverError(request_.where + ": the result has positions that are not finite, vertex " +
-                      std::to_string(v) +
-                      " for one, so the mesh was left as it was; run `lapwing check` on the part "
-                      "and on the mesh");
+    throw SolverError(
+        request_.where + ": the result has positions that are not finite, vertex " +
+            std::to_string(v) +
+            " for one, so the mesh was left as it was; run `lapwing check` on the part "
+            "and on the mesh",
+        {v});
   }
   if (seam.relative_residual <= kLargestResidual) return;
   std::ostringstream text;

@@ -1,0 +1,183 @@
+#include "edits.h"
+
+#include <map>
+#include <mutex>
+#include <pybind11/stl.h>
+#include <string>
+
+#include "arrays.h"
+#include "interruptible.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/deform/prepared_deform.h"
+#include "lapwing/recipe/key_reader.h"
+#include "lapwing/recipe/key_table.h"
+#include "lapwing/session/run_recipe.h"
+#include "lapwing/step/mesh_shelf.h"
+#include "lapwing/vulkan/open_device.h"
+#include "result.h"
+
+namespace lapwing::python {
+namespace {
+
+using NamedMeshes = std::map<std::string, Mesh>;
+
+void put(const NamedMeshes& meshes, MeshShelf& shelf) {
+  for (const auto& [name, mesh] : meshes) shelf.put(name, mesh);
+}
+
+// One step, as JSON that `name` stands for in messages, on `mesh`.
+Result carry_out(const Mesh& mesh, const std::string& step_json, const std::string& name,
+                 const NamedMeshes& meshes, const std::string& device, const py::object& heard) {
+  const Step step = read_step(JsonNode::parse(step_json, name));
+  return Interruptible(heard).call([&](const Progress& progress) {
+    const Device opened = open_device(device);
+    MeshShelf shelf;
+    put(meshes, shelf);
+    RunResult run;
+    run.mesh = mesh;
+    run.original = mesh.positions;
+    run.report.device = opened.kernels->device();
+    run.report.vertices = mesh.vertex_count();
+    run.report.faces = mesh.face_count();
+    run.report.steps.push_back(
+        run_step(step, {1, std::filesystem::path(), *opened.kernels, progress, run, shelf}));
+    return Result{std::move(run.mesh), std::move(run.original), std::move(run.region),
+                  std::move(run.report)};
+  });
+}
+
+Result run(const std::string& recipe_json, const std::string& folder, const NamedMeshes& meshes,
+           const std::string& device, bool saves, const py::object& heard) {
+  const Recipe recipe = parse_recipe(recipe_json, folder, "recipe");
+  return Interruptible(heard).call([&](const Progress& progress) {
+    const Device opened = open_device(device);
+    MeshShelf shelf;
+    put(meshes, shelf);
+    const auto result = run_recipe(recipe, *opened.kernels, progress, {.meshes = &shelf});
+    if (saves && !recipe.save.empty()) save_result(*result, recipe.save_path());
+    return Result{std::move(result->mesh), std::move(result->original), std::move(result->region),
+                  std::move(result->report)};
+  });
+}
+
+// A deform that is prepared once. Threads take turns.
+class Edit {
+ public:
+  Edit(const Mesh& mesh, const std::string& step_json, const py::object& heard) {
+    const Step step = read_step(JsonNode::parse(step_json, "Deformer"));
+    prepared_ = Interruptible(heard).call([&](const Progress& progress) {
+      return std::make_unique<PreparedDeform>(mesh, std::get<DeformRequest>(step), progress);
+    });
+  }
+
+  Result solve(const py::object& motions, const py::object& heard) {
+    const Motions matrices(motions, handle_count());
+    return Interruptible(heard).call([&](const Progress& progress) {
+      const std::lock_guard lock(mutex_);
+      return result_of(prepared_->solve(moves(matrices, 0), progress));
+    });
+  }
+
+  // (vertices of shape (k, n, 3), certificates).
+  template <class Number>
+  py::tuple solve_many(const py::object& motions, unsigned threads, const py::object& heard) {
+    const Motions matrices(motions, handle_count());
+    const std::size_t rows = prepared_->mesh().vertex_count();
+    py::array_t<Number> vertices({static_cast<py::ssize_t>(matrices.count()),
+                                  static_cast<py::ssize_t>(rows), py::ssize_t{3}});
+    Number* const numbers = vertices.mutable_data();
+    std::vector<Certificate> certificates(matrices.count());
+    Interruptible(heard).call([&](const Progress& progress) {
+      const std::lock_guard lock(mutex_);
+      prepared_->solve_many(
+          matrices.count(), [&](std::size_t k) { return moves(matrices, k); },
+          [&](std::size_t k, Deformed&& result) {
+            Number* to = numbers + k * rows * 3;
+            for (const Eigen::Vector3d& v : result.mesh.positions) {
+              for (const double x : v) *to++ = static_cast<Number>(x);
+            }
+            certificates[k] = std::move(result.certificate);
+          },
+          threads, progress);
+      return true;
+    });
+    return py::make_tuple(std::move(vertices), std::move(certificates));
+  }
+
+  const PreparedDeform& prepared() const { return *prepared_; }
+  std::size_t handle_count() const { return prepared_->request().handles.size(); }
+
+ private:
+  static std::vector<Move> moves(const Motions& matrices, std::size_t k) {
+    std::vector<Move> all;
+    for (std::size_t h = 0; h < matrices.handles(); ++h) {
+      all.emplace_back(MatrixMove{matrices.matrix(k, h)});
+    }
+    return all;
+  }
+
+  Result result_of(Deformed done) const {
+    Result result;
+    result.rest = prepared_->mesh().positions;
+    StepReport step;
+    step.op = "deform";
+    step.roi = done.region.roi.size();
+    step.free = done.free;
+    step.belt = done.region.belt.size();
+    for (const VertexSet& handle : done.region.handles) step.handles.push_back(handle.size());
+    step.timings = std::move(done.timings);
+    result.mesh = std::move(done.mesh);
+    result.region = std::move(done.region);
+    result.report.vertices = result.mesh.vertex_count();
+    result.report.faces = result.mesh.face_count();
+    result.report.warnings = std::move(done.warnings);
+    result.report.notes = std::move(done.notes);
+    step.deform = std::move(done);
+    result.report.steps.push_back(std::move(step));
+    return result;
+  }
+
+  std::unique_ptr<PreparedDeform> prepared_;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+void add_edits(py::module_& module) {
+  module.def("run_step", &carry_out, py::arg("mesh"), py::arg("step"), py::arg("name"),
+             py::arg("meshes"), py::arg("device"), py::arg("progress"));
+  module.def("run", &run, py::arg("recipe"), py::arg("folder"), py::arg("meshes"),
+             py::arg("device"), py::arg("save"), py::arg("progress"));
+  py::class_<Edit>(module, "Edit")
+      .def(py::init<const Mesh&, const std::string&, const py::object&>(), py::arg("mesh"),
+           py::arg("step"), py::arg("progress"))
+      .def("solve", &Edit::solve, py::arg("motions"), py::arg("progress"))
+      .def("solve_many", &Edit::solve_many<double>, py::arg("motions"), py::arg("threads"),
+           py::arg("progress"))
+      .def("solve_many_float32", &Edit::solve_many<float>, py::arg("motions"), py::arg("threads"),
+           py::arg("progress"))
+      .def_property_readonly("handle_count", &Edit::handle_count)
+      .def_property_readonly("mesh", [](const Edit& edit) { return edit.prepared().mesh(); })
+      .def_property_readonly(
+          "roi", [](const Edit& edit) { return array_of(edit.prepared().region().roi); })
+      .def_property_readonly(
+          "belt", [](const Edit& edit) { return array_of(edit.prepared().region().belt); })
+      .def_property_readonly("handles", [](const Edit& edit) {
+        py::list handles;
+        for (const VertexSet& handle : edit.prepared().region().handles) {
+          handles.append(array_of(handle));
+        }
+        return handles;
+      });
+  module.def(
+      "key_table",
+      [](const std::string& op) {
+        for (const Operation& operation : operations()) {
+          if (operation.name == op) return key_table(operation);
+        }
+        throw InputError("no operation is called \"" + op + "\"");
+      },
+      py::arg("op"));
+}
+
+}  // namespace lapwing::python

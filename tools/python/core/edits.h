@@ -1,0 +1,19 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace lapwing::python {
+
+/// `run_step`, `run` and `Edit`: the operations of recipes.
+void add_edits(pybind11::module_& module);
+
+/// `peel`, `remesh`, `parameterize`, `check` and `fix`.
+void add_mesh_operations(pybind11::module_& module);
+
+/// `Mesh`, `read` and `write`.
+void add_mesh(pybind11::module_& module);
+
+/// `render`.
+void add_render(pybind11::module_& module);
+
+}  // namespace lapwing::python

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace lapwing::python {
+
+/// Adds the exceptions to `module`, each with an attribute `vertices`, and has the engine's errors
+/// come out as them.
+void add_errors(pybind11::module_& module);
+
+}  // namespace lapwing::python

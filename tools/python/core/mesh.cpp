@@ -1,0 +1,81 @@
+#include "lapwing/mesh/mesh.h"
+
+#include <pybind11/stl.h>
+#include <string>
+#include <vector>
+
+#include "arrays.h"
+#include "edits.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing::python {
+namespace {
+
+std::vector<std::string> write(const Mesh& mesh, const std::string& path) {
+  const py::gil_scoped_release unlocked;
+  WriteReport report = write_mesh(mesh, path);
+  std::vector<std::string> notes;
+  for (const std::string& line : report.not_carried) notes.push_back("not carried over: " + line);
+  notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+  return notes;
+}
+
+Mesh read(const std::string& path) {
+  const py::gil_scoped_release unlocked;
+  return read_mesh(path);
+}
+
+Mesh with_vertices(Mesh mesh, const py::object& vertices) {
+  mesh.positions = positions_of(vertices, mesh.vertex_count());
+  return mesh;
+}
+
+std::vector<std::string> shape_names() {
+  std::vector<std::string> names;
+  for (const NamedShape& shape : named_shapes()) names.emplace_back(shape.name);
+  return names;
+}
+
+Mesh shape(const std::string& name) {
+  for (const NamedShape& each : named_shapes()) {
+    if (each.name == name) return each.make();
+  }
+  std::string known;
+  for (const std::string& each : shape_names()) known += (known.empty() ? "" : ", ") + each;
+  throw InputError("no shape is called \"" + name + "\"; there are " + known);
+}
+
+}  // namespace
+
+void add_mesh(py::module_& module) {
+  py::class_<Mesh>(module, "Mesh",
+                   "A polygon mesh with all that its file had. Not changed by any function.")
+      .def(py::init(&mesh_of), py::arg("vertices"), py::arg("faces"))
+      .def_property_readonly(
+          "vertices", [](const Mesh& mesh) { return array_of(mesh.positions); },
+          "(n, 3) float64, a new array each time.")
+      .def_property_readonly("faces", &faces_of,
+                             "(m, k) uint32, or a list of arrays where the polygons differ.")
+      .def_property_readonly("vertex_count", &Mesh::vertex_count)
+      .def_property_readonly("face_count", &Mesh::face_count)
+      .def(
+          "__iter__",
+          [](const Mesh& mesh) {
+            return py::iter(py::make_tuple(array_of(mesh.positions), faces_of(mesh)));
+          },
+          "V, F = mesh")
+      .def("with_vertices", &with_vertices, py::arg("vertices"),
+           "The same mesh in another pose, shape (n, 3).")
+      .def("__repr__", [](const Mesh& mesh) {
+        return "Mesh(" + std::to_string(mesh.vertex_count()) + " vertices, " +
+               std::to_string(mesh.face_count()) + " faces)";
+      });
+  module.def("read", &read, py::arg("path"));
+  module.def("write", &write, py::arg("mesh"), py::arg("path"));
+  module.def("shape", &shape, py::arg("name"));
+  module.def("shape_names", &shape_names);
+}
+
+}  // namespace lapwing::python

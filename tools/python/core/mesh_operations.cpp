@@ -1,0 +1,149 @@
+#include <pybind11/stl.h>
+#include <string>
+
+#include "arrays.h"
+#include "edits.h"
+#include "interruptible.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/coating/peel.h"
+#include "lapwing/doctor/check.h"
+#include "lapwing/doctor/fix.h"
+#include "lapwing/parameterize/parameterize.h"
+#include "lapwing/recipe/read_region.h"
+#include "lapwing/remesh/remesh.h"
+
+namespace lapwing::python {
+namespace {
+
+using namespace py::literals;
+
+RegionSpec region_of(const std::string& json, const std::string& name) {
+  return read_region(JsonNode::parse(json, name));
+}
+
+py::dict peel_mesh(const Mesh& mesh, const std::string& region, double detail_size,
+                   const std::string& weights) {
+  PeelRequest request;
+  request.region = region_of(region, "peel: region");
+  request.detail_size = detail_size;
+  request.weights = weights == "uniform" ? LaplacianWeights::uniform : LaplacianWeights::cotangent;
+  const Peeled peeled =
+      Interruptible(py::none()).call([&](const Progress&) { return peel(mesh, request); });
+  return py::dict("mesh"_a = peeled.mesh, "coating"_a = array_of(peeled.displacement),
+                  "moved"_a = array_of(peeled.moved), "mean_coating"_a = peeled.mean_coating,
+                  "largest_coating"_a = peeled.largest_coating, "warnings"_a = peeled.warnings);
+}
+
+py::dict remesh_mesh(const Mesh& mesh, const std::string& region, std::optional<double> length,
+                     double scale, int iterations, double feature_degrees,
+                     const py::object& heard) {
+  RemeshRequest request;
+  request.region = region_of(region, "remesh: region");
+  request.length = length;
+  request.scale = scale;
+  request.options.iterations = iterations;
+  request.options.feature_angle_degrees = feature_degrees;
+  const Remeshed result = Interruptible(heard).call(
+      [&](const Progress& progress) { return remesh(mesh, request, progress); });
+  return py::dict("mesh"_a = result.mesh, "kept"_a = array_of(result.kept),
+                  "region"_a = array_of(result.region), "mean_edge"_a = result.after.mean_edge,
+                  "smallest_angle_degrees"_a = result.after.smallest_angle_degrees,
+                  "warnings"_a = result.warnings);
+}
+
+py::dict parameterize_mesh(const Mesh& mesh, const std::string& region, const std::string& domain,
+                           const std::vector<Index>& pins) {
+  ParameterizeRequest request;
+  request.region = region_of(region, "parameterize: region");
+  request.domain = domain == "square" ? Domain::square : Domain::disk;
+  request.pins = pins;
+  const Parameterized result =
+      Interruptible(py::none()).call([&](const Progress&) { return parameterize(mesh, request); });
+  const Patch& patch = result.patch;
+  py::array_t<double> points({static_cast<py::ssize_t>(result.map.points.size()), py::ssize_t{2}});
+  double* to = points.mutable_data();
+  for (const Eigen::Vector2d& p : result.map.points) to = std::copy(p.data(), p.data() + 2, to);
+  py::array_t<Index> triangles({static_cast<py::ssize_t>(patch.triangles.size()), py::ssize_t{3}});
+  Index* corner = triangles.mutable_data();
+  for (const Triangle& t : patch.triangles) corner = std::copy(t.begin(), t.end(), corner);
+  return py::dict("mesh"_a = result.mesh, "points"_a = std::move(points),
+                  "patch_vertices"_a = array_of(patch.vertices),
+                  "patch_faces"_a = std::move(triangles), "pins"_a = array_of(result.pins),
+                  "flipped"_a = array_of(result.flipped), "stretch"_a = result.distortion.stretch,
+                  "shear"_a = result.distortion.shear, "warnings"_a = result.warnings);
+}
+
+const char* word_of(Severity severity) {
+  return severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "info";
+}
+
+const char* word_of(Element element) {
+  switch (element) {
+    case Element::vertex:
+      return "vertex";
+    case Element::face:
+      return "face";
+    case Element::edge:
+      return "edge";
+    case Element::component:
+      return "component";
+    case Element::none:
+      break;
+  }
+  return "mesh";
+}
+
+py::dict dict_of(const MeshStatistics& s) {
+  return py::dict("vertices"_a = s.vertices, "faces"_a = s.faces, "triangles"_a = s.triangles,
+                  "edges"_a = s.edges, "boundary_edges"_a = s.boundary_edges,
+                  "boundary_loops"_a = s.boundary_loops, "component_sizes"_a = s.component_sizes,
+                  "euler_characteristic"_a = s.euler_characteristic, "genus"_a = s.genus,
+                  "min_edge_length"_a = s.min_edge_length,
+                  "mean_edge_length"_a = s.mean_edge_length,
+                  "max_edge_length"_a = s.max_edge_length, "area"_a = s.area,
+                  "bounds"_a = array_of(std::vector<Eigen::Vector3d>{s.bounds.min, s.bounds.max}));
+}
+
+py::dict check_mesh(const Mesh& mesh, bool self_intersections, std::size_t most_listed) {
+  const CheckReport report = Interruptible(py::none()).call([&](const Progress&) {
+    CheckReport found = check(mesh, most_listed);
+    if (self_intersections) add_self_intersections(mesh, found);
+    return found;
+  });
+  py::list defects;
+  for (const Defect& defect : report.defects) {
+    const DefectInfo& info = describe(defect.kind);
+    defects.append(py::dict("kind"_a = info.key, "name"_a = info.name, "count"_a = defect.count,
+                            "severity"_a = word_of(info.severity), "meaning"_a = info.meaning,
+                            "next_step"_a = info.next_step, "element"_a = word_of(info.element),
+                            "first"_a = array_of(defect.first), "fixable"_a = info.fixable));
+  }
+  return py::dict("defects"_a = std::move(defects), "statistics"_a = dict_of(report.statistics),
+                  "has_problems"_a = report.has_problems(), "is_fixable"_a = report.is_fixable());
+}
+
+py::dict fix_mesh(const Mesh& mesh) {
+  Mesh fixed = mesh;
+  const FixReport report =
+      Interruptible(py::none()).call([&](const Progress&) { return fix(fixed); });
+  py::dict repairs;
+  for (const Repair& repair : report.repairs) {
+    repairs[py::str(std::string(describe(repair.kind).key))] = repair.count;
+  }
+  std::vector<Index> sources = report.vertex_sources;
+  return py::dict("mesh"_a = std::move(fixed), "repairs"_a = std::move(repairs),
+                  "vertex_sources"_a = array_of(sources));
+}
+
+}  // namespace
+
+void add_mesh_operations(py::module_& module) {
+  module.def("peel", &peel_mesh, "mesh"_a, "region"_a, "detail_size"_a, "weights"_a);
+  module.def("remesh", &remesh_mesh, "mesh"_a, "region"_a, "length"_a, "scale"_a, "iterations"_a,
+             "feature_degrees"_a, "progress"_a);
+  module.def("parameterize", &parameterize_mesh, "mesh"_a, "region"_a, "domain"_a, "pins"_a);
+  module.def("check", &check_mesh, "mesh"_a, "self_intersections"_a, "most_listed"_a);
+  module.def("fix", &fix_mesh, "mesh"_a);
+}
+
+}  // namespace lapwing::python

@@ -1,0 +1,16 @@
+#include <pybind11/pybind11.h>
+
+#include "edits.h"
+#include "errors.h"
+#include "result.h"
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "What the package lapwing is made of; call that instead.";
+  module.attr("__version__") = LAPWING_VERSION;
+  lapwing::python::add_errors(module);
+  lapwing::python::add_mesh(module);
+  lapwing::python::add_result(module);
+  lapwing::python::add_edits(module);
+  lapwing::python::add_mesh_operations(module);
+  lapwing::python::add_render(module);
+}

@@ -1,0 +1,96 @@
+#include <memory>
+#include <optional>
+#include <pybind11/stl.h>
+#include <string>
+
+#include "arrays.h"
+#include "edits.h"
+#include "interruptible.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/gpu/context.h"
+#include "lapwing/render/picture_request.h"
+#include "lapwing/render/surface.h"
+
+namespace lapwing::python {
+namespace {
+
+template <class Value>
+Value one_of(const std::string& name, const std::string& chosen,
+             std::initializer_list<std::pair<const char*, Value>> choices) {
+  std::string known;
+  for (const auto& [word, value] : choices) {
+    if (chosen == word) return value;
+    known += (known.empty() ? "\"" : ", \"") + std::string(word) + "\"";
+  }
+  throw InputError("render: " + name + ": expected one of " + known + ", got \"" + chosen + "\"");
+}
+
+PictureRequest request_of(const py::dict& picture) {
+  PictureRequest request;
+  request.width = picture["width"].cast<std::uint32_t>();
+  request.height = picture["height"].cast<std::uint32_t>();
+  request.view = view_named(picture["view"].cast<std::string>());
+  if (!picture["from_"].is_none()) {
+    request.from = Eigen::Vector3d(picture["from_"].cast<std::array<double, 3>>().data());
+  }
+  request.up =
+      one_of<UpAxis>("up", picture["up"].cast<std::string>(), {{"y", UpAxis::y}, {"z", UpAxis::z}});
+  request.background = one_of<Background>("background", picture["background"].cast<std::string>(),
+                                          {{"gradient", Background::gradient},
+                                           {"white", Background::white},
+                                           {"transparent", Background::transparent}});
+  request.orthographic = picture["orthographic"].cast<bool>();
+  request.wireframe = picture["wireframe"].cast<bool>();
+  request.flat = picture["flat"].cast<bool>();
+  if (!request.can_look()) {
+    throw InputError(
+        "render: from_: the direction must not be 0 or along the upward axis; "
+        "view=\"top\" or \"bottom\" looks along it");
+  }
+  return request;
+}
+
+using Values = py::array_t<float, py::array::c_style | py::array::forcecast>;
+
+py::array_t<std::uint8_t> render(const Mesh& mesh, const std::optional<Values>& values,
+                                 const std::string& legend, const py::dict& picture,
+                                 const std::string& device) {
+  const PictureRequest request = request_of(picture);
+  std::vector<float> numbers;
+  if (values) {
+    numbers.assign(values->data(), values->data() + values->size());
+    if (numbers.size() != mesh.vertex_count()) {
+      throw InputError("render: values: expected one for each of the mesh's " +
+                       std::to_string(mesh.vertex_count()) + " vertices, got " +
+                       std::to_string(numbers.size()));
+    }
+  }
+  const bool colored = values.has_value();
+  const Image image = Interruptible(py::none()).call([&](const Progress&) {
+    Surface surface(std::make_shared<gpu::Context>(gpu::ContextOptions{device}), mesh.positions,
+                    mesh.topology());
+    SurfacePaint paint(surface);
+    paint.set_polygons(mesh);
+    RenderOptions options = request.options();
+    if (colored) {
+      paint.set_scalars(numbers);
+      options.style.color = SurfaceColor::scalar;
+      options.style.range = range_without_outliers(numbers);
+      options.legend_title = legend;
+    }
+    return render_image(surface, paint, request.camera(mesh.positions, colored), options);
+  });
+  py::array_t<std::uint8_t> array({static_cast<py::ssize_t>(image.height),
+                                   static_cast<py::ssize_t>(image.width), py::ssize_t{4}});
+  std::copy(image.rgba.begin(), image.rgba.end(), array.mutable_data());
+  return array;
+}
+
+}  // namespace
+
+void add_render(py::module_& module) {
+  module.def("render", &render, py::arg("mesh"), py::arg("values"), py::arg("legend"),
+             py::arg("picture"), py::arg("device"));
+}
+
+}  // namespace lapwing::python

@@ -1,0 +1,194 @@
+"""Turns what is given in Python into what the engine reads: meshes, and JSON of recipes."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core
+
+#: Keys behind which a region stands, in any depth.
+_REGION_KEYS = frozenset(
+    ["roi", "region", "source_patch", "target_patch", "patch", "target_region", "distance_to"]
+)
+#: Keys behind which a handle's motion stands.
+_MOVE_KEYS = frozenset(["move", "place"])
+
+
+def mesh_of(mesh: Any, faces: Any = None, name: str = "mesh") -> _core.Mesh:
+    """The mesh that arrays, or an object with arrays for attributes, stand for.
+
+    Accepts a `lapwing.Mesh`, a `lapwing.Result`, (n, 3) vertices with their faces, a pair of both,
+    an object with `vertices` and `faces` (trimesh) or `triangles` (Open3D), and Open3D's meshes of
+    tensors.
+    """
+    if faces is not None:
+        return _core.Mesh(mesh, faces)
+    if isinstance(mesh, _core.Mesh):
+        return mesh
+    if isinstance(mesh, _core.Result):
+        return mesh.mesh
+    if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
+        return _core.Mesh(mesh[0], mesh[1])
+    if hasattr(mesh, "vertices"):
+        for attribute in ("faces", "triangles"):
+            if hasattr(mesh, attribute):
+                return _core.Mesh(
+                    np.asarray(mesh.vertices), _faces_or_list(getattr(mesh, attribute))
+                )
+    if hasattr(mesh, "vertex") and hasattr(mesh, "triangle"):  # open3d.t.geometry
+        return _core.Mesh(_numpy(mesh.vertex["positions"]), _numpy(mesh.triangle["indices"]))
+    raise _core.InputError(
+        f"{name}: expected vertices and faces, or an object with both as attributes, "
+        f"got {type(mesh).__name__}"
+    )
+
+
+def _faces_or_list(faces: Any) -> Any:
+    return faces if isinstance(faces, (list, tuple)) else np.asarray(faces)
+
+
+def _numpy(tensor: Any) -> np.ndarray:
+    return tensor.numpy() if hasattr(tensor, "numpy") else np.asarray(tensor)
+
+
+def region_of(region: Any, vertex_count: int, where: str) -> Any:
+    """A region as recipes have it, of "all", a mask, vertex numbers, or what is one already."""
+    if isinstance(region, str):
+        if region != "all":
+            raise _core.InputError(
+                f'{where}: expected "all", vertex numbers, a mask or a region, got "{region}"'
+            )
+        return {"all": True}
+    if isinstance(region, Mapping):
+        return plain(region, vertex_count, where)
+    vertices = np.asarray(region)
+    if vertices.size == 0:
+        return {"vertices": []}
+    if vertices.ndim != 1:
+        raise _core.InputError(
+            f"{where}: expected vertex numbers of shape (k,) or a mask of shape "
+            f"({vertex_count},), got shape {vertices.shape}"
+        )
+    if vertices.dtype == bool:
+        if vertices.size != vertex_count:
+            raise _core.InputError(
+                f"{where}: a mask has a value for each of the {vertex_count} vertices, "
+                f"got {vertices.size}"
+            )
+        return {"vertices": np.flatnonzero(vertices).tolist()}
+    if vertices.dtype.kind not in "iu":
+        raise _core.InputError(
+            f"{where}: expected vertex numbers, got an array of type {vertices.dtype}"
+        )
+    if int(vertices.min()) < 0:
+        place = int(np.argmin(vertices))
+        raise _core.InputError(
+            f"{where}[{place}]: expected the number of a vertex, from 0, got {vertices[place]}"
+        )
+    return {"vertices": vertices.tolist()}
+
+
+def move_of(move: Any, vertex_count: int, where: str) -> Any:
+    """A motion as recipes have it, of a matrix of shape (4, 4) or (3, 4), or of what is one."""
+    if isinstance(move, Mapping):
+        return plain(move, vertex_count, where)
+    matrix = np.asarray(move)
+    if matrix.shape not in ((4, 4), (3, 4)):
+        raise _core.InputError(
+            f"{where}: expected a matrix of shape (4, 4) or (3, 4), or a dict such as "
+            f'{{"translate": [x, y, z]}}, got shape {matrix.shape}'
+        )
+    return {"matrix": plain(matrix.ravel(), vertex_count, where)}
+
+
+def handles_of(handles: Any, vertex_count: int, where: str) -> List[Any]:
+    """Handles as recipes have them: dicts, or pairs of a region and its move."""
+    written = []
+    for k, handle in enumerate(handles):
+        place = f"{where}[{k}]"
+        if isinstance(handle, Mapping):
+            written.append(plain(handle, vertex_count, place))
+        elif isinstance(handle, (tuple, list)) and len(handle) == 2:
+            written.append(
+                {
+                    "region": region_of(handle[0], vertex_count, place + ".region"),
+                    "move": move_of(handle[1], vertex_count, place + ".move"),
+                }
+            )
+        else:
+            raise _core.InputError(
+                f"{place}: expected a pair (region, move) or a dict with both keys, "
+                f"got {type(handle).__name__}"
+            )
+    return written
+
+
+def plain(value: Any, vertex_count: int, where: str) -> Any:
+    """`value` of dicts, lists, text and numbers that are finite, as JSON has them."""
+    if value is None or isinstance(value, (str, bool, int)):
+        return value
+    if isinstance(value, Mapping):
+        return {
+            str(key): _plain_of_key(str(key), each, vertex_count, f"{where}.{key}")
+            for key, each in value.items()
+        }
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, np.ndarray):
+        if value.dtype.kind == "f" and not np.isfinite(value).all():
+            place = ", ".join(str(i) for i in np.argwhere(~np.isfinite(value))[0])
+            raise _core.InputError(f"{where}[{place}]: the number is not finite")
+        if value.dtype.kind not in "biuf":
+            raise _core.InputError(
+                f"{where}: expected numbers, got an array of type {value.dtype}"
+            )
+        return value.tolist()
+    if isinstance(value, np.generic):
+        return plain(value.item(), vertex_count, where)
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            raise _core.InputError(f"{where}: the number is not finite")
+        return value
+    if isinstance(value, (Sequence, set, frozenset, range)):
+        return [plain(each, vertex_count, f"{where}[{k}]") for k, each in enumerate(value)]
+    if hasattr(value, "__array__"):
+        return plain(np.asarray(value), vertex_count, where)
+    raise _core.InputError(f"{where}: {type(value).__name__} cannot be written in a recipe")
+
+
+def _plain_of_key(key: str, value: Any, vertex_count: int, where: str) -> Any:
+    if key in _REGION_KEYS and not isinstance(value, Mapping):
+        return region_of(value, vertex_count, where)
+    if key in _MOVE_KEYS and not isinstance(value, Mapping):
+        return move_of(value, vertex_count, where)
+    return plain(value, vertex_count, where)
+
+
+def belt_of(belt: Any, vertex_count: int, where: str) -> Any:
+    """A belt as recipes have it; a number is the outer fraction of the region."""
+    if isinstance(belt, (int, float)) and not isinstance(belt, bool):
+        return {"fraction": plain(belt, vertex_count, where)}
+    return region_of(belt, vertex_count, where)
+
+
+def targets_of(targets: Any, vertex_count: int, where: str) -> Any:
+    """Landmarks as recipes have them: an array of rows, or a dict from vertices to places."""
+    if isinstance(targets, Mapping):
+        if not targets or any(isinstance(key, str) for key in targets):
+            return plain(targets, vertex_count, where)
+        return [
+            [plain(key, vertex_count, where), *plain(np.asarray(place), vertex_count, where)]
+            for key, place in targets.items()
+        ]
+    return plain(targets, vertex_count, where)
+
+
+def step_json(op: str, keys: Mapping[str, Any]) -> str:
+    """The step of a recipe; keys that are None keep their defaults."""
+    given = {key: value for key, value in keys.items() if value is not None}
+    return json.dumps({"op": op, **given})

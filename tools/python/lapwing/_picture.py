@@ -1,0 +1,43 @@
+"""Pictures without a display."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _core
+from ._arguments import mesh_of
+
+
+def render(
+    mesh: Any,
+    faces: Any = None,
+    *,
+    values: Any = None,
+    legend: str = "",
+    size: Tuple[int, int] = (640, 480),
+    view: str = "three-quarter",
+    from_: Optional[Sequence[float]] = None,
+    up: str = "y",
+    background: str = "white",
+    orthographic: bool = False,
+    wireframe: bool = False,
+    flat: bool = False,
+    device: str = "auto",
+) -> np.ndarray:
+    """A picture of a mesh, (height, width, 4) uint8, as `matplotlib.pyplot.imshow` shows it.
+
+    `values`, one per vertex, colour it beside a legend; NaN has no colour. `view` is
+    "three-quarter", "front", "back", "left", "right", "top" or "bottom"; `from_` is a direction to
+    the eye in its place. Needs Vulkan, for which Mesa's software device will do: DeviceError says
+    what to install.
+    """
+    chosen = mesh_of(mesh, faces, "render: mesh")
+    picture = dict(
+        width=int(size[0]), height=int(size[1]), view=view, up=up, background=background,
+        from_=None if from_ is None else [float(x) for x in from_],
+        orthographic=orthographic, wireframe=wireframe, flat=flat,
+    )  # fmt: skip
+    numbers = None if values is None else np.asarray(values, dtype=np.float32).ravel()
+    return _core.render(chosen, numbers, legend, picture, device)

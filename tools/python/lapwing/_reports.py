@@ -1,0 +1,190 @@
+"""What is measured of a mesh, or made of it without an edit."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Sequence
+
+import numpy as np
+
+from . import _core
+from ._arguments import mesh_of, plain, region_of
+from ._operations import Progress
+
+
+@dataclass(frozen=True)
+class Defect:
+    """One kind of defect of a mesh, and where it is."""
+
+    kind: str  #: "unwelded_seam"
+    name: str  #: "unwelded seam edges"
+    count: int
+    severity: str  #: "info", "warning" or "error" (cannot be edited there)
+    meaning: str
+    next_step: str
+    element: str  #: what `first` names: "vertex", "face", "edge", "component", "mesh"
+    first: np.ndarray  #: the first of them, ascending; an edge is two vertices
+    fixable: bool  #: `fix` leaves none of it
+
+
+@dataclass(frozen=True)
+class Check:
+    """What `check` found."""
+
+    defects: List[Defect]
+    statistics: Dict[str, Any]
+    has_problems: bool
+    is_fixable: bool
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """What `fix` made."""
+
+    mesh: _core.Mesh
+    repairs: Dict[str, int]  #: what was done, and how often
+    vertex_sources: np.ndarray  #: the old number of each vertex
+
+    @property
+    def vertices(self) -> np.ndarray:
+        return self.mesh.vertices
+
+    @property
+    def faces(self) -> Any:
+        return self.mesh.faces
+
+
+@dataclass(frozen=True)
+class Peeled:
+    """What `peel` made."""
+
+    mesh: _core.Mesh  #: smooth
+    coating: np.ndarray  #: (n, 3), from the smooth surface to the one given
+    moved: np.ndarray  #: the vertices that may have moved
+    mean_coating: float
+    largest_coating: float
+    warnings: List[str]
+
+    @property
+    def vertices(self) -> np.ndarray:
+        return self.mesh.vertices
+
+
+@dataclass(frozen=True)
+class Remeshed:
+    """What `remesh` made."""
+
+    mesh: _core.Mesh
+    kept: np.ndarray  #: the old number of each vertex that was kept, 2**32 - 1 of a new one
+    region: np.ndarray  #: the vertices of the region, as it is now
+    mean_edge: float
+    smallest_angle_degrees: float
+    warnings: List[str]
+
+    @property
+    def vertices(self) -> np.ndarray:
+        return self.mesh.vertices
+
+    @property
+    def faces(self) -> Any:
+        return self.mesh.faces
+
+
+@dataclass(frozen=True)
+class Parameterized:
+    """What `parameterize` made."""
+
+    mesh: _core.Mesh  #: the one given with texture coordinates
+    points: np.ndarray  #: (p, 2), in the disk or square, per vertex of the patch
+    patch_vertices: np.ndarray  #: (p,), the vertex of the mesh that each is
+    patch_faces: np.ndarray  #: (t, 3), into the patch's own vertices
+    pins: np.ndarray
+    flipped: np.ndarray  #: triangles of the patch
+    stretch: float  #: 1 keeps lengths
+    shear: float  #: 1 keeps angles
+    warnings: List[str]
+
+
+def _region_json(region: Any, mesh: _core.Mesh, where: str) -> str:
+    return json.dumps(region_of(region, mesh.vertex_count, where))
+
+
+def check(
+    mesh: Any, faces: Any = None, *, self_intersections: bool = False, most_listed: int = 8
+) -> Check:
+    """What is wrong with a mesh, and what that means for an edit. Looking for faces that cut
+    through others takes several times as long as all else."""
+    found = _core.check(mesh_of(mesh, faces, "check: mesh"), self_intersections, most_listed)
+    found["defects"] = [Defect(**defect) for defect in found["defects"]]
+    return Check(**found)
+
+
+def fix(mesh: Any, faces: Any = None) -> Fixed:
+    """Repairs what has one sensible repair. Positions do not change."""
+    return Fixed(**_core.fix(mesh_of(mesh, faces, "fix: mesh")))
+
+
+def peel(
+    mesh: Any,
+    faces: Any = None,
+    *,
+    detail_size: float,
+    region: Any = "all",
+    weights: str = "cotangent",
+) -> Peeled:
+    """Takes the fine detail off a region: features smaller than the length `detail_size`."""
+    chosen = mesh_of(mesh, faces, "peel: mesh")
+    return Peeled(
+        **_core.peel(chosen, _region_json(region, chosen, "peel: region"), detail_size, weights)
+    )
+
+
+def remesh(
+    mesh: Any,
+    faces: Any = None,
+    *,
+    region: Any = "all",
+    length: Optional[float] = None,
+    scale: float = 1.0,
+    iterations: int = 5,
+    feature_degrees: float = 45.0,
+    progress: Progress = None,
+) -> Remeshed:
+    """Gives a region nearly equilateral triangles of one size on the same surface: with edges of
+    `length`, or of `scale` times the region's mean one. Edges between faces that meet at
+    `feature_degrees` or more are kept."""
+    chosen = mesh_of(mesh, faces, "remesh: mesh")
+    return Remeshed(
+        **_core.remesh(
+            chosen,
+            _region_json(region, chosen, "remesh: region"),
+            length,
+            scale,
+            iterations,
+            feature_degrees,
+            progress,
+        )
+    )
+
+
+def parameterize(
+    mesh: Any,
+    faces: Any = None,
+    *,
+    region: Any = "all",
+    domain: str = "disk",
+    pins: Sequence[int] = (),
+) -> Parameterized:
+    """Lays a region that is a disk into the unit disk or square by mean value coordinates. `pins`
+    are the boundary vertex for the disk's rightmost point, or four for the square's corners,
+    counterclockwise from the lower left."""
+    chosen = mesh_of(mesh, faces, "parameterize: mesh")
+    return Parameterized(
+        **_core.parameterize(
+            chosen,
+            _region_json(region, chosen, "parameterize: region"),
+            domain,
+            plain(pins, chosen.vertex_count, "parameterize: pins"),
+        )
+    )
