@@ -107,9 +107,13 @@ JsonNode JsonNode::parse(std::string_view text, const std::string& name) {
 }
 
 JsonNode JsonNode::child(const void* json, const std::string& token) const {
-  const bool is_root = value_->json == value_->document.get();
   return {std::make_shared<const Value>(Value{value_->document, static_cast<const Json*>(json)}),
-          where_ + (is_root ? ": /" : "/") + token};
+          where(token)};
+}
+
+std::string JsonNode::where(std::string_view pointer) const {
+  const bool is_root = value_->json == value_->document.get();
+  return where_ + (is_root ? ": /" : "/") + std::string(pointer);
 }
 
 void JsonNode::fail(const std::string& message) const {

@@ -23,6 +23,8 @@ class JsonNode {
 
   /// Document and JSON pointer, as messages begin.
   const std::string& where() const { return where_; }
+  /// The same of what `pointer`, without a first slash, leads to from here.
+  std::string where(std::string_view pointer) const;
   [[noreturn]] void fail(const std::string& message) const;
   [[noreturn]] void fail_expecting(const std::string& what) const;
 

@@ -68,8 +68,7 @@ class KeyReader final : public KeyVisitor {
   }
   void belt(const StepKey& key, BeltSpec& value) override {
     const auto found = find(key);
-    value = found ? read_belt(*found)
-                  : BorderBelt{.where = open_.back().where() + "/" + std::string(key.name)};
+    value = found ? read_belt(*found) : BorderBelt{.where = open_.back().where(key.name)};
   }
   void handles(const StepKey& key, std::vector<MovedHandle>& value, HandleForm form) override {
     const auto found = find(key);
@@ -128,7 +127,7 @@ class KeyReader final : public KeyVisitor {
   }
   void require(bool holds, const std::string& pointer, std::string_view otherwise) override {
     if (holds) return;
-    throw InputError(open_.back().where() + "/" + pointer + ": " + std::string(otherwise));
+    throw InputError(open_.back().where(pointer) + ": " + std::string(otherwise));
   }
 
  protected:

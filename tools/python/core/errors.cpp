@@ -59,6 +59,7 @@ void add_errors(py::module_& module) {
   classes.error = add_class(module, "Error", PyExc_Exception, {},
                             "Base of what Lapwing raises. `vertices` are those that the message "
                             "is about, all of them; empty where it is about none.");
+  classes.error.attr("vertices") = array_of(std::span<const Index>());
   classes.input = add_class(module, "InputError", classes.error, PyExc_ValueError,
                             "An array, region or key does not fit, or a file is malformed.");
   classes.solver = add_class(module, "SolverError", classes.error, PyExc_ArithmeticError,

@@ -53,6 +53,7 @@ PictureRequest request_of(const py::dict& picture) {
 using Values = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
 py::array_t<std::uint8_t> render(const Mesh& mesh, const std::optional<Values>& values,
+                                 std::optional<std::pair<float, float>> limits,
                                  const std::string& legend, const py::dict& picture,
                                  const std::string& device) {
   const PictureRequest request = request_of(picture);
@@ -75,7 +76,7 @@ py::array_t<std::uint8_t> render(const Mesh& mesh, const std::optional<Values>& 
     if (colored) {
       paint.set_scalars(numbers);
       options.style.color = SurfaceColor::scalar;
-      options.style.range = range_without_outliers(numbers);
+      if (limits) options.style.range = ScalarRange{limits->first, limits->second};
       options.legend_title = legend;
     }
     return render_image(surface, paint, request.camera(mesh.positions, colored), options);
@@ -89,8 +90,8 @@ py::array_t<std::uint8_t> render(const Mesh& mesh, const std::optional<Values>& 
 }  // namespace
 
 void add_render(py::module_& module) {
-  module.def("render", &render, py::arg("mesh"), py::arg("values"), py::arg("legend"),
-             py::arg("picture"), py::arg("device"));
+  module.def("render", &render, py::arg("mesh"), py::arg("values"), py::arg("limits"),
+             py::arg("legend"), py::arg("picture"), py::arg("device"));
 }
 
 }  // namespace lapwing::python

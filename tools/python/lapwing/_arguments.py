@@ -5,11 +5,14 @@ from __future__ import annotations
 import json
 import math
 import os
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, List, Mapping, Optional, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
+
+Array = NDArray[Any]
 
 #: Keys behind which a region stands, in any depth.
 _REGION_KEYS = frozenset(
@@ -52,12 +55,13 @@ def _faces_or_list(faces: Any) -> Any:
     return faces if isinstance(faces, (list, tuple)) else np.asarray(faces)
 
 
-def _numpy(tensor: Any) -> np.ndarray:
-    return tensor.numpy() if hasattr(tensor, "numpy") else np.asarray(tensor)
+def _numpy(tensor: Any) -> Array:
+    return np.asarray(tensor.numpy() if hasattr(tensor, "numpy") else tensor)
 
 
-def region_of(region: Any, vertex_count: int, where: str) -> Any:
-    """A region as recipes have it, of "all", a mask, vertex numbers, or what is one already."""
+def region_of(region: Any, vertex_count: Optional[int], where: str) -> Any:
+    """A region as recipes have it, of "all", a mask, vertex numbers, or what is one already. The
+    length of a mask is checked where the mesh's `vertex_count` is known."""
     if isinstance(region, str):
         if region != "all":
             raise _core.InputError(
@@ -71,11 +75,11 @@ def region_of(region: Any, vertex_count: int, where: str) -> Any:
         return {"vertices": []}
     if vertices.ndim != 1:
         raise _core.InputError(
-            f"{where}: expected vertex numbers of shape (k,) or a mask of shape "
-            f"({vertex_count},), got shape {vertices.shape}"
+            f"{where}: expected vertex numbers of shape (k,) or a mask of shape (n,), "
+            f"got shape {vertices.shape}"
         )
     if vertices.dtype == bool:
-        if vertices.size != vertex_count:
+        if vertex_count is not None and vertices.size != vertex_count:
             raise _core.InputError(
                 f"{where}: a mask has a value for each of the {vertex_count} vertices, "
                 f"got {vertices.size}"
@@ -93,7 +97,7 @@ def region_of(region: Any, vertex_count: int, where: str) -> Any:
     return {"vertices": vertices.tolist()}
 
 
-def move_of(move: Any, vertex_count: int, where: str) -> Any:
+def move_of(move: Any, vertex_count: Optional[int], where: str) -> Any:
     """A motion as recipes have it, of a matrix of shape (4, 4) or (3, 4), or of what is one."""
     if isinstance(move, Mapping):
         return plain(move, vertex_count, where)
@@ -103,10 +107,10 @@ def move_of(move: Any, vertex_count: int, where: str) -> Any:
             f"{where}: expected a matrix of shape (4, 4) or (3, 4), or a dict such as "
             f'{{"translate": [x, y, z]}}, got shape {matrix.shape}'
         )
-    return {"matrix": plain(matrix.ravel(), vertex_count, where)}
+    return {"matrix": sum(plain(matrix, vertex_count, where), [])}
 
 
-def handles_of(handles: Any, vertex_count: int, where: str) -> List[Any]:
+def handles_of(handles: Any, vertex_count: Optional[int], where: str) -> List[Any]:
     """Handles as recipes have them: dicts, or pairs of a region and its move."""
     written = []
     for k, handle in enumerate(handles):
@@ -128,7 +132,7 @@ def handles_of(handles: Any, vertex_count: int, where: str) -> List[Any]:
     return written
 
 
-def plain(value: Any, vertex_count: int, where: str) -> Any:
+def plain(value: Any, vertex_count: Optional[int], where: str) -> Any:
     """`value` of dicts, lists, text and numbers that are finite, as JSON has them."""
     if value is None or isinstance(value, (str, bool, int)):
         return value
@@ -161,22 +165,30 @@ def plain(value: Any, vertex_count: int, where: str) -> Any:
     raise _core.InputError(f"{where}: {type(value).__name__} cannot be written in a recipe")
 
 
-def _plain_of_key(key: str, value: Any, vertex_count: int, where: str) -> Any:
-    if key in _REGION_KEYS and not isinstance(value, Mapping):
+def _plain_of_key(key: str, value: Any, vertex_count: Optional[int], where: str) -> Any:
+    if key == "handles":
+        return handles_of(value, vertex_count, where)
+    if key == "targets":
+        return targets_of(value, vertex_count, where)
+    if isinstance(value, Mapping):
+        return plain(value, vertex_count, where)
+    if key in _REGION_KEYS:
         return region_of(value, vertex_count, where)
-    if key in _MOVE_KEYS and not isinstance(value, Mapping):
+    if key in _MOVE_KEYS:
         return move_of(value, vertex_count, where)
+    if key == "belt":
+        return belt_of(value, vertex_count, where)
     return plain(value, vertex_count, where)
 
 
-def belt_of(belt: Any, vertex_count: int, where: str) -> Any:
+def belt_of(belt: Any, vertex_count: Optional[int], where: str) -> Any:
     """A belt as recipes have it; a number is the outer fraction of the region."""
     if isinstance(belt, (int, float)) and not isinstance(belt, bool):
         return {"fraction": plain(belt, vertex_count, where)}
     return region_of(belt, vertex_count, where)
 
 
-def targets_of(targets: Any, vertex_count: int, where: str) -> Any:
+def targets_of(targets: Any, vertex_count: Optional[int], where: str) -> Any:
     """Landmarks as recipes have them: an array of rows, or a dict from vertices to places."""
     if isinstance(targets, Mapping):
         if not targets or any(isinstance(key, str) for key in targets):

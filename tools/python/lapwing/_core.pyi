@@ -5,8 +5,8 @@ from numpy.typing import NDArray
 
 __version__: str
 
-Faces = Union[NDArray[np.uint32], List[NDArray[np.uint32]]]
-Progress = Optional[Callable[[str, float], Optional[bool]]]
+_Faces = Union[NDArray[np.uint32], List[NDArray[np.uint32]]]
+_Progress = Optional[Callable[[str, float], Optional[bool]]]
 
 class Error(Exception):
     vertices: NDArray[np.uint32]
@@ -21,7 +21,7 @@ class Mesh:
     @property
     def vertices(self) -> NDArray[np.float64]: ...
     @property
-    def faces(self) -> Faces: ...
+    def faces(self) -> _Faces: ...
     @property
     def vertex_count(self) -> int: ...
     @property
@@ -73,7 +73,7 @@ class Result:
     @property
     def vertices(self) -> NDArray[np.float64]: ...
     @property
-    def faces(self) -> Faces: ...
+    def faces(self) -> _Faces: ...
     @property
     def mesh(self) -> Mesh: ...
     @property
@@ -96,13 +96,13 @@ class Result:
     def report_json(self) -> str: ...
 
 class Edit:
-    def __init__(self, mesh: Mesh, step: str, progress: Progress) -> None: ...
-    def solve(self, motions: object, progress: Progress) -> Result: ...
+    def __init__(self, mesh: Mesh, step: str, progress: _Progress) -> None: ...
+    def solve(self, motions: object, progress: _Progress) -> Result: ...
     def solve_many(
-        self, motions: object, threads: int, progress: Progress
+        self, motions: object, threads: int, progress: _Progress
     ) -> Tuple[NDArray[np.float64], List[Certificate]]: ...
     def solve_many_float32(
-        self, motions: object, threads: int, progress: Progress
+        self, motions: object, threads: int, progress: _Progress
     ) -> Tuple[NDArray[np.float32], List[Certificate]]: ...
     @property
     def handle_count(self) -> int: ...
@@ -126,7 +126,7 @@ def run_step(
     name: str,
     meshes: Mapping[str, Mesh],
     device: str,
-    progress: Progress,
+    progress: _Progress,
 ) -> Result: ...
 def run(
     recipe: str,
@@ -134,7 +134,7 @@ def run(
     meshes: Mapping[str, Mesh],
     device: str,
     save: bool,
-    progress: Progress,
+    progress: _Progress,
 ) -> Result: ...
 def peel(mesh: Mesh, region: str, detail_size: float, weights: str) -> Dict[str, Any]: ...
 def remesh(
@@ -144,7 +144,7 @@ def remesh(
     scale: float,
     iterations: int,
     feature_degrees: float,
-    progress: Progress,
+    progress: _Progress,
 ) -> Dict[str, Any]: ...
 def parameterize(mesh: Mesh, region: str, domain: str, pins: object) -> Dict[str, Any]: ...
 def check(mesh: Mesh, self_intersections: bool, most_listed: int) -> Dict[str, Any]: ...
@@ -152,6 +152,7 @@ def fix(mesh: Mesh) -> Dict[str, Any]: ...
 def render(
     mesh: Mesh,
     values: Optional[NDArray[np.float32]],
+    limits: Optional[Tuple[float, float]],
     legend: str,
     picture: Mapping[str, object],
     device: str,

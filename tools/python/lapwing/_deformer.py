@@ -7,7 +7,7 @@ from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from ._arguments import mesh_of
+from ._arguments import Array, mesh_of
 from ._operations import Progress, deform_step
 
 
@@ -15,7 +15,7 @@ class Many(NamedTuple):
     """What `Deformer.solve_many` returns."""
 
     #: (k, n, 3), float64 or float32 as asked.
-    vertices: np.ndarray
+    vertices: Array
     #: One for each motion.
     certificates: List[_core.Certificate]
 
@@ -73,17 +73,17 @@ class Deformer:
         return self._edit.mesh
 
     @property
-    def roi(self) -> np.ndarray:
+    def roi(self) -> Array:
         """The vertices that may move, ascending."""
         return self._edit.roi
 
     @property
-    def belt(self) -> np.ndarray:
+    def belt(self) -> Array:
         """Those of them that stay."""
         return self._edit.belt
 
     @property
-    def handles(self) -> List[np.ndarray]:
+    def handles(self) -> List[Array]:
         """The vertices of each handle."""
         return self._edit.handles
 
@@ -137,7 +137,7 @@ def _at_rest(handle: Any) -> Any:
     return {"region": handle, "move": {}}
 
 
-def _prepared(vertices: np.ndarray, faces: Any, step: str) -> Deformer:
+def _prepared(vertices: Array, faces: Any, step: str) -> Deformer:
     deformer = Deformer.__new__(Deformer)
     deformer._prepare(_core.Mesh(vertices, faces), step, None)
     return deformer

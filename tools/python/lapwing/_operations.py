@@ -6,8 +6,6 @@ import json
 import os
 from typing import Any, Callable, Dict, Mapping, Optional, Sequence
 
-import numpy as np
-
 from . import _core
 from ._arguments import (
     belt_of,
@@ -76,7 +74,8 @@ def deform(
         "translate", "rotate": {"axis", "degrees"}, "scale" and "pivot".
     targets
         Landmarks, beside handles or in their place: an array whose rows are vertex, x, y, z (a
-        weight may follow) or px, py, pz, x, y, z; or a dict from vertices to places.
+        weight may follow) or px, py, pz, x, y, z; a dict from vertices to places; or {"rows": ROWS,
+        "hard": True}, which reaches them exactly.
     mirror
         "auto", {"plane": "x"} or {"point", "normal"}: all of it on both sides of that plane.
     hard, detail_length, constraint_weight, settle, weights, response, commit_every, loose, seams
@@ -274,7 +273,7 @@ def run(
     where the recipe's "save" says.
     """
     if isinstance(recipe, Mapping):
-        text = json.dumps(plain(recipe, 0, "recipe"))
+        text = json.dumps(plain(recipe, None, "recipe"))
         base = os.getcwd()
     else:
         path = os.fspath(recipe)

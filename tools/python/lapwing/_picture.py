@@ -7,7 +7,7 @@ from typing import Any, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from ._arguments import mesh_of
+from ._arguments import Array, mesh_of
 
 
 def render(
@@ -15,6 +15,7 @@ def render(
     faces: Any = None,
     *,
     values: Any = None,
+    limits: Optional[Tuple[float, float]] = None,
     legend: str = "",
     size: Tuple[int, int] = (640, 480),
     view: str = "three-quarter",
@@ -25,10 +26,11 @@ def render(
     wireframe: bool = False,
     flat: bool = False,
     device: str = "auto",
-) -> np.ndarray:
+) -> Array:
     """A picture of a mesh, (height, width, 4) uint8, as `matplotlib.pyplot.imshow` shows it.
 
-    `values`, one per vertex, colour it beside a legend; NaN has no colour. `view` is
+    `values`, one per vertex, colour it beside a legend that goes over `limits`, by default from the
+    least value to the largest; NaN has no colour. `view` is
     "three-quarter", "front", "back", "left", "right", "top" or "bottom"; `from_` is a direction to
     the eye in its place. Needs Vulkan, for which Mesa's software device will do: DeviceError says
     what to install.
@@ -40,4 +42,4 @@ def render(
         orthographic=orthographic, wireframe=wireframe, flat=flat,
     )  # fmt: skip
     numbers = None if values is None else np.asarray(values, dtype=np.float32).ravel()
-    return _core.render(chosen, numbers, legend, picture, device)
+    return _core.render(chosen, numbers, limits, legend, picture, device)

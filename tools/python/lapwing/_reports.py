@@ -6,10 +6,8 @@ import json
 from dataclasses import dataclass
 from typing import Any, Dict, List, Optional, Sequence
 
-import numpy as np
-
 from . import _core
-from ._arguments import mesh_of, plain, region_of
+from ._arguments import Array, mesh_of, plain, region_of
 from ._operations import Progress
 
 
@@ -24,7 +22,7 @@ class Defect:
     meaning: str
     next_step: str
     element: str  #: what `first` names: "vertex", "face", "edge", "component", "mesh"
-    first: np.ndarray  #: the first of them, ascending; an edge is two vertices
+    first: Array  #: the first of them, ascending; an edge is two vertices
     fixable: bool  #: `fix` leaves none of it
 
 
@@ -44,10 +42,10 @@ class Fixed:
 
     mesh: _core.Mesh
     repairs: Dict[str, int]  #: what was done, and how often
-    vertex_sources: np.ndarray  #: the old number of each vertex
+    vertex_sources: Array  #: the old number of each vertex
 
     @property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Array:
         return self.mesh.vertices
 
     @property
@@ -60,14 +58,14 @@ class Peeled:
     """What `peel` made."""
 
     mesh: _core.Mesh  #: smooth
-    coating: np.ndarray  #: (n, 3), from the smooth surface to the one given
-    moved: np.ndarray  #: the vertices that may have moved
+    coating: Array  #: (n, 3), from the smooth surface to the one given
+    moved: Array  #: the vertices that may have moved
     mean_coating: float
     largest_coating: float
     warnings: List[str]
 
     @property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Array:
         return self.mesh.vertices
 
 
@@ -76,14 +74,14 @@ class Remeshed:
     """What `remesh` made."""
 
     mesh: _core.Mesh
-    kept: np.ndarray  #: the old number of each vertex that was kept, 2**32 - 1 of a new one
-    region: np.ndarray  #: the vertices of the region, as it is now
+    kept: Array  #: the old number of each vertex that was kept, 2**32 - 1 of a new one
+    region: Array  #: the vertices of the region, as it is now
     mean_edge: float
     smallest_angle_degrees: float
     warnings: List[str]
 
     @property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Array:
         return self.mesh.vertices
 
     @property
@@ -96,11 +94,13 @@ class Parameterized:
     """What `parameterize` made."""
 
     mesh: _core.Mesh  #: the one given with texture coordinates
-    points: np.ndarray  #: (p, 2), in the disk or square, per vertex of the patch
-    patch_vertices: np.ndarray  #: (p,), the vertex of the mesh that each is
-    patch_faces: np.ndarray  #: (t, 3), into the patch's own vertices
-    pins: np.ndarray
-    flipped: np.ndarray  #: triangles of the patch
+    #: (p, 2), in the disk or square: of the patch's vertices, then of the midpoints of edges that
+    #: had to be halved
+    points: Array
+    patch_vertices: Array  #: the vertex of the mesh that each is, without the midpoints
+    patch_faces: Array  #: (t, 3), into the points
+    pins: Array
+    flipped: Array  #: triangles of the patch
     stretch: float  #: 1 keeps lengths
     shear: float  #: 1 keeps angles
     warnings: List[str]

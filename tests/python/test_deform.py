@@ -1,0 +1,157 @@
+"""A deform from Python: its values, and that it is the command line's."""
+
+import inspect
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import lapwing
+from conftest import ARM, HAND, run, turned
+from lapwing import _core
+
+
+def test_a_still_handle_keeps_every_bit(tube, ends):
+    result = lapwing.deform(tube, belt=ends[0], handles=[(ends[1], np.eye(4))])
+    assert (result.vertices == tube.vertices).all()
+    assert (result.rotations == np.eye(3)).all()
+
+
+def test_a_turn_of_all_that_is_held_turns_the_surface(tube, ends):
+    both = turned(40.0, [1.0, 2.0, 3.0])
+    result = lapwing.deform(tube, belt=[], handles=[(ends[0], both), (ends[1], both)])
+    expected = tube.vertices @ both[:3, :3].T + both[:3, 3]
+    assert np.abs(result.vertices - expected).max() < 1e-6
+    assert np.abs(result.rotations - both[:3, :3]).max() < 1e-4
+
+
+def test_regions_are_masks_lists_or_those_of_recipes(tube, ends):
+    move = turned(20.0)
+    mask = np.isin(np.arange(tube.vertex_count), ends[1])
+    results = [
+        lapwing.deform(tube, belt=ends[0], handles=[(hand, move)]).vertices
+        for hand in (mask, ends[1], ends[1].tolist(), {"vertices": ends[1]})
+    ]
+    for other in results[1:]:
+        assert (other == results[0]).all()
+
+
+def test_targets_are_rows_or_a_dict(tube, ends):
+    place = tube.vertices[ends[1][0]] + [0.3, 0.0, 0.1]
+    rows = np.array([[ends[1][0], *place]])
+    by_rows = lapwing.deform(tube, belt=ends[0], targets=rows)
+    by_dict = lapwing.deform(tube, belt=ends[0], targets={ends[1][0]: place})
+    assert (by_rows.vertices == by_dict.vertices).all()
+    assert by_rows.certificate.target_error < 0.3
+
+
+def test_one_edit_has_the_same_bits_from_python_and_from_the_command_line(
+    scan_file, scan, cli, tmp_path
+):
+    save = tmp_path / "raised.off"
+    run([cli, "deform", scan_file, "--roi", "disk:969,72", "--handle", "disk:969,27",
+         "--translate=-5,13,2", "--rotate", "0,0,1,35", "--device", "cpu", "--save", save])  # fmt: skip
+    move = {"translate": [-5, 13, 2], "rotate": {"axis": [0, 0, 1], "degrees": 35}}
+    result = lapwing.deform(scan, roi=ARM, handles=[(HAND, move)])
+    assert (result.vertices == lapwing.read(save).vertices).all()
+    assert result.certificate.settled and result.warnings == []
+
+
+def test_polygons_and_what_a_file_has_come_back(tmp_path):
+    (tmp_path / "a.obj").write_text(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
+        "vt 0 0\nvt 1 1\nf 1/1 2/1 3/2 4/2\nf 2/1 5/1 6/2\nf 2/1 6/2 3/2\n"
+    )
+    mesh = lapwing.read(tmp_path / "a.obj")
+    result = lapwing.deform(mesh, belt=[0, 3], handles=[([4, 5], {"translate": [0, 0, 0.5]})])
+    assert [len(face) for face in result.faces] == [4, 3, 3]
+    assert lapwing.write(tmp_path / "b.obj", result) == []
+    assert "vt 1 1" in (tmp_path / "b.obj").read_text()
+
+
+def test_every_key_of_an_operation_is_a_parameter():
+    for op in ("deform", "coat", "mix", "transplant"):
+        parameters = inspect.signature(getattr(lapwing, op)).parameters
+        keys = {line.split("`")[1] for line in _core.key_table(op).splitlines() if "`" in line}
+        for key in keys - {"carry"}:
+            if "." not in key:
+                assert key in parameters, f"{op} has no parameter {key}"
+
+
+def test_progress_is_told_and_can_cancel(scan):
+    stages = []
+    lapwing.deform(
+        scan, handles=[(HAND, turned(30.0))], progress=lambda stage, share: stages.append(stage)
+    )
+    assert stages
+    with pytest.raises(lapwing.Error, match="cancelled"):
+        lapwing.deform(scan, handles=[(HAND, turned(30.0))], progress=lambda *_: False)
+
+
+def test_an_error_in_progress_comes_out(scan):
+    def fail(stage, share):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        lapwing.deform(scan, handles=[(HAND, turned(30.0))], progress=fail)
+
+
+def test_ctrl_c_cancels(scan):
+    deformer = lapwing.Deformer(scan, roi=ARM, handles=[HAND])
+    motions = np.tile(turned(30.0), (1000, 1, 1, 1))
+    timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        deformer.solve_many(motions)
+    timer.join()
+
+
+def test_python_goes_on_while_the_engine_computes(scan):
+    # Were the lock held, the other thread would wake once after the call, not during it.
+    done = threading.Event()
+    woken = 0
+
+    def compute():
+        lapwing.deform(scan, handles=[(HAND, turned(60.0))])
+        done.set()
+
+    thread = threading.Thread(target=compute)
+    thread.start()
+    while not done.is_set():
+        time.sleep(0.001)
+        woken += 1
+    thread.join()
+    assert woken > 3
+
+
+def test_eight_threads_are_inside_at_once_and_right(scan):
+    inside = threading.Barrier(8, timeout=120)
+
+    def solve(k, results, progress=None):
+        move = turned(5.0 * (k + 1))
+        results[k] = lapwing.deform(scan, roi=ARM, handles=[(HAND, move)], progress=progress).vertices
+
+    alone, together = [None] * 8, [None] * 8
+    for k in range(8):
+        solve(k, alone)
+    waited = [False] * 8
+
+    def meet_first(k):
+        def progress(stage, share):
+            if not waited[k]:
+                waited[k] = True
+                inside.wait()
+
+        return progress
+
+    threads = [threading.Thread(target=solve, args=(k, together, meet_first(k))) for k in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(waited)
+    for one, other in zip(alone, together):
+        assert (one == other).all()

@@ -1,0 +1,146 @@
+"""The other operations, and recipes, on arrays."""
+
+import json
+
+import numpy as np
+import pytest
+
+import lapwing
+from conftest import run, turned
+
+
+@pytest.fixture(scope="module")
+def sheet():
+    """A square of 21 x 21 vertices with hills."""
+    return lapwing.remesh(lapwing.shape("bumpy-plane"), scale=4.0).mesh
+
+
+def test_peel_takes_off_what_puts_the_surface_back(sheet):
+    peeled = lapwing.peel(sheet, detail_size=0.2)
+    assert np.abs(peeled.vertices + peeled.coating - sheet.vertices).max() < 1e-12
+    assert peeled.mean_coating > 0.0 and peeled.moved.size > 0
+
+
+def test_remesh_and_parameterize(sheet):
+    finer = lapwing.remesh(sheet, scale=0.5)
+    assert finer.mesh.vertex_count > 3 * sheet.vertex_count
+    flat = lapwing.parameterize(finer.mesh, domain="square")
+    assert len(flat.points) >= flat.patch_vertices.size and flat.patch_faces.max() < len(flat.points)
+    assert flat.points.min() >= 0.0 and flat.points.max() <= 1.0 and flat.flipped.size == 0
+
+
+def test_a_coat_of_its_own_detail_changes_little(sheet):
+    middle = {"disk": {"near": [0.5, 0.5, 0.0], "radius": 0.4}}
+    coated = lapwing.coat(
+        sheet, target_patch=middle, source_patch=middle, detail_size=0.1, smooth_target=0.1,
+        remesh="none",
+    )  # fmt: skip
+    assert coated.mesh.vertex_count == sheet.vertex_count
+    assert np.abs(coated.vertices - sheet.vertices).max() < 0.1
+
+
+def test_a_coat_from_another_mesh_is_that_of_the_command_line(sheet, cli, tmp_path):
+    source = lapwing.remesh(lapwing.shape("bumpy-plane"), scale=3.0).mesh
+    lapwing.write(tmp_path / "target.off", sheet)
+    lapwing.write(tmp_path / "source.off", source)
+    run([cli, "coat", tmp_path / "target.off", "--source", tmp_path / "source.off",
+         "--target-patch", "all", "--detail-size", "0.1", "--no-remesh", "--device", "cpu",
+         "--save", tmp_path / "coated.off"])  # fmt: skip
+    coated = lapwing.coat(sheet, source, target_patch="all", detail_size=0.1, remesh="none")
+    assert (coated.vertices == lapwing.read(tmp_path / "coated.off").vertices).all()
+
+
+def test_a_mix_by_a_painted_share(sheet):
+    share = np.linspace(0.0, 1.0, sheet.vertex_count)
+    other = lapwing.remesh(lapwing.shape("bumpy-plane"), scale=3.0).mesh
+    mixed = lapwing.mix(
+        sheet,
+        [{"patch": "all", "detail_size": 0.1}, {"mesh": other, "patch": "all", "detail_size": 0.1}],
+        target_patch="all", weight=share, remesh="none",
+    )  # fmt: skip
+    assert np.isfinite(mixed.vertices).all()
+    with pytest.raises(lapwing.InputError, match=r"sources\[0\]: expected a dict"):
+        lapwing.mix(sheet, [sheet, other], target_patch="all", weight=share)
+
+
+def test_a_transplant_has_the_hosts_vertices_first():
+    host = lapwing.shape("sphere")
+    part = lapwing.shape("torus")
+    hole = {"disk": {"near": [0, 0, 2], "radius": 0.5}}
+    piece = {"disk": {"near": [9, 0, 0], "radius": 0.3}}
+    joined = lapwing.transplant(host, part, target_region=hole, part_region=piece)
+    kept = [v.tolist() for v in host.vertices if v[2] < 0.0]
+    assert [v.tolist() for v in joined.vertices[: len(host.vertices)] if v[2] < 0.0] == kept
+    assert lapwing.check(joined).statistics["boundary_loops"] == 0
+    with pytest.raises(lapwing.InputError, match="give a part, a part_region"):
+        lapwing.transplant(host, target_region=hole)
+
+
+def test_check_and_fix():
+    corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0], [5, 5, 5]]
+    found = lapwing.check(corners, [[0, 1, 2], [3, 4, 5]])
+    kinds = {defect.kind: defect for defect in found.defects}
+    assert found.has_problems and kinds["loose_vertex"].first.tolist() == [6]
+    assert kinds["unwelded_seam"].severity == "warning"
+    fixed = lapwing.fix(corners, [[0, 1, 2], [3, 4, 5]])
+    assert fixed.repairs["removed_loose_vertices"] == 1 and fixed.mesh.vertex_count == 4
+    assert fixed.vertex_sources.tolist() == [0, 1, 2, 5]
+
+
+def recipe_of(tube, ends):
+    return {
+        "lapwing": 1,
+        "mesh": "tube",
+        "steps": [
+            {"op": "deform", "roi": "all", "belt": ends[0], "handles": [(ends[1], turned(25.0))]}
+        ],
+    }  # fmt: skip
+
+
+def test_a_recipe_runs_on_meshes_in_memory(tube, ends):
+    result = lapwing.run(recipe_of(tube, ends), {"tube": tube})
+    same = lapwing.deform(tube, belt=ends[0], handles=[(ends[1], turned(25.0))])
+    assert (result.vertices == same.vertices).all()
+    assert json.loads(result.report_json)["steps"][0]["op"] == "deform"
+
+
+def test_a_recipe_runs_from_its_file_and_saves_when_asked(tube, ends, tmp_path):
+    lapwing.write(tmp_path / "tube.off", tube)
+    recipe = recipe_of(tube, ends)
+    step = recipe["steps"][0]
+    step["roi"] = {"all": True}
+    step["belt"] = {"vertices": ends[0].tolist()}
+    step["handles"] = [
+        {"region": {"vertices": ends[1].tolist()}, "move": {"matrix": turned(25.0).ravel().tolist()}}
+    ]
+    (tmp_path / "bend.json").write_text(json.dumps({**recipe, "mesh": "tube.off", "save": "bent.off"}))
+    result = lapwing.run(tmp_path / "bend.json")
+    assert not (tmp_path / "bent.off").exists()
+    lapwing.run(tmp_path / "bend.json", save=True)
+    assert (lapwing.read(tmp_path / "bent.off").vertices == result.vertices).all()
+
+
+def test_recipes_that_cannot_be_name_the_place(tube, ends, tmp_path):
+    recipe = recipe_of(tube, ends)
+    with pytest.raises(lapwing.InputError, match="is no mesh format"):
+        lapwing.run(recipe)
+    with pytest.raises(lapwing.FileError, match="tube.obj"):
+        lapwing.run({**recipe, "mesh": "tube.obj"})
+    recipe["steps"][0]["roy"] = "all"
+    with pytest.raises(lapwing.InputError, match="recipe: /steps/0/roy: unknown key"):
+        lapwing.run(recipe, {"tube": tube})
+    with pytest.raises(lapwing.FileError, match="nowhere.json"):
+        lapwing.run(tmp_path / "nowhere.json")
+
+
+def test_pictures_are_arrays(tube):
+    picture = lapwing.render(tube, size=(160, 120), up="z")
+    assert picture.shape == (120, 160, 4) and picture.dtype == np.uint8
+    assert (picture[0, 0] == 255).all() and (picture != 255).any()
+    colored = lapwing.render(tube, values=tube.vertices[:, 2], legend="height", size=(160, 120))
+    assert (colored != picture).any()
+    for wrong in (dict(values=[1.0]), dict(view="inside"), dict(up="x"), dict(from_=[0, 1, 0])):
+        with pytest.raises(lapwing.InputError):
+            lapwing.render(tube, **wrong)
+    with pytest.raises(lapwing.DeviceError):
+        lapwing.render(tube, device="no such device")
