@@ -5,6 +5,7 @@
 #include "lapwing/coating/peel.h"
 #include "lapwing/deform/carried.h"
 #include "lapwing/deform/deform.h"
+#include "lapwing/deform/prepared_deform.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/parameterize/parameterize.h"
 #include "lapwing/remesh/remesh.h"

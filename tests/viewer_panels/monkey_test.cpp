@@ -80,8 +80,7 @@ class MonkeyTest : public ::testing::TestWithParam<std::uint64_t> {
     const AppState& state = editor().state();
     const Draft draft = draft_of(state);
     const Draft written = journalled().value_or(Draft{});
-    EXPECT_EQ(written, draft) << "journal and history:\n"
-                              << in_words(written) << in_words(draft);
+    EXPECT_EQ(written, draft) << "journal and history:\n" << in_words(written) << in_words(draft);
     for (const Eigen::Vector3d& position : editor().positions()) {
       ASSERT_TRUE(position.allFinite());
     }

@@ -1,5 +1,6 @@
 #include "state/command.h"
 
+#include <limits>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -124,6 +125,25 @@ TEST(Command, ParametersThatNoRecipeCouldSayAreRefused) {
         EditParameters{{.settle = SettleOptions{.max_iterations = 0}}}}) {
     EXPECT_THROW(apply(state, SetParameters{parameters}), InputError);
   }
+}
+
+TEST(Command, MovesThatNoRecipeCouldSayAreRefused) {
+  const AppState state = chosen_tube();
+  SimilarityMove without_axis;
+  without_axis.rotate.axis.setZero();
+  MatrixMove endless;
+  endless.matrix(1, 3) = std::numeric_limits<double>::quiet_NaN();
+  for (const Move& move : {Move(without_axis), Move(endless), Move(SimilarityMove{.scale = 0.0})}) {
+    EXPECT_THROW(apply(state, MoveHandle{0, move}), InputError);
+  }
+}
+
+TEST(Command, AHandleThatIsMirroredIsNotMovedInParts) {
+  MatrixMove mirrored;
+  mirrored.matrix(0, 0) = -1e-12;
+  const SetParameters in_parts{{.commit_every = 90.0}};
+  EXPECT_THROW(apply(apply(chosen_tube(), in_parts), MoveHandle{0, mirrored}), InputError);
+  EXPECT_THROW(apply(apply(chosen_tube(), MoveHandle{0, mirrored}), in_parts), InputError);
 }
 
 TEST(Command, ABeltOfAnotherWidthAsksForAResultOfTheSameMove) {

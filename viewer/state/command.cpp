@@ -238,6 +238,7 @@ struct Applier {
   void operator()(const MoveHandle& command) const {
     require_handle(state, command.handle);
     if (state.moves[command.handle] == command.move) return;
+    require_valid(command.move, state.parameters);
     state.moves[command.handle] = command.move;
     state.settled = nullptr;
   }
@@ -262,6 +263,7 @@ struct Applier {
     if (state.parameters == command.parameters) return;
     // What a recipe could not say must not come into the state: it could not be restored.
     require_valid(command.parameters);
+    for (const Move& move : state.moves) require_valid(move, command.parameters);
     const SeamPolicy before = std::exchange(state.parameters, command.parameters).seams;
     if (state.parameters.seams != before) choose_seams_anew(state);
     state.settled = nullptr;

@@ -14,6 +14,9 @@
 namespace lapwing {
 namespace {
 
+constexpr const char* kMirrorsInParts =
+    "a matrix that mirrors cannot be carried out in parts; leave out \"commit_every\"";
+
 class Validation final : public KeyVisitor {
  public:
   void number(const StepKey& key, double& value, const Range& range) override {
@@ -151,8 +154,7 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
   // Between a handle and its mirror image there is no motion that a part could be.
   for (std::size_t k = 0; k < step.handles.size() && step.parameters.commit_every; ++k) {
     visitor.require(!mirrors(step.handles[k].move), "handles/" + std::to_string(k) + "/move/matrix",
-                    "a matrix that mirrors cannot be carried out in parts; leave out "
-                    "\"commit_every\"");
+                    kMirrorsInParts);
   }
 }
 
@@ -197,6 +199,25 @@ StepReport run_step(const DeformRequest& step, const StepRun& on) {
 void require_valid(DeformParameters parameters) {
   Validation validation;
   describe(parameters, validation);
+}
+
+void require_valid(const Move& move, const DeformParameters& parameters) {
+  if (const auto* similarity = std::get_if<SimilarityMove>(&move)) {
+    const auto& [translate, rotate, scale, pivot] = *similarity;
+    const bool finite = translate.allFinite() && rotate.axis.allFinite() &&
+                        std::isfinite(rotate.degrees) && std::isfinite(scale) &&
+                        (!pivot || pivot->allFinite());
+    if (!finite) throw InputError("move: a number is not finite; move the handle less");
+    if (!(scale > 0.0)) throw InputError("move: the scale must be above 0; a matrix can mirror");
+    if (!(rotate.axis.norm() > 0.0)) {
+      throw InputError("move: the axis has no length; name a direction");
+    }
+  } else if (!std::get<MatrixMove>(move).matrix.allFinite()) {
+    throw InputError("move: a number is not finite; move the handle less");
+  }
+  if (parameters.commit_every && mirrors(move)) {
+    throw InputError(std::string("move: ") + kMirrorsInParts);
+  }
 }
 
 }  // namespace lapwing

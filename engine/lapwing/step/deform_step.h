@@ -19,5 +19,7 @@ void describe(LaplacianWeights& weights, KeyVisitor& visitor);
 
 /// Throws InputError, naming the key and what it takes, for a number that a recipe would refuse.
 void require_valid(DeformParameters parameters);
+/// Likewise of a handle's move, or for one that does not go with the parameters.
+void require_valid(const Move& move, const DeformParameters& parameters);
 
 }  // namespace lapwing
