@@ -236,7 +236,7 @@ class APreparedCoat : public RunMix {
   PreparedCoat prepare(const CoatStep& step, const Mesh& mesh) {
     return {{step.source, step.target_patch, step.parameters},
             mesh,
-            read_source_meshes({&step.source, 1}, folder_.path()).front(),
+            read_source_meshes({&step.source, 1}, folder_.path(), {}).front(),
             cpu_};
   }
 };

@@ -122,7 +122,7 @@ TEST_F(RunRecipe, SecondStepOnTheSameRoiOrdersNothingAnewAndGivesTheSameBits) {
   const Step alone = parse_recipe(R"({"lapwing": 1, "mesh": "tube.obj", "steps": [)" + other + "]}",
                                   folder_.path(), "test")
                          .steps[0];
-  run_step(alone, {2, folder_.path(), kernels_, {}, *once});
+  run_step(alone, {2, folder_.path(), kernels_, {}, *once, {}});
   EXPECT_EQ(both->mesh.positions, once->mesh.positions);
 }
 

@@ -36,7 +36,7 @@ CarriedOut apply_step(const AppState& state, const Step& step,
   result.carried = carried_at_rest(committed.carried);
   CarriedOut out;
   out.report =
-      run_step(step, {committed.steps.size() + 1, base_directory, kernels, progress, result});
+      run_step(step, {committed.steps.size() + 1, base_directory, kernels, progress, result, {}});
   out.warnings = std::move(result.report.warnings);
   const std::vector<std::string>& notes = result.report.notes;
   out.warnings.insert(out.warnings.end(), notes.begin(), notes.end());

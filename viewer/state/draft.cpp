@@ -85,7 +85,7 @@ std::shared_ptr<const MovedVertices> solve_open_step(const AppState& state, Kern
   result.mesh = *state.rest;
   result.carried = carried_at_rest(state.carried);
   StepReport report =
-      run_step(open_step(state), {state.steps.size() + 1, {}, kernels, progress, result});
+      run_step(open_step(state), {state.steps.size() + 1, {}, kernels, progress, result, {}});
   MovedVertices moved = moved_vertices(state.rest->positions, result.mesh.positions);
   if (any_follows(state.carried)) moved.carried = share(std::move(result.carried));
   moved.certificate = std::make_shared<const Certificate>(std::move(report.deform->certificate));

@@ -136,8 +136,8 @@ LayerPreview::Result LayerPreview::prepared(const Wanted& wanted,
   auto result = std::make_shared<Prepared>(Prepared{kernels, wanted.target, wanted.draft, nullptr});
   report_progress(progress, "source", 0.0);
   result->layers = std::make_unique<LayeredCoat>(
-      layered(result->draft), *result->target, read_source_meshes(result->draft.all_sources(), ""),
-      *kernels, progress);
+      layered(result->draft), *result->target,
+      read_source_meshes(result->draft.all_sources(), "", {}), *kernels, progress);
   return result;
 }
 

@@ -28,12 +28,14 @@ std::vector<std::string> doctor_warnings(const CheckReport& report) {
   return warnings;
 }
 
-void load_mesh(const Recipe& recipe, const Progress& progress, RunResult& result) {
+void load_mesh(const Recipe& recipe, const MeshShelf& meshes, const Progress& progress,
+               RunResult& result) {
   RunReport& report = result.report;
   const auto path = recipe.mesh_path();
   report.mesh = path.lexically_normal().string();
   result.inputs.push_back(path);
-  stage("read", report.timings, progress, [&] { result.mesh = read_mesh(path); });
+  stage("read", report.timings, progress,
+        [&] { result.mesh = *meshes.mesh(recipe.base_directory, recipe.mesh); });
   result.original = result.mesh.positions;
   stage("topology", report.timings, progress, [&] { result.mesh.topology(); });
   stage("check", report.timings, progress, [&] {
@@ -95,12 +97,14 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress, const RunOptions& options) {
   auto result = std::make_unique<RunResult>();
   result->report.device = kernels.device();
-  load_mesh(recipe, progress, *result);
+  const MeshShelf files;
+  const MeshShelf& meshes = options.meshes != nullptr ? *options.meshes : files;
+  load_mesh(recipe, meshes, progress, *result);
   for (const Step& step : recipe.steps) {
     const std::size_t number = result->report.steps.size() + 1;
     const Mesh before = options.measure_vertices ? result->mesh : Mesh();
     result->report.steps.push_back(
-        run_step(step, {number, recipe.base_directory, kernels, progress, *result}));
+        run_step(step, {number, recipe.base_directory, kernels, progress, *result, meshes}));
     StepReport& report = result->report.steps.back();
     if (!options.measure_vertices || !before.shares_faces_with(result->mesh)) continue;
     stage("measure_vertices", report.timings, progress, [&] {

@@ -9,9 +9,11 @@ namespace lapwing {
 struct RunOptions {
   /// Fills in StepReport::vertices, but for steps that changed the triangles.
   bool measure_vertices = false;
+  /// Where the recipe's meshes come from; null: from files alone.
+  const MeshShelf* meshes = nullptr;
 };
 
-/// Reads the recipe's mesh, examines it, and carries the steps out one after the other on
+/// Takes the recipe's mesh, examines it, and carries the steps out one after the other on
 /// `kernels`, which must outlive the result. A step with "commit_every" is carried out in parts,
 /// all handles together; one that turns a handle too far without it is warned about. Writes
 /// nothing. Each step ends certified; a step that fails throws what `Deformer`,

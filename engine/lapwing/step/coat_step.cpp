@@ -2,7 +2,6 @@
 
 #include "lapwing/base/stage.h"
 #include "lapwing/coating/prepared_coat.h"
-#include "lapwing/io/mesh_file.h"
 #include "lapwing/step/deform_step.h"
 #include "lapwing/step/key_visitor.h"
 #include "lapwing/step/step_run.h"
@@ -85,7 +84,7 @@ std::vector<SharedSource> read_sources(std::span<const FileSource> sources, cons
                                        StageTimings& timings) {
   std::vector<SharedSource> meshes;
   stage("source", timings, on.progress,
-        [&] { meshes = read_source_meshes(sources, on.base_directory); });
+        [&] { meshes = read_source_meshes(sources, on.base_directory, on.meshes); });
   for (const FileSource& source : sources) {
     if (!source.mesh.empty()) on.result.inputs.push_back(on.base_directory / source.mesh);
   }
@@ -228,14 +227,13 @@ void describe(MixStep& step, KeyVisitor& visitor) {
 }
 
 std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources,
-                                             const std::filesystem::path& base_directory) {
-  std::vector<SharedSource> meshes;
+                                             const std::filesystem::path& base_directory,
+                                             const MeshShelf& meshes) {
+  std::vector<SharedSource> all;
   for (const FileSource& source : sources) {
-    meshes.push_back(source.mesh.empty()
-                         ? nullptr
-                         : std::make_shared<const Mesh>(read_mesh(base_directory / source.mesh)));
+    all.push_back(source.mesh.empty() ? nullptr : meshes.mesh(base_directory, source.mesh));
   }
-  return meshes;
+  return all;
 }
 
 StepReport run_step(const CoatStep& step, const StepRun& on) {

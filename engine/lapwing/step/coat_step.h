@@ -7,6 +7,7 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/coating/coat_request.h"
 #include "lapwing/coating/layered_coat.h"
+#include "lapwing/step/mesh_shelf.h"
 #include "lapwing/step/operation_words.h"
 
 namespace lapwing {
@@ -44,9 +45,10 @@ void describe(CoatOptions& options, KeyVisitor& visitor);
 void describe(Transition& transition, KeyVisitor& visitor);
 void describe(FileSource& source, KeyVisitor& visitor);
 
-/// The meshes of `sources`, null for one without a file; looked for in `base_directory`. Throws
-/// what `read_mesh` does.
+/// The meshes of `sources`, as `meshes` has them for a recipe in `base_directory`; null for one
+/// without a file. Throws what `read_mesh` does.
 std::vector<SharedSource> read_source_meshes(std::span<const FileSource> sources,
-                                             const std::filesystem::path& base_directory);
+                                             const std::filesystem::path& base_directory,
+                                             const MeshShelf& meshes);
 
 }  // namespace lapwing

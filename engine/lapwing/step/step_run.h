@@ -10,6 +10,7 @@
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
 #include "lapwing/step/carried_file.h"
+#include "lapwing/step/mesh_shelf.h"
 #include "lapwing/step/run_report.h"
 
 namespace lapwing {
@@ -45,6 +46,7 @@ struct StepRun {
   Kernels& kernels;
   const Progress& progress;
   RunResult& result;
+  const MeshShelf& meshes;  ///< where those that it names come from
 };
 
 }  // namespace lapwing

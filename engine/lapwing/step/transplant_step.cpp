@@ -1,7 +1,6 @@
 #include "lapwing/step/transplant_step.h"
 
 #include "lapwing/base/stage.h"
-#include "lapwing/io/mesh_file.h"
 #include "lapwing/step/coat_step.h"
 #include "lapwing/step/deform_step.h"
 #include "lapwing/step/key_visitor.h"
@@ -72,18 +71,18 @@ void describe(TransplantStep& step, KeyVisitor& visitor) {
   describe(step.parameters, visitor);
 }
 
-std::optional<Mesh> read_part_mesh(const TransplantStep& step,
-                                   const std::filesystem::path& base_directory) {
-  if (step.part.empty()) return std::nullopt;
-  return read_mesh(base_directory / step.part);
+std::shared_ptr<const Mesh> read_part_mesh(const TransplantStep& step,
+                                           const std::filesystem::path& base_directory,
+                                           const MeshShelf& meshes) {
+  return step.part.empty() ? nullptr : meshes.mesh(base_directory, step.part);
 }
 
 StepReport run_step(const TransplantStep& step, const StepRun& on) {
   RunResult& result = on.result;
   StepReport report;
-  std::optional<Mesh> read;
+  std::shared_ptr<const Mesh> read;
   stage("part", report.timings, on.progress,
-        [&] { read = read_part_mesh(step, on.base_directory); });
+        [&] { read = read_part_mesh(step, on.base_directory, on.meshes); });
   if (read) result.inputs.push_back(on.base_directory / step.part);
   const Mesh& part = read ? *read : result.mesh;
   const std::string name = read ? step.part.stem().string() : "part";

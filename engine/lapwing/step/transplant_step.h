@@ -1,9 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 
 #include "lapwing/mesh/mesh.h"
+#include "lapwing/step/mesh_shelf.h"
 #include "lapwing/step/operation_words.h"
 #include "lapwing/transplant/transplant_request.h"
 
@@ -26,9 +27,10 @@ StepReport run_step(const TransplantStep& step, const StepRun& on);
 /// The keys that panels show.
 void describe(TransplantParameters& parameters, KeyVisitor& visitor);
 
-/// The mesh that the part of `step` is or is cut from; none where that is the mesh itself. Throws
-/// what `read_mesh` does.
-std::optional<Mesh> read_part_mesh(const TransplantStep& step,
-                                   const std::filesystem::path& base_directory);
+/// The mesh that the part of `step` is or is cut from, as `meshes` has it for a recipe in
+/// `base_directory`; null where that is the mesh itself. Throws what `read_mesh` does.
+std::shared_ptr<const Mesh> read_part_mesh(const TransplantStep& step,
+                                           const std::filesystem::path& base_directory,
+                                           const MeshShelf& meshes);
 
 }  // namespace lapwing

@@ -70,7 +70,7 @@ void measure_step(BenchRun& run, const Subject& subject, const std::string& stag
     run.measure(
         stage, kLapwing, device, subject,
         [&] {
-          run_step(step, {1, "", *device.kernels, {}, result});
+          run_step(step, {1, "", *device.kernels, {}, result, {}});
         },
         [&] {
           result = {};

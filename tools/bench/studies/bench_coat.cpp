@@ -352,7 +352,7 @@ void CoatBenchRun::measure_steps(Kernels& kernels, bool smooth_target) {
     result.mesh = pair_.target.mesh;
     result.original = result.mesh.positions;
     const Stopwatch watch;
-    const StepReport report = run_step(coat, {1, "", kernels, {}, result});
+    const StepReport report = run_step(coat, {1, "", kernels, {}, result, {}});
     double whole = watch.elapsed_ms();
     const Samples system_now = measure_cold(1, [&] { factor_system(); });
     const Samples maps_now = measure_cold(1, [&] { solve_maps(); });
