@@ -64,6 +64,32 @@ TEST_F(DeformInMemory, AWorkspaceServesOneRequestAfterAnother) {
   EXPECT_EQ(twice.positions, deform(once, on).mesh.positions);
 }
 
+// Motions under which settling goes every way there is: by the tangent, and where that cannot be
+// had.
+TEST_F(DeformInMemory, WhatAWorkspaceSolvedBeforeMakesNoDifferenceToTheBits) {
+  CpuKernels kernels;
+  DeformWorkspace workspace;
+  for (int round = 0; round < 2; ++round) {
+    for (const DeformRequest& each :
+         {request({0.5, 0.0, 0.0}, 0.0), request({0.0, 0.0, -4.0}, 10.0),
+          request({0.0, 0.0, -2.0}, 170.0), request({0.0, 0.3, 0.0}, 20.0),
+          request(Vector3d::Zero(), 0.0), request({2.0, 0.0, -9.0}, 175.0)}) {
+      EXPECT_TRUE(same_bits(deform(mesh_, each, kernels, workspace).mesh.positions,
+                            deform(mesh_, each).mesh.positions));
+    }
+  }
+}
+
+TEST_F(DeformInMemory, OnlyTheFirstOfTwoThatMoveDifferentlyPrepares) {
+  CpuKernels kernels;
+  DeformWorkspace workspace;
+  const auto stages = [&](const DeformRequest& each) {
+    return deform(mesh_, each, kernels, workspace).timings.stages().size();
+  };
+  EXPECT_GT(stages(request({0.5, 0.0, 0.0}, 0.0)), 6U);
+  EXPECT_EQ(stages(request({0.0, 0.3, 0.0}, 20.0)), 2U) << "region and solve";
+}
+
 TEST_F(DeformInMemory, MovesARegionOfOneVertex) {
   DeformRequest one;
   one.roi = {ListedVertices{{130}}};

@@ -38,14 +38,26 @@ struct Work {
     return region;
   }
 
-  // From share `from` of the motions to share `to`.
-  Certificate carry_out(double from, double to) const {
+  // The last one where it serves.
+  const Deformer& deformer_of(EditRegion region) const {
+    const Positions& rest = result.mesh.positions;
+    const DeformOptions& options = bound.request.parameters;
+    std::optional<Deformer>& deformer = workspace.deformer;
+    if (deformer && deformer->is_of(rest, bound.topology, region, options, kernels)) {
+      return *deformer;
+    }
+    deformer.reset();  // it is large
     if (!workspace.prepared || &workspace.prepared->topology() != &bound.topology) {
       workspace.prepared = std::make_unique<PreparedRegion>(bound.topology);
     }
-    const Deformer deformer(*workspace.prepared, result.mesh.positions, region_at(to),
-                            bound.request.parameters, kernels, progress);
-    for (const auto& [name, ms] : deformer.timings().stages()) result.timings.add(name, ms);
+    deformer.emplace(*workspace.prepared, rest, std::move(region), options, kernels, progress);
+    for (const auto& [name, ms] : deformer->timings().stages()) result.timings.add(name, ms);
+    return *deformer;
+  }
+
+  // From share `from` of the motions to share `to`.
+  Certificate carry_out(double from, double to) const {
+    const Deformer& deformer = deformer_of(region_at(to));
     const std::vector<Eigen::Affine3d> motions = bound.motions(from, to);
     Certificate certificate;
     stage("solve", result.timings, progress, [&] {
@@ -167,7 +179,10 @@ JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& 
   std::optional<JoinedSurface>& joined = workspace.joined;
   const bool was_there = joined && !joined->empty();
   if (!was_there || !joined->is_closed_at(mesh.positions)) {
-    if (was_there) workspace.prepared.reset();  // it may refer to the topology that goes
+    if (was_there) {  // what is prepared may refer to the topology that goes
+      workspace.deformer.reset();
+      workspace.prepared.reset();
+    }
     joined = joined_surface(mesh);
   }
   if (joined->empty()) return nullptr;

@@ -56,6 +56,7 @@ Deformed deform(Mesh mesh, const DeformRequest& request);
 /// What one request leaves for another on the same mesh.
 struct DeformWorkspace {
   std::unique_ptr<PreparedRegion> prepared = {};  ///< for the same ROI
+  std::optional<Deformer> deformer = {};          ///< for all the same but the handles' motions
   std::optional<JoinedSurface> joined = {};       ///< once seams were looked for
 };
 

@@ -64,8 +64,8 @@ void Deformer::State::make_settler(Kernels& on) {
                                           system->systems->pattern(), laplacian, *system->rest,
                                           system->options, *kernels);
   parts = std::make_unique<RegionPartSettler>(*system);
-  settler = std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get(),
-                                      parts.get());
+  settler =
+      std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get(), parts.get());
 }
 
 // The RSI system has none.
@@ -250,6 +250,14 @@ std::vector<double> Deformer::asked_scales(std::span<const Eigen::Affine3d> moti
   const auto lock = s.system->systems->lock();
   s.system->hold_laplacian();
   return s.asked_scales(motions);
+}
+
+bool Deformer::is_of(std::span<const Vector3d> rest, const Topology& topology,
+                     const EditRegion& region, const DeformOptions& options,
+                     const Kernels& kernels) const {
+  const EditSystem& edit = *state_->system;
+  return &edit.topology == &topology && state_->kernels == &kernels && edit.options == options &&
+         edit.region == region && same_bits(*edit.rest, rest);
 }
 
 bool Deformer::is_exact() const {

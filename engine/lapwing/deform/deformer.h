@@ -90,7 +90,7 @@ class Deformer {
 
   /// The same for motions whose rotations came about by `turns`, one per handle, which may be more
   /// than half a turn (TurnTracker follows them): the surface is wound that way, as far as it can
-  /// hold it.
+  /// hold it. What was solved or dragged before makes no difference to the bits.
   DeformResult solve(std::span<const Eigen::Affine3d> motions,
                      std::span<const Eigen::AngleAxisd> turns, const Progress& progress = {}) const;
 
@@ -118,6 +118,10 @@ class Deformer {
 
   /// Forgets what the frames of the last drag have told.
   void begin_drag() const;
+
+  /// Whether another one made from all this would solve to the same bits.
+  bool is_of(std::span<const Eigen::Vector3d> rest, const Topology& topology,
+             const EditRegion& region, const DeformOptions& options, const Kernels& kernels) const;
 
   /// Whether the 3n x 3n system is there. Without it (the region was too large for the memory
   /// limit) the response is a DragPreview's, which is where settling then starts; what it settles

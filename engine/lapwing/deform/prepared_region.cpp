@@ -6,6 +6,10 @@
 
 namespace lapwing {
 
+bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector3d> b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
 bool PreparedRegion::serves(const VertexSet& roi, const Unknowns& unknowns) const {
   return system_ != nullptr && system_->serves(roi, unknowns);
 }
@@ -20,9 +24,7 @@ std::shared_ptr<RegionSystem> PreparedRegion::system_of(const VertexSet& roi,
 }
 
 std::shared_ptr<const Positions> PreparedRegion::copy_of(std::span<const Eigen::Vector3d> rest) {
-  // Bits, since 0 and -0 are not the same rest shape.
-  const bool same = rest_ != nullptr && rest_->size() == rest.size() &&
-                    std::memcmp(rest_->data(), rest.data(), rest.size_bytes()) == 0;
+  const bool same = rest_ != nullptr && same_bits(*rest_, rest);
   if (!same) rest_ = std::make_shared<const Positions>(rest.begin(), rest.end());
   return rest_;
 }

@@ -11,6 +11,9 @@ namespace lapwing {
 
 class RegionSystem;
 
+/// 0 and -0 are not the same rest shape.
+bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector3d> b);
+
 /// What the preparation of an edit leaves for the next one on the same ROI, so that another handle,
 /// belt, constraint weight, Laplacian weights or settle options order and analyze nothing anew:
 ///

@@ -22,12 +22,14 @@ struct LooseAnchor {
   Index vertex = 0;
   std::size_t handle = 0;                                  ///< EditRegion::handles.size() for none
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< without a handle
+  bool operator==(const LooseAnchor&) const = default;
 };
 
 /// A component of the ROI that is not solved for, since too little holds it.
 struct LoosePart {
   VertexSet vertices;
   std::vector<LooseAnchor> anchors;  ///< all on one line
+  bool operator==(const LoosePart&) const = default;
 };
 
 /// What one edit concerns. Vertices of the ROI in neither belt nor handle are free, those that a
@@ -46,6 +48,7 @@ struct EditRegion {
   /// Components of the ROI may turn freely about a line of anchors: nothing firmer is there that
   /// could carry them. They turn as little as they can.
   bool turns_freely = false;
+  bool operator==(const EditRegion&) const = default;
 };
 
 /// Binds what a person chose to a mesh. A belt by fraction leaves handles and targets out, a

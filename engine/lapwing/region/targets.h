@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -46,6 +47,11 @@ struct Target {
   double weight = 1.0;
 
   bool is_vertex() const { return shares[0] == 1.0; }
+  /// To the bit: a hard target's vertex goes to -0 or to 0.
+  bool operator==(const Target& other) const {
+    return corners == other.corners && shares == other.shares && weight == other.weight &&
+           std::memcmp(position.data(), other.position.data(), sizeof position) == 0;
+  }
 };
 
 /// Where its point is on a surface.

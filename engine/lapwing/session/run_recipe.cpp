@@ -9,6 +9,7 @@
 #include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/session/motion_properties.h"
+#include "lapwing/session/recipe_run.h"
 
 namespace lapwing {
 namespace {
@@ -26,27 +27,6 @@ std::vector<std::string> doctor_warnings(const CheckReport& report) {
     warnings.push_back(text + ": " + std::string(info.meaning));
   }
   return warnings;
-}
-
-void load_mesh(const Recipe& recipe, const MeshShelf& meshes, const Progress& progress,
-               RunResult& result) {
-  RunReport& report = result.report;
-  const auto path = recipe.mesh_path();
-  report.mesh = path.lexically_normal().string();
-  result.inputs.push_back(path);
-  stage("read", report.timings, progress,
-        [&] { result.mesh = *meshes.mesh(recipe.base_directory, recipe.mesh); });
-  result.original = result.mesh.positions;
-  stage("topology", report.timings, progress, [&] { result.mesh.topology(); });
-  stage("check", report.timings, progress, [&] {
-    const CheckReport check_report = check(result.mesh);
-    report.warnings = doctor_warnings(check_report);
-    report.components = check_report.statistics.component_sizes.size();
-    report.bounds = check_report.statistics.bounds;
-  });
-  report.vertices = result.mesh.vertex_count();
-  report.faces = result.mesh.face_count();
-  report.triangles = result.mesh.topology().triangles.size();
 }
 
 VertexMeasures measure_vertices(const VertexSet& vertices, const Topology& topology,
@@ -93,18 +73,45 @@ VertexMeasures measure_step(const SomeStep& step, const Positions& before,
 
 }  // namespace
 
+void begin_run(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
+               const Progress& progress, RunResult& result) {
+  RunReport& report = result.report;
+  report.device = kernels.device();
+  const auto path = recipe.mesh_path();
+  report.mesh = path.lexically_normal().string();
+  result.inputs.push_back(path);
+  stage("read", report.timings, progress,
+        [&] { result.mesh = *meshes.mesh(recipe.base_directory, recipe.mesh); });
+  result.original = result.mesh.positions;
+  stage("topology", report.timings, progress, [&] { result.mesh.topology(); });
+  stage("check", report.timings, progress, [&] {
+    const CheckReport check_report = check(result.mesh);
+    report.warnings = doctor_warnings(check_report);
+    report.components = check_report.statistics.component_sizes.size();
+    report.bounds = check_report.statistics.bounds;
+  });
+  report.vertices = result.mesh.vertex_count();
+  report.faces = result.mesh.face_count();
+  report.triangles = result.mesh.topology().triangles.size();
+}
+
+void run_next_step(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
+                   const Progress& progress, RunResult& result) {
+  std::vector<StepReport>& reports = result.report.steps;
+  const Step& step = recipe.steps[reports.size()];
+  reports.push_back(run_step(
+      step, {reports.size() + 1, recipe.base_directory, kernels, progress, result, meshes}));
+}
+
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress, const RunOptions& options) {
   auto result = std::make_unique<RunResult>();
-  result->report.device = kernels.device();
   const MeshShelf files;
   const MeshShelf& meshes = options.meshes != nullptr ? *options.meshes : files;
-  load_mesh(recipe, meshes, progress, *result);
+  begin_run(recipe, meshes, kernels, progress, *result);
   for (const Step& step : recipe.steps) {
-    const std::size_t number = result->report.steps.size() + 1;
     const Mesh before = options.measure_vertices ? result->mesh : Mesh();
-    result->report.steps.push_back(
-        run_step(step, {number, recipe.base_directory, kernels, progress, *result, meshes}));
+    run_next_step(recipe, meshes, kernels, progress, *result);
     StepReport& report = result->report.steps.back();
     if (!options.measure_vertices || !before.shares_faces_with(result->mesh)) continue;
     stage("measure_vertices", report.timings, progress, [&] {

@@ -68,7 +68,8 @@ struct Settler::State {
   SettleOptions options;
   double mean_edge;
   std::unique_ptr<RingRotations> rotations;
-  TurnedTangent* tangent;
+  TurnedTangent* const given_tangent;
+  TurnedTangent* tangent = nullptr;  ///< the same until it could not be turned
   PartSettler* parts;
   Pace pace;
   bool by_tangent = false;  ///< whether directions come from the tangent
@@ -118,7 +119,7 @@ struct Settler::State {
         options(o),
         mean_edge(mean_length(rings.edges)),
         rotations(kernels.make_ring_rotations(rings)),
-        tangent(turned),
+        given_tangent(turned),
         parts(part_settler),
         history(3 * laplacian.size(), kWindow),
         displacement(rings.vertices.size(), Vector3d::Zero()),
@@ -130,6 +131,7 @@ struct Settler::State {
     }
   }
 
+  void begin_anew();
   void begin(const SettleTarget& target, std::span<const Vector3d> u, Pace of);
   void read_unknowns(std::span<const Vector3d> u, std::vector<double>& x) const;
   void finish(std::span<Vector3d> u) const;
@@ -170,6 +172,12 @@ struct Settler::State {
     return all;
   }
 };
+
+// As if nothing had been settled before.
+void Settler::State::begin_anew() {
+  history.forget();
+  tangent = given_tangent;
+}
 
 void Settler::State::begin(const SettleTarget& target, std::span<const Vector3d> u, Pace of) {
   pace = of;
@@ -364,14 +372,14 @@ double Settler::energy(const SettleTarget& target, std::span<const Vector3d> u) 
 
 SettleResult Settler::settle(const SettleTarget& target, std::span<Vector3d> u,
                              const Progress& progress) {
-  state_->history.forget();
+  state_->begin_anew();
   state_->begin(target, u, kPace);
   return iterate(target, u, {}, progress);
 }
 
 SettleResult Settler::settle_small(const SettleTarget& target, std::span<Vector3d> u,
                                    const std::function<bool()>& go_on, const Progress& progress) {
-  state_->history.forget();
+  state_->begin_anew();
   state_->begin(target, u, kPaceOfSmall);
   return iterate(target, u, go_on, progress);
 }
@@ -383,7 +391,7 @@ SettleResult Settler::follow(const SettleTarget& target, std::span<Vector3d> u,
 }
 
 void Settler::begin_drag() {
-  state_->history.forget();
+  state_->begin_anew();
 }
 
 // From where `begin` has put the unknowns.

@@ -15,14 +15,12 @@
 
 namespace lapwing {
 
-/// What the steps that ran so far leave behind.
-struct RunResult {
+/// What the steps that ran so far come to.
+struct RunState {
   Mesh mesh;  ///< with the edited positions
   /// The positions that were read, per vertex of `mesh`; a vertex that a step made is where it was
   /// made.
   Positions original;
-  /// What the last step leaves if that is a deform; empty after any other.
-  DeformWorkspace deformed;
   /// What the last step concerned; nothing without steps.
   EditRegion region;
   /// The files that deform steps carried along, as those steps left them.
@@ -36,6 +34,12 @@ struct RunResult {
   void note(std::span<const std::string> texts) {
     report.notes.insert(report.notes.end(), texts.begin(), texts.end());
   }
+};
+
+/// That, and what the next step may use.
+struct RunResult : RunState {
+  /// What the last step leaves if that is a deform; empty after any other.
+  DeformWorkspace deformed;
 };
 
 /// One step on its way: what it is carried out with and on. Each step changes the mesh, the

@@ -1,0 +1,83 @@
+#include "lapwing/session/session.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "lapwing/base/memory_use.h"
+#include "lapwing/session/recipe_run.h"
+
+namespace lapwing {
+namespace {
+
+std::size_t steps_in_common(const Recipe& a, const Recipe& b) {
+  const auto [end, _] =
+      std::mismatch(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end());
+  return static_cast<std::size_t>(end - a.steps.begin());
+}
+
+DeformWorkspace workspace_with(const std::optional<JoinedSurface>& joined) {
+  DeformWorkspace workspace;
+  workspace.joined = joined;
+  return workspace;
+}
+
+}  // namespace
+
+// Leaves the forks that `recipe` passes, and at least the one before the first step.
+void Session::find_forks(const Recipe& recipe, const Progress& progress) {
+  const std::shared_ptr<const Mesh> mesh = meshes_.mesh(recipe.base_directory, recipe.mesh);
+  const bool begins_alike = !forks_.empty() && forks_.front().read == mesh &&
+                            last_.mesh == recipe.mesh &&
+                            last_.base_directory == recipe.base_directory;
+  common_ = begins_alike ? steps_in_common(last_, recipe) : 0;
+  last_ = recipe;
+  if (begins_alike) {
+    std::erase_if(forks_,
+                  [&](const Fork& fork) { return fork.after.report.steps.size() > common_; });
+    return;
+  }
+  forks_.clear();
+  RunResult begun;
+  begin_run(recipe, meshes_, kernels_, progress, begun);
+  forks_.push_back({mesh, std::move(begun), {}, {}});
+}
+
+// The workspace goes with the result while the step runs, and is lost where that fails.
+void Session::run_step_at(Fork& fork, const Recipe& recipe, const Progress& progress,
+                          RunResult& result) {
+  const bool deforms =
+      std::holds_alternative<DeformRequest>(recipe.steps[result.report.steps.size()]);
+  if (deforms) {
+    result.deformed = std::exchange(fork.workspace, workspace_with(fork.joined));
+  }
+  run_next_step(recipe, meshes_, kernels_, progress, result);
+  if (deforms) {
+    fork.workspace = std::exchange(result.deformed, {});
+    result.deformed = workspace_with(fork.workspace.joined);
+  }
+}
+
+std::unique_ptr<RunResult> Session::run(const Recipe& recipe, const Progress& progress) {
+  find_forks(recipe, progress);
+  auto result = std::make_unique<RunResult>();
+  static_cast<RunState&>(*result) = forks_.back().after;
+  result->deformed = workspace_with(forks_.back().joined);
+  const std::vector<StepReport>& done = result->report.steps;
+  while (done.size() < recipe.steps.size()) {
+    const auto is_here = [&] { return forks_.back().after.report.steps.size() == done.size(); };
+    if (done.size() == common_ && !is_here()) {
+      const std::optional<JoinedSurface>& joined = result->deformed.joined;
+      forks_.push_back({forks_.front().read, *result, joined, workspace_with(joined)});
+    }
+    if (is_here()) {
+      run_step_at(forks_.back(), recipe, progress, *result);
+    } else {
+      run_next_step(recipe, meshes_, kernels_, progress, *result);
+    }
+  }
+  result->report.peak_memory_bytes = peak_memory_bytes();
+  return result;
+}
+
+}  // namespace lapwing
