@@ -216,5 +216,19 @@ TEST_F(AnEdit, StepsOfItsRecipeAreThoseOfItsDraftAndTheSettledOne) {
   EXPECT_EQ(to_recipe(state, "tube.obj", folder_.path()).steps, made);
 }
 
+TEST_F(AnEdit, WithHandlesThatLostTheirVerticesIsRestoredAsItStands) {
+  History history(open_state(mesh_));
+  history.perform(Choose{kRoi, box(0.3, 4.0)});
+  const auto choose = [&](std::size_t handle, std::vector<Index> vertices) {
+    history.perform(Choose{{Part::Role::handle, handle}, {ListedVertices{std::move(vertices)}}});
+  };
+  choose(0, {100, 101});
+  choose(1, {110, 111});
+  choose(0, {});
+  const Draft draft = draft_of(history.state());
+  EXPECT_EQ(draft.open.handles.size(), 2U);
+  EXPECT_EQ(draft_of(restore(open_state(mesh_), draft, carry_out_with(kernels_)).state()), draft);
+}
+
 }  // namespace
 }  // namespace lapwing::viewer::test

@@ -72,6 +72,21 @@ TEST_F(AJournal, LeftBehindHoldsTheEdit) {
   EXPECT_EQ(edits[0].mesh.path, mesh_);
 }
 
+TEST_F(AJournal, TellsAHandleWithoutVerticesFromNone) {
+  History history(chosen_tube());
+  Journal journal(cache_, stamp());
+  const auto written = [&] {
+    journal.record(history.state());
+    return read_journal(journal.path())->draft;
+  };
+  history.perform(Choose{{Part::Role::handle, 0}, RegionSpec{ListedVertices{}}});
+  ASSERT_EQ(draft_of(history.state()).open.handles.size(), 1U);
+  EXPECT_EQ(written(), draft_of(history.state()));
+  history.perform(RemoveHandle{0});
+  ASSERT_EQ(draft_of(history.state()).open.handles.size(), 0U);
+  EXPECT_EQ(written(), draft_of(history.state()));
+}
+
 TEST_F(AJournal, ClosedLeavesNothing) {
   Journal journal(cache_, stamp());
   journal.record(chosen_tube());

@@ -8,11 +8,6 @@
 namespace lapwing::viewer {
 namespace {
 
-bool is_nothing(const RegionSpec& spec) {
-  const auto* list = std::get_if<ListedVertices>(&spec.form);
-  return list != nullptr && list->vertices.empty();
-}
-
 // A handle too many would stand in the way of the step's own.
 void remove_handles(History& history) {
   while (!history.state().selection.handles.empty()) {
@@ -135,7 +130,6 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
     remove_handles(history);
     history.perform(Choose{{Part::Role::roi}, step.roi});
     for (std::size_t h = 0; h < step.handles.size(); ++h) {
-      if (is_nothing(step.handles[h].region)) continue;
       history.perform(Choose{{Part::Role::handle, h}, step.handles[h].region});
     }
     choose_belt(history, step.belt);

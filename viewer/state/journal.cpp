@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr int kJournalVersion = 1;
+constexpr int kJournalVersion = 2;
 const char* const kExtension = ".journal";
 
 [[noreturn]] void fail(const fs::path& path, int error) {
@@ -43,15 +43,10 @@ std::vector<Step> steps_of(const Json& json) {
   return parse_recipe(recipe.dump(), {}, "journal").steps;
 }
 
-// A recipe has no step without a handle; in a journal a handle without vertices stands for none.
+// A recipe has no step without a handle, so that one without vertices stands in for it; the line
+// says how many there are, since a person may also choose a handle and take all its vertices away.
 DeformRequest with_handle(DeformRequest step) {
   if (step.handles.empty()) step.handles.push_back({RegionSpec{ListedVertices{}}, {}});
-  return step;
-}
-
-DeformRequest without_empty_handle(DeformRequest step) {
-  const MovedHandle none{RegionSpec{ListedVertices{}}, {}};
-  if (step.handles.size() == 1 && step.handles.front() == none) step.handles.clear();
   return step;
 }
 
@@ -66,14 +61,15 @@ Json difference(const Draft& last, const Draft& next) {
   return {{"keep", kept},
           {"add", json_of({first_new, next.steps.end()})},
           {"open", json_of({with_handle(next.open)}).at(0)},
+          {"handles", next.open.handles.size()},
           {"settled", next.settled}};
 }
 
 void carry_out(const Json& line, Draft& draft) {
   draft.steps.resize(std::min(line.at("keep").get<std::size_t>(), draft.steps.size()));
   for (Step& step : steps_of(line.at("add"))) draft.steps.push_back(std::move(step));
-  draft.open =
-      without_empty_handle(std::get<DeformRequest>(steps_of(Json::array({line.at("open")})).at(0)));
+  draft.open = std::get<DeformRequest>(steps_of(Json::array({line.at("open")})).at(0));
+  draft.open.handles.resize(line.at("handles").get<std::size_t>());
   draft.settled = line.at("settled").get<bool>();
 }
 
