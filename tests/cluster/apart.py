@@ -1,0 +1,95 @@
+"""Runs the tests of a file in namespaces of their own: processes, mounts, network, host name. So
+they may start services, on the ports that these have by themselves, and nothing of it is left
+behind or seen outside, however the tests end: with the first process the system ends all others."""
+
+import fcntl
+import os
+import pathlib
+import re
+import shutil
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SKIPPED = 77  # by tests/cluster/CMakeLists.txt
+FOLDER = "LAPWING_TEST_FOLDER"
+LOG_LINES = 60
+
+
+def folder():
+    """Of the tests' files, removed after them; what is named *.log is shown when a test fails. Its
+    path is short enough for sockets."""
+    return pathlib.Path(os.environ[FOLDER])
+
+
+def main(packages):
+    """Runs the tests of the calling file. `packages`: by name of a program that they need, the
+    package of Debian that has it. Where they cannot run they are skipped, but in CI they fail."""
+    if FOLDER in os.environ:
+        enter()
+        unittest.main()
+    obstacle = what_is_missing(packages)
+    if obstacle:
+        print(f"These tests cannot run: {obstacle}")
+        sys.exit(1 if os.environ.get("CI") == "true" else SKIPPED)
+    sys.exit(run_apart())
+
+
+def what_is_missing(packages):
+    missing = {packages[program] for program in packages if not shutil.which(program, path=path())}
+    if missing:
+        names = ", ".join(sorted(missing))
+        return f"without {names}, which tools/setup/install-packages --cluster installs"
+    if os.geteuid() != 0:
+        return "only root can start Slurm's services"
+    trial = subprocess.run([*NAMESPACES, "true"], capture_output=True, text=True)
+    return f"no namespaces here: {trial.stderr.strip()}" if trial.returncode else ""
+
+
+# Whatever ends this process, SIGKILL too, ends unshare, and with it the namespace's first process.
+NAMESPACES = ["setpriv", "--pdeathsig", "KILL", "unshare", "--pid", "--fork", "--kill-child"]
+NAMESPACES += ["--mount", "--mount-proc", "--net", "--uts"]
+
+
+def path():
+    return os.environ["PATH"] + ":/usr/sbin:/sbin"
+
+
+def run_apart():
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    made = tempfile.mkdtemp(prefix="lapwing-cluster-")
+    try:
+        os.chmod(made, 0o755)  # munged wants everyone to reach its socket
+        os.mkdir(os.path.join(made, "home"), 0o700)
+        kept = {k: v for k, v in os.environ.items() if not re.match("SLURM_|SBATCH_|PARALLEL", k)}
+        environment = kept | {FOLDER: made, "PATH": path(), "HOME": os.path.join(made, "home")}
+        # The first process is a shell, which takes leave of the services' orphans.
+        command = ["sh", "-c", '"$@"; exit $?', "sh", sys.executable, *sys.argv]
+        result = subprocess.run([*NAMESPACES, *command], env=environment).returncode
+        if result != 0:
+            show_logs(pathlib.Path(made))
+        return result
+    finally:
+        shutil.rmtree(made, ignore_errors=True)
+
+
+def show_logs(made):
+    for log in sorted(made.rglob("*.log")):
+        lines = log.read_text(errors="replace").splitlines()
+        print(f"== {log.relative_to(made)}, the last of {len(lines)} lines")
+        print("\n".join(lines[-LOG_LINES:]))
+
+
+def enter():
+    """A new network has but a loopback device, which is down; and while 127.0.0.1 is the only
+    address, the C library takes it that there is no network and finds no name for Slurm."""
+    socket.sethostname("lapwing-test")
+    set_address, set_flags, up = 0x8916, 0x8914, 1
+    second_address = (socket.AF_INET, socket.inet_aton("127.0.0.2"))
+    with socket.socket() as any_socket:
+        fcntl.ioctl(any_socket, set_flags, struct.pack("16sh14x", b"lo", up))
+        fcntl.ioctl(any_socket, set_address, struct.pack("16sh2x4s8x", b"lo:1", *second_address))

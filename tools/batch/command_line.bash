@@ -1,0 +1,55 @@
+# What parallel-shards and slurm-shards read from their command line, which is
+#   SCRIPT N [options of the scheduler] -- JOBS.jsonl -o DIR [options of lapwing batch]
+# read_command_line SCRIPT ARGUMENTS... sets `shards` (N), `options` and `batch` (the arrays before
+# and after "--") and `lapwing` (the program: $LAPWING, else the one of PATH), or prints the comment
+# that SCRIPT opens with (--help), or says what is wrong and exits with 2.
+
+wrong_usage() {
+  echo "$1 (--help says how)" >&2
+  exit 2
+}
+
+opening_comment() {
+  sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$1"
+}
+
+read_command_line() {
+  local script=$1
+  shift
+  if [ "${1:-}" = --help ] || [ "${1:-}" = -h ]; then
+    opening_comment "$script"
+    exit 0
+  fi
+  shards=${1:-}
+  [[ $shards =~ ^[1-9][0-9]*$ ]] ||
+    wrong_usage "The first argument is the number of shards, not '$shards'"
+  shift
+  options=()
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    options+=("$1")
+    shift
+  done
+  [ $# -gt 1 ] || wrong_usage "After -- come the arguments of lapwing batch: JOBS.jsonl -o DIR"
+  shift
+  batch=("$@")
+  local argument
+  for argument in "${batch[@]}"; do
+    case $argument in
+      --shard | --shard=*) wrong_usage "Which shard is whose is said by N, not by $argument" ;;
+    esac
+  done
+  lapwing=$(command -v "${LAPWING:-lapwing}") ||
+    wrong_usage "No program ${LAPWING:-lapwing}: put lapwing into PATH or its path into LAPWING"
+  case $lapwing in
+    /*) ;;
+    *) lapwing=$PWD/$lapwing ;;
+  esac
+}
+
+# need PROGRAM PACKAGE
+need() {
+  command -v "$1" >/dev/null || {
+    echo "There is no $1 here: install it (on Debian, apt-get install $2)" >&2
+    exit 1
+  }
+}
