@@ -6,7 +6,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lapwing)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine/lapwing DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h"
         # With JSON in them, which stays inside.
-        PATTERN "recipe/*write*.h" EXCLUDE)
+        PATTERN "recipe/*write*.h" EXCLUDE PATTERN "*_json.h" EXCLUDE)
 install(EXPORT lapwing FILE lapwingTargets.cmake NAMESPACE lapwing:: DESTINATION ${package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/lapwingConfig.cmake.in
   ${PROJECT_BINARY_DIR}/lapwingConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -6,6 +6,7 @@ namespace lapwing::cli {
 
 /// Each adds one subcommand to `app` and runs it when it was chosen; errors leave as exceptions.
 void add_run(CLI::App& app);
+void add_batch(CLI::App& app);
 /// One command per operation of a recipe: "deform", "coat", ...
 void add_steps(CLI::App& app);
 void add_keys(CLI::App& app);

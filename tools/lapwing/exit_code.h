@@ -10,7 +10,8 @@ enum ExitCode : int {
   kSolver = 4,
   kDevice = 5,
   kFile = 6,
-  kCancelled = 130,  ///< as a shell reports an interrupt
+  kSignalled = 128,  ///< and the signal's number, as a shell reports it
+  kCancelled = 130,  ///< by an interrupt
 };
 
 }  // namespace lapwing::cli

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 2 usage, 3 mesh or recipe, 4 solver (or --strict), 5 device, 6 file.\n"
       "`lapwing COMMAND --help` tells what a command takes.");
   lapwing::cli::add_run(app);
+  lapwing::cli::add_batch(app);
   lapwing::cli::add_steps(app);
   lapwing::cli::add_keys(app);
   lapwing::cli::add_peel(app);

@@ -11,6 +11,9 @@ namespace {
 // as long before it sleeps is there when the next job comes.
 constexpr int kLooksBeforeSleep = 1000;
 
+// How many WorkAlone there are on this thread.
+thread_local int alone = 0;
+
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
   __builtin_ia32_pause();
@@ -41,7 +44,7 @@ WorkerPool::~WorkerPool() {
 }
 
 void WorkerPool::run(const std::function<void(int)>& job) {
-  if (helpers_.empty() || taken_.exchange(true, std::memory_order_acquire)) {
+  if (helpers_.empty() || alone > 0 || taken_.exchange(true, std::memory_order_acquire)) {
     job(0);
     return;
   }
@@ -75,6 +78,14 @@ void WorkerPool::help(int thread) {
     lock.lock();
     if (--active_ == 0) idle_.notify_one();
   }
+}
+
+WorkAlone::WorkAlone() {
+  ++alone;
+}
+
+WorkAlone::~WorkAlone() {
+  --alone;
 }
 
 WorkerPool& shared_workers() {

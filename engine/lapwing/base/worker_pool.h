@@ -42,6 +42,16 @@ class WorkerPool {
   std::vector<std::thread> helpers_;
 };
 
+/// As long as one lives, its thread uses no helpers of any pool: for threads that share the
+/// processors by work of their own.
+class WorkAlone {
+ public:
+  WorkAlone();
+  WorkAlone(const WorkAlone&) = delete;
+  WorkAlone& operator=(const WorkAlone&) = delete;
+  ~WorkAlone();
+};
+
 /// The pool that the whole program shares, of `thread_count()` threads.
 WorkerPool& shared_workers();
 

@@ -1,11 +1,11 @@
 #include "lapwing/recipe/json_node.h"
 
 #include <algorithm>
-#include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/recipe/parse_json.h"
 #include "lapwing/recipe/suggest.h"
 
 namespace lapwing {
@@ -42,66 +42,13 @@ bool is_vertex(const Json& json) {
   return json.is_number_unsigned() && json.get<std::uint64_t>() < kNoIndex;
 }
 
-// Key `key` as a token of a JSON pointer (RFC 6901).
-std::string pointer_token(std::string_view key) {
-  std::string token;
-  for (const char c : key) {
-    if (c == '~') {
-      token += "~0";
-    } else if (c == '/') {
-      token += "~1";
-    } else {
-      token += c;
-    }
-  }
-  return token;
-}
-
-std::string line_and_column(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t line_start = before.rfind('\n') + 1;
-  return std::to_string(line) + ":" + std::to_string(before.size() - line_start + 1);
-}
-
-// The library's message without its own prefix of class, number and position.
-std::string bare_message(const Json::exception& error) {
-  const std::string_view text = error.what();
-  const std::size_t at = text.find("syntax error");
-  return std::string(at == std::string_view::npos ? text : text.substr(at));
-}
-
-Json parse_text(std::string_view text, const std::string& name) {
-  std::vector<std::set<std::string>> keys;
-  const auto refuse_repeated_keys = [&](int, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key) {
-      const auto& key = parsed.get_ref<const std::string&>();
-      if (!keys.back().insert(key).second) {
-        throw InputError(name + ": the key \"" + key +
-                         "\" stands twice in one object; remove one of the two");
-      }
-    }
-    return true;
-  };
-  try {
-    return Json::parse(text, refuse_repeated_keys);
-  } catch (const Json::parse_error& error) {
-    throw InputError(name + ":" + line_and_column(text, error.byte) + ": " + bare_message(error) +
-                     "; check commas, quotes and brackets before this place");
-  } catch (const Json::exception& error) {
-    throw InputError(name + ": " + bare_message(error));
-  }
-}
-
 }  // namespace
 
 JsonNode::JsonNode(std::shared_ptr<const Value> value, std::string where)
     : value_(std::move(value)), where_(std::move(where)) {}
 
 JsonNode JsonNode::parse(std::string_view text, const std::string& name) {
-  auto document = std::make_shared<const Json>(parse_text(text, name));
+  auto document = std::make_shared<const Json>(parse_json(text, name));
   const Json* root = document.get();
   return {std::make_shared<const Value>(Value{std::move(document), root}), name};
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
+#include "lapwing/session/certificate_json.h"
 
 namespace lapwing {
 namespace {
@@ -31,29 +31,6 @@ Json as_json(const StageTimings& timings) {
   Json json = Json::object();
   for (const auto& [stage, ms] : timings.stages()) json[stage] = std::round(ms * 1e3) / 1e3;
   return json;
-}
-
-Json as_json(const Certificate& c) {
-  return {{"relative_residual", number(c.relative_residual)},
-          {"relative_gradient", number(c.relative_gradient)},
-          {"handle_error", number(c.handle_error)},
-          {"target_error", number(c.target_error)},
-          {"smallest_scale", number(c.smallest_scale)},
-          {"smallest_scale_vertex", vertex(c.smallest_scale_vertex)},
-          {"largest_scale", number(c.largest_scale)},
-          {"largest_scale_vertex", vertex(c.largest_scale_vertex)},
-          {"largest_rotation_degrees", number(c.largest_rotation_degrees)},
-          {"largest_rotation_vertex", vertex(c.largest_rotation_vertex)},
-          {"flipped_triangles", c.flipped_triangles},
-          {"first_flipped_triangles", c.first_flipped_triangles},
-          {"detail_error", number(c.detail_error)},
-          {"edge_stretch", number(c.edge_stretch)},
-          {"largest_edge_stretch", number(c.largest_edge_stretch)},
-          {"largest_edge_stretch_vertices", edge(c.largest_edge_stretch_vertices)},
-          {"settle_iterations", c.settle_iterations},
-          {"settled", c.settled},
-          {"settle_last_step", number(c.settle_last_step)},
-          {"all_finite", c.all_finite}};
 }
 
 Json as_json(const VertexMeasures& measures) {
@@ -145,7 +122,7 @@ Json as_json(const StepReport& step) {
     if (!step.handles.empty()) json["handles"] = step.handles;
   }
   json["timings_ms"] = as_json(step.timings);
-  if (step.deform) json["certificate"] = as_json(step.deform->certificate);
+  if (step.deform) json["certificate"] = json_of(step.deform->certificate);
   if (step.coat) json[step.op] = as_json(*step.coat);
   if (step.transplant) json[step.op] = as_json(*step.transplant);
   if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
@@ -161,6 +138,29 @@ void append_stages(const StageTimings& timings, std::string& text) {
 }
 
 }  // namespace
+
+Json json_of(const Certificate& c) {
+  return {{"relative_residual", number(c.relative_residual)},
+          {"relative_gradient", number(c.relative_gradient)},
+          {"handle_error", number(c.handle_error)},
+          {"target_error", number(c.target_error)},
+          {"smallest_scale", number(c.smallest_scale)},
+          {"smallest_scale_vertex", vertex(c.smallest_scale_vertex)},
+          {"largest_scale", number(c.largest_scale)},
+          {"largest_scale_vertex", vertex(c.largest_scale_vertex)},
+          {"largest_rotation_degrees", number(c.largest_rotation_degrees)},
+          {"largest_rotation_vertex", vertex(c.largest_rotation_vertex)},
+          {"flipped_triangles", c.flipped_triangles},
+          {"first_flipped_triangles", c.first_flipped_triangles},
+          {"detail_error", number(c.detail_error)},
+          {"edge_stretch", number(c.edge_stretch)},
+          {"largest_edge_stretch", number(c.largest_edge_stretch)},
+          {"largest_edge_stretch_vertices", edge(c.largest_edge_stretch_vertices)},
+          {"settle_iterations", c.settle_iterations},
+          {"settled", c.settled},
+          {"settle_last_step", number(c.settle_last_step)},
+          {"all_finite", c.all_finite}};
+}
 
 std::string to_json(const RunReport& report) {
   Json json = {

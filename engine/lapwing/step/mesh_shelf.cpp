@@ -18,22 +18,32 @@ void MeshShelf::put(const std::filesystem::path& name, Mesh mesh) {
   put_[name] = std::make_shared<const Mesh>(std::move(mesh));
 }
 
+// Null where it is to be read.
+std::shared_ptr<const Mesh> MeshShelf::kept(const std::filesystem::path& file) const {
+  const auto at = read_.find(file);
+  std::shared_ptr<const Mesh> mesh = at != read_.end() ? at->second.lock() : nullptr;
+  if (mesh == nullptr) return nullptr;
+  std::erase(recent_, mesh);
+  if (recent_.size() == kKeptFiles) recent_.erase(recent_.begin());
+  recent_.push_back(mesh);
+  return mesh;
+}
+
 std::shared_ptr<const Mesh> MeshShelf::mesh(const std::filesystem::path& base_directory,
                                             const std::filesystem::path& name) const {
-  // Held while a file is read, so that threads that ask for the same one wait for it.
-  const std::lock_guard lock(mutex_);
-  if (const auto at = put_.find(name); at != put_.end()) return at->second;
   const std::filesystem::path file = base_directory / name;
-  const auto at = std::find_if(read_.begin(), read_.end(),
-                               [&](const FileMesh& kept) { return kept.file == file; });
-  if (at != read_.end()) {
-    std::rotate(at, at + 1, read_.end());
-    return read_.back().mesh;
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto at = put_.find(name); at != put_.end()) return at->second;
+    if (auto mesh = kept(file)) return mesh;
   }
+  // Threads that want other files do not wait for this one.
   auto mesh = std::make_shared<const Mesh>(read_mesh(file));
-  if (read_.size() == kKeptFiles) read_.erase(read_.begin());
-  read_.push_back({file, mesh});
-  return mesh;
+  const std::lock_guard lock(mutex_);
+  if (auto others = kept(file)) return others;
+  std::erase_if(read_, [](const auto& entry) { return entry.second.expired(); });
+  read_[file] = mesh;
+  return kept(file);
 }
 
 }  // namespace lapwing

@@ -11,8 +11,8 @@
 namespace lapwing {
 
 /// Where the meshes that recipes name come from: from memory if one was put there under its name,
-/// else from a file, which is read once and kept while it is among the last few asked for. A file
-/// that changes meanwhile may come as it was. Threads may ask at once.
+/// else from a file, which is read once and kept while someone has it or it is among the last few
+/// asked for. A file that changes meanwhile may come as it was. Threads may ask at once.
 class MeshShelf {
  public:
   /// From now on `mesh` stands for the file that recipes call `name`, as they write it.
@@ -24,14 +24,12 @@ class MeshShelf {
                                    const std::filesystem::path& name) const;
 
  private:
-  struct FileMesh {
-    std::filesystem::path file;
-    std::shared_ptr<const Mesh> mesh;
-  };
+  std::shared_ptr<const Mesh> kept(const std::filesystem::path& file) const;
 
   mutable std::mutex mutex_;
   std::map<std::filesystem::path, std::shared_ptr<const Mesh>> put_;
-  mutable std::vector<FileMesh> read_;  ///< the one asked for last comes last
+  mutable std::map<std::filesystem::path, std::weak_ptr<const Mesh>> read_;
+  mutable std::vector<std::shared_ptr<const Mesh>> recent_;  ///< the last one asked for comes last
 };
 
 }  // namespace lapwing

@@ -1,0 +1,196 @@
+#include "lapwing/batch/batch.h"
+
+#include <atomic>
+#include <exception>
+#include <new>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
+#include "lapwing/base/worker_pool.h"
+#include "lapwing/batch/job_file.h"
+#include "lapwing/batch/job_queue.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/session/session.h"
+
+namespace lapwing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::span<const Job> part_of(std::span<const Job> jobs, const std::optional<Shard>& shard) {
+  if (!shard) return jobs;
+  const std::size_t begin = jobs.size() * (shard->number - 1) / shard->count;
+  return jobs.subspan(begin, jobs.size() * shard->number / shard->count - begin);
+}
+
+// Empty where no job can be carried out.
+fs::path first_mesh(const JobFile& file) {
+  for (const Job& job : file.jobs()) {
+    try {
+      if (job.error.empty()) return file.recipe_of(job).mesh_path();
+    } catch (const InputError&) {
+      // It fails when its turn comes.
+    }
+  }
+  return {};
+}
+
+std::vector<std::vector<std::size_t>> groups_of(std::span<const Job> jobs,
+                                                const ResultFolder& results) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    if (results.is_done(k)) continue;
+    groups.resize(std::max(groups.size(), jobs[k].group + 1));
+    groups[jobs[k].group].push_back(k);
+  }
+  return groups;
+}
+
+// A batch under way.
+class Batch {
+ public:
+  Batch(const BatchRequest& request, const BatchWatch& watch)
+      : watch_(watch),
+        file_(request.jobs, request.recipe, request.output.words()),
+        jobs_(part_of(file_.jobs(), request.shard)),
+        results_(request.folder, jobs_, request.shard, request.resume),
+        writer_(request.folder, request.output, meshes_, first_mesh(file_)),
+        queue_(groups_of(jobs_, results_)) {
+    count_.jobs = jobs_.size();
+    for (std::size_t k = 0; k < jobs_.size(); ++k) count_.before += results_.is_done(k) ? 1 : 0;
+    count_.done = count_.before;
+  }
+
+  BatchCount run(unsigned threads) {
+    if (watch_.count) watch_.count(count_);
+    if (threads <= 1) {
+      work();
+    } else {
+      std::vector<std::thread> workers;
+      for (unsigned t = 0; t < threads; ++t) {
+        workers.emplace_back([this] {
+          const WorkAlone alone;
+          work();
+        });
+      }
+      for (std::thread& worker : workers) worker.join();
+    }
+    if (failure_) rethrow_with_count();
+    if (count_.is_complete()) results_.finish();
+    return count_;
+  }
+
+ private:
+  void work() {
+    try {
+      CpuKernels kernels;
+      Session session(kernels, meshes_);
+      std::size_t group = JobQueue::kNoGroup;
+      while (goes_on()) {
+        const std::optional<std::size_t> job = queue_.next(group);
+        if (!job) return;
+        carry_out(*job, session);
+      }
+    } catch (const Cancelled&) {
+      // What was in hand is not done.
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      stop_ = true;
+    }
+  }
+
+  bool goes_on() const { return !stop_ && (!watch_.go_on || watch_.go_on()); }
+
+  void carry_out(std::size_t k, Session& session) {
+    const Job& job = jobs_[k];
+    std::string line;
+    try {
+      line = line_of(job, session);
+    } catch (const JobFailed& failed) {
+      add_failure(job, failed.why);
+      return;
+    }
+    results_.add_result(k, line);
+    add(&BatchCount::done);
+  }
+
+  // Why a job cannot be carried out, where that is its own fault.
+  struct JobFailed {
+    std::string why;
+  };
+
+  std::string line_of(const Job& job, Session& session) {
+    if (!job.error.empty()) throw JobFailed{job.error};
+    const std::string where = file_.name() + ":" + std::to_string(job.line) + ": ";
+    std::unique_ptr<RunResult> result;
+    Recipe recipe;
+    try {
+      recipe = file_.recipe_of(job);
+    } catch (const InputError& error) {
+      throw JobFailed{error.what()};
+    }
+    try {
+      result = session.run(recipe, [this](std::string_view, double) { return goes_on(); });
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      throw JobFailed{where + error.what()};
+    } catch (const std::bad_alloc&) {
+      throw JobFailed{where + "out of memory; choose a smaller region or fewer threads"};
+    }
+    try {
+      return writer_.write(job, recipe, *result);
+    } catch (const InputError& error) {
+      throw JobFailed{where + error.what()};
+    }
+  }
+
+  void add_failure(const Job& job, const std::string& why) {
+    nlohmann::ordered_json line{{"id", job.id}, {"line", job.line}, {"error", why}};
+    results_.add_failure(
+        line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    add(&BatchCount::failed);
+  }
+
+  void add(std::size_t BatchCount::*number) {
+    const std::lock_guard lock(mutex_);
+    ++(count_.*number);
+    if (watch_.count) watch_.count(count_);
+  }
+
+  [[noreturn]] void rethrow_with_count() const {
+    try {
+      std::rethrow_exception(failure_);
+    } catch (const IoError& error) {
+      throw IoError(std::string(error.what()) + "; " + std::to_string(count_.done) + " of " +
+                    std::to_string(count_.jobs) +
+                    " jobs are done, and --resume goes on from there");
+    }
+  }
+
+  const BatchWatch& watch_;
+  MeshShelf meshes_;
+  JobFile file_;
+  std::span<const Job> jobs_;
+  ResultFolder results_;
+  ResultWriter writer_;
+  JobQueue queue_;
+  std::mutex mutex_;
+  BatchCount count_;
+  std::exception_ptr failure_;
+  std::atomic<bool> stop_ = false;
+};
+
+}  // namespace
+
+BatchCount run_batch(const BatchRequest& request, const BatchWatch& watch) {
+  return Batch(request, watch).run(request.threads > 0 ? request.threads : thread_count());
+}
+
+}  // namespace lapwing

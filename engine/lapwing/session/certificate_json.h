@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "lapwing/deform/certificate.h"
+
+namespace lapwing {
+
+/// As reports have it. Numbers that are not finite become null.
+nlohmann::ordered_json json_of(const Certificate& certificate);
+
+}  // namespace lapwing

@@ -1,0 +1,105 @@
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "batch_display.h"
+#include "commands.h"
+#include "exit_code.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/batch/batch.h"
+
+namespace lapwing::cli {
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+
+void on_signal(int signal) {
+  caught = signal;
+  // A second one ends the program at once.
+  std::signal(signal, SIG_DFL);
+}
+
+// "2/8".
+Shard shard_of(const std::string& text) {
+  Shard shard;
+  char beyond = 0;
+  const bool is_read =
+      std::sscanf(text.c_str(), "%zu/%zu%c", &shard.number, &shard.count, &beyond) == 2;
+  if (!is_read || shard.number < 1 || shard.number > shard.count) {
+    throw CLI::ValidationError("--shard",
+                               "expected K/N, as 2/8 is the second of eight, got " + text);
+  }
+  return shard;
+}
+
+struct BatchOptions {
+  BatchRequest request;
+  std::string shard;
+  std::string displacements;
+  bool quiet = false;
+
+  void run();
+};
+
+void BatchOptions::run() {
+  if (!shard.empty()) request.shard = shard_of(shard);
+  if (!displacements.empty()) {
+    request.output.displacements = displacements == "float32" ? Scalar::float32 : Scalar::float64;
+  }
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  // A file that may not grow is an error to report, not the end.
+  std::signal(SIGXFSZ, SIG_IGN);
+  BatchDisplay display(quiet);
+  BatchCount count;
+  try {
+    count = run_batch(
+        request, {[&](const BatchCount& now) { display.show(now); }, [] { return caught == 0; }});
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "lapwing: %s\n", error.what());
+    throw ExitWith{kUsage};
+  }
+  display.finish(count, request.folder);
+  if (!count.is_complete()) throw ExitWith{kSignalled + caught};
+  if (count.failed > 0) throw ExitWith{kInput};
+}
+
+}  // namespace
+
+void add_batch(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("batch", "carry out many edits: a recipe whose values vary, line by line");
+  auto options = std::make_shared<BatchOptions>();
+  BatchRequest& request = options->request;
+  command
+      ->add_option("JOBS", request.jobs,
+                   R"(a job a line: {"id": NAME, "recipe": FILE, "set": {JSON POINTER: VALUE}})")
+      ->required();
+  command
+      ->add_option("-o,--output", request.folder,
+                   "the folder for what comes out, results.jsonl and failed.jsonl")
+      ->required();
+  command->add_option("--recipe", request.recipe, "of the jobs that name none");
+  command->add_flag("--resume", request.resume,
+                    "go on from what is in the folder, of all shards; what failed is tried again");
+  command->add_option("--shard", options->shard,
+                      "K/N: the K-th of N parts of the jobs, for many machines");
+  auto* format = command
+                     ->add_option("--format", request.output.extension,
+                                  "of the meshes; that of the recipe's \"save\" without it, or ply")
+                     ->check(CLI::IsMember({"ply", "obj", "off", "stl"}));
+  command
+      ->add_option("--displacements", options->displacements,
+                   "write numpy arrays (n, 3) in place of meshes, beside one rest.ply")
+      ->check(CLI::IsMember({"float32", "float64"}))
+      ->excludes(format);
+  command->add_option("--threads", request.threads, "all processors without it")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--quiet", options->quiet, "print errors only");
+  command->callback([options] { options->run(); });
+}
+
+}  // namespace lapwing::cli
