@@ -4,11 +4,13 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/base/worker_pool.h"
 
 namespace lapwing {
 namespace {
@@ -92,6 +94,7 @@ void PreparedDeform::solve_many(std::size_t count, const MovesOf& moves_of, cons
   std::vector<std::jthread> others;
   for (std::size_t t = 1; t < std::min(wanted, count); ++t) {
     others.emplace_back([&] {
+      const WorkAlone alone;
       try {
         PreparedDeform own(mesh_, request_, heard_aside);
         work(own, heard_aside);
@@ -100,7 +103,11 @@ void PreparedDeform::solve_many(std::size_t count, const MovesOf& moves_of, cons
       }
     });
   }
-  work(*this, heard_here);
+  {
+    std::optional<WorkAlone> alone;
+    if (!others.empty()) alone.emplace();
+    work(*this, heard_here);
+  }
   others.clear();
   if (shared.first_error) std::rethrow_exception(shared.first_error);
   report_progress(progress, "solve_many", 1.0);
