@@ -160,7 +160,7 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
 
 StepReport run_step(const DeformRequest& step, const StepRun& on) {
   DeformRequest named = step;
-  named.where = "step " + std::to_string(on.number);
+  if (on.number > 0) named.where = "step " + std::to_string(on.number);
   named.carry.clear();
   const std::vector<std::size_t> carried = open_carried(step.carry, on);
   if (!named.targets.file.empty()) {

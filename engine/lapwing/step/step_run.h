@@ -45,7 +45,7 @@ struct RunResult : RunState {
 /// One step on its way: what it is carried out with and on. Each step changes the mesh, the
 /// original, the region, what is carried, the warnings and the notes of `result`.
 struct StepRun {
-  std::size_t number;                           ///< of the step in its recipe, from 1
+  std::size_t number;  ///< of the step in its recipe, from 1; 0 without one
   const std::filesystem::path& base_directory;  ///< where the files that it names are looked for
   Kernels& kernels;
   const Progress& progress;

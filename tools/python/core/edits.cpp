@@ -40,7 +40,7 @@ Result carry_out(const Mesh& mesh, const std::string& step_json, const std::stri
     run.report.vertices = mesh.vertex_count();
     run.report.faces = mesh.face_count();
     run.report.steps.push_back(
-        run_step(step, {1, std::filesystem::path(), *opened.kernels, progress, run, shelf}));
+        run_step(step, {0, std::filesystem::path(), *opened.kernels, progress, run, shelf}));
     return Result{std::move(run.mesh), std::move(run.original), std::move(run.region),
                   std::move(run.report)};
   });
