@@ -79,7 +79,8 @@ TEST_F(BatchCommandLine, KilledThirtyTimesItComesToTheBytesOfAnUndisturbedRun) {
     if (kill_after(std::chrono::microseconds(upto(random)))) {
       ++kills;
     } else {
-      fs::remove_all(file("out"));  // it came to its end too soon: once more from the beginning
+      EXPECT_EQ(files_of("out"), files_of("whole")) << "after " << kills << " kills";
+      fs::remove_all(file("out"));
     }
   }
   EXPECT_EQ(kills, 30);
