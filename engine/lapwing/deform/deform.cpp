@@ -140,6 +140,25 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
   }
 }
 
+DeformRequest unmoved(DeformRequest request) {
+  for (MovedHandle& handle : request.handles) handle.move = {};
+  return request;
+}
+
+// Disks are measured along the surface, which costs a fifth of a solve. Targets are not kept: they
+// vary.
+EditRegion region_of(const DeformRequest& request, const Mesh& mesh, DeformWorkspace& workspace) {
+  if (!request.targets.empty()) return resolve_edit_region(request, mesh);
+  DeformRequest asked = unmoved(request);
+  std::optional<ResolvedRegion>& last = workspace.resolved;
+  if (!last || last->request != asked || !same_bits(last->rest, mesh.positions)) {
+    last.reset();
+    EditRegion region = resolve_edit_region(request, mesh);
+    last = {std::move(asked), mesh.positions, std::move(region)};
+  }
+  return last->region;
+}
+
 // The faces of `mesh` as they are, of a request without a mirror. Warns of nothing.
 Deformed deform_surface(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                         DeformWorkspace& workspace, const Progress& progress) {
@@ -160,7 +179,7 @@ Deformed deform_surface(Mesh mesh, const DeformRequest& request, Kernels& kernel
   result.commits = commit_count(request);
   result.mesh = std::move(mesh);
   stage("region", result.timings, progress,
-        [&] { result.region = resolve_edit_region(request, result.mesh); });
+        [&] { result.region = region_of(request, result.mesh, workspace); });
   const Positions start = result.mesh.positions;
   std::vector<Vector3d> centroids;
   for (const VertexSet& handle : result.region.handles) {
@@ -179,7 +198,8 @@ JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& 
   std::optional<JoinedSurface>& joined = workspace.joined;
   const bool was_there = joined && !joined->empty();
   if (!was_there || !joined->is_closed_at(mesh.positions)) {
-    if (was_there) {  // what is prepared may refer to the topology that goes
+    if (was_there) {  // what is kept may be of the topology that goes
+      workspace.resolved.reset();
       workspace.deformer.reset();
       workspace.prepared.reset();
     }

@@ -53,8 +53,16 @@ struct Deformed : DeformReport {
 /// fit the mesh, and what Deformer throws.
 Deformed deform(Mesh mesh, const DeformRequest& request);
 
+/// What the regions of a request came to.
+struct ResolvedRegion {
+  DeformRequest request;  ///< its handles unmoved
+  Positions rest;
+  EditRegion region;
+};
+
 /// What one request leaves for another on the same mesh.
 struct DeformWorkspace {
+  std::optional<ResolvedRegion> resolved = {};    ///< for the same regions
   std::unique_ptr<PreparedRegion> prepared = {};  ///< for the same ROI
   std::optional<Deformer> deformer = {};          ///< for all the same but the handles' motions
   std::optional<JoinedSurface> joined = {};       ///< once seams were looked for
