@@ -89,6 +89,8 @@ void ShownSurface::follow(const Preparation& preparation,
   const bool same =
       std::equal(motions.begin(), motions.end(), followed_.begin(), followed_.end(),
                  [](const auto& a, const auto& b) { return a.matrix() == b.matrix(); });
+  // What is prepared is of the state's triangles, and of no others that are on the device.
+  if (!has_triangles_of_state()) return;
   if (same && device_->surface.drags_by(preparation)) return;
   if (!device_->surface.drag(preparation, motions)) return;
   follows_ = true;
@@ -122,6 +124,12 @@ void ShownSurface::end_preview() {
   preview_ = {};
   preview_classes_.clear();
   needs_classes_ = true;
+  show_still();
+}
+
+void ShownSurface::show_before(bool before) {
+  if (before_ == before) return;
+  before_ = before;
   show_still();
 }
 

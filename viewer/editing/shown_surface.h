@@ -61,7 +61,7 @@ class ShownSurface {
 
   /// The mesh as it was opened, to compare with.
   bool shows_before() const { return before_; }
-  void show_before(bool before) { before_ = before; }
+  void show_before(bool before);
 
   /// Whether the triangles on the screen are those of the state, so that tools can choose there.
   bool has_triangles_of_state() const { return device_->topology.get() == &now_->topology(); }
