@@ -185,14 +185,19 @@ StepReport run_step(const DeformRequest& step, const StepRun& on) {
   result.mesh = std::move(done.mesh);
   result.warn(done.warnings);
   result.note(done.notes);
+  StepReport report = report_of(done);
+  result.region = std::move(done.region);
+  return report;
+}
+
+StepReport report_of(Deformed& done) {
   StepReport report;
   report.roi = done.region.roi.size();
   report.free = done.free;
   report.belt = done.region.belt.size();
   for (const VertexSet& handle : done.region.handles) report.handles.push_back(handle.size());
   report.timings = std::move(done.timings);
-  result.region = std::move(done.region);
-  report.deform = std::move(done);
+  report.deform = std::move(static_cast<DeformReport&>(done));
   return report;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lapwing/deform/deform.h"
 #include "lapwing/deform/deform_request.h"
 #include "lapwing/step/operation_words.h"
 
@@ -11,6 +12,10 @@ constexpr OperationWords words_of(const DeformRequest*) {
 }
 void describe(DeformRequest& step, KeyVisitor& visitor);
 StepReport run_step(const DeformRequest& step, const StepRun& on);
+
+/// What a deform has to say of itself as a step, but for the step's name; of `done` its timings and
+/// its DeformReport are taken.
+StepReport report_of(Deformed& done);
 
 /// The keys of parts of it, which panels show.
 void describe(DeformParameters& parameters, KeyVisitor& visitor);

@@ -119,20 +119,14 @@ class Edit {
   Result result_of(Deformed done) const {
     Result result;
     result.rest = prepared_->mesh().positions;
-    StepReport step;
+    StepReport step = report_of(done);
     step.op = "deform";
-    step.roi = done.region.roi.size();
-    step.free = done.free;
-    step.belt = done.region.belt.size();
-    for (const VertexSet& handle : done.region.handles) step.handles.push_back(handle.size());
-    step.timings = std::move(done.timings);
     result.mesh = std::move(done.mesh);
     result.region = std::move(done.region);
     result.report.vertices = result.mesh.vertex_count();
     result.report.faces = result.mesh.face_count();
     result.report.warnings = std::move(done.warnings);
     result.report.notes = std::move(done.notes);
-    step.deform = std::move(done);
     result.report.steps.push_back(std::move(step));
     return result;
   }
