@@ -20,23 +20,23 @@ import lapwing
 if len(sys.argv) > 3:
     mesh, center, radius = lapwing.read(sys.argv[1]), int(sys.argv[2]), float(sys.argv[3])
     roi = {"disk": {"center": center, "radius": radius}}
-    hand = {"disk": {"center": center, "radius": radius / 3}}
+    hand, belt = {"disk": {"center": center, "radius": radius / 3}}, 0.1
 else:
     mesh = lapwing.shape("tube")
     height = mesh.vertices[:, 2]
-    roi, hand = "all", height > np.quantile(height, 0.95)
+    roi, hand, belt = "all", height > np.quantile(height, 0.95), height < np.quantile(height, 0.05)
 
 # %% What the mesh is like
 found = lapwing.check(mesh)
 print(mesh, "genus", found.statistics["genus"], "and", len(found.defects), "kinds of defects")
 
 # %% Bend it, prepared once, to three angles
-deformer = lapwing.Deformer(mesh, roi=roi, handles=[hand])
-center = mesh.vertices[deformer.handles[0]].mean(0)
+deformer = lapwing.Deformer(mesh, roi=roi, belt=belt, handles=[hand])
+center = mesh.vertices[deformer.roi].mean(0)
 motions = np.tile(np.eye(4), (3, 1, 1, 1))
 for motion, degrees in zip(motions[:, 0], (20, 45, 70)):
     angle = np.radians(degrees)
-    motion[:3, :3] = [[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]]
+    motion[:3, :3] = [[1, 0, 0], [0, np.cos(angle), -np.sin(angle)], [0, np.sin(angle), np.cos(angle)]]
     motion[:3, 3] = center - motion[:3, :3] @ center
 many = deformer.solve_many(motions)
 
