@@ -28,22 +28,26 @@ def folder():
 
 def main(packages):
     """Runs the tests of the calling file. `packages`: by name of a program that they need, the
-    package of Debian that has it. Where they cannot run they are skipped, but in CI they fail."""
+    package of Debian that has it. Where they cannot run they are skipped, but in CI a missing
+    package is an error: it can be installed there."""
     if FOLDER in os.environ:
         enter()
         unittest.main()
-    obstacle = what_is_missing(packages)
-    if obstacle:
-        print(f"These tests cannot run: {obstacle}")
+    if missing := missing_packages(packages):
+        print(f"These tests need {missing}, which tools/setup/install-packages --cluster installs")
         sys.exit(1 if os.environ.get("CI") == "true" else SKIPPED)
+    if obstacle := what_is_not_allowed():
+        print(f"These tests cannot run: {obstacle}")
+        sys.exit(SKIPPED)
     sys.exit(run_apart())
 
 
-def what_is_missing(packages):
+def missing_packages(packages):
     missing = {packages[program] for program in packages if not shutil.which(program, path=path())}
-    if missing:
-        names = ", ".join(sorted(missing))
-        return f"without {names}, which tools/setup/install-packages --cluster installs"
+    return ", ".join(sorted(missing))
+
+
+def what_is_not_allowed():
     if os.geteuid() != 0:
         return "only root can start Slurm's services"
     trial = subprocess.run([*NAMESPACES, "true"], capture_output=True, text=True)
