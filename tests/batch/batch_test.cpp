@@ -1,12 +1,11 @@
 #include "lapwing/batch/batch.h"
 
 #include <fstream>
-#include <map>
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "batch/bent_tubes.h"
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
@@ -27,17 +26,13 @@ using ::testing::HasSubstr;
 using ::testing::Key;
 using ::testing::Not;
 
-using Files = std::map<std::string, std::string>;
+using test::Files;
 
 class ABatch : public ::testing::Test {
  protected:
   void SetUp() override {
     write_mesh(cylinder(8, 8, 0.5, 3.0), path("tube.obj"));
-    write("bend.json", R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
-      {"op": "deform", "roi": {"all": true},
-       "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.4]}},
-       "handles": [{"region": {"box": {"min": [-1, -1, 2.8], "max": [1, 1, 4]}},
-                    "move": {"translate": [0, 0, 0.5]}}]}]})");
+    write("bend.json", test::kBendTube);
     std::string lines;
     for (int k = 0; k < kJobs; ++k) lines += line(k) + "\n";
     write("jobs.jsonl", lines);
@@ -54,15 +49,7 @@ class ABatch : public ::testing::Test {
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(path(name)) << text;
   }
-  Files files_of(const std::string& folder) const {
-    Files files;
-    for (const auto& entry : fs::directory_iterator(path(folder))) {
-      std::ostringstream text;
-      text << std::ifstream(entry.path()).rdbuf();
-      files[entry.path().filename().string()] = text.str();
-    }
-    return files;
-  }
+  Files files_of(const std::string& folder) const { return test::files_in(path(folder)); }
   BatchRequest request(const std::string& folder) const {
     return {.jobs = path("jobs.jsonl"),
             .recipe = path("bend.json"),

@@ -1,6 +1,5 @@
 #include <chrono>
 #include <csignal>
-#include <map>
 #include <random>
 #include <thread>
 #include <unistd.h>
@@ -8,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "batch/bent_tubes.h"
 #include "command_line.h"
 
 namespace lapwing {
@@ -17,19 +17,13 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-using Files = std::map<std::string, std::string>;
-
 class BatchCommandLine : public CommandLine {
  protected:
   static constexpr int kJobs = 60;
 
   void SetUp() override {
     CommandLine::SetUp();
-    write("bend.json", R"({"lapwing": 1, "mesh": "tube.obj", "steps": [
-      {"op": "deform", "roi": {"all": true},
-       "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.4]}},
-       "handles": [{"region": {"box": {"min": [-1, -1, 2.8], "max": [1, 1, 4]}},
-                    "move": {"translate": [0, 0, 0.5]}}]}]})");
+    write("bend.json", test::kBendTube);
     std::string lines;
     for (int k = 0; k < kJobs; ++k) {
       lines += R"({"id": "j)" + std::to_string(k) +
@@ -39,14 +33,7 @@ class BatchCommandLine : public CommandLine {
     write("jobs.jsonl", lines);
   }
 
-  Files files_of(const std::string& folder) const {
-    Files files;
-    for (const auto& entry : fs::directory_iterator(file(folder))) {
-      const std::string name = entry.path().filename().string();
-      files[name] = read(folder + "/" + name);
-    }
-    return files;
-  }
+  test::Files files_of(const std::string& folder) const { return test::files_in(file(folder)); }
 
   // Runs a batch and kills it after that long; false where it came to its end before.
   bool kill_after(std::chrono::microseconds time) const {

@@ -28,11 +28,7 @@ class DeformInMemory : public ::testing::Test {
     SimilarityMove move;
     move.translate = translate;
     move.rotate = {Vector3d::UnitZ(), degrees};
-    DeformRequest request;
-    request.roi = {ListedVertices{region_.roi}};
-    request.belt = RegionSpec{ListedVertices{region_.belt}};
-    request.handles = {{{ListedVertices{region_.handles[0]}}, move}};
-    return request;
+    return test::moved_head(region_, move);
   }
 
   const Mesh mesh_ = test::bumpy_tube();

@@ -31,13 +31,7 @@ class ManyOfOneEdit : public ::testing::Test {
     return move;
   }
 
-  DeformRequest request(const Move& move = {}) const {
-    DeformRequest request;
-    request.roi = {ListedVertices{region_.roi}};
-    request.belt = RegionSpec{ListedVertices{region_.belt}};
-    request.handles = {{{ListedVertices{region_.handles[0]}}, move}};
-    return request;
-  }
+  DeformRequest request(const Move& move = {}) const { return test::moved_head(region_, move); }
 
   const Mesh mesh_ = test::bumpy_tube();
   const EditRegion region_ = test::foot_and_head(mesh_);

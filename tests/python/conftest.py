@@ -9,7 +9,7 @@ import pytest
 
 import lapwing
 
-#: The armadillo of tools/recipes/raise-arm.json, or the tube where there are no models.
+#: Of the scan, as in tools/recipes/raise-arm.json.
 ARM = {"disk": {"center": 969, "radius": 72}}
 HAND = {"disk": {"center": 969, "radius": 27}}
 
@@ -41,7 +41,7 @@ def scan(scan_file: Path) -> lapwing.Mesh:
 
 @pytest.fixture(scope="session")
 def tube() -> lapwing.Mesh:
-    """A tube along z from 0 to 3, of which the last ring is bent below."""
+    """An open tube along z, of a few hundred vertices."""
     return lapwing.remesh(lapwing.shape("cylinder"), scale=3.0).mesh
 
 

@@ -122,6 +122,18 @@ BAD = {
     "detail_length: expected a number above 0": lambda: lapwing.deform(
         SQUARE, TWO, detail_length=-1, handles=[([0], np.eye(4))]
     ),
+    'weights: expected one of "uniform", "cotangent", got "equal"': lambda: lapwing.peel(
+        SQUARE, TWO, detail_size=0.1, weights="equal"
+    ),
+    'domain: expected one of "disk", "square", got "round"': lambda: lapwing.parameterize(
+        SQUARE, TWO, domain="round"
+    ),
+    "pins[1]: expected the number of a vertex, from 0, got -1": lambda: lapwing.parameterize(
+        SQUARE, TWO, pins=[0, -1]
+    ),
+    "pins: expected vertex numbers, got an array of type float64": lambda: lapwing.parameterize(
+        SQUARE, TWO, pins=[0.5]
+    ),
     "targets[0, 1]: the number is not finite": lambda: lapwing.deform(
         SQUARE, TWO, targets=np.array([[0, np.inf, 0, 0]])
     ),

@@ -24,14 +24,14 @@ def scheduler(tmp_path):
         return subprocess.Popen(
             [sys.executable, "-m", f"distributed.cli.{name}", *map(str, [*common, *arguments])],
             stdin=subprocess.DEVNULL, stdout=log, stderr=log,
-        )  # fmt: skip
+        )
 
     processes = [start("dask_scheduler", "--port", 0, "--no-dashboard", "--host", "127.0.0.1")]
     processes += [
         start("dask_worker", "--nthreads", 1, "--no-dashboard", "--no-nanny", "--name", f"w{k}",
               "--local-directory", tmp_path / f"w{k}")
         for k in range(2)
-    ]  # fmt: skip
+    ]
     try:
         deadline = time.monotonic() + 60
         while not file.exists():
@@ -60,13 +60,13 @@ def test_motions_on_two_workers_are_those_of_one_process(source, scheduler, tube
 
     motions = np.array([[turned(0.5 * k)] for k in range(50)])
     edit = {"belt": {"vertices": ends[0].tolist()},
-            "handles": [{"region": {"vertices": ends[1].tolist()}}]}  # fmt: skip
+            "handles": [{"region": {"vertices": ends[1].tolist()}}]}
     lapwing.write(tmp_path / "tube.ply", tube)
     np.save(tmp_path / "motions.npy", motions)
     (tmp_path / "edit.json").write_text(json.dumps(edit))
     run([sys.executable, source / "tools" / "batch" / "dask-motions", "tube.ply", "edit.json",
          "motions.npy", "out.npy", "--scheduler", address, "--dtype", "float64"],
-        cwd=tmp_path, timeout=120)  # fmt: skip
+        cwd=tmp_path, timeout=120)
 
     alone = lapwing.Deformer(tube, belt=ends[0], handles=[ends[1]]).solve_many(motions).vertices
     assert (np.load(tmp_path / "out.npy") == alone - tube.vertices).all()

@@ -53,7 +53,7 @@ def test_one_edit_has_the_same_bits_from_python_and_from_the_command_line(
 ):
     save = tmp_path / "raised.off"
     run([cli, "deform", scan_file, "--roi", "disk:969,72", "--handle", "disk:969,27",
-         "--translate=-5,13,2", "--rotate", "0,0,1,35", "--device", "cpu", "--save", save])  # fmt: skip
+         "--translate=-5,13,2", "--rotate", "0,0,1,35", "--device", "cpu", "--save", save])
     move = {"translate": [-5, 13, 2], "rotate": {"axis": [0, 0, 1], "degrees": 35}}
     result = lapwing.deform(scan, roi=ARM, handles=[(HAND, move)])
     assert (result.vertices == lapwing.read(save).vertices).all()

@@ -41,7 +41,7 @@ def test_a_coat_from_another_mesh(example, tmp_path):
     lapwing.write(tmp_path / "source.obj", lapwing.remesh(lapwing.shape("bumpy-plane"), scale=3.0))
     lapwing.write(tmp_path / "target.obj", lapwing.shape("sphere"))
     told = example("coat.py", "source.obj", "target.obj", "coated.obj", "--picture", "coat.png",
-                   "--source-vertex", "1500", "--radius", "0.2")  # fmt: skip
+                   "--source-vertex", "1500", "--radius", "0.2")
     assert int(told.split()[-3]) > 100
     assert np.isfinite(lapwing.read(tmp_path / "coated.obj").vertices).all()
     assert (tmp_path / "coat.png").stat().st_size > 10_000
@@ -49,7 +49,7 @@ def test_a_coat_from_another_mesh(example, tmp_path):
 
 def test_a_data_set(example, scan_file, tmp_path):
     example("data_set.py", scan_file, "arms.npz", "--center", "969", "--radius", "72",
-            "--count", "12")  # fmt: skip
+            "--count", "12")
     arms = np.load(tmp_path / "arms.npz")
     assert arms["displacements"].shape == (12, 26002, 3) and arms["settled"].all()
     moved = np.abs(arms["displacements"]).max(axis=(1, 2))
@@ -70,7 +70,7 @@ def test_the_lines_of_the_readme(source, scan_file, tmp_path, monkeypatch):
     blocks = re.findall(r"```python\n(.*?)```", readme, re.S)
     assert len(blocks) >= 3
     for block in blocks:
-        exec(compile(block, "README.md", "exec"), {})  # noqa: S102
+        exec(compile(block, "README.md", "exec"), {})
     assert lapwing.read(tmp_path / "raised.obj").vertex_count == 26002
 
 

@@ -34,7 +34,7 @@ def test_a_coat_of_its_own_detail_changes_little(sheet):
     coated = lapwing.coat(
         sheet, target_patch=middle, source_patch=middle, detail_size=0.1, smooth_target=0.1,
         remesh="none",
-    )  # fmt: skip
+    )
     assert coated.mesh.vertex_count == sheet.vertex_count
     assert np.abs(coated.vertices - sheet.vertices).max() < 0.1
 
@@ -45,7 +45,7 @@ def test_a_coat_from_another_mesh_is_that_of_the_command_line(sheet, cli, tmp_pa
     lapwing.write(tmp_path / "source.off", source)
     run([cli, "coat", tmp_path / "target.off", "--source", tmp_path / "source.off",
          "--target-patch", "all", "--detail-size", "0.1", "--no-remesh", "--device", "cpu",
-         "--save", tmp_path / "coated.off"])  # fmt: skip
+         "--save", tmp_path / "coated.off"])
     coated = lapwing.coat(sheet, source, target_patch="all", detail_size=0.1, remesh="none")
     assert (coated.vertices == lapwing.read(tmp_path / "coated.off").vertices).all()
 
@@ -57,7 +57,7 @@ def test_a_mix_by_a_painted_share(sheet):
         sheet,
         [{"patch": "all", "detail_size": 0.1}, {"mesh": other, "patch": "all", "detail_size": 0.1}],
         target_patch="all", weight=share, remesh="none",
-    )  # fmt: skip
+    )
     assert np.isfinite(mixed.vertices).all()
     with pytest.raises(lapwing.InputError, match=r"sources\[0\]: expected a dict"):
         lapwing.mix(sheet, [sheet, other], target_patch="all", weight=share)
@@ -94,7 +94,7 @@ def recipe_of(tube, ends):
         "steps": [
             {"op": "deform", "roi": "all", "belt": ends[0], "handles": [(ends[1], turned(25.0))]}
         ],
-    }  # fmt: skip
+    }
 
 
 def test_a_recipe_runs_on_meshes_in_memory(tube, ends):

@@ -15,7 +15,7 @@ def test_the_wheel_installs_in_a_clean_environment_offline(source, tmp_path):
     }
     run([sys.executable, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "-w", tmp_path,
          source / "tools" / "python"],
-        env=offline)  # fmt: skip
+        env=offline)
     (wheel,) = tmp_path.glob("lapwing-*.whl")
     # numpy comes from the system: it cannot be downloaded either.
     run([sys.executable, "-m", "venv", "--system-site-packages", tmp_path / "clean"], env=offline)
@@ -27,7 +27,7 @@ def test_the_wheel_installs_in_a_clean_environment_offline(source, tmp_path):
          "print(os.path.exists(os.path.join(os.path.dirname(lapwing.__file__), 'py.typed')));"
          "tube = lapwing.shape('tube');"
          "print(lapwing.deform(tube, belt=[0, 1, 2], handles=[([900], {'translate': [0, 0, 1]})]))"],
-        cwd=tmp_path, env=offline)  # fmt: skip
+        cwd=tmp_path, env=offline)
     assert str(tmp_path / "clean") in told and "True" in told and "Result" in told
 
 
@@ -36,5 +36,5 @@ def test_the_import_needs_neither_vulkan_nor_a_display(tmp_path):
     told = run([sys.executable, "-c",
                 "import lapwing; maps = open('/proc/self/maps').read();"
                 "print('vulkan' in maps, 'libX11' in maps)"],
-               env=bare)  # fmt: skip
+               env=bare)
     assert told.split() == ["False", "False"]

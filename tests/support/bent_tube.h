@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/deform/deform_request.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/region/edit_region.h"
 #include "support/largest_distance.h"
@@ -29,6 +30,15 @@ inline EditRegion foot_and_head(const Mesh& mesh) {
     if (v >= mesh.vertex_count() - 24) region.handles[0].push_back(v);
   }
   return region;
+}
+
+// The head moved, the foot held.
+inline DeformRequest moved_head(const EditRegion& region, const Move& move) {
+  DeformRequest request;
+  request.roi = {ListedVertices{region.roi}};
+  request.belt = RegionSpec{ListedVertices{region.belt}};
+  request.handles = {{{ListedVertices{region.handles[0]}}, move}};
+  return request;
 }
 
 inline Eigen::Affine3d bend() {

@@ -25,13 +25,14 @@ BatchDisplay::BatchDisplay(bool quiet) : quiet_(quiet), terminal_(isatty(2) != 0
 // "312 of 1000 done, 2 failed, 31.4 edits/s, 0:00:22 left". The rate is that of this run.
 std::string BatchDisplay::words_of(const BatchCount& count) const {
   const double seconds = since_begin_.elapsed_ms() / 1e3;
-  const auto ended = static_cast<double>(count.done - count.before + count.failed);
+  const auto done = static_cast<double>(count.done - count.before);
+  const double ended = done + static_cast<double>(count.failed);
   const auto left = static_cast<double>(count.jobs - count.done - count.failed);
   std::string text = std::to_string(count.done) + " of " + std::to_string(count.jobs) + " done";
   if (count.failed > 0) text += ", " + std::to_string(count.failed) + " failed";
-  if (ended == 0.0 || seconds <= 0.0) return text;
+  if (done == 0.0 || seconds <= 0.0) return text;
   char rate[32];
-  std::snprintf(rate, sizeof rate, ", %.3g edits/s", ended / seconds);
+  std::snprintf(rate, sizeof rate, ", %.3g edits/s", done / seconds);
   text += rate;
   if (left > 0.0) text += ", " + words_of_time(left * seconds / ended) + " left";
   return text;

@@ -28,12 +28,12 @@ class CMakeBuild(build_ext):
                     f"-DPython_EXECUTABLE={sys.executable}",
                 ],
                 check=True,
-            )  # fmt: skip
+            )
         subprocess.run(
             ["cmake", "--build", build, "--parallel", str(os.cpu_count()), "--target",
              "lapwing_python"],
             check=True,
-        )  # fmt: skip
+        )
         target = Path(self.get_ext_fullpath(ext.name))
         built = build / "python" / "lapwing" / target.name
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <initializer_list>
 #include <pybind11/numpy.h>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/mesh/mesh.h"
 
 namespace lapwing::python {
@@ -24,6 +28,19 @@ py::array_t<double> array_of(std::span<const Eigen::Vector3d> vectors);
 py::array_t<Index> array_of(std::span<const Index> numbers);
 /// Shape (m, k) where all polygons have k corners, else a list of arrays.
 py::object faces_of(const Mesh& mesh);
+
+/// The one of `choices` that is called `chosen`. Throws InputError, naming `place` and all of them,
+/// where none is.
+template <class Value>
+Value one_of(const std::string& place, const std::string& chosen,
+             std::initializer_list<std::pair<const char*, Value>> choices) {
+  std::string known;
+  for (const auto& [name, value] : choices) {
+    if (chosen == name) return value;
+    known += (known.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+  }
+  throw InputError(place + ": expected one of " + known + ", got \"" + chosen + "\"");
+}
 
 /// `count` moves for each of `handles` handles: numbers of shape (count, handles, 4, 4) or (count,
 /// handles, 3, 4), row by row, acting on column vectors. Throws InputError, naming the place, for

@@ -26,7 +26,9 @@ py::dict peel_mesh(const Mesh& mesh, const std::string& region, double detail_si
   PeelRequest request;
   request.region = region_of(region, "peel: region");
   request.detail_size = detail_size;
-  request.weights = weights == "uniform" ? LaplacianWeights::uniform : LaplacianWeights::cotangent;
+  request.weights = one_of<LaplacianWeights>(
+      "peel: weights", weights,
+      {{"uniform", LaplacianWeights::uniform}, {"cotangent", LaplacianWeights::cotangent}});
   const Peeled peeled =
       Interruptible(py::none()).call([&](const Progress&) { return peel(mesh, request); });
   return py::dict("mesh"_a = peeled.mesh, "coating"_a = array_of(peeled.displacement),
@@ -55,7 +57,8 @@ py::dict parameterize_mesh(const Mesh& mesh, const std::string& region, const st
                            const std::vector<Index>& pins) {
   ParameterizeRequest request;
   request.region = region_of(region, "parameterize: region");
-  request.domain = domain == "square" ? Domain::square : Domain::disk;
+  request.domain = one_of<Domain>("parameterize: domain", domain,
+                                  {{"disk", Domain::disk}, {"square", Domain::square}});
   request.pins = pins;
   const Parameterized result =
       Interruptible(py::none()).call([&](const Progress&) { return parameterize(mesh, request); });

@@ -14,17 +14,6 @@
 namespace lapwing::python {
 namespace {
 
-template <class Value>
-Value one_of(const std::string& name, const std::string& chosen,
-             std::initializer_list<std::pair<const char*, Value>> choices) {
-  std::string known;
-  for (const auto& [word, value] : choices) {
-    if (chosen == word) return value;
-    known += (known.empty() ? "\"" : ", \"") + std::string(word) + "\"";
-  }
-  throw InputError("render: " + name + ": expected one of " + known + ", got \"" + chosen + "\"");
-}
-
 PictureRequest request_of(const py::dict& picture) {
   PictureRequest request;
   request.width = picture["width"].cast<std::uint32_t>();
@@ -33,12 +22,13 @@ PictureRequest request_of(const py::dict& picture) {
   if (!picture["from_"].is_none()) {
     request.from = Eigen::Vector3d(picture["from_"].cast<std::array<double, 3>>().data());
   }
-  request.up =
-      one_of<UpAxis>("up", picture["up"].cast<std::string>(), {{"y", UpAxis::y}, {"z", UpAxis::z}});
-  request.background = one_of<Background>("background", picture["background"].cast<std::string>(),
-                                          {{"gradient", Background::gradient},
-                                           {"white", Background::white},
-                                           {"transparent", Background::transparent}});
+  request.up = one_of<UpAxis>("render: up", picture["up"].cast<std::string>(),
+                              {{"y", UpAxis::y}, {"z", UpAxis::z}});
+  request.background =
+      one_of<Background>("render: background", picture["background"].cast<std::string>(),
+                         {{"gradient", Background::gradient},
+                          {"white", Background::white},
+                          {"transparent", Background::transparent}});
   request.orthographic = picture["orthographic"].cast<bool>();
   request.wireframe = picture["wireframe"].cast<bool>();
   request.flat = picture["flat"].cast<bool>();

@@ -70,7 +70,7 @@ def main() -> None:
         settled=[c.settled for c in variants.certificates],
     )
     print(f"{deformer}: prepared in {prepared - start:.2f} s, "
-          f"{arguments.count / (solved - prepared):.1f} variants a second")  # fmt: skip
+          f"{arguments.count / (solved - prepared):.1f} variants a second")
 
 
 if __name__ == "__main__":

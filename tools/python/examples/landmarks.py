@@ -50,7 +50,7 @@ def main() -> None:
 
     print(f"landmarks off by {distance(placed):.4g} as a whole, {distance(fitted):.4g} when fitted")
     print(f"detail error {fitted.certificate.detail_error:.3f}, "
-          f"edge stretch {fitted.certificate.edge_stretch:.3f}")  # fmt: skip
+          f"edge stretch {fitted.certificate.edge_stretch:.3f}")
     for note in fitted.warnings + lapwing.write(arguments.fitted, fitted):
         print("note:", note)
 

@@ -50,7 +50,7 @@ for axis, motion, vertices in zip(axes[1:], motions, many.vertices):
     picture = lapwing.render(
         mesh.with_vertices(vertices), values=degrees, limits=(0, 70), legend="turned by, degrees",
         size=(400, 400),
-    )  # fmt: skip
+    )
     axis.imshow(picture)
 for axis in axes:
     axis.axis("off")

@@ -46,4 +46,4 @@ __all__ = [
     "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed", "Result", "SolverError",
     "check", "coat", "deform", "fix", "mix", "parameterize", "peel", "read", "remesh", "render",
     "run", "shape", "transplant", "write",
-]  # fmt: skip
+]

@@ -85,16 +85,25 @@ def region_of(region: Any, vertex_count: Optional[int], where: str) -> Any:
                 f"got {vertices.size}"
             )
         return {"vertices": np.flatnonzero(vertices).tolist()}
-    if vertices.dtype.kind not in "iu":
+    return {"vertices": vertices_of(vertices, where)}
+
+
+def vertices_of(vertices: Any, where: str) -> List[int]:
+    """Numbers of vertices, in their order."""
+    numbers = np.asarray(vertices)
+    if numbers.size == 0:
+        return []
+    if numbers.ndim != 1 or numbers.dtype.kind not in "iu":
         raise _core.InputError(
-            f"{where}: expected vertex numbers, got an array of type {vertices.dtype}"
+            f"{where}: expected vertex numbers, got an array of type {numbers.dtype} and shape "
+            f"{numbers.shape}"
         )
-    if int(vertices.min()) < 0:
-        place = int(np.argmin(vertices))
+    if int(numbers.min()) < 0:
+        place = int(np.argmin(numbers))
         raise _core.InputError(
-            f"{where}[{place}]: expected the number of a vertex, from 0, got {vertices[place]}"
+            f"{where}[{place}]: expected the number of a vertex, from 0, got {numbers[place]}"
         )
-    return {"vertices": vertices.tolist()}
+    return [int(v) for v in numbers.tolist()]
 
 
 def move_of(move: Any, vertex_count: Optional[int], where: str) -> Any:

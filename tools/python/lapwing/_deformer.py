@@ -59,7 +59,7 @@ class Deformer:
             constraint_weight=constraint_weight, settle=settle, weights=weights,
             response=response, loose=loose, seams=seams,
             handles=[_at_rest(handle) for handle in handles],
-        )  # fmt: skip
+        )
         step = deform_step(chosen.vertex_count, "Deformer", keys)
         self._prepare(chosen, step, progress)
 

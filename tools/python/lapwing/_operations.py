@@ -102,7 +102,7 @@ def deform(
         roi=roi, belt=belt, handles=handles, targets=targets, mirror=mirror, hard=hard,
         detail_length=detail_length, constraint_weight=constraint_weight, settle=settle,
         weights=weights, response=response, commit_every=commit_every, loose=loose, seams=seams,
-    )  # fmt: skip
+    )
     step = deform_step(chosen.vertex_count, "deform", keys)
     return _core.run_step(chosen, step, "deform", {}, device, progress)
 
@@ -142,7 +142,7 @@ def coat(
         detail_size=detail_size, smooth_target=smooth_target, amplitude=amplitude, scale=scale,
         transition=transition, boundary_pairs=boundary_pairs, inner_pairs=inner_pairs,
         domain=domain, sampling=sampling, weights=weights, remesh=remesh,
-    )  # fmt: skip
+    )
     written = {key: plain(value, count, f"coat: {key}") for key, value in keys.items()}
     written["target_patch"] = region_of(target_patch, count, "coat: target_patch")
     written["source_patch"] = region_of(source_patch, taken.vertex_count, "coat: source_patch")
@@ -182,7 +182,7 @@ def mix(
     keys = dict(
         take=take, profile=profile, smooth_target=smooth_target, transition=transition,
         domain=domain, weights=weights, remesh=remesh,
-    )  # fmt: skip
+    )
     written = {key: plain(value, count, f"mix: {key}") for key, value in keys.items()}
     written["target_patch"] = region_of(target_patch, count, "mix: target_patch")
     painted = not isinstance(weight, Mapping)
@@ -237,7 +237,7 @@ def transplant(
     keys = dict(
         loop=loop, snap=snap, transition=transition, belt=belt, sampling=sampling,
         weights=weights, remesh=remesh,
-    )  # fmt: skip
+    )
     written = {key: plain(value, count, f"transplant: {key}") for key, value in keys.items()}
     written["target_region"] = region_of(target_region, count, "transplant: target_region")
     if place is not None:

@@ -40,6 +40,6 @@ def render(
         width=int(size[0]), height=int(size[1]), view=view, up=up, background=background,
         from_=None if from_ is None else [float(x) for x in from_],
         orthographic=orthographic, wireframe=wireframe, flat=flat,
-    )  # fmt: skip
+    )
     numbers = None if values is None else np.asarray(values, dtype=np.float32).ravel()
     return _core.render(chosen, numbers, limits, legend, picture, device)

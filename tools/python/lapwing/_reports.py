@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Dict, List, Optional, Sequence
 
 from . import _core
-from ._arguments import Array, mesh_of, plain, region_of
+from ._arguments import Array, mesh_of, region_of, vertices_of
 from ._operations import Progress
 
 
@@ -37,12 +37,8 @@ class Check:
 
 
 @dataclass(frozen=True)
-class Fixed:
-    """What `fix` made."""
-
+class _Made:
     mesh: _core.Mesh
-    repairs: Dict[str, int]  #: what was done, and how often
-    vertex_sources: Array  #: the old number of each vertex
 
     @property
     def vertices(self) -> Array:
@@ -54,46 +50,39 @@ class Fixed:
 
 
 @dataclass(frozen=True)
-class Peeled:
-    """What `peel` made."""
+class Fixed(_Made):
+    """What `fix` made: `mesh`, `vertices`, `faces`."""
 
-    mesh: _core.Mesh  #: smooth
+    repairs: Dict[str, int]  #: what was done, and how often
+    vertex_sources: Array  #: the old number of each vertex
+
+
+@dataclass(frozen=True)
+class Peeled(_Made):
+    """What `peel` made: a `mesh` that is smooth, its `vertices` and `faces`."""
+
     coating: Array  #: (n, 3), from the smooth surface to the one given
     moved: Array  #: the vertices that may have moved
     mean_coating: float
     largest_coating: float
     warnings: List[str]
 
-    @property
-    def vertices(self) -> Array:
-        return self.mesh.vertices
-
 
 @dataclass(frozen=True)
-class Remeshed:
-    """What `remesh` made."""
+class Remeshed(_Made):
+    """What `remesh` made: `mesh`, `vertices`, `faces`."""
 
-    mesh: _core.Mesh
     kept: Array  #: the old number of each vertex that was kept, 2**32 - 1 of a new one
     region: Array  #: the vertices of the region, as it is now
     mean_edge: float
     smallest_angle_degrees: float
     warnings: List[str]
 
-    @property
-    def vertices(self) -> Array:
-        return self.mesh.vertices
-
-    @property
-    def faces(self) -> Any:
-        return self.mesh.faces
-
 
 @dataclass(frozen=True)
-class Parameterized:
-    """What `parameterize` made."""
+class Parameterized(_Made):
+    """What `parameterize` made: the `mesh` given with texture coordinates, and where these are."""
 
-    mesh: _core.Mesh  #: the one given with texture coordinates
     #: (p, 2), in the disk or square: of the patch's vertices, then of the midpoints of edges that
     #: had to be halved
     points: Array
@@ -185,6 +174,6 @@ def parameterize(
             chosen,
             _region_json(region, chosen, "parameterize: region"),
             domain,
-            plain(pins, chosen.vertex_count, "parameterize: pins"),
+            vertices_of(pins, "parameterize: pins"),
         )
     )
