@@ -1,5 +1,6 @@
 #include "batch_display.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -47,7 +48,9 @@ void BatchDisplay::show(const BatchCount& count) {
     return;
   }
   constexpr std::size_t kWidth = 30;
-  std::string bar(kWidth * (count.done + count.failed) / count.jobs, '#');
+  // Of a shard without jobs none are left.
+  const std::size_t jobs = std::max<std::size_t>(count.jobs, 1);
+  std::string bar(kWidth * (count.done + count.failed) / jobs, '#');
   bar.resize(kWidth, '.');
   std::fprintf(stderr, "\r\033[K  [%s] %s", bar.c_str(), words_of(count).c_str());
   std::fflush(stderr);
