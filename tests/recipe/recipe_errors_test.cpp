@@ -101,7 +101,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoSteps", R"({"lapwing": 1, "mesh": "a.obj", "steps": {}})",
                 ": /steps: expected a list, got an object"},
         Mistake{"KeyTwice", R"({"lapwing": 1, "mesh": "a", "mesh": "b", "steps": []})",
-                ": the key \"mesh\" stands twice in one object; remove one of the two"}),
+                ":1:34: /mesh: the key \"mesh\" stands twice in one object; remove one of the two"},
+        Mistake{"KeyTwiceWithin",
+                "{\"lapwing\": 1, \"steps\": [{},\n {\"a/b\": 0,\n  \"a/b\": 1}]}",
+                ":3:7: /steps/1/a~1b: the key \"a/b\" stands twice in one object; remove one of "
+                "the two"},
+        Mistake{"BeyondDouble", "{\"lapwing\": 1,\n \"steps\": [{\"x\": [0, 1e999]}]}",
+                ":2:26: /steps/0/x/1: the number 1e999 is beyond what a double can hold; write one "
+                "below 1.8e308"}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -482,8 +489,13 @@ TEST(RecipeSyntax, BytesThatAreNotUtf8AreRefused) {
 
 TEST(RecipeSyntax, RegionsNestedWithoutEndAreRefused) {
   std::string roi = R"({"all": true})";
-  for (int depth = 0; depth < 1000; ++depth) roi = R"({"union": [)" + roi + "]}";
+  for (int depth = 0; depth < 100; ++depth) roi = R"({"union": [)" + roi + "]}";
   EXPECT_THAT(error_of(with_roi(roi)), HasSubstr("regions are nested more than 64 deep"));
+}
+
+TEST(RecipeSyntax, ListsNestedWithoutEndAreRefused) {
+  EXPECT_THAT(error_of(std::string(100'000, '[')),
+              HasSubstr(":1:501: lists and objects lie in each other deeper than 500"));
 }
 
 }  // namespace

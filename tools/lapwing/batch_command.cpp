@@ -10,6 +10,7 @@
 #include "exit_code.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/batch/batch.h"
+#include "messages.h"
 
 namespace lapwing::cli {
 namespace {
@@ -59,7 +60,7 @@ void BatchOptions::run() {
     count = run_batch(
         request, {[&](const BatchCount& now) { display.show(now); }, [] { return caught == 0; }});
   } catch (const InputError& error) {
-    std::fprintf(stderr, "lapwing: %s\n", error.what());
+    say(error.what());
     throw ExitWith{kUsage};
   }
   display.finish(count, request.folder);
@@ -85,6 +86,8 @@ void add_batch(CLI::App& app) {
   command->add_option("--recipe", request.recipe, "of the jobs that name none");
   command->add_flag("--resume", request.resume,
                     "go on from what is in the folder, of all shards; what failed is tried again");
+  command->add_option("--sandbox", request.sandbox,
+                      "refuse recipes that read or write outside of this folder");
   command->add_option("--shard", options->shard,
                       "K/N: the K-th of N parts of the jobs, for many machines");
   auto* format = command

@@ -6,6 +6,8 @@
 #include <string>
 #include <unistd.h>
 
+#include "messages.h"
+
 namespace lapwing::cli {
 namespace {
 
@@ -60,7 +62,7 @@ void BatchDisplay::finish(const BatchCount& count, const std::filesystem::path& 
   if (quiet_) return;
   std::fprintf(stderr, "%s%s\n", terminal_ ? "\r\033[K" : "", words_of(count).c_str());
   if (count.failed > 0) {
-    std::fprintf(stderr, "what failed, and why: %s\n", (folder / "failed*.jsonl").c_str());
+    std::fprintf(stderr, "what failed, and why: %s\n", shown(folder / "failed*.jsonl").c_str());
   }
   if (!count.is_complete()) std::fprintf(stderr, "go on with --resume\n");
 }

@@ -8,7 +8,8 @@
 #include "exit_code.h"
 #include "lapwing/doctor/format.h"
 #include "lapwing/io/mesh_file.h"
-#include "mesh_output.h"
+#include "messages.h"
+#include "output_files.h"
 
 namespace lapwing::cli {
 namespace {
@@ -35,13 +36,16 @@ CheckReport examine_and_print(const Mesh& mesh, bool with_self_intersections) {
 }
 
 void check_mesh(const CheckArguments& arguments) {
+  OutputFiles files;
+  files.reads("MESH", arguments.mesh, true);
+  files.writes_mesh("--fix", arguments.fix);
   Mesh mesh = read_mesh(arguments.mesh);
   CheckReport report = examine_and_print(mesh, arguments.self_intersections);
   if (!arguments.fix.empty()) {
     const FixReport repairs = fix(mesh);
     std::printf("\nRepairs\n%s", format(repairs).c_str());
     print_notes(write_mesh(mesh, arguments.fix));
-    std::printf("\nAfter the repairs: %s\n", arguments.fix.c_str());
+    std::printf("\nAfter the repairs: %s\n", shown(arguments.fix).c_str());
     report = examine_and_print(mesh, arguments.self_intersections);
   }
   if (has_errors(report)) throw ExitWith{kInput};

@@ -4,7 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
-#include "mesh_output.h"
+#include "messages.h"
+#include "output_files.h"
 
 namespace lapwing::cli {
 namespace {
@@ -17,6 +18,9 @@ struct ConvertArguments {
 };
 
 void convert(const ConvertArguments& arguments) {
+  OutputFiles files;
+  files.reads("FROM", arguments.from, true);
+  files.writes_mesh("TO", arguments.to);
   WriteOptions options;
   if (arguments.ascii) options.encoding = Encoding::ascii;
   if (arguments.binary) options.encoding = Encoding::little_endian;

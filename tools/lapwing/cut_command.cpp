@@ -10,7 +10,8 @@
 #include "lapwing/region/disk_report.h"
 #include "lapwing/transplant/cut.h"
 #include "loop_text.h"
-#include "mesh_output.h"
+#include "messages.h"
+#include "output_files.h"
 #include "region_text.h"
 
 namespace lapwing::cli {
@@ -33,9 +34,7 @@ VertexSet all_vertices(const Mesh& mesh) {
 // What keeps a piece from being one that `lapwing transplant` joins without being told more.
 void note_oddities(const Mesh& mesh, const std::string& path) {
   const DiskReport report = report_disk(region_triangles(all_vertices(mesh), mesh.topology()));
-  const auto note = [&](const std::string& text) {
-    std::fprintf(stderr, "lapwing: note: %s %s\n", path.c_str(), text.c_str());
-  };
+  const auto note = [&](const std::string& text) { cli::note(path + " " + text); };
   if (report.pieces.size() > 1) {
     note("is in " + std::to_string(report.pieces.size()) + " pieces");
   }
@@ -46,12 +45,11 @@ void note_oddities(const Mesh& mesh, const std::string& path) {
   if (!report.turned_edges.empty()) note("has edges whose triangles face opposite ways");
 }
 
-void write_piece(const CutPiece& piece, const std::string& path, bool quiet) {
-  print_notes(write_mesh(piece.mesh, path));
+void describe_piece(const CutPiece& piece, const std::string& path, bool quiet) {
   const Topology& topology = piece.mesh.topology();
   note_oddities(piece.mesh, path);
   if (quiet) return;
-  std::printf("%s: %zu vertices, %zu faces\n", path.c_str(), piece.mesh.vertex_count(),
+  std::printf("%s: %zu vertices, %zu faces\n", shown(path).c_str(), piece.mesh.vertex_count(),
               piece.mesh.face_count());
   std::vector<BoundaryLoop> loops;
   try {
@@ -65,14 +63,22 @@ void write_piece(const CutPiece& piece, const std::string& path, bool quiet) {
 }
 
 void cut(const CutArguments& a) {
+  OutputFiles files;
+  files.reads("MESH", a.mesh, true);
+  files.writes_mesh("--output", a.part);
+  files.writes_mesh("--rest", a.rest);
   const Mesh mesh = read_mesh(a.mesh);
   const VertexSet region = resolve(region_spec("--region", a.region), mesh);
   const CutPiece part = cut_out(mesh, region, "--region");
   // Both or none are written.
   CutPiece rest;
   if (!a.rest.empty()) rest = cut_away(mesh, region, "--region");
-  write_piece(part, a.part, a.quiet);
-  if (!a.rest.empty()) write_piece(rest, a.rest, a.quiet);
+  FileReplacements written;
+  print_notes(write_mesh(part.mesh, a.part, written));
+  if (!a.rest.empty()) print_notes(write_mesh(rest.mesh, a.rest, written));
+  written.commit();
+  describe_piece(part, a.part, a.quiet);
+  if (!a.rest.empty()) describe_piece(rest, a.rest, a.quiet);
 }
 
 }  // namespace

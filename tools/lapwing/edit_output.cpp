@@ -9,10 +9,14 @@
 #include "exit_code.h"
 #include "file_color_option.h"
 #include "lapwing/io/atomic_file.h"
+#include "lapwing/io/image.h"
 #include "lapwing/io/mesh_format.h"
+#include "lapwing/recipe/recipe_files.h"
 #include "lapwing/render/render_image.h"
 #include "lapwing/render/surface.h"
 #include "lapwing/session/report.h"
+#include "messages.h"
+#include "output_files.h"
 #include "pose_colors.h"
 
 namespace lapwing::cli {
@@ -81,8 +85,8 @@ void print_transplant(const TransplantReport& transplant, double diagonal) {
 }
 
 void print_summary(const RunReport& report) {
-  std::printf("%s: %zu vertices, %zu faces\n%s", report.mesh.c_str(), report.vertices, report.faces,
-              format_stages(report).c_str());
+  std::printf("%s: %zu vertices, %zu faces\n%s", shown(report.mesh).c_str(), report.vertices,
+              report.faces, format_stages(report).c_str());
   for (const StepReport& step : report.steps) {
     const double diagonal = report.bounds.diagonal();
     if (step.deform) print_certificate(step.deform->certificate, diagonal);
@@ -93,9 +97,9 @@ void print_summary(const RunReport& report) {
 }
 
 void print_written(const RunResult& result, const std::filesystem::path& target) {
-  std::printf("wrote %s\n", target.lexically_normal().c_str());
+  std::printf("wrote %s\n", shown(target.lexically_normal()).c_str());
   for (const CarriedFile& file : result.carried) {
-    std::printf("wrote %s\n", file.target(target).lexically_normal().c_str());
+    std::printf("wrote %s\n", shown(file.target(target).lexically_normal()).c_str());
   }
 }
 
@@ -145,20 +149,48 @@ void EditOutput::require_place_for_motion(const std::filesystem::path& target) c
           std::string("; --save a .ply"));
 }
 
-void EditOutput::run(const Recipe& recipe) const {
-  // A picture's options are checked before the work, not after.
+void EditOutput::require_places(const Recipe& recipe, const std::filesystem::path& target,
+                                const std::filesystem::path& recipe_file,
+                                const std::filesystem::path& recipe_path) const {
+  OutputFiles files;
+  const RecipeFiles named = files_of(recipe, target);
+  for (std::size_t k = 0; k < named.read.size(); ++k) {
+    files.reads(k == 0 ? "the mesh" : "a source of the edit", named.read[k], k == 0);
+  }
+  files.reads("the recipe", recipe_file);
+  files.writes_mesh("the result", target);
+  files.writes("--report", report);
+  files.writes_picture("--render", render);
+  files.writes_picture("--render-before", render_before);
+  files.writes("--recipe", recipe_path);
+  for (std::size_t k = target.empty() ? 0 : 1; k < named.written.size(); ++k) {
+    files.writes("a carried file", named.written[k]);
+  }
+}
+
+void EditOutput::run(const Recipe& recipe, const std::filesystem::path& recipe_file,
+                     const std::filesystem::path& recipe_path) const {
+  if (!sandbox.empty()) require_inside(recipe, sandbox);
+  // What is wrong with the options is told before the work, not after.
   picture.request();
   const auto target = save.empty() ? recipe.save_path() : std::filesystem::path(save);
   require_place_for_motion(target);
+  require_places(recipe, target, recipe_file, recipe_path);
+  const std::string recipe_text = recipe_path.empty() ? "" : to_json(recipe);
   const Device opened = open_device(device, frames == "device");
   ProgressDisplay display(quiet);
   display.note("device: " + opened.kernels->device().name);
   const auto result = run_recipe(recipe, *opened.kernels, display.callback(), {report_vertices});
-  if (!target.empty()) save_result(*result, target, {vertex_motion});
-  if (!render.empty() || !render_before.empty()) draw(*result, recipe.mesh_path(), opened, display);
+  FileReplacements files;
+  if (!target.empty()) save_result(*result, target, files, {vertex_motion});
+  if (!render.empty() || !render_before.empty()) {
+    draw(*result, recipe.mesh_path(), opened, files, display);
+  }
+  if (!report.empty()) files.add(report, to_json(result->report));
+  if (!recipe_path.empty()) files.add(recipe_path, recipe_text);
+  files.commit();
   for (const std::string& warning : result->report.warnings) display.note("note: " + warning);
   for (const std::string& note : result->report.notes) display.note("note: " + note);
-  if (!report.empty()) replace_file(report, to_json(result->report));
   if (!quiet) {
     print_summary(result->report);
     if (!target.empty()) print_written(*result, target);
@@ -173,7 +205,7 @@ void EditOutput::run(const Recipe& recipe) const {
 }
 
 void EditOutput::draw(const RunResult& result, const std::filesystem::path& mesh_file,
-                      const Device& used, ProgressDisplay& display) const {
+                      const Device& used, FileReplacements& files, ProgressDisplay& display) const {
   // An edit on the processor has no device to draw on, so one is opened for the picture alone.
   Surface surface(used.context ? used.context : open_device("auto").context, result.original,
                   result.mesh.topology());
@@ -196,10 +228,12 @@ void EditOutput::draw(const RunResult& result, const std::filesystem::path& mesh
   both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());
   const Camera camera = asked.camera(both, options.style.color == SurfaceColor::scalar);
   if (!render_before.empty()) {
-    write_png(render_before, render_image(surface, paint, camera, options));
+    files.add(render_before, encode_png(render_image(surface, paint, camera, options)));
   }
   surface.place(result.mesh.positions);
-  if (!render.empty()) write_png(render, render_image(surface, paint, camera, options));
+  if (!render.empty()) {
+    files.add(render, encode_png(render_image(surface, paint, camera, options)));
+  }
 }
 
 }  // namespace lapwing::cli

@@ -25,17 +25,24 @@ struct EditOutput {
   std::string frames = "auto";
   bool strict = false;
   bool quiet = false;
+  std::string sandbox;  ///< the folder that the recipe must not leave; empty: it may
   PictureOptions picture;
 
   void add_to(CLI::App& command);
-  /// Runs `recipe` and writes what was asked for; prints progress, stages and certificate.
-  void run(const Recipe& recipe) const;
+  /// Runs `recipe` and writes what was asked for, and the recipe itself to `recipe_path` unless
+  /// that is empty: all of it or nothing. Prints progress, stages and certificate. `recipe_file` is
+  /// where the recipe was read, if it was.
+  void run(const Recipe& recipe, const std::filesystem::path& recipe_file,
+           const std::filesystem::path& recipe_path) const;
 
  private:
   // The vertex motion is asked for before there is any.
   void require_place_for_motion(const std::filesystem::path& target) const;
+  void require_places(const Recipe& recipe, const std::filesystem::path& target,
+                      const std::filesystem::path& recipe_file,
+                      const std::filesystem::path& recipe_path) const;
   void draw(const RunResult& result, const std::filesystem::path& mesh_file, const Device& device,
-            ProgressDisplay& display) const;
+            FileReplacements& files, ProgressDisplay& display) const;
 };
 
 }  // namespace lapwing::cli

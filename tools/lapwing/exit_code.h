@@ -5,6 +5,7 @@ namespace lapwing::cli {
 /// What the command line returns.
 enum ExitCode : int {
   kDone = 0,
+  kFault = 1,  ///< of the program itself
   kUsage = 2,
   kInput = 3,  ///< mesh or recipe
   kSolver = 4,

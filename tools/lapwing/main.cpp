@@ -1,46 +1,76 @@
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <new>
+#include <sstream>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
 #include "exit_code.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/base/printable_text.h"
+#include "messages.h"
 
 namespace lapwing::cli {
 namespace {
+
+// Help goes to standard output as it is, and what was wrong with the arguments, which may be names
+// of files, to standard error line by line.
+int exit_of(CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream complaint;
+  if (app.exit(error, std::cout, complaint) == 0) return kDone;
+  std::istringstream lines(complaint.str());
+  for (std::string line; std::getline(lines, line);) {
+    std::fprintf(stderr, "%s\n", printable(line).c_str());
+  }
+  return kUsage;
+}
+
+int fail(ExitCode code, const std::exception& error) {
+  say(error.what());
+  return code;
+}
 
 int run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return kDone;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kUsage;
+    return exit_of(app, error);
   } catch (const ExitWith& exit) {
     return exit.code;
   } catch (const Cancelled&) {
-    std::fprintf(stderr, "lapwing: cancelled; nothing was written\n");
+    say("cancelled; nothing was written");
     return kCancelled;
   } catch (const InputError& error) {
-    std::fprintf(stderr, "lapwing: %s\n", error.what());
-    return kInput;
+    return fail(kInput, error);
   } catch (const SolverError& error) {
-    std::fprintf(stderr, "lapwing: %s\n", error.what());
-    return kSolver;
+    return fail(kSolver, error);
   } catch (const GpuError& error) {
-    std::fprintf(stderr, "lapwing: %s\n", error.what());
-    return kDevice;
+    return fail(kDevice, error);
   } catch (const IoError& error) {
-    std::fprintf(stderr, "lapwing: %s\n", error.what());
-    return kFile;
+    return fail(kFile, error);
   } catch (const std::filesystem::filesystem_error& error) {
-    std::fprintf(stderr, "lapwing: %s\n", error.what());
-    return kFile;
+    return fail(kFile, error);
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "lapwing: out of memory; choose a smaller region of interest\n");
+    say("out of memory; choose a smaller region of interest");
     return kSolver;
+  } catch (const std::exception& error) {
+    say(std::string("a fault of the program: ") + error.what() + "; please report it");
+    return kFault;
   }
+}
+
+// What was printed and did not arrive, on a full disk say, is a failure like any other.
+int with_output(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return code;
+  say(std::string("cannot write to standard output: ") + std::strerror(errno) +
+      "; files that were named are written");
+  return code == kDone ? kFile : code;
 }
 
 }  // namespace
@@ -52,7 +82,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", LAPWING_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done, 2 usage, 3 mesh or recipe, 4 solver (or --strict), 5 device, 6 file.\n"
+      "Exit codes: 0 done, 1 a fault of the program, 2 usage, 3 mesh or recipe, 4 solver (or\n"
+      "--strict), 5 device, 6 file, 130 cancelled (Ctrl+C), 143 ended by a signal.\n"
       "`lapwing COMMAND --help` tells what a command takes.");
   lapwing::cli::add_run(app);
   lapwing::cli::add_batch(app);
@@ -69,5 +100,5 @@ int main(int argc, char** argv) {
   lapwing::cli::add_subdivide(app);
   lapwing::cli::add_remesh(app);
   lapwing::cli::add_parameterize(app);
-  return lapwing::cli::run(app, argc, argv);
+  return lapwing::cli::with_output(lapwing::cli::run(app, argc, argv));
 }

@@ -8,7 +8,8 @@
 #include "commands.h"
 #include "domain_picture.h"
 #include "lapwing/parameterize/parameterize.h"
-#include "mesh_output.h"
+#include "messages.h"
+#include "output_files.h"
 #include "region_text.h"
 
 namespace lapwing::cli {
@@ -51,27 +52,33 @@ void print(const Parameterized& result) {
   std::printf("shear    %.4g on average, %.4g at most (1 keeps angles)\n", distortion.shear,
               distortion.largest_shear);
   for (const std::string& warning : result.warnings) {
-    std::fprintf(stderr, "note: %s\n", warning.c_str());
+    note(warning);
   }
 }
 
-void draw(const Parameterized& result, const ParameterizeArguments& arguments) {
+// The bytes of the picture.
+std::string draw(const Parameterized& result, const ParameterizeArguments& arguments) {
   DomainLayer layer;
   layer.triangles = result.patch.triangles;
   layer.points = result.map.points;
   layer.loop = result.patch.loop;
   layer.pins = result.pins;
   layer.flipped = result.flipped;
-  write_png(arguments.picture,
-            draw_domain(result.map.domain, std::span(&layer, 1), arguments.size));
+  return encode_png(draw_domain(result.map.domain, std::span(&layer, 1), arguments.size));
 }
 
 void parameterize_mesh(const ParameterizeArguments& arguments) {
+  OutputFiles files;
+  files.reads("MESH", arguments.mesh, true);
+  files.writes_mesh("--output", arguments.output);
+  files.writes_picture("--picture", arguments.picture);
   const Mesh mesh = read_mesh(arguments.mesh);
   const Parameterized result = parameterize(mesh, request_of(arguments));
   print(result);
-  if (!arguments.output.empty()) print_notes(write_mesh(result.mesh, arguments.output));
-  if (!arguments.picture.empty()) draw(result, arguments);
+  FileReplacements written;
+  if (!arguments.output.empty()) print_notes(write_mesh(result.mesh, arguments.output, written));
+  if (!arguments.picture.empty()) written.add(arguments.picture, draw(result, arguments));
+  written.commit();
 }
 
 }  // namespace

@@ -11,7 +11,8 @@
 #include "lapwing/parts/part_library.h"
 #include "lapwing/render/part_picture.h"
 #include "loop_text.h"
-#include "mesh_output.h"
+#include "messages.h"
+#include "output_files.h"
 
 namespace lapwing::cli {
 namespace {
@@ -27,10 +28,6 @@ struct PartsArguments {
   bool no_pictures = false;
 };
 
-void note(const std::string& text) {
-  std::fprintf(stderr, "lapwing: note: %s\n", text.c_str());
-}
-
 // Draws the pictures beside parts, on a device that is looked for when the first one is needed.
 class Thumbnails {
  public:
@@ -40,9 +37,14 @@ class Thumbnails {
   void renew(const Part& part) {
     if (off_ || picture_is_current(part.mesh_path)) return;
     try {
+      if (!picture_may_be_written(part.mesh_path)) {
+        note(picture_path(part.mesh_path).string() +
+             " is no picture that was made here, and stays; the part is without one");
+        return;
+      }
       if (!context_) context_ = std::make_shared<gpu::Context>(gpu::ContextOptions{device_});
       const Image image = part_picture(context_, part.mesh, part.loops[part.loop], kThumbnailSide);
-      write_png(picture_path(part.mesh_path), image);
+      write_part_picture(part.mesh_path, image);
     } catch (const GpuError& error) {
       off_ = true;
       note(std::string("parts stay without pictures: ") + error.what());
@@ -59,7 +61,7 @@ class Thumbnails {
 };
 
 void print(const Part& part) {
-  std::printf("%s: %zu vertices, %zu faces, loop %zu of %zu: %s\n", part.name.c_str(),
+  std::printf("%s: %zu vertices, %zu faces, loop %zu of %zu: %s\n", shown(part.name).c_str(),
               part.mesh.vertex_count(), part.mesh.face_count(), part.loop, part.loops.size(),
               loop_text(part.loops[part.loop], part.mesh.positions).c_str());
 }
@@ -91,8 +93,10 @@ void add(const PartsArguments& a) {
 }
 
 void show(const PartsArguments& a) {
+  OutputFiles files;
+  files.writes_picture("--output", a.picture);
   const Part part = find_part(a.folder, a.name);
-  std::printf("%s\n", part.mesh_path.string().c_str());
+  std::printf("%s\n", shown(part.mesh_path).c_str());
   print(part);
   for (std::size_t k = 0; k < part.loops.size(); ++k) {
     std::printf("  loop %zu: %s\n", k, loop_text(part.loops[k], part.mesh.positions).c_str());

@@ -8,7 +8,8 @@
 #include "commands.h"
 #include "lapwing/coating/peel.h"
 #include "lapwing/io/mesh_file.h"
-#include "mesh_output.h"
+#include "messages.h"
+#include "output_files.h"
 #include "region_text.h"
 
 namespace lapwing::cli {
@@ -44,14 +45,17 @@ Mesh carrying(const std::string& coating, const Mesh& mesh, const PeelRequest& r
 }
 
 void peel_mesh(const PeelArguments& a) {
+  OutputFiles files;
+  files.reads("MESH", a.mesh, true);
+  files.writes_mesh("--output", a.output);
   const Mesh mesh = read_mesh(a.mesh);
   const PeelRequest request = request_of(a);
   const Peeled peeled = peel(mesh, request);
   print_notes(write_mesh(carrying(a.coating, mesh, request, peeled), a.output));
   // Its warning is that nothing moved, which this line says too.
   std::printf("%s: %zu of %zu vertices smoothed; coating %.3g in the mean, %.3g at most\n",
-              a.output.c_str(), peeled.moved.size(), mesh.vertex_count(), peeled.mean_coating,
-              peeled.largest_coating);
+              shown(a.output).c_str(), peeled.moved.size(), mesh.vertex_count(),
+              peeled.mean_coating, peeled.largest_coating);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <unistd.h>
 
+#include "lapwing/base/printable_text.h"
+
 namespace lapwing::cli {
 namespace {
 
@@ -37,7 +39,7 @@ Progress ProgressDisplay::callback() {
 void ProgressDisplay::note(const std::string& text) {
   if (quiet_) return;
   clear_bar();
-  std::fprintf(stderr, "%s\n", text.c_str());
+  std::fprintf(stderr, "%s\n", printable(text).c_str());
 }
 
 void ProgressDisplay::show(std::string_view stage, double fraction) {

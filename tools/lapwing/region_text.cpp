@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "lapwing/recipe/json_node.h"
+#include "lapwing/recipe/parse_json.h"
 #include "lapwing/recipe/read_region.h"
 
 namespace lapwing::cli {
@@ -70,7 +70,7 @@ Json region_json(const std::string& flag, const std::string& text) {
 }
 
 RegionSpec region_spec(const std::string& flag, const std::string& text) {
-  return read_region(JsonNode::parse(region_json(flag, text).dump(), flag));
+  return read_region(JsonNode::of(JsonNode::Document{region_json(flag, text)}, flag));
 }
 
 Json mirror_json(const std::string& flag, const std::string& text) {

@@ -7,7 +7,8 @@
 
 #include "commands.h"
 #include "lapwing/remesh/remesh.h"
-#include "mesh_output.h"
+#include "messages.h"
+#include "output_files.h"
 #include "progress_display.h"
 #include "region_text.h"
 
@@ -30,6 +31,9 @@ void print_result(const RegionQuality& before, const RegionQuality& after) {
 }
 
 void remesh_mesh(const RemeshArguments& arguments) {
+  OutputFiles files;
+  files.reads("MESH", arguments.mesh, true);
+  files.writes_mesh("--output", arguments.output);
   const Mesh mesh = read_mesh(arguments.mesh);
   RemeshRequest request = arguments.request;
   request.region = region_spec("--region", arguments.region);

@@ -9,7 +9,10 @@
 #include "file_color_option.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/render/frame_writer.h"
 #include "lapwing/render/surface.h"
+#include "messages.h"
+#include "output_files.h"
 #include "picture_options.h"
 #include "pose_colors.h"
 #include "turntable_output.h"
@@ -53,6 +56,16 @@ std::string color_of(const RenderArguments& arguments) {
 
 void render(const RenderArguments& arguments) {
   arguments.turntable.check(arguments.image);
+  OutputFiles files;
+  files.reads("MESH", arguments.mesh);
+  files.reads("--rest", arguments.rest);
+  if (arguments.turntable.count == 0) {
+    files.writes_picture("--output", arguments.image);
+  } else {
+    files.writes("--output", is_video(arguments.image)
+                                 ? std::filesystem::path(arguments.image)
+                                 : frame_file(arguments.image, 1, arguments.turntable.count));
+  }
   const std::string color = color_of(arguments);
   const PictureRequest picture = arguments.picture.request();
   RenderOptions options = picture.options();
@@ -63,7 +76,7 @@ void render(const RenderArguments& arguments) {
   paint.set_polygons(mesh);
   if (color == kFileColor) {
     for (const std::string& note : color_by_file(mesh, arguments.mesh, paint, options)) {
-      std::fprintf(stderr, "lapwing: note: %s\n", note.c_str());
+      cli::note(note);
     }
   } else if (color != kPlainColor) {
     const Mesh rest = read_rest_pose(arguments.rest, mesh);

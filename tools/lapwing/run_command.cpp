@@ -13,7 +13,10 @@ void add_run(CLI::App& app) {
   auto output = std::make_shared<EditOutput>();
   command->add_option("RECIPE", *recipe, "JSON; its paths are relative to it")->required();
   output->add_to(*command);
-  command->callback([recipe, output] { output->run(read_recipe(*recipe)); });
+  command->add_option("--sandbox", output->sandbox,
+                      "refuse a recipe that reads or writes outside of this folder, unless a flag "
+                      "says where to");
+  command->callback([recipe, output] { output->run(read_recipe(*recipe), *recipe, {}); });
 }
 
 }  // namespace lapwing::cli

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "lapwing/io/atomic_file.h"
+#include "lapwing/recipe/parse_json.h"
 
 namespace lapwing::cli {
 namespace {
@@ -31,9 +31,9 @@ void StepFlags::run(const StepDraft& draft) const {
                                  {"mesh", from_recipe(mesh)},
                                  {"steps", nlohmann::ordered_json::array({step})}};
   if (!output.save.empty()) json["save"] = from_recipe(output.save);
-  const Recipe parsed = parse_recipe(json.dump(), base_of(recipe), "flags of lapwing " + command);
-  output.run(parsed);
-  if (!recipe.empty()) replace_file(recipe, to_json(parsed));
+  const Recipe parsed = parse_recipe(JsonNode::Document{std::move(json)}, base_of(recipe),
+                                     "flags of lapwing " + command);
+  output.run(parsed, {}, recipe);
 }
 
 }  // namespace lapwing::cli

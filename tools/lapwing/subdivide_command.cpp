@@ -5,7 +5,8 @@
 
 #include "commands.h"
 #include "lapwing/mesh/subdivide.h"
-#include "mesh_output.h"
+#include "messages.h"
+#include "output_files.h"
 
 namespace lapwing::cli {
 namespace {
@@ -18,6 +19,9 @@ struct SubdivideArguments {
 };
 
 void subdivide_mesh(const SubdivideArguments& arguments) {
+  OutputFiles files;
+  files.reads("MESH", arguments.mesh, true);
+  files.writes_mesh("--output", arguments.output);
   Mesh mesh = read_mesh(arguments.mesh);
   for (int i = 0; i < arguments.times; ++i) {
     mesh = arguments.smooth ? loop_subdivide(mesh) : subdivide(mesh);

@@ -40,7 +40,7 @@ Json json_of(std::vector<Step> steps) {
 
 std::vector<Step> steps_of(const Json& json) {
   const Json recipe{{"lapwing", kRecipeVersion}, {"mesh", "mesh"}, {"steps", json}};
-  return parse_recipe(recipe.dump(), {}, "journal").steps;
+  return parse_recipe(JsonNode::Document{recipe}, {}, "journal").steps;
 }
 
 // A recipe has no step without a handle, so that one without vertices stands in for it; the line

@@ -2,56 +2,22 @@
 
 #include <functional>
 
-#include "lapwing/step/key_visitor.h"
+#include "lapwing/step/step_files.h"
 
 namespace lapwing::viewer {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Passes `read` every file that a step reads, and `written` those that it names to write; an empty
-// path stands for the mesh itself.
-class StepFiles final : public KeyVisitor {
- public:
-  using Visit = std::function<void(fs::path&)>;
-  explicit StepFiles(Visit read, Visit written = {})
-      : read_(std::move(read)), written_(std::move(written)) {}
-
-  void file(const StepKey&, fs::path& value) override { read_(value); }
-  void targets(const StepKey&, TargetSpec& value) override {
-    if (!value.file.empty()) read_(value.file);
-  }
-  void carry(const StepKey&, std::vector<CarrySpec>& value) override {
-    for (CarrySpec& carry : value) {
-      read_(carry.file);
-      if (!carry.save.empty() && written_) written_(carry.save);
-    }
-  }
-  void part(const StepKey&, fs::path& mesh, std::optional<RegionSpec>&) override { read_(mesh); }
-
- private:
-  Visit read_;
-  Visit written_;
-};
-
 Step with_paths(Step step, const std::function<fs::path(const fs::path&)>& change) {
   const auto change_it = [&](fs::path& path) {
     if (!path.empty()) path = change(path);
   };
-  StepFiles files(change_it, change_it);
-  describe(step, files);
+  for_each_file(step, change_it, change_it);
   return step;
 }
 
 }  // namespace
-
-std::vector<fs::path> files_read(const Step& step) {
-  std::vector<fs::path> paths;
-  StepFiles files([&](const fs::path& path) { paths.push_back(path); });
-  Step copy = step;
-  describe(copy, files);
-  return paths;
-}
 
 std::string describe(const Step& step) {
   const std::vector<fs::path> paths = files_read(step);

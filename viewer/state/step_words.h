@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "lapwing/step/step.h"
 
@@ -17,8 +16,5 @@ Step with_absolute_paths(Step step, const std::filesystem::path& base_directory)
 
 /// The step as a recipe in the folder `base_directory` writes it.
 Step with_paths_from(Step step, const std::filesystem::path& base_directory);
-
-/// The files that the step reads, as it names them.
-std::vector<std::filesystem::path> files_read(const Step& step);
 
 }  // namespace lapwing::viewer

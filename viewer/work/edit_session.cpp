@@ -4,6 +4,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
+#include "lapwing/step/step_files.h"
 #include "state/draft.h"
 #include "state/step_words.h"
 
@@ -256,8 +257,10 @@ WriteReport EditSession::save(const fs::path& path) {
   const std::vector<CarriedFile> carried = carried_for(path);
   std::error_code error;
   if (journal_ && fs::equivalent(path, file_->path, error)) journal_->keep_mesh();
-  WriteReport report = write_carried(carried, path);
-  WriteReport of_mesh = write_mesh(mesh_of(state()), path);
+  FileReplacements files;
+  WriteReport report = write_carried(carried, path, files);
+  WriteReport of_mesh = write_mesh(mesh_of(state()), path, files);
+  files.commit();
   std::move(of_mesh.not_carried.begin(), of_mesh.not_carried.end(),
             std::back_inserter(report.not_carried));
   std::move(of_mesh.notes.begin(), of_mesh.notes.end(), std::back_inserter(report.notes));
@@ -267,7 +270,10 @@ WriteReport EditSession::save(const fs::path& path) {
 
 WriteReport EditSession::save_carried(const fs::path& path) const {
   require_settled(state());
-  return write_carried(carried_for(path), path);
+  FileReplacements files;
+  WriteReport report = write_carried(carried_for(path), path, files);
+  files.commit();
+  return report;
 }
 
 void EditSession::save_recipe(const fs::path& path) const {

@@ -6,14 +6,17 @@
 #include <utility>
 #include <vector>
 
+#include "lapwing/base/printable_text.h"
+
 namespace lapwing {
 
 /// Base of everything the engine throws. `what()` names the place (file and line, vertex, JSON
-/// pointer, device) and the next step, in words a user of the command line can act on.
+/// pointer, device) and the next step, in words a user of the command line can act on; it is one
+/// line of printable text (see printable), whatever the names and files say that it quotes.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& what, std::vector<std::uint32_t> vertices = {})
-      : std::runtime_error(what), vertices_(std::move(vertices)) {}
+      : std::runtime_error(printable(what)), vertices_(std::move(vertices)) {}
 
   /// The vertices that the message is about, all of them where it names the first few; empty where
   /// it is about none. Of a transplant or coat they may be those of the other mesh.

@@ -56,7 +56,7 @@ class Batch {
  public:
   Batch(const BatchRequest& request, const BatchWatch& watch)
       : watch_(watch),
-        file_(request.jobs, request.recipe, request.output.words()),
+        file_(request.jobs, request.recipe, request.output.words(), request.sandbox),
         jobs_(part_of(file_.jobs(), request.shard)),
         results_(request.folder, jobs_, request.shard, request.resume),
         writer_(request.folder, request.output, meshes_, first_mesh(file_)),

@@ -16,7 +16,8 @@ struct BatchRequest {
   std::filesystem::path recipe = {};  ///< of jobs that name none
   std::filesystem::path folder;       ///< for what comes out
   BatchOutput output = {};
-  bool resume = false;  ///< go on from what is in the folder
+  bool resume = false;                 ///< go on from what is in the folder
+  std::filesystem::path sandbox = {};  ///< what recipes must not leave (JobFile); empty: they may
   std::optional<Shard> shard = {};
   unsigned threads = 0;  ///< 0: as many as there are processors
 };

@@ -7,7 +7,9 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/batch/set_json.h"
+#include "lapwing/io/real_path.h"
 #include "lapwing/recipe/parse_json.h"
+#include "lapwing/recipe/recipe_files.h"
 #include "lapwing/recipe/suggest.h"
 
 namespace lapwing {
@@ -78,10 +80,12 @@ struct JobFile::Line {
   }
 };
 
-JobFile::JobFile(const fs::path& path, const fs::path& recipe, std::string_view output)
+JobFile::JobFile(const fs::path& path, const fs::path& recipe, std::string_view output,
+                 const fs::path& sandbox)
     : name_(path.string()),
       folder_(path.parent_path()),
       default_recipe_(recipe),
+      sandbox_(sandbox),
       bytes_(FileBytes::read(path)) {
   if (!recipe.empty() && !page(recipe).error.empty()) throw IoError(page(recipe).error);
   std::string_view rest = bytes_.view();
@@ -155,6 +159,11 @@ void JobFile::add(std::size_t number, std::string_view text, std::string_view ou
       erase_moves(line.recipe);
       region = line.recipe.dump();
     } else {
+      const bool is_named = line.file != default_recipe_ && !sandbox_.empty();
+      if (is_named && !is_inside(line.file, sandbox_)) {
+        throw InputError(line.where + ": /recipe: " + line.file.string() + " is outside of " +
+                         sandbox_.string() + "; put it there, or leave out --sandbox");
+      }
       const Page& recipe = page(line.file);
       if (!recipe.error.empty()) throw InputError(line.where + ": " + recipe.error);
       job.asked = hash_of(recipe.text);
@@ -199,7 +208,9 @@ Recipe JobFile::recipe_of(const Job& job) const {
   for (auto& [pointer, value] : line.set.items()) {
     set_json(line.recipe, pointer, std::move(value), line.where + ": /set");
   }
-  return parse_recipe(line.recipe.dump(), base_directory, name);
+  Recipe recipe = parse_recipe(JsonNode::Document{std::move(line.recipe)}, base_directory, name);
+  if (!sandbox_.empty()) require_inside(recipe, sandbox_);
+  return recipe;
 }
 
 }  // namespace lapwing

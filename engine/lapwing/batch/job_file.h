@@ -38,9 +38,11 @@ class JobFile {
   /// Reads `path` and the recipes that it names; jobs without one take `recipe` (none if empty).
   /// `output` says what is made of each, which counts as asked for. A line that is no job is a job
   /// with an error, and so is one whose id is no name of a file. Throws IoError where `path` or
-  /// `recipe` cannot be read, and InputError where two lines have one id.
+  /// `recipe` cannot be read, and InputError where two lines have one id. The recipes that lines
+  /// name, and what all recipes name, are refused outside of `sandbox` (require_inside), unless it
+  /// is empty.
   JobFile(const std::filesystem::path& path, const std::filesystem::path& recipe,
-          std::string_view output);
+          std::string_view output, const std::filesystem::path& sandbox = {});
 
   const std::vector<Job>& jobs() const { return jobs_; }
   const std::string& name() const { return name_; }  ///< as messages begin
@@ -64,6 +66,7 @@ class JobFile {
   std::string name_;
   std::filesystem::path folder_;
   std::filesystem::path default_recipe_;
+  std::filesystem::path sandbox_;
   FileBytes bytes_;
   std::map<std::filesystem::path, Page> pages_;
   std::map<std::uint64_t, std::size_t> groups_;

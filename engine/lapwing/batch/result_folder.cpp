@@ -32,7 +32,7 @@ std::vector<fs::path> files_like(const fs::path& folder, const std::string& patt
 
 constexpr const char* kAnyResults = R"(results(-\d+-of-\d+)?\.jsonl)";
 constexpr const char* kShardFiles = R"((results|failed)-\d+-of-\d+\.jsonl)";
-constexpr const char* kTemporary = R"((.*)\.tmp-\d+-\d+)";
+constexpr const char* kTemporary = R"((.*)\.tmp-\d+)";
 
 }  // namespace
 

@@ -1,12 +1,12 @@
 #include "lapwing/batch/result_writer.h"
 
 #include <algorithm>
-#include <system_error>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/io/npy_file.h"
+#include "lapwing/io/real_path.h"
 #include "lapwing/session/certificate_json.h"
 #include "lapwing/session/run_recipe.h"
 
@@ -18,8 +18,7 @@ using Json = nlohmann::ordered_json;
 
 void require_no_input(const fs::path& path, const RunResult& result) {
   for (const fs::path& input : result.inputs) {
-    std::error_code error;
-    if (!fs::equivalent(path, input, error) || error) continue;
+    if (!is_same_file(path, input)) continue;
     throw InputError(path.string() + " is what the recipe reads; name another folder or id");
   }
 }
@@ -90,8 +89,10 @@ void ResultWriter::write_displacements(const fs::path& path, const Mesh& rest,
                                        const RunResult& result) const {
   Positions displacements = result.mesh.positions;
   for (std::size_t v = 0; v < displacements.size(); ++v) displacements[v] -= rest.positions[v];
-  write_carried(result.carried, path);
-  replace_file(path, npy_bytes(displacements, *output_.displacements));
+  FileReplacements files;
+  write_carried(result.carried, path, files);
+  files.add(path, npy_bytes(displacements, *output_.displacements));
+  files.commit();
 }
 
 std::string ResultWriter::write(const Job& job, const Recipe& recipe, RunResult& result) {
@@ -119,7 +120,8 @@ std::string ResultWriter::write(const Job& job, const Recipe& recipe, RunResult&
   Json line = line_of(job, name, result.report);
   if (!rest_name.empty()) line["rest"] = rest_name;
   if (!carried.empty()) line["carried"] = carried;
-  return line.dump();
+  // What files are called, and what is in them, need not be UTF-8.
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace lapwing

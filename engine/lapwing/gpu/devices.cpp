@@ -137,10 +137,10 @@ std::string listing(std::span<const PhysicalDevice> devices) {
   std::string text;
   for (const PhysicalDevice& device : devices) {
     const DeviceDescription& d = device.description;
-    text += "\n  " + std::to_string(d.index) + ": " + d.name + " (" + d.type +
-            "): " + (d.rejected.empty() ? "usable" : d.rejected);
+    text += (text.empty() ? "" : ", ") + std::to_string(d.index) + ": " + d.name + " (" + d.type +
+            ", " + (d.rejected.empty() ? "usable" : d.rejected) + ")";
   }
-  return text.empty() ? " none" : text;
+  return text.empty() ? "none" : text;
 }
 
 }  // namespace
@@ -180,8 +180,8 @@ const PhysicalDevice& select_device(std::span<const PhysicalDevice> devices,
   }
   if (best == nullptr) {
     throw GpuError("no usable Vulkan device matches \"" + wanted +
-                   "\"; devices found:" + listing(devices) +
-                   "\nName one of the usable ones, install mesa-vulkan-drivers for software "
+                   "\"; devices found: " + listing(devices) +
+                   "; name one of the usable ones, install mesa-vulkan-drivers for software "
                    "rendering, or run with --device cpu");
   }
   return *best;

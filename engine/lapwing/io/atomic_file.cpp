@@ -1,121 +1,215 @@
 #include "lapwing/io/atomic_file.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <string>
+#include <sys/file.h>
 #include <sys/stat.h>
-#include <system_error>
 #include <unistd.h>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/file_descriptor.h"
+#include "lapwing/io/real_path.h"
 
 namespace lapwing {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr mode_t kPermissions = 07777;
+constexpr mode_t kPrivate = 0600;
+
 [[noreturn]] void fail_to_write(const fs::path& path, int error) {
   throw IoError("cannot write " + path.string() + ": " + std::strerror(error) +
-                "; nothing was changed, choose another place or make room and try again");
+                "; it is as it was, choose another place or make room and try again");
 }
 
-// The file that a write to `path` reaches, also when it is a link to a file yet to be made.
-fs::path resolve_links(fs::path path) {
-  constexpr int kMostLinks = 40;  // as the kernel's own limit
-  std::error_code error;
-  for (int links = 0; fs::is_symlink(fs::symlink_status(path, error)); ++links) {
-    if (links == kMostLinks) fail_to_write(path, ELOOP);
-    const fs::path next = fs::read_symlink(path, error);
-    if (error) fail_to_write(path, error.value());
-    path = path.parent_path() / next;
+fs::path folder_of(const fs::path& target) {
+  return target.parent_path();
+}
+
+struct OldFile {
+  bool exists = false;
+  mode_t permissions = 0;
+};
+
+// What is at `target`, which messages call `path`.
+OldFile old_file_at(const fs::path& target, const fs::path& path) {
+  struct stat old {};
+  if (::stat(target.c_str(), &old) != 0) {
+    if (errno != ENOENT) fail_to_write(path, errno);
+    return {};
   }
-  return path;
+  if (S_ISDIR(old.st_mode)) fail_to_write(path, EISDIR);
+  if (!S_ISREG(old.st_mode)) {
+    throw IoError("cannot write " + path.string() + ": not a regular file; name another");
+  }
+  // A rename needs only the directory's permission; a file marked read-only is to stay.
+  if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(path, errno);
+  return {true, old.st_mode & kPermissions};
 }
 
 // Makes the rename itself survive a power cut. Some file systems cannot; the file is then whole
 // all the same.
 void flush_directory(const fs::path& target) {
-  const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  const FileDescriptor directory(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor directory(
+      ::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.is_open()) ::fsync(directory.get());
+}
+
+bool is_same_file(int descriptor, const fs::path& path) {
+  struct stat open {};
+  struct stat named {};
+  return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 &&
+         open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+}
+
+// A temporary is locked while its process lives.
+bool lock(int descriptor) {
+  return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+}
+
+// Removes the temporary of a process that was killed. False if `path` is not that.
+bool remove_stale(const fs::path& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  const bool is_stale = file.is_open() && ::fstat(file.get(), &status) == 0 &&
+                        S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
+                        lock(file.get()) && is_same_file(file.get(), path);
+  return is_stale && ::unlink(path.c_str()) == 0;
 }
 
 }  // namespace
 
-// A file beside the target that is gone at the end unless it was renamed over the target.
+// A file that is gone at the end unless it was put at the target.
 class FileReplacement::Temporary {
  public:
-  explicit Temporary(const fs::path& target) : target_(target), file_(create()) {}
+  explicit Temporary(const fs::path& path)
+      : named_(path), target_(real_path(path)), old_(old_file_at(target_, path)), file_(-1) {
+    if (!open_without_name()) open_with_name();
+    make_private();
+  }
   ~Temporary() {
-    if (!renamed_) ::unlink(path_.c_str());
+    if (!path_.empty()) ::unlink(path_.c_str());
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
+
+  const fs::path& named() const { return named_; }
+
+  const fs::path& path() {
+    if (path_.empty()) name_it();
+    return path_;
+  }
 
   void write(std::string_view bytes) {
     while (!bytes.empty()) {
       const ssize_t put = ::write(file_.get(), bytes.data(), bytes.size());
       if (put < 0 && errno == EINTR) continue;
-      if (put < 0) fail_to_write(target_, errno);
+      if (put < 0) fail_to_write(named_, errno);
       bytes.remove_prefix(static_cast<std::size_t>(put));
     }
   }
 
-  const fs::path& path() const { return path_; }
-  const fs::path& target() const { return target_; }
-
-  void set_permissions(mode_t mode) {
-    if (::fchmod(file_.get(), mode & 07777U) != 0) fail_to_write(target_, errno);
+  void flush() {
+    if (::fchmod(file_.get(), permissions_) != 0) fail_to_write(named_, errno);
+    if (::fsync(file_.get()) != 0) fail_to_write(named_, errno);
   }
 
-  void rename_to_target() {
-    if (::fsync(file_.get()) != 0) fail_to_write(target_, errno);
-    if (!file_.close()) fail_to_write(target_, errno);
-    if (std::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(target_, errno);
-    renamed_ = true;
+  void put_at_target() {
+    // Where there is no file yet the name is the target's at once.
+    if (path_.empty() && !old_.exists && link_to(target_)) return flush_directory(target_);
+    if (path_.empty()) name_it();
+    if (std::rename(path_.c_str(), target_.c_str()) != 0) fail_to_write(named_, errno);
+    path_.clear();
+    flush_directory(target_);
   }
 
  private:
-  int create() {
-    static std::atomic<unsigned> serial{0};
-    for (;;) {
-      path_ = target_;
-      path_ += ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(serial++);
-      const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor >= 0) return descriptor;
-      if (errno != EEXIST) fail_to_write(target_, errno);
+  std::string link_of_descriptor() const { return "/proc/self/fd/" + std::to_string(file_.get()); }
+
+  // Not every file system has such files, and without /proc they get no name later.
+  bool open_without_name() {
+    file_.reset(::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+    if (!file_.is_open() || ::access(link_of_descriptor().c_str(), F_OK) != 0) return false;
+    lock(file_.get());
+    return true;
+  }
+
+  void open_with_name() {
+    for_each_name([&](const fs::path& name) {
+      file_.reset(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+      if (!file_.is_open()) return false;
+      path_ = name;
+      lock(file_.get());
+      // Between these two calls another process may have taken the file for a dead one's.
+      if (is_same_file(file_.get(), name)) return true;
+      path_.clear();
+      errno = EEXIST;
+      return false;
+    });
+  }
+
+  void name_it() {
+    for_each_name([&](const fs::path& name) {
+      if (!link_to(name)) return false;
+      path_ = name;
+      return true;
+    });
+  }
+
+  // Until `take` has one. It sets errno where it returns false.
+  template <class Take>
+  void for_each_name(const Take& take) {
+    for (int number = 0;; ++number) {
+      fs::path name = target_;
+      name += ".tmp-" + std::to_string(number);
+      do {
+        if (take(name)) return;
+        if (errno != EEXIST) fail_to_write(named_, errno);
+      } while (remove_stale(name));
     }
   }
 
+  bool link_to(const fs::path& name) {
+    if (::linkat(AT_FDCWD, link_of_descriptor().c_str(), AT_FDCWD, name.c_str(),
+                 AT_SYMLINK_FOLLOW) == 0) {
+      return true;
+    }
+    if (errno != EEXIST) fail_to_write(named_, errno);
+    return false;
+  }
+
+  // What the system gave it, which is what the user wants for new files, it gets at the end.
+  void make_private() {
+    struct stat given {};
+    if (::fstat(file_.get(), &given) != 0) fail_to_write(named_, errno);
+    permissions_ = old_.exists ? old_.permissions : given.st_mode & kPermissions;
+    if (::fchmod(file_.get(), kPrivate) != 0) fail_to_write(named_, errno);
+  }
+
+  fs::path named_;  // what messages call it
   fs::path target_;
-  fs::path path_;
-  bool renamed_ = false;
+  OldFile old_;
+  mode_t permissions_ = 0;
   FileDescriptor file_;
+  fs::path path_;  // empty while it has no name of its own
 };
 
-FileReplacement::FileReplacement(const fs::path& path) {
-  const fs::path target = resolve_links(path);
-  struct stat old {};
-  const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) fail_to_write(path, EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) {
-    throw IoError("cannot write " + path.string() + ": not a regular file; name another");
-  }
-  // A rename needs only the directory's permission; a file marked read-only is to stay.
-  if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
-    fail_to_write(path, errno);
-  }
-  temporary_ = std::make_unique<Temporary>(target);
-  if (exists) temporary_->set_permissions(old.st_mode);
-}
+FileReplacement::FileReplacement(const fs::path& path)
+    : temporary_(std::make_unique<Temporary>(path)) {}
 
 FileReplacement::~FileReplacement() = default;
+FileReplacement::FileReplacement(FileReplacement&&) noexcept = default;
+FileReplacement& FileReplacement::operator=(FileReplacement&&) noexcept = default;
 
-const fs::path& FileReplacement::temporary() const {
+const fs::path& FileReplacement::path() const {
+  return temporary_->named();
+}
+
+const fs::path& FileReplacement::temporary() {
   return temporary_->path();
 }
 
@@ -123,15 +217,48 @@ void FileReplacement::write(std::string_view bytes) {
   temporary_->write(bytes);
 }
 
+void FileReplacement::flush() {
+  temporary_->flush();
+}
+
 void FileReplacement::commit() {
-  temporary_->rename_to_target();
-  flush_directory(temporary_->target());
+  temporary_->flush();
+  temporary_->put_at_target();
+}
+
+void require_replaceable(const fs::path& path) {
+  const fs::path target = real_path(path);
+  old_file_at(target, path);
+  if (::faccessat(AT_FDCWD, folder_of(target).c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+    fail_to_write(path, errno);
+  }
 }
 
 void replace_file(const fs::path& path, std::string_view bytes) {
   FileReplacement replacement(path);
   replacement.write(bytes);
   replacement.commit();
+}
+
+void FileReplacements::add(const fs::path& path, std::string_view bytes) {
+  FileReplacement file(path);
+  file.write(bytes);
+  file.flush();
+  files_.push_back(std::move(file));
+}
+
+void FileReplacements::commit() {
+  std::string in_place;
+  for (FileReplacement& file : files_) {
+    try {
+      file.commit();
+    } catch (const IoError& error) {
+      if (in_place.empty()) throw;
+      throw IoError(std::string(error.what()) + "; in place already: " + in_place);
+    }
+    in_place += (in_place.empty() ? "" : ", ") + file.path().string();
+  }
+  files_.clear();
 }
 
 }  // namespace lapwing

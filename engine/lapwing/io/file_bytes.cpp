@@ -21,7 +21,8 @@ namespace {
 }  // namespace
 
 FileBytes FileBytes::read(const std::filesystem::path& path) {
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Opening a pipe would wait for somebody who writes into it.
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!file.is_open()) fail_to_read(path, errno);
   struct stat status {};
   if (::fstat(file.get(), &status) != 0) fail_to_read(path, errno);

@@ -21,6 +21,34 @@ constexpr std::uint8_t kOpaque = 255;
 // The encoder counts in int, with room for its own overhead.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 29U;
 
+// The signature and the chunk IHDR, which comes first.
+constexpr std::size_t kPngHead = 8 + 25;
+
+std::string big_endian(std::uint32_t value) {
+  std::string bytes;
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) {
+    bytes += static_cast<char>(value >> shift & 0xFFU);
+  }
+  return bytes;
+}
+
+// ISO 3309, as the PNG specification has it; texts are short.
+std::uint32_t crc32(std::string_view bytes) {
+  std::uint32_t crc = 0xFFFFFFFFU;
+  for (const char byte : bytes) {
+    crc ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+  }
+  return ~crc;
+}
+
+// PNG specification, 11.3.4.3: the keyword, a zero, the text.
+std::string text_chunk(std::string_view software) {
+  const std::string data = std::string("Software") + '\0' + std::string(software);
+  return big_endian(static_cast<std::uint32_t>(data.size())) + "tEXt" + data +
+         big_endian(crc32("tEXt" + data));
+}
+
 std::vector<std::uint8_t> without_opacity(const Image& image) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(image.rgba.size() / 4 * 3);
@@ -112,7 +140,11 @@ Image halved(const Image& image) {
   return half;
 }
 
-std::string encode_png(const Image& image) {
+bool is_png_made_by(std::string_view bytes, std::string_view software) {
+  return bytes.size() > kPngHead && bytes.substr(kPngHead).starts_with(text_chunk(software));
+}
+
+std::string encode_png(const Image& image, std::string_view software) {
   if (std::uint64_t{4} * image.width * image.height > kMaxBytes) {
     throw IoError("an image of " + std::to_string(image.width) + " x " +
                   std::to_string(image.height) +
@@ -134,6 +166,7 @@ std::string encode_png(const Image& image) {
                   std::to_string(image.height) +
                   " pixels cannot be encoded as PNG: no memory, or no pixels");
   }
+  if (!software.empty()) bytes.insert(kPngHead, text_chunk(software));
   return bytes;
 }
 

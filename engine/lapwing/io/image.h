@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lapwing {
@@ -53,9 +54,13 @@ inline constexpr std::uint64_t kMostImagePixels = std::uint64_t{1} << 26U;
 /// Throws what that throws, but for a file that is broken further on.
 ImageSize read_image_size(const std::filesystem::path& path);
 
-/// The bytes of a PNG file; without the fourth channel where all of the image is opaque. Throws
-/// IoError for more than 2^29 bytes of pixels.
-std::string encode_png(const Image& image);
+/// The bytes of a PNG file; without the fourth channel where all of the image is opaque.
+/// `software`, if any, stands in it as what made it. Throws IoError for more than 2^29 bytes of
+/// pixels.
+std::string encode_png(const Image& image, std::string_view software = {});
+
+/// Whether the bytes of a PNG file begin as `encode_png` begins them with that `software`.
+bool is_png_made_by(std::string_view bytes, std::string_view software);
 
 /// Writes a PNG file, replacing `path` in one step. Throws IoError with the system's reason.
 void write_png(const std::filesystem::path& path, const Image& image);

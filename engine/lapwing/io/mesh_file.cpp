@@ -4,7 +4,6 @@
 #include <system_error>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/io/atomic_file.h"
 #include "lapwing/io/formats.h"
 #include "lapwing/io/source_patch.h"
 #include "lapwing/io/stored_normals.h"
@@ -93,6 +92,14 @@ Mesh read_mesh(const std::filesystem::path& path) {
 
 WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
                        const WriteOptions& options) {
+  FileReplacements files;
+  WriteReport report = write_mesh(mesh, path, files, options);
+  files.commit();
+  return report;
+}
+
+WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, FileReplacements& files,
+                       const WriteOptions& options) {
   const MeshFormat format = format_of(path);
   validate_for_writing(mesh);
   const SourceFile* const source = find_source(mesh);
@@ -106,7 +113,7 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
   }
   if (!bytes) bytes = write_with_new_normals(mesh, source, format, encoding, report);
   if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);
-  replace_file(path, *bytes);
+  files.add(path, *bytes);
   return report;
 }
 

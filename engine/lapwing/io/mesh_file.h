@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lapwing/io/atomic_file.h"
 #include "lapwing/io/mesh_format.h"
 #include "lapwing/mesh/mesh.h"
 
@@ -15,8 +16,8 @@ namespace lapwing {
 /// equal, in order of appearance. Point clouds and empty files of the format are read too. Throws
 /// IoError when the file cannot be read, InputError "path:line: expected ..., found ..." (binary:
 /// "path: byte offset: ...") when it is malformed. Time and memory are linear in the file's size,
-/// whatever its header promises. Texture coordinates and normals that a face of an OBJ names and the
-/// file does not have are left out, and counted (MeshAttributes::uneditable).
+/// whatever its header promises. Texture coordinates and normals that a face of an OBJ names and
+/// the file does not have are left out, and counted (MeshAttributes::uneditable).
 Mesh read_mesh(const std::filesystem::path& path);
 
 struct WriteOptions {
@@ -44,6 +45,9 @@ struct WriteReport {
 /// recomputed. Throws IoError when the file cannot be written and InputError when the mesh is
 /// inconsistent or its numbers do not fit the format; the old file is then still there.
 WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path,
+                       const WriteOptions& options = {});
+/// The same for one of several files: it is in its place once `files` are committed.
+WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, FileReplacements& files,
                        const WriteOptions& options = {});
 
 }  // namespace lapwing

@@ -15,6 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Told from a texture by this.
+constexpr std::string_view kMaker = "Lapwing, picture of a part";
+
 fs::path details_path(const fs::path& path) {
   return fs::path(path).replace_extension(".json");
 }
@@ -97,6 +100,9 @@ AddedPart write_part(const fs::path& folder, Part part, const std::string& name,
   if (fs::exists(details_path(added.part.mesh_path), error)) {
     files.push_back(details_path(added.part.mesh_path));
   }
+  if (!picture_may_be_written(added.part.mesh_path)) {
+    files.push_back(picture_path(added.part.mesh_path));
+  }
   if (!files.empty()) {
     throw InputError(files[0].string() +
                      " is there already; give the new part another name (--name)");
@@ -119,6 +125,19 @@ bool picture_is_current(const fs::path& path) {
   if (error || drawn < fs::last_write_time(path, error) || error) return false;
   const auto detailed = fs::last_write_time(details_path(path), error);
   return error || drawn >= detailed;
+}
+
+bool picture_may_be_written(const fs::path& path) {
+  const fs::path picture = picture_path(path);
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(picture, error);
+  if (status.type() == fs::file_type::not_found) return true;
+  if (status.type() != fs::file_type::regular) return false;
+  return is_png_made_by(FileBytes::read(picture).view(), kMaker);
+}
+
+void write_part_picture(const fs::path& path, const Image& picture) {
+  replace_file(picture_path(path), encode_png(picture, kMaker));
 }
 
 Part read_part(const fs::path& path) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lapwing/io/image.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/region/boundary_loops.h"
 
@@ -38,6 +39,13 @@ std::filesystem::path picture_path(const std::filesystem::path& path);
 
 /// Whether that picture is there, and not older than the mesh and its details.
 bool picture_is_current(const std::filesystem::path& path);
+
+/// Whether the picture may be written: nothing is in its place but, at most, a picture that
+/// `write_part_picture` made. A texture of that name stays, and so does what a link leads to.
+bool picture_may_be_written(const std::filesystem::path& path);
+
+/// Writes `picture` as that of the part in `path`. Throws IoError.
+void write_part_picture(const std::filesystem::path& path, const Image& picture);
 
 /// What `add_part` did.
 struct AddedPart {

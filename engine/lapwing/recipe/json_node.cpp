@@ -39,7 +39,10 @@ std::string in_words(const Json& json) {
 }
 
 bool is_vertex(const Json& json) {
-  return json.is_number_unsigned() && json.get<std::uint64_t>() < kNoIndex;
+  if (!json.is_number_integer()) return false;
+  // A document that was not read from text has whole numbers of either kind.
+  const bool negative = !json.is_number_unsigned() && json.get<std::int64_t>() < 0;
+  return !negative && json.get<std::uint64_t>() < kNoIndex;
 }
 
 }  // namespace
@@ -48,7 +51,11 @@ JsonNode::JsonNode(std::shared_ptr<const Value> value, std::string where)
     : value_(std::move(value)), where_(std::move(where)) {}
 
 JsonNode JsonNode::parse(std::string_view text, const std::string& name) {
-  auto document = std::make_shared<const Json>(parse_json(text, name));
+  return of(Document{parse_json(text, name)}, name);
+}
+
+JsonNode JsonNode::of(Document content, const std::string& name) {
+  auto document = std::make_shared<const Json>(std::move(content.json));
   const Json* root = document.get();
   return {std::make_shared<const Value>(Value{std::move(document), root}), name};
 }

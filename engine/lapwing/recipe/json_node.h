@@ -20,6 +20,9 @@ class JsonNode {
   /// The root of `text`. Throws InputError with line and column when it is no JSON, and when an
   /// object names a key twice.
   static JsonNode parse(std::string_view text, const std::string& name);
+  /// The root of a document that is no text (parse_json.h).
+  struct Document;
+  static JsonNode of(Document document, const std::string& name);
 
   /// Document and JSON pointer, as messages begin.
   const std::string& where() const { return where_; }

@@ -1,7 +1,8 @@
 #include "lapwing/recipe/parse_json.h"
 
 #include <algorithm>
-#include <set>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "lapwing/base/errors.h"
@@ -12,45 +13,161 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string line_and_column(std::string_view text, std::size_t byte, std::size_t first_line) {
-  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-  const auto line =
-      first_line + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-  const std::size_t line_start = before.rfind('\n') + 1;
-  return std::to_string(line) + ":" + std::to_string(before.size() - line_start + 1);
-}
+// The characters of a text, and how many of them the library's reader has taken.
+class CountedText {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
 
-// The library's message without its own prefix of class, number and position.
-std::string bare_message(const Json::exception& error) {
-  const std::string_view text = error.what();
-  const std::size_t at = text.find("syntax error");
-  return std::string(at == std::string_view::npos ? text : text.substr(at));
-}
+  CountedText(const char* at, std::size_t* count) : at_(at), count_(count) {}
+  reference operator*() const { return *at_; }
+  CountedText& operator++() {
+    ++at_;
+    ++*count_;
+    return *this;
+  }
+  CountedText operator++(int) {
+    const CountedText before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const CountedText& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  std::size_t* count_;
+};
+
+// Builds the document, and names the place where it cannot: line, column and JSON pointer.
+class DocumentBuilder : public nlohmann::json_sax<Json> {
+ public:
+  DocumentBuilder(std::string_view text, const std::string& name, std::size_t first_line)
+      : text_(text), name_(name), first_line_(first_line) {}
+
+  Json build() {
+    Json::sax_parse(CountedText(text_.data(), &read_),
+                    CountedText(text_.data() + text_.size(), &read_), this);
+    return std::move(root_);
+  }
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t& value) override { return add(std::move(value)); }
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& value) override {
+    if (open_.back()->contains(value)) {
+      fail(read_, pointer(value) + ": the key \"" + value +
+                      "\" stands twice in one object; remove one of the two");
+    }
+    keys_.back() = std::move(value);
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& token,
+                   const nlohmann::detail::exception& error) override {
+    if (dynamic_cast<const nlohmann::detail::out_of_range*>(&error) != nullptr) {
+      fail(position, pointer() + ": the number " + token +
+                         " is beyond what a double can hold; write one below 1.8e308");
+    }
+    fail(position, bare_message(error) + "; check commas, quotes and brackets before this place");
+  }
+
+ private:
+  // The library's message without its own prefix of class, number and position.
+  static std::string bare_message(const nlohmann::detail::exception& error) {
+    const std::string_view text = error.what();
+    const std::size_t at = text.find("syntax error");
+    return std::string(at == std::string_view::npos ? text : text.substr(at));
+  }
+
+  template <class Value>
+  bool add(Value value) {
+    place(Json(std::move(value)));
+    return true;
+  }
+
+  Json* place(Json value) {
+    if (open_.empty()) {
+      root_ = std::move(value);
+      return &root_;
+    }
+    Json& parent = *open_.back();
+    if (parent.is_array()) {
+      parent.push_back(std::move(value));
+      return &parent.back();
+    }
+    Json& member = parent[keys_.back()];
+    member = std::move(value);
+    return &member;
+  }
+
+  bool open(Json empty) {
+    if (open_.size() == kDeepestJson) {
+      fail(read_, "lists and objects lie in each other deeper than " +
+                      std::to_string(kDeepestJson) + "; nothing that is read here does");
+    }
+    open_.push_back(place(std::move(empty)));
+    keys_.emplace_back();
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    keys_.pop_back();
+    return true;
+  }
+
+  // Of the value that is being read.
+  std::string pointer() const {
+    return open_.empty()              ? "/"
+           : open_.back()->is_array() ? pointer(std::to_string(open_.back()->size()))
+                                      : pointer(keys_.back());
+  }
+
+  // Of what is called `last` in the innermost object or list.
+  std::string pointer(std::string_view last) const {
+    std::string text;
+    for (std::size_t k = 0; k + 1 < open_.size(); ++k) {
+      text += "/" + (open_[k]->is_array() ? std::to_string(open_[k]->size() - 1)
+                                          : pointer_token(keys_[k]));
+    }
+    return text + "/" + pointer_token(last);
+  }
+
+  [[noreturn]] void fail(std::size_t position, const std::string& message) const {
+    const std::string_view before =
+        text_.substr(0, std::min(position > 0 ? position - 1 : 0, text_.size()));
+    const auto line =
+        first_line_ + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    const std::size_t line_start = before.rfind('\n') + 1;
+    throw InputError(name_ + ":" + std::to_string(line) + ":" +
+                     std::to_string(before.size() - line_start + 1) + ": " + message);
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  std::size_t first_line_;
+  std::size_t read_ = 0;
+  Json root_;
+  std::vector<Json*> open_;        // the objects and lists around the place that is read
+  std::vector<std::string> keys_;  // for each the key that was read last; of a list empty
+};
 
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& name, std::size_t first_line) {
-  std::vector<std::set<std::string>> keys;
-  const auto refuse_repeated_keys = [&](int, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key) {
-      const auto& key = parsed.get_ref<const std::string&>();
-      if (!keys.back().insert(key).second) {
-        throw InputError(name + ": the key \"" + key +
-                         "\" stands twice in one object; remove one of the two");
-      }
-    }
-    return true;
-  };
-  try {
-    return Json::parse(text, refuse_repeated_keys);
-  } catch (const Json::parse_error& error) {
-    throw InputError(name + ":" + line_and_column(text, error.byte, first_line) + ": " +
-                     bare_message(error) + "; check commas, quotes and brackets before this place");
-  } catch (const Json::exception& error) {
-    throw InputError(name + ": " + bare_message(error));
-  }
+  return DocumentBuilder(text, name, first_line).build();
 }
 
 std::string pointer_token(std::string_view key) {

@@ -1,5 +1,6 @@
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/recipe/key_reader.h"
+#include "lapwing/recipe/parse_json.h"
 #include "lapwing/recipe/recipe.h"
 
 namespace lapwing {
@@ -21,7 +22,12 @@ void require_version(const JsonNode& root) {
 
 Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& base_directory,
                     const std::string& name) {
-  const JsonNode root = JsonNode::parse(json_text, name);
+  return parse_recipe(JsonNode::Document{parse_json(json_text, name)}, base_directory, name);
+}
+
+Recipe parse_recipe(JsonNode::Document document, const std::filesystem::path& base_directory,
+                    const std::string& name) {
+  const JsonNode root = JsonNode::of(std::move(document), name);
   root.require_keys({"lapwing", "mesh", "steps", "save"});
   require_version(root);
   Recipe recipe;

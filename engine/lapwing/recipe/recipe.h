@@ -27,7 +27,7 @@ struct Recipe {
 
 /// Reads a recipe from JSON text; `name` is what messages call it. Everything that needs no mesh is
 /// checked. Throws InputError with the JSON pointer of the place, what is expected there and what
-/// was found; line and column when the text is no JSON.
+/// was found; line and column when the text is no JSON (see parse_json).
 Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& base_directory,
                     const std::string& name);
 

@@ -11,7 +11,7 @@ namespace lapwing {
 namespace {
 
 // What the font's table covers, as the mutable string that it takes. Its barred 0 reads as an 8.
-std::string printable(std::string_view text) {
+std::string as_ascii(std::string_view text) {
   std::string line(text);
   for (char& c : line) {
     if (c < ' ' || c > '~') c = '?';
@@ -39,7 +39,7 @@ void Overlay::add_rectangle(float left, float top, float right, float bottom,
 
 void Overlay::add_text(float x, float y, float scale, const Eigen::Vector3f& linear_color,
                        std::string_view text) {
-  std::string line = printable(text);
+  std::string line = as_ascii(text);
   std::vector<FontCorner> corners(4 * kRectanglesPerLetter * line.size() + 4);
   const int count = stb_easy_font_print(0.0F, 0.0F, line.data(), nullptr, corners.data(),
                                         static_cast<int>(corners.size() * sizeof(FontCorner)));
@@ -52,7 +52,7 @@ void Overlay::add_text(float x, float y, float scale, const Eigen::Vector3f& lin
 }
 
 float Overlay::text_width(float scale, std::string_view text) {
-  return scale * static_cast<float>(stb_easy_font_width(printable(text).data()));
+  return scale * static_cast<float>(stb_easy_font_width(as_ascii(text).data()));
 }
 
 OverlayBuffer::OverlayBuffer(gpu::Context& context, const Overlay& overlay)

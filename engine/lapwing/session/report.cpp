@@ -183,7 +183,8 @@ std::string to_json(const RunReport& report) {
       {"steps", Json::array()},
       {"peak_memory_bytes", report.peak_memory_bytes}};
   for (const StepReport& step : report.steps) json["steps"].push_back(as_json(step));
-  return json.dump(2) + "\n";
+  // Names of files and of what is in them need not be UTF-8, which JSON is.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string format_stages(const RunReport& report) {

@@ -124,6 +124,13 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
 }
 
 void save_result(RunResult& result, const std::filesystem::path& path, const SaveOptions& options) {
+  FileReplacements files;
+  save_result(result, path, files, options);
+  files.commit();
+}
+
+void save_result(RunResult& result, const std::filesystem::path& path, FileReplacements& files,
+                 const SaveOptions& options) {
   const Stopwatch watch;
   // What cannot be written is known before anything is.
   static_cast<void>(format_of(path));
@@ -136,8 +143,8 @@ void save_result(RunResult& result, const std::filesystem::path& path, const Sav
     }
     result.warn(written.notes);
   };
-  add(write_carried(result.carried, path));
-  add(write_mesh(mesh, path, {.anew = marked}));
+  add(write_carried(result.carried, path, files));
+  add(write_mesh(mesh, path, files, {.anew = marked}));
   result.report.timings.add("write", watch.elapsed_ms());
 }
 

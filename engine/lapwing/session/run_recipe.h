@@ -34,5 +34,8 @@ struct SaveOptions {
 /// `write_mesh` does, and InputError for a vertex motion in another format than PLY.
 void save_result(RunResult& result, const std::filesystem::path& path,
                  const SaveOptions& options = {});
+/// The same for some of several files: they are in their places once `files` are committed.
+void save_result(RunResult& result, const std::filesystem::path& path, FileReplacements& files,
+                 const SaveOptions& options = {});
 
 }  // namespace lapwing

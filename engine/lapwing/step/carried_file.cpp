@@ -4,10 +4,9 @@
 #include <array>
 #include <cctype>
 #include <string_view>
-#include <system_error>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/io/atomic_file.h"
+#include "lapwing/io/real_path.h"
 
 namespace lapwing {
 namespace {
@@ -86,13 +85,6 @@ bool turn_attributes(std::span<const Quaterniond> rotations, Mesh& mesh) {
   return any;
 }
 
-// One file, whatever its path is written like, whether it is there or not.
-bool is_same(const fs::path& a, const fs::path& b) {
-  std::error_code error;
-  if (fs::equivalent(a, b, error) && !error) return true;
-  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
-}
-
 }  // namespace
 
 CarriedFile::CarriedFile(fs::path file) : file_(std::move(file)), content_(read_content(file_)) {}
@@ -117,16 +109,19 @@ void CarriedFile::move(CarriedPoints carried) {
   }
 }
 
-fs::path CarriedFile::target(const fs::path& result) const {
-  if (!save.empty()) return save;
-  return result.parent_path() / (file_.stem().string() + "-carried" + file_.extension().string());
+fs::path carried_path(const fs::path& file, const fs::path& result) {
+  return result.parent_path() / (file.stem().string() + "-carried" + file.extension().string());
 }
 
-WriteReport CarriedFile::write(const fs::path& target) const {
+fs::path CarriedFile::target(const fs::path& result) const {
+  return save.empty() ? carried_path(file_, result) : save;
+}
+
+WriteReport CarriedFile::write(const fs::path& target, FileReplacements& files) const {
   if (const auto* mesh = std::get_if<Mesh>(&content_)) {
-    return write_mesh(*mesh, target, {.anew = turns_properties_});
+    return write_mesh(*mesh, target, files, {.anew = turns_properties_});
   }
-  replace_file(target, bytes_of(std::get<PointTable>(content_)));
+  files.add(target, bytes_of(std::get<PointTable>(content_)));
   return {};
 }
 
@@ -149,7 +144,7 @@ void require_targets(std::span<const CarriedFile> files, const fs::path& result,
                        why + "; give it another \"save\"");
     };
     file.require_format(target);
-    const auto is_target = [&](const fs::path& path) { return is_same(path, target); };
+    const auto is_target = [&](const fs::path& path) { return is_same_file(path, target); };
     if (std::any_of(inputs.begin(), inputs.end(), is_target)) refuse("which the edit reads");
     if (std::any_of(taken.begin(), taken.end(), is_target)) {
       refuse("where another result of the edit goes");
@@ -158,14 +153,15 @@ void require_targets(std::span<const CarriedFile> files, const fs::path& result,
   }
 }
 
-WriteReport write_carried(std::span<const CarriedFile> files, const fs::path& result) {
+WriteReport write_carried(std::span<const CarriedFile> files, const fs::path& result,
+                          FileReplacements& written) {
   WriteReport all;
   for (const CarriedFile& file : files) {
     const fs::path target = file.target(result);
     const std::string name = target.filename().string() + ": ";
-    const WriteReport written = file.write(target);
-    for (const std::string& line : written.not_carried) all.not_carried.push_back(name + line);
-    for (const std::string& note : written.notes) all.notes.push_back(name + note);
+    const WriteReport report = file.write(target, written);
+    for (const std::string& line : report.not_carried) all.not_carried.push_back(name + line);
+    for (const std::string& note : report.notes) all.notes.push_back(name + note);
   }
   return all;
 }

@@ -13,6 +13,11 @@
 
 namespace lapwing {
 
+/// Where a carried file goes that names no place: in the folder of the result the file's name with
+/// "-carried" behind its stem, hat.obj as hat-carried.obj.
+std::filesystem::path carried_path(const std::filesystem::path& file,
+                                   const std::filesystem::path& result);
+
 /// A file that follows the edited surface: a mesh, a point cloud (a mesh file without faces) or a
 /// table of points. Along with the positions turn its quaternions (columns or PLY properties qw,
 /// qx, qy, qz, one per point) and the normals of a cloud or table; those of a mesh come from its
@@ -33,8 +38,7 @@ class CarriedFile {
   /// Puts the points where they were carried.
   void move(CarriedPoints carried);
 
-  /// Where it goes beside a result at `result`: `save`, or in the folder of the result the file's
-  /// name with "-carried" behind its stem: hat.obj as hat-carried.obj.
+  /// Where it goes beside a result at `result`: `save`, or its carried_path.
   std::filesystem::path target(const std::filesystem::path& result) const;
 
   /// Throws InputError for an extension that it cannot be written with: a table goes to the format
@@ -42,7 +46,7 @@ class CarriedFile {
   void require_format(const std::filesystem::path& target) const;
 
   /// Writes it, as `write_mesh` does; a table keeps all bytes but the numbers that changed.
-  WriteReport write(const std::filesystem::path& target) const;
+  WriteReport write(const std::filesystem::path& target, FileReplacements& files) const;
 
  private:
   std::filesystem::path file_;
@@ -55,8 +59,9 @@ class CarriedFile {
 void require_targets(std::span<const CarriedFile> files, const std::filesystem::path& result,
                      std::span<const std::filesystem::path> inputs);
 
-/// Writes each to its target beside a result at `result`. What there is to say of one begins with
-/// its target's name. Throws what `CarriedFile::write` does.
-WriteReport write_carried(std::span<const CarriedFile> files, const std::filesystem::path& result);
+/// Writes each to its target beside a result at `result`, among the `written`. What there is to say
+/// of one begins with its target's name. Throws what `CarriedFile::write` does.
+WriteReport write_carried(std::span<const CarriedFile> files, const std::filesystem::path& result,
+                          FileReplacements& written);
 
 }  // namespace lapwing

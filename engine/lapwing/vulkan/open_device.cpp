@@ -19,7 +19,7 @@ Device open_device(const std::string& name, bool frames_on_device) {
     return {std::move(kernels), std::move(context)};
   } catch (const GpuError& error) {
     throw GpuError(std::string(error.what()) +
-                   "\nWithout Vulkan, `--device cpu` runs the same edit on the CPU.");
+                   "; without Vulkan, `--device cpu` runs the same edit on the CPU");
   }
 }
 
