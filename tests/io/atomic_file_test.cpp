@@ -160,6 +160,74 @@ TEST(FileReplacement, IsThereOnceItIsCommitted) {
   EXPECT_EQ(files_in(folder), 1U);
 }
 
+TEST(FileReplacement, IsTheUsersAloneUntilItIsWhole) {
+  const TemporaryFolder folder;
+  FileReplacement replacement(folder / "a.txt");
+  EXPECT_EQ(fs::status(replacement.temporary()).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+  replacement.commit();
+  folder.file("as-the-system-makes-it.txt", "");
+  EXPECT_EQ(fs::status(folder / "a.txt").permissions(),
+            fs::status(folder / "as-the-system-makes-it.txt").permissions());
+}
+
+TEST(FileReplacement, HasNoNameWhileNobodyAsks) {
+  const TemporaryFolder folder;
+  FileReplacement replacement(folder / "a.txt");
+  replacement.write("new");
+  EXPECT_EQ(files_in(folder), 0U);
+  replacement.commit();
+  EXPECT_EQ(content_of(folder / "a.txt"), "new");
+}
+
+TEST(FileReplacements, ChangeNothingUntilAllAreWhole) {
+  const TemporaryFolder folder;
+  folder.file("a.txt", "old a");
+  folder.file("b.txt", "old b");
+  FileReplacements files;
+  files.add(folder / "a.txt", "new a");
+  EXPECT_THROW(files.add(folder / "none/b.txt", "new b"), IoError);
+  files.add(folder / "b.txt", "new b");
+  EXPECT_EQ(content_of(folder / "a.txt"), "old a");
+  EXPECT_EQ(content_of(folder / "b.txt"), "old b");
+  files.commit();
+  EXPECT_EQ(content_of(folder / "a.txt"), "new a");
+  EXPECT_EQ(content_of(folder / "b.txt"), "new b");
+  EXPECT_EQ(files_in(folder), 2U);
+}
+
+TEST(FileReplacements, SayWhichAreInPlaceWhereALaterOneCannotBe) {
+  const TemporaryFolder folder;
+  FileReplacements files;
+  files.add(folder / "a.txt", "new a");
+  files.add(folder / "b.txt", "new b");
+  fs::create_directory(folder / "b.txt");
+  try {
+    files.commit();
+    FAIL() << "written over a folder";
+  } catch (const IoError& error) {
+    EXPECT_THAT(error.what(),
+                ::testing::HasSubstr("in place already: " + (folder / "a.txt").string()));
+  }
+}
+
+TEST(RequireReplaceable, TellsBeforeTheWorkWhatReplacingWouldTell) {
+  const TemporaryFolder folder;
+  EXPECT_NO_THROW(require_replaceable(folder / "a.txt"));
+  EXPECT_NO_THROW(require_replaceable(folder.file("b.txt", "")));
+  EXPECT_THROW(require_replaceable(folder / "none/a.txt"), IoError);
+  EXPECT_THROW(require_replaceable(folder.path()), IoError);
+  EXPECT_THROW(require_replaceable("/dev/null"), IoError);
+  const fs::path fixed = folder.file("fixed.txt", "one");
+  fs::permissions(fixed, fs::perms::owner_read);
+  const Unprivileged user(folder.path());
+  EXPECT_THROW(require_replaceable(fixed), IoError);
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_THROW(require_replaceable(folder / "a.txt"), IoError);
+  EXPECT_THROW(require_replaceable(folder / "b.txt"), IoError);
+  fs::permissions(folder.path(), fs::perms::owner_all);
+}
+
 TEST(FileReplacement, WithoutCommitLeavesTheOldFileAndNoTemporary) {
   const TemporaryFolder folder;
   const fs::path path = folder.file("a.txt", "old");

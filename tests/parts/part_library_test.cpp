@@ -105,6 +105,26 @@ TEST_F(PartLibrary, UnknownPartIsAnsweredWithThoseThatAreThere) {
   EXPECT_NE(error_message<IoError>([&] { part_files(temporary / "nowhere"); }), "");
 }
 
+TEST_F(PartLibrary, PictureIsWrittenOverNothingButItsOwn) {
+  const auto path = add("horn").part.mesh_path;
+  const Image picture{.width = 1, .height = 1, .rgba = {9, 9, 9, 255}};
+  EXPECT_TRUE(picture_may_be_written(path));
+  write_part_picture(path, picture);
+  EXPECT_TRUE(picture_may_be_written(path));
+  EXPECT_EQ(read_image(folder / "horn.png").rgba, picture.rgba);
+  write_png(folder / "horn.png", picture);
+  EXPECT_FALSE(picture_may_be_written(path)) << "a texture, say";
+  std::filesystem::remove(folder / "horn.png");
+  std::filesystem::create_symlink("elsewhere.png", folder / "horn.png");
+  EXPECT_FALSE(picture_may_be_written(path)) << "a link";
+}
+
+TEST_F(PartLibrary, NameThatAPictureOfOthersHasIsTaken) {
+  std::filesystem::create_directories(folder);
+  temporary.file("parts/horn.png", "a texture");
+  EXPECT_THAT(refused([&] { add("horn"); }), HasSubstr("horn.png is there already"));
+}
+
 TEST_F(PartLibrary, PictureIsCurrentUntilTheMeshOrTheDetailsChange) {
   const auto path = add("horn").part.mesh_path;
   EXPECT_FALSE(picture_is_current(path));

@@ -15,7 +15,7 @@ std::atomic<long> call_count{0};
 std::atomic<long> failing_call{kOff};
 
 void* allocate(std::size_t bytes, std::size_t alignment) {
-  if (counting && call_count.fetch_add(1) == failing_call) throw std::bad_alloc();
+  if (allocation_fails()) throw std::bad_alloc();
   // aligned_alloc wants a multiple of the alignment.
   void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
   if (memory == nullptr && bytes > 0) throw std::bad_alloc();
@@ -23,6 +23,10 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
 }
 
 }  // namespace
+
+bool allocation_fails() {
+  return counting && call_count.fetch_add(1) == failing_call;
+}
 
 FailingNew::FailingNew(long fail_at) {
   call_count = 0;

@@ -14,4 +14,7 @@ class FailingNew {
   static long calls();
 };
 
+/// Whether this call is the one that fails, for what else gives memory. Counts it.
+bool allocation_fails();
+
 }  // namespace lapwing::test

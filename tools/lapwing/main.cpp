@@ -1,6 +1,8 @@
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -17,6 +19,8 @@
 
 namespace lapwing::cli {
 namespace {
+
+constexpr const char* kOutOfMemory = "out of memory; choose a smaller region of interest";
 
 // Help goes to standard output as it is, and what was wrong with the arguments, which may be names
 // of files, to standard error line by line.
@@ -57,12 +61,25 @@ int run(CLI::App& app, int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(kFile, error);
   } catch (const std::bad_alloc&) {
-    say("out of memory; choose a smaller region of interest");
+    say(kOutOfMemory);
     return kSolver;
   } catch (const std::exception& error) {
     say(std::string("a fault of the program: ") + error.what() + "; please report it");
     return kFault;
   }
+}
+
+// Destructors of libraries take memory, too, and an exception there is the end: with a word about
+// why, and without a core file.
+[[noreturn]] void on_terminate() {
+  try {
+    if (const auto exception = std::current_exception()) std::rethrow_exception(exception);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "lapwing: %s\n", kOutOfMemory);
+    std::_Exit(kSolver);
+  } catch (...) {
+  }
+  std::abort();
 }
 
 // What was printed and did not arrive, on a full disk say, is a failure like any other.
@@ -77,6 +94,7 @@ int with_output(int code) {
 }  // namespace lapwing::cli
 
 int main(int argc, char** argv) {
+  std::set_terminate(lapwing::cli::on_terminate);
   CLI::App app("Laplacian surface editing: moves a part of a mesh and keeps its detail.",
                "lapwing");
   app.set_version_flag("--version", LAPWING_VERSION);

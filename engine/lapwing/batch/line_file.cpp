@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 LineFile::LineFile(fs::path path)
     : path_(std::move(path)),
-      file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
+      // Opening a pipe would wait for somebody who reads from it.
+      file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK | O_CLOEXEC, 0666)) {
   if (!file_.is_open()) fail(path_, errno);
   // Some file systems have no locks; two runs into one folder are then not noticed.
   if (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {

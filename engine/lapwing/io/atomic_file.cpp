@@ -87,15 +87,18 @@ bool remove_stale(const fs::path& path) {
 class FileReplacement::Temporary {
  public:
   explicit Temporary(const fs::path& path)
-      : named_(path), target_(real_path(path)), old_(old_file_at(target_, path)), file_(-1) {
-    if (!open_without_name()) open_with_name();
-    make_private();
-  }
+      : named_(path), target_(real_path(path)), old_(old_file_at(target_, path)), file_(-1) {}
   ~Temporary() {
     if (!path_.empty()) ::unlink(path_.c_str());
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
+
+  // Apart from the constructor, so that whatever is made goes with the object.
+  void open() {
+    if (!open_without_name()) open_with_name();
+    make_private();
+  }
 
   const fs::path& named() const { return named_; }
 
@@ -199,7 +202,9 @@ class FileReplacement::Temporary {
 };
 
 FileReplacement::FileReplacement(const fs::path& path)
-    : temporary_(std::make_unique<Temporary>(path)) {}
+    : temporary_(std::make_unique<Temporary>(path)) {
+  temporary_->open();
+}
 
 FileReplacement::~FileReplacement() = default;
 FileReplacement::FileReplacement(FileReplacement&&) noexcept = default;

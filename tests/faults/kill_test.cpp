@@ -1,0 +1,122 @@
+// The program killed at any moment of its life: the file that it replaces is the old one or the new
+// one, whole. Between the moment when a file is whole and has a name and that when it is renamed
+// there is no other call; what a kill there leaves the next run takes away.
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <random>
+#include <string>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "batch/bent_tubes.h"
+#include "io/temporary_folder.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::microseconds;
+using test::Files;
+
+constexpr int kKills = 200;
+constexpr int kKillsByOthers = 50;  // signals than SIGKILL
+
+class Killed : public ::testing::TestWithParam<int> {
+ protected:
+  pid_t start(const std::vector<std::string>& arguments) const {
+    std::vector<char*> words;
+    std::string program = LAPWING_CLI;
+    std::vector<std::string> copies = arguments;
+    words.push_back(program.data());
+    for (std::string& word : copies) words.push_back(word.data());
+    words.push_back(nullptr);
+    const pid_t child = fork();
+    if (child != 0) return child;
+    const int nowhere = open("/dev/null", O_WRONLY);
+    if (dup2(nowhere, STDOUT_FILENO) < 0 || dup2(nowhere, STDERR_FILENO) < 0) _exit(9);
+    if (chdir(folder_.path().c_str()) == 0) execv(program.c_str(), words.data());
+    _exit(9);
+  }
+
+  // Whether the signal came before the end.
+  bool kill_after(microseconds time, const std::vector<std::string>& arguments) const {
+    const pid_t child = start(arguments);
+    std::this_thread::sleep_for(time);
+    kill(child, GetParam());
+    int status = 0;
+    waitpid(child, &status, 0);
+    return !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+  }
+
+  microseconds time_of(const std::vector<std::string>& arguments) const {
+    const auto begin = std::chrono::steady_clock::now();
+    int status = 0;
+    waitpid(start(arguments), &status, 0);
+    EXPECT_EQ(status, 0);
+    return std::chrono::duration_cast<microseconds>(std::chrono::steady_clock::now() - begin);
+  }
+
+  // Kills the program again and again while it replaces what `prepare` puts there.
+  template <class Prepare>
+  void expect_old_or_new(const std::vector<std::string>& arguments, const Prepare& prepare) {
+    prepare();
+    const Files before = test::files_in(folder_.path());
+    const microseconds whole = time_of(arguments);
+    const Files after = test::files_in(folder_.path());
+    ASSERT_NE(before, after);
+    std::mt19937 random(23);  // NOLINT(cert-msc51-cpp): the same every time
+    std::uniform_int_distribution<long> upto(0, whole.count());
+    int killed = 0;
+    const int rounds = GetParam() == SIGKILL ? kKills : kKillsByOthers;
+    for (int round = 0; round < rounds; ++round) {
+      prepare();
+      if (kill_after(microseconds(upto(random)), arguments)) ++killed;
+      for (const auto& [name, bytes] : test::files_in(folder_.path())) {
+        const std::string target = name.substr(0, name.find(".tmp-"));
+        // A report has the times of its run.
+        const bool is_report = bytes.starts_with("{") && bytes.ends_with("\n}\n");
+        const bool is_old = name == target && bytes == before.at(target);
+        ASSERT_TRUE(is_old || bytes == after.at(target) || is_report)
+            << name << " is torn, round " << round;
+      }
+    }
+    EXPECT_GT(killed, rounds / 4);
+    time_of(arguments);
+    EXPECT_EQ(test::files_in(folder_.path()).size(), after.size()) << "something was left";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(Killed, ARunLeavesTheOldResultOrTheNewOne) {
+  write_mesh(cylinder(12, 20, 0.5, 3.0), folder_ / "tube.obj");
+  folder_.file("bend.json", test::kBendTube);
+  expect_old_or_new({"run", "bend.json", "--device", "cpu", "--quiet", "--save", "out.obj",
+                     "--report", "report.json"},
+                    [&] {
+                      folder_.file("out.obj", "old");
+                      folder_.file("report.json", "old");
+                    });
+}
+
+TEST_P(Killed, ARepairLeavesTheOldMeshOrTheNewOne) {
+  Mesh mesh = icosphere(4);
+  mesh.positions.emplace_back(0.0, 0.0, 0.0);  // belongs to no face
+  write_mesh(mesh, folder_ / "rest.ply");
+  expect_old_or_new({"check", "mesh.ply", "--fix", "mesh.ply"}, [&] {
+    fs::remove(folder_ / "mesh.ply");
+    fs::copy_file(folder_ / "rest.ply", folder_ / "mesh.ply");
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Killed, ::testing::Values(SIGKILL, SIGTERM, SIGHUP, SIGINT));
+
+}  // namespace
+}  // namespace lapwing
