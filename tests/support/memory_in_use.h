@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <malloc.h>
+
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/allocator_interface.h>
+#endif
+
+namespace lapwing::test {
+
+/// The bytes that the program has taken and not given back.
+inline std::size_t memory_in_use() {
+#if defined(__SANITIZE_ADDRESS__)
+  return __sanitizer_get_current_allocated_bytes();
+#else
+  const auto info = ::mallinfo2();
+  return info.uordblks + info.hblkhd;
+#endif
+}
+
+}  // namespace lapwing::test
