@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 using std::chrono::microseconds;
 using test::Files;
 
-constexpr int kKills = 200;
-constexpr int kKillsByOthers = 50;  // signals than SIGKILL
+constexpr int kKills = 200;         // by SIGKILL
+constexpr int kKillsByOthers = 50;  // of the signals
 
 class Killed : public ::testing::TestWithParam<int> {
  protected:

@@ -1,5 +1,4 @@
 // A process that edits all day takes no more memory than after its first edits.
-#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -17,6 +16,7 @@
 #include "lapwing/session/session.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
 #include "support/gpu.h"
+#include "support/how_often.h"
 #include "support/memory_in_use.h"
 
 namespace lapwing {
@@ -24,10 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// LAPWING_EDITS asks for more.
 int edits(int usual) {
-  const char* const wanted = std::getenv("LAPWING_EDITS");
-  return wanted != nullptr ? std::atoi(wanted) : usual;
+  return test::how_often("LAPWING_EDITS", usual);
 }
 
 class LongLife : public ::testing::Test {

@@ -1,7 +1,6 @@
 // Thousands of random gestures: nothing breaks, and what a crash would leave is what there was.
 #include "viewer_panels/monkey.h"
 
-#include <cstdlib>
 #include <deque>
 
 #include <gmock/gmock.h>
@@ -13,6 +12,7 @@
 #include "state/journal.h"
 #include "support/environment.h"
 #include "support/gpu.h"
+#include "support/how_often.h"
 #include "support/keep_picture.h"
 
 namespace lapwing::viewer::test {
@@ -28,8 +28,7 @@ constexpr Look kLook{Theme::dark, {800, 600}, 1.0};
 
 // More by $LAPWING_GESTURES.
 std::size_t gesture_count() {
-  const char* wanted = std::getenv("LAPWING_GESTURES");
-  return wanted != nullptr ? std::strtoul(wanted, nullptr, 10) : 120;
+  return static_cast<std::size_t>(lapwing::test::how_often("LAPWING_GESTURES", 120));
 }
 
 // As a recipe that says whether the last step has its result.

@@ -239,7 +239,7 @@ TEST_F(AJournal, KilledAtRandomMomentsLosesNoCommittedStep) {
   }
   std::mt19937 random(20);
   std::size_t restored_steps = 0;
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 200; ++round) {
     std::array<int, 2> pipe_ends{};
     ASSERT_EQ(::pipe(pipe_ends.data()), 0);
     const pid_t child = ::fork();
