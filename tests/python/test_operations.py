@@ -1,6 +1,7 @@
 """The other operations, and recipes, on arrays."""
 
 import json
+import os
 
 import numpy as np
 import pytest
@@ -144,3 +145,16 @@ def test_pictures_are_arrays(tube):
             lapwing.render(tube, **wrong)
     with pytest.raises(lapwing.DeviceError):
         lapwing.render(tube, device="no such device")
+
+
+def test_names_that_are_not_utf8(tmp_path):
+    lapwing.write(tmp_path / "plain.obj", lapwing.shape("sphere"))
+    name = os.fsencode(tmp_path) + b"/m\xf6we.obj"
+    with open(name, "wb") as file:
+        file.write(b"mtllib m\xf6we.mtl\n" + (tmp_path / "plain.obj").read_bytes())
+    for path in (name, os.fsdecode(name)):
+        mesh = lapwing.read(path)
+        assert "m\\xF6we.mtl" in lapwing.write(tmp_path / "out.obj", mesh)[0]
+    assert lapwing.write(os.fsdecode(name), mesh)
+    with pytest.raises(lapwing.FileError, match=r"none-\\xF6"):
+        lapwing.read(os.fsencode(tmp_path) + b"/none-\xf6.obj")

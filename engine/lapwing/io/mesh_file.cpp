@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/printable_text.h"
 #include "lapwing/io/formats.h"
 #include "lapwing/io/source_patch.h"
 #include "lapwing/io/stored_normals.h"
@@ -114,6 +115,9 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
   if (!bytes) bytes = write_with_new_normals(mesh, source, format, encoding, report);
   if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);
   files.add(path, *bytes);
+  // They quote names out of files.
+  for (std::string& line : report.not_carried) line = printable(line);
+  for (std::string& line : report.notes) line = printable(line);
   return report;
 }
 

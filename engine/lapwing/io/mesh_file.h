@@ -28,7 +28,7 @@ struct WriteOptions {
   bool anew = false;
 };
 
-/// What the user should know about a file that was written.
+/// What the user should know about a file that was written, in printable lines.
 struct WriteReport {
   /// What the format has no place for: "texture coordinates (14,290): OFF has no place for them".
   std::vector<std::string> not_carried;

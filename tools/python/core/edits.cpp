@@ -3,6 +3,7 @@
 #include <map>
 #include <mutex>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 #include <string>
 
 #include "arrays.h"
@@ -46,8 +47,9 @@ Result carry_out(const Mesh& mesh, const std::string& step_json, const std::stri
   });
 }
 
-Result run(const std::string& recipe_json, const std::string& folder, const NamedMeshes& meshes,
-           const std::string& device, bool saves, const py::object& heard) {
+Result run(const std::string& recipe_json, const std::filesystem::path& folder,
+           const NamedMeshes& meshes, const std::string& device, bool saves,
+           const py::object& heard) {
   const Recipe recipe = parse_recipe(recipe_json, folder, "recipe");
   return Interruptible(heard).call([&](const Progress& progress) {
     const Device opened = open_device(device);

@@ -1,6 +1,8 @@
 #include "lapwing/mesh/mesh.h"
 
+#include <filesystem>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,7 @@
 namespace lapwing::python {
 namespace {
 
-std::vector<std::string> write(const Mesh& mesh, const std::string& path) {
+std::vector<std::string> write(const Mesh& mesh, const std::filesystem::path& path) {
   const py::gil_scoped_release unlocked;
   WriteReport report = write_mesh(mesh, path);
   std::vector<std::string> notes;
@@ -22,7 +24,7 @@ std::vector<std::string> write(const Mesh& mesh, const std::string& path) {
   return notes;
 }
 
-Mesh read(const std::string& path) {
+Mesh read(const std::filesystem::path& path) {
   const py::gil_scoped_release unlocked;
   return read_mesh(path);
 }
