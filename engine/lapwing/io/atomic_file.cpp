@@ -22,8 +22,11 @@ constexpr mode_t kPermissions = 07777;
 constexpr mode_t kPrivate = 0600;
 
 [[noreturn]] void fail_to_write(const fs::path& path, int error) {
-  throw IoError("cannot write " + path.string() + ": " + std::strerror(error) +
-                "; it is as it was, choose another place or make room and try again");
+  const std::string what = "cannot write " + path.string() + ": " + std::strerror(error);
+  if (error == ENOENT) {
+    throw IoError(what + "; make the folder " + path.parent_path().string() + ", or name another");
+  }
+  throw IoError(what + "; what was there stays, choose another place or make room and try again");
 }
 
 fs::path folder_of(const fs::path& target) {
