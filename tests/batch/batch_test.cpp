@@ -208,6 +208,19 @@ TEST_F(ABatch, WritesNothingOverWhatItReads) {
   EXPECT_EQ(run_batch(here).failed, 1U);
 }
 
+TEST_F(ABatch, DoesNotTakeItsJobsFromWhereItsResultsGo) {
+  fs::create_directory(path("out"));
+  for (const std::string name : {"results.jsonl", "failed.jsonl", "failed-2-of-3.jsonl"}) {
+    fs::copy_file(path("jobs.jsonl"), path("out/" + name));
+    BatchRequest wrong = request("out");
+    wrong.jobs = path("out/" + name);
+    wrong.resume = true;
+    EXPECT_THROW(run_batch(wrong), InputError) << name;
+    EXPECT_EQ(content_of(path("out/" + name)), content_of(path("jobs.jsonl")));
+    fs::remove(path("out/" + name));
+  }
+}
+
 TEST_F(ABatch, NamesWhatIsCarriedAfterTheJob) {
   write_mesh(cylinder(6, 2, 0.2, 1.0), path("hat.obj"));
   write("jobs.jsonl", R"({"id": "a", "set": {"/steps/0/carry": ["hat.obj"]}})");

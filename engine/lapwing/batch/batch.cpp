@@ -190,6 +190,9 @@ class Batch {
 }  // namespace
 
 BatchCount run_batch(const BatchRequest& request, const BatchWatch& watch) {
+  for (const std::filesystem::path& read : {request.jobs, request.recipe}) {
+    if (!read.empty()) ResultFolder::require_no_result(request.folder, read);
+  }
   return Batch(request, watch).run(request.threads > 0 ? request.threads : thread_count());
 }
 

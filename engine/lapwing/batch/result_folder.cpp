@@ -7,6 +7,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
+#include "lapwing/io/real_path.h"
 
 namespace lapwing {
 namespace {
@@ -32,9 +33,20 @@ std::vector<fs::path> files_like(const fs::path& folder, const std::string& patt
 
 constexpr const char* kAnyResults = R"(results(-\d+-of-\d+)?\.jsonl)";
 constexpr const char* kShardFiles = R"((results|failed)-\d+-of-\d+\.jsonl)";
+constexpr const char* kAnyLines = R"((results|failed)(-\d+-of-\d+)?\.jsonl)";
 constexpr const char* kTemporary = R"((.*)\.tmp-\d+)";
 
 }  // namespace
+
+void ResultFolder::require_no_result(const fs::path& folder, const fs::path& read) {
+  const fs::path file = real_path(read);
+  const bool is_called_so = std::regex_match(file.filename().string(), std::regex(kAnyLines));
+  if (!is_called_so || file.parent_path() != real_path(folder / file.filename()).parent_path()) {
+    return;
+  }
+  throw InputError(read.string() +
+                   " is where the batch writes what comes out; rename it, or name another folder");
+}
 
 ResultFolder::ResultFolder(fs::path folder, std::span<const Job> jobs, std::optional<Shard> shard,
                            bool resume)

@@ -33,6 +33,10 @@ class ResultFolder {
   ResultFolder(std::filesystem::path folder, std::span<const Job> jobs, std::optional<Shard> shard,
                bool resume);
 
+  /// Throws InputError if `read` is a file that such a folder is to hold.
+  static void require_no_result(const std::filesystem::path& folder,
+                                const std::filesystem::path& read);
+
   const std::filesystem::path& path() const { return folder_; }
   /// Whether a result says that this job, from 0, was carried out as it is asked for now, and the
   /// files that it names are there.
