@@ -221,6 +221,31 @@ TEST_F(AJournal, IsNotWrittenWithoutNews) {
   EXPECT_EQ(std::filesystem::file_size(journal.path()), size);
 }
 
+TEST_F(AJournal, OfAMeshWhoseNameIsNoUtf8IsRefusedAndLeavesNothing) {
+  const std::filesystem::path latin = folder_ / "m\xF6we.obj";
+  std::filesystem::copy_file(mesh_, latin);
+  EXPECT_THROW(Journal(cache_, stamp_of(latin)), InputError);
+  EXPECT_TRUE(interrupted().empty());
+  EXPECT_FALSE(std::filesystem::exists(cache_));
+}
+
+TEST_F(AJournal, HoldsNoMoreHandlesThanItLists) {
+  std::filesystem::create_directories(cache_);
+  const std::filesystem::path journal = cache_ / "edit-1-0.journal";
+  {
+    const Journal whole(cache_, stamp());
+    std::filesystem::copy_file(whole.path(), journal);
+  }
+  std::ofstream(journal, std::ios::app)
+      << R"({"keep": 0, "add": [], "open": {"op": "deform", "roi": {"all": true}, "handles": )"
+      << R"([{"region": {"vertices": [1]}, "move": {"translate": [0, 0, 1]}}]}, )"
+      << R"("handles": 1000000000000, "settled": false})"
+      << "\n";
+  const auto edit = read_journal(journal);
+  ASSERT_TRUE(edit.has_value());
+  EXPECT_EQ(edit->draft.open.handles.size(), 1U);
+}
+
 TEST_F(AJournal, FolderThatCannotBeMadeIsSaid) {
   EXPECT_THROW(Journal(mesh_ / "inside", stamp()), IoError);
 }

@@ -5,7 +5,7 @@ add_library(lapwing_warnings INTERFACE)
 # g++ 12 warns of overlaps and overflows inside std::string where there are none (GCC bug 105651),
 # and of unset numbers in Eigen's fixed-size decompositions, whose loops it does not follow;
 # Vulkan's structures are given their type and filled in by name.
-target_compile_options(lapwing_warnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow
+target_compile_options(lapwing_warnings INTERFACE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wall -Wextra -Wshadow
   -Wconversion -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
   -Wno-missing-field-initializers
   $<$<BOOL:${LAPWING_FOLDER_UNITS}>:-Wno-subobject-linkage>>)

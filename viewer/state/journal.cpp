@@ -70,7 +70,9 @@ void carry_out(const Json& line, Draft& draft) {
   draft.steps.resize(std::min(line.at("keep").get<std::size_t>(), draft.steps.size()));
   for (Step& step : steps_of(line.at("add"))) draft.steps.push_back(std::move(step));
   draft.open = std::get<DeformRequest>(steps_of(Json::array({line.at("open")})).at(0));
-  draft.open.handles.resize(line.at("handles").get<std::size_t>());
+  // One stood in for none.
+  std::vector<MovedHandle>& handles = draft.open.handles;
+  handles.resize(std::min(line.at("handles").get<std::size_t>(), handles.size()));
   draft.settled = line.at("settled").get<bool>();
 }
 
@@ -79,6 +81,16 @@ Json json_of(const MeshStamp& mesh) {
           {"mesh", mesh.path.string()},
           {"bytes", mesh.bytes},
           {"modified", mesh.modified}};
+}
+
+std::string line_of(const Json& json) {
+  try {
+    return json.dump();
+  } catch (const Json::type_error&) {
+    throw InputError(
+        "the name of the mesh or of another file is not UTF-8, which the journal is written in, so "
+        "that a crash would lose this edit; rename the file and open it again");
+  }
 }
 
 MeshStamp stamp_from(const Json& json) {
@@ -158,16 +170,17 @@ fs::path journal_folder() {
   return user_folder("XDG_CACHE_HOME", ".cache");
 }
 
-Journal::Journal(const fs::path& folder, const MeshStamp& mesh)
-    : file_(create_locked(folder, path_)), mesh_(mesh) {
-  append(json_of(mesh).dump());
+Journal::Journal(const fs::path& folder, const MeshStamp& mesh) : file_(-1), mesh_(mesh) {
+  const std::string first = line_of(json_of(mesh));
+  file_.reset(create_locked(folder, path_));
+  append(first);
   flush_folder(folder);
 }
 
 void Journal::record(const AppState& state) {
   Draft draft = draft_of(state);
   if (draft == last_) return;
-  append(difference(last_, draft).dump());
+  append(line_of(difference(last_, draft)));
   last_ = std::move(draft);
 }
 
@@ -179,7 +192,7 @@ void Journal::keep_mesh(const fs::path& mesh) {
   if (error) fail(copy, error.value());
   const FileDescriptor written(::open(copy.c_str(), O_RDONLY | O_CLOEXEC));
   if (!written.is_open() || ::fsync(written.get()) != 0) fail(copy, errno);
-  append(Json{{"mesh", json_of(stamp_of(copy))}}.dump());
+  append(line_of(Json{{"mesh", json_of(stamp_of(copy))}}));
   mesh_is_kept_ = true;
 }
 

@@ -31,13 +31,14 @@ std::filesystem::path journal_folder();
 class Journal {
  public:
   /// Starts a journal in `folder`, which is made if it is not there, and locks it while it is open.
-  /// Throws IoError when it cannot be written.
+  /// Throws IoError when it cannot be written, and InputError when the mesh's name is no UTF-8.
   Journal(const std::filesystem::path& folder, const MeshStamp& mesh);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   ~Journal() = default;  ///< leaves the file, as a crash does
 
-  /// The edit is here now. Writes nothing where that is nothing new. Throws IoError.
+  /// The edit is here now. Writes nothing where that is nothing new. Throws IoError, and InputError
+  /// for a name of a file that is no UTF-8.
   void record(const AppState& state);
 
   /// The mesh file is about to be replaced by the result: a copy of it is kept beside the journal,

@@ -66,7 +66,7 @@ void EditSession::start_journal(const fs::path& journals, const std::optional<fs
   try {
     journal_.emplace(journals, *file_);
     if (copy) journal_->keep_mesh(*copy);
-  } catch (const IoError& error) {
+  } catch (const Error& error) {
     // Steps that start from a mesh that nobody kept would be no help.
     if (journal_) journal_->close();
     journal_.reset();

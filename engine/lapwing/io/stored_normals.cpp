@@ -99,13 +99,14 @@ class NormalUpdate {
   std::vector<Use> uses_beyond_seams(Index vertex, Index normal) const {
     std::vector<Use> beyond;
     if (leaders_.empty()) return beyond;
-    const auto at_vertex = std::ranges::equal_range(
-        seam_uses_, leaders_[vertex], {}, [&](const Use& use) { return leaders_[use.vertex]; });
-    std::ranges::copy_if(at_vertex, std::back_inserter(beyond), [&](const Use& use) {
-      return use.vertex != vertex &&
-             (mesh_.attributes().normals[use.normal] - mesh_.attributes().normals[normal]).norm() <=
-                 kSameNormal;
-    });
+    const Index leader = leaders_[vertex];
+    const auto before = [&](const Use& use, Index other) { return leaders_[use.vertex] < other; };
+    auto use = std::lower_bound(seam_uses_.begin(), seam_uses_.end(), leader, before);
+    for (; use != seam_uses_.end() && leaders_[use->vertex] == leader; ++use) {
+      const auto& normals = mesh_.attributes().normals;
+      const bool is_equal = (normals[use->normal] - normals[normal]).norm() <= kSameNormal;
+      if (use->vertex != vertex && is_equal) beyond.push_back(*use);
+    }
     return beyond;
   }
 

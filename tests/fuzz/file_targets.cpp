@@ -1,0 +1,227 @@
+// Readers of files, and writers of what they have read.
+#include <array>
+
+#include "fuzz/targets.h"
+#include "io/rich_mesh.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/io/file_bytes.h"
+#include "lapwing/io/file_colors.h"
+#include "lapwing/io/image.h"
+#include "lapwing/io/material_library.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/io/point_table.h"
+
+namespace lapwing::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  // Also where they are not numbers.
+  for (int k = 0; k < 3; ++k) {
+    if (a[k] != b[k] && !(std::isnan(a[k]) && std::isnan(b[k]))) return false;
+  }
+  return true;
+}
+
+bool are_same(const Positions& a, const Positions& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
+}
+
+// Its own format keeps every byte, whatever it is, as long as nothing moves.
+void require_kept(const Mesh& mesh, const fs::path& from, std::string_view name) {
+  const fs::path to = file_of("", "kept-" + std::string(name));
+  write_mesh(mesh, to);
+  require(FileBytes::read(to).view() == FileBytes::read(from).view(),
+          "what was not changed is written as it was");
+}
+
+// What is read of a file that was made anew is what was written.
+void require_read_back(const Mesh& mesh, std::string_view name, const WriteOptions& options) {
+  const fs::path to = file_of("", name);
+  try {
+    write_mesh(mesh, to, options);
+  } catch (const InputError&) {
+    return;  // numbers that do not fit the format, say
+  }
+  const Mesh again = read_mesh(to);
+  require(are_same(again.positions, mesh.positions), "positions come back");
+  require(again.face_starts() == mesh.face_starts(), "faces come back");
+  require(again.face_vertices() == mesh.face_vertices(), "corners come back");
+}
+
+void read_and_write(Bytes bytes, std::string_view name) {
+  const fs::path path = file_of(bytes, name);
+  Mesh mesh;
+  try {
+    mesh = read_mesh(path);
+  } catch (const InputError&) {
+    return;
+  }
+  validate_indices(mesh);
+  require(mesh.face_starts().back() == mesh.face_vertices().size(), "faces end with the corners");
+  require_kept(mesh, path, name);
+  if (path.extension() != ".stl") {  // it has triangles alone, and joins what lies together
+    require_read_back(mesh, "anew-" + std::string(name), {.anew = true});
+  }
+  require_read_back(mesh, "anew.ply", {});
+  require_read_back(mesh, "anew.obj", {});
+  if (mesh.positions.empty()) return;
+  Mesh moved = mesh;
+  moved.positions.back() += Eigen::Vector3d(1.0, -2.0, 0.5);
+  moved.source = mesh.source;
+  try {
+    write_mesh(moved, file_of("", "moved-" + std::string(name)));
+  } catch (const InputError&) {
+  }
+}
+
+void read_obj(Bytes bytes) {
+  read_and_write(bytes, "a.obj");
+}
+void read_off(Bytes bytes) {
+  read_and_write(bytes, "a.off");
+}
+void read_ply(Bytes bytes) {
+  read_and_write(bytes, "a.ply");
+}
+void read_stl(Bytes bytes) {
+  read_and_write(bytes, "a.stl");
+}
+
+void read_colors(Bytes bytes) {
+  std::vector<std::string> notes;
+  read_material_library(file_of(bytes, "a.mtl"), notes);
+  Mesh mesh;
+  mesh.edit_attributes().material_libraries = {"a.mtl"};
+  mesh.edit_attributes().materials = {"wool", "wax"};
+  read_file_colors(mesh, file_of("", "colors.obj"));
+}
+
+void read_picture(Bytes bytes) {
+  const fs::path path = file_of(bytes, "a.png");
+  try {
+    const ImageSize size = read_image_size(path);
+    // The readers of images are the library's; its memory is bounded by the pixels, of which a
+    // file of no size can promise very many.
+    constexpr std::uint64_t kMostPixels = 1U << 16U;
+    if (std::uint64_t{size.width} * size.height > kMostPixels) return;
+    const Image image = read_image(path);
+    require(image.rgba.size() == std::size_t{4} * image.width * image.height, "all pixels");
+    read_image(file_of(encode_png(image), "again.png"));
+  } catch (const InputError&) {
+  }
+}
+
+template <std::size_t N>
+void read_table(Bytes bytes, const char (&name)[N]) {
+  try {
+    const fs::path path = file_of(bytes, name);
+    const PointTable table = read_point_table(path);
+    require(bytes_of(table) == FileBytes::read(path).view(),
+            "what was not changed is written as it was");
+  } catch (const InputError&) {
+  }
+}
+void read_csv(Bytes bytes) {
+  read_table(bytes, "a.csv");
+}
+void read_npy(Bytes bytes) {
+  read_table(bytes, "a.npy");
+}
+
+std::vector<std::string> meshes_with(std::string_view extension) {
+  std::vector<std::string> seeds;
+  for (const Storage& storage : kStorages) {
+    if (!storage.name.ends_with(extension)) continue;
+    for (const Mesh& mesh : {rich_mesh(), icosphere(0), Mesh()}) {
+      const fs::path path = file_of("", "seed" + std::string(extension));
+      write_mesh(mesh, path, {.encoding = storage.encoding});
+      seeds.emplace_back(FileBytes::read(path).view());
+    }
+  }
+  return seeds;
+}
+
+std::vector<std::string> obj_seeds() {
+  std::vector<std::string> seeds = meshes_with(".obj");
+  seeds.emplace_back(
+      "v 0 0 0 1\nv 1 0 0 0.5 0.2 0.1\nv 0 1 0\nvt 0 0 0\nvn 0 0 1\nvp 1\n"
+      "o a\ng b c\ns 1\nusemtl m\nmtllib a b.mtl\nf 1/1/1 2//1 3/1 \\\n -1\nl 1 2\np 1\n");
+  return seeds;
+}
+std::vector<std::string> off_seeds() {
+  std::vector<std::string> seeds = meshes_with(".off");
+  seeds.emplace_back(
+      "STCNOFF # all\n3 1 0\n0 0 0 0 0 1 0.1 0.2 0.3 1 0 0\n"
+      "1 0 0 0 0 1 0.1 0.2 0.3 1 1 0\n0 1 0 0 0 1 255 2 3 255 0 1\n3 0 1 2 0.5 1 0\n");
+  return seeds;
+}
+std::vector<std::string> ply_seeds() {
+  std::vector<std::string> seeds = meshes_with(".ply");
+  seeds.emplace_back(
+      "ply\nformat ascii 1.0\ncomment c\nobj_info i\nelement vertex 3\n"
+      "property uchar red\nproperty double x\nproperty float y\nproperty short z\n"
+      "property list uchar int many\nelement face 1\n"
+      "property list uchar uint vertex_indices\nproperty list uchar float texcoord\n"
+      "element edge 1\nproperty int vertex1\nend_header\n"
+      "1 0 0 0 0\n2 1 0 0 1 5\n3 0 1 0 2 7 8\n3 0 1 2 6 0 0 1 0 0 1\n4\n");
+  return seeds;
+}
+std::vector<std::string> stl_seeds() {
+  return meshes_with(".stl");
+}
+std::vector<std::string> mtl_seeds() {
+  return {
+      "newmtl wool\nKd 0.1 0.2 0.3\nmap_Kd -o 1 2 -s 0.5 2 -clamp on wool.png\n"
+      "newmtl wax\r\nKd spectral x\nmap_Kd \"w x.png\"\n# end\n"};
+}
+std::vector<std::string> picture_seeds() {
+  Image image{.width = 3, .height = 2, .rgba = std::vector<std::uint8_t>(24, 200)};
+  std::vector<std::string> seeds{encode_png(image)};
+  image.rgba[3] = 7;
+  seeds.push_back(encode_png(image, "made by a test"));
+  // TGA and BMP of one pixel.
+  seeds.emplace_back("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x18\0\1\2\3", 21);
+  seeds.emplace_back(
+      "BM\x3A\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0"
+      "\0\0\0\0\4\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\1\2\3\0",
+      58);
+  return seeds;
+}
+std::vector<std::string> csv_seeds() {
+  return {"x,y,z\n0,1,2\n-1e3, 2.5 ,+7\n", "vertex; x; y; z; weight\r\n3; 0,5; 1; 2; 1\r\n",
+          "x y z nx ny nz qw qx qy qz\n0 0 0 0 0 1 1 0 0 0\n", "1\t2\t3\n# c\n\n4\t5\t6\n"};
+}
+std::vector<std::string> npy_seeds() {
+  const auto npy = [](std::string header, const std::string& data) {
+    header.resize(118, ' ');
+    return "\x93NUMPY\x01" + std::string("\0\x76\0", 3) + header + data;
+  };
+  return {npy("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }", std::string(24, '\1')),
+          npy("{'descr': '>f8', 'fortran_order': True, 'shape': (1, 3), }", std::string(24, '\2')),
+          npy("{'descr': [('x', '<f8'), ('y', '<f8'), ('z', '<f8')], 'fortran_order': False, "
+              "'shape': (1,), }",
+              std::string(24, '\3'))};
+}
+
+constexpr std::array kFileTargets{
+    Target{"obj", "read, written in place and anew, read back", &read_obj, &obj_seeds, "obj.dict",
+           400},
+    Target{"off", "the same of OFF", &read_off, &off_seeds, "off.dict", 400},
+    Target{"ply", "the same of PLY", &read_ply, &ply_seeds, "ply.dict", 400},
+    Target{"stl", "the same of STL", &read_stl, &stl_seeds, "stl.dict", 400},
+    Target{"mtl", "material libraries, with what they name", &read_colors, &mtl_seeds, "mtl.dict",
+           400},
+    Target{"picture", "PNG, JPEG, BMP, TGA; written as PNG and read", &read_picture, &picture_seeds,
+           "", 400},
+    Target{"csv", "tables of points, written as they were", &read_csv, &csv_seeds, "", 400},
+    Target{"npy", "the same of arrays of numpy", &read_npy, &npy_seeds, "npy.dict", 400}};
+
+}  // namespace
+
+std::span<const Target> file_targets() {
+  return kFileTargets;
+}
+
+}  // namespace lapwing::fuzz

@@ -1,0 +1,241 @@
+// Whole operations on small meshes, with regions and moves of any kind.
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "fuzz/choices.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/doctor/check.h"
+#include "lapwing/doctor/fix.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/lapwing.h"
+
+namespace lapwing::fuzz {
+namespace {
+
+using Eigen::Vector3d;
+
+bool is_finite(const Vector3d& p) {
+  return p.allFinite();
+}
+
+// Of the same triangles, finite wherever the mesh was, and to the bit the same outside of `region`.
+void require_kept_outside(const Mesh& before, const Mesh& after, const VertexSet& region) {
+  require(after.vertex_count() == before.vertex_count(), "as many vertices");
+  std::vector<bool> inside(before.vertex_count());
+  for (const Index v : region) inside[v] = true;
+  for (Index v = 0; v < before.vertex_count(); ++v) {
+    const Vector3d& p = before.positions[v];
+    const Vector3d& q = after.positions[v];
+    if (is_finite(p)) require(is_finite(q), "finite");
+    if (!inside[v] && is_finite(p)) require(p == q, "to the bit outside of the region");
+  }
+}
+
+// The largest finite coordinate.
+double reach(const Mesh& mesh) {
+  double most = 0.0;
+  for (const Vector3d& p : mesh.positions) {
+    if (is_finite(p)) most = std::max(most, p.cwiseAbs().maxCoeff());
+  }
+  return most;
+}
+
+// Beyond it squares of lengths have no room.
+constexpr double kModerate = 1e100;
+
+// The work is bounded by what is reported of it, whatever the numbers.
+Progress bounded(long most) {
+  return [left = most](std::string_view, double) mutable {
+    require(--left > 0, "an end within bounded work");
+    return true;
+  };
+}
+
+DeformRequest deform_request(Choices& choices, const Mesh& mesh) {
+  DeformRequest request;
+  if (choices.one_in(4)) request.roi = choices.region(mesh);
+  if (choices.one_in(3)) request.belt = choices.region(mesh);
+  for (int h = choices.byte() % 3; h >= 0; --h) {
+    const auto count = static_cast<Index>(mesh.vertex_count());
+    request.handles.push_back({{ListedVertices{choices.vertices(count)}}, choices.move()});
+  }
+  DeformParameters& p = request.parameters;
+  if (choices.one_in(3)) p.constraint_weight = choices.above_zero();
+  if (choices.one_in(3)) p.detail_length = choices.above_zero();
+  if (choices.one_in(4)) p.hard = true;
+  if (choices.one_in(4)) p.weights = LaplacianWeights::uniform;
+  if (choices.one_in(6)) p.settle = std::nullopt;
+  if (choices.one_in(6)) p.commit_every = choices.between(10.0, 180.0);
+  if (choices.one_in(6)) p.loose = LoosePolicy::leave;
+  return request;
+}
+
+// The largest distance between a handle's vertices and where its move wants them.
+double handle_error(const Mesh& rest, const Mesh& moved, const DeformRequest& request) {
+  double error = 0.0;
+  for (const MovedHandle& handle : request.handles) {
+    const VertexSet& vertices = std::get<ListedVertices>(handle.region.form).vertices;
+    Vector3d centroid = Vector3d::Zero();
+    for (const Index v : vertices) centroid += rest.positions[v];
+    centroid /= static_cast<double>(vertices.size());
+    const Eigen::Affine3d map = to_affine(handle.move, centroid);
+    for (const Index v : vertices) {
+      error = std::max(error, (map * rest.positions[v] - moved.positions[v]).norm());
+    }
+  }
+  return error;
+}
+
+void deform_mesh(Bytes bytes) {
+  Choices choices(bytes);
+  const Mesh mesh = choices.mesh();
+  const DeformRequest request = deform_request(choices, mesh);
+  CpuKernels kernels;
+  DeformWorkspace workspace;
+  try {
+    const Deformed result = deform(mesh, request, kernels, workspace, bounded(100'000));
+    require_kept_outside(mesh, result.mesh, result.region.roi);
+    require(result.certificate.all_finite, "the certificate says so");
+    if (reach(mesh) > kModerate || request.parameters.commit_every) return;  // measured in parts
+    const double error = handle_error(mesh, result.mesh, request);
+    const double told = result.certificate.handle_error;
+    const double rounding = 1e-9 * (reach(mesh) + reach(result.mesh));
+    require(
+        error == told || std::abs(error - told) <= rounding,
+        "the handle's error is as told: " + std::to_string(told) + ", is " + std::to_string(error));
+  } catch (const Error&) {
+  }
+}
+
+CoatParameters coat_parameters(Choices& choices) {
+  CoatParameters p;
+  if (choices.one_in(3)) p.smooth_target = choices.above_zero();
+  if (choices.one_in(3)) p.domain = Domain::square;
+  if (choices.one_in(2)) p.remesh = Remeshing::none;
+  return p;
+}
+
+void coat_mesh(Bytes bytes) {
+  Choices choices(bytes);
+  const Mesh target = choices.mesh();
+  const Mesh source = choices.mesh();
+  CoatRequest request;
+  request.source.patch = choices.patch(source);
+  request.source.detail_size = choices.between(0.1, 2.0);
+  if (choices.one_in(3)) request.source.amplitude = choices.number();
+  request.target_patch = choices.patch(target);
+  request.parameters = coat_parameters(choices);
+  try {
+    const Coated result = coat(target, source, request);
+    if (result.mesh.vertex_count() != target.vertex_count()) return;
+    for (Index v = 0; v < target.vertex_count(); ++v) {
+      if (is_finite(target.positions[v])) require(is_finite(result.mesh.positions[v]), "finite");
+    }
+  } catch (const Error&) {
+  }
+}
+
+void transplant_part(Bytes bytes) {
+  Choices choices(bytes);
+  const Mesh host = choices.mesh();
+  const Mesh part = choices.mesh();
+  TransplantRequest request;
+  request.target_region = choices.patch(host);
+  if (choices.one_in(2)) request.part_region = choices.patch(part);
+  if (choices.one_in(3)) {
+    SimilarityMove move;
+    move.translate =
+        Vector3d(choices.between(-1, 1), choices.between(-1, 1), choices.between(-1, 1));
+    move.scale = choices.between(0.2, 2.0);
+    request.place = move;
+    request.snap = choices.one_in(2);
+  }
+  if (choices.one_in(2)) request.parameters.remesh = Remeshing::none;
+  try {
+    const Transplanted result = transplant(host, part, request);
+    validate_indices(result.mesh);
+  } catch (const Error&) {
+  }
+}
+
+void remesh_region(Bytes bytes) {
+  Choices choices(bytes);
+  const Mesh mesh = choices.mesh();
+  RemeshRequest request;
+  request.region = choices.region(mesh);
+  request.scale = choices.between(0.4, 3.0);
+  try {
+    const Remeshed result = remesh(mesh, request, bounded(100'000));
+    validate_indices(result.mesh);
+  } catch (const Error&) {
+  }
+}
+
+void parameterize_region(Bytes bytes) {
+  Choices choices(bytes);
+  const Mesh mesh = choices.mesh();
+  ParameterizeRequest request;
+  request.region = choices.patch(mesh);
+  if (choices.one_in(2)) request.domain = Domain::square;
+  try {
+    const Parameterized result = parameterize(mesh, request);
+    for (const Eigen::Vector2d& p : result.map.points) require(p.allFinite(), "finite");
+  } catch (const Error&) {
+  }
+}
+
+void peel_region(Bytes bytes) {
+  Choices choices(bytes);
+  const Mesh mesh = choices.mesh();
+  PeelRequest request;
+  request.region = choices.region(mesh);
+  request.detail_size = choices.above_zero();
+  try {
+    const Peeled result = peel(mesh, request);
+    require_kept_outside(mesh, result.mesh, result.moved);
+  } catch (const Error&) {
+  }
+}
+
+void check_and_fix(Bytes bytes) {
+  Choices choices(bytes);
+  Mesh mesh = choices.mesh();
+  CheckReport report = check(mesh);
+  add_self_intersections(mesh, report);
+  fix(mesh);
+  validate_indices(mesh);
+  const Mesh once = mesh;
+  require(!fix(mesh).changed(), "what is repaired needs no repair");
+  require(mesh.positions == once.positions, "and stays");
+}
+
+std::vector<std::string> some_bytes() {
+  std::vector<std::string> seeds;
+  std::mt19937 random(23);  // NOLINT(cert-msc51-cpp): the same every time
+  for (int k = 0; k < 40; ++k) {
+    std::string bytes(64, '\0');
+    for (char& byte : bytes) byte = static_cast<char>(random());
+    seeds.push_back(std::move(bytes));
+  }
+  return seeds;
+}
+
+constexpr std::array kOperationTargets{
+    Target{"deform", "any region, move and setting; the certificate tells the truth", &deform_mesh,
+           &some_bytes, "", 300},
+    Target{"coat", "any patches of two meshes", &coat_mesh, &some_bytes, "", 150},
+    Target{"transplant", "any part on any mesh", &transplant_part, &some_bytes, "", 150},
+    Target{"remesh", "any region", &remesh_region, &some_bytes, "", 150},
+    Target{"parameterize", "any region", &parameterize_region, &some_bytes, "", 300},
+    Target{"peel", "any region and size", &peel_region, &some_bytes, "", 300},
+    Target{"doctor", "checked, repaired, repaired again: nothing left", &check_and_fix, &some_bytes,
+           "", 500}};
+
+}  // namespace
+
+std::span<const Target> operation_targets() {
+  return kOperationTargets;
+}
+
+}  // namespace lapwing::fuzz

@@ -1,0 +1,131 @@
+// What people and programs write as JSON.
+#include <array>
+
+#include "batch/bent_tubes.h"
+#include "fuzz/targets.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/batch/job_file.h"
+#include "lapwing/io/file_bytes.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/parts/part_library.h"
+#include "lapwing/recipe/recipe.h"
+#include "lapwing/recipe/recipe_files.h"
+#include "state/journal.h"
+
+namespace lapwing::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+void read_recipe_text(Bytes bytes) {
+  try {
+    const Recipe recipe = parse_recipe(text_of(bytes), "folder", "fuzz");
+    const std::string text = to_json(recipe);
+    require(parse_recipe(text, "folder", "fuzz") == recipe, "a recipe is read as it was written");
+    require(to_json(parse_recipe(text, "folder", "fuzz")) == text, "and written as it was");
+    files_of(recipe);
+  } catch (const InputError&) {
+  }
+}
+
+void read_jobs(Bytes bytes) {
+  static const fs::path recipe = file_of(test::kBendTube, "jobs-recipe.json");
+  try {
+    const JobFile jobs(file_of(bytes, "jobs.jsonl"), recipe, "fuzz", recipe.parent_path());
+    for (const Job& job : jobs.jobs()) {
+      if (!job.error.empty()) continue;
+      require(job.id.find('/') == std::string::npos, "an id names no folder");
+      try {
+        jobs.recipe_of(job);
+      } catch (const InputError&) {
+      }
+    }
+  } catch (const InputError&) {
+  }
+}
+
+void read_journal_lines(Bytes bytes) {
+  static_cast<void>(viewer::read_journal(file_of(bytes, "edit.journal")));
+}
+
+// The details of a part whose mesh is fine.
+void read_details(Bytes bytes) {
+  static const fs::path mesh = [] {
+    const fs::path path = file_of("", "part.obj");
+    write_mesh(cylinder(6, 3, 0.5, 1.0), path);
+    return path;
+  }();
+  file_of(bytes, "part.json");
+  try {
+    const Part part = read_part(mesh);
+    require(part.loop < part.loops.size(), "the loop is one of the part's");
+  } catch (const InputError&) {
+  }
+}
+
+// Every operation and every key once.
+std::vector<std::string> recipe_seeds() {
+  const std::string head = R"({"lapwing": 1, "mesh": "a.obj", "save": "b.obj", "steps": [)";
+  std::vector<std::string> seeds{test::kBendTube};
+  seeds.push_back(head + R"({"op": "deform", "roi": {"union": [{"near": [0, 0, 0], "radius": 1},
+      {"difference": [{"all": true}, {"vertices": [1, 2]}]}]}, "belt": {"fraction": 0.1},
+      "handles": [{"region": {"disk": {"center": 3, "radius": 1}}, "falloff": {"width": 0.1},
+        "move": {"translate": [1, 2, 3], "rotate": {"axis": [0, 0, 1], "degrees": 30},
+                 "scale": [1, 2, 1], "pivot": [0, 0, 0]}},
+       {"region": {"vertices": [4]}, "move": {"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}}],
+      "targets": {"vertices": [5], "positions": [[0, 0, 1]], "weights": 2}, "mirror": {"plane": "x"},
+      "constraint_weight": 2, "detail_length": "auto", "commit_every": 20,
+      "carry": ["hat.obj", {"file": "p.csv", "save": "q.csv"}]}]})");
+  seeds.push_back(head +
+                  R"({"op": "coat", "source": "s.ply", "source_patch": {"disk_in": {"all": true}},
+      "target_patch": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}, "detail_size": 0.2,
+      "smooth_target": 0.5, "amplitude": 2, "transition": {"width": 0.1, "profile": "linear"},
+      "pins": [[1, 2], [3, 4]], "domain": "square", "remesh": "none"}]})");
+  seeds.push_back(head + R"({"op": "mix", "sources": [{"mesh": "s.ply", "patch": {"all": true},
+      "detail_size": 1}, {"mesh": "t.ply", "patch": {"all": true}, "detail_size": 1}],
+      "target_patch": {"all": true}, "weight": {"domain_v": [0, 1]}}]})");
+  seeds.push_back(head + R"({"op": "transplant", "part": {"mesh": "p.obj", "region": {"all": true}},
+      "target_region": {"all": true}, "place": {"auto": {"rotate_degrees": 10, "scale": 2,
+      "keep_size": false}}, "transition": 0.1, "loop": 0, "snap": true}]})");
+  return seeds;
+}
+std::vector<std::string> job_seeds() {
+  return {R"({"id": "a-1", "set": {"/steps/0/handles/0/move/translate": [1, 2, 3]}})"
+          "\n\n"
+          R"({"id": 2, "recipe": "jobs-recipe.json", "set": {"/steps/0/handles/-": {}}})"
+          "\n"
+          R"({"recipe": {"lapwing": 1, "mesh": "m.obj", "steps": []}, "set": {"/save": "x.ply"}})"
+          "\n"};
+}
+std::vector<std::string> journal_seeds() {
+  return {R"({"lapwing_journal": 2, "mesh": "/a.obj", "bytes": 10, "modified": 3})"
+          "\n"
+          R"({"keep": 0, "add": [], "open": {"op": "deform", "roi": {"all": true}, "handles": )"
+          R"([{"region": {"vertices": [1]}, "move": {"translate": [0, 0, 1]}}]}, "handles": 1, )"
+          R"("settled": false})"
+          "\n"
+          R"({"mesh": {"lapwing_journal": 2, "mesh": "/b.obj", "bytes": 1, "modified": 2}})"
+          "\n"};
+}
+std::vector<std::string> details_seeds() {
+  return {R"({"loop": 1})", R"({"loop": 99})"};
+}
+
+constexpr std::array kRecipeTargets{
+    Target{"recipe", "read, written, read: the same recipe", &read_recipe_text, &recipe_seeds,
+           "recipe.dict", 1000},
+    Target{"jobs", "jobs of a batch, with what they set in a recipe", &read_jobs, &job_seeds,
+           "recipe.dict", 400},
+    Target{"journal", "the record of an interrupted edit", &read_journal_lines, &journal_seeds,
+           "recipe.dict", 400},
+    Target{"details", "what stands beside a part", &read_details, &details_seeds, "recipe.dict",
+           200}};
+
+}  // namespace
+
+std::span<const Target> recipe_targets() {
+  return kRecipeTargets;
+}
+
+}  // namespace lapwing::fuzz
