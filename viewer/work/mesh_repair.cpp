@@ -28,8 +28,7 @@ void append_vertices(const Mesh& mesh, const Defect& defect, std::vector<Index>&
 
 void sort_once(std::vector<Index>& vertices) {
   std::ranges::sort(vertices);
-  const auto repeated = std::ranges::unique(vertices);
-  vertices.erase(repeated.begin(), repeated.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
 bool is_finite(const Mesh& mesh, Index vertex) {

@@ -46,7 +46,7 @@ void append_label(std::string& out, std::string_view keyword, const std::vector<
   const Index before = face == 0 ? kNoIndex : of_face[face - 1];
   if (of_face[face] == before) return;
   out += keyword;
-  if (of_face[face] != kNoIndex) out += " " + names[of_face[face]];
+  if (of_face[face] != kNoIndex) out += " " + as_line(names[of_face[face]]);
   out += '\n';
 }
 
@@ -68,8 +68,9 @@ void append_faces(std::string& out, const Mesh& mesh) {
 std::string write_obj(const Mesh& mesh, WriteReport& report) {
   const MeshAttributes& a = mesh.attributes();
   std::string out;
-  for (const std::string& comment : a.comments) out += "# " + comment + "\n";
-  for (const std::string& library : a.material_libraries) out += "mtllib " + library + "\n";
+  for (const std::string& comment : a.comments) out += "# " + as_line(comment) + "\n";
+  for (const std::string& library : a.material_libraries)
+    out += "mtllib " + as_line(library) + "\n";
   append_vertices(out, mesh);
   for (const Eigen::Vector2d& uv : a.uvs) append_line(out, "vt", uv);
   for (const Eigen::Vector3d& normal : a.normals) append_line(out, "vn", normal);

@@ -52,7 +52,7 @@ std::string write_off(const Mesh& mesh, WriteReport& report) {
   if (!a.vertex_colors.empty()) out += 'C';
   if (normals) out += 'N';
   out += "OFF\n";
-  for (const std::string& comment : a.comments) out += "# " + comment + "\n";
+  for (const std::string& comment : a.comments) out += "# " + as_line(comment) + "\n";
   append_number(out, mesh.vertex_count());
   out += ' ';
   append_number(out, mesh.face_count());

@@ -149,7 +149,7 @@ class PlyWriter {
                                                   : "binary_big_endian";
     out += " 1.0\n";
     for (const std::string& comment : mesh_.attributes().comments)
-      out += "comment " + comment + "\n";
+      out += "comment " + as_line(comment) + "\n";
     out += "element vertex " + std::to_string(mesh_.vertex_count()) + "\n";
     if (mesh_.vertex_count() == 0) out += "property float x\nproperty float y\nproperty float z\n";
     vertex_columns_.declare(out);

@@ -35,7 +35,8 @@ Eigen::Vector3d facet_normal(const Triangle& t, const Positions& p) {
 std::string write_ascii(const Mesh& mesh, const Facets& facets) {
   const MeshAttributes& a = mesh.attributes();
   const auto name_of_group = [&a](Index group) {
-    return group == kNoIndex || a.groups[group].empty() ? std::string() : " " + a.groups[group];
+    return group == kNoIndex || a.groups[group].empty() ? std::string()
+                                                        : " " + as_line(a.groups[group]);
   };
   const auto group_of = [&](std::size_t t) {
     return a.face_groups.empty() ? kNoIndex : a.face_groups[facets.faces[t]];

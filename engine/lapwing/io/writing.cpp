@@ -35,6 +35,13 @@ void check_range(std::string_view name, const std::vector<Index>& indices, std::
 
 }  // namespace
 
+std::string as_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\0' || c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
+
 void append_number(std::string& out, double value) {
   append_shortest(out, value);
 }

@@ -13,6 +13,10 @@
 namespace lapwing {
 
 /// Append the shortest text that reads back as the same double, or the same float.
+/// `text` in a text file's line: a NUL, or an end of a line, which names of binary files may have,
+/// becomes a blank.
+std::string as_line(std::string text);
+
 void append_number(std::string& out, double value);
 void append_number(std::string& out, float value);
 void append_number(std::string& out, std::size_t value);

@@ -25,8 +25,8 @@ LAPWING_INLINE Lanes square_root(Lanes x) {
 }
 
 LAPWING_INLINE bool any(LaneBits bits) {
-  bits |= __builtin_shuffle(bits, LaneBits{4, 5, 6, 7, 0, 1, 2, 3});
-  bits |= __builtin_shuffle(bits, LaneBits{2, 3, 0, 1, 6, 7, 4, 5});
+  bits |= __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
+  bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1, 6, 7, 4, 5);
   return (bits[0] | bits[1]) != 0;
 }
 LAPWING_INLINE Lanes& lanes_at(double* p) { return *reinterpret_cast<Lanes*>(p); }

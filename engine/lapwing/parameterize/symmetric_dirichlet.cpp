@@ -123,7 +123,7 @@ SymmetricDirichlet::Part SymmetricDirichlet::part(std::size_t triangle,
   const double p3 = p * p * p;
   const double squares = s.squaredNorm();
   const double root = std::sqrt(0.5);
-  const auto mode = [&](double a, double b, double c, double d) {
+  const auto mode = [&U = U, &V = V](double a, double b, double c, double d) {
     return Matrix2d(U * (Matrix2d() << a, b, c, d).finished() * V.transpose());
   };
   const std::array<Matrix2d, 4> modes{mode(1, 0, 0, 0), mode(0, 0, 0, 1), mode(0, root, root, 0),

@@ -3,17 +3,23 @@
 // another instruction set's copy.
 
 constexpr std::size_t kLanes = 8;
-typedef double Lanes __attribute__((vector_size(sizeof(double) * kLanes), may_alias, aligned(8)));
-typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kLanes), may_alias,
-                                        aligned(4)));
+typedef double Lanes __attribute__((vector_size(sizeof(double) * kLanes)));
+typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kLanes)));
 
 #define LAPWING_INLINE static inline __attribute__((always_inline))
 
-LAPWING_INLINE Lanes& lanes_at(double* p) { return *reinterpret_cast<Lanes*>(p); }
-LAPWING_INLINE Lanes lanes_at(const double* p) { return *reinterpret_cast<const Lanes*>(p); }
-LAPWING_INLINE Lanes lanes_at(const float* p) {
-  return __builtin_convertvector(*reinterpret_cast<const RoughLanes*>(p), Lanes);
+// Copies are how every compiler is told that the numbers may lie anywhere; they cost nothing.
+LAPWING_INLINE Lanes lanes_at(const double* p) {
+  Lanes lanes;
+  __builtin_memcpy(&lanes, p, sizeof lanes);
+  return lanes;
 }
+LAPWING_INLINE Lanes lanes_at(const float* p) {
+  RoughLanes lanes;
+  __builtin_memcpy(&lanes, p, sizeof lanes);
+  return __builtin_convertvector(lanes, Lanes);
+}
+LAPWING_INLINE void put_at(double* p, Lanes lanes) { __builtin_memcpy(p, &lanes, sizeof lanes); }
 
 LAPWING_INLINE double sum_of(Lanes v) {
   return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
@@ -44,6 +50,8 @@ double dot(const float* a, const float* b, std::size_t count) {
 
 void subtract(double factor, const float* difference, double* x, std::size_t count) {
   std::size_t k = 0;
-  for (; k + kLanes <= count; k += kLanes) lanes_at(x + k) -= factor * lanes_at(difference + k);
+  for (; k + kLanes <= count; k += kLanes) {
+    put_at(x + k, lanes_at(x + k) - factor * lanes_at(difference + k));
+  }
   for (; k < count; ++k) x[k] -= factor * difference[k];
 }

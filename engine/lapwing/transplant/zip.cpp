@@ -158,8 +158,7 @@ ZipLoop zip_loop(std::span<const Triangle> triangles, std::span<const Vector3d> 
     }
   }
   std::ranges::sort(result.chords);
-  const auto repeated = std::ranges::unique(result.chords);
-  result.chords.erase(repeated.begin(), repeated.end());
+  result.chords.erase(std::unique(result.chords.begin(), result.chords.end()), result.chords.end());
   return result;
 }
 

@@ -12,7 +12,6 @@ constexpr std::size_t kVerticesPerHostTask = 4096;
 
 // A Vec4 in a register. Device memory is aligned for it.
 typedef float Lanes __attribute__((vector_size(sizeof(Vec4)), may_alias));
-typedef int LaneNumbers __attribute__((vector_size(sizeof(Vec4))));
 
 const Lanes& lanes(const Vec4& v) {
   return reinterpret_cast<const Lanes&>(v);
@@ -26,7 +25,7 @@ float sum_of(Lanes v) {
 }
 
 Lanes yzx(Lanes v) {
-  return __builtin_shuffle(v, LaneNumbers{1, 2, 0, 3});
+  return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
 
 // Twice the area of the triangles around, along their normals.

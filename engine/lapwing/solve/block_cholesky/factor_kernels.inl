@@ -3,8 +3,6 @@
 // the registers hold) are defined. Calls nothing that has external linkage: see front_layout.h.
 
 typedef double Vector __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
-typedef double UnalignedVector
-    __attribute__((vector_size(sizeof(double) * kLanes), may_alias, aligned(8)));
 typedef long long Bits __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
 
 constexpr int kParts = kStrip / kLanes;  // registers for one column of a strip
@@ -15,6 +13,13 @@ constexpr int kParts = kStrip / kLanes;  // registers for one column of a strip
 #else
 #define LAPWING_UNROLL _Pragma("GCC unroll 12")
 #endif
+
+// Where numbers may lie anywhere: copies, which cost nothing, tell every compiler so.
+LAPWING_INLINE Vector unaligned_at(const double* p) {
+  Vector vector;
+  __builtin_memcpy(&vector, p, sizeof vector);
+  return vector;
+}
 
 LAPWING_INLINE Vector& vector_at(double* p) { return *reinterpret_cast<Vector*>(p); }
 LAPWING_INLINE const Vector& vector_at(const double* p) {
@@ -234,8 +239,7 @@ LAPWING_INLINE Bits lanes_between(int first, int last, int part) {
 // target[lane] += source[lane - shift] for the lanes of `mask`.
 LAPWING_INLINE void add_lanes(double* target, const double* source, int shift, const Bits* mask) {
   LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
-    const Vector moved =
-        *reinterpret_cast<const UnalignedVector*>(source + kLanes * part - shift);
+    const Vector moved = unaligned_at(source + kLanes * part - shift);
     vector_at(target + kLanes * part) +=
         reinterpret_cast<Vector>(reinterpret_cast<Bits>(moved) & mask[part]);
   }

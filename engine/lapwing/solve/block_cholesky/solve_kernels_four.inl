@@ -13,55 +13,50 @@ struct FourColumns {
     Vector side[kWidth];
   };
 
-  LAPWING_INLINE UnalignedVector& pair_at(double* p) {
-    return *reinterpret_cast<UnalignedVector*>(p);
+  LAPWING_INLINE void subtract_at(double* p, Vector vector) {
+    const Vector left = unaligned_at(p) - vector;
+    __builtin_memcpy(p, &left, sizeof left);
   }
-  LAPWING_INLINE Vector pair_at(const double* p) {
-    return *reinterpret_cast<const UnalignedVector*>(p);
+
+  // Entry l is number lane[l] of a and then b.
+  template <int... lane>
+  LAPWING_INLINE Vector shuffled(Vector a, Vector b) {
+    return __builtin_shufflevector(a, b, lane...);
   }
 
   LAPWING_INLINE Turned turn_rows(const double* rows) {
     Vector p[kPairs];
-    LAPWING_UNROLL for (int i = 0; i < kPairs; ++i) p[i] = pair_at(rows + 2 * kWidth * i);
-    constexpr Bits kFirst = {0, 4, 8, 12, 1, 5, 9, 13};
-    constexpr Bits kSecond = {2, 6, 10, 14, 3, 7, 11, 15};
-    constexpr Bits kLow = {0, 1, 2, 3, 8, 9, 10, 11};
-    constexpr Bits kHigh = {4, 5, 6, 7, 12, 13, 14, 15};
-    const Vector a = __builtin_shuffle(p[0], p[1], kFirst);
-    const Vector b = __builtin_shuffle(p[2], p[3], kFirst);
-    const Vector c = __builtin_shuffle(p[0], p[1], kSecond);
-    const Vector d = __builtin_shuffle(p[2], p[3], kSecond);
-    return {__builtin_shuffle(a, b, kLow), __builtin_shuffle(a, b, kHigh),
-            __builtin_shuffle(c, d, kLow), __builtin_shuffle(c, d, kHigh)};
+    LAPWING_UNROLL for (int i = 0; i < kPairs; ++i) p[i] = unaligned_at(rows + 2 * kWidth * i);
+    const Vector a = shuffled<0, 4, 8, 12, 1, 5, 9, 13>(p[0], p[1]);
+    const Vector b = shuffled<0, 4, 8, 12, 1, 5, 9, 13>(p[2], p[3]);
+    const Vector c = shuffled<2, 6, 10, 14, 3, 7, 11, 15>(p[0], p[1]);
+    const Vector d = shuffled<2, 6, 10, 14, 3, 7, 11, 15>(p[2], p[3]);
+    return {shuffled<0, 1, 2, 3, 8, 9, 10, 11>(a, b), shuffled<4, 5, 6, 7, 12, 13, 14, 15>(a, b),
+            shuffled<0, 1, 2, 3, 8, 9, 10, 11>(c, d), shuffled<4, 5, 6, 7, 12, 13, 14, 15>(c, d)};
   }
 
   // rows -= the turned ones.
   LAPWING_INLINE void subtract_turned(const Turned& turned, double* rows) {
-    constexpr Bits kLow = {0, 8, 1, 9, 2, 10, 3, 11};
-    constexpr Bits kHigh = {4, 12, 5, 13, 6, 14, 7, 15};
-    constexpr Bits kFirst = {0, 1, 8, 9, 2, 3, 10, 11};
-    constexpr Bits kSecond = {4, 5, 12, 13, 6, 7, 14, 15};
     const auto& s = turned.side;
-    const Vector a = __builtin_shuffle(s[0], s[1], kLow);
-    const Vector b = __builtin_shuffle(s[0], s[1], kHigh);
-    const Vector c = __builtin_shuffle(s[2], s[3], kLow);
-    const Vector d = __builtin_shuffle(s[2], s[3], kHigh);
-    pair_at(rows) -= __builtin_shuffle(a, c, kFirst);
-    pair_at(rows + 2 * kWidth) -= __builtin_shuffle(a, c, kSecond);
-    pair_at(rows + 4 * kWidth) -= __builtin_shuffle(b, d, kFirst);
-    pair_at(rows + 6 * kWidth) -= __builtin_shuffle(b, d, kSecond);
+    const Vector a = shuffled<0, 8, 1, 9, 2, 10, 3, 11>(s[0], s[1]);
+    const Vector b = shuffled<4, 12, 5, 13, 6, 14, 7, 15>(s[0], s[1]);
+    const Vector c = shuffled<0, 8, 1, 9, 2, 10, 3, 11>(s[2], s[3]);
+    const Vector d = shuffled<4, 12, 5, 13, 6, 14, 7, 15>(s[2], s[3]);
+    subtract_at(rows, shuffled<0, 1, 8, 9, 2, 3, 10, 11>(a, c));
+    subtract_at(rows + 2 * kWidth, shuffled<4, 5, 12, 13, 6, 7, 14, 15>(a, c));
+    subtract_at(rows + 4 * kWidth, shuffled<0, 1, 8, 9, 2, 3, 10, 11>(b, d));
+    subtract_at(rows + 6 * kWidth, shuffled<4, 5, 12, 13, 6, 7, 14, 15>(b, d));
   }
 
   // Each side's sum over the 8 rows.
   LAPWING_INLINE RowVector sum_of_rows(const Turned& turned) {
-    constexpr Bits kEven = {0, 8, 2, 10, 4, 12, 6, 14};
-    constexpr Bits kOdd = {1, 9, 3, 11, 5, 13, 7, 15};
-    constexpr Bits kFirst = {0, 1, 8, 9, 4, 5, 12, 13};
-    constexpr Bits kSecond = {2, 3, 10, 11, 6, 7, 14, 15};
     const auto& s = turned.side;
-    const Vector a = __builtin_shuffle(s[0], s[1], kEven) + __builtin_shuffle(s[0], s[1], kOdd);
-    const Vector b = __builtin_shuffle(s[2], s[3], kEven) + __builtin_shuffle(s[2], s[3], kOdd);
-    const Vector c = __builtin_shuffle(a, b, kFirst) + __builtin_shuffle(a, b, kSecond);
+    const Vector a = shuffled<0, 8, 2, 10, 4, 12, 6, 14>(s[0], s[1]) +
+                     shuffled<1, 9, 3, 11, 5, 13, 7, 15>(s[0], s[1]);
+    const Vector b = shuffled<0, 8, 2, 10, 4, 12, 6, 14>(s[2], s[3]) +
+                     shuffled<1, 9, 3, 11, 5, 13, 7, 15>(s[2], s[3]);
+    const Vector c = shuffled<0, 1, 8, 9, 4, 5, 12, 13>(a, b) +
+                     shuffled<2, 3, 10, 11, 6, 7, 14, 15>(a, b);
     return RowVector{c[0], c[1], c[2], c[3]} + RowVector{c[4], c[5], c[6], c[7]};
   }
 
