@@ -7,6 +7,7 @@
 
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/faulty_driver.h"
 #include "support/gpu.h"
 #include "viewer_window/desktop.h"
 #include "viewer_window/drag_and_drop.h"
@@ -248,6 +249,17 @@ TEST_F(ViewerWindow, SaysThatTheDisplayWentAwayInTheMiddleOfADrag) {
   desktop_->vanish();
   EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
   EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
+}
+
+TEST_F(ViewerWindow, WithoutADeviceThatDrawsSaysThatTheEditIsKept) {
+  std::vector<std::string> environment = test::viewer_environment(*desktop_, folder_);
+  environment.push_back(std::string("LAPWING_VULKAN_LOADER=") + test::FaultyDriver::loader());
+  environment.emplace_back("LAPWING_DRIVER_FAULT=loss 20 ever after");
+  viewer_ = std::make_unique<Process>(std::vector<std::string>{LAPWING_VIEWER, tube()}, environment,
+                                      folder_ / "errors");
+  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
+  EXPECT_THAT(viewer_->errors(), HasSubstr("VK_ERROR_DEVICE_LOST"));
+  EXPECT_THAT(viewer_->errors(), HasSubstr("what was edited is kept"));
 }
 
 TEST_F(ViewerWindow, WithoutVulkanSaysSo) {

@@ -46,7 +46,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
     document_->desk.use_device(context_);
     document_->transplant.use_device(context_);
   }
-  say("the device was lost and opened again: " + context_->description().name);
+  say("the device failed and was opened again: " + context_->description().name);
 }
 
 void ViewerApp::open(const std::filesystem::path& file,
