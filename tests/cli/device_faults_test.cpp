@@ -32,9 +32,12 @@ class DeviceFaultCommands : public CommandLine {
 
 TEST_F(DeviceFaultCommands, AnEditGoesOnOnTheCpuAndTheReportSaysSo) {
   for (const char* fault : {"loss 0", "loss 9", "memory 60"}) {
-    const Outcome outcome = with_fault(std::string(kLift) + "--report a.json", fault);
+    const Outcome outcome =
+        with_fault(std::string(kLift) + "--report a.json --render a.png --size 64x48", fault);
     ASSERT_EQ(outcome.exit_code, 0) << fault << ": " << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr("the CPU went on in its place")) << fault;
+    EXPECT_THAT(outcome.output, Not(HasSubstr("drew the picture"))) << "said once";
+    EXPECT_TRUE(std::filesystem::exists(file("a.png"))) << fault;
     EXPECT_EQ(read_mesh(file("a.obj")).vertex_count(), read_mesh(file("tube.obj")).vertex_count());
     const auto report = nlohmann::json::parse(read("a.json"));
     EXPECT_EQ(report["device"]["name"], "CPU") << fault;

@@ -216,9 +216,12 @@ std::string EditOutput::add_pictures(const RunResult& result,
                                      FileReplacements& files, ProgressDisplay& display) const {
   Pictures pictures;
   try {
-    // An edit on the processor has no device to draw on, so one is opened for the picture alone.
+    // An edit on the processor has no device to draw on, or has lost it, as was said: one is opened
+    // for the picture alone.
+    const bool has_failed = !used.kernels->device().took_over.empty();
     const std::string changed = draw_on_any_device(
-        used.context, [&](const auto& context) { pictures = draw(result, mesh_file, context); });
+        has_failed ? nullptr : used.context,
+        [&](const auto& context) { pictures = draw(result, mesh_file, context); });
     if (!changed.empty()) display.note("note: " + changed);
   } catch (const GpuError& error) {
     return error.what();
