@@ -66,7 +66,13 @@ void show(const Arguments& arguments) {
   } else {
     app.offer_interrupted();
   }
-  run_main_loop(window, graphics, std::move(context), app);
+  try {
+    run_main_loop(window, graphics, std::move(context), app);
+  } catch (const GpuError& error) {
+    if (is_order) throw;
+    throw GpuError(std::string(error.what()) +
+                   "; what was edited is kept, and the next start offers to go on with it");
+  }
 }
 
 int fail(const std::exception& error, ExitCode code) {

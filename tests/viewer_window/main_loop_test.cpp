@@ -11,6 +11,7 @@
 #include "lapwing/gpu/device_lost.h"
 #include "lapwing/io/mesh_file.h"
 #include "support/failing_new.h"
+#include "support/faulty_driver.h"
 #include "support/gpu.h"
 #include "ui/viewer_app.h"
 #include "viewer_window/desktop.h"
@@ -22,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using lapwing::test::Desktop;
+using lapwing::test::DriverFault;
 using lapwing::test::mean_difference;
 using test::DraggedSphere;
 using test::Fault;
@@ -68,6 +70,7 @@ class SphereApp final : public App {
   void resize(const Eigen::Vector2d&, double) override {}
   void draw_ui(const FrameTimings&) override {
     ++frames;
+    if (on_frame) on_frame(frames);
     // The first frames compile shaders and find out how much memory they take.
     if (count_allocations && frames == kFaultyFrame) counting_.emplace(-1);
     if (count_allocations && frames == kLastFrame) {
@@ -91,6 +94,7 @@ class SphereApp final : public App {
 
   int frames = 0;
   int devices_taken = 0;
+  std::function<void(int)> on_frame;
   bool count_allocations = false;
   long allocations = -1;  ///< of the frames from kFaultyFrame to the last
 
@@ -159,6 +163,45 @@ TEST_F(MainLoopTest, OpensALostDeviceAgainAndTellsTheApp) {
   for (const int number : {8, 9}) {
     EXPECT_EQ(run_with(*window_, {Call::submit, VK_ERROR_DEVICE_LOST, number}), kDeviceOpenedAgain);
   }
+}
+
+// The device is lost at any submission or wait of a frame, or has no memory for any of its
+// commands.
+TEST_F(MainLoopTest, GoesOnWhereverAFrameFails) {
+  const lapwing::test::FaultyDriver driver;
+  for (const DriverFault fault : {DriverFault::loss, DriverFault::memory}) {
+    int number = 0;
+    for (bool has_failed = true; has_failed; ++number) {
+      WindowGraphics graphics(*window_, "auto");
+      auto context = graphics.open_device();
+      SphereApp app(context);
+      app.on_frame = [&](int frame) {
+        if (frame == kFaultyFrame) driver.fail(fault, number);
+        if (frame != kFaultyFrame + 1) return;
+        has_failed = driver.has_failed();
+        driver.work();
+      };
+      run_main_loop(*window_, graphics, std::move(context), app);
+      EXPECT_EQ(app.frames, kLastFrame);
+      EXPECT_EQ(app.devices_taken, has_failed ? 1 : 0) << name_of(fault) << " " << number;
+    }
+    EXPECT_GT(number, 2) << name_of(fault);
+  }
+}
+
+TEST_F(MainLoopTest, OpensADeviceThatDoesNotOpenAtOnce) {
+  const lapwing::test::FaultyDriver driver;
+  WindowGraphics graphics(*window_, "auto");
+  auto context = graphics.open_device();
+  SphereApp app(context);
+  app.on_frame = [&](int frame) {
+    if (frame != kFaultyFrame) return;
+    driver.fail(DriverFault::memory, 0);
+    throw gpu::DeviceLost("the test's device is gone");
+  };
+  run_main_loop(*window_, graphics, std::move(context), app);
+  EXPECT_TRUE(driver.has_failed());
+  EXPECT_EQ(app.devices_taken, 1);
 }
 
 TEST_F(MainLoopTest, EndsWhereEveryFrameLosesTheSurface) {

@@ -7,6 +7,7 @@
 
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/faulty_driver.h"
 #include "support/gpu.h"
 #include "viewer_window/desktop.h"
 #include "viewer_window/drag_and_drop.h"
@@ -48,6 +49,15 @@ class ViewerWindow : public ::testing::Test {
     arguments.insert(arguments.begin(), LAPWING_VIEWER);
     viewer_ = std::make_unique<Process>(arguments, test::viewer_environment(*desktop_, folder_),
                                         folder_ / "errors");
+  }
+
+  // On a driver that fails (test::FaultyDriver).
+  void start_with_fault(const std::string& fault, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), LAPWING_VIEWER);
+    std::vector<std::string> environment = test::viewer_environment(*desktop_, folder_);
+    environment.push_back(std::string("LAPWING_VULKAN_LOADER=") + test::FaultyDriver::loader());
+    environment.push_back("LAPWING_DRIVER_FAULT=" + fault);
+    viewer_ = std::make_unique<Process>(arguments, environment, folder_ / "errors");
   }
 
   // Opens the tube and waits until it is on the screen.
@@ -248,6 +258,28 @@ TEST_F(ViewerWindow, SaysThatTheDisplayWentAwayInTheMiddleOfADrag) {
   desktop_->vanish();
   EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
   EXPECT_THAT(viewer_->errors(), HasSubstr("the display went away"));
+}
+
+// Opening the window, showing the mesh and drawing the picture each take memory of the device.
+TEST_F(ViewerWindow, AnOrderedPictureIsDrawnOrRefusedWhereverMemoryFails) {
+  const fs::path picture = folder_ / "picture.png";
+  int drawn = 0;
+  for (int number = 60; number <= 180; number += 20) {
+    fs::remove(picture);
+    start_with_fault("memory " + std::to_string(number),
+                     {tube(), "--screenshot", picture, "--size", "64x48"});
+    const int code = viewer_->wait(kWindowPatience);
+    EXPECT_EQ(code, fs::exists(picture) ? 0 : 5) << number << ": " << viewer_->errors();
+    if (code == 0) ++drawn;
+  }
+  EXPECT_GT(drawn, 3);
+}
+
+TEST_F(ViewerWindow, WithoutADeviceThatDrawsSaysThatTheEditIsKept) {
+  start_with_fault("loss 20 ever after", {tube()});
+  EXPECT_EQ(viewer_->wait(kWindowPatience), 5);
+  EXPECT_THAT(viewer_->errors(), HasSubstr("VK_ERROR_DEVICE_LOST"));
+  EXPECT_THAT(viewer_->errors(), HasSubstr("what was edited is kept"));
 }
 
 TEST_F(ViewerWindow, WithoutVulkanSaysSo) {

@@ -8,10 +8,12 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "file_color_option.h"
+#include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/io/image.h"
 #include "lapwing/io/mesh_format.h"
 #include "lapwing/recipe/recipe_files.h"
+#include "lapwing/render/draw_on_any_device.h"
 #include "lapwing/render/render_image.h"
 #include "lapwing/render/surface.h"
 #include "lapwing/session/report.h"
@@ -183,8 +185,9 @@ void EditOutput::run(const Recipe& recipe, const std::filesystem::path& recipe_f
   const auto result = run_recipe(recipe, *opened.kernels, display.callback(), {report_vertices});
   FileReplacements files;
   if (!target.empty()) save_result(*result, target, files, {vertex_motion});
+  std::string no_pictures;
   if (!render.empty() || !render_before.empty()) {
-    draw(*result, recipe.mesh_path(), opened, files, display);
+    no_pictures = add_pictures(*result, recipe.mesh_path(), opened, files, display);
   }
   if (!report.empty()) files.add(report, to_json(result->report));
   if (!recipe_path.empty()) files.add(recipe_path, recipe_text);
@@ -195,6 +198,10 @@ void EditOutput::run(const Recipe& recipe, const std::filesystem::path& recipe_f
     print_summary(result->report);
     if (!target.empty()) print_written(*result, target);
   }
+  if (!no_pictures.empty()) {
+    say("no picture was drawn; all else that was asked for is written: " + no_pictures);
+    throw ExitWith{kDevice};
+  }
   const auto& steps = result->report.steps;
   if (strict && std::any_of(steps.begin(), steps.end(), [](const StepReport& step) {
         return step.deform && !warnings_of(step.deform->certificate).empty();
@@ -204,19 +211,38 @@ void EditOutput::run(const Recipe& recipe, const std::filesystem::path& recipe_f
   }
 }
 
-void EditOutput::draw(const RunResult& result, const std::filesystem::path& mesh_file,
-                      const Device& used, FileReplacements& files, ProgressDisplay& display) const {
-  // An edit on the processor has no device to draw on, so one is opened for the picture alone.
-  Surface surface(used.context ? used.context : open_device("auto").context, result.original,
-                  result.mesh.topology());
+std::string EditOutput::add_pictures(const RunResult& result,
+                                     const std::filesystem::path& mesh_file, const Device& used,
+                                     FileReplacements& files, ProgressDisplay& display) const {
+  Pictures pictures;
+  try {
+    // An edit on the processor has no device to draw on, or has lost it, as was said: one is opened
+    // for the picture alone.
+    const bool has_failed = !used.kernels->device().took_over.empty();
+    const std::string changed = draw_on_any_device(
+        has_failed ? nullptr : used.context,
+        [&](const auto& context) { pictures = draw(result, mesh_file, context); });
+    if (!changed.empty()) display.note("note: " + changed);
+  } catch (const GpuError& error) {
+    return error.what();
+  }
+  for (const std::string& note : pictures.notes) display.note("note: " + note);
+  if (!render_before.empty()) files.add(render_before, pictures.before);
+  if (!render.empty()) files.add(render, pictures.after);
+  return {};
+}
+
+EditOutput::Pictures EditOutput::draw(const RunResult& result,
+                                      const std::filesystem::path& mesh_file,
+                                      const std::shared_ptr<gpu::Context>& context) const {
+  Surface surface(context, result.original, result.mesh.topology());
   SurfacePaint paint(surface);
   paint.set_polygons(result.mesh);
   const PictureRequest asked = picture.request();
   RenderOptions options = asked.options();
+  Pictures pictures;
   if (color == "regions" || color == kFileColor) {
-    for (const auto& note : color_by_file(result.mesh, mesh_file, paint, options)) {
-      display.note("note: " + note);
-    }
+    pictures.notes = color_by_file(result.mesh, mesh_file, paint, options);
   }
   if (color == "regions" && !result.region.roi.empty()) {
     options.style.color = SurfaceColor::regions;
@@ -228,12 +254,11 @@ void EditOutput::draw(const RunResult& result, const std::filesystem::path& mesh
   both.insert(both.end(), result.mesh.positions.begin(), result.mesh.positions.end());
   const Camera camera = asked.camera(both, options.style.color == SurfaceColor::scalar);
   if (!render_before.empty()) {
-    files.add(render_before, encode_png(render_image(surface, paint, camera, options)));
+    pictures.before = encode_png(render_image(surface, paint, camera, options));
   }
   surface.place(result.mesh.positions);
-  if (!render.empty()) {
-    files.add(render, encode_png(render_image(surface, paint, camera, options)));
-  }
+  if (!render.empty()) pictures.after = encode_png(render_image(surface, paint, camera, options));
+  return pictures;
 }
 
 }  // namespace lapwing::cli

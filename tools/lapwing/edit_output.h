@@ -30,8 +30,9 @@ struct EditOutput {
 
   void add_to(CLI::App& command);
   /// Runs `recipe` and writes what was asked for, and the recipe itself to `recipe_path` unless
-  /// that is empty: all of it or nothing. Prints progress, stages and certificate. `recipe_file` is
-  /// where the recipe was read, if it was.
+  /// that is empty: all of it or nothing, but for pictures that no device can draw: then all the
+  /// rest, and exit code 5. Prints progress, stages and certificate. `recipe_file` is where the
+  /// recipe was read, if it was.
   void run(const Recipe& recipe, const std::filesystem::path& recipe_file,
            const std::filesystem::path& recipe_path) const;
 
@@ -41,8 +42,18 @@ struct EditOutput {
   void require_places(const Recipe& recipe, const std::filesystem::path& target,
                       const std::filesystem::path& recipe_file,
                       const std::filesystem::path& recipe_path) const;
-  void draw(const RunResult& result, const std::filesystem::path& mesh_file, const Device& device,
-            FileReplacements& files, ProgressDisplay& display) const;
+  // PNGs; empty for those that were not asked for.
+  struct Pictures {
+    std::string before;
+    std::string after;
+    std::vector<std::string> notes;
+  };
+  Pictures draw(const RunResult& result, const std::filesystem::path& mesh_file,
+                const std::shared_ptr<gpu::Context>& context) const;
+  // Empty where they were drawn; else why not.
+  std::string add_pictures(const RunResult& result, const std::filesystem::path& mesh_file,
+                           const Device& device, FileReplacements& files,
+                           ProgressDisplay& display) const;
 };
 
 }  // namespace lapwing::cli

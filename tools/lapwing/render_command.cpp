@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "file_color_option.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/render/draw_on_any_device.h"
 #include "lapwing/render/frame_writer.h"
 #include "lapwing/render/surface.h"
 #include "messages.h"
@@ -54,7 +56,7 @@ std::string color_of(const RenderArguments& arguments) {
   return arguments.color;
 }
 
-void render(const RenderArguments& arguments) {
+void require_places(const RenderArguments& arguments) {
   arguments.turntable.check(arguments.image);
   OutputFiles files;
   files.reads("MESH", arguments.mesh);
@@ -66,29 +68,46 @@ void render(const RenderArguments& arguments) {
                                  ? std::filesystem::path(arguments.image)
                                  : frame_file(arguments.image, 1, arguments.turntable.count));
   }
-  const std::string color = color_of(arguments);
+}
+
+// Returns what the file's colours lack.
+std::vector<std::string> draw(const RenderArguments& arguments, const std::string& color,
+                              const Mesh& mesh, const std::optional<Mesh>& rest,
+                              const std::shared_ptr<gpu::Context>& context) {
   const PictureRequest picture = arguments.picture.request();
   RenderOptions options = picture.options();
-  const Mesh mesh = read_mesh(arguments.mesh);
-  Surface surface(std::make_shared<gpu::Context>(gpu::ContextOptions{arguments.device}),
-                  mesh.positions, mesh.topology());
+  Surface surface(context, mesh.positions, mesh.topology());
   SurfacePaint paint(surface);
   paint.set_polygons(mesh);
-  if (color == kFileColor) {
-    for (const std::string& note : color_by_file(mesh, arguments.mesh, paint, options)) {
-      cli::note(note);
-    }
-  } else if (color != kPlainColor) {
-    const Mesh rest = read_rest_pose(arguments.rest, mesh);
-    color_by(color, mesh, rest.positions, paint, options);
+  std::vector<std::string> notes;
+  if (rest) {
+    color_by(color, mesh, rest->positions, paint, options);
+  } else if (color == kFileColor) {
+    notes = color_by_file(mesh, arguments.mesh, paint, options);
   }
-  const bool with_legend = !arguments.rest.empty();
   if (arguments.turntable.count > 0) {
-    return write_turntable(arguments.image, arguments.turntable,
-                           picture.turntable(mesh.positions, with_legend), surface, paint, options);
+    write_turntable(arguments.image, arguments.turntable,
+                    picture.turntable(mesh.positions, rest.has_value()), surface, paint, options);
+  } else {
+    const Camera camera = picture.camera(mesh.positions, rest.has_value());
+    write_png(arguments.image, render_image(surface, paint, camera, options));
   }
-  const Camera camera = picture.camera(mesh.positions, with_legend);
-  write_png(arguments.image, render_image(surface, paint, camera, options));
+  return notes;
+}
+
+void render(const RenderArguments& arguments) {
+  require_places(arguments);
+  const std::string color = color_of(arguments);
+  arguments.picture.request();  // what is wrong with the options is told before the work
+  const Mesh mesh = read_mesh(arguments.mesh);
+  std::optional<Mesh> rest;
+  if (!arguments.rest.empty()) rest = read_rest_pose(arguments.rest, mesh);
+  std::vector<std::string> notes;
+  const std::string changed = draw_on_any_device(
+      std::make_shared<gpu::Context>(gpu::ContextOptions{arguments.device}),
+      [&](const auto& context) { notes = draw(arguments, color, mesh, rest, context); });
+  for (const std::string& note : notes) cli::note(note);
+  if (!changed.empty()) cli::note(changed);
 }
 
 }  // namespace

@@ -1,11 +1,15 @@
 #include "editing/kernels_like.h"
 
+#include "lapwing/kernels/fallback_kernels.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+
 namespace lapwing::viewer {
 
 std::function<std::unique_ptr<Kernels>()> kernels_like(
     const std::shared_ptr<gpu::Context>& context) {
   return [context]() -> std::unique_ptr<Kernels> {
-    return std::make_unique<VulkanKernels>(context, Precision::automatic);
+    return std::make_unique<FallbackKernels>(
+        [&] { return std::make_unique<VulkanKernels>(context, Precision::automatic); });
   };
 }
 

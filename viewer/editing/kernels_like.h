@@ -4,12 +4,13 @@
 #include <memory>
 
 #include "lapwing/deform/drag.h"
+#include "lapwing/kernels/kernels.h"
 #include "lapwing/vulkan/blend_response.h"
-#include "lapwing/vulkan/vulkan_kernels.h"
 
 namespace lapwing::viewer {
 
-/// Makes kernels on `context`; may be called on any thread: kernels are one thread's.
+/// Makes kernels on `context`, which go on on the CPU where its device fails (FallbackKernels); may
+/// be called on any thread: kernels are one thread's.
 std::function<std::unique_ptr<Kernels>()> kernels_like(
     const std::shared_ptr<gpu::Context>& context);
 

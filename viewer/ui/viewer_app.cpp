@@ -46,7 +46,7 @@ void ViewerApp::use_device(std::shared_ptr<gpu::Context> context) {
     document_->desk.use_device(context_);
     document_->transplant.use_device(context_);
   }
-  say("the device was lost and opened again: " + context_->description().name);
+  say("the device failed and was opened again: " + context_->description().name);
 }
 
 void ViewerApp::open(const std::filesystem::path& file,
@@ -65,6 +65,7 @@ void ViewerApp::load(Loading what, Load load) {
   show_start_ = false;
   start_trouble_.clear();
   loading_ = std::move(what);
+  load_again_ = load;
   loader_.start(
       [load = std::move(load)](const std::shared_ptr<Kernels>& kernels, const Progress& progress) {
         return load(*kernels, progress);
@@ -72,6 +73,8 @@ void ViewerApp::load(Loading what, Load load) {
 }
 
 void ViewerApp::take_loaded() {
+  if (order_failure_) std::rethrow_exception(order_failure_);
+  bool can_load_again = false;
   try {
     std::optional<LoadedFile> file = loader_.take();
     if (!file) return;
@@ -79,11 +82,21 @@ void ViewerApp::take_loaded() {
       go_on_with(std::move(*file));
     } else {
       const bool is_restored = file->restored.has_value();
+      can_load_again = !is_restored && load_again_ != nullptr;
       show(std::move(*file));
       if (!is_restored && !order_) recent_.add(loading_.file);
     }
   } catch (const Error& error) {
-    if (order_) throw;
+    if (can_load_again && dynamic_cast<const GpuError*>(&error) != nullptr) {
+      // Once more, for the device that the main loop opens next.
+      load(loading_, load_again_);
+      load_again_ = {};
+      throw;
+    }
+    if (order_) {
+      order_failure_ = std::current_exception();
+      throw;
+    }
     if (loading_.asked_for) {
       ask_again(*loading_.asked_for, loading_.file, error.what());
     } else {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -206,6 +207,7 @@ class ViewerApp final : public App {
   Preferences kept_preferences_;  ///< as the file has them
   Job<LoadedFile> loader_;
   Loading loading_;
+  Load load_again_;  ///< what is loading, where the device that is to show it fails; empty then
   std::unique_ptr<Document> document_;
   Camera camera_;
   Camera camera_before_;  ///< the doctor showed its places
@@ -260,7 +262,8 @@ class ViewerApp final : public App {
   std::string state_line_;
   std::string title_ = "Lapwing";
   std::optional<PictureOrder> order_;
-  int frames_shown_ = 0;  ///< of the document
+  std::exception_ptr order_failure_;  ///< what no other device mends
+  int frames_shown_ = 0;              ///< of the document
   bool quit_ = false;
 };
 

@@ -1,14 +1,15 @@
 #include "window/main_loop.h"
 
 #include <algorithm>
+#include <exception>
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <string>
 #include <utility>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/gpu/context.h"
-#include "lapwing/gpu/device_lost.h"
 #include "window/frame_painter.h"
 #include "window/swapchain.h"
 #include "window/theme.h"
@@ -41,7 +42,8 @@ class MainLoop {
       } catch (const SurfaceLost&) {
         if (++losses_ > kMostLosses) throw;
         close_screen();
-      } catch (const gpu::DeviceLost&) {
+      } catch (const GpuError&) {
+        // Lost or out of memory: it may have what it takes when all is made anew.
         if (++losses_ > kMostLosses) throw;
         device_lost_ = true;
       }
@@ -209,8 +211,29 @@ WindowGraphics::WindowGraphics(const Window& window, std::string device)
     : window_(window), device_(std::move(device)) {}
 
 std::shared_ptr<gpu::Context> WindowGraphics::open_device() {
+  std::exception_ptr failure;
+  try {
+    auto context = open(device_);
+    was_open_ = true;
+    return context;
+  } catch (const GpuError&) {
+    if (!was_open_) throw;
+    failure = std::current_exception();
+  }
+  for (const gpu::DeviceDescription& device : gpu::list_devices()) {
+    if (!device.rejected.empty()) continue;
+    try {
+      return open(std::to_string(device.index));
+    } catch (const GpuError&) {
+      continue;  // the failure of the device that was asked for is the one that is told
+    }
+  }
+  std::rethrow_exception(failure);
+}
+
+std::shared_ptr<gpu::Context> WindowGraphics::open(const std::string& device) const {
   gpu::ContextOptions options;
-  options.device = device_;
+  options.device = device;
   options.instance_extensions = window_.instance_extensions();
   options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
   return std::make_shared<gpu::Context>(options);

@@ -21,6 +21,8 @@ struct DeviceInfo {
   /// Whether settling runs on it. The processor does it sooner than a device that is the processor
   /// in disguise.
   bool frames = true;
+  /// Of a device that took over from one that failed: which that was, and how; empty otherwise.
+  std::string took_over = {};
 };
 
 /// The one-rings a kernel gathers over. `rows` names the vertices that get a result, in order.

@@ -12,6 +12,14 @@ std::array<Operation, sizeof...(K)> each_operation(std::index_sequence<K...>) {
                     std::variant_alternative_t<K, Step>{}}...};
 }
 
+// Which device it was from here on. That it is another one than before is said once.
+void tell_device(const DeviceInfo& device, RunResult& result) {
+  if (!device.took_over.empty() && device.took_over != result.report.device.took_over) {
+    result.note(std::array{device.took_over});
+  }
+  result.report.device = device;
+}
+
 }  // namespace
 
 std::span<const Operation> operations() {
@@ -33,6 +41,7 @@ StepReport run_step(const Step& step, const StepRun& on) {
   if (!std::holds_alternative<DeformRequest>(step)) on.result.deformed = {};
   StepReport report = std::visit([&](const auto& each) { return run_step(each, on); }, step);
   report.op = operation_of(step).name;
+  tell_device(on.kernels.device(), on.result);
   return report;
 }
 

@@ -19,7 +19,8 @@ struct Device {
 
 /// The device that `name` asks for: "cpu" (double precision, no Vulkan needed), "auto" (the best
 /// Vulkan device), an index of `gpu::list_devices`, or a part of a device's name.
-/// `frames_on_device` as in VulkanOptions.
+/// `frames_on_device` as in VulkanOptions. The kernels go on where the device fails later
+/// (FallbackKernels); its context does not.
 /// Throws GpuError saying what was tried, what to install, and that "cpu" always works.
 Device open_device(const std::string& name, bool frames_on_device = false);
 

@@ -1,0 +1,64 @@
+#include "lapwing/render/draw_on_any_device.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/gpu/context.h"
+
+namespace lapwing {
+namespace {
+
+std::shared_ptr<gpu::Context> open(const std::string& device) {
+  return std::make_shared<gpu::Context>(gpu::ContextOptions{.device = device});
+}
+
+// Names of those that are usable, the one that failed first.
+std::vector<std::string> devices_from(std::size_t failed) {
+  std::vector<gpu::DeviceDescription> all = gpu::list_devices();
+  std::erase_if(all, [](const gpu::DeviceDescription& device) { return !device.rejected.empty(); });
+  std::ranges::stable_partition(
+      all, [&](const gpu::DeviceDescription& device) { return device.index == failed; });
+  std::vector<std::string> names;
+  for (const gpu::DeviceDescription& device : all) names.push_back(std::to_string(device.index));
+  return names;
+}
+
+}  // namespace
+
+std::string draw_on_any_device(
+    std::shared_ptr<gpu::Context> first,
+    const std::function<void(const std::shared_ptr<gpu::Context>&)>& draw) {
+  std::exception_ptr failure;
+  std::string why;
+  std::size_t failed = 0;
+  try {
+    if (first == nullptr) first = open("auto");
+    failed = first->description().index;
+    draw(first);
+    return {};
+  } catch (const GpuError& error) {
+    failure = std::current_exception();
+    why = error.what();
+  }
+  first.reset();  // the memory that it took may be what is missing
+  try {
+    for (const std::string& name : devices_from(failed)) {
+      try {
+        const auto context = open(name);
+        draw(context);
+        return "the device failed, and " + context->description().name +
+               " drew the picture: " + why;
+      } catch (const GpuError&) {
+        continue;  // the first failure is the one that is told
+      }
+    }
+  } catch (const GpuError&) {
+    // Where no devices can be listed the first failure says why.
+  }
+  std::rethrow_exception(failure);
+}
+
+}  // namespace lapwing

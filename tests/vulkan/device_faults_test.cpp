@@ -1,0 +1,107 @@
+// A driver that fails at any call of an edit: on the device, with nothing lost.
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "kernels/moved_mesh.h"
+#include "lapwing/deform/deformer.h"
+#include "lapwing/gpu/device_lost.h"
+#include "lapwing/kernels/fallback_kernels.h"
+#include "lapwing/vulkan/vulkan_kernels.h"
+#include "support/bent_tube.h"
+#include "support/faulty_driver.h"
+#include "support/gpu.h"
+#include "support/linear_options.h"
+
+namespace lapwing {
+namespace {
+
+using test::DriverFault;
+
+// Of what settles in float64 on both, and of what is shown in float32.
+constexpr double kSettledTolerance = 1e-8;
+constexpr double kShownTolerance = 1e-6;
+
+class DeviceFaults : public ::testing::TestWithParam<DriverFault> {
+ protected:
+  void SetUp() override { LAPWING_NEEDS_GPU(); }
+
+  // A few iterations go through every call that many do.
+  static DeformOptions few_iterations() {
+    DeformOptions options;
+    options.settle->max_iterations = 3;
+    return options;
+  }
+
+  Deformer settling(Kernels& kernels) const {
+    return Deformer(mesh.positions, mesh.topology(), test::foot_and_head(mesh), few_iterations(),
+                    kernels);
+  }
+
+  // Another one where the last was lost; making it is slow.
+  void renew_context(bool mapped) {
+    if (context != nullptr && GetParam() == DriverFault::memory) return;
+    context.reset();
+    gpu::ContextOptions options;
+    options.map_device_memory = mapped;
+    context = std::make_shared<gpu::Context>(options);
+  }
+
+  const test::FaultyDriver driver;
+  std::shared_ptr<gpu::Context> context;
+  const Mesh mesh = test::bumpy_tube();
+  const std::array<Eigen::Affine3d, 1> bend{test::bend()};
+};
+
+TEST_P(DeviceFaults, SettlingGoesOnOnTheCpu) {
+  CpuKernels cpu;
+  const Positions expected = settling(cpu).solve(bend).positions;
+  const auto act = [&] {
+    FallbackKernels kernels(
+        [&] { return std::make_unique<VulkanKernels>(context, Precision::automatic, true); });
+    const Deformer deformer = settling(kernels);
+    EXPECT_LT(test::largest_distance(deformer.solve(bend).positions, expected), kSettledTolerance);
+    EXPECT_EQ(kernels.device().type == "cpu", driver.has_failed());
+    EXPECT_EQ(kernels.device().took_over.empty(), !driver.has_failed());
+  };
+  EXPECT_GT(test::for_every_call(
+                driver, GetParam(), [this] { renew_context(true); }, act),
+            20);
+}
+
+// Who drags on a device learns that it is gone, and goes on where he was: on another context, or by
+// the CPU twin, from the same response.
+TEST_P(DeviceFaults, ADragGoesOnFromTheSameResponse) {
+  CpuKernels cpu;
+  const Deformer deformer(mesh.positions, mesh.topology(), test::foot_and_head(mesh),
+                          test::linear_options(), cpu);
+  const std::shared_ptr<const DragResponse> response = deformer.response();
+  Drag drag(response);
+  Positions expected = mesh.positions;
+  drag.move(bend, expected);
+  const auto expect_followed = [&] {
+    test::MovedMesh shown(context, mesh.positions, mesh.topology(), response->columns());
+    for (int frame = 0; frame < 2; ++frame) shown.blend(drag.parameters(bend));
+    EXPECT_LT(test::largest_distance(shown.positions(), expected), kShownTolerance);
+  };
+  const auto act = [&] {
+    try {
+      expect_followed();
+    } catch (const gpu::DeviceLost&) {
+      EXPECT_EQ(GetParam(), DriverFault::loss);
+    } catch (const GpuError& error) {
+      EXPECT_EQ(GetParam(), DriverFault::memory) << error.what();
+      expect_followed();
+    }
+  };
+  EXPECT_GT(test::for_every_call(
+                driver, GetParam(), [this] { renew_context(false); }, act),
+            5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, DeviceFaults,
+                         ::testing::Values(DriverFault::loss, DriverFault::memory),
+                         [](const auto& fault) { return test::name_of(fault.param); });
+
+}  // namespace
+}  // namespace lapwing
