@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 
@@ -49,6 +50,7 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
                        const Progress& progress)
     : topology(prepared.topology()), region(std::move(edit_region)), options(deform_options) {
   check(options);
+  const ProgressScope scope(progress);
   Stopwatch watch;
   const auto begin = [&](const char* stage) {
     report_progress(progress, stage, 0.0);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/compact.h"
 #include "lapwing/remesh/carry_back.h"
@@ -78,6 +79,7 @@ RemeshResult unchanged(const Mesh& mesh) {
 RemeshResult remesh_isotropic(const Mesh& mesh, const VertexSet& region,
                               const std::function<double(const Eigen::Vector3d&)>& target_length,
                               const RemeshOptions& options, const Progress& progress) {
+  const ProgressScope scope(progress);
   validate_indices(mesh);
   validate_attributes(mesh);
   require_options(options);

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/stage.h"
 #include "lapwing/deform/certificate.h"
@@ -353,6 +354,7 @@ Transplanted TransplantRun::run() {
 Transplanted transplant(const Mesh& host, const Mesh& part, const std::string& part_name,
                         const TransplantRequest& request, Kernels& kernels,
                         const Progress& progress) {
+  const ProgressScope scope(progress);
   return TransplantRun{host, part, part_name, request, kernels, progress}.run();
 }
 
