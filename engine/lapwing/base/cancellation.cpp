@@ -106,6 +106,10 @@ void check_cancelled() {
   }
 }
 
+bool can_be_cancelled() {
+  return in_force.state != nullptr;
+}
+
 bool ask_whether_cancelled() noexcept {
   if (in_force.state == nullptr || in_force.given_up != nullptr) return false;
   in_force.state->ask();

@@ -91,6 +91,9 @@ class CancelCheck {
   unsigned calls_ = 0;
 };
 
+/// Whether `check_cancelled` may ever throw here.
+bool can_be_cancelled();
+
 /// For whoever must not throw, such as a thread that waits for its helpers: asks as
 /// `check_cancelled` does, which then throws. False where this thread has nothing to ask.
 bool ask_whether_cancelled() noexcept;

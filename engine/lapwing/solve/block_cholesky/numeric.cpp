@@ -106,6 +106,7 @@ void Numeric::run_task(int task, int thread) {
     if (abandoned(f)) return;
     run_front(f, thread);
     flops_done_.fetch_add(symbolic_.fronts[f].flops, std::memory_order_relaxed);
+    if (thread == 0) poll();
   }
 }
 
@@ -265,7 +266,7 @@ void Numeric::node_done(int node) {
 }
 
 void Numeric::poll() {
-  if (!*progress_ || interruption_ || since_report_.elapsed_ms() < kReportEveryMs) return;
+  if (interruption_ || since_report_.elapsed_ms() < kReportEveryMs) return;
   try {
     report_progress(*progress_, "factor", std::min(1.0, flops_done_ / flops_total_));
   } catch (...) {
