@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/shape_measures.h"
@@ -90,7 +91,9 @@ void measure_shape(std::span<const Index> roi, const Topology& topology,
     }
   });
   double largest_angle = 0.0;
+  CancelCheck cancel_check;
   for (std::size_t m = 0; m < roi.size(); ++m) {
+    cancel_check();
     if (m == 0 || scales[m] < certificate.smallest_scale) {
       certificate.smallest_scale = scales[m];
       certificate.smallest_scale_vertex = roi[m];

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/edges.h"
 
@@ -17,7 +18,9 @@ using Eigen::Vector3d;
 
 void require_triangles(const Mesh& mesh) {
   validate_indices(mesh);
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     const std::size_t corners = mesh.face(f).size();
     if (corners == 3) continue;
     throw InputError("face " + std::to_string(f) + " has " + std::to_string(corners) +
@@ -33,7 +36,9 @@ Mesh split(const Mesh& mesh, const Edges& edges) {
     fine.positions.push_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
   }
   const auto count = static_cast<Index>(mesh.vertex_count());
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     const auto t = mesh.face(f);
     const Index corner = mesh.face_starts()[f];
     std::array<Index, 3> middle{};
@@ -116,7 +121,9 @@ Mesh loop_subdivide(const Mesh& mesh) {
       fine.positions[mesh.vertex_count() + e] = edge_point(mesh, edges, e);
     }
   }
+  CancelCheck cancel_check;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    cancel_check();
     fine.positions[v] = smoothed(mesh.positions[v], around[v]);
   }
   return fine;

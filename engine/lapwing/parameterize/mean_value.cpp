@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseLU>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/parameterize/domain_map.h"
 #include "lapwing/solve/block_solver.h"
@@ -61,7 +62,9 @@ std::vector<Index> inner_vertices(const Patch& patch) {
   for (const Index v : patch.loop) on_loop[v] = 1;
   std::vector<Index> inner;
   inner.reserve(patch.size() - patch.loop.size());
+  CancelCheck cancel_check;
   for (Index v = 0; v < patch.size(); ++v) {
+    cancel_check();
     if (on_loop[v] == 0) inner.push_back(v);
   }
   return inner;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 
 namespace lapwing {
@@ -95,7 +96,9 @@ class Front {
   }
 
   std::vector<double> march() {
+    CancelCheck cancel_check;
     while (!queue_.empty()) {
+      cancel_check();
       const auto [distance, v] = queue_.top();
       queue_.pop();
       if (distance > distances_[v]) continue;

@@ -7,6 +7,7 @@
 #include <amd.h>
 #include <metis.h>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/solve/abandonable.h"
 
@@ -81,7 +82,9 @@ BlockGraph graph_of_clusters(const BlockGraph& graph, const Clusters& clusters,
   BlockGraph result;
   result.starts.assign(1, 0);
   std::vector<std::size_t> seen_from(clusters.count(), clusters.count());
+  CancelCheck cancel_check;
   for (std::size_t c = 0; c < clusters.count(); ++c) {
+    cancel_check();
     seen_from[c] = c;
     for (const int block : clusters[c]) {
       const auto b = static_cast<std::size_t>(block);

@@ -7,6 +7,9 @@ namespace lapwing::cholesky {
 namespace {
 
 constexpr double kReportEveryMs = 2.0;
+// Of an update matrix, a multiple of the widest kernels' tile: about 20 ms of one thread's work in
+// the largest fronts of a million unknowns.
+constexpr int kStripsBetweenPolls = 24;
 // Pivot strips that one thread factors while the others compute the rows below the last ones.
 constexpr int kBlockStrips = 6;
 // Strips of a chunk: one tile of the widest kernels.
@@ -113,11 +116,17 @@ void Numeric::run_task(int task, int thread) {
 void Numeric::run_front(int f, int thread) {
   const Front& front = symbolic_.fronts[f];
   assemble(f, 0, front.strips(), thread);
+  if (thread == 0) poll();
   if (abandoned(f)) return;
   factor_pivots(f, 0, front.pivot_strips);
+  if (thread == 0) poll();
   if (abandoned(f)) return;
   kernels_.solve_rows(view(front), front.pivot_strips, front.strips(), 0, front.pivot_strips);
-  update(f, 0, front.update_strips, thread);
+  for (int first = 0; first < front.update_strips; first += kStripsBetweenPolls) {
+    if (first > 0 && thread == 0) poll();
+    if (abandoned(f)) return;
+    update(f, first, std::min(first + kStripsBetweenPolls, front.update_strips), thread);
+  }
 }
 
 void Numeric::run_top_chunk(int f, int phase, int chunk) {
