@@ -19,6 +19,7 @@ struct SubdivideArguments {
 
 void subdivide_mesh(const SubdivideArguments& arguments) {
   Mesh mesh = read_mesh(arguments.mesh);
+  require_subdividable(mesh, arguments.times);
   for (int i = 0; i < arguments.times; ++i) {
     mesh = arguments.smooth ? loop_subdivide(mesh) : subdivide(mesh);
   }

@@ -9,6 +9,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/mesh/edges.h"
 
 namespace lapwing {
@@ -103,13 +104,20 @@ Vector3d edge_point(const Mesh& mesh, const Edges& edges, std::size_t e) {
 
 }  // namespace
 
+void require_subdividable(const Mesh& mesh, int times) {
+  require_at_most(kMostTriangles, static_cast<double>(mesh.face_count()) * std::pow(4.0, times),
+                  "subdividing would make", "subdivide less often or a part of the mesh");
+}
+
 Mesh subdivide(const Mesh& mesh) {
   require_triangles(mesh);
+  require_subdividable(mesh, 1);
   return split(mesh, build_edges(mesh));
 }
 
 Mesh loop_subdivide(const Mesh& mesh) {
   require_triangles(mesh);
+  require_subdividable(mesh, 1);
   const Edges edges = build_edges(mesh);
   Mesh fine = split(mesh, edges);
   std::vector<Surroundings> around(mesh.vertex_count());

@@ -11,6 +11,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/base/stage.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -194,6 +195,10 @@ void TransplantRun::remesh() {
   const SeamLengths lengths(joined_.geometry, joined_.mesh.topology(), joined_.host_vertices,
                             joined_.depths, width);
   if (even_strip_ && !lengths.asks_for_remeshing()) return;
+  require_at_most(kMostSeamTriangles, lengths.expected_triangles(joined_.geometry),
+                  request_.where + ": the seam between mesh and part would get about",
+                  "make the part smaller, give \"transition\" a smaller \"width\", or turn "
+                  "\"remesh\" off");
   timed("remesh", [&] {
     // The smooth surface is cut anew, and keeps in mind where it was on the joined one.
     Mesh smooth = joined_.mesh;
