@@ -18,9 +18,10 @@ struct Limit {
 /// to this many takes some minutes and 10 GB.
 inline constexpr Limit kMostTriangles{"LAPWING_MOST_TRIANGLES", "triangles", 20e6};
 
-/// Around the seam of a transplant, where nobody has asked for an edge length: a hundred times what
-/// seams have where host and part are of like size, and about ten seconds of remeshing.
-inline constexpr Limit kMostSeamTriangles{"LAPWING_MOST_SEAM_TRIANGLES", "triangles", 1e6};
+/// Around the seam of a transplant, where nobody has asked for an edge length: some seconds of
+/// remeshing. Seams have some thousand where host and part are of like size; as many as host and
+/// part have together are allowed in any case.
+inline constexpr Limit kMostSeamTriangles{"LAPWING_MOST_SEAM_TRIANGLES", "triangles", 200e3};
 
 /// Of one picture: 16384 x 16384, the widest that devices commonly draw, and 1 GB.
 inline constexpr Limit kMostPixels{"LAPWING_MOST_PIXELS", "pixels", 16384.0 * 16384.0};
@@ -28,9 +29,9 @@ inline constexpr Limit kMostPixels{"LAPWING_MOST_PIXELS", "pixels", 16384.0 * 16
 /// Of a turntable: an hour at 25 in a second.
 inline constexpr Limit kMostFrames{"LAPWING_MOST_FRAMES", "pictures", 100e3};
 
-/// Of triangles whose boxes overlap, which are compared for intersections: some ten seconds. A
-/// surface has about ten for each triangle, and may have kPairsOfTriangle whatever the limit.
-inline constexpr Limit kMostPairs{"LAPWING_MOST_PAIRS", "pairs of triangles", 100e6};
+/// Of triangles whose boxes overlap, which are compared for intersections: some seconds. A surface
+/// has about ten for each triangle, and may have kPairsOfTriangle whatever the limit.
+inline constexpr Limit kMostPairs{"LAPWING_MOST_PAIRS", "pairs of triangles", 20e6};
 inline constexpr double kPairsOfTriangle = 100.0;
 
 /// The number in force. Throws InputError where the variable is set to what is no number above 0.

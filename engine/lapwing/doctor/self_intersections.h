@@ -14,7 +14,7 @@ namespace lapwing {
 /// left out. Signs of volumes are decided with an error bound in long double; what is not decided
 /// there, within about 1e-18 of the size, counts as touching. O(n log n) for n triangles of which
 /// none overlaps many. Throws InputError when more than kMostPairs of boxes overlap, as of fans of
-/// 20,000 triangles or as many copies of one; Cancelled.
+/// 10,000 triangles or as many copies of one; Cancelled.
 std::vector<std::array<Index, 2>> self_intersections(std::span<const Triangle> triangles,
                                                      std::span<const Eigen::Vector3d> positions);
 

@@ -146,7 +146,8 @@ double refine(const BlockRows& A, std::span<const Index> inner, const Correction
   std::vector<double> step(2 * n);
   std::vector<Vector2d> best = points;
   double least = largest_residual(A, points);
-  for (;;) {
+  for (;;) {  // as often as a number can be halved at most
+    check_cancelled();
     residuals(A, points, step);
     correction(step);
     for (std::size_t k = 0; k < n; ++k) points[inner[k]] += Vector2d(step[k], step[n + k]);

@@ -162,7 +162,7 @@ class LineFinder {
   Vector3d point_along(Index v, Index h, double reach) const {
     double gone = 0.0;
     Index end = net_.target(h);
-    for (;;) {
+    for (;;) {  // a line that nothing ends comes back to `v`
       gone += (patch_.positions[end] - patch_.positions[net_.origin(h)]).norm();
       if (gone >= reach || end == v || !passes(end)) return patch_.positions[end];
       h = other_way(end, net_.twin(h));

@@ -195,7 +195,9 @@ void TransplantRun::remesh() {
   const SeamLengths lengths(joined_.geometry, joined_.mesh.topology(), joined_.host_vertices,
                             joined_.depths, width);
   if (even_strip_ && !lengths.asks_for_remeshing()) return;
-  require_at_most(kMostSeamTriangles, lengths.expected_triangles(joined_.geometry),
+  Limit limit = kMostSeamTriangles;
+  limit.most = std::max(limit.most, static_cast<double>(joined_.mesh.topology().triangles.size()));
+  require_at_most(limit, lengths.expected_triangles(joined_.geometry),
                   request_.where + ": the seam between mesh and part would get about",
                   "make the part smaller, give \"transition\" a smaller \"width\", or turn "
                   "\"remesh\" off");
