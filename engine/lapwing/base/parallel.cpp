@@ -81,19 +81,24 @@ void parallel_pair(const std::function<void()>& here, const std::function<void()
   std::exception_ptr failure_aside;
   std::atomic<bool> begun{false};
   LentScope scope;
+  const auto take_aside = [&] {
+    if (!begun.exchange(true)) failure_aside = caught(aside);
+  };
   const auto work = [&](int thread) {
     if (thread == 0) {
       failure_here = caught(here);
-      if (failure_here) scope.give_up();
-      if (!failure_here && !begun.exchange(true)) failure_aside = caught(aside);
-      return;
+      if (!failure_here) return take_aside();
+      scope.give_up();
     }
     const LentScope::Borrowed borrowed(scope);
-    if (!begun.exchange(true)) failure_aside = caught(aside);
+    take_aside();
   };
   shared_workers().run(std::cref(work));
   if (failure_here) std::rethrow_exception(failure_here);
-  if (failure_aside) std::rethrow_exception(failure_aside);
+  if (failure_aside) {
+    check_cancelled();
+    std::rethrow_exception(failure_aside);
+  }
 }
 
 }  // namespace lapwing
