@@ -35,7 +35,9 @@ bool has_a_side(const Triangle& t, std::span<const Vector3d> p) {
 void count_flipped(std::span<const char> in_roi, std::span<const Matrix3d> rotation_of,
                    const Topology& topology, std::span<const Vector3d> rest,
                    std::span<const Vector3d> current, Certificate& certificate) {
+  CancelCheck cancel_check;
   for (Index t = 0; t < topology.triangles.size(); ++t) {
+    cancel_check();
     const Triangle& corners = topology.triangles[t];
     Matrix3d turn = Matrix3d::Zero();
     bool touched = false;

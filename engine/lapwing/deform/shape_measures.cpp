@@ -53,7 +53,9 @@ double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const Vector3d> current, std::span<const double> scales) {
   double off = 0.0;
   double size = 0.0;
+  CancelCheck cancel_check;
   for (const Index i : rows) {
+    cancel_check();
     const Laplacians L = laplacians_of(i, topology, weights, rest, current);
     const Matrix3d R = fit_rotation(i, topology.rings[i], rest, current);
     const Vector3d wanted = scale_at(scales, i) * L.was;
