@@ -58,11 +58,15 @@ TEST_F(TransplantCommands, EveryFlagIsInItsRecipe) {
 
 TEST_F(TransplantCommands, FitsByItselfUnlessToldWhereTo) {
   const Outcome outcome = lapwing(std::string(kFinger) +
-                                  "--fit-rotate 30 --fit-scale 0.8 --keep-size --save a.ply "
+                                  "--fit-rotate 30 --fit-scale 0.8 --save a.ply "
                                   "--recipe a.recipe.json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const auto step = std::get<TransplantStep>(read_recipe(file("a.recipe.json")).steps.at(0));
-  EXPECT_EQ(std::get<LoopFit>(step.place), (LoopFit{30.0, 0.8, true}));
+  EXPECT_EQ(std::get<LoopFit>(step.place), (LoopFit{30.0, 0.8, false}));
+  const Outcome two_sizes =
+      lapwing(std::string(kFinger) + "--fit-scale 0.8 --keep-size --save b.ply");
+  EXPECT_EQ(two_sizes.exit_code, 3);
+  EXPECT_THAT(two_sizes.output, HasSubstr("give one of them"));
   const Outcome both = lapwing(std::string(kFinger) + "--fit-rotate 30 --snap --save a.ply");
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_THAT(both.output, HasSubstr("--snap"));

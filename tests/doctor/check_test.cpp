@@ -10,6 +10,7 @@
 
 #include "doctor/broken_meshes.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/cancel_everywhere.h"
 
 namespace lapwing {
 namespace {
@@ -199,6 +200,17 @@ TEST(Check, ListsAsManyPlacesAsAreAskedFor) {
   EXPECT_EQ(check(mesh).find(DefectKind::loose_vertex)->first.size(), kMaxListed);
   EXPECT_EQ(check(mesh, 20).find(DefectKind::loose_vertex)->first.size(), 20U);
   EXPECT_EQ(check(mesh, 1000).find(DefectKind::loose_vertex)->first.size(), 95U);
+}
+
+TEST(Check, CanBeCancelledEverywhere) {
+  const Mesh mesh = icosphere(4);
+  EXPECT_GT(test::cancel_everywhere([&](const Progress& progress) {
+              const ProgressScope scope(progress);
+              CheckReport report = check(mesh);
+              add_self_intersections(mesh, report);
+              EXPECT_FALSE(report.has_problems());
+            }),
+            20U);
 }
 
 }  // namespace

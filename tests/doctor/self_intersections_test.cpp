@@ -1,16 +1,25 @@
 #include "lapwing/doctor/self_intersections.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/mesh/shapes.h"
+#include "support/environment.h"
+#include "support/error_message.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using Pair = std::array<Index, 2>;
@@ -112,6 +121,41 @@ TEST(SelfIntersections, TrianglesWithoutAreaAreLeftOut) {
   const std::vector<Vector3d> points{{0, 0, 0},      {2, 0, 0},     {0, 2, 0},
                                      {0.5, 0.5, -1}, {0.5, 0.5, 1}, {0.5, 0.5, 3}};
   EXPECT_THAT(pairs_of(points, {3, 4, 5}), IsEmpty());
+}
+
+// All triangles of a fan have its apex, and boxes that overlap those of a quarter of it.
+Mesh fan(Index count) {
+  Mesh mesh;
+  mesh.positions.emplace_back(0, 0, 0);
+  for (Index k = 0; k < count; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / count;
+    mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+  }
+  for (Index k = 0; k < count; ++k) {
+    const std::array<Index, 3> triangle{0, 1 + k, 1 + (k + 1) % count};
+    mesh.add_face(triangle);
+  }
+  return mesh;
+}
+
+TEST(SelfIntersections, OfFansOfVeryManyTrianglesAreRefused) {
+  EXPECT_THAT(pairs_of(fan(100)), IsEmpty());
+  const test::Environment lower(kMostPairs.variable, "1000");
+  EXPECT_THAT(pairs_of(fan(100)), IsEmpty()) << "a hundred for each triangle are always allowed";
+  EXPECT_THAT(error_message<InputError>([] { pairs_of(fan(2000)); }),
+              AllOf(HasSubstr("2000 triangles overlap in more than 200000 pairs"),
+                    HasSubstr("set LAPWING_MOST_PAIRS to a larger number")));
+  const test::Environment higher(kMostPairs.variable, "1e9");
+  EXPECT_THAT(pairs_of(fan(2000)), IsEmpty());
+}
+
+TEST(SelfIntersections, OfVeryManyCopiesOfOneTriangleAreRefused) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::array<Index, 3> triangle{0, 1, 2};
+  for (int k = 0; k < 20'000; ++k) mesh.add_face(triangle);
+  EXPECT_THAT(error_message<InputError>([&] { pairs_of(mesh); }),
+              HasSubstr("remove repeated faces by `lapwing check MESH --fix OUT`"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "lapwing/base/errors.h"
 #include "lapwing/mesh/edges.h"
 
 namespace lapwing {
@@ -62,6 +63,14 @@ TEST(Shapes, RipplesAreACylindersOwn) {
     largest = std::max(largest, (rippled.positions[v] - smooth.positions[v]).norm());
   }
   EXPECT_NEAR(largest, 0.03 * 0.5, 1e-3);
+}
+
+TEST(Shapes, OfMoreTrianglesThanAllowedAreRefused) {
+  EXPECT_THROW(grid(100'000, 100'000), InputError);
+  EXPECT_THROW(icosphere(20), InputError);
+  EXPECT_THROW(cylinder(100'000, 1000, 1.0, 1.0), InputError);
+  EXPECT_THROW(bar(3000, 3000, 1.0, 1.0), InputError);
+  EXPECT_THROW(torus(10'000, 10'000, 1.0, 0.4), InputError);
 }
 
 }  // namespace

@@ -9,9 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/mesh/edges.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/topology.h"
+#include "support/environment.h"
 #include "support/error_message.h"
 
 namespace lapwing {
@@ -158,6 +160,16 @@ TEST(LoopSubdivide, AwkwardVerticesStay) {
   const Mesh fine = loop_subdivide(mesh);
   EXPECT_EQ(fine.positions[loose], mesh.positions[loose]);
   for (const Vector3d& p : fine.positions) EXPECT_TRUE(p.allFinite());
+}
+
+TEST(Subdivide, MoreTrianglesThanAllowedAreRefusedBeforeAnyIsMade) {
+  EXPECT_NO_THROW(require_subdividable(icosphere(2), 7));
+  EXPECT_THAT(error_message<InputError>([] { require_subdividable(icosphere(2), 8); }),
+              ::testing::StartsWith("subdividing would make 20,971,520 triangles, more than the "
+                                    "20,000,000 that are allowed"));
+  const test::Environment lower(kMostTriangles.variable, "1000");
+  EXPECT_THROW(subdivide(icosphere(2)), InputError);
+  EXPECT_THROW(loop_subdivide(icosphere(2)), InputError);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "parameterize/test_patches.h"
+#include "support/cancel_everywhere.h"
 #include "support/error_message.h"
 
 namespace lapwing {
@@ -126,6 +127,17 @@ TEST(Parameterize, WarnsOfFlippedTriangles) {
   const Index first = laid.patch.triangle_sources[laid.flipped.front()];
   EXPECT_THAT(laid.warnings, ElementsAre(AllOf(StartsWith("triangles are flipped"),
                                                HasSubstr("triangle " + std::to_string(first)))));
+}
+
+TEST(Parameterize, CanBeCancelledEverywhere) {
+  const Mesh mesh = test::hills();
+  const auto whole = parameterize(mesh, {}).map.points;
+  std::vector<Eigen::Vector2d> done;
+  EXPECT_GT(test::cancel_everywhere([&](const Progress& progress) {
+              done = parameterize(mesh, {}, progress).map.points;
+            }),
+            10U);
+  EXPECT_EQ(done, whole);
 }
 
 }  // namespace

@@ -81,6 +81,16 @@ TEST(OpenFrames, RefusesOtherEndings) {
               AllOf(HasSubstr("a.avi"), HasSubstr(".mp4"), HasSubstr(".png")));
 }
 
+TEST(OpenFrames, RefusesMorePicturesThanAllowedBeforeTheFirst) {
+  const TemporaryFolder folder;
+  FrameSequence many = kTwo;
+  many.count = 100'001;
+  EXPECT_THAT(message_of([&] { open_frames(folder / "a.png", many); }),
+              HasSubstr("the turntable would be 100,001 pictures, more than the 100,000"));
+  const Environment raised("LAPWING_MOST_FRAMES", "1e6");
+  EXPECT_NO_THROW(open_frames(folder / "a.png", many));
+}
+
 class AVideo : public ::testing::TestWithParam<const char*> {
  protected:
   fs::path video() const { return videos_ / (std::string("a") + GetParam()); }

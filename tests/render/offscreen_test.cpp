@@ -7,6 +7,8 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/context.h"
+#include "support/environment.h"
+#include "support/error_message.h"
 #include "support/gpu.h"
 
 namespace lapwing {
@@ -30,6 +32,17 @@ TEST(OffscreenTarget, RefusesSizesBeyondTheDeviceAndNamesTheLimit) {
   EXPECT_THAT(message_for_size(context, limit + 1, 16), HasSubstr(std::to_string(limit)));
   EXPECT_THAT(message_for_size(context, 16, limit + 1), HasSubstr(std::to_string(limit)));
   EXPECT_THAT(message_for_size(context, 0, 16), HasSubstr("0 x 16"));
+}
+
+TEST(OffscreenTarget, RefusesMorePixelsThanAllowed) {
+  LAPWING_NEEDS_GPU();
+  gpu::Context context;
+  EXPECT_NO_THROW(OffscreenTarget(context, 64, 64));
+  const test::Environment lower("LAPWING_MOST_PIXELS", "4000");
+  EXPECT_THAT(
+      error_message<InputError>([&] { OffscreenTarget(context, 64, 64); }),
+      HasSubstr("the picture would have 4,096 pixels, more than the 4,000 that are allowed; "
+                "choose a smaller size"));
 }
 
 TEST(OffscreenTarget, TakesTheSamplesThatTheDeviceHas) {

@@ -193,6 +193,11 @@ TEST(FitLoop, WhatCannotBePlacedIsNamed) {
   fit = {};
   fit.rotate_degrees = std::numeric_limits<double>::infinity();
   EXPECT_THAT(message(good, good, fit), HasSubstr("degrees"));
+  fit = {};
+  fit.keep_size = true;
+  fit.scale = 2.0;
+  EXPECT_THAT(message(good, good, fit),
+              AllOf(HasSubstr("place: \"keep_size\""), HasSubstr("give one of them")));
 }
 
 }  // namespace

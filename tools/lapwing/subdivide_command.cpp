@@ -23,6 +23,7 @@ void subdivide_mesh(const SubdivideArguments& arguments) {
   files.reads("MESH", arguments.mesh, true);
   files.writes_mesh("--output", arguments.output);
   Mesh mesh = read_mesh(arguments.mesh);
+  require_subdividable(mesh, arguments.times);
   for (int i = 0; i < arguments.times; ++i) {
     mesh = arguments.smooth ? loop_subdivide(mesh) : subdivide(mesh);
   }

@@ -19,7 +19,7 @@ void TurntableOptions::add_to(CLI::App& command) {
       "--turntable", count,
       "so many pictures, once around the upward axis: NAME-0001.png and on, or a video where the "
       "output ends in .mp4, .webm or .gif, by the program ffmpeg");
-  turntable->check(CLI::Range(1, 100'000))->group(group);
+  turntable->check(CLI::PositiveNumber)->group(group);
   command.add_option("--fps", per_second, "pictures of a video in a second")
       ->check(CLI::Range(0.1, 240.0))
       ->needs(turntable)

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 
 namespace lapwing::viewer {
@@ -75,6 +76,7 @@ void JobThread::carry_out(const Work& work, std::uint64_t ticket, const MakeKern
   std::exception_ptr error;
   bool finished = true;
   try {
+    const ProgressScope scope(progress);  // of what takes none, such as reading
     work(make_kernels(), progress);
   } catch (const Cancelled&) {
     return;  // whoever cancelled has set the status

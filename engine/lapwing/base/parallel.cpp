@@ -7,6 +7,7 @@
 #include <sched.h>
 #include <thread>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/worker_pool.h"
 
 namespace lapwing {
@@ -28,6 +29,7 @@ void parallel_ranges(std::size_t count, std::size_t grain,
   if (count == 0) return;
   grain = std::max<std::size_t>(grain, 1);
   const std::size_t threads = std::min<std::size_t>(thread_count(), (count + grain - 1) / grain);
+  check_cancelled();
   if (threads <= 1) {
     body(0, count);
     return;
@@ -38,21 +40,32 @@ void parallel_ranges(std::size_t count, std::size_t grain,
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failure_mutex;
-  const auto work = [&](int) {
+  LentScope scope;
+  const auto take_chunks = [&] {
     for (;;) {
       const std::size_t begin = next.fetch_add(chunk);
       if (begin >= count) return;
       try {
+        check_cancelled();
         body(begin, std::min(begin + chunk, count));
       } catch (...) {
         const std::scoped_lock lock(failure_mutex);
         if (!failure) failure = std::current_exception();
+        scope.give_up();
         next = count;
       }
     }
   };
+  const auto work = [&](int thread) {
+    if (thread == 0) return take_chunks();
+    const LentScope::Borrowed borrowed(scope);
+    take_chunks();
+  };
   shared_workers().run(std::cref(work));
-  if (failure) std::rethrow_exception(failure);
+  if (failure) {
+    check_cancelled();  // what the callback has thrown comes first
+    std::rethrow_exception(failure);
+  }
 }
 
 void parallel_pair(const std::function<void()>& here, const std::function<void()>& aside) {
@@ -67,13 +80,25 @@ void parallel_pair(const std::function<void()>& here, const std::function<void()
   std::exception_ptr failure_here;
   std::exception_ptr failure_aside;
   std::atomic<bool> begun{false};
-  const auto work = [&](int thread) {
-    if (thread == 0) failure_here = caught(here);
+  LentScope scope;
+  const auto take_aside = [&] {
     if (!begun.exchange(true)) failure_aside = caught(aside);
+  };
+  const auto work = [&](int thread) {
+    if (thread == 0) {
+      failure_here = caught(here);
+      if (!failure_here) return take_aside();
+      scope.give_up();
+    }
+    const LentScope::Borrowed borrowed(scope);
+    take_aside();
   };
   shared_workers().run(std::cref(work));
   if (failure_here) std::rethrow_exception(failure_here);
-  if (failure_aside) std::rethrow_exception(failure_aside);
+  if (failure_aside) {
+    check_cancelled();
+    std::rethrow_exception(failure_aside);
+  }
 }
 
 }  // namespace lapwing

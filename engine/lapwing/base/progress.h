@@ -5,12 +5,14 @@
 
 namespace lapwing {
 
-/// Called when a stage of a long operation begins (`fraction` 0) and as it advances (up to 1).
-/// `stage` is one of the names of the report's `timings_ms`. Return false to cancel: the
-/// operation then throws `Cancelled` at the next stage boundary and leaves its inputs untouched.
+/// Called when a stage of a long operation begins (`fraction` 0), as it advances (up to 1), and
+/// about every 20 ms meanwhile with what it was told last, to ask whether to go on. `stage` is one
+/// of the names of the report's `timings_ms`, or empty before the first. Return false to cancel:
+/// the operation then throws `Cancelled` and leaves its inputs untouched, within 0.2 s.
 using Progress = std::function<bool(std::string_view stage, double fraction)>;
 
-/// Reports to `progress` if there is one. Throws `Cancelled` when it returns false.
+/// Reports to `progress` if there is one; else asks the ProgressScope in force (cancellation.h).
+/// Throws `Cancelled` when the answer is false.
 void report_progress(const Progress& progress, std::string_view stage, double fraction);
 
 }  // namespace lapwing

@@ -2,6 +2,7 @@
 
 #include <system_error>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
 
 namespace lapwing {
@@ -58,9 +59,18 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   {
     std::unique_lock lock(mutex_);
     job_ = nullptr;
-    idle_.wait(lock, [this] { return active_ == 0; });
+    wait_for_helpers(lock);
   }
   taken_.store(false, std::memory_order_release);
+}
+
+// Meanwhile the caller is asked whether to go on: what the helpers are at may take long.
+void WorkerPool::wait_for_helpers(std::unique_lock<std::mutex>& lock) {
+  while (!idle_.wait_for(lock, kAskEvery, [this] { return active_ == 0; })) {
+    lock.unlock();
+    ask_whether_cancelled();
+    lock.lock();
+  }
 }
 
 void WorkerPool::help(int thread) {

@@ -30,6 +30,7 @@ class WorkerPool {
 
  private:
   void help(int thread);
+  void wait_for_helpers(std::unique_lock<std::mutex>& lock);
 
   std::mutex mutex_;
   std::condition_variable wake_;

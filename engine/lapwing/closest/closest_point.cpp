@@ -6,12 +6,16 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
 
 constexpr Index kLeafSize = 4;
+// Triangles that take longer to halve than the clock to be read.
+constexpr Index kSlowToHalve = 1000;
 
 // How far along the segment from `a` to `b` the point closest to `point` is, in [0, 1].
 double closest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d& point) {
@@ -70,7 +74,9 @@ ClosestPoint::ClosestPoint(std::span<const Triangle> triangles, std::span<const 
   items_.reserve(groups.values.size());
   for (std::size_t g = 0; g < groups.row_count(); ++g) {
     const auto begin = static_cast<Index>(items_.size());
+    CancelCheck cancel_check;
     for (const Index t : groups[g]) {
+      cancel_check();
       const auto& [a, b, c] = triangles[t];
       const std::array corners{positions[a], positions[b], positions[c]};
       items_.push_back({corners, (corners[1] - corners[0]).cross(corners[2] - corners[0]), t});
@@ -102,6 +108,7 @@ Index ClosestPoint::build(Index begin, Index end) {
   node.begin = begin;
   node.end = end;
   if (end - begin > kLeafSize) {
+    if (end - begin > kSlowToHalve) check_cancelled();
     int axis = 0;
     (high - low).maxCoeff(&axis);
     const Index middle = begin + (end - begin) / 2;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
@@ -96,7 +98,9 @@ CarriedLength::CarriedLength(const Coating& coating, const Patch& target,
   const auto source_edges = mean_edges(coating.patch.triangles, coating.smooth);
   const auto ratios = local_ratios(target, positions, points, coating.smooth);
   std::size_t coarse = 0;
+  CancelCheck cancel_check;
   for (std::size_t v = 0; v < lengths_.size(); ++v) {
+    cancel_check();
     const double fineness = on_vertex(points[v]) ? 1.0 : kFineness;
     const double wanted = fineness * ratios[v] * points[v].of<double>(source_edges);
     if (!(wanted > 0.0) || wanted >= lengths_[v]) continue;

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/stage.h"
@@ -61,6 +62,7 @@ LayeredCoat::LayeredCoat(LayeredRequest request, const Mesh& mesh,
                          const std::vector<SharedSource>& sources, Kernels& kernels,
                          const Progress& progress)
     : request_(std::move(request)), mesh_(mesh), kernels_(kernels) {
+  const ProgressScope scope(progress);
   for (std::size_t k = 0; k < request_.sources.size(); ++k) {
     const CoatSource& source = request_.sources[k];
     // Of one source the amplitude is `positions`' to say.
@@ -260,6 +262,7 @@ void LayeredCoat::take(const Progress& progress) {
 }
 
 void LayeredCoat::set_detail_size(std::size_t k, double size, const Progress& progress) {
+  const ProgressScope scope(progress);
   layers_.at(k).source.take(request_.taken, size, request_.parameters.weights, kernels_);
   take(progress);
 }

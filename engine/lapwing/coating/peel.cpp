@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/fairing.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -52,7 +53,8 @@ std::vector<Vector3d> coating_laplacians(const Mesh& mesh, const Peeled& peeled,
 
 }  // namespace
 
-Peeled peel(const Mesh& mesh, const PeelRequest& request) {
+Peeled peel(const Mesh& mesh, const PeelRequest& request, const Progress& progress) {
+  const ProgressScope scope(progress);
   const Topology& topology = mesh.topology();
   const VertexSet region = resolve(request.region, mesh);
   require_finite(region, mesh.positions, request.region.where);

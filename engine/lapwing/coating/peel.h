@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lapwing/base/progress.h"
 #include "lapwing/laplacian/weights.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/region_spec.h"
@@ -36,8 +37,8 @@ struct Peeled {
 
 /// `mesh` with its region smooth (Fairing), and what came off. Throws InputError, naming the
 /// region's `where`, for a region that does not fit the mesh or that holds a vertex without finite
-/// position, and naming `where` for a detail size not above 0.
-Peeled peel(const Mesh& mesh, const PeelRequest& request);
+/// position, and naming `where` for a detail size not above 0; Cancelled.
+Peeled peel(const Mesh& mesh, const PeelRequest& request, const Progress& progress = {});
 
 /// What a mesh can carry of its coating, as numbers at each vertex.
 enum class CarriedCoating {

@@ -1,5 +1,9 @@
 #include "lapwing/deform/axis_response.h"
 
+#include <string>
+
+#include "lapwing/base/limits.h"
+
 namespace lapwing {
 
 using Eigen::Vector3d;
@@ -55,6 +59,10 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
 
 Numbers axis_response(const EditSystem& system, std::span<const std::size_t> handles) {
   const std::size_t of_handle = system.moving.size() * kCoordinates;
+  require_memory(sizeof(double) * of_handle * handles.size(),
+                 "the response of " + std::to_string(system.moving.size()) + " vertices to " +
+                     std::to_string(handles.size()) + " handles",
+                 "drag fewer handles at a time, or choose a smaller region");
   Numbers columns(of_handle * handles.size());
   for (std::size_t k = 0; k < handles.size(); ++k) {
     add_columns(system, handles[k], std::span(columns).subspan(k * of_handle, of_handle));

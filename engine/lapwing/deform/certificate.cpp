@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/shape_measures.h"
@@ -34,7 +35,9 @@ bool has_a_side(const Triangle& t, std::span<const Vector3d> p) {
 void count_flipped(std::span<const char> in_roi, std::span<const Matrix3d> rotation_of,
                    const Topology& topology, std::span<const Vector3d> rest,
                    std::span<const Vector3d> current, Certificate& certificate) {
+  CancelCheck cancel_check;
   for (Index t = 0; t < topology.triangles.size(); ++t) {
+    cancel_check();
     const Triangle& corners = topology.triangles[t];
     Matrix3d turn = Matrix3d::Zero();
     bool touched = false;
@@ -90,7 +93,9 @@ void measure_shape(std::span<const Index> roi, const Topology& topology,
     }
   });
   double largest_angle = 0.0;
+  CancelCheck cancel_check;
   for (std::size_t m = 0; m < roi.size(); ++m) {
+    cancel_check();
     if (m == 0 || scales[m] < certificate.smallest_scale) {
       certificate.smallest_scale = scales[m];
       certificate.smallest_scale_vertex = roi[m];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/stage.h"
 #include "lapwing/deform/bound_request.h"
@@ -223,6 +224,7 @@ EditRegion resolve_edit_region(const DeformRequest& request, const Mesh& mesh) {
 
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress) {
+  const ProgressScope scope(progress);
   const JoinedSurface* joined = joined_for(mesh, request.parameters.seams, workspace);
   const auto on_surface = [&](const DeformRequest& asked, Mesh surface) {
     StageTimings timings;

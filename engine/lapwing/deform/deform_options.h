@@ -9,13 +9,6 @@
 
 namespace lapwing {
 
-/// The rest is for the response, the device's copy of it, and whoever else runs.
-inline constexpr double kMemoryShare = 0.75;
-
-/// What a system may take of `limit_bytes`, or with 0 of what is there now; as much as it likes
-/// where that is not known.
-std::size_t allowed_memory(std::size_t limit_bytes);
-
 /// Of a region's radius of gyration (EnergyTerms::detail_length). Chosen on the meshes of
 /// `lapwing-bench real` and a rippled tube: smaller loses more detail on the tube, larger loses
 /// more and flips more triangles on the meshes.
@@ -36,7 +29,7 @@ struct DeformOptions {
   double constraint_weight = 1.0;
   /// Handle and belt vertices go exactly where they should, rather than in the least squares.
   bool hard = false;
-  /// The 3n x 3n system may take this much memory; 0: kMemoryShare of what is there when it is
+  /// The 3n x 3n system may take this much memory; 0: what `allowed_memory` says when it is
   /// prepared. Where it needs more, settling does without it, from where a DragPreview is.
   std::size_t memory_limit_bytes = 0;
   /// Makes the energy of what `solve` returns least, so that details survive large rotations; none:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/deformer_state.h"
@@ -117,6 +118,7 @@ Deformer::Deformer(const DragPreview& preview, Kernels& kernels, const Progress&
 Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
                    const Progress& progress)
     : state_(std::make_unique<State>()) {
+  const ProgressScope scope(progress);
   State& s = *state_;
   s.system = std::move(system);
   s.kernels = &kernels;
@@ -185,6 +187,7 @@ void Deformer::choose_start(std::span<const Eigen::Affine3d> motions,
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
                              std::span<const Eigen::AngleAxisd> turns,
                              const Progress& progress) const {
+  const ProgressScope scope(progress);
   const State& s = *state_;
   const EditSystem& edit = *s.system;
   const auto lock = edit.systems->lock();

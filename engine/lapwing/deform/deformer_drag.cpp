@@ -1,6 +1,7 @@
 // How a Deformer is dragged: by columns, linearly or settled frame by frame.
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/deformer_state.h"
@@ -131,6 +132,7 @@ Positions Deformer::State::gone_on(const SettledPose& pose,
 }
 
 const std::shared_ptr<const DragResponse>& Deformer::response(const Progress& progress) const {
+  const ProgressScope scope(progress);
   State& s = *state_;
   if (s.has_response) return s.response;
   const auto lock = s.system->systems->lock();
@@ -149,6 +151,7 @@ void Deformer::make_response(const Progress& progress) const {
 
 std::shared_ptr<const DragResponse> Deformer::response_of(std::span<const std::size_t> handles,
                                                           const Progress& progress) const {
+  const ProgressScope scope(progress);
   const auto lock = state_->system->systems->lock();
   return columns_of(in_order(handles), progress);
 }
@@ -181,6 +184,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pos
 void Deformer::follow(std::span<const Eigen::Affine3d> motions,
                       std::span<const Eigen::AngleAxisd> turns, SettledPose& pose,
                       const std::function<bool()>& go_on, const Progress& progress) const {
+  const ProgressScope scope(progress);
   const State& s = *state_;
   const EditSystem& edit = *s.system;
   if (s.settler == nullptr) {

@@ -1,5 +1,6 @@
 #include "lapwing/deform/drag_preview.h"
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/edit_system.h"
 
@@ -31,6 +32,7 @@ DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> res
 DragPreview::DragPreview(std::shared_ptr<const EditSystem> system,
                          std::span<const std::size_t> handles, const Progress& progress)
     : system_(std::move(system)), timings_(system_->timings) {
+  const ProgressScope scope(progress);
   report_progress(progress, "preview", 0.0);
   const Stopwatch watch;
   response_ = response_of(handles);

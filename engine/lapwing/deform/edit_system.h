@@ -23,7 +23,8 @@ namespace lapwing {
 /// RegionSystem.
 struct EditSystem {
   /// Stages "pattern" and "order", or "constraints" where `prepared` has both, and "laplacian", the
-  /// n x n system. Throws what Deformer does.
+  /// n x n system. Throws what Deformer does, and SolverError when there is not the memory to
+  /// settle so many vertices.
   EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
              EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress);
 
@@ -68,6 +69,7 @@ struct EditSystem {
   SystemTerms terms() const;
   void require_motions(std::size_t count) const;
   void check_and_frame();
+  void require_memory_to_settle() const;
   void make_springs();
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/response_system.h"
 #include "lapwing/laplacian/ring_fit.h"

@@ -1,19 +1,11 @@
 #include "lapwing/deform/region_system.h"
 
-#include <limits>
 #include <string>
 
-#include "lapwing/base/memory_use.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/solve/ordering.h"
 
 namespace lapwing {
-
-std::size_t allowed_memory(std::size_t limit_bytes) {
-  if (limit_bytes > 0) return limit_bytes;
-  const std::size_t available = available_memory_bytes();
-  if (available == 0) return std::numeric_limits<std::size_t>::max();
-  return static_cast<std::size_t>(kMemoryShare * static_cast<double>(available));
-}
 
 RegionSystem::RegionSystem(const Topology& topology, const VertexSet& roi, const Unknowns& unknowns)
     : topology_(topology),
@@ -83,12 +75,9 @@ void RegionSystem::require_memory(std::size_t limit_bytes) {
   limit_bytes = allowed_memory(limit_bytes);
   if (response_bytes_ <= limit_bytes) return;
   response_.reset();
-  const auto megabytes = [](std::size_t bytes) {
-    return std::to_string(bytes / 1'000'000 + 1) + " MB";
-  };
   throw DoesNotFit("the exact system of " + std::to_string(unknowns_.size()) + " vertices needs " +
-                   megabytes(response_bytes_) + " of memory, and may take " +
-                   megabytes(limit_bytes));
+                   in_megabytes(response_bytes_) + " of memory, and may take " +
+                   in_megabytes(limit_bytes));
 }
 
 }  // namespace lapwing

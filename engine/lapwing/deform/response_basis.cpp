@@ -1,5 +1,8 @@
 #include "lapwing/deform/response_basis.h"
 
+#include <string>
+
+#include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
 
 namespace lapwing {
@@ -63,6 +66,10 @@ Numbers response_basis(const EditSystem& system, std::span<const std::size_t> ha
   const ResponseSystem& response = system.systems->response();
   const std::size_t column = 3 * system.moving.size();
   const std::size_t n = 3 * unknowns.size();
+  require_memory(sizeof(double) * kMotionParameters * (column * handles.size() + n),
+                 "the response of " + std::to_string(system.moving.size()) + " vertices to " +
+                     std::to_string(handles.size()) + " handles",
+                 "drag fewer handles at a time, or choose a smaller region");
   Numbers basis(column * kMotionParameters * handles.size());
   Numbers x(kMotionParameters * n);
   for (std::size_t at = 0; at < handles.size(); ++at) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/vertex_motion.h"
 #include "lapwing/laplacian/ring_fit.h"
@@ -52,7 +53,9 @@ double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const Vector3d> current, std::span<const double> scales) {
   double off = 0.0;
   double size = 0.0;
+  CancelCheck cancel_check;
   for (const Index i : rows) {
+    cancel_check();
     const Laplacians L = laplacians_of(i, topology, weights, rest, current);
     const Matrix3d R = fit_rotation(i, topology.rings[i], rest, current);
     const Vector3d wanted = scale_at(scales, i) * L.was;
@@ -67,7 +70,9 @@ double edge_stretch(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> scales) {
   double sum = 0.0;
   std::size_t count = 0;
+  CancelCheck cancel_check;
   for (const Index i : rows) {
+    cancel_check();
     for (const Index j : topology.rings[i]) {
       const double stretch = stretch_of(i, j, rest, current, scales);
       if (stretch < 0.0) continue;
@@ -82,7 +87,9 @@ StretchedEdge most_stretched_edge(std::span<const Index> rows, const Topology& t
                                   std::span<const Vector3d> rest, std::span<const Vector3d> current,
                                   std::span<const double> scales) {
   StretchedEdge most;
+  CancelCheck cancel_check;
   for (const Index i : rows) {
+    cancel_check();
     for (const Index j : topology.rings[i]) {
       const double stretch = stretch_of(i, j, rest, current, scales);
       if (stretch > most.stretch) most = {{std::min(i, j), std::max(i, j)}, stretch};

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/doctor/mend_faces.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/doctor/repeated_faces.h"
@@ -49,7 +50,9 @@ std::vector<Index> ends_of(const Edges& edges, std::span<const Index> list) {
 template <typename Predicate>
 std::vector<Index> indices_where(std::size_t count, Predicate&& holds) {
   std::vector<Index> found;
+  CancelCheck cancel_check;
   for (std::size_t i = 0; i < count; ++i) {
+    cancel_check();
     if (holds(static_cast<Index>(i))) found.push_back(static_cast<Index>(i));
   }
   return found;
@@ -70,7 +73,9 @@ bool has_usable_face(const Mesh& mesh) {
 std::vector<Index> find_zero_area_faces(const Mesh& mesh) {
   const Topology& topology = mesh.topology();
   std::vector<Index> found;
+  CancelCheck cancel_check;
   for (std::size_t t = 0; t < topology.triangles.size();) {
+    cancel_check();
     const Index face = topology.triangle_faces[t];
     double area = 0.0;
     double longest = 0.0;
@@ -132,7 +137,9 @@ void check_rings(const Mesh& mesh, const Findings& findings) {
   const Topology& topology = mesh.topology();
   std::vector<Index> points;
   std::vector<Index> lines;
+  CancelCheck cancel_check;
   for (Index v = 0; v < topology.vertex_count(); ++v) {
+    cancel_check();
     if (topology.rings.size(v) == 0) continue;
     const RingShape shape = shape_of_ring(v, topology.rings[v], mesh.positions);
     if (shape == RingShape::point) points.push_back(v);

@@ -39,7 +39,7 @@ struct CheckReport {
 CheckReport check(const Mesh& mesh, std::size_t most_listed = kMaxListed);
 
 /// Adds to the report on `mesh` the faces that cut through or touch others, which `check` leaves
-/// out because it takes several times as long; see self_intersections.h.
+/// out because it takes several times as long. Throws what self_intersections does.
 void add_self_intersections(const Mesh& mesh, CheckReport& report);
 
 }  // namespace lapwing

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
@@ -68,7 +69,9 @@ MendedFaces mend_faces(const Mesh& mesh) {
   MendedFaces result;
   std::vector<Index> corners(mesh.face_vertices().size());
   std::iota(corners.begin(), corners.end(), Index{0});
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     if (!is_degenerate(mesh.face(f))) {
       add_face(result.sources, f,
                std::span(corners).subspan(mesh.face_starts()[f], mesh.face(f).size()));

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
@@ -29,7 +31,9 @@ class Flood {
     Sheet sheet;
     sheet.faces.push_back(seed);
     state_[seed] = kKept;
+    CancelCheck cancel_check;
     for (std::size_t next = 0; next < sheet.faces.size(); ++next) {
+      cancel_check();
       const Index face = sheet.faces[next];
       for (Index c = mesh_.face_starts()[face]; c < mesh_.face_starts()[face + 1]; ++c) {
         cross(face, c, sheet);
@@ -105,7 +109,9 @@ void append(std::vector<Index>& list, const std::vector<Index>& more) {
 Orientation analyze_orientation(const Mesh& mesh, const Edges& edges) {
   Orientation orientation;
   Flood flood(mesh, edges);
+  CancelCheck cancel_check;
   for (Index f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     if (flood.seen(f)) continue;
     const Sheet sheet = flood.visit(f);
     if (sheet.one_sided) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
@@ -31,7 +33,9 @@ std::vector<Index> sorted_vertices(std::span<const Index> face) {
 std::vector<Index> find_repeated_faces(const Mesh& mesh) {
   std::vector<std::pair<std::uint64_t, Index>> hashes;
   hashes.reserve(mesh.face_count());
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     if (!mesh.face(f).empty()) {
       hashes.emplace_back(hash_of_vertices(mesh.face(f)), static_cast<Index>(f));
     }
@@ -40,6 +44,7 @@ std::vector<Index> find_repeated_faces(const Mesh& mesh) {
   std::vector<Index> repeated;
   std::vector<std::vector<Index>> distinct;  // the vertex sets of the current hash
   for (std::size_t i = 0; i < hashes.size(); ++i) {
+    cancel_check();
     const bool first_of_hash = i == 0 || hashes[i].first != hashes[i - 1].first;
     const bool last_of_hash = i + 1 == hashes.size() || hashes[i].first != hashes[i + 1].first;
     if (first_of_hash) distinct.clear();

@@ -8,6 +8,10 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
+
 namespace lapwing {
 namespace {
 
@@ -121,6 +125,8 @@ class Finder {
       for (const Vector3d* corner : corners(t)) boxes_[t].extend(*corner);
     }
     if (!items_.empty()) build(0, items_.size());
+    most_pairs_ =
+        std::max(most_of(kMostPairs), kPairsOfTriangle * static_cast<double>(items_.size()));
   }
 
   std::vector<std::array<Index, 2>> run() {
@@ -168,6 +174,7 @@ class Finder {
   void search(Index t) {
     std::vector<std::size_t> open{0};
     while (!open.empty()) {
+      cancel_check_();
       const std::size_t number = open.back();
       const Node& node = nodes_[number];
       open.pop_back();
@@ -179,11 +186,22 @@ class Finder {
       }
       for (std::size_t k = node.begin; k < node.end; ++k) {
         const Index other = items_[k];
-        if (other > t && boxes_[other].intersects(boxes_[t]) && meet(t, other)) {
-          pairs_.push_back({t, other});
-        }
+        if (other <= t || !boxes_[other].intersects(boxes_[t])) continue;
+        count_pair();
+        if (meet(t, other)) pairs_.push_back({t, other});
       }
     }
+  }
+
+  void count_pair() {
+    cancel_check_();
+    if (++compared_ <= most_pairs_) return;
+    throw InputError(
+        "the boxes of the " + std::to_string(items_.size()) + " triangles overlap in more than " +
+        std::to_string(static_cast<long long>(most_pairs_)) +
+        " pairs, which would all be compared for intersections; remove repeated faces by `lapwing "
+        "check MESH --fix OUT`, split off fans of very many triangles, or set " +
+        kMostPairs.variable + " to a larger number");
   }
 
   // Turns both triangles so that the corners they share come first; returns their number.
@@ -225,6 +243,9 @@ class Finder {
   std::vector<Box> boxes_;  // per triangle
   std::vector<Node> nodes_;
   std::vector<std::array<Index, 2>> pairs_;
+  double most_pairs_ = 0.0;
+  double compared_ = 0.0;
+  CancelCheck cancel_check_;
 };
 
 }  // namespace

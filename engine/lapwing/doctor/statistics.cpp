@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/doctor/orientation.h"
 #include "lapwing/mesh/edges.h"
 #include "lapwing/mesh/fans.h"
@@ -36,7 +37,9 @@ long count_used_vertices(const Mesh& mesh, const Fans& fans) {
 long count_used_faces(const Topology& topology) {
   // Triangles come in the order of their faces.
   long count = 0;
+  CancelCheck cancel_check;
   for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+    cancel_check();
     if (t == 0 || topology.triangle_faces[t] != topology.triangle_faces[t - 1]) ++count;
   }
   return count;

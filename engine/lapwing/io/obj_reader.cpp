@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/io/formats.h"
 #include "lapwing/io/reading.h"
 #include "lapwing/io/text_scanner.h"
@@ -40,7 +41,9 @@ class ObjReader {
   explicit ObjReader(SourceFile& file) : file_(file), scan_(scan_text(file, '#')) {}
 
   Mesh read() {
+    CancelCheck cancel_check;
     while (!scan_.at_end()) {
+      cancel_check();
       read_statement();
       scan_.next_line();
     }

@@ -1,6 +1,7 @@
 #include <array>
 #include <cctype>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/io/formats.h"
 #include "lapwing/io/reading.h"
 #include "lapwing/io/text_scanner.h"
@@ -23,8 +24,15 @@ class OffReader {
     skip_space();
     if (!starts_with_counts()) read_header_word();
     read_counts();
-    for (std::size_t v = 0; v < vertex_count_; ++v) read_vertex();
-    for (std::size_t f = 0; f < face_count_; ++f) read_face();
+    CancelCheck cancel_check;
+    for (std::size_t v = 0; v < vertex_count_; ++v) {
+      cancel_check();
+      read_vertex();
+    }
+    for (std::size_t f = 0; f < face_count_; ++f) {
+      cancel_check();
+      read_face();
+    }
     finish();
     return std::move(mesh_);
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/io/formats.h"
 #include "lapwing/io/ply_columns.h"
 #include "lapwing/io/ply_cursor.h"
@@ -71,7 +72,9 @@ class PlyReader {
       file_.positions.offsets.resize(3 * file_.positions.count);
       file_.normals.offsets.resize(3 * file_.normals.count);
     }
+    CancelCheck cancel_check;
     for (std::size_t v = 0; v < element.count; ++v) {
+      cancel_check();
       cursor_.begin_record();
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
         if (element.properties[p].count_type) {
@@ -103,7 +106,9 @@ class PlyReader {
     polygons_.starts.reserve(element.count + 1);
     polygons_.vertices.reserve(3 * element.count);
     std::vector<double> coordinates;
+    CancelCheck cancel_check;
     for (std::size_t f = 0; f < element.count; ++f) {
+      cancel_check();
       cursor_.begin_record();
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
         const PlyProperty& property = element.properties[p];

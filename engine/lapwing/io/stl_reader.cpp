@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/io/binary_numbers.h"
 #include "lapwing/io/formats.h"
 #include "lapwing/io/reading.h"
@@ -43,7 +44,9 @@ class AsciiStlReader {
   Mesh read() {
     for (scan_.skip_space(); !scan_.at_end(); scan_.skip_space()) read_solid();
     attributes_.corner_normals.reserve(mesh_.face_vertices().size());
+    CancelCheck cancel_check;
     for (Index f = 0; f < mesh_.face_count(); ++f) {
+      cancel_check();
       attributes_.corner_normals.insert(attributes_.corner_normals.end(), 3, f);
     }
     const bool named = std::any_of(attributes_.groups.begin(), attributes_.groups.end(),
@@ -164,7 +167,9 @@ Mesh read_binary(SourceFile& file) {
   faces.starts.reserve(count + 1);
   ExtraAttribute words{"attribute", "ushort", 1, std::vector<double>(count)};
   bool any_word = false;
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < count; ++f) {
+    cancel_check();
     attributes.normals.push_back(file.read_triple(file.normals, f));
     for (std::size_t corner = 0; corner < 3; ++corner) {
       faces.vertices.push_back(welder.vertex_at(file.read_triple(file.positions, 3 * f + corner)));

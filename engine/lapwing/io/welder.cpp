@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
@@ -46,7 +48,9 @@ void Welder::reserve(std::size_t count) {
 
 void Welder::resize_table(std::size_t size) {
   slots_.assign(size, kNoIndex);
+  CancelCheck cancel_check;
   for (std::size_t v = 0; v < positions_.size(); ++v) {
+    cancel_check();
     if (!positions_[v].hasNaN()) slots_[find_slot(positions_[v])] = static_cast<Index>(v);
   }
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 
 using Eigen::Vector3d;
@@ -14,7 +16,11 @@ CpuRingRotations::CpuRingRotations(const RegionRings& rings)
       transforms_(rings.row_count(), Eigen::Matrix3d::Identity()),
       residuals_(rings.vertices.size(), Vector4::Zero()) {
   entry_starts_.push_back(0);
-  for (std::size_t batch = 0; batch < rest_.size(); ++batch) pack_batch(batch);
+  CancelCheck cancel_check;
+  for (std::size_t batch = 0; batch < rest_.size(); ++batch) {
+    cancel_check();
+    pack_batch(batch);
+  }
 }
 
 void CpuRingRotations::pack_batch(std::size_t batch) {

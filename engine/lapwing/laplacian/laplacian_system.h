@@ -62,6 +62,8 @@ class LaplacianSystem {
   const std::vector<int>& elimination_order() const { return pattern_.order(); }
   const Constraints& constraints() const { return constraints_; }
   std::string_view solver_name() const { return factor_.solver().name(); }
+  /// Memory of the factorization, known once analyzed.
+  std::size_t factor_bytes() const { return factor_.solver().statistics().peak_bytes; }
   std::size_t size() const { return constraints_.unknowns.size(); }
 
   /// b = W d - (L'Om L + K) d', d what `wanted` (one vector for each vertex of the mesh) says for

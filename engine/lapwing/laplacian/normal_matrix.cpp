@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/laplacian/rsi_system.h"
 
@@ -37,7 +38,9 @@ void NormalPattern::find_entries(const BlockRows& M, const Unknowns& unknowns) {
   for (std::size_t u = 0; u < unknowns.size(); ++u) entry_starts_[u + 1] += entry_starts_[u];
   entries_.resize(entry_starts_.back());
   std::vector<std::size_t> next(entry_starts_.begin(), entry_starts_.end() - 1);
+  CancelCheck cancel_check;
   for (std::size_t row = 0; row < M.size(); ++row) {
+    cancel_check();
     for (std::size_t b = M.starts[row]; b < M.starts[row + 1]; ++b) {
       const Index u = unknown_of_block_[b];
       if (u != kNoIndex) entries_[next[u]++] = {static_cast<Index>(row), b};
@@ -53,6 +56,7 @@ void NormalPattern::find_blocks(const BlockRows& M) {
   parallel_for(task_count, 1, [&](std::size_t begin, std::size_t end) {
     std::vector<Index> seen(n, kNoIndex);
     for (std::size_t task = begin; task < end; ++task) {
+      check_cancelled();
       std::vector<Index>& rows = found[task];
       for (std::size_t c = task * kColumnsPerTask; c < std::min(n, (task + 1) * kColumnsPerTask);
            ++c) {
@@ -91,7 +95,9 @@ void NormalPattern::add_products(const BlockRows& M, BlockMatrix& N,
   parallel_for(n, kColumnsPerTask, [&](std::size_t begin, std::size_t end) {
     // Where in the column at hand each row lies. Only entries of that column are read.
     std::vector<std::size_t> place(n);
+    CancelCheck cancel_check;
     for (std::size_t c = begin; c < end; ++c) {
+      cancel_check();
       for (std::size_t e = blocks_.starts[c]; e < blocks_.starts[c + 1]; ++e) {
         place[blocks_.rows[e]] = e;
       }

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
@@ -29,7 +31,9 @@ std::vector<Index> first_at_same_position(std::span<const Eigen::Vector3d> posit
   const std::size_t slots = std::bit_ceil(2 * positions.size() + 1);
   std::vector<Index> table(slots, kNoIndex);
   std::vector<Index> first(positions.size());
+  CancelCheck cancel_check;
   for (std::size_t v = 0; v < positions.size(); ++v) {
+    cancel_check();
     first[v] = static_cast<Index>(v);
     if (!positions[v].allFinite()) continue;
     std::size_t slot = hash(positions[v]) & (slots - 1);

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 
 namespace lapwing {
@@ -93,7 +94,9 @@ void replace_faces(Mesh& mesh, const FaceSources& sources) {
 
 void keep_faces(Mesh& mesh, const KeepMask& keep) {
   FaceSources sources;
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     if (!keep[f]) continue;
     sources.faces.push_back(static_cast<Index>(f));
     for (Index c = mesh.face_starts()[f]; c < mesh.face_starts()[f + 1]; ++c) {
@@ -117,7 +120,9 @@ void replace_vertices(Mesh& mesh, std::span<const Index> sources) {
 std::vector<Index> keep_vertices(Mesh& mesh, const KeepMask& keep) {
   validate_attributes(mesh);
   KeepMask keep_face(mesh.face_count());
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     keep_face[f] = std::ranges::all_of(mesh.face(f), [&](Index v) { return keep[v] != 0; });
   }
   keep_faces(mesh, keep_face);

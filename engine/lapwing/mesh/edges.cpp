@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
@@ -52,7 +54,9 @@ Edges build_edges(const Mesh& mesh, const std::vector<unsigned char>& use_face) 
 
   edges.edge_of_side.assign(corner_count, kNoIndex);
   edges.sides.values.reserve(sides.size());
+  CancelCheck cancel_check;
   for (std::size_t low = 0; low < mesh.vertex_count(); ++low) {
+    cancel_check();
     std::sort(sides.begin() + starts[low], sides.begin() + starts[low + 1]);
     for (Index s = starts[low]; s < starts[low + 1]; ++s) {
       if (s == starts[low] || sides[s].high != sides[s - 1].high) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 
 Fans find_fans(const Mesh& mesh, const Edges& edges) {
@@ -25,7 +27,9 @@ Fans find_fans(const Mesh& mesh, const Edges& edges) {
     add_corner(c);
     add_corner(edges.next_corner[c]);
   }
+  CancelCheck cancel_check;
   for (std::size_t v = 0; v < is_bow_tie.size(); ++v) {
+    cancel_check();
     if (is_bow_tie[v]) fans.bow_tie_vertices.push_back(static_cast<Index>(v));
   }
   return fans;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/mesh/coincident.h"
 #include "lapwing/mesh/seams.h"
 
@@ -52,7 +53,9 @@ JoinedSurface joined_surface(const Mesh& mesh) {
     const auto [a, b] = edges.ends[e];
     joined.edges.push_back({joined.leaders[a], joined.leaders[b]});
   }
+  CancelCheck cancel_check;
   for (Index v = 0; v < joined.leaders.size(); ++v) {
+    cancel_check();
     if (joined.is_follower(v)) joined.followers.push_back(v);
   }
   joined.surface = led_mesh(mesh, joined.leaders);

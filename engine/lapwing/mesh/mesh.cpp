@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/topology.h"
 
@@ -60,7 +61,9 @@ Bounds united(const Bounds& a, const Bounds& b) {
 }
 
 void validate_indices(const Mesh& mesh) {
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     for (const Index v : mesh.face(f)) {
       if (v >= mesh.vertex_count()) {
         throw InputError("face " + std::to_string(f) + " names vertex " + std::to_string(v) +

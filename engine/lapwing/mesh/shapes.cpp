@@ -5,12 +5,17 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "lapwing/base/limits.h"
 #include "lapwing/mesh/subdivide.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
+
+void require_room(double triangles) {
+  require_at_most(kMostTriangles, triangles, "the shape would have", "ask for a coarser one");
+}
 
 void add_triangle(Mesh& mesh, Index a, Index b, Index c) {
   const std::array<Index, 3> t{a, b, c};
@@ -46,6 +51,7 @@ class BoxSkin {
 }  // namespace
 
 Mesh grid(Index columns, Index rows) {
+  require_room(2.0 * columns * rows);
   Mesh mesh;
   for (Index r = 0; r <= rows; ++r) {
     for (Index c = 0; c <= columns; ++c) {
@@ -87,6 +93,7 @@ Mesh icosphere(int subdivisions) {
 }
 
 Mesh cylinder(Index around, Index rings, double radius, double height) {
+  require_room(2.0 * around * rings);
   Mesh mesh;
   for (Index r = 0; r < rings; ++r) {
     for (Index a = 0; a < around; ++a) {
@@ -136,6 +143,7 @@ Mesh bumpy_plane(Index cells, Index bumps, double height) {
 }
 
 Mesh bar(Index across, Index along, double width, double length) {
+  require_room(4.0 * across * (across + 2.0 * along));
   Mesh mesh;
   BoxSkin skin(mesh, across, width, length / along);
   const std::array<Index, 3> size{across, across, along};
@@ -171,6 +179,7 @@ Mesh bar(Index across, Index along, double width, double length) {
 }
 
 Mesh torus(Index around, Index across, double radius, double tube_radius) {
+  require_room(2.0 * around * across);
   Mesh mesh;
   for (Index a = 0; a < around; ++a) {
     const double u = 2.0 * std::numbers::pi * a / around;

@@ -7,7 +7,8 @@
 
 namespace lapwing {
 
-/// Generated meshes for tests, benchmarks and the demo. Closed shapes are oriented outward.
+/// Generated meshes for tests, benchmarks and the demo. Closed shapes are oriented outward. All
+/// throw InputError for more than kMostTriangles.
 
 /// (columns + 1) x (rows + 1) vertices on the unit square in z = 0, row by row, cut into triangles
 /// along alternating diagonals; vertex (c, r) is number r * (columns + 1) + c. Normal +z.

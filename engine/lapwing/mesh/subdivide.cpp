@@ -7,7 +7,9 @@
 #include <numbers>
 #include <string>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/mesh/edges.h"
 
 namespace lapwing {
@@ -17,7 +19,9 @@ using Eigen::Vector3d;
 
 void require_triangles(const Mesh& mesh) {
   validate_indices(mesh);
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     const std::size_t corners = mesh.face(f).size();
     if (corners == 3) continue;
     throw InputError("face " + std::to_string(f) + " has " + std::to_string(corners) +
@@ -33,7 +37,9 @@ Mesh split(const Mesh& mesh, const Edges& edges) {
     fine.positions.push_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
   }
   const auto count = static_cast<Index>(mesh.vertex_count());
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     const auto t = mesh.face(f);
     const Index corner = mesh.face_starts()[f];
     std::array<Index, 3> middle{};
@@ -98,13 +104,20 @@ Vector3d edge_point(const Mesh& mesh, const Edges& edges, std::size_t e) {
 
 }  // namespace
 
+void require_subdividable(const Mesh& mesh, int times) {
+  require_at_most(kMostTriangles, static_cast<double>(mesh.face_count()) * std::pow(4.0, times),
+                  "subdividing would make", "subdivide less often or a part of the mesh");
+}
+
 Mesh subdivide(const Mesh& mesh) {
   require_triangles(mesh);
+  require_subdividable(mesh, 1);
   return split(mesh, build_edges(mesh));
 }
 
 Mesh loop_subdivide(const Mesh& mesh) {
   require_triangles(mesh);
+  require_subdividable(mesh, 1);
   const Edges edges = build_edges(mesh);
   Mesh fine = split(mesh, edges);
   std::vector<Surroundings> around(mesh.vertex_count());
@@ -116,7 +129,9 @@ Mesh loop_subdivide(const Mesh& mesh) {
       fine.positions[mesh.vertex_count() + e] = edge_point(mesh, edges, e);
     }
   }
+  CancelCheck cancel_check;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    cancel_check();
     fine.positions[v] = smoothed(mesh.positions[v], around[v]);
   }
   return fine;

@@ -8,6 +8,10 @@ namespace lapwing {
 /// v; the vertex on edge e of `build_edges(mesh)` is number vertex_count() + e. Attributes are
 /// dropped. Both throw InputError on a face that is no triangle.
 
+/// Throws InputError when subdividing so often would make more than kMostTriangles; each of the
+/// two does for its one time.
+void require_subdividable(const Mesh& mesh, int times);
+
 /// New vertices at the midpoints of edges: the same shape.
 Mesh subdivide(const Mesh& mesh);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
@@ -34,7 +36,9 @@ Adjacency rings_by_triangles(const Adjacency& vertex_triangles,
   rings.starts.reserve(n + 1);
   rings.values.reserve(triangles.size() * 3 + n);
   std::vector<Index> ring;
+  CancelCheck cancel_check;
   for (std::size_t i = 0; i < n; ++i) {
+    cancel_check();
     ring.clear();
     for (const Index t : vertex_triangles[i]) {
       for (const Index v : triangles[t]) {
@@ -56,7 +60,9 @@ Topology build_topology(const Mesh& mesh) {
   topology.triangles.reserve(mesh.face_vertices().size());
   topology.triangle_faces.reserve(faces);
   std::vector<Triangle> cut;
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < faces; ++f) {
+    cancel_check();
     cut.clear();
     triangulate_polygon(mesh.face(f), mesh.positions, cut);
     for (const Triangle& t : cut) {
@@ -74,12 +80,14 @@ Components connected_components(const Adjacency& rings) {
   Components components;
   components.of_vertex.assign(rings.row_count(), kNoIndex);
   std::vector<Index> stack;
+  CancelCheck cancel_check;
   for (std::size_t seed = 0; seed < rings.row_count(); ++seed) {
     if (components.of_vertex[seed] != kNoIndex) continue;
     const auto id = static_cast<Index>(components.count++);
     components.of_vertex[seed] = id;
     stack.assign(1, static_cast<Index>(seed));
     while (!stack.empty()) {
+      cancel_check();
       const Index v = stack.back();
       stack.pop_back();
       for (const Index w : rings[v]) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 
 Adjacency sides_by_edge(std::span<const Triangle> triangles, std::size_t vertex_count) {
@@ -23,7 +25,9 @@ Adjacency sides_by_edge(std::span<const Triangle> triangles, std::size_t vertex_
   Adjacency edges;
   edges.starts.reserve(side_count / 2 + 2);
   edges.values.reserve(side_count);
+  CancelCheck cancel_check;
   for (std::size_t v = 0; v < vertex_count; ++v) {
+    cancel_check();
     std::sort(sorted.begin() + starts[v], sorted.begin() + starts[v + 1]);
     for (Index at = starts[v]; at < starts[v + 1]; ++at) {
       if (at > starts[v] && sorted[at] >> 32 != sorted[at - 1] >> 32) edges.starts.push_back(at);

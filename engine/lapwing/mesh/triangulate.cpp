@@ -1,8 +1,9 @@
-#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "lapwing/mesh/ear_clipper.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
@@ -10,11 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-// Twice the signed area of the triangle a, b, c.
-double orient(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 // The polygon in its mean plane, counter-clockwise: Newell's normal is the axis that the polygon
 // turns around, whatever its shape.
@@ -29,7 +25,7 @@ std::vector<Vector2d> project_to_mean_plane(std::span<const Index> polygon,
     normal += a.cross(b);
   }
   std::vector<Vector2d> plane(n, Vector2d::Zero());
-  if (!(normal.norm() > 0.0)) return plane;
+  if (!(normal.norm() > 0.0) || !std::isfinite(normal.norm())) return plane;
   normal.normalize();
   Vector3d u = normal.unitOrthogonal();
   const Vector3d v = normal.cross(u);
@@ -47,22 +43,6 @@ bool fan_is_valid(const std::vector<Vector2d>& plane) {
   return true;
 }
 
-bool is_ear(const std::vector<Vector2d>& plane, const std::vector<std::size_t>& left,
-            std::size_t at) {
-  const std::size_t m = left.size();
-  const std::size_t a = left[(at + m - 1) % m];
-  const std::size_t b = left[at];
-  const std::size_t c = left[(at + 1) % m];
-  if (!(orient(plane[a], plane[b], plane[c]) > 0.0)) return false;
-  return std::none_of(left.begin(), left.end(), [&](std::size_t p) {
-    // A corner at the same point, as where a bridge to a hole comes back, does not block the ear.
-    if (plane[p] == plane[a] || plane[p] == plane[b] || plane[p] == plane[c]) return false;
-    return orient(plane[a], plane[b], plane[p]) >= 0.0 &&
-           orient(plane[b], plane[c], plane[p]) >= 0.0 &&
-           orient(plane[c], plane[a], plane[p]) >= 0.0;
-  });
-}
-
 }  // namespace
 
 void triangulate_polygon(std::span<const Index> polygon, std::span<const Vector3d> positions,
@@ -73,29 +53,16 @@ void triangulate_polygon(std::span<const Index> polygon, std::span<const Vector3
     triangles.push_back({polygon[0], polygon[1], polygon[2]});
     return;
   }
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    triangles.push_back({polygon[a], polygon[b], polygon[c]});
+  };
   const std::vector<Vector2d> plane = project_to_mean_plane(polygon, positions);
-  std::vector<std::size_t> left(n);
-  for (std::size_t i = 0; i < n; ++i) left[i] = i;
-  // Clip ears from the second corner on, so that a convex polygon becomes the fan of its first.
-  const bool clip = !fan_is_valid(plane);
-  while (left.size() > 3) {
-    std::size_t ear = 1;
-    if (clip) {
-      const std::size_t m = left.size();
-      for (std::size_t tried = 0; tried < m; ++tried) {
-        const std::size_t at = (1 + tried) % m;
-        if (is_ear(plane, left, at)) {
-          ear = at;
-          break;
-        }
-      }
-    }
-    const std::size_t m = left.size();
-    triangles.push_back(
-        {polygon[left[(ear + m - 1) % m]], polygon[left[ear]], polygon[left[(ear + 1) % m]]});
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
+  // What clipping would make of a convex polygon, too.
+  if (fan_is_valid(plane)) {
+    for (std::size_t i = 1; i + 1 < n; ++i) add(0, i, i + 1);
+  } else {
+    EarClipper(plane).clip(add);
   }
-  triangles.push_back({polygon[left[0]], polygon[left[1]], polygon[left[2]]});
 }
 
 }  // namespace lapwing

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/parameterize/planar.h"
@@ -178,7 +179,9 @@ struct DomainLocator::Grid {
     cells.values.resize(cells.starts.back());
     std::vector<Index> next(cells.starts.begin(), cells.starts.end() - 1);
     std::size_t k = 0;
+    CancelCheck cancel_check;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
+      cancel_check();
       for (; k < ends[t]; ++k) cells.values[next[reached[k]]++] = static_cast<Index>(t);
     }
   }

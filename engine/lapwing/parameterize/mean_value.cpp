@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseLU>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/parameterize/domain_map.h"
 #include "lapwing/solve/block_solver.h"
@@ -61,7 +62,9 @@ std::vector<Index> inner_vertices(const Patch& patch) {
   for (const Index v : patch.loop) on_loop[v] = 1;
   std::vector<Index> inner;
   inner.reserve(patch.size() - patch.loop.size());
+  CancelCheck cancel_check;
   for (Index v = 0; v < patch.size(); ++v) {
+    cancel_check();
     if (on_loop[v] == 0) inner.push_back(v);
   }
   return inner;
@@ -143,7 +146,8 @@ double refine(const BlockRows& A, std::span<const Index> inner, const Correction
   std::vector<double> step(2 * n);
   std::vector<Vector2d> best = points;
   double least = largest_residual(A, points);
-  for (;;) {
+  for (;;) {  // as often as a number can be halved at most
+    check_cancelled();
     residuals(A, points, step);
     correction(step);
     for (std::size_t k = 0; k < n; ++k) points[inner[k]] += Vector2d(step[k], step[n + k]);

@@ -1,5 +1,6 @@
 #include "lapwing/parameterize/parameterize.h"
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/parameterize/uv_mesh.h"
 
@@ -28,7 +29,9 @@ std::vector<Eigen::Vector2d> uvs_of(const DomainMap& map) {
 
 }  // namespace
 
-Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request) {
+Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request,
+                           const Progress& progress) {
+  const ProgressScope scope(progress);
   const Topology& topology = mesh.topology();
   Parameterized result;
   result.patch =

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lapwing/base/progress.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/parameterize/domain_map.h"
 #include "lapwing/parameterize/stretch.h"
@@ -38,7 +39,9 @@ struct Parameterized {
 
 /// Lays the region of `mesh` into the domain by mean value coordinates. Throws InputError, naming
 /// the region's `where`, for a region that does not fit the mesh or is no disk; naming `where`, for
-/// a pin that is not in the patch; and what `mean_value_map` throws of pins and positions.
-Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request);
+/// a pin that is not in the patch; what `mean_value_map` throws of pins and positions; and
+/// Cancelled.
+Parameterized parameterize(const Mesh& mesh, const ParameterizeRequest& request,
+                           const Progress& progress = {});
 
 }  // namespace lapwing

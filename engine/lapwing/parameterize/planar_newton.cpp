@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/parameterize/planar.h"
 #include "lapwing/solve/ordering.h"
@@ -125,7 +126,11 @@ void PlanarNewton::assemble(std::span<const PointPull> pulls, double stiffness,
   });
   std::fill(hessian_.values.begin(), hessian_.values.end(), 0.0);
   std::fill(gradient_.begin(), gradient_.end(), 0.0);
-  for (std::size_t t = 0; t < parts_.size(); ++t) add_part(triangles_[t], parts_[t]);
+  CancelCheck cancel_check;
+  for (std::size_t t = 0; t < parts_.size(); ++t) {
+    cancel_check();
+    add_part(triangles_[t], parts_[t]);
+  }
   for (const PointPull& pull : pulls) {
     const Index u = unknown_of_vertex_[pull.vertex];
     for (const Index c : {0U, 1U}) {

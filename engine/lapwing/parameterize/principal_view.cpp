@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/laplacian/decompositions.h"
 
 namespace lapwing {
@@ -27,7 +28,9 @@ void PrincipalView::sample_area() {
   constexpr std::array<std::array<double, 2>, 2> kOrbits{
       {{0.445948490915965, 0.223381589678011}, {0.091576213509771, 0.109951743655322}}};
   samples_.reserve(6 * patch_.triangles.size());
+  CancelCheck cancel_check;
   for (const Triangle& t : patch_.triangles) {
+    cancel_check();
     const std::array corners{positions_[t[0]], positions_[t[1]], positions_[t[2]]};
     const double area = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
     area_ += area;
@@ -85,7 +88,9 @@ void PrincipalView::turn(double angle) {
 // Mean of z^power |z|^(2 rounds) over the patch, z = x + i y, in units of the radius.
 std::complex<double> PrincipalView::moment(int power, int rounds) const {
   std::complex<double> sum = 0.0;
+  CancelCheck cancel_check;
   for (const Sample& s : samples_) {
+    cancel_check();
     const Vector2d p = seen(s.position) / radius_;
     const std::complex<double> z(p.x(), p.y());
     sum += s.area / area_ * std::pow(z, power) * std::pow(std::norm(z), rounds);

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
@@ -52,7 +54,9 @@ MapDistortion measure_distortion(std::span<const Triangle> triangles,
   double squared_stretch = 0.0;
   double largest = 0.0;
   double shear = 0.0;
+  CancelCheck cancel_check;
   for (const Triangle& t : triangles) {
+    cancel_check();
     const Measures m = measure(t, positions, points);
     if (!(m.surface_area > 0.0) || !std::isfinite(m.squared_stretch) || !std::isfinite(m.shear)) {
       continue;

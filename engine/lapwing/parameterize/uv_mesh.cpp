@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/mesh/compact.h"
 
 namespace lapwing {
@@ -15,7 +16,9 @@ class Recut {
       : mesh_(mesh), topology_(mesh.topology()), patch_(patch) {
     const Topology& topology = mesh.topology();
     std::size_t triangle = 0;
+    CancelCheck cancel_check;
     for (Index f = 0; f < mesh.face_count(); ++f) {
+      cancel_check();
       const std::size_t first = triangle;
       while (triangle < topology.triangles.size() && topology.triangle_faces[triangle] == f) {
         ++triangle;

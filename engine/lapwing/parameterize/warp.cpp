@@ -96,7 +96,7 @@ std::vector<Vector2d> follow_ways(const WarpedDomain& domain, std::span<const Po
   return best;
 }
 
-// The pull farthest from its target is given up until the others are met.
+// The pull farthest from its target is given up until the others are met: once for each at most.
 std::vector<Vector2d> warp(const WarpedDomain& domain, std::vector<PointPull> pulls,
                            std::span<const Vector2d> start, WarpReport& report) {
   std::unique_ptr<PlanarNewton> newton;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/region/region_components.h"
@@ -61,7 +62,9 @@ VertexSet resolve_border_belt(const BorderBelt& belt, const VertexSet& roi, cons
   VertexSet vertices;
   for (const VertexSet& component : region_components(roi, topology)) {
     double radius = 0.0;
+    CancelCheck cancel_check;
     for (const Index v : component) {
+      cancel_check();
       if (depths[v] < kNoLimit) radius = std::max(radius, depths[v]);
     }
     std::copy_if(component.begin(), component.end(), std::back_inserter(vertices),

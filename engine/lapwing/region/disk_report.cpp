@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/union_find.h"
 #include "lapwing/mesh/fans.h"
 #include "lapwing/mesh/triangle_sides.h"
@@ -22,14 +23,18 @@ class Linker {
             sides, 3 * part.triangles.size(),
             [&](Index c) { return side_start(part.triangles, c); }, next)),
         pieces_(part.triangles.size()) {
+    CancelCheck cancel_check;
     for (std::size_t e = 0; e < sides.row_count(); ++e) {
+      cancel_check();
       for (const Index side : sides[e]) pieces_.unite(sides[e][0] / 3, side / 3);
     }
   }
 
   std::vector<DiskReport::Piece> pieces() {
     std::map<Index, DiskReport::Piece> found;
+    CancelCheck cancel_check;
     for (Index t = 0; t < part_.triangles.size(); ++t) {
+      cancel_check();
       const Index least = *std::min_element(part_.triangles[t].begin(), part_.triangles[t].end());
       DiskReport::Piece& piece =
           found.try_emplace(pieces_.find(t), DiskReport::Piece{0, mesh_number(least)})
@@ -45,7 +50,9 @@ class Linker {
     UnionFind joined = linked_loops(
         sides_, 3 * part_.triangles.size(), [&](Index c) { return fans_.find(c); }, next);
     std::map<Index, DiskReport::Loop> found;
+    CancelCheck cancel_check;
     for (std::size_t e = 0; e < sides_.row_count(); ++e) {
+      cancel_check();
       if (sides_.size(e) != 1) continue;
       const Index vertex = mesh_number(side_start(part_.triangles, sides_[e][0]));
       const Index name = joined.find(fans_.find(sides_[e][0]));
@@ -65,7 +72,9 @@ class Linker {
   VertexSet pinched() {
     std::vector<Index> fan_of(part_.vertices.size(), kNoIndex);
     VertexSet found;
+    CancelCheck cancel_check;
     for (Index c = 0; c < 3 * part_.triangles.size(); ++c) {
+      cancel_check();
       const Index v = side_start(part_.triangles, c);
       if (fan_of[v] == kNoIndex) fan_of[v] = fans_.find(c);
       if (fan_of[v] != fans_.find(c)) found.push_back(mesh_number(v));

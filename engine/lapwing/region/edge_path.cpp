@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 
 namespace lapwing {
@@ -50,7 +51,9 @@ std::vector<Index> shortest_edge_path(const Adjacency& rings,
     queue.emplace(distance, v);
   };
   for (const Index v : starts) offer(v, 0.0, kNoIndex);
+  CancelCheck cancel_check;
   while (!queue.empty()) {
+    cancel_check();
     const auto [distance, v] = queue.top();
     queue.pop();
     if (distance > reached[v].distance) continue;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 
 namespace lapwing {
@@ -17,6 +18,10 @@ using Eigen::Vector3d;
 // A distance counts as better only by more than rounding, or two vertices could lower each other
 // by one bit for ever.
 constexpr double kSmallestGain = 1e-12;
+
+// Of ways to each vertex, far more than any surface has that are each shorter than the one before:
+// what is left to gain then is not worth more.
+constexpr std::size_t kMostOffers = 100;
 
 // A circular front must advance by this share of a straight one. Less means that the edge is too
 // long for the circle's bulge to be trusted: on a thin band of wide triangles it would outweigh the
@@ -88,6 +93,7 @@ class Front {
         max_distance_(max_distance),
         allowed_(allowed),
         distances_(topology.vertex_count(), kNoLimit),
+        offers_left_(kMostOffers * topology.vertex_count()),
         sources_(topology.vertex_count(), kNoIndex) {}
 
   void start_at(Index source) {
@@ -95,7 +101,9 @@ class Front {
   }
 
   std::vector<double> march() {
+    CancelCheck cancel_check;
     while (!queue_.empty()) {
+      cancel_check();
       const auto [distance, v] = queue_.top();
       queue_.pop();
       if (distance > distances_[v]) continue;
@@ -141,7 +149,8 @@ class Front {
   }
 
   void offer(Index v, double distance, Index source) {
-    if (!(distance < distances_[v] * (1.0 - kSmallestGain))) return;
+    if (!(distance < distances_[v] * (1.0 - kSmallestGain)) || offers_left_ == 0) return;
+    --offers_left_;
     distances_[v] = distance;
     sources_[v] = source;
     queue_.emplace(distance, v);
@@ -152,6 +161,7 @@ class Front {
   double max_distance_;
   std::span<const char> allowed_;
   std::vector<double> distances_;
+  std::size_t offers_left_;
   std::vector<Index> sources_;  // the source whose front reached each vertex
   // Pairs compare by distance, then by vertex: equal distances come out in one fixed order.
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;

@@ -5,6 +5,7 @@
 #include <queue>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/union_find.h"
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/region/disk_report.h"
@@ -110,7 +111,9 @@ std::vector<Index> largest_piece(const RegionTriangles& part, const Adjacency& s
   for (Index t = 0; t < sizes.size(); ++t) ++sizes[pieces.find(t)];
   const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
   std::vector<Index> members;
+  CancelCheck cancel_check;
   for (Index t = 0; t < sizes.size(); ++t) {
+    cancel_check();
     if (pieces.find(t) == static_cast<Index>(largest)) members.push_back(t);
   }
   return members;
@@ -141,7 +144,9 @@ const Triangle* innermost(const RegionTriangles& part, const std::vector<Index>&
                           std::span<const double> rim_distances, const Topology& topology) {
   const Triangle* best = nullptr;
   double farthest = -1.0;
+  CancelCheck cancel_check;
   for (const Index own : candidates) {
+    cancel_check();
     const Triangle& triangle = topology.triangles[part.sources[own]];
     double distance = kNoLimit;
     for (const Index v : triangle) distance = std::min(distance, rim_distances[v]);
@@ -179,7 +184,9 @@ VertexSet largest_disk(const VertexSet& region, const Topology& topology,
     }
   };
   for (const Index v : *seed) offer_ring(v);
+  CancelCheck cancel_check;
   while (!front.empty()) {
+    cancel_check();
     const Index v = front.top().second;
     front.pop();
     if (disk.may_join(v) && disk.join(v)) offer_ring(v);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/mesh/edges.h"
 #include "lapwing/region/edge_path.h"
@@ -59,7 +60,9 @@ class Flood {
 
   void run_from(Index vertex) {
     for (const Index t : topology_.vertex_triangles[vertex]) reach(t);
+    CancelCheck cancel_check;
     while (!stack_.empty()) {
+      cancel_check();
       const Triangle& triangle = topology_.triangles[stack_.back()];
       stack_.pop_back();
       for (std::size_t e = 0; e < 3; ++e) cross(triangle[e], triangle[(e + 1) % 3]);

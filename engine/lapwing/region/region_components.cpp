@@ -2,13 +2,17 @@
 
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 
 std::vector<VertexSet> region_components(const VertexSet& region, const Topology& topology) {
   // A vertex's mark is taken away when it is put into a component.
   std::vector<char> unvisited = vertex_mask(topology.vertex_count(), region);
   std::vector<VertexSet> components;
+  CancelCheck cancel_check;
   for (const Index seed : region) {
+    cancel_check();
     if (!unvisited[seed] || topology.rings.size(seed) == 0) continue;
     VertexSet component{seed};
     unvisited[seed] = 0;

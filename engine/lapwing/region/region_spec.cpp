@@ -4,6 +4,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/region/geodesic.h"
 #include "lapwing/region/largest_disk.h"
@@ -38,7 +39,9 @@ Index nearest_vertex_with_ring(const Vector3d& point, const Mesh& mesh, const st
   const Adjacency& rings = mesh.topology().rings;
   Index nearest = kNoIndex;
   double least = std::numeric_limits<double>::infinity();
+  CancelCheck cancel_check;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    cancel_check();
     if (rings.size(v) == 0) continue;
     const double squared = (mesh.positions[v] - point).squaredNorm();
     if (squared < least) {
@@ -90,7 +93,9 @@ struct Resolver {
 
   VertexSet operator()(const Box& box) const {
     VertexSet vertices;
+    CancelCheck cancel_check;
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      cancel_check();
       const Vector3d& p = mesh.positions[v];
       if ((p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all()) {
         vertices.push_back(v);

@@ -1,12 +1,16 @@
 #include "lapwing/region/region_triangles.h"
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 
 RegionTriangles region_triangles(const VertexSet& region, const Topology& topology) {
   RegionTriangles part;
   std::vector<char> within = vertex_mask(topology.vertex_count(), region);
   std::vector<Triangle> whole;
+  CancelCheck cancel_check;
   for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+    cancel_check();
     const auto& [a, b, c] = topology.triangles[t];
     if (within[a] == 0 || within[b] == 0 || within[c] == 0) continue;
     part.sources.push_back(static_cast<Index>(t));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing {
 namespace {
 
@@ -12,7 +14,9 @@ std::vector<Index> triangles_at(const VertexSet& region, const Topology& topolog
     const auto around = topology.vertex_triangles[v];
     triangles.insert(triangles.end(), around.begin(), around.end());
   }
+  check_cancelled();
   std::sort(triangles.begin(), triangles.end());
+  check_cancelled();
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return triangles;
 }
@@ -25,7 +29,9 @@ Submesh submesh_around(const VertexSet& region, const Topology& topology) {
   const std::vector<Index> own_number = places_in(part.vertices, topology.vertex_count());
   for (const Index v : region) part.region.push_back(own_number[v]);
 
+  CancelCheck cancel_check;
   for (const Index t : triangles_at(region, topology)) {
+    cancel_check();
     const auto& [a, b, c] = topology.triangles[t];
     part.topology.triangles.push_back({own_number[a], own_number[b], own_number[c]});
     part.topology.triangle_faces.push_back(topology.triangle_faces[t]);

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/closest/closest_point.h"
 #include "lapwing/mesh/topology.h"
@@ -93,7 +94,9 @@ class Binding {
   void make_surface(std::size_t row) {
     const std::vector<Triangle>& triangles = mesh_.topology().triangles;
     Adjacency group;
+    CancelCheck cancel_check;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
+      cancel_check();
       const bool inside = std::all_of(triangles[t].begin(), triangles[t].end(),
                                       [&](Index v) { return in_roi_[v] != 0; });
       if (inside) group.values.push_back(static_cast<Index>(t));

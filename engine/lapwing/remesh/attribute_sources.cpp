@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
 
 namespace lapwing::remeshing {
@@ -23,7 +24,9 @@ class SourceFinder {
     sources_.vertices.resize(net_.vertex_count());
     sources_.sectors_of_corners.assign(net_.halfedge_count(), kNoIndex);
     find_free_points();
+    CancelCheck cancel_check;
     for (Index v = 0; v < net_.vertex_count(); ++v) {
+      cancel_check();
       if (!net_.has_vertex(v)) continue;
       if (patch_.kinds[v] == VertexKind::free) add_free(v);
       if (patch_.kinds[v] == VertexKind::line) add_on_line(v);
@@ -37,7 +40,9 @@ class SourceFinder {
   void find_free_points() {
     free_points_.resize(net_.vertex_count());
     parallel_for(free_points_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      CancelCheck cancel_check;
       for (auto v = static_cast<Index>(begin); v < end; ++v) {
+        cancel_check();
         if (!net_.has_vertex(v) || patch_.kinds[v] != VertexKind::free) continue;
         free_points_[v] = patch_.reference.on_sheet(patch_.sheet_of[net_.outgoing(v) / 3],
                                                     patch_.at(v), patch_.normal_at(v));
@@ -48,7 +53,9 @@ class SourceFinder {
   void find_faces() {
     sources_.faces.assign(net_.triangle_count(), kNoIndex);
     parallel_for(sources_.faces.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      CancelCheck cancel_check;
       for (auto t = static_cast<Index>(begin); t < end; ++t) {
+        cancel_check();
         if (!net_.is_alive(3 * t)) continue;
         const auto [a, b, c] = patch_.triangle(3 * t);
         const TrianglePoint found =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/mesh/compact.h"
 #include "lapwing/remesh/attribute_sources.h"
 
@@ -44,7 +45,9 @@ class Carrier {
     }
     result_.kept = vertex_sources_;
     numbers_.assign(net_.vertex_count(), kNoIndex);
+    CancelCheck cancel_check;
     for (Index v = 0; v < net_.vertex_count(); ++v) {
+      cancel_check();
       if (!net_.has_vertex(v)) continue;
       if (is_bound(v)) {
         numbers_[v] = new_numbers_[original_.mesh_vertices[v]];
@@ -61,7 +64,9 @@ class Carrier {
 
   void carry_faces() {
     FaceSources faces;
+    CancelCheck cancel_check;
     for (Index f = 0; f < mesh_.face_count(); ++f) {
+      cancel_check();
       if (!original_.faces_outside[f]) continue;
       faces.faces.push_back(f);
       for (Index c = mesh_.face_starts()[f]; c < mesh_.face_starts()[f + 1]; ++c) {
@@ -71,6 +76,7 @@ class Carrier {
     }
     first_corner_ = faces.corners.size();
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      cancel_check();
       if (!net_.is_alive(h)) continue;
       if (h % 3 == 0) faces.faces.push_back(sources_.faces[h / 3]);
       faces.corners.push_back(nearest_corner(sources_.sectors[sources_.sectors_of_corners[h]]));
@@ -89,7 +95,9 @@ class Carrier {
     replace_vertices(result_.mesh, vertex_sources_);
     MeshAttributes& a = result_.mesh.edit_attributes();
     const MeshAttributes& old = mesh_.attributes();
+    CancelCheck cancel_check;
     for (Index v = 0; v < net_.vertex_count(); ++v) {
+      cancel_check();
       if (!net_.has_vertex(v) || is_bound(v)) continue;
       const Index n = numbers_[v];
       const SurfacePoint& source = sources_.vertices[v];
@@ -154,7 +162,9 @@ class Carrier {
   void carry_list(const std::vector<Index>& old_of_corner, std::vector<Value>& values,
                   std::vector<Index>& of_corner, const Blend& blend) {
     std::vector<Index> of_sector(sources_.sectors.size(), kNoIndex);
+    CancelCheck cancel_check;
     for (std::size_t i = 0; i < corner_halfedges_.size(); ++i) {
+      cancel_check();
       const Index sector = sources_.sectors_of_corners[corner_halfedges_[i]];
       SurfacePoint source = sources_.sectors[sector];
       if (std::ranges::find(source.weights, 1.0) != source.weights.end()) continue;

@@ -2,6 +2,7 @@
 #include <array>
 #include <queue>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/remesh/fold_check.h"
 #include "lapwing/remesh/passes.h"
 
@@ -25,10 +26,13 @@ class Collapser {
   explicit Collapser(WorkingPatch& patch) : patch_(patch), net_(patch.net) {}
 
   void run() {
+    CancelCheck cancel_check;
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      cancel_check();
       if (net_.is_alive(h)) consider(h);
     }
     while (!waiting_.empty()) {
+      cancel_check();
       const auto [length, h] = waiting_.top();
       waiting_.pop();
       if (!net_.is_alive(h) || net_.twin(h) == kNoIndex) continue;

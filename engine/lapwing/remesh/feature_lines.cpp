@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing::remeshing {
 namespace {
 
@@ -99,7 +101,9 @@ class LineFinder {
     if (mesh_.attributes().corner_normals.empty()) return;
     std::vector<Index> seams;
     std::size_t inner_edges = 0;
+    CancelCheck cancel_check;
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      cancel_check();
       const Index k = net_.twin(h);
       if (k == kNoIndex || k < h) continue;
       ++inner_edges;
@@ -119,7 +123,9 @@ class LineFinder {
     const double cosine = std::cos(angle_degrees * std::numbers::pi / 180.0);
     const std::vector<Facing> facings = triangle_normals();
     is_line_.assign(net_.halfedge_count(), 0);
+    CancelCheck cancel_check;
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      cancel_check();
       const Index k = net_.twin(h);
       if (k == kNoIndex || k < h) continue;
       const Index f = patch_.faces[h / 3];
@@ -134,7 +140,9 @@ class LineFinder {
 
   void collect_degrees() {
     degrees_.assign(net_.vertex_count(), 0);
+    CancelCheck cancel_check;
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      cancel_check();
       if (is_line_[h]) ++degrees_[net_.origin(h)];
     }
   }
@@ -154,7 +162,7 @@ class LineFinder {
   Vector3d point_along(Index v, Index h, double reach) const {
     double gone = 0.0;
     Index end = net_.target(h);
-    for (;;) {
+    for (;;) {  // a line that nothing ends comes back to `v`
       gone += (patch_.positions[end] - patch_.positions[net_.origin(h)]).norm();
       if (gone >= reach || end == v || !passes(end)) return patch_.positions[end];
       h = other_way(end, net_.twin(h));
@@ -177,7 +185,9 @@ class LineFinder {
 
   void fix_corners() {
     std::vector<Index> corners;
+    CancelCheck cancel_check;
     for (Index v = 0; v < net_.vertex_count(); ++v) {
+      cancel_check();
       if (degrees_[v] == 0 || patch_.kinds[v] == VertexKind::fixed) continue;
       if (degrees_[v] != 2 || turns_at(v)) corners.push_back(v);
     }
@@ -213,7 +223,9 @@ class LineFinder {
 
   void number_border() {
     auto side = static_cast<Index>(2 * patch_.lines.row_count());
+    CancelCheck cancel_check;
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      cancel_check();
       if (net_.twin(h) != kNoIndex) continue;
       net_.set_side(h, side);
       side += 2;
@@ -223,7 +235,9 @@ class LineFinder {
   void collect_sheets() {
     patch_.sheet_of.assign(patch_.triangles.size(), kNoIndex);
     std::vector<Index> stack;
+    CancelCheck cancel_check;
     for (Index seed = 0; seed < patch_.triangles.size(); ++seed) {
+      cancel_check();
       if (patch_.sheet_of[seed] != kNoIndex) continue;
       const auto sheet = static_cast<Index>(patch_.sheets.row_count());
       patch_.sheet_of[seed] = sheet;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/remesh/fold_check.h"
 #include "lapwing/remesh/passes.h"
 
@@ -57,7 +58,9 @@ class Flipper {
   void run(const IsBetter& is_better) {
     for (int round = 0; round < kMostRounds; ++round) {
       bool flipped = false;
+      CancelCheck cancel_check;
       for (Index h = 0; h < net_.halfedge_count(); ++h) {
+        cancel_check();
         if (!net_.is_alive(h) || net_.twin(h) == kNoIndex || net_.twin(h) < h) continue;
         if (net_.on_line(h)) continue;
         const Quad quad(patch_, h);
@@ -72,7 +75,9 @@ class Flipper {
 
   void count_valences() {
     surplus_.assign(net_.vertex_count(), 0);
+    CancelCheck cancel_check;
     for (Index v = 0; v < net_.vertex_count(); ++v) {
+      cancel_check();
       if (net_.has_vertex(v)) surplus_[v] = net_.valence(v) - wanted_valence(v);
     }
   }

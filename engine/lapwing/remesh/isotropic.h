@@ -30,6 +30,11 @@ struct RemeshResult {
   std::string note;  ///< what could not be done, for a person; empty mostly
 };
 
+/// About how many triangles with edges of `length` remeshing makes of one with these corners:
+/// equilateral ones that would fill it, and along the sides of a thin one.
+double expected_triangles(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                          const Eigen::Vector3d& c, double length);
+
 /// Local isotropic remeshing: the triangles of `mesh` whose three corners are in `region` are
 /// replaced by nearly equilateral ones with edges of about `target_length(point)`, on the same
 /// surface; polygons of the patch are triangulated. Everything outside and the border of the patch
@@ -41,8 +46,8 @@ struct RemeshResult {
 /// features; so are edges where stored normals differ, unless most do. A line whose own edges are
 /// shorter than the target may be straightened, by about a tenth of it at most. Deterministic.
 /// Throws InputError, naming vertices, when the patch is not manifold or not finite or the length
-/// is not positive, or so small that it would make more than 20 million faces; Cancelled when
-/// `progress` says so.
+/// is not positive, or so small that it would make more than kMostTriangles; SolverError when there
+/// is not the memory for them; Cancelled when `progress` says so.
 RemeshResult remesh_isotropic(const Mesh& mesh, const VertexSet& region,
                               const std::function<double(const Eigen::Vector3d&)>& target_length,
                               const RemeshOptions& options = {}, const Progress& progress = {});

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 
 namespace lapwing::remeshing {
@@ -21,7 +22,9 @@ class PatchCutter {
  public:
   PatchCutter(const Mesh& mesh, const VertexSet& region) : mesh_(mesh) {
     choose_faces(vertex_mask(mesh.vertex_count(), region));
+    CancelCheck cancel_check;
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      cancel_check();
       if (!patch_.faces_outside[f]) cut_face(f);
     }
     require_finite();
@@ -38,7 +41,9 @@ class PatchCutter {
  private:
   void choose_faces(const std::vector<char>& inside) {
     patch_.faces_outside.assign(mesh_.face_count(), 1);
+    CancelCheck cancel_check;
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      cancel_check();
       const auto face = mesh_.face(f);
       patch_.faces_outside[f] =
           face.empty() || !std::ranges::all_of(face, [&](Index v) { return inside[v] != 0; });
@@ -80,13 +85,16 @@ class PatchCutter {
   std::vector<Side> collect_sides() {
     std::vector<Side> sides;
     used_.assign(mesh_.vertex_count(), 0);
+    CancelCheck cancel_check;
     for (Index h = 0; h < 3 * patch_.triangles.size(); ++h) {
+      cancel_check();
       const Triangle& t = patch_.triangles[h / 3];
       const auto [low, high] = std::minmax(t[h % 3], t[(h + 1) % 3]);
       sides.push_back({{low, high}, h});
       used_[low] = used_[high] = 1;
     }
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      cancel_check();
       if (!patch_.faces_outside[f]) continue;
       const auto face = mesh_.face(f);
       for (std::size_t i = 0; i < face.size(); ++i) {
@@ -95,14 +103,18 @@ class PatchCutter {
         if (low != high && used_[low] && used_[high]) sides.push_back({{low, high}, kNoIndex});
       }
     }
+    check_cancelled();
     std::ranges::sort(sides);
+    check_cancelled();
     return sides;
   }
 
   std::vector<Index> glue() {
     const std::vector<Side> sides = collect_sides();
     std::vector<Index> twins(3 * patch_.triangles.size(), kNoIndex);
+    CancelCheck cancel_check;
     for (auto first = sides.begin(); first != sides.end();) {
+      cancel_check();
       const auto last =
           std::find_if(first, sides.end(), [&](const Side& s) { return s.ends != first->ends; });
       if ((last - 1)->halfedge == kNoIndex) {
@@ -137,7 +149,9 @@ class PatchCutter {
     std::vector<Index> newest(mesh_.vertex_count(), kNoIndex);
     std::vector<char> closed(mesh_.vertex_count(), 0);
     std::vector<Index> own(twins.size(), kNoIndex);
+    CancelCheck cancel_check;
     for (Index h = 0; h < twins.size(); ++h) {
+      cancel_check();
       if (own[h] != kNoIndex) continue;
       const Index v = start(h);
       const auto fan = static_cast<Index>(patch_.mesh_vertices.size());

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/mesh/edges.h"
 
 namespace lapwing {
@@ -30,7 +31,9 @@ RegionQuality region_quality(const Mesh& mesh, const VertexSet& region) {
   std::vector<char> is_used(mesh.vertex_count(), 0);
   std::vector<unsigned char> use_face(mesh.face_count(), 0);
   double smallest = 180.0;
+  CancelCheck cancel_check;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    cancel_check();
     const auto face = mesh.face(f);
     use_face[f] = std::ranges::all_of(face, [&](Index v) { return inside[v] != 0; });
     if (!use_face[f]) continue;

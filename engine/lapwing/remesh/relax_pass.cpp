@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/remesh/fold_check.h"
 #include "lapwing/remesh/passes.h"
@@ -80,13 +81,17 @@ void relax(WorkingPatch& patch) {
   std::vector<Vector3d> normals(places.size());
   constexpr std::size_t kGrain = 256;
   parallel_for(places.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    CancelCheck cancel_check;
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
+      cancel_check();
       if (!moves(v)) continue;
       normals[v] = patch.normal_at(v);
       places[v] = relaxed(patch, v, 1.0, normals[v]);
     }
   });
+  CancelCheck cancel_check;
   for (Index v = 0; v < places.size(); ++v) {
+    cancel_check();
     if (!moves(v) || move_to(patch, v, places[v], normals[v])) continue;
     for (const double step : {0.5, 0.0}) {
       if (move_to(patch, v, relaxed(patch, v, step, normals[v]), normals[v])) break;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 
 namespace lapwing {
@@ -22,6 +23,7 @@ double wanted_length(const RemeshRequest& request, const RegionQuality& before) 
 }  // namespace
 
 Remeshed remesh(const Mesh& mesh, const RemeshRequest& request, const Progress& progress) {
+  const ProgressScope scope(progress);
   const VertexSet region = resolve(request.region, mesh);
   Remeshed result;
   result.before = region_quality(mesh, region);

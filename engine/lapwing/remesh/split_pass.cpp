@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/remesh/passes.h"
 
 namespace lapwing::remeshing {
@@ -24,10 +25,13 @@ class Splitter {
   explicit Splitter(WorkingPatch& patch) : patch_(patch), net_(patch.net) {}
 
   bool run(std::size_t most_vertices) {
+    CancelCheck cancel_check;
     for (Index h = 0; h < net_.halfedge_count(); ++h) {
+      cancel_check();
       if (net_.is_alive(h)) consider(h);
     }
     while (!waiting_.empty()) {
+      cancel_check();
       const auto [length, h] = waiting_.top();
       waiting_.pop();
       if (length != patch_.edge_length(h) || !may_split(h, length)) continue;

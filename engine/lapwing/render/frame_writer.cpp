@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/render/video_writer.h"
 
 namespace lapwing {
@@ -68,6 +69,7 @@ void check_frames_name(const fs::path& output) {
 
 std::unique_ptr<FrameWriter> open_frames(const fs::path& output, const FrameSequence& sequence) {
   check_frames_name(output);
+  require_at_most(kMostFrames, sequence.count, "the turntable would be", "ask for fewer pictures");
   if (const auto format = video_format_of(ending_of(output))) {
     return std::make_unique<VideoWriter>(output, *format, sequence);
   }

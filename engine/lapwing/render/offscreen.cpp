@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/gpu/context.h"
 #include "lapwing/gpu/recorder.h"
 
@@ -11,6 +12,8 @@ namespace lapwing {
 
 VkExtent2D checked_extent(const gpu::Context& context, std::uint32_t width, std::uint32_t height) {
   require_graphics(context);
+  require_at_most(kMostPixels, static_cast<double>(width) * height, "the picture would have",
+                  "choose a smaller size");
   const VkPhysicalDeviceLimits& limits = context.limits();
   const std::uint32_t widest = std::min(limits.maxImageDimension2D, limits.maxFramebufferWidth);
   const std::uint32_t highest = std::min(limits.maxImageDimension2D, limits.maxFramebufferHeight);

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/memory_use.h"
 #include "lapwing/base/stage.h"
 #include "lapwing/doctor/check.h"
@@ -105,6 +106,7 @@ void run_next_step(const Recipe& recipe, const MeshShelf& meshes, Kernels& kerne
 
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
                                       const Progress& progress, const RunOptions& options) {
+  const ProgressScope scope(progress);
   auto result = std::make_unique<RunResult>();
   const MeshShelf files;
   const MeshShelf& meshes = options.meshes != nullptr ? *options.meshes : files;
@@ -124,6 +126,7 @@ std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,
 }
 
 void save_result(RunResult& result, const std::filesystem::path& path, const SaveOptions& options) {
+  const Uncancelled whole;  // all of the files, or none
   FileReplacements files;
   save_result(result, path, files, options);
   files.commit();
@@ -131,6 +134,7 @@ void save_result(RunResult& result, const std::filesystem::path& path, const Sav
 
 void save_result(RunResult& result, const std::filesystem::path& path, FileReplacements& files,
                  const SaveOptions& options) {
+  const Uncancelled whole;  // all of the files, or none
   const Stopwatch watch;
   // What cannot be written is known before anything is.
   static_cast<void>(format_of(path));

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/memory_use.h"
 #include "lapwing/session/recipe_run.h"
 
@@ -59,6 +60,7 @@ void Session::run_step_at(Fork& fork, const Recipe& recipe, const Progress& prog
 }
 
 std::unique_ptr<RunResult> Session::run(const Recipe& recipe, const Progress& progress) {
+  const ProgressScope scope(progress);
   find_forks(recipe, progress);
   auto result = std::make_unique<RunResult>();
   static_cast<RunState&>(*result) = forks_.back().after;

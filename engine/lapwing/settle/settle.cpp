@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/settle/lbfgs.h"
@@ -397,6 +398,7 @@ void Settler::begin_drag() {
 // From where `begin` has put the unknowns.
 SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
                               const std::function<bool()>& go_on, const Progress& progress) {
+  const ProgressScope scope(progress);
   State& s = *state_;
   Lbfgs& history = s.history;
   SettleResult result;

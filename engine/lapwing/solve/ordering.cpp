@@ -7,12 +7,23 @@
 #include <amd.h>
 #include <metis.h>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/solve/abandonable.h"
 
 namespace lapwing {
 namespace {
 
+// Fewer blocks are ordered within 0.1 s, and a thread would be a waste.
+constexpr std::size_t kQuickToOrder = 30'000;
+
 static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit indices");
+
+template <typename Order>
+std::vector<int> cancellable(std::size_t nodes, Order order) {
+  if (nodes <= kQuickToOrder) return order();
+  return run_abandonable(std::move(order));
+}
 
 std::vector<int> minimum_degree(const BlockGraph& graph) {
   const int n = static_cast<int>(graph.starts.size()) - 1;
@@ -71,7 +82,9 @@ BlockGraph graph_of_clusters(const BlockGraph& graph, const Clusters& clusters,
   BlockGraph result;
   result.starts.assign(1, 0);
   std::vector<std::size_t> seen_from(clusters.count(), clusters.count());
+  CancelCheck cancel_check;
   for (std::size_t c = 0; c < clusters.count(); ++c) {
+    cancel_check();
     seen_from[c] = c;
     for (const int block : clusters[c]) {
       const auto b = static_cast<std::size_t>(block);
@@ -98,7 +111,10 @@ std::vector<int> clustered_order(const BlockPattern& pattern, std::span<const In
   }
   std::vector<int> order;
   order.reserve(cluster_of.size());
-  for (const int c : nested_dissection(std::move(graph), std::move(weights))) {
+  const auto dissect = [graph = std::move(graph), weights = std::move(weights)] {
+    return nested_dissection(graph, weights);
+  };
+  for (const int c : cancellable(clusters.count(), dissect)) {
     const auto blocks = clusters[static_cast<std::size_t>(c)];
     order.insert(order.end(), blocks.begin(), blocks.end());
   }
@@ -115,7 +131,9 @@ std::vector<int> fill_reducing_order(const BlockPattern& pattern, Ordering order
   }
   const bool amd = ordering == Ordering::minimum_degree ||
                    (ordering == Ordering::automatic && n <= kMinimumDegreeLimit);
-  return amd ? minimum_degree(graph) : nested_dissection(std::move(graph));
+  return cancellable(n, [amd, graph = std::move(graph)] {
+    return amd ? minimum_degree(graph) : nested_dissection(graph);
+  });
 }
 
 }  // namespace lapwing

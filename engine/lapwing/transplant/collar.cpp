@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/union_find.h"
 #include "lapwing/mesh/triangle_sides.h"
@@ -22,9 +23,11 @@ class Parting {
     around_ = triangles_around_vertices(distances.size(), piece);
   }
 
-  // Until the core is one piece, and no vertex touches it twice.
+  // Until the core is one piece, and no vertex touches it twice. Every round but the last takes
+  // triangles from it.
   void clean() {
     do {
+      check_cancelled();
       keep_largest_core();
     } while (release_pinched());
   }

@@ -147,6 +147,11 @@ void require_usable(const LoopFit& fit, const std::string& where) {
   if (!(fit.scale > 0.0) || !std::isfinite(fit.scale)) {
     throw InputError(where + ": the part's scale must be above 0");
   }
+  if (fit.keep_size && fit.scale != 1.0) {
+    throw InputError(where +
+                     ": \"keep_size\" keeps the part as large as it is, and \"scale\" makes "
+                     "it another size; give one of them");
+  }
   if (!std::isfinite(fit.rotate_degrees)) {
     throw InputError(where + ": the part's turn must be a finite number of degrees");
   }

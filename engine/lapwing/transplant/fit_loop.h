@@ -11,7 +11,7 @@ namespace lapwing {
 struct LoopFit {
   double rotate_degrees = 0.0;  ///< about the hole's normal, after the fit; right-handed
   double scale = 1.0;           ///< of the part about the hole's centre, after the fit; above 0
-  bool keep_size = false;       ///< the part is not scaled to the hole
+  bool keep_size = false;       ///< the part is not scaled at all
   bool operator==(const LoopFit&) const = default;
 };
 
@@ -29,7 +29,7 @@ struct LoopFit {
 ///
 /// Throws InputError, naming `where`, for a loop of fewer than 3 points, one that is not finite,
 /// one whose points are on a line, and for a scale that is not above 0 or a turn that is not
-/// finite.
+/// finite, and for both a scale other than 1 and `keep_size`.
 Eigen::Affine3d fit_loop(std::span<const Eigen::Vector3d> part,
                          std::span<const Eigen::Vector3d> host, const LoopFit& fit,
                          const std::string& where);

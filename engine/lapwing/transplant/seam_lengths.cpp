@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/remesh/isotropic.h"
+
 namespace lapwing {
 namespace {
 
@@ -126,6 +128,15 @@ SeamLengths::SeamLengths(std::span<const Vector3d> positions, const Topology& to
 bool SeamLengths::asks_for_remeshing() const {
   if (host_length_ <= 0.0 || part_length_ <= 0.0) return false;
   return std::max(host_length_, part_length_) > kScaleRatio * std::min(host_length_, part_length_);
+}
+
+double SeamLengths::expected_triangles(std::span<const Vector3d> positions) const {
+  double count = 0.0;
+  for (const auto& [a, b, c] : triangles_) {
+    const double length = (lengths_[a] + lengths_[b] + lengths_[c]) / 3.0;
+    count += lapwing::expected_triangles(positions[a], positions[b], positions[c], length);
+  }
+  return count;
 }
 
 double SeamLengths::operator()(const Vector3d& point) const {

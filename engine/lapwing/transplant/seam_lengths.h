@@ -34,6 +34,9 @@ class SeamLengths {
   /// Whether the edges of host and part differ by more than kScaleRatio.
   bool asks_for_remeshing() const;
 
+  /// About how many triangles remeshing the region to these lengths makes.
+  double expected_triangles(std::span<const Eigen::Vector3d> positions) const;
+
   /// The edge length wanted near `point`.
   double operator()(const Eigen::Vector3d& point) const;
 

@@ -9,7 +9,9 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/base/stage.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -193,6 +195,12 @@ void TransplantRun::remesh() {
   const SeamLengths lengths(joined_.geometry, joined_.mesh.topology(), joined_.host_vertices,
                             joined_.depths, width);
   if (even_strip_ && !lengths.asks_for_remeshing()) return;
+  Limit limit = kMostSeamTriangles;
+  limit.most = std::max(limit.most, static_cast<double>(joined_.mesh.topology().triangles.size()));
+  require_at_most(limit, lengths.expected_triangles(joined_.geometry),
+                  request_.where + ": the seam between mesh and part would get about",
+                  "make the part smaller, give \"transition\" a smaller \"width\", or turn "
+                  "\"remesh\" off");
   timed("remesh", [&] {
     // The smooth surface is cut anew, and keeps in mind where it was on the joined one.
     Mesh smooth = joined_.mesh;
@@ -353,6 +361,7 @@ Transplanted TransplantRun::run() {
 Transplanted transplant(const Mesh& host, const Mesh& part, const std::string& part_name,
                         const TransplantRequest& request, Kernels& kernels,
                         const Progress& progress) {
+  const ProgressScope scope(progress);
   return TransplantRun{host, part, part_name, request, kernels, progress}.run();
 }
 

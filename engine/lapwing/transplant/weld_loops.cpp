@@ -4,6 +4,8 @@
 #include <limits>
 #include <numeric>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing::zipping {
 namespace {
 
@@ -114,6 +116,7 @@ std::vector<Pair> weld_loops(Points host, Points part, double share) {
   const std::vector<double> part_reach = reaches(part, share);
   std::vector<Pair> pairs;
   for (Index i = 0; i < host.size(); ++i) {
+    check_cancelled();
     double reach = host_reach[i];
     const Index j = parts.nearest(host[i], reach);
     if (j == kNoIndex || reach > part_reach[j]) continue;
@@ -135,6 +138,7 @@ Pair closest_pair(Points host, Points part) {
   double reach = std::numeric_limits<double>::infinity();
   Pair closest{0, 0};
   for (Index i = 0; i < host.size(); ++i) {
+    check_cancelled();
     double distance = reach;
     const Index j = parts.nearest(host[i], distance);
     if (j == kNoIndex || distance >= reach) continue;

@@ -5,8 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include <Eigen/Geometry>
+
+#include "lapwing/base/cancellation.h"
+#include "lapwing/base/limits.h"
 
 namespace lapwing::zipping {
 namespace {
@@ -101,6 +105,7 @@ class Search {
   // `first` is the step by which a closed strip arrives at its first rung, and at its last.
   ZipPath run(std::optional<Step> first) {
     for (std::size_t i = 0; i <= a_; ++i) {
+      check_cancelled();
       std::swap(row_, row_above_);
       for (std::size_t j = band_.low[i]; j <= band_.high[i]; ++j) {
         if (i == 0 && j == 0) {
@@ -283,8 +288,13 @@ ZipPath shortest_zip(const Gap& gap) {
   thin.ends_welded = gap.ends_welded;
   thin.closed = gap.closed;
   ZipPath path = search(gap, band_around(shortest_zip(thin).steps, host_kept, part_kept));
+  if (!path.steps.empty()) return path;
   // Forbidden rungs may close the band.
-  return path.steps.empty() ? search(gap, full_band(a, b)) : path;
+  require_memory((a + 1) * (b + 1),
+                 "sewing boundary loops of " + std::to_string(a) + " and " + std::to_string(b) +
+                     " edges together",
+                 "remesh around one of them");
+  return search(gap, full_band(a, b));
 }
 
 }  // namespace lapwing::zipping

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <thread>
 
-#include "lapwing/base/progress.h"
+#include "lapwing/base/cancellation.h"
 
 namespace lapwing::python {
 
@@ -24,6 +24,7 @@ class Interruptible {
     };
     try {
       const pybind11::gil_scoped_release unlocked;
+      const ProgressScope scope(progress);  // of operations that take none, too
       return operation(progress);
     } catch (const Cancelled&) {
       if (error_) std::rethrow_exception(error_);

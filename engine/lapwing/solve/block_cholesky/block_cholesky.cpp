@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "lapwing/base/limits.h"
 #include "lapwing/base/worker_pool.h"
 #include "lapwing/solve/block_cholesky/instruction_sets.h"
 #include "lapwing/solve/block_cholesky/numeric.h"
@@ -14,10 +15,6 @@ namespace lapwing {
 namespace {
 
 using namespace cholesky;
-
-std::string megabytes(std::size_t bytes) {
-  return std::to_string(bytes / 1'000'000 + 1) + " MB";
-}
 
 void check_order(std::span<const int> order, std::size_t blocks) {
   std::vector<char> seen(blocks, 0);
@@ -108,8 +105,8 @@ class BlockCholesky::Implementation {
     if (options_.memory_limit_bytes > 0 && statistics_.peak_bytes > options_.memory_limit_bytes) {
       symbolic_.reset();
       throw SolverError("the factorization of " + std::to_string(pattern.size()) +
-                        " blocks needs " + megabytes(statistics_.peak_bytes) +
-                        ", more than the limit of " + megabytes(options_.memory_limit_bytes) +
+                        " blocks needs " + in_megabytes(statistics_.peak_bytes) +
+                        ", more than the limit of " + in_megabytes(options_.memory_limit_bytes) +
                         "; choose a smaller region or raise the limit");
     }
   }
@@ -118,6 +115,7 @@ class BlockCholesky::Implementation {
     check(matrix);
     factored_ = false;
     if (!numeric_) {
+      require_memory_for_factor();
       numeric_ = std::make_unique<Numeric>(*symbolic_, kernels_, pool_);
       solve_ = std::make_unique<TriangularSolve>(*symbolic_, *numeric_, kernels_, pool_);
     }
@@ -164,10 +162,11 @@ class BlockCholesky::Implementation {
         solve_.reset();
         numeric_.reset();
       }
-      throw SolverError(known ? "out of memory: the factorization needs " +
-                                    megabytes(statistics_.peak_bytes) + "; choose a smaller region"
-                              : "out of memory in the symbolic factorization; choose a smaller "
-                                "region");
+      throw SolverError(known
+                            ? "out of memory: the factorization needs " +
+                                  in_megabytes(statistics_.peak_bytes) + "; choose a smaller region"
+                            : "out of memory in the symbolic factorization; choose a smaller "
+                              "region");
     }
   }
 
@@ -178,6 +177,16 @@ class BlockCholesky::Implementation {
     numeric_.reset();
     symbolic_.reset();
     statistics_ = {};
+  }
+
+  // Systems in 3 x 3 blocks are the large ones, and whoever makes one can do without it where it
+  // does not fit: it asks before.
+  void require_memory_for_factor() const {
+    constexpr std::size_t kWorthAsking = 64'000'000;  // less is there, or nothing is
+    const std::size_t bytes = statistics_.peak_bytes - table_bytes(*symbolic_);
+    if (symbolic_->block_size == 3 || bytes < kWorthAsking) return;
+    require_memory(bytes, "the factorization of " + std::to_string(symbolic_->blocks) + " blocks",
+                   "choose a smaller region");
   }
 
   int front_of(Index block) const {

@@ -3,6 +3,8 @@
 #include <numeric>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing::cholesky {
 namespace {
 
@@ -25,7 +27,9 @@ std::vector<int> parents_of(const BlockGraph& graph, const EliminationTree& tree
   const int n = static_cast<int>(tree.order.size());
   std::vector<int> parent(n, -1);
   std::vector<int> ancestor(n, -1);  // shortcut towards the root of the tree built so far
+  CancelCheck check;
   for (int j = 0; j < n; ++j) {
+    check();
     for_each_neighbour(graph, tree, j, [&](int k) {
       while (k != -1 && k < j) {
         const int next = std::exchange(ancestor[k], j);
@@ -102,7 +106,9 @@ std::vector<int> column_counts(const BlockGraph& graph, const EliminationTree& t
   std::vector<int> latest_leaf(n, -1);
   std::vector<int> ancestor(n);
   std::iota(ancestor.begin(), ancestor.end(), 0);
+  CancelCheck check;
   for (int j = 0; j < n; ++j) {
+    check();
     const int parent = tree.parent[j];
     if (parent != -1) --counts[parent];
     for_each_neighbour(graph, tree, j, [&](int i) {

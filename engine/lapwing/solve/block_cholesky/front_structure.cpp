@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing::cholesky {
 namespace {
 
@@ -15,7 +17,9 @@ class StructureBuilder {
     number_blocks();
     size_fronts();
     sort_entries();
+    CancelCheck check;
     for (int f = 0; f < symbolic_.front_count(); ++f) {
+      check();
       find_rows(f);
       place_rows(f);
       place_children(symbolic_.fronts[f]);

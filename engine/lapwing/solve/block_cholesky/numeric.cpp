@@ -7,6 +7,9 @@ namespace lapwing::cholesky {
 namespace {
 
 constexpr double kReportEveryMs = 2.0;
+// Of an update matrix, a multiple of the widest kernels' tile: about 20 ms of one thread's work in
+// the largest fronts of a million unknowns.
+constexpr int kStripsBetweenPolls = 24;
 // Pivot strips that one thread factors while the others compute the rows below the last ones.
 constexpr int kBlockStrips = 6;
 // Strips of a chunk: one tile of the widest kernels.
@@ -106,17 +109,24 @@ void Numeric::run_task(int task, int thread) {
     if (abandoned(f)) return;
     run_front(f, thread);
     flops_done_.fetch_add(symbolic_.fronts[f].flops, std::memory_order_relaxed);
+    if (thread == 0) poll();
   }
 }
 
 void Numeric::run_front(int f, int thread) {
   const Front& front = symbolic_.fronts[f];
   assemble(f, 0, front.strips(), thread);
+  if (thread == 0) poll();
   if (abandoned(f)) return;
   factor_pivots(f, 0, front.pivot_strips);
+  if (thread == 0) poll();
   if (abandoned(f)) return;
   kernels_.solve_rows(view(front), front.pivot_strips, front.strips(), 0, front.pivot_strips);
-  update(f, 0, front.update_strips, thread);
+  for (int first = 0; first < front.update_strips; first += kStripsBetweenPolls) {
+    if (first > 0 && thread == 0) poll();
+    if (abandoned(f)) return;
+    update(f, first, std::min(first + kStripsBetweenPolls, front.update_strips), thread);
+  }
 }
 
 void Numeric::run_top_chunk(int f, int phase, int chunk) {
@@ -265,7 +275,7 @@ void Numeric::node_done(int node) {
 }
 
 void Numeric::poll() {
-  if (!*progress_ || interruption_ || since_report_.elapsed_ms() < kReportEveryMs) return;
+  if (interruption_ || since_report_.elapsed_ms() < kReportEveryMs) return;
   try {
     report_progress(*progress_, "factor", std::min(1.0, flops_done_ / flops_total_));
   } catch (...) {

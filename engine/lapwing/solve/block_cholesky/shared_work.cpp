@@ -2,6 +2,8 @@
 
 #include <thread>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing::cholesky {
 namespace {
 
@@ -22,6 +24,20 @@ void pause() {
 }
 
 }  // namespace
+
+void CancellableWork::poll() {
+  if (is_stopped()) return;
+  try {
+    check_cancelled();
+  } catch (...) {
+    interruption_ = std::current_exception();
+    stopped_ = true;
+  }
+}
+
+void CancellableWork::rethrow() const {
+  if (interruption_) std::rethrow_exception(interruption_);
+}
 
 void SharedWork::run(WorkerPool& pool, NodeWork& work, const std::vector<char>& skipped) {
   skipped_ = skipped;

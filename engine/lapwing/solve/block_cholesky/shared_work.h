@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <vector>
 
 #include "lapwing/base/worker_pool.h"
@@ -22,6 +23,19 @@ class NodeWork {
   virtual void node_done(int /*node*/) {}
   /// Called on the calling thread between chunks and while it waits.
   virtual void poll() {}
+};
+
+/// Work that stops when `check_cancelled` says so: `run_chunk` looks at `is_stopped` now and then,
+/// and whoever ran it calls `rethrow`.
+class CancellableWork : public NodeWork {
+ public:
+  void poll() override;
+  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
+  void rethrow() const;
+
+ private:
+  std::exception_ptr interruption_;
+  std::atomic<bool> stopped_ = false;
 };
 
 /// Runs all nodes of a graph on a pool, each after its predecessors. Threads take chunks where

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing::cholesky {
 namespace {
 
@@ -57,7 +59,9 @@ void merge_children(Merging& nodes, int block_size) {
                       static_cast<double>(block_size) * updates);
   };
   std::vector<int> queue;
+  CancelCheck check;
   for (int q = 0; q < nodes.size(); ++q) {
+    check();
     queue = std::move(nodes.children[q]);
     std::sort(queue.begin(), queue.end(), [&](int a, int b) {
       return nodes.updates[a] != nodes.updates[b] ? nodes.updates[a] > nodes.updates[b] : a < b;

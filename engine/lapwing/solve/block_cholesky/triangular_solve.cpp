@@ -55,7 +55,7 @@ std::size_t most(const Symbolic& symbolic, Padded padded) {
 }  // namespace
 
 // L Y = B, children before parents.
-class TriangularSolve::Forward final : public NodeWork {
+class TriangularSolve::Forward final : public CancellableWork {
  public:
   explicit Forward(const TriangularSolve& solve) : s_(solve) {}
 
@@ -67,6 +67,7 @@ class TriangularSolve::Forward final : public NodeWork {
   }
 
   void run_chunk(int node, int phase, int chunk, int thread) override {
+    if (is_stopped()) return;
     const Front* top = s_.symbolic_.top_front(node);
     if (top == nullptr) {
       const auto& starts = s_.symbolic_.task_starts;
@@ -74,6 +75,8 @@ class TriangularSolve::Forward final : public NodeWork {
         const Front& front = s_.symbolic_.fronts[f];
         pivots(front, thread);
         updates(front, 0, front.update_strips, thread);
+        if (thread == 0) poll();
+        if (is_stopped()) return;
       }
     } else if (phase == 0) {
       pivots(*top, thread);
@@ -128,7 +131,7 @@ class TriangularSolve::Forward final : public NodeWork {
 };
 
 // L' X = Y, parents before children.
-class TriangularSolve::Backward final : public NodeWork {
+class TriangularSolve::Backward final : public CancellableWork {
  public:
   explicit Backward(const TriangularSolve& solve) : s_(solve) {}
 
@@ -141,6 +144,7 @@ class TriangularSolve::Backward final : public NodeWork {
   }
 
   void run_chunk(int node, int phase, int chunk, int thread) override {
+    if (is_stopped()) return;
     const Front* top = s_.symbolic_.top_front(node);
     if (top == nullptr) {
       const auto& starts = s_.symbolic_.task_starts;
@@ -150,6 +154,8 @@ class TriangularSolve::Backward final : public NodeWork {
         gather(front, w);
         updates(front, w, 0, front.pivots);
         pivots(front, thread);
+        if (thread == 0) poll();
+        if (is_stopped()) return;
       }
     } else if (phase == 0) {
       gather(*top, s_.update_rows(*top, thread));
@@ -237,8 +243,10 @@ void TriangularSolve::solve_columns(const Columns& columns) {
   columns_ = columns;
   Forward forward(*this);
   upward_.run(pool_, forward, {});
+  forward.rethrow();
   Backward backward(*this);
   downward_.run(pool_, backward, {});
+  backward.rethrow();
 }
 
 void TriangularSolve::reserve(int width) {
