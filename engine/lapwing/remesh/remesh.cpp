@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/extent.h"
 
 namespace lapwing {
 namespace {
@@ -23,6 +24,7 @@ double wanted_length(const RemeshRequest& request, const RegionQuality& before) 
 
 Remeshed remesh(const Mesh& mesh, const RemeshRequest& request, const Progress& progress) {
   const VertexSet region = resolve(request.region, mesh);
+  require_extent(region, mesh.positions, request.region.where);
   Remeshed result;
   result.before = region_quality(mesh, region);
   const double length = wanted_length(request, result.before);
