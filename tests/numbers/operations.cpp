@@ -104,7 +104,7 @@ Mesh run_parameterize(const Mesh& plain, const Placement& placement) {
   request.region = patch_of(plain);
   const Parameterized laid = parameterize(placement(plain), request);
   Mesh result = with_positions(plain, Positions(plain.vertex_count(), Eigen::Vector3d::Zero()));
-  for (Index own = 0; own < laid.patch.size(); ++own) {
+  for (Index own = 0; own < laid.patch.vertices.size(); ++own) {
     result.positions[laid.patch.vertices[own]].head<2>() = laid.map.points[own];
   }
   return result;
