@@ -13,7 +13,7 @@ class Numbers : public CommandLine {
   Outcome bend(const std::string& flags) const {
     return lapwing(
         "deform tube.obj --roi all --belt box:-1,-1,-1,1,1,0.3 --handle box:-1,-1,2.7,1,1,4 "
-        "--rotate 1,0,0,40 --device cpu --save bent.obj " +
+        "--rotate 1,0,0,20 --device cpu --save bent.obj " +
         flags);
   }
 };
