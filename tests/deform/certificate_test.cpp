@@ -121,6 +121,9 @@ TEST(Certificate, FailsOnWhatIsNotFiniteAndOnALargeResidual) {
   Certificate loose;
   loose.relative_residual = 2.0 * kLargestResidual;
   EXPECT_THROW(require_valid(loose), SolverError);
+  Certificate far;
+  far.handle_error = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(require_valid(far), SolverError);
   EXPECT_NO_THROW(require_valid(Certificate{}));
 }
 

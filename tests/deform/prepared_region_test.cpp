@@ -239,7 +239,7 @@ TEST_F(PreparedTube, FailedPreparationLosesNothing) {
   prepare(edit);
   for (const bool settles : {true, false}) {
     Edit unheld = edit;
-    unheld.options.constraint_weight = 1e-200;
+    unheld.region.handle_weights = {1e200};  // whose square is none
     if (!settles) unheld.options.settle.reset();
     EXPECT_THROW(prepare(unheld), SolverError);
   }

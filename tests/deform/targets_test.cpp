@@ -161,7 +161,7 @@ TEST_F(ATarget, ThatCannotBeIsNamedByItsRow) {
   request_.targets.rows = {{Vector3d(nan, 0.0, 0.0), side()}};
   EXPECT_EQ(error(), "targets: row 0: its point is not finite");
   request_.targets.rows = {{kVertex, side(), 0.0}};
-  EXPECT_THAT(error(), HasSubstr("row 0: expected a weight above 0"));
+  EXPECT_THAT(error(), HasSubstr("row 0: expected a weight from 0.000001 to"));
   request_.targets.rows = {{ends_.belt.front(), side()}};
   EXPECT_THAT(error(), HasSubstr("row 0: vertex 0 belongs to the belt or a handle"));
   request_.roi = {ListedVertices{ends_.belt}, "roi"};

@@ -65,9 +65,23 @@ TEST(LaplacianWeights, ObtuseTrianglesKeepEveryNeighbour) {
   }
 }
 
-TEST(LaplacianWeights, RingWithoutAreaFallsBackToUniform) {
+TEST(LaplacianWeights, OfATriangleWithoutAreaAreThoseOfOneNextToIt) {
   Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  mesh.positions = {{0, 0, 0}, {0.8, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+  mesh.add_face(std::array<Index, 3>{0, 2, 1});
+  mesh.add_face(std::array<Index, 3>{0, 2, 3});
+  const Topology& topology = mesh.topology();
+  const auto flat = laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent);
+  for (const double height : {-1e-16, 1e-16, -1e-9, 1e-9}) {
+    mesh.positions[1].y() = height;
+    const auto next = laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent);
+    for (std::size_t k = 0; k < flat.size(); ++k) EXPECT_NEAR(next[k], flat[k], 1e-8) << height;
+  }
+}
+
+TEST(LaplacianWeights, RingAtOnePlaceFallsBackToUniform) {
+  Mesh mesh;
+  mesh.positions = {{1, 2, 0}, {1, 2, 0}, {1, 2, 0}};
   mesh.add_face(std::array<Index, 3>{0, 1, 2});
   const Topology& topology = mesh.topology();
   for (const double w : laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent)) {

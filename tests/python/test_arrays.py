@@ -119,7 +119,7 @@ BAD = {
     "expected the last row 0 0 0 1": lambda: lapwing.deform(
         SQUARE, TWO, handles=[([0], np.ones((4, 4)))]
     ),
-    "detail_length: expected a number above 0": lambda: lapwing.deform(
+    "detail_length: expected a number from 0.000001 to 1000": lambda: lapwing.deform(
         SQUARE, TWO, detail_length=-1, handles=[([0], np.eye(4))]
     ),
     'weights: expected one of "uniform", "cotangent", got "equal"': lambda: lapwing.peel(

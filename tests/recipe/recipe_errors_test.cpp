@@ -128,7 +128,8 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/weights: unknown weights \"cotan\"; did you mean \"cotangent\"? Known "
                 "here: \"uniform\", \"cotangent\""},
         Mistake{"ZeroWeight", with_option(R"("constraint_weight": 0)"),
-                ": /steps/0/constraint_weight: expected a number above 0, got 0"},
+                ": /steps/0/constraint_weight: expected a number from 0.000001 to 1000000000000, "
+                "got 0"},
         Mistake{"HardAsText", with_option(R"("hard": "yes")"),
                 ": /steps/0/hard: expected true or false, got the text \"yes\""},
         Mistake{"SettleAsText", with_option(R"("settle": "yes")"),
@@ -139,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ": /steps/0/settle/max_iterations: expected a whole number from 1 to 1000000, "
                 "got 1.5"},
         Mistake{"DetailLength", with_option(R"("detail_length": 0)"),
-                ": /steps/0/detail_length: expected a number above 0, got 0"},
+                ": /steps/0/detail_length: expected a number from 0.000001 to 1000, got 0"},
         Mistake{"CommitsOfNothing", with_option(R"("commit_every": 0)"),
                 ": /steps/0/commit_every: expected a number above 0 and at most 180 (past half a "
                 "turn the other way round is shorter), got 0"},
@@ -283,8 +284,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownProfile", with_grading(R"("falloff": {"width": 2, "profile": "step"})"),
                 ": /steps/0/handles/0/falloff/profile: unknown profile \"step\"; Known here: "
                 "\"smooth\", \"linear\""},
-        Mistake{"ZeroWeight", with_grading(R"("weight": 0)"),
-                ": /steps/0/handles/0/weight: expected a number above 0, got 0"},
+        Mistake{
+            "ZeroWeight", with_grading(R"("weight": 0)"),
+            ": /steps/0/handles/0/weight: expected a weight from 0.000001 to 1000000000000, got 0"},
         Mistake{"FieldAboveOne", with_grading(R"("weight": {"field": [0, 1.5]})"),
                 ": /steps/0/handles/0/weight/field/1: expected 0 to 1, how firmly the handle holds "
                 "the vertex"},

@@ -159,7 +159,9 @@ TEST_F(AGradedSheet, ThatCannotBeIsAnErrorWithItsPlace) {
             "handle: painted weights stand in place of a falloff; leave out one of the two");
   for (const double wrong : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
     handles_[0].grading = {.weight = wrong};
-    EXPECT_THAT(error(), HasSubstr("handle: expected a weight above 0, got ")) << wrong;
+    EXPECT_THAT(error(),
+                HasSubstr("handle: expected a weight from 0.000001 to 1000000000000, got "))
+        << wrong;
   }
   for (const double wrong : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
     handles_[0].grading = falloff(wrong);

@@ -15,16 +15,13 @@ using ::testing::IsSupersetOf;
 
 class CertificateWords : public ::testing::Test {
  protected:
-  std::vector<CertificateWarning> warnings() const {
-    return warnings_of(certificate_, topology_, kDiagonal);
-  }
+  std::vector<CertificateWarning> warnings() const { return warnings_of(certificate_, topology_); }
   CertificateWarning only_warning() const {
     const auto all = warnings();
     EXPECT_EQ(all.size(), 1U);
     return all.empty() ? CertificateWarning{} : all.front();
   }
 
-  static constexpr double kDiagonal = 2.0;
   Topology topology_ = build_topology(grid(4, 4));
   Certificate certificate_;
 };
@@ -83,11 +80,12 @@ TEST_F(CertificateWords, EdgeLongerThanThreeTimesNamesItsEnds) {
 }
 
 TEST_F(CertificateWords, HandleIsJudgedByTheSizeOfTheMesh) {
+  certificate_.rest_diagonal = 2.0;
+  certificate_.asked_motion = 1.0;
   certificate_.handle_error = 0.015;
   EXPECT_THAT(warnings(), IsEmpty());
   certificate_.handle_error = 0.05;
   EXPECT_THAT(only_warning().text, HasSubstr("2.5% of the mesh's size"));
-  EXPECT_THAT(warnings_of(certificate_, topology_, 0.0), IsEmpty());
 }
 
 TEST_F(CertificateWords, RegionTooLargeForTheExactSystemSaysWhyAndWhatToDo) {

@@ -32,8 +32,7 @@ void Editor::state_changed(bool by_result) {
   }
   warnings_.clear();
   if (const Certificate* certificate = session_->certificate()) {
-    warnings_ =
-        warnings_of(*certificate, surface_of(now)->topology(), shown_.opened_bounds().diagonal());
+    warnings_ = warnings_of(*certificate, surface_of(now)->topology());
   }
   Positions roi;
   for (const Index v : now.selection.roi.vertices) roi.push_back(now.rest->positions[v]);

@@ -44,9 +44,9 @@ CertificateWarning folded(const Certificate& certificate, const Topology& topolo
           corners_of(certificate.first_flipped_triangles, topology)};
 }
 
-CertificateWarning handle_missed(const Certificate& certificate, double mesh_diagonal) {
+CertificateWarning handle_missed(const Certificate& certificate) {
   return {formatted("The handle misses its place by %.2g%% of the mesh's size.",
-                    100.0 * certificate.handle_error / mesh_diagonal) +
+                    100.0 * certificate.handle_error / certificate.rest_diagonal) +
               " Raise the constraint weight, or hold handles exactly.",
           {}};
 }
@@ -61,13 +61,11 @@ CertificateWarning not_exact(const Certificate& certificate) {
 }  // namespace
 
 std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
-                                            const Topology& topology, double mesh_diagonal) {
+                                            const Topology& topology) {
   std::vector<CertificateWarning> warnings;
   if (!certificate.settled) warnings.push_back(not_settled(certificate));
   if (certificate.flipped_triangles > 0) warnings.push_back(folded(certificate, topology));
-  if (mesh_diagonal > 0.0 && certificate.handle_error > kMostHandleMiss * mesh_diagonal) {
-    warnings.push_back(handle_missed(certificate, mesh_diagonal));
-  }
+  if (misses_handles(certificate)) warnings.push_back(handle_missed(certificate));
   if (certificate.detail_error > kMostDetailLost) {
     warnings.push_back(
         {formatted("%.0f%% of the details are lost. Widen the ROI, or move the handle "

@@ -18,14 +18,10 @@ struct CertificateWarning {
 inline constexpr double kMostRingScale = 2.0;
 /// Above this part of the details lost the difference shows beside the rest shape.
 inline constexpr double kMostDetailLost = 0.25;
-/// A handle that misses its place by more than this part of the mesh's diagonal: about 8 pixels of
-/// a window that shows all of it.
-inline constexpr double kMostHandleMiss = 0.01;
 
-/// What the certificate says that is not as it should be, the gravest first, an edge longer than
-/// lapwing's kLongEdge included; empty when all is well. `mesh_diagonal` is that of the rest
-/// shape's bounds; 0 for none, and then no handle is judged.
+/// What the certificate says that is not as it should be, the gravest first, handles and edges as
+/// lapwing's `warnings_of` judges them; empty when all is well.
 std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
-                                            const Topology& topology, double mesh_diagonal);
+                                            const Topology& topology);
 
 }  // namespace lapwing::viewer

@@ -9,12 +9,14 @@ namespace lapwing {
 enum class InstructionSet {
   automatic,  ///< the best this processor has
   baseline,   ///< what every processor of the target has: SSE2 on x86-64, NEON on 64-bit ARM
-  avx2,       ///< with FMA
-  avx512,     ///< F, DQ, VL
+  avx2,       ///< the same bits as the baseline of x86-64
+  avx512,     ///< F, DQ, VL; rounds otherwise
 };
 std::string_view instruction_set_name(InstructionSet set);
 
-/// Those that this processor and this build have, best first; `baseline` is always the last.
+/// Those that this processor and this build have, best first; `baseline` is always the last. Where
+/// the environment's LAPWING_INSTRUCTION_SET is "baseline", "avx2" or "avx512", what is better than
+/// that is left out: the program then computes as on a processor without. Read once.
 std::vector<InstructionSet> available_instruction_sets();
 
 }  // namespace lapwing

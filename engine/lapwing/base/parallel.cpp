@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
+#include <cstdlib>
 #include <exception>
 #include <mutex>
 #include <sched.h>
+#include <string_view>
 #include <thread>
 
 #include "lapwing/base/cancellation.h"
@@ -12,8 +15,24 @@
 
 namespace lapwing {
 
+namespace {
+
+// 0 where the environment does not say.
+unsigned wanted_threads() {
+  constexpr unsigned kMost = 256;
+  const char* const value = std::getenv("LAPWING_THREADS");
+  const std::string_view text = value != nullptr ? value : "";
+  unsigned wanted = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), wanted);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number && wanted <= kMost ? wanted : 0;
+}
+
+}  // namespace
+
 unsigned thread_count() {
   static const unsigned count = [] {
+    if (const unsigned wanted = wanted_threads(); wanted > 0) return wanted;
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
     if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {

@@ -5,7 +5,8 @@
 
 namespace lapwing {
 
-/// Number of threads `parallel_for` uses: the processors this process may run on.
+/// Number of threads `parallel_for` uses: the processors this process may run on, or what the
+/// environment's LAPWING_THREADS says, from 1 to 256. Read once.
 unsigned thread_count();
 
 /// What `parallel_for` does with a body of known type; callers use that.

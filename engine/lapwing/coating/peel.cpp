@@ -7,6 +7,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/coating/fairing.h"
 #include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/mesh/extent.h"
 
 namespace lapwing {
 
@@ -58,6 +59,7 @@ Peeled peel(const Mesh& mesh, const PeelRequest& request, const Progress& progre
   const Topology& topology = mesh.topology();
   const VertexSet region = resolve(request.region, mesh);
   require_finite(region, mesh.positions, request.region.where);
+  require_extent(region, mesh.positions, request.region.where);
   const Fairing fairing(mesh.positions, topology, region, request.weights);
   Peeled peeled;
   peeled.mesh = mesh;

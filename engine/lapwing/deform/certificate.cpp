@@ -73,6 +73,7 @@ std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_co
 void measure_shape(std::span<const Index> roi, const Topology& topology,
                    std::span<const Vector3d> rest, std::span<const Vector3d> current,
                    Certificate& certificate, std::span<const double> asked) {
+  certificate.rest_diagonal = bounds_of(rest).diagonal();
   for (const Index v : roi) {
     certificate.all_finite = certificate.all_finite && current[v].allFinite();
   }
@@ -127,6 +128,11 @@ void measure_region(const EditRegion& region, const Topology& topology,
   certificate.edge_stretch = edge_stretch(region.roi, topology, rest, current, asked);
 }
 
+bool misses_handles(const Certificate& c) {
+  return c.rest_diagonal > 0.0 && (c.handle_error > kMostHandleMiss * c.rest_diagonal ||
+                                   c.handle_error > kMostHandleLag * c.asked_motion);
+}
+
 std::vector<std::string> warnings_of(const Certificate& c) {
   std::vector<std::string> warnings;
   if (!c.settled) {
@@ -135,6 +141,14 @@ std::vector<std::string> warnings_of(const Certificate& c) {
          << c.settle_last_step
          << " mean edge lengths: raise \"max_iterations\" of \"settle\", or make the motion in "
             "smaller parts";
+    warnings.push_back(text.str());
+  }
+  if (misses_handles(c)) {
+    std::ostringstream text;
+    text << "a handle misses its place by " << c.handle_error << ", "
+         << 100.0 * c.handle_error / c.rest_diagonal << "% of the mesh's diagonal, on a way of "
+         << c.asked_motion
+         << ": raise \"constraint_weight\" or the handle's \"weight\", or hold it with \"hard\"";
     warnings.push_back(text.str());
   }
   if (c.flipped_triangles > 0) {
@@ -158,9 +172,16 @@ std::vector<std::string> warnings_of(const Certificate& c) {
 }
 
 void require_valid(const Certificate& certificate) {
-  if (!certificate.all_finite) {
+  const Certificate& c = certificate;
+  const bool all_measured = std::isfinite(c.handle_error) && std::isfinite(c.target_error) &&
+                            std::isfinite(c.edge_stretch) &&
+                            std::isfinite(c.largest_edge_stretch) &&
+                            std::isfinite(c.largest_scale) && std::isfinite(c.settle_last_step);
+  if (!c.all_finite || !all_measured) {
     throw SolverError(
-        "the result has positions that are not finite, so the mesh was left as it was; run "
+        "the result has positions or distances that are not finite, so the mesh was left as it "
+        "was; "
+        "run "
         "`lapwing check` on it, and see that the handle's motion is finite");
   }
   if (!(certificate.relative_residual <= kLargestResidual)) {

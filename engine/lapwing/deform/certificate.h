@@ -23,6 +23,11 @@ struct Certificate {
   /// Largest distance between where a handle vertex is and where the motion wants it, mesh units.
   /// Not zero with soft constraints: they share the error with the surface.
   double handle_error = 0.0;
+  /// The largest distance that a handle vertex or target was to go, mesh units; of an edit in parts
+  /// the sum.
+  double asked_motion = 0.0;
+  /// Of the bounds of the mesh at rest; 0 where nothing was measured.
+  double rest_diagonal = 0.0;
   /// The largest distance between a target's point and where it is to go, mesh units.
   double target_error = 0.0;
   /// Smallest and largest scale s_i of a ring's best similarity s_i R_i over the region; 1 is no
@@ -65,7 +70,19 @@ inline constexpr std::size_t kListedTriangles = 8;
 /// An edge that became longer than this, times what the handles ask for, is worth a warning.
 inline constexpr double kLongEdge = 3.0;
 
-/// Fills in what can be measured from the shapes alone: scales, rotations, flips, the edge
+/// A handle that misses its place by more than this part of the mesh's diagonal is worth a warning:
+/// about 8 pixels of a window that shows all of it.
+inline constexpr double kMostHandleMiss = 0.01;
+
+/// And so is one that misses it by more than this part of its way, which counts where regions are
+/// small beside their mesh. Soft handles of default weight miss by a hundredth of it, on the
+/// coarsest meshes by a tenth.
+inline constexpr double kMostHandleLag = 0.25;
+
+/// Whether a handle is farther from its place than those two allow.
+bool misses_handles(const Certificate& certificate);
+
+/// Fills in what can be measured from the shapes alone: size, scales, rotations, flips, the edge
 /// stretched most, finiteness. `roi` are the vertices measured; triangles count when they touch it.
 /// `asked` are the scales that the handles ask for, as in `detail_error`. Linear time.
 void measure_shape(std::span<const Index> roi, const Topology& topology,
@@ -80,11 +97,12 @@ void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> asked = {});
 
 /// What whoever gets this surface should know, each with its place and what to do: not settled,
-/// flipped triangles, an edge longer than kLongEdge times its length. Nothing for a good one.
+/// handles that miss their places, flipped triangles, an edge longer than kLongEdge times its
+/// length. Nothing for a good one.
 std::vector<std::string> warnings_of(const Certificate& certificate);
 
-/// Throws SolverError, saying what is wrong and what to try, unless the certificate holds: finite,
-/// and residual at most kLargestResidual.
+/// Throws SolverError, saying what is wrong and what to try, unless the certificate holds:
+/// positions and distances finite, and residual at most kLargestResidual.
 void require_valid(const Certificate& certificate);
 
 }  // namespace lapwing

@@ -14,6 +14,11 @@ namespace lapwing {
 /// more and flips more triangles on the meshes.
 inline constexpr double kDefaultDetailLength = 0.077;
 
+/// What `detail_length` may be. Farther out the two sums of the energy, whose ratio is its square,
+/// are so unlike that double precision does not hold the smaller one beside the larger.
+inline constexpr double kLeastDetailLength = 1e-6;
+inline constexpr double kMostDetailLength = 1e3;
+
 /// The linear system that a drag's response comes from.
 enum class LinearResponse {
   tangent,  ///< the energy to second order at rest, its rotations eliminated
@@ -22,10 +27,11 @@ enum class LinearResponse {
 
 struct DeformOptions {
   LaplacianWeights weights = LaplacianWeights::cotangent;
-  /// As EnergyTerms::detail_length. Positive. Has no effect on the RSI system.
+  /// As EnergyTerms::detail_length, in its range. Has no effect on the RSI system.
   double detail_length = kDefaultDetailLength;
   LinearResponse response = LinearResponse::tangent;
-  /// How strongly handle and belt hold (eq. 5 has 1). Positive. Has no effect on hard constraints.
+  /// How strongly handle and belt hold (eq. 5 has 1), in the range of weights (kMostWeight). Has no
+  /// effect on hard constraints.
   double constraint_weight = 1.0;
   /// Handle and belt vertices go exactly where they should, rather than in the least squares.
   bool hard = false;

@@ -231,11 +231,14 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   for (const auto& handle : edit.region.handles) {
     for (const Index v : handle) {
       certificate.handle_error = std::max(certificate.handle_error, (u[v] - wanted[v]).norm());
+      certificate.asked_motion = std::max(certificate.asked_motion, wanted[v].norm());
     }
   }
   for (const Target& target : edit.region.targets) {
     const double off = (point_of(target, result.positions) - target.position).norm();
     certificate.target_error = std::max(certificate.target_error, off);
+    const double way = (target.position - point_of(target, *edit.rest)).norm();
+    certificate.asked_motion = std::max(certificate.asked_motion, way);
   }
   measure_region(edit.region, edit.topology, s.weights, *edit.rest, result.positions, certificate,
                  scales);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 #include <string>
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/mesh/extent.h"
 
 namespace lapwing {
 namespace {
@@ -20,14 +22,28 @@ using Eigen::Vector3d;
 constexpr std::size_t kBytesToSettle = 3100;
 
 void check(const DeformOptions& options) {
-  if (!(options.detail_length > 0.0) || !std::isfinite(options.detail_length)) {
-    throw InputError("the detail length must be a positive number, not " +
-                     std::to_string(options.detail_length));
+  std::ostringstream text;
+  if (!(options.detail_length >= kLeastDetailLength &&
+        options.detail_length <= kMostDetailLength)) {
+    text << "the detail length must be a number from " << kLeastDetailLength << " to "
+         << kMostDetailLength << ", not " << options.detail_length;
+    throw InputError(text.str());
   }
-  if (!(options.constraint_weight > 0.0) || !std::isfinite(options.constraint_weight)) {
-    throw InputError("the constraint weight must be a positive number, not " +
-                     std::to_string(options.constraint_weight));
+  if (!is_weight(options.constraint_weight)) {
+    text << "the constraint weight must be " << kWeightWords << ", not "
+         << options.constraint_weight;
+    throw InputError(text.str());
   }
+}
+
+double extent_of(const VertexSet& roi, const Topology& topology, std::span<const Vector3d> rest) {
+  std::vector<Index> with_rings;
+  for (const Index v : roi) {
+    const auto ring = topology.rings[v];
+    if (!ring.empty()) with_rings.push_back(v);
+    with_rings.insert(with_rings.end(), ring.begin(), ring.end());
+  }
+  return require_extent(with_rings, rest, "region");
 }
 
 std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unknowns) {
@@ -56,6 +72,7 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
     : topology(prepared.topology()), region(std::move(edit_region)), options(deform_options) {
   check(options);
   const ProgressScope scope(progress);
+  size = extent_of(region.roi, topology, rest_positions);
   Stopwatch watch;
   const auto begin = [&](const char* stage) {
     report_progress(progress, stage, 0.0);
@@ -105,7 +122,9 @@ void EditSystem::check_and_frame() {
 
 void EditSystem::make_springs() {
   std::vector<Spring> made;
-  for (const Target& target : region.targets) {
+  for (std::size_t t = 0; t < region.targets.size(); ++t) {
+    const Target& target = region.targets[t];
+    require_near((target.position - point_of(target, *rest)).norm(), "target", t);
     if (region.hard_targets && target.is_vertex()) continue;
     const double weight = target.weight * options.constraint_weight;
     made.push_back({target.corners, target.shares, target.position - point_of(target, *rest),
@@ -127,18 +146,40 @@ void EditSystem::hold_response(Kernels& kernels, const Progress& progress,
   systems->hold_response(terms(), constraints.W, options, kernels, progress, stages);
 }
 
+// With `number` the place among all handles or targets. What is not a number fails by its
+// certificate.
+void EditSystem::require_near(double distance, const char* what, std::size_t number) const {
+  if (size == 0.0 || !(distance > kFarthestMove * size)) return;
+  std::ostringstream text;
+  text << what << ' ' << number << " is to go by " << distance << ", more than " << kFarthestMove
+       << " times the size of the region, " << size
+       << ": so far out its positions could not hold the surface's shape. Move it less, or move "
+          "the whole mesh";
+  throw InputError(text.str());
+}
+
 void EditSystem::require_motions(std::size_t count) const {
   if (count == frames.size()) return;
   throw InputError("the region has " + std::to_string(frames.size()) + " handles, but " +
                    std::to_string(count) + " motions were given; give one per handle");
 }
 
+void EditSystem::set_parameters(std::size_t handle, const Eigen::Affine3d& motion,
+                                std::span<double> parameters) const {
+  motion_parameters(frames[handle], motion, parameters);
+  const HandleFrame& frame = frames[handle];
+  for (std::size_t k = 0; k < kMotionParameters; ++k) {
+    // Of one vertex the linear part moves nothing.
+    const double share = k % 4 == 3 ? 1.0 : frame.extent / frame.radius;
+    require_near(share * std::abs(parameters[k]), "handle", handle);
+  }
+}
+
 void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
                                 std::span<double> parameters) const {
   require_motions(motions.size());
   for (std::size_t h = 0; h < frames.size(); ++h) {
-    motion_parameters(frames[h], motions[h],
-                      parameters.subspan(h * kMotionParameters, kMotionParameters));
+    set_parameters(h, motions[h], parameters.subspan(h * kMotionParameters, kMotionParameters));
   }
 }
 
@@ -147,8 +188,8 @@ void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
                                 std::span<double> parameters) const {
   require_motions(motions.size());
   for (std::size_t k = 0; k < handles.size(); ++k) {
-    motion_parameters(frames[handles[k]], motions[handles[k]],
-                      parameters.subspan(k * kMotionParameters, kMotionParameters));
+    set_parameters(handles[k], motions[handles[k]],
+                   parameters.subspan(k * kMotionParameters, kMotionParameters));
   }
 }
 

@@ -18,6 +18,10 @@
 
 namespace lapwing {
 
+/// Of the region's size: no handle and no target may be asked to go farther. Positions there are
+/// 2e-9 of that size apart, and the surface between still has a shape.
+inline constexpr double kFarthestMove = 1e7;
+
 /// One edit made ready: what its preview and its exact preparation share. Not changed after
 /// construction, so both may use it from threads of their own; the systems are another matter, see
 /// RegionSystem.
@@ -33,6 +37,7 @@ struct EditSystem {
   EditRegion region;
   DeformOptions options;
   StageTimings timings;
+  double size = 0.0;                ///< of the region with its rings (require_extent)
   std::vector<HandleFrame> frames;  ///< per handle
   Constraints constraints;
   std::shared_ptr<const std::vector<Spring>> springs;  ///< the targets that are not given; or null
@@ -49,7 +54,8 @@ struct EditSystem {
 
   std::size_t column_count() const { return kMotionParameters * region.handles.size(); }
 
-  /// The column_count() parameters of one motion per handle. Throws InputError for another number.
+  /// The column_count() parameters of one motion per handle. Throws InputError for another number,
+  /// and for a motion farther than kFarthestMove.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
   /// Of those of `handles` alone, one after the other.
   void set_parameters(std::span<const Eigen::Affine3d> motions,
@@ -68,6 +74,9 @@ struct EditSystem {
  private:
   SystemTerms terms() const;
   void require_motions(std::size_t count) const;
+  void require_near(double distance, const char* what, std::size_t number) const;
+  void set_parameters(std::size_t handle, const Eigen::Affine3d& motion,
+                      std::span<double> parameters) const;
   void check_and_frame();
   void require_memory_to_settle() const;
   void make_springs();

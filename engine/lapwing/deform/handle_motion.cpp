@@ -17,6 +17,7 @@ HandleFrame handle_frame(std::span<const Index> vertices,
   frame.centroid = origin + sum / static_cast<double>(vertices.size());
   double radius = 0.0;
   for (const Index v : vertices) radius = std::max(radius, (positions[v] - frame.centroid).norm());
+  frame.extent = radius;
   if (radius > 0.0) frame.radius = radius;
   return frame;
 }

@@ -19,6 +19,7 @@ inline constexpr std::size_t kMotionParameters = 12;
 struct HandleFrame {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   double radius = 1.0;
+  double extent = 0.0;  ///< the same, and 0 for one vertex
 };
 HandleFrame handle_frame(std::span<const Index> vertices,
                          std::span<const Eigen::Vector3d> positions);

@@ -16,12 +16,14 @@ void set_uniform(std::span<double> row) {
   std::fill(row.begin(), row.end(), 1.0 / static_cast<double>(row.size()));
 }
 
-// Cotangent of the angle at `apex`, within the limits; not finite for a triangle without area.
+// Cotangent of the angle at `apex`, within the limits, which a triangle without area reaches as one
+// next to it does: rounding decides which of the two it is. Not a number where two corners are at
+// one place.
 double cotangent(const Vector3d& apex, const Vector3d& a, const Vector3d& b) {
   const Vector3d u = a - apex;
   const Vector3d v = b - apex;
   const double c = u.dot(v) / u.cross(v).norm();
-  return std::isfinite(c) ? std::clamp(c, -kLargestCotangent, kLargestCotangent) : c;
+  return std::clamp(c, -kLargestCotangent, kLargestCotangent);
 }
 
 // Adds the cotangents opposite to the edges i-j and i-k of one triangle to row i.
@@ -33,7 +35,7 @@ void add_triangle(const Triangle& t, Index i, std::span<const Vector3d> position
   const auto add = [&](Index end, Index apex) {
     const double c = cotangent(positions[apex], positions[i], positions[end]);
     const auto at = std::lower_bound(ring.begin(), ring.end(), end) - ring.begin();
-    if (std::isfinite(c)) row[static_cast<std::size_t>(at)] += c;
+    if (!std::isnan(c)) row[static_cast<std::size_t>(at)] += c;
   };
   add(j, k);
   add(k, j);

@@ -17,7 +17,7 @@ enum class LaplacianWeights {
 /// empty). Cotangents count up to kLargestCotangent, and weights are made positive: an edge counts
 /// at least kSmallestCotangentShare of its row's mean absolute weight. Without that an obtuse
 /// triangle gives a negative weight, and a row of them can sum to nothing, which takes the row's
-/// diagonal away. Rows with no finite cotangent (all triangles without area) fall back to uniform
+/// diagonal away. Rows without any cotangent (all neighbours at one place) fall back to uniform
 /// weights. Linear time.
 std::vector<double> laplacian_weights(const Topology& topology,
                                       std::span<const Eigen::Vector3d> positions,
@@ -32,9 +32,10 @@ std::vector<double> edge_weights(const Topology& topology,
 /// Small enough to leave ordinary meshes alone, large enough that every neighbour still holds.
 inline constexpr double kSmallestCotangentShare = 0.01;
 
-/// That of an angle of 0.006 degrees: below that rounding decides. Triangles without any area do
-/// not count. Slivers keep their large weights, which hold them together: with a limit at 2 degrees
-/// 17 of 188 edits of real meshes had flipped triangles, with this one 11.
+/// That of an angle of 0.006 degrees: below that rounding decides, so triangles without any area
+/// count by it, too, unless two of their corners are at one place. Slivers keep their large
+/// weights, which hold them together: with a limit at 2 degrees 17 of 188 edits of real meshes had
+/// flipped triangles, with this one 11.
 inline constexpr double kLargestCotangent = 1e4;
 
 /// cot a_ij + cot b_ij per entry of `topology.rings`, as they are: of any sign. Linear time.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/extent.h"
 #include "lapwing/mesh/triangle_sides.h"
 #include "lapwing/patch/halve_chords.h"
 #include "lapwing/region/boundary_loops.h"
@@ -44,6 +45,7 @@ Patch disk_patch(const VertexSet& region, const Topology& topology,
   const DiskReport report = report_disk(part, sides);
   if (!report.is_disk()) fail_as_no_disk(report, region, topology, positions, where);
   require_finite(part.vertices, positions, where);
+  require_extent(part.vertices, positions, where);
   Patch patch;
   patch.vertices = std::move(part.vertices);
   patch.triangles = std::move(part.triangles);

@@ -67,7 +67,9 @@ Grading read_grading(const JsonNode& handle) {
   if (const auto falloff = handle.find("falloff")) grading.falloff = read_falloff(*falloff);
   if (const auto weight = handle.find("weight")) {
     if (!weight->is_object()) {
-      grading.weight = weight->positive_number();
+      const std::optional<double> number = weight->if_number();
+      if (!number || !is_weight(*number)) weight->fail_expecting(std::string(kWeightWords));
+      grading.weight = *number;
       return grading;
     }
     if (grading.falloff) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/extent.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
@@ -116,6 +117,7 @@ EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
   region.roi = resolve(roi, mesh);
   require_members(region.roi, roi.where, "roi");
   require_finite(region.roi, mesh, roi.where);
+  require_extent(region.roi, mesh.positions, roi.where);
   resolve_handles(handles, mesh, region);
   region.belt = resolve_belt(belt, region.roi, region.handles, mesh);
   const bool belt_gives_way = std::holds_alternative<BorderBelt>(belt);

@@ -14,6 +14,7 @@ namespace {
 
 // Two weights that differ by rounding alone.
 constexpr double kSameWeight = 1e-9;
+constexpr double kNearlyAll = 1.0 - 0x1p-53;
 
 // The vertices around `handle` by its falloff, which pass no vertex off `allowed` (a mark per
 // vertex) and hold none of the handle's own.
@@ -26,8 +27,9 @@ std::vector<GradedVertex> falloff_of(const VertexSet& handle, const Transition& 
       geodesic_distances(mesh.topology(), mesh.positions, handle, falloff.width, allowed);
   for (std::size_t v = 0; v < distances.size(); ++v) {
     if (!(distances[v] > 0.0)) continue;
-    const double weight = 1.0 - fade(falloff, distances[v]);
-    if (weight > 0.0 && weight < 1.0) graded.push_back({static_cast<Index>(v), number, weight});
+    // Beside a falloff that is very wide the weight would round to 1, which is the handle's own.
+    const double weight = std::min(1.0 - fade(falloff, distances[v]), kNearlyAll);
+    if (weight > 0.0) graded.push_back({static_cast<Index>(v), number, weight});
   }
   return graded;
 }
@@ -74,8 +76,10 @@ void split_by_field(const VertexSet& region, std::span<const double> field, std:
 }
 
 void require_grading(const Grading& grading, const std::string& where) {
-  if (!(grading.weight > 0.0) || !std::isfinite(grading.weight)) {
-    throw InputError(where + ": expected a weight above 0, got " + std::to_string(grading.weight));
+  if (!is_weight(grading.weight)) {
+    std::ostringstream text;
+    text << where << ": expected " << kWeightWords << ", got " << grading.weight;
+    throw InputError(text.str());
   }
   if (!grading.falloff) return;
   const double width = grading.falloff->width;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lapwing/mesh/mesh.h"
@@ -11,9 +12,22 @@
 
 namespace lapwing {
 
+/// What the weights of belt, handles and targets may be. Squared, a smaller one holds nothing
+/// beside the rounding of the surface's own forces; a larger one holds no firmer, since already
+/// this one leaves nothing of the error.
+inline constexpr double kLeastWeight = 1e-6;
+inline constexpr double kMostWeight = 1e12;
+
+constexpr bool is_weight(double number) {
+  return number >= kLeastWeight && number <= kMostWeight;
+}
+/// The same for messages.
+inline constexpr std::string_view kWeightWords = "a weight from 0.000001 to 1000000000000";
+
 /// How firmly a handle holds its vertices, and those around it.
 struct Grading {
-  double weight = 1.0;  ///< times the constraint weight; above 0; has no effect on hard constraints
+  /// Times the constraint weight, in the range of weights; has no effect on hard constraints.
+  double weight = 1.0;
   /// Beyond the handle's region its weight falls from 1 to 0 over this geodesic distance. Without a
   /// width: nowhere.
   std::optional<Transition> falloff = {};
@@ -37,7 +51,7 @@ struct GradedVertex {
   bool operator==(const GradedVertex&) const = default;
 };
 
-/// Throws InputError, naming `where`: a weight that is not above 0, a falloff of a width below 0, a
+/// Throws InputError, naming `where`: a weight out of its range, a falloff of a width below 0, a
 /// falloff beside a field, numbers that are not finite.
 void require_grading(const Grading& grading, const std::string& where);
 

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <sstream>
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/closest/closest_point.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/region/grading.h"
 
 namespace lapwing {
 namespace {
@@ -30,8 +32,10 @@ class Binding {
     for (std::size_t r = 0; r < spec_.rows.size(); ++r) {
       const TargetRow& row = spec_.rows[r];
       if (!row.position.allFinite()) fail(r, "its position is not finite");
-      if (!(row.weight > 0.0) || !std::isfinite(row.weight)) {
-        fail(r, "expected a weight above 0, got " + std::to_string(row.weight));
+      if (!is_weight(row.weight)) {
+        std::ostringstream text;
+        text << "expected " << kWeightWords << ", got " << row.weight;
+        fail(r, text.str());
       }
       const auto* vertex = std::get_if<Index>(&row.point);
       Target target =

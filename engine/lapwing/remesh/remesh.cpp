@@ -5,6 +5,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/extent.h"
 
 namespace lapwing {
 namespace {
@@ -25,6 +26,7 @@ double wanted_length(const RemeshRequest& request, const RegionQuality& before) 
 Remeshed remesh(const Mesh& mesh, const RemeshRequest& request, const Progress& progress) {
   const ProgressScope scope(progress);
   const VertexSet region = resolve(request.region, mesh);
+  require_extent(region, mesh.positions, request.region.where);
   Remeshed result;
   result.before = region_quality(mesh, region);
   const double length = wanted_length(request, result.before);

@@ -78,7 +78,10 @@ void describe(DeformParameters& parameters, KeyVisitor& visitor) {
                           "and stretches like an elastic sheet. A share of the ROI's radius, the "
                           "root mean square distance of its surface from its centroid"},
                  parameters.detail_length,
-                 {.least = 0.0, .takes_least = false, .slider_from = 0.01, .slider_to = 1.0});
+                 {.least = kLeastDetailLength,
+                  .most = kMostDetailLength,
+                  .slider_from = 0.01,
+                  .slider_to = 1.0});
   visitor.choice({.name = "response",
                   .help = "the linear response that a drag begins with: of the energy, or the "
                           "paper's; with `settle` off, `rsi` is the paper's equation 10"},
@@ -86,7 +89,7 @@ void describe(DeformParameters& parameters, KeyVisitor& visitor) {
                  {{LinearResponse::tangent, "tangent"}, {LinearResponse::rsi, "rsi"}});
   visitor.number({.name = "constraint_weight",
                   .help = "how strongly belt and handles hold, in the least squares"},
-                 parameters.constraint_weight, kAboveZero);
+                 parameters.constraint_weight, kWeight);
   visitor.boolean({.name = "hard", .help = "hold belt and handles exactly"}, parameters.hard);
   visitor.object({.name = "settle",
                   .help = "minimize the energy; off leaves the linear response, which is right for "

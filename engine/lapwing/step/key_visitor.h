@@ -55,6 +55,8 @@ struct Range {
 inline constexpr Range kAnyNumber{};
 inline constexpr Range kAboveZero{.least = 0.0, .takes_least = false};
 inline constexpr Range kFromZero{.least = 0.0};
+/// How strongly something is held.
+inline constexpr Range kWeight{.least = kLeastWeight, .most = kMostWeight};
 /// A length on a mesh, which a slider takes to a quarter of its size.
 inline constexpr Range kLength{.least = 0.0, .slider_to = 0.25, .of_size = true};
 

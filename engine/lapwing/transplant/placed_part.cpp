@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/LU>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/extent.h"
 #include "lapwing/mesh/transform.h"
 #include "lapwing/transplant/loop_curve.h"
 #include "lapwing/transplant/surface_snap.h"
@@ -99,6 +101,9 @@ PlacedPart cut_part(const TransplantRequest& request, const Mesh& source) {
                          " of the part has no finite position; mend it with `lapwing check --fix`",
                      {static_cast<Index>(v)});
   }
+  std::vector<Index> all(part.mesh.vertex_count());
+  std::iota(all.begin(), all.end(), Index{0});
+  require_extent(all, part.mesh.positions, where);
   part.loop = choose_loop(request, part.mesh, where);
   return part;
 }
@@ -140,6 +145,7 @@ Hole cut_hole(const RegionSpec& region, const Mesh& mesh) {
   Hole hole;
   const std::string& where = region.where;
   const VertexSet vertices = resolve(region, mesh);
+  require_extent(vertices, mesh.positions, where);
   hole.rest = cut_away(mesh, vertices, where);
   const std::vector<char> inside = vertex_mask(mesh.vertex_count(), vertices);
   for (std::size_t t = 0; t < topology.triangles.size(); ++t) {

@@ -1,0 +1,30 @@
+#include "lapwing/mesh/extent.h"
+
+#include <optional>
+#include <sstream>
+
+#include "lapwing/base/errors.h"
+
+namespace lapwing {
+
+double require_extent(std::span<const Index> vertices, std::span<const Eigen::Vector3d> positions,
+                      const std::string& where) {
+  std::optional<Bounds> bounds;
+  for (const Index v : vertices) {
+    const Eigen::Vector3d& p = positions[v];
+    if (!p.allFinite()) continue;
+    if (!bounds) bounds = {p, p};
+    bounds->min = bounds->min.cwiseMin(p);
+    bounds->max = bounds->max.cwiseMax(p);
+  }
+  if (!bounds) return 0.0;
+  // Not its diagonal, whose square is no number long before.
+  const double extent = (bounds->max - bounds->min).maxCoeff();
+  if (extent == 0.0 || (extent >= kSmallestExtent && extent <= kLargestExtent)) return extent;
+  std::ostringstream text;
+  text << where << ": its vertices are spread over " << extent << "; sizes from " << kSmallestExtent
+       << " to " << kLargestExtent << " can be computed with; scale the mesh";
+  throw InputError(text.str());
+}
+
+}  // namespace lapwing

@@ -1,0 +1,76 @@
+// One edit on processors with more and with fewer vector instructions and threads.
+#include <cmath>
+
+#include "cli/command_line.h"
+#include "support/largest_distance.h"
+
+namespace lapwing {
+namespace {
+
+// AVX-512 rounds otherwise, and so do sines of a C library that may fuse; settling ends where no
+// vertex would move by a ten-thousandth of an edge: of the diagonal.
+constexpr double kSettled = 1e-5;
+
+class SameBits : public CommandLine {
+ protected:
+  void SetUp() override {
+    write_mesh(rippled_cylinder(40, 81), file("tube.ply"));
+    write_mesh(bumpy_plane(24, 6, 0.03), file("bumps.ply"));
+    write_mesh(icosphere(3), file("ball.ply"));
+    write("bend.json", recipe(kBend));
+    write("all.json", recipe(std::string(kBend) + "," + kCoat + "," + kTransplant));
+  }
+
+  // What a recipe makes in that environment.
+  Mesh made(const std::string& name, const std::string& environment) const {
+    const Outcome run =
+        lapwing("run " + name + " --device cpu --quiet --save out.ply", environment);
+    EXPECT_EQ(run.exit_code, 0) << environment << ": " << run.output;
+    return read_mesh(file("out.ply"));
+  }
+  void expect_same(const std::string& environment, const std::string& other) const {
+    const Mesh a = made("all.json", environment);
+    const Mesh b = made("all.json", other);
+    EXPECT_TRUE(a.positions == b.positions) << environment << ", " << other;
+    EXPECT_TRUE(a.face_vertices() == b.face_vertices()) << environment << ", " << other;
+  }
+
+  static std::string recipe(const std::string& steps) {
+    return R"({"lapwing": 1, "mesh": "tube.ply", "steps": [)" + steps + "]}";
+  }
+  static constexpr const char* kBend = R"({"op": "deform", "roi": {"all": true},
+     "belt": {"box": {"min": [-1, -1, -1], "max": [1, 1, 0.5]}},
+     "handles": [{"region": {"box": {"min": [-1, -1, 5.5], "max": [1, 1, 7]}},
+                  "move": {"rotate": {"axis": [1, 0, 0], "degrees": 70},
+                           "translate": [0.3, 1.5, -1.0]}}]})";
+  static constexpr const char* kCoat = R"({"op": "coat", "source": "bumps.ply",
+     "source_patch": {"all": true}, "target_patch": {"disk": {"center": 1000, "radius": 0.6}},
+     "detail_size": 0.3})";
+  static constexpr const char* kTransplant = R"({"op": "transplant", "part": {"mesh": "ball.ply",
+       "region": {"box": {"min": [-2, -2, 0], "max": [2, 2, 2]}}},
+     "target_region": {"disk": {"center": 1900, "radius": 0.3}}})";
+};
+
+TEST_F(SameBits, WithAnyNumberOfThreads) {
+  for (const char* threads : {"2", "5", "8"}) {
+    expect_same("LAPWING_THREADS=1", std::string("LAPWING_THREADS=") + threads);
+  }
+}
+
+TEST_F(SameBits, WithAvx2AsWithout) {
+  expect_same("LAPWING_INSTRUCTION_SET=avx2", "LAPWING_INSTRUCTION_SET=baseline");
+}
+
+TEST_F(SameBits, OrNearlySoWithTheBestInstructionsAndWithAnOlderLibrary) {
+  const Mesh baseline = made("bend.json", "LAPWING_INSTRUCTION_SET=baseline");
+  for (const char* environment :
+       {"", "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX2_Usable,-FMA,-FMA_Usable,-AVX512F"}) {
+    const Mesh other = made("bend.json", environment);
+    EXPECT_LT(test::largest_distance(other.positions, baseline.positions),
+              kSettled * bounds_of(baseline.positions).diagonal())
+        << environment;
+  }
+}
+
+}  // namespace
+}  // namespace lapwing
