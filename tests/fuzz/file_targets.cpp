@@ -50,6 +50,56 @@ void require_read_back(const Mesh& mesh, std::string_view name, const WriteOptio
   require(again.face_vertices() == mesh.face_vertices(), "corners come back");
 }
 
+// As near as a file of single precision has it.
+bool is_stored(const Eigen::Vector3d& wanted, const Eigen::Vector3d& read) {
+  return is_same(wanted, read) || is_same(wanted.cast<float>().cast<double>(), read);
+}
+
+// Of a format that has triangles alone, and no vertices but their corners.
+void require_corners(const Mesh& written, const Mesh& read) {
+  require(read.face_count() == written.face_count(), "triangles come back");
+  for (std::size_t c = 0; c < read.face_vertices().size(); ++c) {
+    require(is_stored(written.positions[written.face_vertices()[c]],
+                      read.positions[read.face_vertices()[c]]),
+            "corners come back where they were");
+  }
+}
+
+void require_stl_anew(const Mesh& mesh, Encoding encoding) {
+  const fs::path to = file_of("", "anew.stl");
+  try {
+    write_mesh(mesh, to, {.encoding = encoding, .anew = true});
+  } catch (const InputError&) {
+    return;
+  }
+  require_corners(mesh, read_mesh(to));
+}
+
+// What is read of a file with one vertex moved, which is all that was written of it.
+void require_moved(const Mesh& mesh, std::string_view name) {
+  if (mesh.positions.empty()) return;
+  const fs::path to = file_of("", "moved-" + std::string(name));
+  Mesh moved = mesh;
+  moved.positions.back() += Eigen::Vector3d(1.0, -2.0, 0.5);
+  try {
+    write_mesh(moved, to);
+  } catch (const InputError&) {
+    return;
+  }
+  const Mesh again = read_mesh(to);
+  require(again.face_starts() == mesh.face_starts(), "faces come back with a vertex moved");
+  if (to.extension() == ".stl") {  // which vertices its corners are is found anew
+    require_corners(moved, again);
+    return;
+  }
+  require(again.face_vertices() == mesh.face_vertices(), "corners come back with a vertex moved");
+  require(again.vertex_count() == mesh.vertex_count(), "vertices come back with one moved");
+  require(std::equal(mesh.positions.begin(), mesh.positions.end() - 1, again.positions.begin(),
+                     is_same),
+          "what did not move comes back");
+  require(is_stored(moved.positions.back(), again.positions.back()), "what moved comes back");
+}
+
 void read_and_write(Bytes bytes, std::string_view name) {
   const fs::path path = file_of(bytes, name);
   Mesh mesh;
@@ -61,19 +111,16 @@ void read_and_write(Bytes bytes, std::string_view name) {
   validate_indices(mesh);
   require(mesh.face_starts().back() == mesh.face_vertices().size(), "faces end with the corners");
   require_kept(mesh, path, name);
-  if (path.extension() != ".stl") {  // it has triangles alone, and joins what lies together
+  if (path.extension() == ".stl") {
+    require_stl_anew(mesh, Encoding::ascii);
+    require_stl_anew(mesh, Encoding::little_endian);
+  } else {
     require_read_back(mesh, "anew-" + std::string(name), {.anew = true});
   }
   require_read_back(mesh, "anew.ply", {});
   require_read_back(mesh, "anew.obj", {});
-  if (mesh.positions.empty()) return;
-  Mesh moved = mesh;
-  moved.positions.back() += Eigen::Vector3d(1.0, -2.0, 0.5);
-  moved.source = mesh.source;
-  try {
-    write_mesh(moved, file_of("", "moved-" + std::string(name)));
-  } catch (const InputError&) {
-  }
+  require_read_back(mesh, "anew.off", {});
+  require_moved(mesh, name);
 }
 
 void read_obj(Bytes bytes) {

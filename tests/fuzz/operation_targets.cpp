@@ -9,6 +9,7 @@
 #include "lapwing/doctor/fix.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/lapwing.h"
+#include "lapwing/region/region_spec.h"
 
 namespace lapwing::fuzz {
 namespace {
@@ -31,6 +32,33 @@ void require_kept_outside(const Mesh& before, const Mesh& after, const VertexSet
     if (!inside[v] && is_finite(p)) require(p == q, "to the bit outside of the region");
   }
 }
+
+bool is_unmoved(const Vector3d& a, const Vector3d& b) {
+  return std::equal(a.data(), a.data() + 3, b.data(),
+                    [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+// A vertex that came from `before`, where it was: `sources` has its number there, or kNoIndex.
+void require_unmoved(const Mesh& before, const Mesh& after, std::span<const Index> sources) {
+  require(sources.size() == after.vertex_count(), "a source for every vertex");
+  for (Index v = 0; v < after.vertex_count(); ++v) {
+    if (sources[v] == kNoIndex) continue;
+    require(sources[v] < before.vertex_count(), "a source that there is");
+    require(is_unmoved(before.positions[sources[v]], after.positions[v]),
+            "to the bit where it was");
+  }
+}
+
+// The work goes on after this many reports of it, and then nobody wants it any more.
+class Cancelling {
+ public:
+  explicit Cancelling(int after) : left_(after) {}
+  bool report() { return left_-- > 0; }
+  bool has_cancelled() const { return left_ < 0; }
+
+ private:
+  int left_;
+};
 
 // The largest finite coordinate.
 double reach(const Mesh& mesh) {
@@ -87,6 +115,29 @@ double handle_error(const Mesh& rest, const Mesh& moved, const DeformRequest& re
   return error;
 }
 
+// Flips, turns and scales of the certificate are those of the surface that came out.
+void require_measures(const Mesh& mesh, const Deformed& result) {
+  if (!joined_surface(mesh).empty()) return;  // measured on the joined surface
+  Certificate again;
+  measure_shape(result.region.roi, mesh.topology(), mesh.positions, result.mesh.positions, again,
+                result.asked_scales);
+  const Certificate& told = result.certificate;
+  require(again.all_finite == told.all_finite, "as finite as told");
+  require(again.flipped_triangles == told.flipped_triangles, "as many flipped as told");
+  require(again.largest_rotation_degrees == told.largest_rotation_degrees, "turned as told");
+  require(again.largest_scale == told.largest_scale, "as large as told");
+  require(again.smallest_scale == told.smallest_scale, "as small as told");
+}
+
+void cancel_deform(const Mesh& mesh, const DeformRequest& request, int after) {
+  CpuKernels kernels;
+  DeformWorkspace workspace;
+  Cancelling cancelling(after);
+  deform(mesh, request, kernels, workspace,
+         [&](std::string_view, double) { return cancelling.report(); });
+  require(!cancelling.has_cancelled(), "no result once it is cancelled");
+}
+
 void deform_mesh(Bytes bytes) {
   Choices choices(bytes);
   const Mesh mesh = choices.mesh();
@@ -94,9 +145,11 @@ void deform_mesh(Bytes bytes) {
   CpuKernels kernels;
   DeformWorkspace workspace;
   try {
+    if (choices.one_in(8)) cancel_deform(mesh, request, choices.byte());
     const Deformed result = deform(mesh, request, kernels, workspace, bounded(100'000));
     require_kept_outside(mesh, result.mesh, result.region.roi);
     require(result.certificate.all_finite, "the certificate says so");
+    require_measures(mesh, result);
     if (reach(mesh) > kModerate || request.parameters.commit_every) return;  // measured in parts
     const double error = handle_error(mesh, result.mesh, request);
     const double told = result.certificate.handle_error;
@@ -116,6 +169,19 @@ CoatParameters coat_parameters(Choices& choices) {
   return p;
 }
 
+// Where the patch kept its triangles the rest of the target did not move.
+void require_coated(const Mesh& target, const RegionSpec& patch, const Coated& result) {
+  if (result.report.vertices_before_remeshing == 0) {
+    require_kept_outside(target, result.mesh, resolve(patch, target));
+    return;
+  }
+  validate_indices(result.mesh);
+  const auto is_broken = [](const Vector3d& p) { return !is_finite(p); };
+  require(std::ranges::count_if(result.mesh.positions, is_broken) <=
+              std::ranges::count_if(target.positions, is_broken),
+          "finite where the target was");
+}
+
 void coat_mesh(Bytes bytes) {
   Choices choices(bytes);
   const Mesh target = choices.mesh();
@@ -127,11 +193,30 @@ void coat_mesh(Bytes bytes) {
   request.target_patch = choices.patch(target);
   request.parameters = coat_parameters(choices);
   try {
-    const Coated result = coat(target, source, request);
-    if (result.mesh.vertex_count() != target.vertex_count()) return;
-    for (Index v = 0; v < target.vertex_count(); ++v) {
-      if (is_finite(target.positions[v])) require(is_finite(result.mesh.positions[v]), "finite");
-    }
+    require_coated(target, request.target_patch, coat(target, source, request));
+  } catch (const Error&) {
+  }
+}
+
+void mix_meshes(Bytes bytes) {
+  Choices choices(bytes);
+  const Mesh target = choices.mesh();
+  const std::array<Mesh, 2> meshes{choices.mesh(), choices.mesh()};
+  MixRequest request;
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    request.sources[k].patch = choices.patch(meshes[k]);
+    request.sources[k].detail_size = choices.between(0.1, 2.0);
+  }
+  request.target_patch = choices.patch(target);
+  request.parameters = coat_parameters(choices);
+  if (choices.one_in(2)) {
+    request.weight.form = DistanceRamp{choices.region(target), choices.between(0.0, 2.0)};
+  } else {
+    request.parameters.domain = Domain::square;
+  }
+  if (choices.one_in(4)) request.taken = Taken::shape;
+  try {
+    require_coated(target, request.target_patch, mix(target, meshes[0], meshes[1], request));
   } catch (const Error&) {
   }
 }
@@ -155,6 +240,9 @@ void transplant_part(Bytes bytes) {
   try {
     const Transplanted result = transplant(host, part, request);
     validate_indices(result.mesh);
+    std::vector<Index> sources = result.host_vertices;
+    for (const Index v : result.region) sources.at(v) = kNoIndex;
+    require_unmoved(host, result.mesh, sources);
   } catch (const Error&) {
   }
 }
@@ -168,6 +256,8 @@ void remesh_region(Bytes bytes) {
   try {
     const Remeshed result = remesh(mesh, request, bounded(100'000));
     validate_indices(result.mesh);
+    require_unmoved(mesh, result.mesh, result.kept);
+    for (const Index v : result.region) require(is_finite(result.mesh.positions[v]), "finite");
   } catch (const Error&) {
   }
 }
@@ -225,6 +315,7 @@ constexpr std::array kOperationTargets{
     Target{"deform", "any region, move and setting; the certificate tells the truth", &deform_mesh,
            &some_bytes, "", 300},
     Target{"coat", "any patches of two meshes", &coat_mesh, &some_bytes, "", 150},
+    Target{"mix", "any patches of three meshes", &mix_meshes, &some_bytes, "", 150},
     Target{"transplant", "any part on any mesh", &transplant_part, &some_bytes, "", 150},
     Target{"remesh", "any region", &remesh_region, &some_bytes, "", 150},
     Target{"parameterize", "any region", &parameterize_region, &some_bytes, "", 300},

@@ -64,6 +64,26 @@ void read_details(Bytes bytes) {
   }
 }
 
+// A folder of one part, mesh and details in one: the details begin behind a line of `---`.
+void read_whole_part(Bytes bytes) {
+  constexpr std::string_view kBetween = "\n---\n";
+  const std::string_view text = text_of(bytes);
+  const std::size_t end = text.find(kBetween);
+  const fs::path mesh = file_of(text.substr(0, end), "whole.obj");
+  const fs::path details = mesh.parent_path() / "whole.json";
+  fs::remove(details);
+  if (end != text.npos) file_of(text.substr(end + kBetween.size()), "whole.json");
+  try {
+    const Part part = read_part(mesh);
+    require(part.loop < part.loops.size(), "the loop is one of the part's");
+    for (const BoundaryLoop& loop : part.loops) {
+      require(loop.size() >= 3, "a loop goes around something");
+      for (const Index v : loop) require(v < part.mesh.vertex_count(), "a vertex");
+    }
+  } catch (const InputError&) {
+  }
+}
+
 // Every operation and every key once.
 std::vector<std::string> recipe_seeds() {
   const std::string head = R"({"lapwing": 1, "mesh": "a.obj", "save": "b.obj", "steps": [)";
@@ -112,6 +132,13 @@ std::vector<std::string> details_seeds() {
   return {R"({"loop": 1})", R"({"loop": 99})"};
 }
 
+std::vector<std::string> part_seeds() {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  return {triangle + "f 1 2 3\n---\n{\"loop\": 0}",
+          triangle + "v 0 0 1\nv 2 2 2\nf 1 2 3\nf 1 3 4\nf 5 4 2\n",
+          triangle + "v 1 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 4 3\nf 5 6 7\n---\n{\"loop\": 1}"};
+}
+
 constexpr std::array kRecipeTargets{
     Target{"recipe", "read, written, read: the same recipe", &read_recipe_text, &recipe_seeds,
            "recipe.dict", 1000},
@@ -120,7 +147,9 @@ constexpr std::array kRecipeTargets{
     Target{"journal", "the record of an interrupted edit", &read_journal_lines, &journal_seeds,
            "recipe.dict", 400},
     Target{"details", "what stands beside a part", &read_details, &details_seeds, "recipe.dict",
-           200}};
+           200},
+    Target{"part", "the mesh of a part and its details", &read_whole_part, &part_seeds, "obj.dict",
+           400}};
 
 }  // namespace
 
