@@ -253,7 +253,7 @@ TEST_F(CommandLine, TargetsComeFromATable) {
 TEST_F(CommandLine, MirrorMovesBothSidesAndIsNotedButNoWarning) {
   const std::string squeeze =
       "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --handle near:0.5,0.05,2,0.2 "
-      "--translate 0.2,0.1,0.1 --device cpu --strict ";
+      "--translate 0.2,0.1,0.1 --hard --device cpu --strict ";
   const Outcome flags = lapwing(squeeze +
                                 "--mirror x --save a.obj --recipe a.recipe.json "
                                 "--report a.json");
@@ -355,7 +355,7 @@ TEST_F(CommandLine, AGradedHandleThatCannotBeIsAnErrorAndNothingIsWritten) {
                         "vertices, got 2"));
   EXPECT_THAT(refused(R"("weight": {"field": [1, 1.5]})"), HasSubstr("/weight/field/1"));
   EXPECT_THAT(refused(R"("falloff": {"width": -1})"), HasSubstr("/falloff/width"));
-  EXPECT_THAT(refused(R"("weight": 0)"), HasSubstr("/weight: expected a number above 0"));
+  EXPECT_THAT(refused(R"("weight": 0)"), HasSubstr("/weight: expected a weight from 0.000001"));
 }
 
 TEST_F(CommandLine, TargetsThatCannotBeAreNamedByTheirLineAndNothingIsWritten) {
@@ -428,7 +428,8 @@ TEST_F(CommandLine, CarriedFileThatCannotBeIsNamedAndNothingIsWritten) {
 TEST_F(CommandLine, FlagOutOfItsRangeIsAUsageErrorThatSaysTheRange) {
   const Outcome length = lapwing(std::string(kLiftFlags) + "--detail-length 0 --save a.obj");
   EXPECT_EQ(length.exit_code, 2);
-  EXPECT_THAT(length.output, AllOf(HasSubstr("--detail-length"), HasSubstr("a number above 0")));
+  EXPECT_THAT(length.output,
+              AllOf(HasSubstr("--detail-length"), HasSubstr("a number from 0.000001 to 1000")));
   const Outcome iterations = lapwing(std::string(kLiftFlags) + "--max-iterations 1.5 --save a.obj");
   EXPECT_EQ(iterations.exit_code, 2);
   EXPECT_THAT(iterations.output, HasSubstr("a whole number from 1 to 1000000, got 1.5"));
