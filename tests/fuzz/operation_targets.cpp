@@ -99,17 +99,24 @@ DeformRequest deform_request(Choices& choices, const Mesh& mesh) {
   return request;
 }
 
-// The largest distance between a handle's vertices and where its move wants them.
-double handle_error(const Mesh& rest, const Mesh& moved, const DeformRequest& request) {
-  double error = 0.0;
+// The largest distance between a handle's vertices and where its move wants them, and what rounding
+// may make of it.
+struct HandleError {
+  double distance = 0.0;
+  double rounding = 0.0;
+};
+HandleError handle_error(const Mesh& rest, const Mesh& moved, const DeformRequest& request) {
+  HandleError error;
   for (const MovedHandle& handle : request.handles) {
     const VertexSet& vertices = std::get<ListedVertices>(handle.region.form).vertices;
     Vector3d centroid = Vector3d::Zero();
     for (const Index v : vertices) centroid += rest.positions[v];
     centroid /= static_cast<double>(vertices.size());
     const Eigen::Affine3d map = to_affine(handle.move, centroid);
+    error.rounding = std::max(error.rounding, 1e-9 * map.linear().norm() * reach(rest));
     for (const Index v : vertices) {
-      error = std::max(error, (map * rest.positions[v] - moved.positions[v]).norm());
+      error.distance =
+          std::max(error.distance, (map * rest.positions[v] - moved.positions[v]).norm());
     }
   }
   return error;
@@ -151,9 +158,9 @@ void deform_mesh(Bytes bytes) {
     require(result.certificate.all_finite, "the certificate says so");
     require_measures(mesh, result);
     if (reach(mesh) > kModerate || request.parameters.commit_every) return;  // measured in parts
-    const double error = handle_error(mesh, result.mesh, request);
+    const auto [error, turned] = handle_error(mesh, result.mesh, request);
     const double told = result.certificate.handle_error;
-    const double rounding = 1e-9 * (reach(mesh) + reach(result.mesh));
+    const double rounding = turned + 1e-9 * (reach(mesh) + reach(result.mesh));
     require(
         error == told || std::abs(error - told) <= rounding,
         "the handle's error is as told: " + std::to_string(told) + ", is " + std::to_string(error));

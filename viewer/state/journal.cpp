@@ -248,8 +248,8 @@ std::optional<InterruptedEdit> read_journal(const fs::path& path) {
   }
   try {
     edit.mesh_is_unchanged = stamp_of(edit.mesh.path) == edit.mesh;
-  } catch (const IoError&) {
-    edit.mesh_is_unchanged = false;
+  } catch (const std::exception&) {
+    edit.mesh_is_unchanged = false;  // it is gone, or has no name
   }
   return edit;
 }
