@@ -236,6 +236,9 @@ TEST_F(FilesOfTheCommandLine, ListingPartsKeepsPicturesOfOthers) {
 
 // Less and less memory: each run says so, or does its work.
 TEST_F(FilesOfTheCommandLine, OfARunWithoutMemoryAreWhole) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "AddressSanitizer takes terabytes of addresses";
+#endif
   const Outcome whole = lapwing("run bend.json --device cpu --quiet --save whole.obj");
   ASSERT_EQ(whole.exit_code, 0) << whole.output;
   int refused = 0;
