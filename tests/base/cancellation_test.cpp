@@ -38,6 +38,23 @@ TEST(Cancellation, ALoopInAScopeEndsWhenItsProgressSaysNo) {
   EXPECT_THROW(check_cancelled(), Cancelled) << "and stays so";
 }
 
+TEST(Cancellation, AQuestionDoesNotGoBackBehindWhatAScopeInsideHasComeTo) {
+  const AskAtEveryCheck asking;
+  std::vector<double> heard;
+  const Progress progress = [&](std::string_view, double fraction) {
+    heard.push_back(fraction);
+    return true;
+  };
+  const ProgressScope outer(progress);
+  report_progress(progress, "stage", 0.25);
+  {
+    const ProgressScope inner(progress);
+    report_progress(progress, "stage", 0.75);
+  }
+  check_cancelled();
+  EXPECT_THAT(heard, ElementsAre(0.25, 0.75, 0.75));
+}
+
 TEST(Cancellation, TheInnermostScopeIsAskedAndAnEmptyOneIsNone) {
   const AskAtEveryCheck asking;
   const ProgressScope outer(kNo);

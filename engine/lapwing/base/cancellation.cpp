@@ -29,6 +29,12 @@ class ScopeInForce::State {
     asked_ = Clock::now();
   }
 
+  // What a scope inside this one has come to, so that no later question goes back behind it.
+  void take_over(State& inside) noexcept {
+    stage_.swap(inside.stage_);
+    fraction_ = inside.fraction_;
+  }
+
   void ask() noexcept {
     if (stopped_ || asking_) return;
     if (always_asking == 0 && Clock::now() - asked_ < kAskEvery) return;
@@ -74,6 +80,7 @@ ProgressScope::ProgressScope(Progress progress) : before_(in_force) {
 ProgressScope::~ProgressScope() {
   if (own_ == nullptr) return;
   in_force = before_;
+  if (before_.state != nullptr && before_.given_up == nullptr) before_.state->take_over(*own_);
   delete own_;
 }
 
