@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/grouped.h"
 #include "lapwing/base/memory_use.h"
 
 namespace lapwing {
@@ -21,11 +22,9 @@ std::optional<double> number_set(const char* variable) {
                    "\"; set it to a number above 0, or unset it");
 }
 
-// 12345678 as "12,345,678".
-std::string grouped(double count) {
-  std::string digits = std::to_string(static_cast<long long>(std::min(count, 1e18)));
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
-  return digits;
+// Whatever it is, also what no integer holds.
+std::string in_words(double count) {
+  return grouped(static_cast<std::size_t>(std::min(count, 1e18)));
 }
 
 }  // namespace
@@ -38,8 +37,8 @@ void require_at_most(const Limit& limit, double count, const std::string& what,
                      const std::string& remedy) {
   const double most = most_of(limit);
   if (count <= most) return;
-  throw InputError(what + " " + grouped(count) + " " + limit.things + ", more than the " +
-                   grouped(most) + " that are allowed; " + remedy + ", or set " + limit.variable +
+  throw InputError(what + " " + in_words(count) + " " + limit.things + ", more than the " +
+                   in_words(most) + " that are allowed; " + remedy + ", or set " + limit.variable +
                    " to a larger number");
 }
 

@@ -31,7 +31,8 @@ bool lies_on_source(const MappedRings& mapped, std::size_t row) {
   if (points[row].is_nowhere()) return false;
   const auto ring = std::span(target.neighbours)
                         .subspan(target.starts[row], target.starts[row + 1] - target.starts[row]);
-  return std::none_of(ring.begin(), ring.end(), [&](Index j) { return mapped.points[j].is_nowhere(); });
+  return std::none_of(ring.begin(), ring.end(),
+                      [&](Index j) { return mapped.points[j].is_nowhere(); });
 }
 
 // Adds r^2 / 4 c - L' d, L' of the rings as they lie on the source.

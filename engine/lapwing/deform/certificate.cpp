@@ -180,9 +180,7 @@ void require_valid(const Certificate& certificate) {
   if (!c.all_finite || !all_measured) {
     throw SolverError(
         "the result has positions or distances that are not finite, so the mesh was left as it "
-        "was; "
-        "run "
-        "`lapwing check` on it, and see that the handle's motion is finite");
+        "was; run `lapwing check` on it, and see that the handle's motion is finite");
   }
   if (!(certificate.relative_residual <= kLargestResidual)) {
     std::ostringstream text;

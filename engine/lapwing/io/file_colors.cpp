@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/grouped.h"
 #include "lapwing/io/material_library.h"
 #include "lapwing/io/named_file.h"
 #include "lapwing/io/reading.h"

@@ -2,18 +2,14 @@
 
 #include <cmath>
 
+#include "lapwing/base/grouped.h"
+
 namespace lapwing {
 
 std::vector<std::string> Tally::lines() const {
   std::vector<std::string> lines;
   for (const auto& [name, count] : counts_) lines.push_back(name + " (" + grouped(count) + ")");
   return lines;
-}
-
-std::string grouped(std::size_t number) {
-  std::string digits = std::to_string(number);
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');
-  return digits;
 }
 
 std::vector<Eigen::Vector4f> unit_colors(const std::vector<Eigen::Vector4d>& colors) {

@@ -24,9 +24,6 @@ class Tally {
   std::map<std::string, std::size_t> counts_;
 };
 
-/// "14,290"
-std::string grouped(std::size_t number);
-
 /// Where a file gives no colour, or no alpha.
 inline const Eigen::Vector4d kNoColor =
     Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());

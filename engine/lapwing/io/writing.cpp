@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/grouped.h"
 #include "lapwing/io/reading.h"
 
 namespace lapwing {

@@ -12,8 +12,9 @@
 
 namespace lapwing {
 
-/// How deep lists and objects may lie in each other: three times what the deepest region of a recipe
-/// takes, and little enough for what walks through a document by calling itself once a level.
+/// How deep lists and objects may lie in each other: three times what the deepest region of a
+/// recipe takes, and little enough for what walks through a document by calling itself once a
+/// level.
 inline constexpr std::size_t kDeepestJson = 500;
 
 /// The document that `text` is. Throws InputError with line and column when it is no JSON, when a

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "lapwing/base/grouped.h"
+
 namespace lapwing::bench {
 namespace {
 
@@ -29,12 +31,6 @@ std::string with_digits(double value, int digits) {
 }
 
 }  // namespace
-
-std::string grouped(std::uint64_t value) {
-  std::string text = std::to_string(value);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
-  return text;
-}
 
 std::string short_number(double value) {
   constexpr double kGrouped = 1000.0;

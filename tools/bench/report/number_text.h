@@ -13,9 +13,6 @@ inline constexpr std::size_t kTerminalLine = 100;
 /// Three digits that count, never an exponent, thousands apart: "0.0123", "12.3", "1,230".
 std::string short_number(double value);
 
-/// "26,002"
-std::string grouped(std::uint64_t value);
-
 /// Of a share: "12%", "0.3%".
 std::string percent(double share);
 

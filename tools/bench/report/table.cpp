@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lapwing/base/grouped.h"
 #include "report/growth.h"
 #include "report/measurements.h"
 #include "report/number_text.h"

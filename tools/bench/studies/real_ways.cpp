@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/base/grouped.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deform_request.h"
 #include "lapwing/deform/deformer.h"

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "lapwing/base/grouped.h"
 #include "report/number_text.h"
 
 namespace lapwing::bench {
