@@ -151,7 +151,7 @@ void read_picture(Bytes bytes) {
     const ImageSize size = read_image_size(path);
     // The readers of images are the library's; its memory is bounded by the pixels, of which a
     // file of no size can promise very many.
-    constexpr std::uint64_t kMostPixels = 1U << 16U;
+    constexpr std::uint64_t kMostPixels = 1U << 12U;
     if (std::uint64_t{size.width} * size.height > kMostPixels) return;
     const Image image = read_image(path);
     require(image.rgba.size() == std::size_t{4} * image.width * image.height, "all pixels");

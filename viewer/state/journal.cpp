@@ -10,6 +10,7 @@
 #include <optional>
 #include <sys/file.h>
 #include <unistd.h>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -66,13 +67,23 @@ Json difference(const Draft& last, const Draft& next) {
           {"settled", next.settled}};
 }
 
+// The library turns any number into any type, and one beyond the type into anything.
+template <class Whole>
+Whole whole_number(const Json& json) {
+  const bool fits = json.is_number_unsigned() ? std::in_range<Whole>(json.get<std::uint64_t>())
+                                              : json.is_number_integer() &&
+                                                    std::in_range<Whole>(json.get<std::int64_t>());
+  if (!fits) throw InputError("expected a whole number, found " + json.dump());
+  return json.get<Whole>();
+}
+
 void carry_out(const Json& line, Draft& draft) {
-  draft.steps.resize(std::min(line.at("keep").get<std::size_t>(), draft.steps.size()));
+  draft.steps.resize(std::min(whole_number<std::size_t>(line.at("keep")), draft.steps.size()));
   for (Step& step : steps_of(line.at("add"))) draft.steps.push_back(std::move(step));
   draft.open = std::get<DeformRequest>(steps_of(Json::array({line.at("open")})).at(0));
   // One stood in for none.
   std::vector<MovedHandle>& handles = draft.open.handles;
-  handles.resize(std::min(line.at("handles").get<std::size_t>(), handles.size()));
+  handles.resize(std::min(whole_number<std::size_t>(line.at("handles")), handles.size()));
   draft.settled = line.at("settled").get<bool>();
 }
 
@@ -95,8 +106,8 @@ std::string line_of(const Json& json) {
 
 MeshStamp stamp_from(const Json& json) {
   if (json.at("lapwing_journal") != kJournalVersion) throw InputError("another version");
-  return {json.at("mesh").get<std::string>(), json.at("bytes").get<std::uint64_t>(),
-          json.at("modified").get<std::int64_t>()};
+  return {json.at("mesh").get<std::string>(), whole_number<std::uint64_t>(json.at("bytes")),
+          whole_number<std::int64_t>(json.at("modified"))};
 }
 
 // Whole lines only: what follows the last line break was being written.

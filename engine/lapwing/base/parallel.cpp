@@ -17,6 +17,9 @@ namespace lapwing {
 
 namespace {
 
+// A loop of 2 s on one thread hears a cancel every 0.1 s.
+constexpr std::size_t kChunksPerThread = 16;
+
 // 0 where the environment does not say.
 unsigned wanted_threads() {
   constexpr unsigned kMost = 256;
@@ -48,14 +51,18 @@ void parallel_ranges(std::size_t count, std::size_t grain,
   if (count == 0) return;
   grain = std::max<std::size_t>(grain, 1);
   const std::size_t threads = std::min<std::size_t>(thread_count(), (count + grain - 1) / grain);
-  check_cancelled();
+  // More chunks than threads, taken from a queue: a busy neighbour on one core then costs one
+  // chunk, not a whole thread's share, and a cancel is heard between two.
+  const std::size_t chunks = kChunksPerThread * threads;
+  const std::size_t chunk = std::max(grain, (count + chunks - 1) / chunks);
   if (threads <= 1) {
-    body(0, count);
+    for (std::size_t begin = 0; begin < count; begin += chunk) {
+      check_cancelled();
+      body(begin, std::min(begin + chunk, count));
+    }
     return;
   }
-  // More chunks than threads, taken from a queue: a busy neighbour on one core then costs one
-  // chunk, not a whole thread's share.
-  const std::size_t chunk = std::max(grain, (count + 4 * threads - 1) / (4 * threads));
+  check_cancelled();
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failure_mutex;

@@ -12,8 +12,13 @@
 namespace lapwing {
 namespace {
 
+// A file's coordinate that is no number has not moved as long as it is none.
 bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+bool are_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return same(a.x(), b.x()) && same(a.y(), b.y()) && same(a.z(), b.z());
 }
 
 bool has_integers(const NumberTriples& triples) {
@@ -34,7 +39,7 @@ bool have_turned(const SourceFile& source, const Mesh& mesh) {
   const std::vector<Eigen::Vector3d>& normals = mesh.attributes().normals;
   if (mesh.face_count() > 0 || normals.size() != source.normals.count) return false;
   for (std::size_t r = 0; r < normals.size(); ++r) {
-    if (source.read_triple(source.normals, r) != normals[r]) return true;
+    if (!are_same(source.read_triple(source.normals, r), normals[r])) return true;
   }
   return false;
 }
@@ -110,7 +115,7 @@ std::optional<std::string> patch_source(const SourceFile& source, const Mesh& me
   for (std::size_t r = 0; r < source.positions.count; ++r) {
     const Eigen::Vector3d before = source.read_triple(source.positions, r);
     const Eigen::Vector3d& now = mesh.positions[source.vertex_of(mesh, r)];
-    if (before == now) continue;
+    if (are_same(before, now)) continue;
     set_triple(patch, source.positions, r, before, now);
     moved = true;
   }

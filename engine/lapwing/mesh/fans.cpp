@@ -22,12 +22,13 @@ Fans find_fans(const Mesh& mesh, const Edges& edges) {
     if (known == kNoIndex) known = fan;
     if (known != fan) is_bow_tie[vertex_of[c]] = 1;
   };
+  CancelCheck cancel_check;
   for (Index c = 0; c < vertex_of.size(); ++c) {
+    cancel_check();
     if (edges.edge_of_side[c] == kNoIndex) continue;
     add_corner(c);
     add_corner(edges.next_corner[c]);
   }
-  CancelCheck cancel_check;
   for (std::size_t v = 0; v < is_bow_tie.size(); ++v) {
     cancel_check();
     if (is_bow_tie[v]) fans.bow_tie_vertices.push_back(static_cast<Index>(v));

@@ -3,6 +3,7 @@
 #include "lapwing/remesh/isotropic.h"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -79,6 +80,7 @@ RemeshResult unchanged(const Mesh& mesh) {
 double expected_triangles(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                           const Eigen::Vector3d& c, double length) {
   const double sides = (b - a).norm() + (c - b).norm() + (a - c).norm();
+  if (length == 0.0) return sides == 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
   return (b - a).cross(c - a).norm() * (2.0 / std::sqrt(3.0)) / (length * length) + sides / length;
 }
 

@@ -31,7 +31,8 @@ struct RemeshResult {
 };
 
 /// About how many triangles with edges of `length` remeshing makes of one with these corners:
-/// equilateral ones that would fill it, and along the sides of a thin one.
+/// equilateral ones that would fill it, and along the sides of a thin one. With edges of length 0,
+/// infinitely many; 0 of one point.
 double expected_triangles(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                           const Eigen::Vector3d& c, double length);
 

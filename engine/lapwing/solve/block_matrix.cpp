@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 
 namespace lapwing {
@@ -37,8 +38,10 @@ BlockGraph block_graph(const BlockPattern& pattern) {
                       " blocks, more than the ordering can number; choose a smaller region");
   }
   BlockGraph graph;
+  CancelCheck check;
   graph.starts.assign(n + 1, 0);
   for (std::size_t c = 0; c < n; ++c) {
+    check();
     for (const Index r : pattern.column(c)) {
       if (r == c) continue;
       ++graph.starts[c + 1];
@@ -50,11 +53,13 @@ BlockGraph block_graph(const BlockPattern& pattern) {
   std::vector<int> next(graph.starts.begin(), graph.starts.end() - 1);
   // Columns in order: each vertex first receives its smaller neighbours, then its larger ones.
   for (std::size_t c = 0; c < n; ++c) {
+    check();
     for (const Index r : pattern.column(c)) {
       if (r != c) graph.neighbours[static_cast<std::size_t>(next[r]++)] = static_cast<int>(c);
     }
   }
   for (std::size_t c = 0; c < n; ++c) {
+    check();
     for (const Index r : pattern.column(c)) {
       if (r != c) graph.neighbours[static_cast<std::size_t>(next[c]++)] = static_cast<int>(r);
     }

@@ -15,7 +15,9 @@ class StructureBuilder {
 
   void run() {
     number_blocks();
+    check_cancelled();
     size_fronts();
+    check_cancelled();
     sort_entries();
     CancelCheck check;
     for (int f = 0; f < symbolic_.front_count(); ++f) {
