@@ -71,6 +71,7 @@ const std::array kMalformed{
     Malformed{"a.ply", "ply\nproperty float x\n", ":2:", "'element' line"},
     Malformed{"a.ply", "ply\nelement v 1\nproperty half x\n", ":3:", "expected a type"},
     Malformed{"a.ply", "ply\nelement v 1\nproperty list float int x\n", ":3:", "integer type"},
+    Malformed{"a.ply", "ply\nelement v 1\nproperty float x\nproperty int x\n", ":4:", "'x' stands twice"},
     Malformed{"a.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n",
               ":3:", "x, y and z"},
     Malformed{"a.ply", "ply\nformat ascii 1.0\nend_header\n", ":3:", "element 'vertex'"},
@@ -118,7 +119,7 @@ TEST(MalformedFile, UnknownExtensionNamesTheKnownOnes) {
     read_mesh("mesh.fbx");
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("mesh.fbx"), HasSubstr(".obj, .off, .ply or .stl")));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("mesh.fbx"), HasSubstr(".obj, .off, .ply, .stl, .glb or .gltf")));
   }
 }
 

@@ -30,6 +30,9 @@ Carried carried_by(const Storage& storage) {
       return {true, true, true, true, true, false, false, true};
     case MeshFormat::stl:
       return {false, false, false, false, false, false, storage.encoding == Encoding::ascii, false};
+    case MeshFormat::glb:
+    case MeshFormat::gltf:
+      return {true, true, true, false, false, true, false, false};
   }
   return {};
 }

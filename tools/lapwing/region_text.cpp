@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "lapwing/recipe/parse_json.h"
+#include "lapwing/json/parse_json.h"
 #include "lapwing/recipe/read_region.h"
 
 namespace lapwing::cli {

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "lapwing/recipe/parse_json.h"
+#include "lapwing/json/parse_json.h"
 
 namespace lapwing::cli {
 namespace {

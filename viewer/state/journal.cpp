@@ -15,7 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/recipe/parse_json.h"
+#include "lapwing/json/parse_json.h"
 #include "state/user_folder.h"
 
 namespace lapwing::viewer {

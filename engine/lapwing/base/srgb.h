@@ -17,11 +17,14 @@ inline float linear_of_srgb(std::uint8_t encoded) {
   return linear_of_srgb(static_cast<float>(encoded) / 255.0F);
 }
 
-/// The nearest byte; `linear` is clamped to [0, 1].
-inline std::uint8_t srgb_byte_of(float linear) {
+/// `linear` is clamped to [0, 1].
+inline float srgb_of_linear(float linear) {
   const float c = std::clamp(linear, 0.0F, 1.0F);
-  const float s = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(255.0F * s));
+  return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
+}
+/// The nearest byte.
+inline std::uint8_t srgb_byte_of(float linear) {
+  return static_cast<std::uint8_t>(std::lround(255.0F * srgb_of_linear(linear)));
 }
 
 }  // namespace lapwing

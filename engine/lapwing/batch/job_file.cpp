@@ -8,9 +8,9 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/batch/set_json.h"
 #include "lapwing/io/real_path.h"
-#include "lapwing/recipe/parse_json.h"
+#include "lapwing/json/parse_json.h"
 #include "lapwing/recipe/recipe_files.h"
-#include "lapwing/recipe/suggest.h"
+#include "lapwing/json/suggest.h"
 
 namespace lapwing {
 namespace {

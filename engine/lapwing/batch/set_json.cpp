@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/recipe/suggest.h"
+#include "lapwing/json/suggest.h"
 
 namespace lapwing {
 namespace {

@@ -16,6 +16,7 @@ Mesh read_obj(SourceFile& file);
 Mesh read_off(SourceFile& file);
 Mesh read_ply(SourceFile& file);
 Mesh read_stl(SourceFile& file);
+Mesh read_gltf(SourceFile& file);
 
 std::string write_obj(const Mesh& mesh, WriteReport& report);
 std::string write_off(const Mesh& mesh, WriteReport& report);

@@ -6,6 +6,9 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/printable_text.h"
 #include "lapwing/io/formats.h"
+#include "lapwing/io/gltf/gltf_layout.h"
+#include "lapwing/io/gltf/gltf_patch.h"
+#include "lapwing/io/gltf/gltf_writer.h"
 #include "lapwing/io/source_patch.h"
 #include "lapwing/io/stored_normals.h"
 #include "lapwing/io/writing.h"
@@ -23,6 +26,9 @@ Mesh read_format(SourceFile& file) {
       return read_ply(file);
     case MeshFormat::stl:
       return read_stl(file);
+    case MeshFormat::glb:
+    case MeshFormat::gltf:
+      return read_gltf(file);
   }
   return {};
 }
@@ -39,36 +45,55 @@ Encoding choose_encoding(MeshFormat format, const SourceFile* source, const Writ
     if (options.encoding.value_or(Encoding::ascii) == Encoding::ascii) return Encoding::ascii;
     throw InputError(std::string(name_of(format)) + " has no binary form here; write ascii");
   }
+  if (is_gltf(format)) {
+    if (options.encoding.value_or(Encoding::little_endian) == Encoding::little_endian) {
+      return Encoding::little_endian;
+    }
+    throw InputError(std::string(name_of(format)) + " has one form only; leave the encoding out");
+  }
   if (options.encoding) return *options.encoding;
   return source != nullptr && source->format() == format ? source->encoding
                                                          : Encoding::little_endian;
 }
 
-std::string write_anew(const Mesh& mesh, MeshFormat format, Encoding encoding,
-                       WriteReport& report) {
-  switch (format) {
+std::vector<FileContent> write_anew(const Mesh& mesh, const std::filesystem::path& path,
+                                    Encoding encoding, WriteReport& report) {
+  switch (format_of(path)) {
     case MeshFormat::obj:
-      return write_obj(mesh, report);
+      return {{path, write_obj(mesh, report)}};
     case MeshFormat::off:
-      return write_off(mesh, report);
+      return {{path, write_off(mesh, report)}};
     case MeshFormat::ply:
-      return write_ply(mesh, encoding, report);
+      return {{path, write_ply(mesh, encoding, report)}};
     case MeshFormat::stl:
-      return write_stl(mesh, encoding, report);
+      return {{path, write_stl(mesh, encoding, report)}};
+    case MeshFormat::glb:
+    case MeshFormat::gltf:
+      return write_gltf(mesh, path, report);
   }
   return {};
 }
 
+// The file that `source` is with what moved; nothing where it cannot be stored there.
+std::vector<FileContent> patch(const SourceFile& source, const Mesh& mesh,
+                               const std::filesystem::path& path, WriteReport& report) {
+  if (source.gltf) return patch_gltf(source, mesh, path, report);
+  auto bytes = patch_source(source, mesh);
+  if (!bytes) return {};
+  return {{path, std::move(*bytes)}};
+}
+
 // A mesh whose stored normals fit its positions: those of a mesh whose file is unknown may not.
-std::string write_with_new_normals(const Mesh& mesh, const SourceFile* source, MeshFormat format,
-                                   Encoding encoding, WriteReport& report) {
-  if (mesh.attributes().normals.empty()) return write_anew(mesh, format, encoding, report);
+std::vector<FileContent> write_with_new_normals(const Mesh& mesh, const SourceFile* source,
+                                                const std::filesystem::path& path,
+                                                Encoding encoding, WriteReport& report) {
+  if (mesh.attributes().normals.empty()) return write_anew(mesh, path, encoding, report);
   const Positions rest = source == nullptr ? Positions() : source_positions(*source, mesh);
   StoredNormals updated = updated_normals(mesh, rest);
   Mesh refreshed = mesh;
   refreshed.edit_attributes().normals = std::move(updated.normals);
   refreshed.edit_attributes().corner_normals = std::move(updated.corner_normals);
-  return write_anew(refreshed, format, encoding, report);
+  return write_anew(refreshed, path, encoding, report);
 }
 
 void note_missing_libraries(const Mesh& mesh, const std::filesystem::path& path,
@@ -84,7 +109,9 @@ void note_missing_libraries(const Mesh& mesh, const std::filesystem::path& path,
 }  // namespace
 
 Mesh read_mesh(const std::filesystem::path& path) {
-  const auto source = std::make_shared<SourceFile>(path, format_of(path));
+  MeshPath name = split_mesh_path(path);
+  const MeshFormat format = format_of(name.file);
+  const auto source = std::make_shared<SourceFile>(std::move(name), format);
   Mesh mesh = read_format(*source);
   source->remember_topology(mesh);
   mesh.source = source;
@@ -107,14 +134,17 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
   const Encoding encoding = choose_encoding(format, source, options);
 
   WriteReport report;
-  std::optional<std::string> bytes;
+  std::vector<FileContent> contents;
   if (source != nullptr && source->format() == format && source->encoding == encoding &&
       !options.anew) {
-    bytes = patch_source(*source, mesh);
+    contents = patch(*source, mesh, path, report);
   }
-  if (!bytes) bytes = write_with_new_normals(mesh, source, format, encoding, report);
+  if (contents.empty()) contents = write_with_new_normals(mesh, source, path, encoding, report);
   if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);
-  files.add(path, *bytes);
+  // What a file needs is there before it is.
+  for (auto content = contents.rbegin(); content != contents.rend(); ++content) {
+    files.add(content->path, content->bytes);
+  }
   // They quote names out of files.
   for (std::string& line : report.not_carried) line = printable(line);
   for (std::string& line : report.notes) line = printable(line);

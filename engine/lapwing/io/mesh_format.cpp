@@ -29,12 +29,34 @@ MeshFormat format_of(const std::filesystem::path& path) {
       extension == ".cnoff") {
     return MeshFormat::off;
   }
+  if (extension == ".glb") return MeshFormat::glb;
+  if (extension == ".gltf") return MeshFormat::gltf;
   throw InputError(path.string() + ": '" + extension +
-                   "' is no mesh format that can be read or written; use .obj, .off, .ply or .stl");
+                   "' is no mesh format that can be read or written; use .obj, .off, .ply, .stl, "
+                   ".glb or .gltf");
+}
+
+bool is_gltf(MeshFormat format) {
+  return format == MeshFormat::glb || format == MeshFormat::gltf;
+}
+
+MeshPath split_mesh_path(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const std::string_view mark : {".glb#", ".gltf#"}) {
+    const std::size_t at = lower.find(mark);
+    std::error_code error;
+    if (at == std::string::npos || std::filesystem::exists(path, error)) continue;
+    const std::size_t hash = at + mark.size() - 1;
+    return {path.parent_path() / name.substr(0, hash), name.substr(hash + 1)};
+  }
+  return {path, {}};
 }
 
 std::string_view name_of(MeshFormat format) {
-  constexpr std::array<std::string_view, 4> kNames{"OBJ", "OFF", "PLY", "STL"};
+  constexpr std::array<std::string_view, 6> kNames{"OBJ", "OFF", "PLY", "STL", "GLB", "glTF"};
   return kNames[static_cast<std::size_t>(format)];
 }
 

@@ -3,13 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace lapwing {
 
-enum class MeshFormat : std::uint8_t { obj, off, ply, stl };
+enum class MeshFormat : std::uint8_t { obj, off, ply, stl, glb, gltf };
 
-/// How a file stores its numbers. OBJ and OFF are always ascii, binary STL is little endian.
+/// How a file stores its numbers. OBJ and OFF are always ascii, binary STL and glTF little endian.
 enum class Encoding : std::uint8_t { ascii, little_endian, big_endian };
 
 /// Number types a file can declare (PLY); the others use kFloat64 in text, kFloat32 in binary.
@@ -20,10 +21,19 @@ std::size_t size_of(Scalar type);
 bool is_integer(Scalar type);
 
 /// The format that the extension of `path` names, in either case: .obj, .off (and .coff, .noff,
-/// .cnoff), .ply, .stl. Throws InputError for any other.
+/// .cnoff), .ply, .stl, .glb, .gltf. Throws InputError for any other.
 MeshFormat format_of(const std::filesystem::path& path);
+bool is_gltf(MeshFormat format);
 
-/// "OBJ", "OFF", "PLY", "STL".
+/// A mesh file, or one object of it: "scene.glb#Body".
+struct MeshPath {
+  std::filesystem::path file;
+  std::string object;  ///< empty for all of them
+};
+/// Takes such a name apart. Files that are no glTF, or whose own name is `path`, have no objects.
+MeshPath split_mesh_path(const std::filesystem::path& path);
+
+/// "OBJ", "OFF", "PLY", "STL", "GLB", "glTF".
 std::string_view name_of(MeshFormat format);
 
 }  // namespace lapwing

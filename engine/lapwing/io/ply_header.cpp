@@ -103,7 +103,13 @@ class HeaderReader {
     property.type = *scalar;
     property.name = scan_.word();
     if (property.name.empty()) scan_.fail_expected("the name of the property");
-    header_.elements.back().properties.push_back(std::move(property));
+    PlyElement& element = header_.elements.back();
+    const auto has_name = [&](const PlyProperty& other) { return other.name == property.name; };
+    if (std::ranges::any_of(element.properties, has_name)) {
+      file_.fail_at_line(line.offset(), "the property '" + property.name +
+                                            "' stands twice in the element '" + element.name + "'");
+    }
+    element.properties.push_back(std::move(property));
   }
 
   // In text a number takes at least two bytes ("0 "), but for the last of the file.

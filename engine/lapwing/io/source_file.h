@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,16 +39,25 @@ struct NumberTriples {
   }
 };
 
+struct GltfLayout;
+
 /// A file as it was read, and where in it the numbers stand that an edit changes. The writer of the
 /// same format copies the bytes and replaces those numbers alone. Position record i belongs to
 /// vertex i, or, in files that repeat a vertex for every corner (STL), to corner i; normal record i
 /// to entry i of MeshAttributes::normals.
 class SourceFile {
  public:
-  SourceFile(std::filesystem::path path, MeshFormat format)
-      : path_(std::move(path)), format_(format), bytes_(FileBytes::read(path_)) {}
+  SourceFile(MeshPath name, MeshFormat format)
+      : path_(std::move(name.file)),
+        object_(std::move(name.object)),
+        format_(format),
+        bytes_(FileBytes::read(path_)) {}
+  SourceFile(const SourceFile&) = delete;
+  SourceFile& operator=(const SourceFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  /// The object of the file that was asked for; empty for all.
+  const std::string& object() const { return object_; }
   MeshFormat format() const { return format_; }
   std::string_view bytes() const { return bytes_.view(); }
 
@@ -55,6 +65,8 @@ class SourceFile {
   NumberTriples positions;
   NumberTriples normals;
   bool positions_by_corner = false;
+  /// Of glTF files, instead of the three above.
+  std::shared_ptr<const GltfLayout> gltf;
 
   /// The three numbers of a record, as the reader understood them.
   Eigen::Vector3d read_triple(const NumberTriples& triples, std::size_t record) const;
@@ -76,6 +88,7 @@ class SourceFile {
 
  private:
   std::filesystem::path path_;
+  std::string object_;
   MeshFormat format_;
   FileBytes bytes_;
   std::size_t vertex_count_ = 0;

@@ -6,6 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/binary_numbers.h"
+#include "lapwing/io/gltf/gltf_layout.h"
 #include "lapwing/io/text_scanner.h"
 #include "lapwing/io/writing.h"
 
@@ -103,6 +104,15 @@ std::string SourcePatch::apply_text() const {
 
 Positions source_positions(const SourceFile& source, const Mesh& mesh) {
   Positions positions(mesh.vertex_count());
+  if (source.gltf) {
+    for (const GltfRecords& set : source.gltf->records) {
+      for (std::size_t k = 0; k < set.count(); ++k) {
+        positions[source.gltf->vertex_of_record[set.first_record + k]] =
+            source.gltf->position(set, k);
+      }
+    }
+    return positions;
+  }
   for (std::size_t r = 0; r < source.positions.count; ++r) {
     positions[source.vertex_of(mesh, r)] = source.read_triple(source.positions, r);
   }

@@ -21,7 +21,7 @@ std::uint64_t position_hash(const Eigen::Vector3d& position) {
 }  // namespace
 
 Index Welder::vertex_at(const Eigen::Vector3d& position) {
-  if (2 * (positions_.size() + 1) > slots_.size())
+  if (2 * (positions_.size() - first_ + 1) > slots_.size())
     resize_table(std::max<std::size_t>(64, 2 * slots_.size()));
   const auto vertex = static_cast<Index>(positions_.size());
   // Unequal to all, these would pile up in one place of the table.
@@ -42,14 +42,14 @@ std::size_t Welder::find_slot(const Eigen::Vector3d& position) const {
 }
 
 void Welder::reserve(std::size_t count) {
-  positions_.reserve(count);
+  positions_.reserve(first_ + count);
   resize_table(std::bit_ceil(2 * (count + 1)));
 }
 
 void Welder::resize_table(std::size_t size) {
   slots_.assign(size, kNoIndex);
   CancelCheck cancel_check;
-  for (std::size_t v = 0; v < positions_.size(); ++v) {
+  for (std::size_t v = first_; v < positions_.size(); ++v) {
     cancel_check();
     if (!positions_[v].hasNaN()) slots_[find_slot(positions_[v])] = static_cast<Index>(v);
   }

@@ -10,8 +10,9 @@ namespace lapwing {
 /// one to a list. 0 and -0 are equal; a position with a NaN equals none.
 class Welder {
  public:
-  /// `positions` outlives the welder and is changed by it alone.
-  explicit Welder(Positions& positions) : positions_(positions) {}
+  /// `positions` outlives the welder and is changed by it alone. Those that are there already are
+  /// no vertices of its own: nothing is welded to them.
+  explicit Welder(Positions& positions) : positions_(positions), first_(positions.size()) {}
 
   /// Makes room for `count` vertices.
   void reserve(std::size_t count);
@@ -25,6 +26,7 @@ class Welder {
   void resize_table(std::size_t size);
 
   Positions& positions_;
+  std::size_t first_;
   std::vector<Index> slots_;  // open addressing, a power of two in size, at most half full
 };
 

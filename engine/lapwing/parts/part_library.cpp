@@ -7,7 +7,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
 #include "lapwing/io/file_bytes.h"
-#include "lapwing/recipe/json_node.h"
+#include "lapwing/json/json_node.h"
 #include "lapwing/transplant/loop_curve.h"
 
 namespace lapwing {

@@ -1,6 +1,6 @@
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/recipe/key_reader.h"
-#include "lapwing/recipe/parse_json.h"
+#include "lapwing/json/parse_json.h"
 #include "lapwing/recipe/recipe.h"
 
 namespace lapwing {

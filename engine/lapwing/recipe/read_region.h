@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lapwing/recipe/json_node.h"
+#include "lapwing/json/json_node.h"
 #include "lapwing/region/border_belt.h"
 
 namespace lapwing {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lapwing/json/json_node.h"
 #include "lapwing/step/step.h"
 
 namespace lapwing {
@@ -29,6 +30,10 @@ struct Recipe {
 /// checked. Throws InputError with the JSON pointer of the place, what is expected there and what
 /// was found; line and column when the text is no JSON (see parse_json).
 Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& base_directory,
+                    const std::string& name);
+
+/// The same of a document that is no text (json/parse_json.h).
+Recipe parse_recipe(JsonNode::Document document, const std::filesystem::path& base_directory,
                     const std::string& name);
 
 /// Reads a recipe file; its folder is the base directory. Throws IoError when it cannot be read,

@@ -36,14 +36,14 @@ double smallest_angle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
 }
 
-// The mean of the edges from `v` to those of its ring that `counts`.
+// The mean of the edges from `v` to those of its ring that `counts` and are finite.
 template <class Counts>
 double mean_ring_edge(Index v, const Topology& topology, std::span<const Vector3d> positions,
                       const Counts& counts) {
   double sum = 0.0;
   std::size_t count = 0;
   for (const Index j : topology.rings[v]) {
-    if (!counts(j)) continue;
+    if (!counts(j) || !positions[j].allFinite()) continue;
     sum += (positions[j] - positions[v]).norm();
     ++count;
   }

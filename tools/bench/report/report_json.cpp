@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lapwing/io/file_bytes.h"
-#include "lapwing/recipe/json_node.h"
+#include "lapwing/json/json_node.h"
 #include "report/number_text.h"
 
 namespace lapwing::bench {

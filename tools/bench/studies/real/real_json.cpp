@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lapwing/recipe/json_node.h"
+#include "lapwing/json/json_node.h"
 #include "report/number_text.h"
 #include "studies/real/real_summary.h"
 

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
-#include "lapwing/recipe/json_node.h"
-#include "lapwing/recipe/recipe.h"
+#include "lapwing/json/json_node.h"
 
 namespace lapwing {
 
@@ -28,10 +26,6 @@ nlohmann::ordered_json parse_json(std::string_view text, const std::string& name
 struct JsonNode::Document {
   nlohmann::ordered_json json;
 };
-
-/// What the other parse_recipe does, of a document.
-Recipe parse_recipe(JsonNode::Document document, const std::filesystem::path& base_directory,
-                    const std::string& name);
 
 /// Key `key` as a token of a JSON pointer (RFC 6901).
 std::string pointer_token(std::string_view key);

@@ -1,4 +1,4 @@
-#include "lapwing/recipe/parse_json.h"
+#include "lapwing/json/parse_json.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "lapwing/recipe/suggest.h"
+#include "lapwing/json/suggest.h"
 
 #include <algorithm>
 #include <numeric>

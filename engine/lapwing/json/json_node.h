@@ -45,6 +45,8 @@ class JsonNode {
   std::size_t one_of(const std::string& what, const std::vector<std::string_view>& names) const;
 
   std::vector<JsonNode> elements() const;
+  /// Element `k` of this list; nothing where it has fewer.
+  std::optional<JsonNode> element(std::size_t k) const;
   bool is_object() const;
   bool is_string() const;
   bool boolean() const;
@@ -54,6 +56,7 @@ class JsonNode {
   std::optional<double> if_number() const;  ///< nothing where this is no number
   double positive_number() const;
   double number_from_zero() const;  ///< 0 or more
+  std::size_t count() const;        ///< a whole number from 0
   Index vertex() const;
   std::vector<Index> vertices() const;
   std::vector<double> numbers() const;

@@ -1,12 +1,13 @@
-#include "lapwing/recipe/json_node.h"
+#include "lapwing/json/json_node.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/recipe/parse_json.h"
-#include "lapwing/recipe/suggest.h"
+#include "lapwing/json/parse_json.h"
+#include "lapwing/json/suggest.h"
 
 namespace lapwing {
 
@@ -146,6 +147,12 @@ std::vector<JsonNode> JsonNode::elements() const {
   return nodes;
 }
 
+std::optional<JsonNode> JsonNode::element(std::size_t k) const {
+  require_list("a list");
+  if (k >= value_->json->size()) return std::nullopt;
+  return child(&(*value_->json)[k], std::to_string(k));
+}
+
 bool JsonNode::is_object() const {
   return value_->json->is_object();
 }
@@ -190,6 +197,17 @@ double JsonNode::number_from_zero() const {
   const Json& json = *value_->json;
   if (!json.is_number() || !(json.get<double>() >= 0.0)) fail_expecting("0 or more");
   return json.get<double>();
+}
+
+std::size_t JsonNode::count() const {
+  const Json& json = *value_->json;
+  // Some exporters write 12.0.
+  constexpr double kMost = 9007199254740992.0;  // up to here a double holds every whole number
+  const double value = json.is_number() ? json.get<double>() : -1.0;
+  if (!(value >= 0.0 && value <= kMost && std::floor(value) == value)) {
+    fail_expecting("a whole number from 0");
+  }
+  return static_cast<std::size_t>(value);
 }
 
 Index JsonNode::vertex() const {

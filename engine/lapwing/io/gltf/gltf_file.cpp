@@ -1,0 +1,172 @@
+#include "lapwing/io/gltf/gltf_file.h"
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/binary_numbers.h"
+#include "lapwing/io/gltf/base64.h"
+#include "lapwing/io/gltf/uri.h"
+#include "lapwing/io/named_file.h"
+
+namespace lapwing {
+namespace {
+
+std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+  return static_cast<std::uint32_t>(
+      load_number(bytes.data() + at, Scalar::uint32, Encoding::little_endian));
+}
+
+void append_word(std::string& out, std::size_t value) {
+  append_binary(out, static_cast<double>(value), Scalar::uint32, Encoding::little_endian);
+}
+
+void append_chunk(std::string& out, std::uint32_t type, std::string_view bytes, char filler) {
+  const std::size_t filled = (bytes.size() + 3) / 4 * 4;
+  append_word(out, filled);
+  append_word(out, type);
+  out += bytes;
+  out.append(filled - bytes.size(), filler);
+}
+
+// How a file is to be written so that its positions stand in it as numbers.
+void refuse_compression(const JsonNode& root) {
+  const auto required = root.find("extensionsRequired");
+  if (!required) return;
+  for (const JsonNode& node : required->elements()) {
+    const std::string name = node.string();
+    if (name == "KHR_draco_mesh_compression") {
+      node.fail("meshes compressed by Draco are not read; export the file without compression");
+    }
+    if (name == "EXT_meshopt_compression" || name == "KHR_meshopt_compression") {
+      node.fail("buffers compressed by meshopt are not read; export the file without compression");
+    }
+  }
+}
+
+}  // namespace
+
+GltfFile::GltfFile(const SourceFile& file)
+    : source_(file),
+      is_binary_(file.bytes().size() >= 4 && word_at(file.bytes(), 0) == kGlbMagic),
+      json_(file.bytes()),
+      root_([this] {
+        if (is_binary_) split_chunks();
+        // Some exporters fill the chunk with NULs, which are no JSON.
+        return JsonNode::parse(json_.substr(0, json_.find_last_not_of('\0') + 1),
+                               source_.path().string());
+      }()) {
+  const auto asset = root_.find("asset");
+  const auto version = asset ? asset->find("version") : std::nullopt;
+  if (!version || !version->is_string() || !version->string().starts_with("2.")) {
+    root_.fail("this is no glTF 2.0; export it again as glTF 2.0");
+  }
+  refuse_compression(root_);
+  read_buffers();
+}
+
+void GltfFile::split_chunks() {
+  const std::string_view bytes = source_.bytes();
+  if (bytes.size() < kGlbHeaderSize + kGlbChunkHeaderSize) {
+    source_.fail(0, "a GLB has at least 20 bytes; this one has " + std::to_string(bytes.size()));
+  }
+  if (word_at(bytes, 4) != 2) {
+    source_.fail(
+        4, "this is version " + std::to_string(word_at(bytes, 4)) + " of GLB; only 2 is read");
+  }
+  const std::size_t length = word_at(bytes, 8);
+  if (length > bytes.size()) {
+    source_.fail(8, "the header promises " + std::to_string(length) + " bytes, the file has " +
+                        std::to_string(bytes.size()));
+  }
+  const auto chunk_at = [&](std::size_t at) {
+    const std::size_t size = word_at(bytes, at);
+    const std::size_t room = length - at - kGlbChunkHeaderSize;
+    if (size > room) {
+      source_.fail(at, "the chunk promises " + std::to_string(size) + " bytes, the file has " +
+                           std::to_string(room) + " more");
+    }
+    return bytes.substr(at + kGlbChunkHeaderSize, size);
+  };
+  std::size_t at = kGlbHeaderSize;
+  if (length < at + kGlbChunkHeaderSize || word_at(bytes, at + 4) != kGlbJson) {
+    source_.fail(at, "the first chunk of a GLB is JSON");
+  }
+  json_ = chunk_at(at);
+  at += kGlbChunkHeaderSize + json_.size();
+  if (length >= at + kGlbChunkHeaderSize && word_at(bytes, at + 4) == kGlbBinary) {
+    has_chunk_ = true;
+    chunk_ = chunk_at(at);
+    at += kGlbChunkHeaderSize + chunk_.size();
+  }
+  further_chunks_ = bytes.substr(at, length - at);
+  tail_ = bytes.substr(length);
+}
+
+void GltfFile::read_buffers() {
+  const auto list = root_.find("buffers");
+  if (!list) return;
+  const std::vector<JsonNode> nodes = list->elements();
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    GltfBuffer buffer = read_buffer(nodes[k], k);
+    const std::size_t promised = nodes[k].at("byteLength").count();
+    if (promised > buffer.bytes.size()) {
+      nodes[k].fail("the buffer promises " + std::to_string(promised) + " bytes and has " +
+                    std::to_string(buffer.bytes.size()) + "; export the file again");
+    }
+    buffers_.push_back(std::move(buffer));
+  }
+}
+
+GltfBuffer GltfFile::read_buffer(const JsonNode& node, std::size_t number) {
+  GltfBuffer buffer;
+  const auto uri_node = node.find("uri");
+  if (!uri_node) {
+    if (number > 0 || !has_chunk_) {
+      node.fail("the buffer has no \"uri\", and the file no chunk for it; export the file again");
+    }
+    buffer.bytes = chunk_;
+    return buffer;
+  }
+  const std::string uri = uri_node->string();
+  if (uri.starts_with("data:")) {
+    constexpr std::string_view kMark = ";base64,";
+    const std::size_t mark = uri.find(kMark);
+    if (mark == std::string::npos) uri_node->fail("expected data in base64");
+    buffer.kind = GltfBuffer::Kind::data_uri;
+    buffer.data_offset = mark + kMark.size();
+    auto decoded = decode_base64(std::string_view(uri).substr(buffer.data_offset));
+    if (!decoded) uri_node->fail("what follows \"base64,\" is no base64");
+    decoded_.push_back(std::make_unique<const std::string>(std::move(*decoded)));
+    buffer.bytes = *decoded_.back();
+    return buffer;
+  }
+  const auto path = find_named_file(source_.path().parent_path(), path_of_uri(uri));
+  if (!path) {
+    uri_node->fail("there is no file '" + path_of_uri(uri) +
+                   "' in the folder of the glTF file; copy it there");
+  }
+  buffer.kind = GltfBuffer::Kind::file;
+  buffer.path = *path;
+  files_.push_back(std::make_unique<const FileBytes>(FileBytes::read(*path)));
+  buffer.bytes = files_.back()->view();
+  return buffer;
+}
+
+std::string glb_of(std::string_view json, const std::string_view* buffer,
+                   std::string_view further_chunks) {
+  std::string chunks;
+  append_chunk(chunks, kGlbJson, json, ' ');
+  if (buffer != nullptr) append_chunk(chunks, kGlbBinary, *buffer, '\0');
+  chunks += further_chunks;
+  const std::size_t length = kGlbHeaderSize + chunks.size();
+  constexpr std::size_t kMost = 0xFFFFFFFFU;
+  if (length > kMost) {
+    throw InputError("a GLB holds at most 4 GB; write a .gltf file, or a smaller mesh");
+  }
+  std::string out;
+  out.reserve(length);
+  append_word(out, kGlbMagic);
+  append_word(out, 2);
+  append_word(out, length);
+  return out + chunks;
+}
+
+}  // namespace lapwing

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/io/source_file.h"
+
+namespace lapwing {
+
+/// A file in memory.
+struct FileContent {
+  std::filesystem::path path;
+  std::string bytes;
+};
+
+/// The glTF file at `target`, and those that its buffers are in, with the positions of `mesh`,
+/// which `source` describes: the files that it was read from, byte for byte, but for the positions
+/// that moved, the normals and tangents there, and the bounds ("min", "max") of those accessors.
+/// Buffers in files of their own get the target's name, unless the target is the file that was
+/// read. The first is the target itself.
+///
+/// Positions in whole numbers are rounded to them, which `report` notes. Throws InputError where a
+/// position does not fit the numbers of the file, and where one that moved is stored together with
+/// those of another mesh, or nowhere.
+std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
+                                    const std::filesystem::path& target, WriteReport& report);
+
+}  // namespace lapwing

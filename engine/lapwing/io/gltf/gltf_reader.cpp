@@ -1,0 +1,293 @@
+#include <array>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "lapwing/base/cancellation.h"
+#include "lapwing/base/srgb.h"
+#include "lapwing/io/formats.h"
+#include "lapwing/io/gltf/gltf_layout.h"
+#include "lapwing/io/reading.h"
+#include "lapwing/io/welder.h"
+
+namespace lapwing {
+namespace {
+
+// The modes of primitives that have triangles.
+constexpr std::size_t kTriangles = 4;
+constexpr std::size_t kTriangleStrip = 5;
+constexpr std::size_t kTriangleFan = 6;
+
+class GltfReader {
+ public:
+  explicit GltfReader(SourceFile& file)
+      : source_(file), layout_(std::make_unique<GltfLayout>(file)) {}
+
+  Mesh read() {
+    std::size_t hidden = 0;
+    layout_->objects = find_objects(layout_->file, source_.object(), hidden);
+    if (hidden > 0) uneditable_.add("further nodes that show a mesh that is here", hidden);
+    if (const auto materials = layout_->file.root().find("materials")) {
+      for (const JsonNode& material : materials->elements()) {
+        const auto name = material.find("name");
+        attributes_.materials.push_back(
+            name && name->is_string() ? name->string()
+                                      : "material " + std::to_string(attributes_.materials.size()));
+      }
+    }
+    for (std::size_t k = 0; k < layout_->objects.size(); ++k) read_object(k);
+    drop_what_no_face_has();
+    note_the_rest();
+    attributes_.uneditable = uneditable_.lines();
+    source_.gltf = std::move(layout_);
+    return std::move(mesh_);
+  }
+
+ private:
+  // What the corners of a primitive name, by number of accessor.
+  using Key = std::array<std::size_t, 5>;
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  struct Place {
+    std::size_t first_record = 0;
+    std::size_t count = 0;
+  };
+
+  void read_object(std::size_t number) {
+    const GltfObject& object = layout_->objects[number];
+    const JsonNode mesh = *layout_->file.root().at("meshes").element(object.mesh);
+    attributes_.groups.push_back(object.name);
+    Welder welder(mesh_.positions);
+    std::map<Key, Place> known;
+    for (const JsonNode& primitive : mesh.at("primitives").elements()) {
+      const auto mode_node = primitive.find("mode");
+      const std::size_t mode = mode_node ? mode_node->count() : kTriangles;
+      if (mode > kTriangleFan) mode_node->fail_expecting("a mode from 0 to 6");
+      if (mode < kTriangles) {
+        uneditable_.add("primitives of points or lines");
+        continue;
+      }
+      const JsonNode attributes = primitive.at("attributes");
+      if (!attributes.has("POSITION")) {
+        uneditable_.add("primitives without positions");
+        continue;
+      }
+      const Key key = key_of(attributes);
+      const auto [place, is_new] = known.try_emplace(key);
+      if (is_new) place->second = read_records(number, attributes, key, welder);
+      read_faces(primitive, mode, number, place->second);
+      if (const auto targets = primitive.find("targets")) {
+        uneditable_.add("morph targets", targets->elements().size());
+      }
+    }
+    if (object.has_skin) uneditable_.add("skins");
+  }
+
+  static Key key_of(const JsonNode& attributes) {
+    constexpr std::array<const char*, 5> kNames{"POSITION", "NORMAL", "TANGENT", "TEXCOORD_0",
+                                                "COLOR_0"};
+    Key key{};
+    for (std::size_t k = 0; k < kNames.size(); ++k) {
+      const auto node = attributes.find(kNames[k]);
+      key[k] = node ? node->count() : kNone;
+    }
+    return key;
+  }
+
+  // The accessor of an attribute, as long as that of the positions.
+  GltfAccessor accessor(const JsonNode& attributes, std::size_t number, std::size_t least,
+                        std::size_t most, std::size_t count) const {
+    GltfAccessor found(layout_->file, number);
+    if (found.components() < least || found.components() > most) {
+      attributes.fail("accessor " + std::to_string(number) + " has " +
+                      std::to_string(found.components()) + " numbers an element, not " +
+                      std::to_string(least));
+    }
+    if (count != kNone && found.count() != count) {
+      attributes.fail("accessor " + std::to_string(number) + " has " +
+                      std::to_string(found.count()) + " elements, the positions " +
+                      std::to_string(count));
+    }
+    return found;
+  }
+
+  Place read_records(std::size_t object, const JsonNode& attributes, const Key& key,
+                     Welder& welder) {
+    GltfRecords set{object,
+                    layout_->vertex_of_record.size(),
+                    accessor(attributes, key[0], 3, 3, kNone),
+                    {},
+                    {}};
+    const std::size_t count = set.count();
+    if (count >= kNoIndex - set.first_record) {
+      attributes.fail("more vertices than can be numbered");
+    }
+    if (key[1] != kNone) set.normals = accessor(attributes, key[1], 3, 3, count);
+    if (key[2] != kNone) set.tangents = accessor(attributes, key[2], 4, 4, count);
+    CancelCheck cancel_check;
+    for (std::size_t k = 0; k < count; ++k) {
+      cancel_check();
+      layout_->vertex_of_record.push_back(welder.vertex_at(layout_->position(set, k)));
+    }
+    read_normals(set);
+    read_texture_coordinates(attributes, key[3], count);
+    read_colors(attributes, key[4], set);
+    layout_->records.push_back(std::move(set));
+    return {layout_->records.back().first_record, count};
+  }
+
+  void read_normals(const GltfRecords& set) {
+    if (!set.normals) {
+      layout_->normal_of_record.resize(layout_->vertex_of_record.size(), kNoIndex);
+      return;
+    }
+    const Eigen::Affine3d& to_world = layout_->objects[set.object].to_world;
+    const bool stays = to_world.linear() == Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d turn = to_world.linear().inverse().transpose();
+    CancelCheck cancel_check;
+    for (std::size_t k = 0; k < set.count(); ++k) {
+      cancel_check();
+      Eigen::Vector3d normal = set.normals->vector3(k);
+      if (!stays) normal = (turn * normal).normalized();
+      layout_->normal_of_record.push_back(
+          normal_at(layout_->vertex_of_record[set.first_record + k], normal));
+    }
+  }
+
+  // Equal normals of a vertex are one.
+  Index normal_at(Index vertex, const Eigen::Vector3d& normal) {
+    first_normal_.resize(mesh_.positions.size(), kNoIndex);
+    for (Index n = first_normal_[vertex]; n != kNoIndex; n = next_normal_[n]) {
+      if (attributes_.normals[n] == normal) return n;
+    }
+    const auto added = static_cast<Index>(attributes_.normals.size());
+    attributes_.normals.push_back(normal);
+    next_normal_.push_back(std::exchange(first_normal_[vertex], added));
+    return added;
+  }
+
+  // In glTF v runs downwards.
+  void read_texture_coordinates(const JsonNode& attributes, std::size_t number, std::size_t count) {
+    if (number == kNone) {
+      uv_of_record_.resize(layout_->vertex_of_record.size(), kNoIndex);
+      return;
+    }
+    const GltfAccessor list = accessor(attributes, number, 2, 2, count);
+    for (std::size_t k = 0; k < count; ++k) {
+      uv_of_record_.push_back(static_cast<Index>(attributes_.uvs.size()));
+      attributes_.uvs.emplace_back(list.value(k, 0), 1.0 - list.value(k, 1));
+    }
+  }
+
+  // Of a vertex the last that has one. In glTF they are linear.
+  void read_colors(const JsonNode& attributes, std::size_t number, const GltfRecords& set) {
+    if (number == kNone) return;
+    const GltfAccessor list = accessor(attributes, number, 3, 4, set.count());
+    attributes_.vertex_colors.resize(mesh_.positions.size(), Eigen::Vector4f::Ones());
+    for (std::size_t k = 0; k < set.count(); ++k) {
+      Eigen::Vector4f& color =
+          attributes_.vertex_colors[layout_->vertex_of_record[set.first_record + k]];
+      for (std::size_t c = 0; c < 3; ++c) {
+        color[static_cast<Eigen::Index>(c)] = srgb_of_linear(static_cast<float>(list.value(k, c)));
+      }
+      color[3] = list.components() == 4 ? static_cast<float>(list.value(k, 3)) : 1.0F;
+    }
+  }
+
+  void read_faces(const JsonNode& primitive, std::size_t mode, std::size_t object, Place place) {
+    const auto material = primitive.find("material");
+    const Index material_number = material ? static_cast<Index>(material->count()) : kNoIndex;
+    if (material && material_number >= attributes_.materials.size()) {
+      material->fail("there is no such material");
+    }
+    std::optional<GltfAccessor> indices;
+    if (const auto node = primitive.find("indices")) {
+      indices.emplace(layout_->file, node->count());
+      if (indices->components() != 1 || indices->type() == Scalar::float32) {
+        node->fail("expected an accessor of whole numbers");
+      }
+    }
+    const std::size_t count = indices ? indices->count() : place.count;
+    const auto record_at = [&](std::size_t k) {
+      const double index = indices ? indices->value(k, 0) : static_cast<double>(k);
+      if (!(index >= 0.0 && index < static_cast<double>(place.count))) {
+        primitive.fail("corner " + std::to_string(k) + " names vertex " +
+                       std::to_string(static_cast<std::int64_t>(index)) + " of " +
+                       std::to_string(place.count) + "; export the file again");
+      }
+      return static_cast<Index>(place.first_record + static_cast<std::size_t>(index));
+    };
+    // A mirrored object shows the other side of its triangles.
+    const bool is_mirrored = layout_->objects[object].to_world.linear().determinant() < 0.0;
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+      if (is_mirrored) std::swap(b, c);
+      add_face({record_at(a), record_at(b), record_at(c)}, material_number,
+               static_cast<Index>(object));
+    };
+    CancelCheck cancel_check;
+    const std::size_t step = mode == kTriangles ? 3 : 1;
+    for (std::size_t k = 0; k + 2 < count; k += step) {
+      cancel_check();
+      if (mode == kTriangles) add(k, k + 1, k + 2);
+      if (mode == kTriangleStrip) add(k, k + 1 + k % 2, k + 2 - k % 2);
+      if (mode == kTriangleFan) add(k + 1, k + 2, 0);
+    }
+  }
+
+  void add_face(std::array<Index, 3> records, Index material, Index object) {
+    std::array<Index, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = layout_->vertex_of_record[records[k]];
+      layout_->record_of_corner.push_back(records[k]);
+      attributes_.corner_normals.push_back(layout_->normal_of_record[records[k]]);
+      attributes_.corner_uvs.push_back(uv_of_record_[records[k]]);
+    }
+    faces_.vertices.insert(faces_.vertices.end(), corners.begin(), corners.end());
+    close_face(source_, faces_, 0);
+    attributes_.face_materials.push_back(material);
+    attributes_.face_groups.push_back(object);
+  }
+
+  // A list is empty or as long as it must be.
+  void drop_what_no_face_has() {
+    if (attributes_.normals.empty()) attributes_.corner_normals.clear();
+    if (attributes_.uvs.empty()) attributes_.corner_uvs.clear();
+    if (attributes_.materials.empty()) attributes_.face_materials.clear();
+    if (!attributes_.vertex_colors.empty()) {
+      attributes_.vertex_colors.resize(mesh_.positions.size(), Eigen::Vector4f::Ones());
+    }
+  }
+
+  void note_the_rest() {
+    const JsonNode& root = layout_->file.root();
+    constexpr std::array<std::pair<const char*, const char*>, 4> kLists{
+        {{"animations", "animations"},
+         {"cameras", "cameras"},
+         {"images", "images"},
+         {"extensionsUsed", "extensions"}}};
+    for (const auto& [key, what] : kLists) {
+      const auto list = root.find(key);
+      if (list && !list->elements().empty()) uneditable_.add(what, list->elements().size());
+    }
+  }
+
+  SourceFile& source_;
+  std::unique_ptr<GltfLayout> layout_;
+  Mesh mesh_;
+  Faces& faces_ = mesh_.edit_faces();
+  MeshAttributes& attributes_ = mesh_.edit_attributes();
+  std::vector<Index> uv_of_record_;
+  // The normals of a vertex, as a list.
+  std::vector<Index> first_normal_;
+  std::vector<Index> next_normal_;
+  Tally uneditable_;
+};
+
+}  // namespace
+
+Mesh read_gltf(SourceFile& file) {
+  file.encoding = Encoding::little_endian;
+  return GltfReader(file).read();
+}
+
+}  // namespace lapwing

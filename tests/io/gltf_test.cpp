@@ -1,0 +1,281 @@
+// glTF files: what is read, that nothing but what moved changes, and what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/gltf_sample.h"
+#include "io/temporary_folder.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/mesh/shapes.h"
+
+namespace lapwing {
+namespace {
+
+namespace fs = std::filesystem;
+using test::GltfSample;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+std::string message_of(const fs::path& path) {
+  try {
+    read_mesh(path);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was wrong";
+}
+
+// A square of two triangles that share no vertex of the file, as at a seam of the texture.
+struct Square {
+  GltfSample sample;
+  std::string primitive;
+
+  Square() {
+    const std::vector<float> points{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0};
+    std::vector<float> normals;
+    std::vector<float> tangents;
+    for (int k = 0; k < 6; ++k) {
+      normals.insert(normals.end(), {0, 0, 1});
+      tangents.insert(tangents.end(), {1, 0, 0, -1});
+    }
+    const auto p = sample.add(points, 5126, "VEC3", 6, R"(,"min":[0,0,0],"max":[1,1,0])");
+    const auto n = sample.add(normals, 5126, "VEC3", 6);
+    const auto t = sample.add(tangents, 5126, "VEC4", 6);
+    const auto uv =
+        sample.add(std::vector<float>{0, 1, 1, 1, 1, 0, .5F, 1, .5F, 0, 0, 0}, 5126, "VEC2", 6);
+    primitive = R"({"attributes":{"POSITION":)" + std::to_string(p) + R"(,"NORMAL":)" +
+                std::to_string(n) + R"(,"TANGENT":)" + std::to_string(t) + R"(,"TEXCOORD_0":)" +
+                std::to_string(uv) + R"(},"material":0})";
+  }
+
+  std::string rest(const std::string& node = "") const {
+    return R"("scenes":[{"nodes":[0]}],"nodes":[{"name":"Flag","mesh":0)" + node +
+           R"(}],"materials":[{"name":"cloth"}],"meshes":[{"primitives":[)" + primitive + "]}]";
+  }
+};
+
+TEST(Gltf, SplitVerticesAreOneWhereTheirPositionsAre) {
+  const TemporaryFolder folder;
+  const Square square;
+  const Mesh mesh = read_mesh(folder.file("flag.glb", square.sample.glb(square.rest())));
+  EXPECT_EQ(mesh.vertex_count(), 4U);
+  ASSERT_EQ(mesh.face_count(), 2U);
+  EXPECT_EQ(mesh.face(1)[0], mesh.face(0)[0]);
+  EXPECT_EQ(mesh.attributes().normals.size(), 4U) << "equal normals of a vertex are one";
+  EXPECT_EQ(mesh.attributes().uvs[0], Eigen::Vector2d(0.0, 0.0)) << "v runs upwards";
+  EXPECT_EQ(mesh.attributes().materials, std::vector<std::string>{"cloth"});
+  EXPECT_EQ(mesh.attributes().groups, std::vector<std::string>{"Flag"});
+}
+
+TEST(Gltf, WhatDoesNotMoveComesBackByteForByte) {
+  const TemporaryFolder folder;
+  const Square square;
+  const std::string node = R"(,"rotation":[0,0,0.6,0.8],"scale":[2,3,-4],"translation":[1,2,3])";
+  const std::string bytes = square.sample.glb(square.rest(node)) + "behind the end";
+  const Mesh mesh = read_mesh(folder.file("flag.glb", bytes));
+  write_mesh(mesh, folder / "again.glb");
+  EXPECT_EQ(content_of(folder / "again.glb"), bytes);
+}
+
+TEST(Gltf, PositionsNormalsTangentsAndBoundsFollow) {
+  const TemporaryFolder folder;
+  const Square square;
+  const fs::path path = folder.file("flag.glb", square.sample.glb(square.rest()));
+  Mesh mesh = read_mesh(path);
+  for (Eigen::Vector3d& p : mesh.positions) p = {0.0, 2.0 * p.y(), p.x()};  // x upright
+  write_mesh(mesh, path);
+
+  const std::string bytes = content_of(path);
+  EXPECT_THAT(bytes, AllOf(HasSubstr(R"("min":[0,0,0])"), HasSubstr(R"("max":[0,2,1])")));
+  const Mesh again = read_mesh(path);
+  EXPECT_EQ(again.positions, mesh.positions);
+  for (const Eigen::Vector3d& normal : again.attributes().normals) {
+    EXPECT_LT((normal - Eigen::Vector3d(-1, 0, 0)).norm(), 1e-6);
+  }
+  float tangent[4];
+  const std::size_t tangents = bytes.find("BIN") + 4 + 6 * 24;
+  std::memcpy(tangent, bytes.data() + tangents, sizeof tangent);
+  EXPECT_EQ(std::vector<float>(tangent, tangent + 4), (std::vector<float>{0, 0, 1, -1}));
+}
+
+TEST(Gltf, ANodePutsItsMeshIntoTheWorld) {
+  const TemporaryFolder folder;
+  const Square square;
+  const std::string node = R"(,"matrix":[0,2,0,0, -2,0,0,0, 0,0,2,0, 10,0,0,1])";
+  const fs::path path = folder.file("flag.glb", square.sample.glb(square.rest(node)));
+  Mesh mesh = read_mesh(path);
+  EXPECT_EQ(mesh.positions[1], Eigen::Vector3d(10, 2, 0));
+  mesh.positions[1] += Eigen::Vector3d(0, 0, 4);
+  write_mesh(mesh, path);
+  EXPECT_THAT(content_of(path), HasSubstr(R"("max":[1,1,2])"));
+  EXPECT_EQ(read_mesh(path).positions, mesh.positions);
+}
+
+TEST(Gltf, AMirroredNodeShowsTheOtherSideOfItsTriangles) {
+  const TemporaryFolder folder;
+  const Square square;
+  const Mesh mesh =
+      read_mesh(folder.file("a.glb", square.sample.glb(square.rest(R"(,"scale":[-1,1,1])"))));
+  const auto face = mesh.face(0);
+  const Eigen::Vector3d normal = (mesh.positions[face[1]] - mesh.positions[face[0]])
+                                     .cross(mesh.positions[face[2]] - mesh.positions[face[0]]);
+  EXPECT_GT(normal.z(), 0.0) << "where the stored normal points, too";
+}
+
+TEST(Gltf, ObjectsAreChosenByName) {
+  const TemporaryFolder folder;
+  const Square square;
+  const std::string rest =
+      R"("nodes":[{"name":"Left","mesh":0},{"name":"Right","mesh":1,"translation":[5,0,0]}],)"
+      R"("materials":[{}],"meshes":[{"primitives":[)" +
+      square.primitive + R"(]},{"name":"Shape","primitives":[)" + square.primitive + "]}]";
+  folder.file("two.glb", square.sample.glb(rest));
+  EXPECT_EQ(read_mesh(folder / "two.glb").vertex_count(), 8U);
+  EXPECT_EQ(read_mesh(folder / "two.glb#Right").positions[0].x(), 5.0);
+  EXPECT_EQ(read_mesh(folder / "two.glb#Shape").vertex_count(), 4U);
+  EXPECT_THAT(message_of(folder / "two.glb#Rigth"),
+              AllOf(HasSubstr("there is no object 'Rigth'"), HasSubstr("\"Right\"?")));
+
+  Mesh left = read_mesh(folder / "two.glb#Left");
+  left.positions[0].z() = 1.0;
+  try {
+    write_mesh(left, folder / "moved.glb");
+    FAIL() << "the other object would have moved, too";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("share the positions that moved"));
+  }
+}
+
+TEST(Gltf, SparsePositionsMoveWhereTheyStand) {
+  const TemporaryFolder folder;
+  GltfSample sample;
+  sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
+  sample.add(std::vector<std::uint16_t>{2}, 5123, "SCALAR", 1);
+  sample.add(std::vector<float>{0, 3, 0}, 5126, "VEC3", 1);
+  const auto p = sample.add_accessor(
+      R"("bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,3,0],)"
+      R"("sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123},)"
+      R"("values":{"bufferView":2}})");
+  const fs::path path =
+      folder.file("a.glb", sample.glb(R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[)"
+                                      R"({"attributes":{"POSITION":)" +
+                                      std::to_string(p) + "}}]}]"));
+  Mesh mesh = read_mesh(path);
+  EXPECT_EQ(mesh.positions[2], Eigen::Vector3d(0, 3, 0));
+  mesh.positions[2] = {0, 7, 0};
+  mesh.positions[1] = {2, 0, 0};
+  write_mesh(mesh, path);
+  EXPECT_EQ(read_mesh(path).positions, mesh.positions);
+  EXPECT_THAT(content_of(path), HasSubstr(R"("max":[2,7,0])"));
+}
+
+TEST(Gltf, WholeNumbersAreReadAndRounded) {
+  const TemporaryFolder folder;
+  // Parts of 1.
+  GltfSample sample;
+  sample.add(std::vector<std::int16_t>{0, 0, 0, 0, 32767, 0, 0, 0, 0, 32767, 0, 0}, 5122, "VEC3", 3,
+             "stride:8");
+  const auto p = sample.add_accessor(
+      R"("bufferView":0,"componentType":5122,"normalized":true,"type":"VEC3","count":3)");
+  const std::string rest = R"("nodes":[{"mesh":0,"scale":[10,10,10]}],"meshes":[{"primitives":[)"
+                           R"({"attributes":{"POSITION":)" +
+                           std::to_string(p) + "}}]}]";
+  const fs::path path = folder.file("a.glb", sample.glb(rest));
+  Mesh mesh = read_mesh(path);
+  EXPECT_EQ(mesh.positions[1], Eigen::Vector3d(10, 0, 0));
+  mesh.positions[1] = {5.0, 0, 0};
+  const WriteReport report = write_mesh(mesh, path);
+  EXPECT_THAT(report.notes, Contains(HasSubstr("quantized")));
+  EXPECT_NEAR(read_mesh(path).positions[1].x(), 5.0, 10.0 / 32767.0);
+  mesh.positions[1] = {11.0, 0, 0};
+  EXPECT_THROW(write_mesh(mesh, path), InputError);
+}
+
+TEST(Gltf, DataInTheTextIsWrittenThere) {
+  const TemporaryFolder folder;
+  GltfSample sample;
+  const auto p = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
+  const std::string rest = R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
+                           R"({"POSITION":)" +
+                           std::to_string(p) + "}}]}]";
+  // 36 bytes, of which only four floats are not 0: 1.0F is 00 00 80 3F.
+  const std::string data = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+  const fs::path path = folder.file(
+      "a.gltf", sample.json(rest, R"(,"uri":"data:application/octet-stream;base64,)" + data + '"'));
+  const std::string before = content_of(path);
+  Mesh mesh = read_mesh(path);
+  ASSERT_EQ(mesh.positions[1], Eigen::Vector3d(1, 0, 0));
+  write_mesh(mesh, path);
+  EXPECT_EQ(content_of(path), before);
+  mesh.positions[1] = {0, 1, 0};
+  mesh.positions[2] = {1, 0, 0};
+  write_mesh(mesh, path);
+  EXPECT_EQ(read_mesh(path).positions, mesh.positions);
+  EXPECT_EQ(content_of(path).size(), before.size());
+}
+
+TEST(Gltf, ABufferOfItsOwnGoesWithTheFile) {
+  const TemporaryFolder folder;
+  GltfSample sample;
+  const auto p = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
+  const std::string rest = R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
+                           R"({"POSITION":)" +
+                           std::to_string(p) + "}}]}]";
+  const fs::path path = folder.file("a.gltf", sample.json(rest, R"(,"uri":"some%20numbers.bin")"));
+  folder.file("some numbers.bin", sample.buffer());
+  Mesh mesh = read_mesh(path);
+  mesh.positions[1] = {4, 0, 0};
+  write_mesh(mesh, folder / "b.gltf");
+  EXPECT_EQ(content_of(folder / "some numbers.bin"), sample.buffer()) << "the input's";
+  EXPECT_EQ(read_mesh(folder / "b.gltf").positions, mesh.positions);
+  EXPECT_THAT(content_of(folder / "b.gltf"), HasSubstr("\"b.bin\""));
+  write_mesh(mesh, path);
+  EXPECT_EQ(read_mesh(path).positions, mesh.positions) << "in its place";
+}
+
+TEST(Gltf, MadeAnewItReadsBack) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    const Mesh sphere = icosphere(2);
+    write_mesh(sphere, folder / name);
+    const Mesh again = read_mesh(folder / name);
+    ASSERT_EQ(again.face_count(), sphere.face_count());
+    EXPECT_EQ(again.vertex_count(), sphere.vertex_count());
+    for (std::size_t f = 0; f < again.face_count(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Eigen::Vector3d p = sphere.positions[sphere.face(f)[k]];
+        EXPECT_EQ(again.positions[again.face(f)[k]], p.cast<float>().cast<double>());
+      }
+    }
+  }
+}
+
+TEST(Gltf, WhatIsWrongIsNamed) {
+  const TemporaryFolder folder;
+  const auto message = [&](const std::string& bytes) {
+    return message_of(folder.file("a.glb", bytes));
+  };
+  const Square square;
+  const std::string good = square.sample.glb(square.rest());
+  std::string old = good;
+  old[4] = 1;
+  EXPECT_THAT(message(old), HasSubstr("version 1 of GLB"));
+  EXPECT_THAT(message(good.substr(0, 200)), HasSubstr("the header promises"));
+  EXPECT_THAT(message("{}"), HasSubstr("no glTF 2.0"));
+  EXPECT_THAT(message(R"({"asset":{"version":"2.0"},"extensionsRequired":)"
+                      R"(["KHR_draco_mesh_compression"]})"),
+              AllOf(HasSubstr("/extensionsRequired/0"), HasSubstr("without compression")));
+  EXPECT_THAT(message(R"({"asset":{"version":"2.0"},"nodes":[{"children":[0]}]})"),
+              HasSubstr("/nodes/0: this node is its own ancestor"));
+  EXPECT_THAT(message(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"no.bin"}]})"),
+              AllOf(HasSubstr("/buffers/0/uri"), HasSubstr("there is no file 'no.bin'")));
+  EXPECT_THAT(message(square.sample.glb(square.rest(R"(,"scale":[0,1,1])"))),
+              HasSubstr("'Flag' is scaled to nothing"));
+  std::string beyond = good;
+  beyond.replace(beyond.find(R"("byteLength":72)"), 15, R"("byteLength":71)");
+  EXPECT_THAT(message(beyond), AllOf(HasSubstr("/accessors/0"), HasSubstr("beyond the end")));
+}
+
+}  // namespace
+}  // namespace lapwing
