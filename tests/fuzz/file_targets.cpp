@@ -2,6 +2,7 @@
 #include <array>
 
 #include "fuzz/targets.h"
+#include "io/gltf_sample.h"
 #include "io/rich_mesh.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/file_bytes.h"
@@ -136,6 +137,34 @@ void read_stl(Bytes bytes) {
   read_and_write(bytes, "a.stl");
 }
 
+// Positions are 32-bit floats or whole numbers in coordinates of their own, so that what moves
+// comes back nearly, and equal ones are one vertex, so that others may be.
+void read_glb(Bytes bytes) {
+  const fs::path path = file_of(bytes, "a.glb");
+  Mesh mesh;
+  try {
+    mesh = read_mesh(path);
+  } catch (const InputError&) {
+    return;
+  }
+  validate_indices(mesh);
+  require_kept(mesh, path, "a.glb");
+  require_read_back(mesh, "anew.ply", {});
+  const fs::path anew = file_of("", "anew.glb");
+  const fs::path moved = file_of("", "moved.glb");
+  try {
+    write_mesh(mesh, anew, {.anew = true});
+    read_mesh(anew);
+    if (mesh.positions.empty()) return;
+    Mesh other = mesh;
+    other.positions.back() += Eigen::Vector3d(1.0, -2.0, 0.5);
+    write_mesh(other, moved);
+  } catch (const InputError&) {
+    return;
+  }
+  require(read_mesh(moved).face_count() == mesh.face_count(), "faces come back with one moved");
+}
+
 void read_colors(Bytes bytes) {
   std::vector<std::string> notes;
   read_material_library(file_of(bytes, "a.mtl"), notes);
@@ -218,6 +247,33 @@ std::vector<std::string> ply_seeds() {
 std::vector<std::string> stl_seeds() {
   return meshes_with(".stl");
 }
+std::vector<std::string> glb_seeds() {
+  std::vector<std::string> seeds;
+  const fs::path path = file_of("", "seed.glb");
+  for (const Mesh& mesh : {rich_mesh(), icosphere(0), Mesh()}) {
+    write_mesh(mesh, path);
+    seeds.emplace_back(FileBytes::read(path).view());
+  }
+  test::GltfSample sample;
+  sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
+  sample.add(std::vector<std::uint16_t>{2}, 5123, "SCALAR", 1);
+  sample.add(std::vector<float>{0, 3, 0}, 5126, "VEC3", 1);
+  sample.add_accessor(
+      R"("bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,3,0],)"
+      R"("sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123},)"
+      R"("values":{"bufferView":2}})");
+  const std::string primitive = R"({"attributes":{"POSITION":3},"mode":5})";
+  seeds.push_back(sample.glb(R"("scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0,)"
+                             R"("scale":[2,2,-2]}],"meshes":[{"primitives":[)" +
+                             primitive + "]}]"));
+  seeds.push_back(
+      R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
+      R"({"POSITION":0}}]}],"buffers":[{"byteLength":36,"uri":"data:;base64,)"
+      R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],"bufferViews":[{"buffer":0,)"
+      R"("byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,)"
+      R"("type":"VEC3"}]})");
+  return seeds;
+}
 std::vector<std::string> mtl_seeds() {
   return {
       "newmtl wool\nKd 0.1 0.2 0.3\nmap_Kd -o 1 2 -s 0.5 2 -clamp on wool.png\n"
@@ -258,6 +314,7 @@ constexpr std::array kFileTargets{
     Target{"off", "the same of OFF", &read_off, &off_seeds, "off.dict", 400},
     Target{"ply", "the same of PLY", &read_ply, &ply_seeds, "ply.dict", 400},
     Target{"stl", "the same of STL", &read_stl, &stl_seeds, "stl.dict", 400},
+    Target{"glb", "glTF, written in place and anew", &read_glb, &glb_seeds, "gltf.dict", 400},
     Target{"mtl", "material libraries, with what they name", &read_colors, &mtl_seeds, "mtl.dict",
            400},
     Target{"picture", "PNG, JPEG, BMP, TGA; written as PNG and read", &read_picture, &picture_seeds,

@@ -71,6 +71,8 @@ TEST_P(Mutation, FilesWithChangedDigitsAreReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Mutation, ::testing::ValuesIn(kStorages));
+INSTANTIATE_TEST_SUITE_P(Gltf, Mutation,
+                         ::testing::Values(Storage{"a.glb", Encoding::little_endian}));
 
 }  // namespace
 }  // namespace lapwing

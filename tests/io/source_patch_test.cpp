@@ -108,6 +108,8 @@ TEST_P(Source, IsLeftWhenTheTopologyChanges) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Source, ::testing::ValuesIn(kStorages));
+INSTANTIATE_TEST_SUITE_P(Gltf, Source,
+                         ::testing::Values(Storage{"a.glb", Encoding::little_endian}));
 
 class ObjSource : public ::testing::Test {
  protected:
