@@ -93,7 +93,7 @@ void add_batch(CLI::App& app) {
   auto* format = command
                      ->add_option("--format", request.output.extension,
                                   "of the meshes; that of the recipe's \"save\" without it, or ply")
-                     ->check(CLI::IsMember({"ply", "obj", "off", "stl"}));
+                     ->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "gltf"}));
   command
       ->add_option("--displacements", options->displacements,
                    "write numpy arrays (n, 3) in place of meshes, beside one rest.ply")

@@ -57,7 +57,7 @@ void add_check(CLI::App& app) {
   auto* command = app.add_subcommand(
       "check", "the mesh doctor: what is wrong with a mesh, and what that means for editing it");
   auto arguments = std::make_shared<CheckArguments>();
-  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command->add_option("--fix", arguments->fix, "write the mesh here with what can be repaired");
   command->add_flag("--self-intersections", arguments->self_intersections,
                     "also look for faces that cut through others");

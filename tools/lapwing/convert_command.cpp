@@ -33,7 +33,7 @@ void add_convert(CLI::App& app) {
   auto* command = app.add_subcommand(
       "convert", "from one mesh format to another; says what the new one cannot carry");
   auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("FROM", arguments->from, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("FROM", arguments->from, "OBJ, OFF, PLY, STL or glTF")->required();
   command->add_option("TO", arguments->to, "its extension names the format")->required();
   auto* ascii = command->add_flag("--ascii", arguments->ascii, "PLY and STL as text");
   command->add_flag("--binary", arguments->binary, "PLY and STL as binary, the default")

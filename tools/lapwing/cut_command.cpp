@@ -87,7 +87,7 @@ void add_cut(CLI::App& app) {
   auto* command = app.add_subcommand(
       "cut", "cut a part out of a mesh, to be put on another one: the polygons inside a region");
   auto a = std::make_shared<CutArguments>();
-  command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("MESH", a->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command->add_option("--region", a->region, kRegionHelp)->required();
   command->add_option("-o,--output", a->part, "the part; its extension names the format")
       ->required();

@@ -36,7 +36,7 @@ void print_devices() {
 void add_info(CLI::App& app) {
   auto* command = app.add_subcommand("info", "the devices that can run an edit, and a mesh's size");
   auto mesh = std::make_shared<std::string>();
-  command->add_option("MESH", *mesh, "OBJ, OFF, PLY or STL");
+  command->add_option("MESH", *mesh, "OBJ, OFF, PLY, STL or glTF");
   command->callback([mesh] {
     std::printf("lapwing %s\n", LAPWING_VERSION);
     print_devices();

@@ -12,7 +12,7 @@ namespace lapwing::cli {
 namespace fs = std::filesystem;
 
 void OutputFiles::reads(const std::string& name, const fs::path& path, bool replaced) {
-  if (!path.empty()) read_.push_back({name, path, replaced});
+  if (!path.empty()) read_.push_back({name, split_mesh_path(path).file, replaced});
 }
 
 void OutputFiles::writes(const std::string& name, const fs::path& path) {

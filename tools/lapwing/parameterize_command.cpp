@@ -87,7 +87,7 @@ void add_parameterize(CLI::App& app) {
   auto* command = app.add_subcommand(
       "parameterize", "lays a region that is a disk into the plane, by mean value coordinates");
   auto arguments = std::make_shared<ParameterizeArguments>();
-  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command->add_option("--region", arguments->region, kRegionHelp)->capture_default_str();
   command->add_option("--domain", arguments->domain, "what its boundary is laid along")
       ->check(CLI::IsMember({"disk", "square"}))

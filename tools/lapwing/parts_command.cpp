@@ -128,7 +128,7 @@ void add_parts(CLI::App& app) {
   list_command->callback([a] { list(*a); });
 
   auto* add_command = subcommand(*parts, *a, "add", "copy a mesh into the folder as a part");
-  add_command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL with a boundary loop")->required();
+  add_command->add_option("MESH", a->mesh, "OBJ, OFF, PLY, STL or glTF with a boundary loop")->required();
   add_command->add_option("--name", a->name, "of the part; the mesh file's when not given");
   add_command->add_option("--loop", a->loop,
                           "number of the boundary loop it is joined at; the longest by default");

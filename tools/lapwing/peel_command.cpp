@@ -64,7 +64,7 @@ void add_peel(CLI::App& app) {
   auto* command = app.add_subcommand(
       "peel", "take the fine detail off a surface: writes the smooth mesh, with what came off");
   auto a = std::make_shared<PeelArguments>();
-  command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("MESH", a->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command
       ->add_option("-o,--output", a->output,
                    "the smooth mesh; PLY carries the coating along, by vertex")

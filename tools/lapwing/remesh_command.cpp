@@ -55,7 +55,7 @@ void add_remesh(CLI::App& app) {
   auto* command =
       app.add_subcommand("remesh", "nearly equilateral triangles of one size, on the same surface");
   auto a = std::make_shared<RemeshArguments>();
-  command->add_option("MESH", a->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("MESH", a->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command->add_option("-o,--output", a->output, "its extension names the format")->required();
   command->add_option("--region", a->region, kRegionHelp)->capture_default_str();
   auto* length = command->add_option("--length", a->request.length, "wanted edge length")

@@ -115,7 +115,7 @@ void render(const RenderArguments& arguments) {
 void add_render(CLI::App& app) {
   auto* command = app.add_subcommand("render", "a picture of a mesh, without a display");
   auto arguments = std::make_shared<RenderArguments>();
-  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command
       ->add_option("-o,--output", arguments->image, "PNG; of a turntable also .mp4, .webm or .gif")
       ->required();

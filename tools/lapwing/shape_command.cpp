@@ -24,7 +24,7 @@ void add_shape(CLI::App& app) {
   auto shape = std::make_shared<std::string>();
   auto path = std::make_shared<std::string>();
   command->add_option("SHAPE", *shape, "which")->required()->check(CLI::IsMember(shapes_by_name()));
-  command->add_option("-o,--output", *path, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("-o,--output", *path, "OBJ, OFF, PLY, STL or glTF")->required();
   command->callback([shape, path] { write_mesh(shapes_by_name().at(*shape)(), *path); });
 }
 

@@ -36,7 +36,7 @@ void add_subdivide(CLI::App& app) {
   auto* command =
       app.add_subcommand("subdivide", "a finer triangle mesh: every triangle becomes four");
   auto arguments = std::make_shared<SubdivideArguments>();
-  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY or STL")->required();
+  command->add_option("MESH", arguments->mesh, "OBJ, OFF, PLY, STL or glTF")->required();
   command
       ->add_option("-o,--output", arguments->output,
                    "positions and triangles only; its extension names the format")

@@ -14,15 +14,16 @@ namespace fs = std::filesystem;
 using Wants = PathWords::Wants;
 
 // Those that format_of knows.
-constexpr std::array<std::string_view, 7> kMesh{".obj",  ".off",  ".ply",  ".stl",
-                                                ".coff", ".noff", ".cnoff"};
+constexpr std::array<std::string_view, 9> kMesh{".glb", ".gltf", ".obj",  ".off",  ".ply",
+                                                ".stl", ".coff", ".noff", ".cnoff"};
 constexpr std::array<std::string_view, 1> kRecipe{".json"};
 constexpr std::array<std::string_view, 1> kPicture{".png"};
 constexpr std::array<std::string_view, 4> kTurntable{".mp4", ".webm", ".gif", ".png"};
-constexpr std::array<std::string_view, 8> kMeshOrRecipe{".obj",  ".off",  ".ply",   ".stl",
-                                                        ".coff", ".noff", ".cnoff", ".json"};
-constexpr std::array<std::string_view, 11> kCarried{
-    ".obj", ".off", ".ply", ".stl", ".coff", ".noff", ".cnoff", ".csv", ".txt", ".tsv", ".npy"};
+constexpr std::array<std::string_view, 10> kMeshOrRecipe{
+    ".glb", ".gltf", ".obj", ".off", ".ply", ".stl", ".coff", ".noff", ".cnoff", ".json"};
+constexpr std::array<std::string_view, 13> kCarried{".glb", ".gltf", ".obj",  ".off",   ".ply",
+                                                    ".stl", ".coff", ".noff", ".cnoff", ".csv",
+                                                    ".txt", ".tsv",  ".npy"};
 
 constexpr FileKind kAll{"All files", {}};
 constexpr std::array kMeshes{FileKind{"Meshes", kMesh}, kAll};
@@ -33,7 +34,8 @@ constexpr std::array kOpened{FileKind{"Meshes and recipes", kMeshOrRecipe},
                              FileKind{"Meshes", kMesh}, FileKind{"Recipes", kRecipe}, kAll};
 constexpr std::array kFollowers{FileKind{"Meshes, clouds and tables", kCarried}, kAll};
 
-constexpr std::string_view kFormats = "The extension chooses the format: obj, off, ply or stl.";
+constexpr std::string_view kFormats =
+    "The extension chooses the format: glb, gltf, obj, off, ply or stl.";
 
 // In the order of PathPurpose.
 constexpr std::array<PathWords, 12> kWords{{

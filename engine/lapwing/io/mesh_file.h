@@ -11,10 +11,13 @@
 
 namespace lapwing {
 
-/// Reads an OBJ, OFF, PLY or STL file; the extension says which, the content whether it is ascii or
-/// binary. Vertex and face order are the file's; STL vertices are welded where their positions are
-/// equal, in order of appearance. Point clouds and empty files of the format are read too. Throws
-/// IoError when the file cannot be read, InputError "path:line: expected ..., found ..." (binary:
+/// Reads an OBJ, OFF, PLY, STL or glTF 2.0 file; the extension says which, the content whether it
+/// is ascii or binary. Vertex and face order are the file's; STL vertices, and those of each object
+/// of a glTF file, are welded where their positions are equal, in order of appearance. Of a glTF
+/// file, "FILE.glb#NAME" is the object (node or mesh) of that name; without a name all objects of
+/// the scene are read, in the world's coordinates, each mesh once. Its skins, morph targets and
+/// animations stay in the file: a mesh with a skin is read as it was bound to it. Point clouds and
+/// empty files of the format are read too. Throws IoError when the file cannot be read, InputError "path:line: expected ..., found ..." (binary:
 /// "path: byte offset: ...") when it is malformed. Time and memory are linear in the file's size,
 /// whatever its header promises. Texture coordinates and normals that a face of an OBJ names and
 /// the file does not have are left out, and counted (MeshAttributes::uneditable).
@@ -39,7 +42,9 @@ struct WriteReport {
 /// Writes `mesh` in the format that the extension of `path` names, replacing the file in one step
 /// (see replace_file). A mesh read from the same format, with its vertices and faces unchanged,
 /// comes back as the file it was read from, byte for byte, but for the coordinates that moved and
-/// the stored normals there, which are recomputed; attributes set since then are not written.
+/// the stored normals there, which are recomputed (in glTF files tangents and bounds, too);
+/// attributes set since then are not written. A .gltf file that keeps its numbers in files beside it
+/// is written with those, as NAME.bin, unless it replaces the one that was read.
 /// Otherwise the file is made anew from the mesh and its attributes, with every double printed so
 /// that it reads back exactly; the stored normals of a mesh whose file is unknown are all
 /// recomputed. Throws IoError when the file cannot be written and InputError when the mesh is

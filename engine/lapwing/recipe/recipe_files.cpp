@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/io/mesh_format.h"
 #include "lapwing/io/real_path.h"
 #include "lapwing/step/carried_file.h"
 #include "lapwing/step/step_files.h"
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 RecipeFiles files_of(const Recipe& recipe, fs::path result) {
   RecipeFiles files;
-  files.read.push_back(recipe.mesh_path());
+  files.read.push_back(split_mesh_path(recipe.mesh_path()).file);
   if (result.empty()) result = recipe.save_path();
   if (!result.empty()) files.written.push_back(result);
   const auto write = [&](const fs::path& path) {
@@ -21,7 +22,9 @@ RecipeFiles files_of(const Recipe& recipe, fs::path result) {
   };
   for (const Step& step : recipe.steps) {
     for (const fs::path& path : files_read(step)) {
-      if (!path.empty()) files.read.push_back(recipe.base_directory / path);
+      if (!path.empty()) {
+        files.read.push_back(split_mesh_path(recipe.base_directory / path).file);
+      }
     }
     const auto* deform = std::get_if<DeformRequest>(&step);
     if (deform == nullptr) continue;

@@ -110,7 +110,8 @@ void CarriedFile::move(CarriedPoints carried) {
 }
 
 fs::path carried_path(const fs::path& file, const fs::path& result) {
-  return result.parent_path() / (file.stem().string() + "-carried" + file.extension().string());
+  const fs::path whole = split_mesh_path(file).file;
+  return result.parent_path() / (whole.stem().string() + "-carried" + whole.extension().string());
 }
 
 fs::path CarriedFile::target(const fs::path& result) const {

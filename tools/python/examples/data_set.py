@@ -33,7 +33,7 @@ def random_motions(rng: np.random.Generator, center: np.ndarray, size: float, co
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("mesh", help="OBJ, OFF, PLY or STL")
+    parser.add_argument("mesh", help="OBJ, OFF, PLY, STL or glTF")
     parser.add_argument("out", help="where the data set goes, .npz")
     parser.add_argument("--center", type=int, required=True, help="a vertex")
     parser.add_argument("--radius", type=float, required=True)

@@ -29,7 +29,7 @@ def best_similarity(points: np.ndarray, places: np.ndarray) -> np.ndarray:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("template", help="OBJ, OFF, PLY or STL")
+    parser.add_argument("template", help="OBJ, OFF, PLY, STL or glTF")
     parser.add_argument("landmarks", help="CSV: vertex, x, y, z")
     parser.add_argument("fitted", help="where the result goes")
     parser.add_argument("--hard", action="store_true", help="reach every landmark exactly")

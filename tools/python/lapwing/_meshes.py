@@ -10,7 +10,7 @@ from ._arguments import mesh_of
 
 
 def read(path: Any) -> _core.Mesh:
-    """The mesh of an OBJ, OFF, PLY or STL file, with all that the file has."""
+    """The mesh of an OBJ, OFF, PLY, STL or glTF file, with all that the file has."""
     return _core.read(os.fspath(path))
 
 

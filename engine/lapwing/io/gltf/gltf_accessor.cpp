@@ -130,6 +130,10 @@ void GltfAccessor::read_sparse(const GltfFile& file, const JsonNode& node) {
   const Strided places = strided(file, indices, "byteOffset", count, size_of(index_type), false);
   sparse_values_ =
       strided(file, node.at("values"), "byteOffset", count, components_ * size_of(type_), false);
+  if (count > 0) {
+    sparse_range_ = Range{places.first.buffer, places.first.offset,
+                          places.first.offset + count * places.stride};
+  }
   sparse_.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     const double index = load_number(
@@ -178,6 +182,17 @@ std::optional<GltfAccessor::Range> GltfAccessor::range() const {
   if (!dense_ || count_ == 0) return std::nullopt;
   return Range{dense_->first.buffer, dense_->first.offset,
                dense_->first.offset + (count_ - 1) * dense_->stride + components_ * size_of(type_)};
+}
+
+std::vector<GltfAccessor::Range> GltfAccessor::ranges() const {
+  std::vector<Range> all;
+  if (const auto dense = range()) all.push_back(*dense);
+  if (!sparse_.empty()) {
+    const GltfPlace& first = sparse_values_.first;
+    all.push_back(
+        {first.buffer, first.offset, first.offset + sparse_.size() * sparse_values_.stride});
+  }
+  return all;
 }
 
 }  // namespace lapwing

@@ -47,6 +47,10 @@ class GltfAccessor {
     std::uint64_t end = 0;
   };
   std::optional<Range> range() const;
+  /// All that its numbers stand in, those of a sparse accessor included.
+  std::vector<Range> ranges() const;
+  /// Where a sparse accessor says which elements it replaces.
+  std::optional<Range> sparse_indices() const { return sparse_range_; }
 
   const std::string& where() const { return where_; }  ///< as messages begin
 
@@ -71,6 +75,7 @@ class GltfAccessor {
   std::optional<Strided> dense_;
   std::vector<Index> sparse_;  // elements that stand in sparse_values_, ascending
   Strided sparse_values_;
+  std::optional<Range> sparse_range_;
 };
 
 }  // namespace lapwing

@@ -35,6 +35,8 @@ struct GltfLayout {
   /// Into MeshAttributes::normals, where equal ones of a vertex are one; kNoIndex for none.
   std::vector<Index> normal_of_record;
   std::vector<Index> record_of_corner;
+  /// Where the corners of triangles stand, and the elements of sparse accessors.
+  std::vector<GltfAccessor::Range> indices;
 
   /// The position of element `k` in the world's coordinates, where the mesh has it.
   Eigen::Vector3d position(const GltfRecords& set, std::size_t k) const {

@@ -1,24 +1,18 @@
 #include "lapwing/io/gltf/gltf_patch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
-#include <set>
 #include <system_error>
 
-#include "lapwing/base/errors.h"
-#include "lapwing/io/binary_numbers.h"
 #include "lapwing/io/gltf/base64.h"
 #include "lapwing/io/gltf/gltf_layout.h"
+#include "lapwing/io/gltf/gltf_numbers.h"
 #include "lapwing/io/gltf/gltf_tangents.h"
 #include "lapwing/io/gltf/uri.h"
 #include "lapwing/io/real_path.h"
 #include "lapwing/io/source_patch.h"
 #include "lapwing/io/stored_normals.h"
-#include "lapwing/io/writing.h"
 #include "lapwing/json/json_text.h"
 
 namespace lapwing {
@@ -41,84 +35,19 @@ constexpr double kSameDirection = 1e-6;
 class GltfPatch {
  public:
   GltfPatch(const SourceFile& source, const Mesh& mesh, WriteReport& report)
-      : source_(source),
-        layout_(*source.gltf),
-        mesh_(mesh),
-        report_(report),
-        buffers_(layout_.file.buffers().size()) {}
+      : source_(source), layout_(*source.gltf), mesh_(mesh), report_(report), numbers_(layout_) {}
 
   std::vector<FileContent> run(const fs::path& target) {
     for (const GltfRecords& set : layout_.records) move(set);
-    if (!moved_.empty()) {
-      require_unshared();
+    if (numbers_.has_changed()) {
       turn();
-      write_bounds();
-      note_rounding();
+      numbers_.finish(edits_);
     }
     return files_at(target);
   }
 
  private:
-  std::string& buffer(std::size_t number) {
-    std::optional<std::string>& copy = buffers_[number];
-    if (!copy) copy.emplace(layout_.file.buffers()[number].bytes);
-    return *copy;
-  }
-
-  void store(const GltfAccessor& accessor, std::size_t element, const Vector3d& values) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto place = accessor.place(element, c);
-      if (!place) {
-        throw InputError(accessor.where() +
-                         ": a position that moved stands nowhere in the file, since the accessor "
-                         "has no buffer view; export the file without sparse positions");
-      }
-      const double value = accessor.stored(values[static_cast<Eigen::Index>(c)]);
-      store_number(buffer(place->buffer).data() + place->offset, value, accessor.type(),
-                   Encoding::little_endian);
-    }
-  }
-
-  double stored_number(const GltfAccessor& accessor, std::size_t element, std::size_t c) const {
-    const auto place = accessor.place(element, c);
-    if (!place) return 0.0;
-    const std::optional<std::string>& copy = buffers_[place->buffer];
-    const std::string_view bytes =
-        copy ? std::string_view(*copy) : layout_.file.buffers()[place->buffer].bytes;
-    return load_number(bytes.data() + place->offset, accessor.type(), Encoding::little_endian);
-  }
-
-  void require_room(const GltfAccessor& accessor, Index vertex, const Vector3d& local) {
-    for (const double x : local) {
-      const double value = accessor.stored(x);
-      if (!std::isfinite(value)) continue;
-      if (accessor.type() == Scalar::float32) {
-        if (std::abs(value) <= std::numeric_limits<float>::max()) continue;
-      } else {
-        const double rounded = std::round(value);
-        constexpr double k8 = 127.0;
-        constexpr double k16 = 32767.0;
-        const auto [least, most] = [&]() -> std::pair<double, double> {
-          switch (accessor.type()) {
-            case Scalar::int8:
-              return {-k8 - (accessor.is_normalized() ? 0.0 : 1.0), k8};
-            case Scalar::int16:
-              return {-k16 - (accessor.is_normalized() ? 0.0 : 1.0), k16};
-            case Scalar::uint8:
-              return {0.0, 255.0};
-            default:
-              return {0.0, 65535.0};
-          }
-        }();
-        rounding_ = std::max(rounding_, 1.0 / accessor.stored(1.0));
-        if (rounded >= least && rounded <= most) continue;
-      }
-      throw InputError(source_.path().string() + ": vertex " + std::to_string(vertex) +
-                       " moved beyond what the numbers of " + accessor.where() +
-                       " can say; export the file with positions of 32-bit floats, or save "
-                       "another format");
-    }
-  }
+  std::size_t mesh_of(const GltfRecords& set) const { return layout_.objects[set.object].mesh; }
 
   void move(const GltfRecords& set) {
     const Eigen::Affine3d to_local = layout_.objects[set.object].to_world.inverse();
@@ -127,39 +56,8 @@ class GltfPatch {
       if (are_same(layout_.position(set, k), mesh_.positions[v])) continue;
       const bool stays = to_local.matrix() == Eigen::Matrix4d::Identity();
       const Vector3d local = stays ? mesh_.positions[v] : to_local * mesh_.positions[v];
-      require_room(set.positions, v, local);
-      store(set.positions, k, local);
-      moved_.insert(set.positions.number());
+      numbers_.set(set.positions, "POSITION", mesh_of(set), k, local);
     }
-  }
-
-  // What one object has moved must not be another's.
-  void require_unshared() const {
-    std::map<std::size_t, std::size_t> object_of;
-    for (const GltfRecords& set : layout_.records) {
-      const auto [known, is_new] = object_of.try_emplace(set.positions.number(), set.object);
-      if (!is_new && known->second != set.object && moved_.contains(set.positions.number())) {
-        fail_shared(layout_.objects[known->second].name, layout_.objects[set.object].name);
-      }
-    }
-    std::set<std::size_t> meshes;
-    for (const GltfObject& object : layout_.objects) meshes.insert(object.mesh);
-    const std::vector<JsonNode> all = layout_.file.root().at("meshes").elements();
-    for (std::size_t m = 0; m < all.size(); ++m) {
-      if (meshes.contains(m)) continue;
-      for (const JsonNode& primitive : all[m].at("primitives").elements()) {
-        const auto positions = primitive.at("attributes").find("POSITION");
-        if (positions && moved_.contains(positions->count())) {
-          fail_shared(layout_.objects[object_of.at(positions->count())].name, all[m].where());
-        }
-      }
-    }
-  }
-
-  [[noreturn]] void fail_shared(const std::string& a, const std::string& b) const {
-    throw InputError(source_.path().string() + ": '" + a + "' and '" + b +
-                     "' share the positions that moved; export the file with a mesh of its own "
-                     "for each object");
   }
 
   void turn() {
@@ -181,7 +79,7 @@ class GltfPatch {
     for (std::size_t k = 0; k < set.count(); ++k) {
       const Index n = layout_.normal_of_record[set.first_record + k];
       if (!are_same(old[n], updated[n])) {
-        store(*set.normals, k, (to_local * updated[n]).normalized());
+        numbers_.set(*set.normals, "NORMAL", mesh_of(set), k, (to_local * updated[n]).normalized());
       }
     }
   }
@@ -197,7 +95,7 @@ class GltfPatch {
       if (!unmoved[k]) continue;
       const Vector3d local = (to_local * carried[k]).stableNormalized();
       if ((local - set.tangents->vector3(k)).norm() <= kSameDirection) continue;
-      store(*set.tangents, k, local);
+      numbers_.set(*set.tangents, "TANGENT", mesh_of(set), k, local);
     }
   }
 
@@ -221,72 +119,45 @@ class GltfPatch {
     return touched;
   }
 
-  void write_bounds() {
-    const JsonText text(layout_.file.json());
-    const std::vector<JsonPlace> accessors = text.elements(*text.member(text.root(), "accessors"));
-    std::set<std::size_t> done;
-    for (const GltfRecords& set : layout_.records) {
-      const GltfAccessor& accessor = set.positions;
-      if (!moved_.contains(accessor.number()) || !done.insert(accessor.number()).second) continue;
-      std::array<std::string, 2> bounds{"[", "["};
-      for (std::size_t c = 0; c < 3; ++c) {
-        double least = stored_number(accessor, 0, c);
-        double most = least;
-        for (std::size_t k = 1; k < accessor.count(); ++k) {
-          const double x = stored_number(accessor, k, c);
-          least = std::min(least, x);
-          most = std::max(most, x);
-        }
-        if (c > 0) {
-          for (std::string& bound : bounds) bound += ',';
-        }
-        append_number(bounds[0], least, accessor.type());
-        append_number(bounds[1], most, accessor.type());
-      }
-      const JsonPlace at = accessors[accessor.number()];
-      if (const auto place = text.member(at, "min")) edits_.replace(*place, bounds[0] + "]");
-      if (const auto place = text.member(at, "max")) edits_.replace(*place, bounds[1] + "]");
-    }
-  }
-
-  void note_rounding() {
-    if (rounding_ == 0.0) return;
-    std::string step;
-    append_number(step, static_cast<float>(rounding_));
-    report_.notes.push_back("positions are whole numbers of " + step +
-                            " in this file (quantized), to which those that moved were rounded");
-  }
-
   std::vector<FileContent> files_at(const fs::path& target) {
     const bool stays = is_same_file(target, source_.path());
     std::vector<FileContent> files(1);
-    std::size_t written = 0;
+    std::size_t serial = 0;
     const JsonText text(layout_.file.json());
     const auto list = text.member(text.root(), "buffers");
     const std::vector<JsonPlace> places = list ? text.elements(*list) : std::vector<JsonPlace>();
-    for (std::size_t k = 0; k < buffers_.size(); ++k) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
       const GltfBuffer& old = layout_.file.buffers()[k];
+      const std::optional<std::string>& changed = numbers_.buffer(k);
       const auto uri = text.member(places[k], "uri");
-      if (old.kind == GltfBuffer::Kind::data_uri && buffers_[k]) {
+      if (old.kind == GltfBuffer::Kind::data_uri && changed) {
         const JsonNode node = layout_.file.root().at("buffers").element(k)->at("uri");
         const std::string head = node.string().substr(0, old.data_offset);
-        edits_.replace(*uri, '"' + head + encode_base64(*buffers_[k]) + '"');
+        edits_.replace(*uri, '"' + head + encode_base64(*changed) + '"');
       }
       if (old.kind != GltfBuffer::Kind::file) continue;
       if (stays) {
-        if (buffers_[k]) files.push_back({old.path, *buffers_[k]});
+        if (changed) files.push_back({old.path, *changed});
         continue;
       }
-      const std::string stem = target.stem().string();
-      const std::string name = stem + (written > 0 ? "-" + std::to_string(written) : "") + ".bin";
-      ++written;
+      std::string name;
+      do {
+        name = target.stem().string() + (serial > 0 ? "-" + std::to_string(serial) : "") + ".bin";
+        ++serial;
+      } while (is_read(target.parent_path() / name));
       edits_.replace(*uri, '"' + uri_of_path(name) + '"');
-      files.push_back(
-          {target.parent_path() / name, buffers_[k] ? *buffers_[k] : std::string(old.bytes)});
+      files.push_back({target.parent_path() / name, changed ? *changed : std::string(old.bytes)});
     }
     files[0] = {target, main_file()};
     if (!stays) note_images(target);
     return files;
+  }
+
+  // The file that was read stays as it was.
+  bool is_read(const fs::path& path) const {
+    return std::ranges::any_of(layout_.file.buffers(), [&](const GltfBuffer& buffer) {
+      return buffer.kind == GltfBuffer::Kind::file && is_same_file(buffer.path, path);
+    });
   }
 
   std::string main_file() {
@@ -294,7 +165,10 @@ class GltfPatch {
     const auto& buffers = layout_.file.buffers();
     const bool has_chunk = !buffers.empty() && buffers[0].kind == GltfBuffer::Kind::chunk;
     std::string_view chunk;
-    if (has_chunk) chunk = buffers_[0] ? std::string_view(*buffers_[0]) : buffers[0].bytes;
+    if (has_chunk) {
+      const std::optional<std::string>& changed = numbers_.buffer(0);
+      chunk = changed ? std::string_view(*changed) : buffers[0].bytes;
+    }
     return glb_of(edits_.applied_to(layout_.file.json()), has_chunk ? &chunk : nullptr,
                   layout_.file.further_chunks()) +
            std::string(layout_.file.tail());
@@ -318,10 +192,8 @@ class GltfPatch {
   const GltfLayout& layout_;
   const Mesh& mesh_;
   WriteReport& report_;
-  std::vector<std::optional<std::string>> buffers_;  // those that changed
-  std::set<std::size_t> moved_;                      // accessors with positions that moved
+  GltfNumbers numbers_;
   TextEdits edits_;
-  double rounding_ = 0.0;
 };
 
 }  // namespace

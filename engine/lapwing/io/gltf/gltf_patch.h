@@ -21,9 +21,9 @@ struct FileContent {
 /// Buffers in files of their own get the target's name, unless the target is the file that was
 /// read. The first is the target itself.
 ///
-/// Positions in whole numbers are rounded to them, which `report` notes. Throws InputError where a
-/// position does not fit the numbers of the file, and where one that moved is stored together with
-/// those of another mesh, or nowhere.
+/// What several meshes share, and positions in whole numbers or nowhere at all, get accessors of
+/// their own at the end (see GltfNumbers). `report` notes images that are not beside the target.
+/// Throws what GltfNumbers does.
 std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
                                     const std::filesystem::path& target, WriteReport& report);
 

@@ -124,6 +124,11 @@ class GltfReader {
     }
     if (key[1] != kNone) set.normals = accessor(attributes, key[1], 3, 3, count);
     if (key[2] != kNone) set.tangents = accessor(attributes, key[2], 4, 4, count);
+    for (const GltfAccessor* list : {&set.positions, set.normals ? &*set.normals : nullptr,
+                                     set.tangents ? &*set.tangents : nullptr}) {
+      if (list == nullptr || !list->sparse_indices()) continue;
+      layout_->indices.push_back(*list->sparse_indices());
+    }
     CancelCheck cancel_check;
     for (std::size_t k = 0; k < count; ++k) {
       cancel_check();
@@ -206,6 +211,7 @@ class GltfReader {
       if (indices->components() != 1 || indices->type() == Scalar::float32) {
         node->fail("expected an accessor of whole numbers");
       }
+      if (const auto range = indices->range()) layout_->indices.push_back(*range);
     }
     const std::size_t count = indices ? indices->count() : place.count;
     const auto record_at = [&](std::size_t k) {

@@ -1,0 +1,208 @@
+#include "lapwing/io/gltf/gltf_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/io/binary_numbers.h"
+#include "lapwing/io/writing.h"
+
+namespace lapwing {
+namespace {
+
+float to_float(double value, const GltfAccessor& accessor) {
+  if (std::isfinite(value) && std::abs(value) > double{std::numeric_limits<float>::max()}) {
+    throw InputError(accessor.where() +
+                     ": a coordinate moved beyond what the 32-bit floats of glTF hold; write "
+                     "another format, or scale the mesh");
+  }
+  return static_cast<float>(value);
+}
+
+// ",\"min\":[...],\"max\":[...]" of rows of `width` numbers.
+template <class Number>
+std::array<std::string, 2> bounds_of_rows(std::size_t rows, std::size_t width, Scalar type,
+                                          const Number& number) {
+  std::array<std::string, 2> bounds;
+  for (std::size_t c = 0; c < width; ++c) {
+    double least = number(0, c);
+    double most = least;
+    for (std::size_t k = 1; k < rows; ++k) {
+      const double x = number(k, c);
+      least = std::min(least, x);
+      most = std::max(most, x);
+    }
+    for (std::string& bound : bounds) bound += c > 0 ? ',' : '[';
+    append_number(bounds[0], least, type);
+    append_number(bounds[1], most, type);
+  }
+  for (std::string& bound : bounds) bound += ']';
+  return bounds;
+}
+
+}  // namespace
+
+GltfNumbers::GltfNumbers(const GltfLayout& layout)
+    : layout_(layout), buffers_(layout.file.buffers().size()) {
+  const auto meshes = layout.file.root().find("meshes");
+  if (!meshes) return;
+  const std::vector<JsonNode> all = meshes->elements();
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    try {
+      note_users(all[m], m);
+    } catch (const InputError&) {
+      // No object shows it, or reading would have told.
+    }
+  }
+}
+
+void GltfNumbers::note_users(const JsonNode& mesh, std::size_t number) {
+  for (const JsonNode& primitive : mesh.at("primitives").elements()) {
+    const JsonNode attributes = primitive.at("attributes");
+    for (const char* name : {"POSITION", "NORMAL", "TANGENT"}) {
+      const auto accessor = attributes.find(name);
+      if (!accessor) continue;
+      std::vector<std::size_t>& users =
+          meshes_of_[start_of(GltfAccessor(layout_.file, accessor->count()))];
+      if (users.empty() || users.back() != number) users.push_back(number);
+    }
+  }
+}
+
+std::string& GltfNumbers::changeable(std::size_t buffer) {
+  std::optional<std::string>& copy = buffers_[buffer];
+  if (!copy) copy.emplace(layout_.file.buffers()[buffer].bytes);
+  return *copy;
+}
+
+GltfNumbers::Start GltfNumbers::start_of(const GltfAccessor& accessor) const {
+  const auto range = accessor.range();
+  // Those that stand nowhere are told apart by their number.
+  if (!range) return {buffers_.size(), accessor.number()};
+  return {range->buffer, range->begin};
+}
+
+bool GltfNumbers::needs_copy(const GltfAccessor& accessor, std::string_view attribute) const {
+  const auto users = meshes_of_.find(start_of(accessor));
+  const bool is_shared = users != meshes_of_.end() && users->second.size() > 1;
+  return is_shared || !accessor.range() || (attribute == "POSITION" && is_integer(accessor.type()));
+}
+
+void GltfNumbers::set(const GltfAccessor& accessor, std::string_view attribute, std::size_t mesh,
+                      std::size_t element, const Eigen::Vector3d& values) {
+  const std::size_t width = accessor.components();
+  if (needs_copy(accessor, attribute)) {
+    const auto [found, is_new] = copies_.try_emplace(std::pair(mesh, accessor.number()),
+                                                     Copy{&accessor, attribute, mesh, {}});
+    Copy& copy = found->second;
+    if (is_new) {
+      copy.values.reserve(accessor.count() * width);
+      for (std::size_t k = 0; k < accessor.count(); ++k) {
+        for (std::size_t c = 0; c < width; ++c) {
+          copy.values.push_back(static_cast<float>(accessor.value(k, c)));
+        }
+      }
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      copy.values[element * width + c] = to_float(values[static_cast<Eigen::Index>(c)], accessor);
+    }
+    return;
+  }
+  changed_.emplace(accessor.number(), &accessor);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const GltfPlace place = *accessor.place(element, c);
+    double value = accessor.stored(values[static_cast<Eigen::Index>(c)]);
+    if (accessor.type() == Scalar::float32) value = double{to_float(value, accessor)};
+    store_number(changeable(place.buffer).data() + place.offset, value, accessor.type(),
+                 Encoding::little_endian);
+  }
+}
+
+double GltfNumbers::stored(const GltfAccessor& accessor, std::size_t element, std::size_t c) const {
+  const GltfPlace place = *accessor.place(element, c);
+  const std::optional<std::string>& copy = buffers_[place.buffer];
+  const std::string_view bytes =
+      copy ? std::string_view(*copy) : layout_.file.buffers()[place.buffer].bytes;
+  return load_number(bytes.data() + place.offset, accessor.type(), Encoding::little_endian);
+}
+
+void GltfNumbers::require_apart() const {
+  for (const auto& [number, accessor] : changed_) {
+    for (const GltfAccessor::Range& range : accessor->ranges()) {
+      for (const GltfAccessor::Range& other : layout_.indices) {
+        if (other.buffer != range.buffer || other.begin >= range.end || range.begin >= other.end) {
+          continue;
+        }
+        throw InputError(accessor->where() +
+                         ": what moved stands in the same bytes as the corners of triangles; "
+                         "export the file again");
+      }
+    }
+  }
+}
+
+void GltfNumbers::write_bounds(TextEdits& edits) const {
+  if (changed_.empty()) return;
+  const JsonText text(layout_.file.json());
+  const std::vector<JsonPlace> accessors = text.elements(*text.member(text.root(), "accessors"));
+  for (const auto& [number, accessor] : changed_) {
+    const auto least = text.member(accessors[number], "min");
+    const auto most = text.member(accessors[number], "max");
+    if (!least && !most) continue;
+    const auto bounds =
+        bounds_of_rows(accessor->count(), accessor->components(), accessor->type(),
+                       [&](std::size_t k, std::size_t c) { return stored(*accessor, k, c); });
+    if (least) edits.replace(*least, bounds[0]);
+    if (most) edits.replace(*most, bounds[1]);
+  }
+}
+
+void GltfNumbers::add_copies(TextEdits& edits) {
+  if (copies_.empty()) return;
+  if (buffers_.empty()) {
+    throw InputError(layout_.file.source().path().string() +
+                     ": it has no buffer, and so no place for what moved; export it again");
+  }
+  const JsonText text(layout_.file.json());
+  GltfAppender appender(layout_.file.json(), 0, layout_.file.buffers()[0].bytes.size());
+  const std::vector<JsonPlace> meshes = text.elements(*text.member(text.root(), "meshes"));
+  for (const auto& [key, copy] : copies_) {
+    const std::size_t width = copy.accessor->components();
+    std::string bytes;
+    for (const float value : copy.values) {
+      append_binary(bytes, double{value}, Scalar::float32, Encoding::little_endian);
+    }
+    std::string bounds;
+    if (copy.attribute == "POSITION") {
+      const auto [least, most] = bounds_of_rows(
+          copy.accessor->count(), width, Scalar::float32,
+          [&](std::size_t k, std::size_t c) { return double{copy.values[k * width + c]}; });
+      bounds = R"(,"min":)" + least + R"(,"max":)" + most;
+    }
+    const std::size_t number =
+        appender.add_numbers(bytes, Scalar::float32, width == 3 ? "VEC3" : "VEC4",
+                             copy.accessor->count(), GltfAppender::Target::vertices, bounds);
+    const JsonNode node = *layout_.file.root().at("meshes").element(copy.mesh);
+    const std::vector<JsonNode> primitives = node.at("primitives").elements();
+    const std::vector<JsonPlace> places =
+        text.elements(*text.member(meshes[copy.mesh], "primitives"));
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      const auto old = primitives[p].at("attributes").find(copy.attribute);
+      if (!old || old->count() != copy.accessor->number()) continue;
+      edits.replace(*text.member(*text.member(places[p], "attributes"), copy.attribute),
+                    std::to_string(number));
+    }
+  }
+  appender.finish(edits);
+  changeable(0) += appender.data();
+}
+
+void GltfNumbers::finish(TextEdits& edits) {
+  require_apart();
+  write_bounds(edits);
+  add_copies(edits);
+}
+
+}  // namespace lapwing

@@ -1,0 +1,237 @@
+"""Every glTF file of Debian's packages, and those of samples.py: what an edit leaves as it was, what
+other programs read, and what the validator says."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+from collections import Counter
+from pathlib import Path
+from urllib.parse import unquote
+
+import numpy as np
+import pytest
+
+import lapwing
+import samples
+from document import Document
+
+MODELS = Path(os.environ["LAPWING_MODELS"]) / "assimp" / "models" / "glTF2"
+
+#: Of Debian's files, those that no reader can take, with what is said of them.
+REFUSED = {
+    "IndexOutOfRange/AllIndicesOutOfRange.gltf": "names vertex 65535 of 24",
+    "IndexOutOfRange/IndexOutOfRange.gltf": "names vertex 255 of 24",
+    "MissingBin/BoxTextured.gltf": "there is no file 'BoxTextured0.bin'",
+    "RecursiveNodes/RecursiveNodes.gltf": "its own ancestor",
+    "SchemaFailures/sceneWrongType.gltf": "there is no file 'BoxTextured0.bin'",
+    "draco/2CylinderEngine.gltf": "without compression",
+    "wrongTypes/badArray.gltf": "expected a list, got an object",
+}
+#: Those without a triangle: of points and lines, or without a node.
+EMPTY = {"TestNoRootNode/NoScene.gltf", "TestNoRootNode/SceneWithoutNodes.gltf"} | {
+    f"glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_{k:02}.gltf"
+    for k in (0, 1, 2, 3, 7, 8, 9, 10)
+}
+#: Unused accessors that reach beyond the buffer: once it has grown, the validator reads them.
+SHORT = {"IncorrectVertexArrays/Cube.gltf"}
+#: Coordinates that are no numbers, which an edit leaves alone.
+NOT_FINITE = {"BoxWithInfinites-glTF-Binary/BoxWithInfinites.glb"}
+
+
+def name_of(path: Path) -> str:
+    return str(path.relative_to(MODELS)) if MODELS in path.parents else path.name
+
+
+def models():
+    found = sorted(p for p in MODELS.rglob("*") if p.suffix.lower() in (".glb", ".gltf"))
+    return found or [pytest.param(None, marks=pytest.mark.skip("no models"))]
+
+
+def moved(points: np.ndarray, diagonal: float) -> np.ndarray:
+    """A bend that turns every normal, by about a tenth of the mesh."""
+    p = points / diagonal
+    return diagonal * (p + 0.1 * np.stack([np.sin(3 * p[:, 1]), np.sin(2 * p[:, 2]), p[:, 0] ** 2], -1))
+
+
+@pytest.fixture(scope="module")
+def generated(tmp_path_factory):
+    return {p.name: p for p in samples.write_all(tmp_path_factory.mktemp("samples"))}
+
+
+def edit(path: Path, target: Path) -> float:
+    mesh = lapwing.read(path)
+    diagonal = float(np.linalg.norm(np.ptp(mesh.vertices, 0)))
+    lapwing.write(target, mesh.with_vertices(moved(mesh.vertices, diagonal)))
+    return diagonal
+
+
+def without_bounds(text: bytes) -> bytes:
+    """Of a document without further "min" and "max" all that an edit leaves as it was."""
+    text = re.sub(rb'"(min|max)"\s*:\s*\[[^\]]*\]', b"", text)
+    return re.sub(rb'"uri"\s*:\s*"[^"]*(\.bin"|;base64,[^"]*")', b"", text)
+
+
+def expect_untouched(before: Document, after: Document) -> None:
+    if len(after.json["accessors"]) == len(before.json["accessors"]):
+        assert without_bounds(after.text) == without_bounds(before.text)
+    else:
+        expect_only_added(before.json, after.json)
+    assert after.rest == before.rest
+    touched = [np.zeros(len(b), bool) for b in before.buffers]
+    for _, _, primitive in before.primitives():
+        for attribute in ("POSITION", "NORMAL", "TANGENT"):
+            if attribute not in primitive["attributes"]:
+                continue
+            for buffer, at, size in before.places(primitive["attributes"][attribute]):
+                touched[buffer][at : at + size] = True
+    for old, new, mask in zip(before.buffers, after.buffers, touched):
+        # A mesh that shared its numbers, or had whole ones, got its own behind the others.
+        assert len(new) == len(old) or len(after.json["accessors"]) > len(before.json["accessors"])
+        kept = min(len(old), len(new))
+        a, b, mask = np.frombuffer(old[:kept], "u1"), np.frombuffer(new[:kept], "u1"), mask[:kept]
+        assert np.array_equal(a[~mask], b[~mask])
+
+
+def expect_only_added(before, after) -> None:
+    """The same document, but for numbers of accessors in attributes, and what stands behind."""
+    for key in before:
+        old, new = before[key], after[key]
+        if key == "meshes":
+            for m, n in zip(old, new):
+                for p, q in zip(m["primitives"], n["primitives"]):
+                    for name in ("POSITION", "NORMAL", "TANGENT"):
+                        p["attributes"].pop(name, None), q["attributes"].pop(name, None)
+        elif key == "accessors":
+            new = new[: len(old)]
+            for a, b in zip(old, new):
+                a = {k: v for k, v in a.items() if k not in ("min", "max")}
+                assert a == {k: v for k, v in b.items() if k not in ("min", "max")}
+            continue
+        elif key == "bufferViews":
+            new = new[: len(old)]
+        elif key == "buffers":
+            continue
+        assert new == old, key
+
+
+def expect_moved(before: Document, after: Document, diagonal: float) -> None:
+    tolerance = 1e-6 * diagonal
+    for (_, matrix, old), (_, _, new) in zip(before.primitives(), after.primitives()):
+        to_world = lambda p: p @ matrix[:3, :3].T + matrix[:3, 3]
+        was = to_world(before.values(old["attributes"]["POSITION"]))
+        now = to_world(after.values(new["attributes"]["POSITION"]))
+        assert np.abs(now - moved(was, diagonal)).max() <= tolerance
+        accessor = after.json["accessors"][new["attributes"]["POSITION"]]
+        if "min" in accessor and not accessor.get("normalized"):
+            stored = after.values(new["attributes"]["POSITION"])
+            assert np.array_equal(np.float32(accessor["min"]), np.float32(stored.min(0)))
+            assert np.array_equal(np.float32(accessor["max"]), np.float32(stored.max(0)))
+        if "NORMAL" in new["attributes"]:
+            normals = after.values(new["attributes"]["NORMAL"])
+            lengths = np.linalg.norm(normals, axis=1)
+            kept = np.all(normals == before.values(old["attributes"]["NORMAL"]), 1)
+            assert np.all(kept | (np.abs(lengths - 1) < 1e-5))
+
+
+def errors_of(validator: Path, path: Path) -> Counter:
+    result = subprocess.run(
+        ["node", str(validator), str(path)], capture_output=True, text=True, timeout=120
+    )
+    assert result.returncode == 0, result.stderr
+    issues = json.loads(result.stdout)["issues"]["messages"]
+    return Counter(issue["code"] for issue in issues if issue["severity"] == 0)
+
+
+def check_file(path: Path, target: Path, validator: Path) -> None:
+    name = name_of(path)
+    if name in REFUSED:
+        with pytest.raises(lapwing.Error, match=re.escape(REFUSED[name])):
+            lapwing.read(path)
+        return
+    if name in EMPTY:
+        assert lapwing.read(path).face_count == 0
+        return
+    before = Document(path)
+    copy = target.with_name("copy" + path.suffix)
+    lapwing.write(copy, lapwing.read(path))
+    if before.binary:
+        assert copy.read_bytes() == path.read_bytes()
+    diagonal = edit(path, target)
+    if name not in NOT_FINITE:
+        expect_moved(before, Document(target), diagonal)
+    expect_untouched(before, Document(target))
+    for image in before.json.get("images", []):
+        beside = path.parent / unquote(image.get("uri", ""))
+        if "data:" not in str(beside) and beside.is_file():
+            shutil.copy(beside, target.parent)
+    added = errors_of(validator, target) - errors_of(validator, path)
+    if name in NOT_FINITE:
+        del added["ACCESSOR_INVALID_FLOAT"]  # each is counted, and they are in normals, too
+    assert name in SHORT or not added, f"the validator's new errors: {added}"
+
+
+@pytest.mark.parametrize("path", models(), ids=lambda p: name_of(p) if p else "none")
+def test_a_file_of_the_packages(path, tmp_path, validator):
+    check_file(path, tmp_path / ("edited" + path.suffix), validator)
+
+
+@pytest.mark.parametrize(
+    "name", [n + end for n in samples.ALL for end in (".glb", ".gltf", "-embedded.gltf")]
+)
+def test_a_generated_file(name, generated, tmp_path, validator):
+    assert not errors_of(validator, generated[name]), "the sample itself is valid"
+    check_file(generated[name], tmp_path / ("edited" + generated[name].suffix), validator)
+
+
+@pytest.mark.parametrize("name", [n for n in samples.ALL if n not in ("quantized", "skinned")])
+def test_another_program_reads_the_moved_positions(name, generated, tmp_path, assimp):
+    target = tmp_path / "edited.glb"
+    edit(generated[name + ".glb"], target)
+    out = tmp_path / "seen.obj"
+    result = subprocess.run(
+        [assimp, "export", str(target), str(out), "-ptv"], capture_output=True, text=True, timeout=60
+    )
+    assert out.exists(), result.stdout
+    seen = np.array(
+        [[float(x) for x in line.split()[1:4]] for line in out.read_text().splitlines()
+         if line.startswith("v ")]
+    )
+    wanted = lapwing.read(target).vertices
+    if name == "morphed":  # assimp shows the mesh as its weights have it
+        return
+    gaps = np.abs(seen[:, None, :] - wanted[None, :, :]).max(2)
+    assert gaps.min(0).max() < 1e-4 and gaps.min(1).max() < 1e-4
+
+
+def test_one_edit_of_an_obj_and_of_split_vertices_gives_one_surface(generated, tmp_path):
+    split = lapwing.read(generated["plain.glb"])
+    lapwing.write(tmp_path / "tube.obj", split)
+    welded = lapwing.read(tmp_path / "tube.obj")
+    z = split.vertices[:, 2]
+    surfaces = [
+        lapwing.deform(
+            mesh, belt=z < 0.5, handles=[(z > 5.5, {"rotate": {"axis": [1, 0, 0], "degrees": 60}})]
+        )
+        for mesh in (split, welded)
+    ]
+    diagonal = np.linalg.norm(np.ptp(split.vertices, 0))
+    assert np.abs(surfaces[0].vertices - surfaces[1].vertices).max() < 1e-6 * diagonal
+    lapwing.write(tmp_path / "bent.glb", surfaces[0].mesh)
+    document = Document(tmp_path / "bent.glb")
+    (_, _, primitive), = document.primitives()
+    points = document.values(primitive["attributes"]["POSITION"]).reshape(21, 17, 3)
+    assert np.array_equal(points[:, 0], points[:, -1]), "the seam is closed"
+    normals = document.values(primitive["attributes"]["NORMAL"]).reshape(21, 17, 3)
+    assert np.array_equal(normals[:, 0], normals[:, -1]), "and its shading"
+    from_file = lapwing.read(tmp_path / "bent.glb").vertices
+    assert np.abs(from_file - surfaces[1].vertices).max() < 1e-6 * diagonal
+
+
+def test_made_anew_the_validator_finds_nothing(tmp_path, validator):
+    for name in ("tube", "sphere"):
+        for suffix in (".glb", ".gltf"):
+            path = tmp_path / (name + suffix)
+            lapwing.write(path, lapwing.shape(name))
+            assert not errors_of(validator, path)
