@@ -1,6 +1,7 @@
 """Every glTF file of Debian's packages, and those of samples.py: what an edit leaves as it was, what
 other programs read, and what the validator says."""
 
+import copy
 import json
 import os
 import re
@@ -96,6 +97,7 @@ def expect_untouched(before: Document, after: Document) -> None:
 
 def expect_only_added(before, after) -> None:
     """The same document, but for numbers of accessors in attributes, and what stands behind."""
+    before, after = copy.deepcopy(before), copy.deepcopy(after)
     for key in before:
         old, new = before[key], after[key]
         if key == "meshes":
@@ -154,10 +156,10 @@ def check_file(path: Path, target: Path, validator: Path) -> None:
         assert lapwing.read(path).face_count == 0
         return
     before = Document(path)
-    copy = target.with_name("copy" + path.suffix)
-    lapwing.write(copy, lapwing.read(path))
+    unmoved = target.with_name("unmoved" + path.suffix)
+    lapwing.write(unmoved, lapwing.read(path))
     if before.binary:
-        assert copy.read_bytes() == path.read_bytes()
+        assert unmoved.read_bytes() == path.read_bytes()
     diagonal = edit(path, target)
     if name not in NOT_FINITE:
         expect_moved(before, Document(target), diagonal)
@@ -235,3 +237,60 @@ def test_made_anew_the_validator_finds_nothing(tmp_path, validator):
             path = tmp_path / (name + suffix)
             lapwing.write(path, lapwing.shape(name))
             assert not errors_of(validator, path)
+
+
+def add_smile(path: Path, target: Path):
+    """The upper half of the tube bent, saved as a morph target."""
+    (target.parent / "smile.json").write_text(json.dumps({
+        "lapwing": 1,
+        "mesh": str(path),
+        "steps": [{
+            "op": "deform",
+            "roi": {"box": {"min": [-9, -9, 2], "max": [9, 9, 9]}},
+            "belt": {"box": {"min": [-9, -9, 2], "max": [9, 9, 3]}},
+            "handles": [{
+                "region": {"box": {"min": [-9, -9, 5.5], "max": [9, 9, 9]}},
+                "move": {"translate": [1, 0, -0.25]},
+            }],
+        }],
+        "save": target.name,
+        "save_as": {"morph_target": "smile"},
+    }))
+    return lapwing.run(target.parent / "smile.json", save=True)
+
+
+@pytest.mark.parametrize("name", ["plain", "two_materials", "interleaved", "morphed", "skinned"])
+@pytest.mark.parametrize("suffix", [".glb", ".gltf", "-embedded.gltf"])
+def test_an_edit_becomes_a_morph_target(name, suffix, generated, tmp_path, validator):
+    source = generated[name + suffix]
+    target = tmp_path / ("smiling" + source.suffix)
+    result = add_smile(source, target)
+    before, after = Document(source), Document(target)
+    mesh = after.json["meshes"][0]
+    old = len(before.json["meshes"][0]["primitives"][0].get("targets", []))
+    assert mesh["extras"]["targetNames"][old:] == ["smile"]
+    for primitive in mesh["primitives"]:
+        assert len(primitive["targets"]) == old + 1
+        base = after.values(primitive["attributes"]["POSITION"])
+        smile = after.values(primitive["targets"][old]["POSITION"])
+        gaps = np.abs((base + smile)[:, None, :] - result.vertices[None, :, :]).max(2).min(1)
+        assert gaps.max() < 1e-5
+        assert np.all(smile[base[:, 2] < 2] == 0)
+    for old_bytes, new_bytes in zip(before.buffers, after.buffers):
+        assert new_bytes[: len(old_bytes)] == old_bytes
+    assert not errors_of(validator, target)
+    assert np.array_equal(lapwing.read(target).vertices, lapwing.read(source).vertices)
+    if name == "morphed":
+        animation = after.json["animations"][0]["samplers"][0]
+        assert after.values(animation["output"]).ravel().tolist() == [0, 0, 0, 1, 0.5, 0]
+        with pytest.raises(lapwing.InputError, match="there is a morph target 'smile' already"):
+            add_smile(target, tmp_path / ("again" + source.suffix))
+
+
+def test_with_other_formats_a_morph_target_is_a_table(generated, tmp_path):
+    lapwing.write(tmp_path / "tube.obj", lapwing.read(generated["plain.glb"]))
+    before = (tmp_path / "tube.obj").read_bytes()
+    result = add_smile(tmp_path / "tube.obj", tmp_path / "out.obj")
+    assert (tmp_path / "out.obj").read_bytes() == before
+    rest = lapwing.read(tmp_path / "out.obj").vertices
+    assert np.array_equal(rest + np.load(tmp_path / "out-smile.npy"), result.vertices)

@@ -76,8 +76,9 @@ std::vector<FileContent> write_anew(const Mesh& mesh, const std::filesystem::pat
 
 // The file that `source` is with what moved; nothing where it cannot be stored there.
 std::vector<FileContent> patch(const SourceFile& source, const Mesh& mesh,
-                               const std::filesystem::path& path, WriteReport& report) {
-  if (source.gltf) return patch_gltf(source, mesh, path, report);
+                               const std::filesystem::path& path, const WriteOptions& options,
+                               WriteReport& report) {
+  if (source.gltf) return patch_gltf(source, mesh, path, options.morph_target, report);
   auto bytes = patch_source(source, mesh);
   if (!bytes) return {};
   return {{path, std::move(*bytes)}};
@@ -133,11 +134,17 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
   const SourceFile* const source = find_source(mesh);
   const Encoding encoding = choose_encoding(format, source, options);
 
+  const bool is_patched = source != nullptr && source->format() == format &&
+                          source->encoding == encoding && !options.anew;
+  if (!options.morph_target.empty() && (!is_patched || !source->gltf)) {
+    throw InputError("the morph target '" + options.morph_target +
+                     "' is added to a glTF file of the same triangles; read and save one with the "
+                     "same extension, .glb or .gltf");
+  }
   WriteReport report;
   std::vector<FileContent> contents;
-  if (source != nullptr && source->format() == format && source->encoding == encoding &&
-      !options.anew) {
-    contents = patch(*source, mesh, path, report);
+  if (is_patched) {
+    contents = patch(*source, mesh, path, options, report);
   }
   if (contents.empty()) contents = write_with_new_normals(mesh, source, path, encoding, report);
   if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);

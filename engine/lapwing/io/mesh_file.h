@@ -29,6 +29,9 @@ struct WriteOptions {
   /// Makes the file anew where it would come back byte for byte, so that attributes set since it
   /// was read are written.
   bool anew = false;
+  /// Of a glTF file that the mesh was read from: its positions stay, and how the mesh differs from
+  /// them is added as a morph target of this name (see gltf/gltf_morph.h).
+  std::string morph_target = {};
 };
 
 /// What the user should know about a file that was written, in printable lines.

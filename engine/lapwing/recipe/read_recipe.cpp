@@ -1,6 +1,6 @@
 #include "lapwing/io/file_bytes.h"
-#include "lapwing/recipe/key_reader.h"
 #include "lapwing/json/parse_json.h"
+#include "lapwing/recipe/key_reader.h"
 #include "lapwing/recipe/recipe.h"
 
 namespace lapwing {
@@ -28,13 +28,21 @@ Recipe parse_recipe(std::string_view json_text, const std::filesystem::path& bas
 Recipe parse_recipe(JsonNode::Document document, const std::filesystem::path& base_directory,
                     const std::string& name) {
   const JsonNode root = JsonNode::of(std::move(document), name);
-  root.require_keys({"lapwing", "mesh", "steps", "save"});
+  root.require_keys({"lapwing", "mesh", "steps", "save", "save_as"});
   require_version(root);
   Recipe recipe;
   recipe.base_directory = base_directory;
   recipe.mesh = root.at("mesh").file_name();
   for (const JsonNode& step : root.at("steps").elements()) recipe.steps.push_back(read_step(step));
   if (const auto save = root.find("save")) recipe.save = save->file_name();
+  if (const auto save_as = root.find("save_as")) {
+    save_as->require_keys({"morph_target"});
+    const JsonNode target = save_as->at("morph_target");
+    recipe.morph_target = target.string();
+    if (recipe.morph_target.empty() || recipe.morph_target.find('/') != std::string::npos) {
+      target.fail("expected a name without \"/\", which is part of a file's name in some formats");
+    }
+  }
   return recipe;
 }
 

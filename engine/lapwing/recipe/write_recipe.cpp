@@ -75,6 +75,7 @@ std::string to_json(const Recipe& recipe) {
   Json root{
       {"lapwing", kRecipeVersion}, {"mesh", recipe.mesh.string()}, {"steps", std::move(steps)}};
   if (!recipe.save.empty()) root["save"] = recipe.save.string();
+  if (!recipe.morph_target.empty()) root["save_as"] = {{"morph_target", recipe.morph_target}};
   try {
     // Counted as standing at the line's end, so that the root always opens up.
     return pretty(root, "", kLineWidth) + "\n";

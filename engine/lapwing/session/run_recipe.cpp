@@ -3,10 +3,12 @@
 #include <variant>
 
 #include "lapwing/base/cancellation.h"
+#include "lapwing/base/errors.h"
 #include "lapwing/base/memory_use.h"
 #include "lapwing/base/stage.h"
 #include "lapwing/doctor/check.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/io/npy_file.h"
 #include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/session/motion_properties.h"
@@ -80,7 +82,8 @@ void begin_run(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
   report.device = kernels.device();
   const auto path = recipe.mesh_path();
   report.mesh = path.lexically_normal().string();
-  result.inputs.push_back(path);
+  result.inputs.push_back(split_mesh_path(path).file);
+  result.morph_target = recipe.morph_target;
   stage("read", report.timings, progress,
         [&] { result.mesh = *meshes.mesh(recipe.base_directory, recipe.mesh); });
   result.original = result.mesh.positions;
@@ -132,6 +135,33 @@ void save_result(RunResult& result, const std::filesystem::path& path, const Sav
   files.commit();
 }
 
+namespace {
+
+// In a glTF file a morph target; with other formats a table of displacements, one row per vertex.
+WriteReport write_morph_target(const Mesh& mesh, const RunResult& result,
+                               const std::filesystem::path& path, FileReplacements& files) {
+  if (is_gltf(format_of(path))) {
+    return write_mesh(mesh, path, files, {.morph_target = result.morph_target});
+  }
+  if (mesh.source == nullptr || result.original.size() != mesh.vertex_count()) {
+    throw InputError(
+        "a step made other triangles, which have no displacements from the mesh that "
+        "was read; leave out \"save_as\", or keep the triangles");
+  }
+  Mesh rest = mesh;
+  rest.positions = result.original;
+  WriteReport report = write_mesh(rest, path, files);
+  Positions displacements = mesh.positions;
+  for (std::size_t v = 0; v < displacements.size(); ++v) displacements[v] -= result.original[v];
+  const auto table =
+      path.parent_path() / (path.stem().string() + "-" + result.morph_target + ".npy");
+  files.add(table, npy_bytes(displacements, Scalar::float64));
+  report.notes.push_back("the mesh is saved as it was, and its displacements in " + table.string());
+  return report;
+}
+
+}  // namespace
+
 void save_result(RunResult& result, const std::filesystem::path& path, FileReplacements& files,
                  const SaveOptions& options) {
   const Uncancelled whole;  // all of the files, or none
@@ -148,7 +178,11 @@ void save_result(RunResult& result, const std::filesystem::path& path, FileRepla
     result.warn(written.notes);
   };
   add(write_carried(result.carried, path, files));
-  add(write_mesh(mesh, path, files, {.anew = marked}));
+  if (result.morph_target.empty()) {
+    add(write_mesh(mesh, path, files, {.anew = marked}));
+  } else {
+    add(write_morph_target(mesh, result, path, files));
+  }
   result.report.timings.add("write", watch.elapsed_ms());
 }
 

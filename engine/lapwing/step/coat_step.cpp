@@ -86,7 +86,8 @@ std::vector<SharedSource> read_sources(std::span<const FileSource> sources, cons
   stage("source", timings, on.progress,
         [&] { meshes = read_source_meshes(sources, on.base_directory, on.meshes); });
   for (const FileSource& source : sources) {
-    if (!source.mesh.empty()) on.result.inputs.push_back(on.base_directory / source.mesh);
+    if (!source.mesh.empty())
+      on.result.inputs.push_back(split_mesh_path(on.base_directory / source.mesh).file);
   }
   return meshes;
 }

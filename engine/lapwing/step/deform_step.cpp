@@ -47,7 +47,7 @@ std::vector<std::size_t> open_carried(std::span<const CarrySpec> files, const St
     const auto number = static_cast<std::size_t>(at - open.begin());
     if (at == open.end()) {
       at = open.insert(at, CarriedFile(path));
-      on.result.inputs.push_back(path);
+      on.result.inputs.push_back(split_mesh_path(path).file);
     }
     if (!spec.save.empty()) at->save = on.base_directory / spec.save;
     if (std::count(chosen.begin(), chosen.end(), number) == 0) chosen.push_back(number);

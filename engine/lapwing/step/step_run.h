@@ -27,6 +27,7 @@ struct RunState {
   std::vector<CarriedFile> carried;
   std::vector<std::filesystem::path> inputs;  ///< the files that were read, but for the recipe
   RunReport report;
+  std::string morph_target;  ///< as which the result is saved; empty: as the mesh itself
 
   void warn(std::span<const std::string> texts) {
     report.warnings.insert(report.warnings.end(), texts.begin(), texts.end());

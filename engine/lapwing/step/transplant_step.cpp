@@ -83,7 +83,7 @@ StepReport run_step(const TransplantStep& step, const StepRun& on) {
   std::shared_ptr<const Mesh> read;
   stage("part", report.timings, on.progress,
         [&] { read = read_part_mesh(step, on.base_directory, on.meshes); });
-  if (read) result.inputs.push_back(on.base_directory / step.part);
+  if (read) result.inputs.push_back(split_mesh_path(on.base_directory / step.part).file);
   const Mesh& part = read ? *read : result.mesh;
   const std::string name = read ? step.part.stem().string() : "part";
   Transplanted done = transplant(result.mesh, part, name, step, on.kernels, on.progress);

@@ -92,9 +92,8 @@ void GltfFile::split_chunks() {
   json_ = chunk_at(at);
   at += kGlbChunkHeaderSize + json_.size();
   if (length >= at + kGlbChunkHeaderSize && word_at(bytes, at + 4) == kGlbBinary) {
-    has_chunk_ = true;
     chunk_ = chunk_at(at);
-    at += kGlbChunkHeaderSize + chunk_.size();
+    at += kGlbChunkHeaderSize + chunk_->size();
   }
   further_chunks_ = bytes.substr(at, length - at);
   tail_ = bytes.substr(length);
@@ -119,10 +118,10 @@ GltfBuffer GltfFile::read_buffer(const JsonNode& node, std::size_t number) {
   GltfBuffer buffer;
   const auto uri_node = node.find("uri");
   if (!uri_node) {
-    if (number > 0 || !has_chunk_) {
+    if (number > 0 || !chunk_) {
       node.fail("the buffer has no \"uri\", and the file no chunk for it; export the file again");
     }
-    buffer.bytes = chunk_;
+    buffer.bytes = *chunk_;
     return buffer;
   }
   const std::string uri = uri_node->string();
@@ -150,11 +149,11 @@ GltfBuffer GltfFile::read_buffer(const JsonNode& node, std::size_t number) {
   return buffer;
 }
 
-std::string glb_of(std::string_view json, const std::string_view* buffer,
+std::string glb_of(std::string_view json, std::optional<std::string_view> buffer,
                    std::string_view further_chunks) {
   std::string chunks;
   append_chunk(chunks, kGlbJson, json, ' ');
-  if (buffer != nullptr) append_chunk(chunks, kGlbBinary, *buffer, '\0');
+  if (buffer) append_chunk(chunks, kGlbBinary, *buffer, '\0');
   chunks += further_chunks;
   const std::size_t length = kGlbHeaderSize + chunks.size();
   constexpr std::size_t kMost = 0xFFFFFFFFU;

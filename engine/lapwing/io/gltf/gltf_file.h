@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,8 @@ class GltfFile {
   std::string_view json() const { return json_; }
   const JsonNode& root() const { return root_; }
   const std::vector<GltfBuffer>& buffers() const { return buffers_; }
+  /// The bytes that a GLB has for its first buffer, whether that names them or not.
+  std::optional<std::string_view> chunk() const { return chunk_; }
   /// What follows the JSON and the first buffer in a GLB: chunks of others, headers included.
   std::string_view further_chunks() const { return further_chunks_; }
   /// What stands in a GLB behind the length that its header names.
@@ -50,8 +53,7 @@ class GltfFile {
   const SourceFile& source_;
   bool is_binary_ = false;
   std::string_view json_;
-  std::string_view chunk_;  // the first buffer of a GLB
-  bool has_chunk_ = false;
+  std::optional<std::string_view> chunk_;
   std::string_view further_chunks_;
   std::string_view tail_;
   JsonNode root_;
@@ -67,8 +69,8 @@ inline constexpr std::uint32_t kGlbBinary = 0x004E4942;  // "BIN"
 inline constexpr std::size_t kGlbHeaderSize = 12;
 inline constexpr std::size_t kGlbChunkHeaderSize = 8;
 
-/// A GLB of `json`, the first buffer (none where `buffer` is null), and `further_chunks`.
-std::string glb_of(std::string_view json, const std::string_view* buffer,
+/// A GLB of `json`, the first buffer, and `further_chunks`.
+std::string glb_of(std::string_view json, std::optional<std::string_view> buffer,
                    std::string_view further_chunks);
 
 }  // namespace lapwing

@@ -151,9 +151,9 @@ void GltfNumbers::write_bounds(TextEdits& edits) const {
     const auto least = text.member(accessors[number], "min");
     const auto most = text.member(accessors[number], "max");
     if (!least && !most) continue;
-    const auto bounds =
-        bounds_of_rows(accessor->count(), accessor->components(), accessor->type(),
-                       [&](std::size_t k, std::size_t c) { return stored(*accessor, k, c); });
+    const auto bounds = bounds_of_rows(
+        accessor->count(), accessor->components(), accessor->type(),
+        [this, held = accessor](std::size_t k, std::size_t c) { return stored(*held, k, c); });
     if (least) edits.replace(*least, bounds[0]);
     if (most) edits.replace(*most, bounds[1]);
   }
@@ -161,12 +161,7 @@ void GltfNumbers::write_bounds(TextEdits& edits) const {
 
 void GltfNumbers::add_copies(TextEdits& edits) {
   if (copies_.empty()) return;
-  if (buffers_.empty()) {
-    throw InputError(layout_.file.source().path().string() +
-                     ": it has no buffer, and so no place for what moved; export it again");
-  }
   const JsonText text(layout_.file.json());
-  GltfAppender appender(layout_.file.json(), 0, layout_.file.buffers()[0].bytes.size());
   const std::vector<JsonPlace> meshes = text.elements(*text.member(text.root(), "meshes"));
   for (const auto& [key, copy] : copies_) {
     const std::size_t width = copy.accessor->components();
@@ -176,14 +171,16 @@ void GltfNumbers::add_copies(TextEdits& edits) {
     }
     std::string bounds;
     if (copy.attribute == "POSITION") {
-      const auto [least, most] = bounds_of_rows(
-          copy.accessor->count(), width, Scalar::float32,
-          [&](std::size_t k, std::size_t c) { return double{copy.values[k * width + c]}; });
+      const auto [least, most] =
+          bounds_of_rows(copy.accessor->count(), width, Scalar::float32,
+                         [width, &values = copy.values](std::size_t k, std::size_t c) {
+                           return double{values[k * width + c]};
+                         });
       bounds = R"(,"min":)" + least + R"(,"max":)" + most;
     }
     const std::size_t number =
-        appender.add_numbers(bytes, Scalar::float32, width == 3 ? "VEC3" : "VEC4",
-                             copy.accessor->count(), GltfAppender::Target::vertices, bounds);
+        appender().add_numbers(bytes, Scalar::float32, width == 3 ? "VEC3" : "VEC4",
+                               copy.accessor->count(), GltfAppender::Target::vertices, bounds);
     const JsonNode node = *layout_.file.root().at("meshes").element(copy.mesh);
     const std::vector<JsonNode> primitives = node.at("primitives").elements();
     const std::vector<JsonPlace> places =
@@ -195,14 +192,26 @@ void GltfNumbers::add_copies(TextEdits& edits) {
                     std::to_string(number));
     }
   }
-  appender.finish(edits);
-  changeable(0) += appender.data();
+}
+
+GltfAppender& GltfNumbers::appender() {
+  if (buffers_.empty()) {
+    throw InputError(layout_.file.source().path().string() +
+                     ": it has no buffer, and so no place for what moved; export it again");
+  }
+  if (!appender_) {
+    appender_.emplace(layout_.file.json(), 0, layout_.file.buffers()[0].bytes.size());
+  }
+  return *appender_;
 }
 
 void GltfNumbers::finish(TextEdits& edits) {
   require_apart();
   write_bounds(edits);
   add_copies(edits);
+  if (!appender_) return;
+  appender_->finish(edits);
+  changeable(0) += appender_->data();
 }
 
 }  // namespace lapwing

@@ -24,6 +24,9 @@ class GltfNumbers {
   void set(const GltfAccessor& accessor, std::string_view attribute, std::size_t mesh,
            std::size_t element, const Eigen::Vector3d& values);
 
+  /// What adds data to the first buffer. Throws InputError where there is none.
+  GltfAppender& appender();
+
   bool has_changed() const { return !changed_.empty() || !copies_.empty(); }
 
   /// Puts bounds ("min", "max") of what changed and the accessors that were added into the
@@ -53,6 +56,7 @@ class GltfNumbers {
   void add_copies(TextEdits& edits);
 
   const GltfLayout& layout_;
+  std::optional<GltfAppender> appender_;
   std::vector<std::optional<std::string>> buffers_;
   /// By where they begin, the meshes whose attributes the numbers are.
   std::map<Start, std::vector<std::size_t>> meshes_of_;

@@ -7,6 +7,7 @@
 
 #include "lapwing/io/gltf/base64.h"
 #include "lapwing/io/gltf/gltf_layout.h"
+#include "lapwing/io/gltf/gltf_morph.h"
 #include "lapwing/io/gltf/gltf_numbers.h"
 #include "lapwing/io/gltf/gltf_tangents.h"
 #include "lapwing/io/gltf/uri.h"
@@ -43,6 +44,12 @@ class GltfPatch {
       turn();
       numbers_.finish(edits_);
     }
+    return files_at(target);
+  }
+
+  std::vector<FileContent> run_as_morph_target(const std::string& name, const fs::path& target) {
+    add_morph_target(layout_, mesh_, name, numbers_, edits_);
+    numbers_.finish(edits_);
     return files_at(target);
   }
 
@@ -162,15 +169,13 @@ class GltfPatch {
 
   std::string main_file() {
     if (!layout_.file.is_binary()) return edits_.applied_to(layout_.file.json());
+    // Also one that the document does not name.
+    std::optional<std::string_view> chunk = layout_.file.chunk();
     const auto& buffers = layout_.file.buffers();
-    const bool has_chunk = !buffers.empty() && buffers[0].kind == GltfBuffer::Kind::chunk;
-    std::string_view chunk;
-    if (has_chunk) {
-      const std::optional<std::string>& changed = numbers_.buffer(0);
-      chunk = changed ? std::string_view(*changed) : buffers[0].bytes;
+    if (!buffers.empty() && buffers[0].kind == GltfBuffer::Kind::chunk && numbers_.buffer(0)) {
+      chunk = *numbers_.buffer(0);
     }
-    return glb_of(edits_.applied_to(layout_.file.json()), has_chunk ? &chunk : nullptr,
-                  layout_.file.further_chunks()) +
+    return glb_of(edits_.applied_to(layout_.file.json()), chunk, layout_.file.further_chunks()) +
            std::string(layout_.file.tail());
   }
 
@@ -199,8 +204,11 @@ class GltfPatch {
 }  // namespace
 
 std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
-                                    const fs::path& target, WriteReport& report) {
-  return GltfPatch(source, mesh, report).run(target);
+                                    const fs::path& target, const std::string& morph_target,
+                                    WriteReport& report) {
+  GltfPatch patch(source, mesh, report);
+  if (!morph_target.empty()) return patch.run_as_morph_target(morph_target, target);
+  return patch.run(target);
 }
 
 }  // namespace lapwing

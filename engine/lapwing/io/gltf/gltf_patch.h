@@ -24,7 +24,10 @@ struct FileContent {
 /// What several meshes share, and positions in whole numbers or nowhere at all, get accessors of
 /// their own at the end (see GltfNumbers). `report` notes images that are not beside the target.
 /// Throws what GltfNumbers does.
+///
+/// With a name, `morph_target`, nothing is moved: see add_morph_target.
 std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
-                                    const std::filesystem::path& target, WriteReport& report);
+                                    const std::filesystem::path& target,
+                                    const std::string& morph_target, WriteReport& report);
 
 }  // namespace lapwing

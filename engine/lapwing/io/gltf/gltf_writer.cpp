@@ -69,7 +69,7 @@ std::vector<FileContent> write_gltf(const Mesh& mesh, const std::filesystem::pat
 
   const std::string_view data = appender.data();
   if (format == MeshFormat::glb) {
-    return {{target, glb_of(json, primitives.empty() ? nullptr : &data, {})}};
+    return {{target, glb_of(json, primitives.empty() ? std::nullopt : std::optional(data), {})}};
   }
   std::vector<FileContent> files{{target, json}};
   if (!primitives.empty()) {
