@@ -231,6 +231,68 @@ TEST(Gltf, ABufferOfItsOwnGoesWithTheFile) {
   EXPECT_EQ(read_mesh(path).positions, mesh.positions) << "in its place";
 }
 
+// Two objects, of which the second has a skin and numbers of its own.
+std::string two_objects(GltfSample& sample) {
+  std::string primitives[2];
+  for (std::string& primitive : primitives) {
+    const auto p = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 5126, "VEC3",
+                              4, R"(,"min":[0,0,0],"max":[1,1,0])");
+    const auto i = sample.add(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}, 5123, "SCALAR", 6);
+    primitive = R"({"attributes":{"POSITION":)" + std::to_string(p) + R"(},"indices":)" +
+                std::to_string(i) + R"(,"material":1})";
+  }
+  return R"("scenes":[{"nodes":[0,1]}],"nodes":[{"name":"Left","mesh":0,"scale":[2,2,2]},)"
+         R"({"name":"Right","mesh":1,"skin":0,"weights":[]}],"skins":[{"joints":[0]}],)"
+         R"("materials":[{"name":"wool"},{"name":"wax"}],"meshes":[{"primitives":[)" +
+         primitives[0] + R"(]},{"primitives":[)" + primitives[1] + "]}]";
+}
+
+// The last face of `mesh` cut off: what a step leaves that made other triangles.
+Mesh without_last_face(const Mesh& mesh) {
+  Mesh cut = mesh;
+  cut.source.reset();
+  Faces& faces = cut.edit_faces();
+  faces.starts.pop_back();
+  faces.vertices.resize(faces.starts.back());
+  MeshAttributes& attributes = cut.edit_attributes();
+  attributes.face_groups.pop_back();
+  attributes.face_materials.pop_back();
+  return cut;
+}
+
+TEST(Gltf, OtherTrianglesTakeThePlaceOfTheOldOnes) {
+  const TemporaryFolder folder;
+  GltfSample sample;
+  const std::string rest = two_objects(sample);
+  const Mesh mesh = read_mesh(folder.file("a.glb", sample.glb(rest)));
+  const WriteReport report =
+      write_mesh(without_last_face(mesh), folder / "b.glb", {.made_from = mesh.source});
+  EXPECT_THAT(report.not_carried, Contains(HasSubstr("the skin of 'Right'")));
+  EXPECT_EQ(read_mesh(folder / "b.glb#Right").face_count(), 1U);
+  EXPECT_EQ(read_mesh(folder / "b.glb#Right").attributes().face_materials.at(0), 1U);
+  const std::string bytes = content_of(folder / "b.glb");
+  EXPECT_THAT(bytes, HasSubstr(rest.substr(0, rest.find(R"({"name":"Right")"))));
+  EXPECT_THAT(bytes, HasSubstr(R"({"name":"Right","mesh":1,"weights":[]})"));
+  EXPECT_THAT(bytes, HasSubstr(sample.buffer())) << "all that was there, and what it got behind";
+  EXPECT_EQ(read_mesh(folder / "b.glb#Left").positions, read_mesh(folder / "a.glb#Left").positions);
+}
+
+TEST(Gltf, AMorphTargetTellsWhatMoved) {
+  const TemporaryFolder folder;
+  GltfSample sample;
+  Mesh mesh = read_mesh(folder.file("a.glb", sample.glb(two_objects(sample))));
+  const Positions rest = mesh.positions;
+  mesh.positions[1].z() = 4.0;
+  write_mesh(mesh, folder / "b.glb", {.morph_target = "up"});
+  EXPECT_EQ(read_mesh(folder / "b.glb").positions, rest);
+  EXPECT_THAT(content_of(folder / "b.glb"),
+              AllOf(HasSubstr(R"("extras":{"targetNames":["up"]})"), HasSubstr(R"("max":[0,0,2])"),
+                    HasSubstr(R"("sparse":{"count":1)")));
+  EXPECT_THROW(write_mesh(mesh, folder / "b.obj", {.morph_target = "up"}), InputError);
+  mesh.positions = rest;
+  EXPECT_THROW(write_mesh(mesh, folder / "b.glb", {.morph_target = "up"}), InputError);
+}
+
 TEST(Gltf, MadeAnewItReadsBack) {
   const TemporaryFolder folder;
   for (const char* name : {"a.glb", "a.gltf"}) {

@@ -13,7 +13,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr WriteOptions kAscii{.encoding = Encoding::ascii};
+const WriteOptions kAscii{.encoding = Encoding::ascii};
 
 TEST(Stl, CornersAreWeldedWhereTheirPositionsAreEqual) {
   const TemporaryFolder folder;

@@ -84,17 +84,15 @@ std::vector<FileContent> patch(const SourceFile& source, const Mesh& mesh,
   return {{path, std::move(*bytes)}};
 }
 
-// A mesh whose stored normals fit its positions: those of a mesh whose file is unknown may not.
-std::vector<FileContent> write_with_new_normals(const Mesh& mesh, const SourceFile* source,
-                                                const std::filesystem::path& path,
-                                                Encoding encoding, WriteReport& report) {
-  if (mesh.attributes().normals.empty()) return write_anew(mesh, path, encoding, report);
+// With stored normals that fit its positions: those of a mesh whose file is unknown may not.
+Mesh with_new_normals(const Mesh& mesh, const SourceFile* source) {
+  if (mesh.attributes().normals.empty()) return mesh;
   const Positions rest = source == nullptr ? Positions() : source_positions(*source, mesh);
   StoredNormals updated = updated_normals(mesh, rest);
   Mesh refreshed = mesh;
   refreshed.edit_attributes().normals = std::move(updated.normals);
   refreshed.edit_attributes().corner_normals = std::move(updated.corner_normals);
-  return write_anew(refreshed, path, encoding, report);
+  return refreshed;
 }
 
 void note_missing_libraries(const Mesh& mesh, const std::filesystem::path& path,
@@ -146,7 +144,14 @@ WriteReport write_mesh(const Mesh& mesh, const std::filesystem::path& path, File
   if (is_patched) {
     contents = patch(*source, mesh, path, options, report);
   }
-  if (contents.empty()) contents = write_with_new_normals(mesh, source, path, encoding, report);
+  const SourceFile* const old = options.made_from.get();
+  if (source == nullptr && old != nullptr && old->gltf && old->format() == format &&
+      !options.anew && mesh.face_count() > 0 && !old->gltf->objects.empty()) {
+    contents = patch(*old, with_new_normals(mesh, nullptr), path, options, report);
+  }
+  if (contents.empty()) {
+    contents = write_anew(with_new_normals(mesh, source), path, encoding, report);
+  }
   if (format == MeshFormat::obj) note_missing_libraries(mesh, path, report);
   // What a file needs is there before it is.
   for (auto content = contents.rbegin(); content != contents.rend(); ++content) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,9 @@ struct WriteOptions {
   /// Of a glTF file that the mesh was read from: its positions stay, and how the mesh differs from
   /// them is added as a morph target of this name (see gltf/gltf_morph.h).
   std::string morph_target = {};
+  /// The file that the mesh was made from, where its triangles are others than those of that file.
+  /// Of glTF: they take the place of the old ones in it (see gltf/gltf_splice.h).
+  std::shared_ptr<const SourceFile> made_from = {};
 };
 
 /// What the user should know about a file that was written, in printable lines.

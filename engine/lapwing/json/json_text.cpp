@@ -52,17 +52,49 @@ JsonPlace JsonText::root() const {
   return {begin, skip_value(begin)};
 }
 
-std::optional<JsonPlace> JsonText::member(JsonPlace object, std::string_view key) const {
+std::optional<JsonPlace> JsonText::find_member(JsonPlace object, std::string_view key,
+                                               std::size_t& value) const {
   std::size_t at = skip_blanks(object.begin + 1);
   while (at < object.end && text_[at] == '"') {
     const std::size_t key_end = skip_string(at);
     const bool is_it = says(text_.substr(at, key_end - at), key);
     const std::size_t begin = skip_blanks(skip_blanks(key_end) + 1);  // behind the colon
     const std::size_t end = skip_value(begin);
-    if (is_it) return JsonPlace{begin, end};
+    if (is_it) {
+      value = begin;
+      return JsonPlace{at, end};
+    }
     at = skip_blanks(skip_blanks(end) + 1);  // behind the comma
   }
   return std::nullopt;
+}
+
+std::optional<JsonPlace> JsonText::member(JsonPlace object, std::string_view key) const {
+  std::size_t value = 0;
+  const auto found = find_member(object, key, value);
+  if (!found) return std::nullopt;
+  return JsonPlace{value, found->end};
+}
+
+std::optional<JsonPlace> JsonText::member_with_key(JsonPlace object, std::string_view key) const {
+  std::size_t value = 0;
+  return find_member(object, key, value);
+}
+
+void remove_member(const JsonText& text, JsonPlace object, std::string_view key, TextEdits& edits) {
+  const auto place = text.member_with_key(object, key);
+  if (!place) return;
+  // With the comma behind it, or the one before the last.
+  std::size_t begin = place->begin;
+  std::size_t end = place->end;
+  const std::size_t next = text.text().find_first_not_of(" \t\r\n", end);
+  if (next != std::string_view::npos && text.text()[next] == ',') {
+    end = next + 1;
+  } else {
+    const std::size_t before = text.text().find_last_not_of(" \t\r\n", begin - 1);
+    if (text.text()[before] == ',') begin = before;
+  }
+  edits.replace({begin, end}, "");
 }
 
 std::vector<JsonPlace> JsonText::elements(JsonPlace list) const {

@@ -24,16 +24,26 @@ class JsonText {
   JsonPlace root() const;
   /// The value of `key` in the object at `object`; nothing where it has none.
   std::optional<JsonPlace> member(JsonPlace object, std::string_view key) const;
+  /// The same from the first byte of the key on.
+  std::optional<JsonPlace> member_with_key(JsonPlace object, std::string_view key) const;
   /// The values of the list at `list`, in order.
   std::vector<JsonPlace> elements(JsonPlace list) const;
 
  private:
+  // Key and value, with `begin` of the value in `value`.
+  std::optional<JsonPlace> find_member(JsonPlace object, std::string_view key,
+                                       std::size_t& value) const;
   std::size_t skip_blanks(std::size_t at) const;
   std::size_t skip_string(std::size_t at) const;
   std::size_t skip_value(std::size_t at) const;
 
   std::string_view text_;
 };
+
+class TextEdits;
+
+/// Takes `key` and its value out of the object at `object`, if it has it.
+void remove_member(const JsonText& text, JsonPlace object, std::string_view key, TextEdits& edits);
 
 /// Replaces stretches of a text and leaves the rest as it is.
 class TextEdits {

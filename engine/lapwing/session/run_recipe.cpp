@@ -87,6 +87,7 @@ void begin_run(const Recipe& recipe, const MeshShelf& meshes, Kernels& kernels,
   stage("read", report.timings, progress,
         [&] { result.mesh = *meshes.mesh(recipe.base_directory, recipe.mesh); });
   result.original = result.mesh.positions;
+  result.read_from = result.mesh.source;
   stage("topology", report.timings, progress, [&] { result.mesh.topology(); });
   stage("check", report.timings, progress, [&] {
     const CheckReport check_report = check(result.mesh);
@@ -179,7 +180,7 @@ void save_result(RunResult& result, const std::filesystem::path& path, FileRepla
   };
   add(write_carried(result.carried, path, files));
   if (result.morph_target.empty()) {
-    add(write_mesh(mesh, path, files, {.anew = marked}));
+    add(write_mesh(mesh, path, files, {.anew = marked, .made_from = result.read_from}));
   } else {
     add(write_morph_target(mesh, result, path, files));
   }

@@ -25,6 +25,7 @@ struct RunState {
   EditRegion region;
   /// The files that deform steps carried along, as those steps left them.
   std::vector<CarriedFile> carried;
+  std::shared_ptr<const SourceFile> read_from;  ///< what the mesh was before any step
   std::vector<std::filesystem::path> inputs;  ///< the files that were read, but for the recipe
   RunReport report;
   std::string morph_target;  ///< as which the result is saved; empty: as the mesh itself

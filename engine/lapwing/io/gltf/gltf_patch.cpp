@@ -9,6 +9,7 @@
 #include "lapwing/io/gltf/gltf_layout.h"
 #include "lapwing/io/gltf/gltf_morph.h"
 #include "lapwing/io/gltf/gltf_numbers.h"
+#include "lapwing/io/gltf/gltf_splice.h"
 #include "lapwing/io/gltf/gltf_tangents.h"
 #include "lapwing/io/gltf/uri.h"
 #include "lapwing/io/real_path.h"
@@ -44,6 +45,12 @@ class GltfPatch {
       turn();
       numbers_.finish(edits_);
     }
+    return files_at(target);
+  }
+
+  std::vector<FileContent> run_with_new_triangles(const fs::path& target) {
+    splice_triangles(layout_, mesh_, numbers_, edits_, report_);
+    numbers_.finish(edits_);
     return files_at(target);
   }
 
@@ -208,7 +215,7 @@ std::vector<FileContent> patch_gltf(const SourceFile& source, const Mesh& mesh,
                                     WriteReport& report) {
   GltfPatch patch(source, mesh, report);
   if (!morph_target.empty()) return patch.run_as_morph_target(morph_target, target);
-  return patch.run(target);
+  return source.describes(mesh) ? patch.run(target) : patch.run_with_new_triangles(target);
 }
 
 }  // namespace lapwing
