@@ -8,6 +8,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/grouped.h"
+#include "lapwing/io/gltf/gltf_materials.h"
 #include "lapwing/io/material_library.h"
 #include "lapwing/io/named_file.h"
 #include "lapwing/io/reading.h"
@@ -146,6 +147,7 @@ class FileColorReader {
   };
 
   void read_libraries() {
+    if (is_gltf(format_of(split_mesh_path(path_).file))) return add_materials_of_gltf();
     for (const std::string& names : attributes_.material_libraries) {
       // All of the line may be one name with blanks, or several names.
       if (read_library(names)) continue;
@@ -160,6 +162,17 @@ class FileColorReader {
     if (attributes_.material_libraries.empty()) {
       notes_.push_back(path_.string() +
                        " names materials but no library (mtllib); export it again with one");
+    }
+  }
+
+  void add_materials_of_gltf() {
+    try {
+      for (Material& material : read_gltf_materials(path_, notes_)) {
+        std::string name = material.name;
+        known_.try_emplace(std::move(name), Known{std::move(material), path_});
+      }
+    } catch (const Error& error) {
+      notes_.emplace_back(error.what());
     }
   }
 

@@ -149,6 +149,11 @@ GltfBuffer GltfFile::read_buffer(const JsonNode& node, std::size_t number) {
   return buffer;
 }
 
+std::string gltf_material_name(const JsonNode& material, std::size_t number) {
+  const auto name = material.find("name");
+  return name && name->is_string() ? name->string() : "material " + std::to_string(number);
+}
+
 std::string glb_of(std::string_view json, std::optional<std::string_view> buffer,
                    std::string_view further_chunks) {
   std::string chunks;

@@ -69,6 +69,9 @@ inline constexpr std::uint32_t kGlbBinary = 0x004E4942;  // "BIN"
 inline constexpr std::size_t kGlbHeaderSize = 12;
 inline constexpr std::size_t kGlbChunkHeaderSize = 8;
 
+/// What material `number` is called: "material 3" where it has no name.
+std::string gltf_material_name(const JsonNode& material, std::size_t number);
+
 /// A GLB of `json`, the first buffer, and `further_chunks`.
 std::string glb_of(std::string_view json, std::optional<std::string_view> buffer,
                    std::string_view further_chunks);

@@ -29,10 +29,7 @@ class GltfReader {
     if (hidden > 0) uneditable_.add("further nodes that show a mesh that is here", hidden);
     if (const auto materials = layout_->file.root().find("materials")) {
       for (const JsonNode& material : materials->elements()) {
-        const auto name = material.find("name");
-        attributes_.materials.push_back(
-            name && name->is_string() ? name->string()
-                                      : "material " + std::to_string(attributes_.materials.size()));
+        attributes_.materials.push_back(gltf_material_name(material, attributes_.materials.size()));
       }
     }
     for (std::size_t k = 0; k < layout_->objects.size(); ++k) read_object(k);
