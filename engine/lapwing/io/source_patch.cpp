@@ -18,10 +18,6 @@ bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-bool are_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return same(a.x(), b.x()) && same(a.y(), b.y()) && same(a.z(), b.z());
-}
-
 bool has_integers(const NumberTriples& triples) {
   return std::any_of(triples.types.begin(), triples.types.end(), is_integer);
 }
@@ -46,6 +42,10 @@ bool have_turned(const SourceFile& source, const Mesh& mesh) {
 }
 
 }  // namespace
+
+bool are_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return same(a.x(), b.x()) && same(a.y(), b.y()) && same(a.z(), b.z());
+}
 
 void SourcePatch::set_number(std::uint64_t offset, double value, Scalar type) {
   if (type == Scalar::float32 && std::abs(value) > std::numeric_limits<float>::max() &&

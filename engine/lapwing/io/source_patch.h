@@ -41,6 +41,9 @@ class SourcePatch {
   std::vector<std::string> texts_;
 };
 
+/// Whether a position stayed, also one that is no number.
+bool are_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
 /// The bytes of `source` with the positions of `mesh`, which it `describes`, and normals to match.
 /// Nothing when they cannot be stored there (moved coordinates in a file of integers).
 std::optional<std::string> patch_source(const SourceFile& source, const Mesh& mesh);

@@ -28,6 +28,10 @@ class JsonText {
   std::optional<JsonPlace> member_with_key(JsonPlace object, std::string_view key) const;
   /// The values of the list at `list`, in order.
   std::vector<JsonPlace> elements(JsonPlace list) const;
+  /// Element `number` of the document's list `list`; both are there.
+  JsonPlace element(std::string_view list, std::size_t number) const {
+    return elements(*member(root(), list)).at(number);
+  }
 
  private:
   // Key and value, with `begin` of the value in `value`.

@@ -133,7 +133,7 @@ class MorphTarget {
 
   void add_to_mesh(std::size_t number) {
     const JsonNode mesh = *layout_.file.root().at("meshes").element(number);
-    const JsonPlace place = element("meshes", number);
+    const JsonPlace place = text_.element("meshes", number);
     const std::vector<JsonNode> primitives = mesh.at("primitives").elements();
     const std::vector<JsonPlace> places = text_.elements(*text_.member(place, "primitives"));
     std::map<const GltfRecords*, std::string> known;
@@ -188,7 +188,7 @@ class MorphTarget {
       if (!mesh || !meshes.contains(mesh->count())) continue;
       mesh_of_node_[k] = mesh->count();
       if (nodes[k].has("weights")) {
-        append_to_list(text_, element("nodes", k), "weights", "0", edits_);
+        append_to_list(text_, text_.element("nodes", k), "weights", "0", edits_);
       }
     }
   }
@@ -199,7 +199,8 @@ class MorphTarget {
     if (!animations) return;
     const std::vector<JsonNode> all = animations->elements();
     for (std::size_t a = 0; a < all.size(); ++a) {
-      const auto samplers = text_.elements(*text_.member(element("animations", a), "samplers"));
+      const auto samplers =
+          text_.elements(*text_.member(text_.element("animations", a), "samplers"));
       std::set<std::size_t> done;
       for (const JsonNode& channel : all[a].at("channels").elements()) {
         const JsonNode target = channel.at("target");
@@ -229,10 +230,6 @@ class MorphTarget {
     return appender_.add_numbers(bytes, Scalar::float32, "SCALAR",
                                  old.count() + old.count() / old_targets,
                                  GltfAppender::Target::none);
-  }
-
-  JsonPlace element(std::string_view list, std::size_t number) const {
-    return text_.elements(*text_.member(text_.root(), list)).at(number);
   }
 
   const GltfLayout& layout_;

@@ -23,14 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
-bool is_same(double a, double b) {
-  return a == b || (std::isnan(a) && std::isnan(b));
-}
-
-bool are_same(const Vector3d& a, const Vector3d& b) {
-  return is_same(a.x(), b.x()) && is_same(a.y(), b.y()) && is_same(a.z(), b.z());
-}
-
 // The largest difference of a carried tangent that is none: rounding on the way there.
 constexpr double kSameDirection = 1e-6;
 

@@ -61,7 +61,7 @@ class Splice {
 
   void replace(const GltfObject& object, std::span<const Index> faces) {
     const JsonNode mesh = *layout_.file.root().at("meshes").element(object.mesh);
-    const JsonPlace place = element("meshes", object.mesh);
+    const JsonPlace place = text_.element("meshes", object.mesh);
     std::set<std::string> lost;
     for (const JsonNode& primitive : mesh.at("primitives").elements()) {
       if (primitive.has("targets")) {
@@ -87,7 +87,7 @@ class Splice {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const auto shown = nodes[k].find("mesh");
       if (shown && shown->count() == object.mesh) {
-        remove_member(text_, element("nodes", k), "skin", edits_);
+        remove_member(text_, text_.element("nodes", k), "skin", edits_);
       }
     }
     report_.not_carried.push_back("the skin of '" + object.name +
@@ -104,10 +104,6 @@ class Splice {
       added += (added.empty() ? "" : ",") + (R"({"name":)" + quoted_json(names[k])) + "}";
     }
     append_to_list(text_, text_.root(), "materials", added, edits_);
-  }
-
-  JsonPlace element(std::string_view list, std::size_t number) const {
-    return text_.elements(*text_.member(text_.root(), list)).at(number);
   }
 
   const GltfLayout& layout_;
