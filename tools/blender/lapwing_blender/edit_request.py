@@ -16,10 +16,6 @@ from .regions import group_index, read_groups, region_of
 from .response import HandleFrame
 from .settings import settings_of
 
-#: Below this turn, growth and share of the region's size a handle has not been moved.
-_AT_REST = 2e-6
-
-
 @dataclass
 class EditRequest:
     """A deform whose handles are at rest. Pins stand behind the handles that Empties move."""
@@ -41,13 +37,11 @@ class EditRequest:
         to_prepared = self.matrix @ np.linalg.inv(matrix_of(obj.matrix_world))
         moved = []
         for handle in settings_of(obj).handles:
-            if handle.empty is None:
-                raise Refusal(f"The Empty of handle '{handle.name}' is gone; remove the handle or choose another")
             rest = self.matrix @ matrix_of(handle.rest).reshape(4, 4)
-            moved.append(to_prepared @ matrix_of(handle.empty.matrix_world) @ np.linalg.inv(rest))
+            moved.append(to_prepared @ matrix_of(_empty_of(handle).matrix_world) @ np.linalg.inv(rest))
         # Blender keeps matrices in single precision; a handle at rest is to leave the mesh's bits.
         return [
-            np.eye(4) if np.abs(frame.parameters(motion)).max() < _AT_REST else motion
+            np.eye(4) if frame.is_rest(motion) else motion
             for frame, motion in zip(self.frames, moved)
         ]
 
@@ -61,6 +55,12 @@ class EditRequest:
             for handle, motion in zip(self.step["handles"], self.with_pins(motions))
         ]
         return {**self.step, "handles": handles}
+
+
+def _empty_of(handle: Any) -> bpy.types.Object:
+    if handle.empty is None:
+        raise Refusal(f"The Empty of handle '{handle.name}' is gone; remove the handle or choose another")
+    return handle.empty
 
 
 def check_object(obj: bpy.types.Object | None) -> bpy.types.Object:
@@ -97,6 +97,7 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
     if settings.pins:
         wanted["pins"] = group_index(obj, settings.pins, "The pins")
     for k, handle in enumerate(settings.handles):
+        _empty_of(handle)
         wanted[f"handle {k}"] = group_index(obj, handle.group, f"Handle '{handle.name}'")
     weights: Dict[int, np.ndarray] = {}
     for weights in read_groups(obj, list(wanted.values())):

@@ -106,20 +106,13 @@ class LAPWING_OT_add_handle(Refusing, bpy.types.Operator):
     def poll(cls, context: bpy.types.Context) -> bool:
         return has_mesh(context)
 
-    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> Set[str]:
-        # Proportional editing, where it is on, says how far a move reaches.
-        tools = context.tool_settings
-        editing = context.mode == "EDIT_MESH"
-        if tools.use_proportional_edit if editing else tools.use_proportional_edit_objects:
-            self.falloff = tools.proportional_size
-            self.profile = "linear" if tools.proportional_edit_falloff == "LINEAR" else "smooth"
-        return self.execute(context)
-
     def act(self, context: bpy.types.Context) -> None:
         obj = check_object(context.object)
         vertices = selected_vertices(obj)
         if len(vertices) == 0:
             raise Refusal("Nothing is selected; select the handle's vertices in Edit Mode")
+        if not self.properties.is_property_set("falloff"):
+            self._take_proportional_editing(context)
         matrix = world_matrix(obj)
         points = transformed(matrix, coordinates_of(rest_points(obj.data))[vertices])
         name = free_name(obj, "Lapwing Handle")
@@ -139,6 +132,15 @@ class LAPWING_OT_add_handle(Refusing, bpy.types.Operator):
         handle.falloff, handle.profile = self.falloff, self.profile
         put_handle_at_rest(obj, handle)
         settings_of(obj).active_handle = len(settings_of(obj).handles) - 1
+
+
+    def _take_proportional_editing(self, context: bpy.types.Context) -> None:
+        """Where it is on, it says how far a move reaches."""
+        tools = context.tool_settings
+        editing = context.mode == "EDIT_MESH"
+        if tools.use_proportional_edit if editing else tools.use_proportional_edit_objects:
+            self.falloff = tools.proportional_size
+            self.profile = "linear" if tools.proportional_edit_falloff == "LINEAR" else "smooth"
 
 
 class LAPWING_OT_remove_handle(Refusing, bpy.types.Operator):

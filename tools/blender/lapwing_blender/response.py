@@ -12,6 +12,8 @@ from typing import List, Sequence
 import numpy as np
 
 PARAMETERS = 12
+#: Below this turn, growth and share of the region's size a handle has not been moved.
+_AT_REST = 2e-6
 
 
 class HandleFrame:
@@ -26,6 +28,11 @@ class HandleFrame:
         linear = motion[:3, :3] - np.eye(3)
         shift = linear @ self.centroid + motion[:3, 3]
         return np.column_stack([linear, shift / self.length]).ravel()
+
+    def is_rest(self, motion: np.ndarray) -> bool:
+        """To Blender's single precision."""
+        far = 1.0 + np.abs(self.centroid).max() / self.length
+        return bool(np.abs(self.parameters(motion)).max() < _AT_REST * far)
 
     def unit_motion(self, parameter: int) -> np.ndarray:
         """The motion of which this parameter is 1 and the others are 0."""
@@ -52,15 +59,17 @@ def unit_motions(frames: Sequence[HandleFrame], moved: Sequence[int], handles: i
 class Response:
     """Coordinates of the whole mesh in the object's own space, for motions in the world's.
 
-    `rest` and `to_local` are those of the object when the edit was prepared; `columns` of shape
-    (12 handles, n, 3) are displacements in the world.
+    `rest` (in the object's space), `rest_world` and `to_local` are those when the edit was prepared;
+    `columns` of shape (12 handles, n, 3) are displacements in the world.
     """
 
     def __init__(
-        self, frames: List[HandleFrame], rest: np.ndarray, columns: np.ndarray, to_local: np.ndarray
+        self, frames: List[HandleFrame], rest: np.ndarray, rest_world: np.ndarray,
+        columns: np.ndarray, to_local: np.ndarray,
     ) -> None:
         self._frames = frames
         self._rest = rest
+        self._rest_world = rest_world
         self._to_local = to_local
         self.moving = np.flatnonzero(columns.any(axis=(0, 2)))
         local = columns[:, self.moving] @ to_local[:3, :3].T
@@ -77,8 +86,11 @@ class Response:
             self._base = self._rest[self.moving].astype(np.float32)
             return
         self._of_pose = self._parameters(motions)
-        points = world[self.moving] @ self._to_local[:3, :3].T + self._to_local[:3, 3]
-        self._base = points.astype(np.float32)
+        moved = world[self.moving]
+        points = moved @ self._to_local[:3, :3].T + self._to_local[:3, 3]
+        # What is at rest there keeps its bits, which two conversions would not.
+        still = (moved == self._rest_world[self.moving]).all(axis=1, keepdims=True)
+        self._base = np.where(still, self._rest[self.moving], points).astype(np.float32)
 
     def _parameters(self, motions: Sequence[np.ndarray]) -> np.ndarray:
         return np.concatenate(

@@ -117,7 +117,10 @@ def preparing(engine: Any, request: EditRequest) -> Work:
         columns, edit = engine.prepare(request.mesh, request.step, motions, progress)
         assert len(columns) == PARAMETERS * moved
         inverse = np.linalg.inv(request.matrix)
-        return Session(request, Response(request.frames, request.rest, columns, inverse), edit)
+        response = Response(
+            request.frames, request.rest, request.mesh.vertices, columns, inverse
+        )
+        return Session(request, response, edit)
 
     return work
 

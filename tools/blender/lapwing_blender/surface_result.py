@@ -38,7 +38,7 @@ def _rebuild(obj: bpy.types.Object, made: MeshArrays, matrix: np.ndarray) -> Lis
     mesh.polygons.foreach_get("use_smooth", smooth)
     is_smooth = bool(smooth.mean() > 0.5)
 
-    mesh.clear_geometry()
+    mesh.clear_geometry()  # and the names of the vertex groups
     mesh.vertices.add(len(made.vertices))
     mesh.vertices.foreach_set("co", to_local(matrix, made.vertices).ravel())
     mesh.loops.add(len(made.corners))
@@ -52,6 +52,9 @@ def _rebuild(obj: bpy.types.Object, made: MeshArrays, matrix: np.ndarray) -> Lis
     mesh.polygons.foreach_set("use_smooth", np.full(len(made.sizes), is_smooth))
     mesh.update(calc_edges=True)
     mesh.validate()
+    for group in donor.vertex_groups:
+        if group.name not in obj.vertex_groups:
+            obj.vertex_groups.new(name=group.name)
     return _bring_layers(obj, donor)
 
 
