@@ -28,10 +28,10 @@ def plain(matrix=None, n=40, mixed=False):
 
 
 def tube(matrix, around=24, along=16, radius=0.25, length=1.0):
-    """An open cylinder along z, of quads that look outward."""
+    """A tube along z, wider at its lower end, of quads that look outward."""
     angle = 2 * np.pi * np.arange(around) / around
     vertices = [
-        (radius * np.cos(a), radius * np.sin(a), length * k / along)
+        (*((1 - 0.3 * k / along) * radius * np.array([np.cos(a), np.sin(a)])), length * k / along)
         for k in range(along + 1) for a in angle
     ]
     faces = [
@@ -70,7 +70,7 @@ class Coat(SceneTest):
         bumps(Matrix.Translation((8, 0, 0)))
         target = plain()
         bpy.ops.lapwing.coat(**self.where)
-        expected = in_world(target, coordinates(target.data.vertices))
+        expected = roughness(target, inner(target))
         bpy.ops.wm.read_homefile(use_empty=True)
         for make, scale in ((bumps, 10.0), (plain, 0.01)):
             obj = make(Matrix.Translation((8, 0, 0)) if make is bumps else None)
@@ -79,9 +79,8 @@ class Coat(SceneTest):
         bpy.context.view_layer.update()
         bpy.ops.lapwing.coat(**self.where)
         obj = bpy.data.objects["Plain"]
-        made = in_world(obj, coordinates(obj.data.vertices))
-        self.assertEqual(made.shape, expected.shape)
-        np.testing.assert_allclose(made, expected, atol=2e-5)
+        # Rounding lets remeshing choose other triangles on the same surface.
+        self.assertAlmostEqual(roughness(obj, inner(obj)), expected, delta=0.05 * expected)
 
     def test_a_mirrored_object_is_coated_on_the_side_that_is_seen(self):
         """Bumps that stand out on one side, on objects that mirror the mesh."""
@@ -90,9 +89,8 @@ class Coat(SceneTest):
                 bpy.ops.wm.read_homefile(use_empty=True)
                 scene.add_mesh("Bumps", *scene.grid(40, lambda x, y: np.maximum(bumpy(x, y), 0.0)),
                                Matrix.Translation((8, 0, 0)))
+                # Blender shows its front on top all the same.
                 target = plain(Matrix.Diagonal((scale, 1, 1, 1)))
-                if scale < 0:
-                    target.data.flip_normals()  # so that its front looks up in the world
                 bpy.ops.lapwing.coat(**self.where)
                 z = in_world(target, coordinates(target.data.vertices))[inner(target), 2]
                 self.assertGreater(z.max(), 1.5 * -z.min())

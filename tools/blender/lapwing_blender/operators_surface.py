@@ -7,7 +7,7 @@ from math import degrees
 from typing import Any, Dict, Generator, Tuple
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
 from . import recipe_store, surface_result
 from .arrays import MeshArrays, object_arrays, world_matrix
@@ -199,12 +199,14 @@ class LAPWING_OT_transplant(SurfaceOperator, bpy.types.Operator):
 
     part: StringProperty(name="Part", description="Without it, the other selected mesh")
     part_group: StringProperty(name="Part Group", description="What is cut from it; all without it")
+    loop: IntProperty(name="Boundary", default=-1, min=-1,
+                      description="Which boundary of the part is sewn on; -1 is the longest")
     place: EnumProperty(items=_PLACES, name="Place")
     turn: FloatProperty(name="Turn", subtype="ANGLE", description="About the hole's normal")
     scale: FloatProperty(name="Scale", default=1.0, min=0.001, description="Of the fitted part")
     snap: BoolProperty(name="Snap", description="Bring the part's boundary onto the surface")
     transition: length("Transition", "The detail goes over within this distance; 0 chooses what fits")
-    shown = ("part", "part_group", "place", "turn", "scale", "snap", "transition")
+    shown = ("part", "part_group", "loop", "place", "turn", "scale", "snap", "transition")
 
     def step(self, context: bpy.types.Context, obj: bpy.types.Object) -> Step:
         other = other_object(context, self.part, "The part")
@@ -219,6 +221,8 @@ class LAPWING_OT_transplant(SurfaceOperator, bpy.types.Operator):
         else:
             step["place"] = {"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}
             step["snap"] = self.snap
+        if self.loop >= 0:
+            step["loop"] = self.loop
         if self.transition > 0.0:
             step["transition"] = {"width": self.transition}
         return step, {"part.ply": other.name}
