@@ -7,7 +7,7 @@ import json
 import os
 import tempfile
 from contextlib import contextmanager
-from typing import Any, Dict, Iterator, List, Mapping, Sequence, Tuple
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Sequence, Tuple
 
 import numpy as np
 
@@ -26,7 +26,7 @@ class ModuleEngine:
         self.version = version
 
     @contextmanager
-    def _heard(self, progress: Progress) -> Iterator[Any]:
+    def heard(self, progress: Progress) -> Iterator[Any]:
         """What the engine reports to; its errors come out as Refusal, a cancel as Cancelled."""
         stopped = False
 
@@ -56,26 +56,30 @@ class ModuleEngine:
         self, mesh: MeshArrays, step: Mapping[str, Any], motions: np.ndarray, progress: Progress
     ) -> Tuple[np.ndarray, "PreparedEdit"]:
         """The linear response to each of `motions` (k, handles, 4, 4) as displacements (k, n, 3),
-        and the edit that settles."""
+        and the edit that settles. Its factorization goes before that edit makes its own."""
         keys = {key: value for key, value in step.items() if key not in ("op", "handles")}
         handles = list(step["handles"])
-        with self._heard(progress) as hear:
+        moved = np.empty((0, *mesh.vertices.shape))
+        with self.heard(progress) as hear:
             taken = self._mesh(mesh)
-            linear = self._module.Deformer(
-                taken, handles=handles, progress=hear, **{**keys, "settle": False}
-            )
-            moved = linear.solve_many(motions, threads=1, progress=hear).vertices
-            del linear  # its factorization is as large as the next one
-            edit = self._module.Deformer(taken, handles=handles, progress=hear, **keys)
-        moved -= mesh.vertices
-        return moved, PreparedEdit(self, edit)
+            if len(motions):
+                linear = self._module.Deformer(
+                    taken, handles=handles, progress=hear, **{**keys, "settle": False}
+                )
+                moved = linear.solve_many(motions, threads=1, progress=hear).vertices
+                moved -= mesh.vertices
+
+        def prepared(hear: Any) -> Any:
+            return self._module.Deformer(taken, handles=handles, progress=hear, **keys)
+
+        return moved, PreparedEdit(self, prepared)
 
     def run(
         self, mesh: MeshArrays, steps: Sequence[Mapping[str, Any]], others: Dict[str, MeshArrays],
         progress: Progress,
     ) -> Outcome:
         recipe = {"lapwing": 1, "mesh": "mesh.ply", "steps": list(steps)}
-        with tempfile.TemporaryDirectory(prefix="lapwing-") as folder, self._heard(progress) as hear:
+        with tempfile.TemporaryDirectory(prefix="lapwing-") as folder, self.heard(progress) as hear:
             # Files keep the material of each face through an edit that makes faces.
             for name, each in {**others, "mesh.ply": mesh}.items():
                 write_ply(os.path.join(folder, name), each)
@@ -90,22 +94,26 @@ class ModuleEngine:
     def peel(
         self, mesh: MeshArrays, region: Mapping[str, Any], detail_size: float, progress: Progress
     ) -> Outcome:
-        with self._heard(progress):
+        with self.heard(progress):
             peeled = self._module.peel(self._mesh(mesh), detail_size=detail_size, region=region)
         made = MeshArrays(peeled.vertices, mesh.corners, mesh.sizes, mesh.materials)
         return Outcome(made, list(peeled.warnings))
 
 
 class PreparedEdit:
-    """An edit that is settled again and again."""
+    """An edit that is settled again and again. What settling needs is prepared the first time, so
+    that the handles can be moved before."""
 
-    def __init__(self, engine: ModuleEngine, edit: Any) -> None:
+    def __init__(self, engine: ModuleEngine, prepared: Callable[[Any], Any]) -> None:
         self._engine = engine
-        self._edit = edit
+        self._prepared = prepared
+        self._edit: Any = None
 
     def settle(self, motions: Sequence[np.ndarray], progress: Progress) -> Tuple[np.ndarray, List[str]]:
         """World coordinates (n, 3), and what is to be said of them."""
-        with self._engine._heard(progress) as hear:
+        with self._engine.heard(progress) as hear:
+            if self._edit is None:
+                self._edit = self._prepared(hear)
             result = self._edit.solve(np.stack(motions), progress=hear)
         return result.vertices, list(result.warnings)
 

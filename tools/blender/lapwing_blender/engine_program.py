@@ -132,6 +132,8 @@ class PreparedEdit:
         return os.path.join(self._folder.name, name)
 
     def linear(self, motions: np.ndarray, progress: Progress) -> np.ndarray:
+        if len(motions) == 0:
+            return np.empty((0, *self._rest.shape))
         _write_json(self._path("linear.json"), _recipe([{**self._step, "settle": False}]))
         with open(self._path("jobs.jsonl"), "w", encoding="utf-8") as jobs:
             for k, of_handles in enumerate(motions):
