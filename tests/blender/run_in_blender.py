@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Runs a file of tests in Blender, without a window, with settings of its own.
+"""Runs a file of tests in Blender with settings of its own: without a window, but window_test.py
+on a display of its own, drawn by the processor.
 
     run_in_blender.py edit_test.py [TEST...]
 """
@@ -37,8 +38,14 @@ def main() -> int:
         }
         environment.pop("PYTHONPATH", None)
         os.mkdir(os.path.join(folder, "work"))
-        command = [blender, "--background", "--factory-startup", "-noaudio", "--python-exit-code",
-                   "1", "--python", sys.argv[1], "--", *sys.argv[2:]]
+        command = [blender, "--factory-startup", "-noaudio", "--python-exit-code", "1", "--python",
+                   sys.argv[1], "--", *sys.argv[2:]]
+        if Path(sys.argv[1]).name == "window_test.py":
+            environment["LIBGL_ALWAYS_SOFTWARE"] = "1"
+            command[1:1] = ["--enable-event-simulate", "--window-geometry", "0", "0", "1280", "800"]
+            command = ["xvfb-run", "--auto-servernum", "--server-args=-screen 0 1280x800x24", *command]
+        else:
+            command.insert(1, "--background")
         return subprocess.run(command, env=environment, check=False).returncode
 
 
