@@ -126,7 +126,7 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
         frames.append(HandleFrame(mesh.vertices[of_handle > 0.0], size))
     if "pins" in held and (pinned := np.flatnonzero((held["pins"] > 0.0) & in_roi)).size:
         step["handles"].append({"region": {"vertices": pinned.tolist()}, "move": {}})
-    if settings.mirror and obj.data.use_mirror_x:
+    if obj.data.use_mirror_x:
         step["mirror"] = _mirror(obj, matrix)
     return EditRequest(obj.name, step, matrix, rest, mesh, frames)
 

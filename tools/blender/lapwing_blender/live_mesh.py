@@ -80,6 +80,7 @@ def keep_as_key(obj: bpy.types.Object, coordinates: np.ndarray, name: str) -> st
     key = obj.shape_key_add(name=name, from_mix=False)
     set_coordinates(key.data, coordinates)
     key.value = 1.0
+    obj.active_shape_key_index = len(obj.data.shape_keys.key_blocks) - 1
     obj.data.update()
     return key.name
 

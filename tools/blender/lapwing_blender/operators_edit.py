@@ -115,7 +115,7 @@ class LAPWING_OT_add_handle(Refusing, bpy.types.Operator):
             self._take_proportional_editing(context)
         matrix = world_matrix(obj)
         points = transformed(matrix, coordinates_of(rest_points(obj.data))[vertices])
-        name = free_name(obj, "Lapwing Handle")
+        name = free_name(obj, "Handle")
         empty = bpy.data.objects.new(f"{obj.name} {name}", None)
         empty.empty_display_type = "SPHERE"
         extent = float(np.linalg.norm(np.ptp(points, axis=0))) / 2.0

@@ -19,9 +19,7 @@ class LAPWING_UL_handles(bpy.types.UIList):
         self, _context: Any, layout: Any, _data: Any, item: Any, _icon: Any, _active_data: Any,
         _active_property: Any,
     ) -> None:
-        row = layout.row(align=True)
-        row.prop(item, "name", text="", emboss=False, icon="EMPTY_AXIS")
-        row.prop(item, "empty", text="", emboss=False)
+        layout.prop(item, "name", text="", emboss=False, icon="EMPTY_AXIS")
 
 
 class _Panel:
@@ -72,6 +70,7 @@ class LAPWING_PT_edit(_Panel, bpy.types.Panel):
             column = layout.column()
             column.use_property_split = True
             column.use_property_decorate = False
+            column.prop(handle, "empty")
             column.prop_search(handle, "group", obj, "vertex_groups", text="Vertices")
             column.prop(handle, "falloff")
             if handle.falloff > 0.0:
@@ -81,11 +80,9 @@ class LAPWING_PT_edit(_Panel, bpy.types.Panel):
         column = layout.column()
         column.use_property_split = True
         column.use_property_decorate = False
-        column.prop(settings, "detail_length")
+        column.prop(settings, "detail_length", text="Detail")
         column.prop(settings, "hard")
-        column.prop(settings, "mirror", text="Mirror (X Symmetry)")
-        if settings.mirror:
-            column.prop(obj.data, "use_mirror_x", text="X Symmetry")
+        column.prop(obj.data, "use_mirror_x", text="X Symmetry")
 
         row = layout.row()
         row.scale_y = 1.4
@@ -94,7 +91,7 @@ class LAPWING_PT_edit(_Panel, bpy.types.Panel):
             layout.operator("lapwing.cancel", icon="X")
 
     def _draw_live(self, layout: Any, live: session.Session) -> None:
-        layout.label(text="Move the Empties: the surface follows", icon="RESTRICT_VIEW_OFF")
+        layout.label(text="Live: move the Empties", icon="EMPTY_AXIS")
         layout.label(text="Settled" if live.is_settled else "Settling ...",
                      icon="CHECKMARK" if live.is_settled else "SORTTIME")
         if live.message:

@@ -68,10 +68,6 @@ class LapwingSettings(bpy.types.PropertyGroup):
     hard: BoolProperty(
         name="Hold Exactly", description="Belt and handles are held exactly, not in the least squares",
     )
-    mirror: BoolProperty(
-        name="Mirror", default=True,
-        description="Follow the mesh's own X symmetry (Symmetry in Edit and Sculpt Mode)",
-    )
     is_live: BoolProperty(name="Live", description="The surface follows the handles", options={"HIDDEN"})
     #: A copy of the mesh before the first edit that went into it, which recipes begin with.
     original: PointerProperty(type=bpy.types.Mesh, options={"HIDDEN"})
