@@ -85,13 +85,15 @@ def mesh_arrays(mesh: bpy.types.Mesh, local: np.ndarray, matrix: np.ndarray) -> 
     """The faces of `mesh` on the coordinates `local`, moved by `matrix`."""
     if len(mesh.polygons) == 0:
         raise Refusal(f"The mesh '{mesh.name}' has no faces; choose one that has")
-    corners = np.empty(len(mesh.loops), np.int32)
+    corners = np.empty(len(mesh.loops), np.uint32)  # Blender's own type, which it only has to copy
     mesh.loops.foreach_get("vertex_index", corners)
     sizes = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get("loop_total", sizes)
-    materials = np.empty(len(mesh.polygons), np.int32)
-    mesh.polygons.foreach_get("material_index", materials)
-    arrays = MeshArrays(transformed(matrix, local), corners.astype(np.uint32), sizes, materials)
+    materials = np.zeros(len(mesh.polygons), np.int32)
+    attribute = mesh.attributes.get("material_index")  # as an attribute it is read fastest
+    if attribute is not None:
+        attribute.data.foreach_get("value", materials)
+    arrays = MeshArrays(transformed(matrix, local), corners, sizes, materials)
     return arrays.turned_over() if is_mirrored(matrix) else arrays
 
 

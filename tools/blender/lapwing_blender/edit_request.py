@@ -104,7 +104,9 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
         yield
 
     rest = rest_coordinates(obj)
+    yield
     mesh = mesh_arrays(obj.data, rest, matrix)
+    yield
     count = len(rest)
     held = {what: weights[index] for what, index in wanted.items()}
     in_roi = held["roi"] > 0.0

@@ -42,7 +42,7 @@ def _rebuild(obj: bpy.types.Object, made: MeshArrays, matrix: np.ndarray) -> Lis
     mesh.vertices.add(len(made.vertices))
     mesh.vertices.foreach_set("co", to_local(matrix, made.vertices).ravel())
     mesh.loops.add(len(made.corners))
-    mesh.loops.foreach_set("vertex_index", made.corners.astype(np.int32))
+    mesh.loops.foreach_set("vertex_index", made.corners.astype(np.uint32))
     mesh.polygons.add(len(made.sizes))
     mesh.polygons.foreach_set("loop_start", made.starts.astype(np.int32))
     if bpy.app.version < (4, 0, 0):  # since then it follows from the starts
