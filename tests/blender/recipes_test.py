@@ -53,7 +53,8 @@ class Replay(SceneTest):
         obj.data.use_mirror_x = True
         original = obj.data.copy()
         deform(obj, Matrix.Translation((0, 0.1, 0.3)))
-        other = copy_of(obj, original, Matrix.Translation((5, 0, 0)) @ Matrix.Rotation(1.0, 4, "Y") @ Matrix.Scale(0.5, 4))
+        turned = Matrix.Translation((5, 0, 0)) @ Matrix.Rotation(1.0, 4, "Y")
+        other = copy_of(obj, original, turned @ Matrix.Scale(0.5, 4))
         bpy.ops.lapwing.replay()
         made, expected = coordinates(other.data.vertices), coordinates(obj.data.vertices)
         # Settling ends within 1e-4 of an edge; a length that stayed would show in every one.
@@ -119,7 +120,8 @@ class Export(SceneTest):
         self.assertLess(np.abs(made - after_one).max(), 1e-6 * diagonal(made))
 
     def test_a_coat_with_its_source(self):
-        source = scene.add_mesh("Source", *scene.grid(20, lambda x, y: 0.03 * np.sin(15 * x)), Matrix.Translation((9, 0, 0)))
+        bumps = scene.grid(20, lambda x, y: 0.03 * np.sin(15 * x))
+        source = scene.add_mesh("Source", *bumps, Matrix.Translation((9, 0, 0)))
         obj = scene.add_mesh("Target", *scene.grid(24, lambda x, y: 0.1 * y * y, mixed=True))
         make_active(obj, source)
         bpy.ops.lapwing.coat(region="CURSOR", radius=0.7, detail_size=0.3)

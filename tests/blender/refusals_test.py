@@ -164,7 +164,7 @@ class Surfaces(SceneTest):
                             filepath=str(scene.WORK / "gone.json"))
 
     def test_a_folder_that_is_not_there(self):
-        obj = wavy()
+        wavy()
         bpy.ops.lapwing.start()
         bpy.ops.lapwing.apply()
         self.assert_refused("cannot be written", bpy.ops.lapwing.export_recipe,

@@ -35,8 +35,8 @@ def tube(matrix, around=24, along=16, radius=0.25, length=1.0):
         for k in range(along + 1) for a in angle
     ]
     faces = [
-        [k * around + j, k * around + (j + 1) % around, (k + 1) * around + (j + 1) % around, (k + 1) * around + j]
-        for k in range(along) for j in range(around)
+        [low + j, low + (j + 1) % around, low + around + (j + 1) % around, low + around + j]
+        for low in range(0, along * around, around) for j in range(around)
     ]
     return scene.add_mesh("Tube", vertices, faces, matrix)
 

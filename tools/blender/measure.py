@@ -135,13 +135,17 @@ def measure_addon(side):
         empty.matrix_world = place(3 * k)
         bpy.context.view_layer.update()
         settles.append(seconds(bpy.ops.lapwing.settle))
-    return {"bind": statistics.median(bound), "response": response, "frame": frame, "settled": statistics.median(settles)}
+    return {
+        "bind": statistics.median(bound), "response": response, "frame": frame,
+        "settled": statistics.median(settles),
+    }
 
 
 def row(name, measured):
     if measured is None:
         return f"| {name} | refused to bind | | | |"
-    cells = [f"{1e3 * measured[key]:.2f} ms" if key in measured else "" for key in ("bind", "response", "frame", "settled")]
+    columns = ("bind", "response", "frame", "settled")
+    cells = [f"{1e3 * measured[key]:.2f} ms" if key in measured else "" for key in columns]
     return f"| {name} | {' | '.join(cells)} |"
 
 

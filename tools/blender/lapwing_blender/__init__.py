@@ -17,6 +17,7 @@ from . import (
     operators_bake,
     operators_edit,
     operators_recipe,
+    operators_region,
     operators_surface,
     panel,
     preferences,
@@ -25,8 +26,8 @@ from . import (
 )
 
 _CLASSES = (
-    *preferences.CLASSES, *operators_edit.CLASSES, *operators_surface.CLASSES,
-    *operators_recipe.CLASSES, *operators_bake.CLASSES, *panel.CLASSES,
+    *preferences.CLASSES, *operators_region.CLASSES, *operators_edit.CLASSES,
+    *operators_surface.CLASSES, *operators_recipe.CLASSES, *operators_bake.CLASSES, *panel.CLASSES,
 )
 
 

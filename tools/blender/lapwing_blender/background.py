@@ -20,7 +20,9 @@ Work = Callable[[Progress], Any]
 #: Of reading between two redraws, and between two looks at the thread.
 _SLICE_SECONDS = 0.03
 #: What the user may do meanwhile: look at the scene, and not change it.
-_VIEW_EVENTS = {"MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "TRACKPADPAN", "TRACKPADZOOM"}
+_VIEW_EVENTS = {
+    "MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "TRACKPADPAN", "TRACKPADZOOM",
+}
 
 
 class Job:
@@ -29,7 +31,9 @@ class Job:
         self.cancelled = False
         self.value: Any = None
         self.error: Optional[BaseException] = None
-        self._thread = threading.Thread(target=self._run, args=(work,), daemon=True)
+        self._thread = threading.Thread(
+            target=self._run, args=(work,), name="lapwing", daemon=True
+        )
         self._thread.start()
 
     def _run(self, work: Work) -> None:
@@ -110,7 +114,8 @@ class EngineOperator:
                 self.finish(context, self._job.result())
                 return self._ended(context, {"FINISHED"})
             else:
-                self._show(context, f"{self._job.stage} {self._job.fraction:.0%}", self._job.fraction)
+                job = self._job
+                self._show(context, f"{job.stage} {job.fraction:.0%}", job.fraction)
         except Refusal as refusal:
             self.report({"ERROR"}, str(refusal))
             return self._ended(context, {"CANCELLED"})

@@ -36,7 +36,9 @@ def _write(path: str, parts: List[bytes]) -> None:
         with open(path, "wb") as file:
             file.writelines(parts)
     except OSError as error:
-        raise Refusal(f"{path} cannot be written ({error.strerror}); choose another folder") from error
+        raise Refusal(
+            f"{path} cannot be written ({error.strerror}); choose another folder"
+        ) from error
 
 
 def add_cache_modifier(obj: bpy.types.Object, path: str, kind: str, first_frame: int) -> None:
@@ -86,6 +88,8 @@ def settle_all(edit: Any, motions: Sequence[Any], progress: Any) -> List[Any]:
     """World coordinates and warnings of each frame."""
     settled = []
     for k, of_frame in enumerate(motions):
-        share = k / len(motions)
-        settled.append(edit.settle(of_frame, lambda stage, _f: progress(f"frame {k + 1}, {stage}", share)))
+        def heard(stage: str, _fraction: float, k: int = k) -> bool:
+            return progress(f"frame {k + 1}, {stage}", k / len(motions))
+
+        settled.append(edit.settle(of_frame, heard))
     return settled

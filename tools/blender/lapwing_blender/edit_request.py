@@ -9,7 +9,7 @@ from typing import Any, Dict, Iterator, List
 import bpy
 import numpy as np
 
-from .arrays import coordinates_of, matrix_of, mesh_arrays, MeshArrays, world_matrix
+from .arrays import MeshArrays, matrix_of, mesh_arrays, world_matrix
 from .errors import Refusal
 from .live_mesh import rest_coordinates
 from .regions import group_index, read_groups, region_of
@@ -38,7 +38,8 @@ class EditRequest:
         moved = []
         for handle in settings_of(obj).handles:
             rest = self.matrix @ matrix_of(handle.rest).reshape(4, 4)
-            moved.append(to_prepared @ matrix_of(_empty_of(handle).matrix_world) @ np.linalg.inv(rest))
+            now = matrix_of(_empty_of(handle).matrix_world)
+            moved.append(to_prepared @ now @ np.linalg.inv(rest))
         # Blender keeps matrices in single precision; a handle at rest is to leave the mesh's bits.
         return [
             np.eye(4) if frame.is_rest(motion) else motion
@@ -59,7 +60,9 @@ class EditRequest:
 
 def _empty_of(handle: Any) -> bpy.types.Object:
     if handle.empty is None:
-        raise Refusal(f"The Empty of handle '{handle.name}' is gone; remove the handle or choose another")
+        raise Refusal(
+            f"The Empty of handle '{handle.name}' is gone; remove the handle or choose another"
+        )
     return handle.empty
 
 
@@ -69,7 +72,10 @@ def check_object(obj: bpy.types.Object | None) -> bpy.types.Object:
         raise Refusal("The active object is no mesh; select the mesh to edit")
     for data in (obj, obj.data):
         if data.library is not None:
-            raise Refusal(f"'{data.name}' is linked from another file; make it local first (Object > Relations > Make Local)")
+            raise Refusal(
+                f"'{data.name}' is linked from another file; make it local first (Object > "
+                "Relations > Make Local)"
+            )
     return obj
 
 
@@ -111,11 +117,14 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
     held = {what: weights[index] for what, index in wanted.items()}
     in_roi = held["roi"] > 0.0
     if not in_roi.any():
-        raise Refusal(f"The region is the vertex group '{settings.roi}', which is empty; assign vertices to it")
+        raise Refusal(
+            f"The region is the vertex group '{settings.roi}', which is empty; assign vertices to "
+            "it"
+        )
     step: Dict[str, Any] = {
         "op": "deform",
         "roi": region_of(np.flatnonzero(in_roi), count),
-        "belt": _belt(settings, held, in_roi, count),
+        "belt": _belt(settings, held, in_roi),
         "handles": [],
         "detail_length": settings.detail_length,
         "hard": settings.hard,
@@ -124,7 +133,7 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
     frames = []
     for k, handle in enumerate(settings.handles):
         of_handle = held[f"handle {k}"]
-        step["handles"].append(_handle(handle, of_handle, in_roi, count))
+        step["handles"].append(_handle(handle, of_handle, in_roi))
         frames.append(HandleFrame(mesh.vertices[of_handle > 0.0], size))
     if "pins" in held and (pinned := np.flatnonzero((held["pins"] > 0.0) & in_roi)).size:
         step["handles"].append({"region": {"vertices": pinned.tolist()}, "move": {}})
@@ -133,34 +142,37 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
     return EditRequest(obj.name, step, matrix, rest, mesh, frames)
 
 
-def _belt(settings: Any, held: Dict[str, np.ndarray], in_roi: np.ndarray, count: int) -> Dict[str, Any]:
+def _belt(settings: Any, held: Dict[str, np.ndarray], in_roi: np.ndarray) -> Dict[str, Any]:
     if "belt" not in held:
         return {"fraction": settings.belt_fraction}
     vertices = np.flatnonzero((held["belt"] > 0.0) & in_roi)
     if vertices.size == 0:
         raise Refusal(
-            f"The belt is the vertex group '{settings.belt}', none of whose vertices is in the region; "
-            "assign some, or clear the belt to take the outer part of the region"
+            f"The belt is the vertex group '{settings.belt}', none of whose vertices is in the "
+            "region; assign some, or clear the belt to take the outer part of the region"
         )
     return {"vertices": vertices.tolist()}
 
 
-def _handle(handle: Any, weights: np.ndarray, in_roi: np.ndarray, count: int) -> Dict[str, Any]:
+def _handle(handle: Any, weights: np.ndarray, in_roi: np.ndarray) -> Dict[str, Any]:
     vertices = np.flatnonzero(weights > 0.0)
     if vertices.size == 0:
-        raise Refusal(f"Handle '{handle.name}' is the vertex group '{handle.group}', which is empty; assign vertices to it")
+        raise Refusal(
+            f"Handle '{handle.name}' is the vertex group '{handle.group}', which is empty; assign "
+            "vertices to it"
+        )
     outside = vertices[~in_roi[vertices]]
     if outside.size:
         raise Refusal(
-            f"Handle '{handle.name}' leaves the region at vertex {outside[0]}; enlarge the region, or "
-            "take such vertices out of the handle"
+            f"Handle '{handle.name}' leaves the region at vertex {outside[0]}; enlarge the region, "
+            "or take such vertices out of the handle"
         )
     written: Dict[str, Any] = {"region": {"vertices": vertices.tolist()}, "move": {}}
     if weights.max() >= 1.0 and (weights[vertices] < 1.0).any():
         if handle.falloff > 0.0:
             raise Refusal(
-                f"Handle '{handle.name}' has both painted weights and a falloff; set the falloff to 0, "
-                "or the weights to 1"
+                f"Handle '{handle.name}' has both painted weights and a falloff; set the falloff to "
+                "0, or the weights to 1"
             )
         written["weight"] = {"field": np.clip(weights, 0.0, 1.0).tolist()}
     elif handle.falloff > 0.0:
@@ -175,7 +187,10 @@ def _mirror(obj: bpy.types.Object, matrix: np.ndarray) -> Dict[str, Any]:
     normal /= np.linalg.norm(normal)
     along = linear[:, 0] / np.linalg.norm(linear[:, 0])
     if abs(normal @ along) < 1.0 - 1e-6:
-        raise Refusal(f"'{obj.name}' is sheared, so that its X symmetry is none in the world; apply its scale (Ctrl A)")
+        raise Refusal(
+            f"'{obj.name}' is sheared, so that its X symmetry is none in the world; apply its "
+            "scale (Ctrl A)"
+        )
     return {"point": matrix[:3, 3].tolist(), "normal": normal.tolist()}
 
 

@@ -39,7 +39,9 @@ def _find(path: str) -> Any:
 
     chosen = os.path.abspath(os.path.expanduser(path)) if path else ""
     if chosen and not os.path.exists(chosen):
-        raise Refusal(f"There is no engine at {chosen}; correct the path in the add-on's preferences")
+        raise Refusal(
+            f"There is no engine at {chosen}; correct the path in the add-on's preferences"
+        )
     if chosen and os.path.isfile(chosen):
         return ProgramEngine(chosen, _checked(_program_version(chosen), chosen))
     module, why = _imported(chosen)
@@ -53,12 +55,12 @@ def _find(path: str) -> Any:
         return ProgramEngine(program, _checked(_program_version(program), program))
     if chosen:
         raise Refusal(
-            f"The engine in {chosen} cannot be used ({why}); set the path in the add-on's preferences "
-            "to the folder of the module 'lapwing' for this Python, or to the program"
+            f"The engine in {chosen} cannot be used ({why}); set the path in the add-on's "
+            "preferences to the folder of the module 'lapwing' for this Python, or to the program"
         )
     raise Refusal(
-        "The Lapwing engine was not found; install the module 'lapwing' for Blender's Python, or set "
-        "its path or that of the program in the add-on's preferences"
+        "The Lapwing engine was not found; install the module 'lapwing' for Blender's Python, or "
+        "set its path or that of the program in the add-on's preferences"
     )
 
 
@@ -112,8 +114,8 @@ def _checked(version: Tuple[int, ...], place: str) -> Tuple[int, ...]:
     wanted = ".".join(map(str, VERSION))
     found = ".".join(map(str, version)) or "unknown"
     raise Refusal(
-        f"The engine at {place} is of version {found}, and this add-on needs {wanted}; install both "
-        "from the same release"
+        f"The engine at {place} is of version {found}, and this add-on needs {wanted}; install "
+        "both from the same release"
     )
 
 

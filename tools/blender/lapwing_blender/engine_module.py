@@ -109,7 +109,9 @@ class PreparedEdit:
         self._prepared = prepared
         self._edit: Any = None
 
-    def settle(self, motions: Sequence[np.ndarray], progress: Progress) -> Tuple[np.ndarray, List[str]]:
+    def settle(
+        self, motions: Sequence[np.ndarray], progress: Progress
+    ) -> Tuple[np.ndarray, List[str]]:
         """World coordinates (n, 3), and what is to be said of them."""
         with self._engine.heard(progress) as hear:
             if self._edit is None:

@@ -61,7 +61,10 @@ class ProgramEngine:
         with open(log_path, encoding="utf-8", errors="replace") as log:
             said = log.read()
         if code != 0:
-            raise Refusal(_first_failure(folder) or _last_message(said) or f"The program lapwing ended with code {code}; try again")
+            raise Refusal(
+                _first_failure(folder) or _last_message(said)
+                or f"The program lapwing ended with code {code}; try again"
+            )
         return said
 
     def prepare(
@@ -101,8 +104,8 @@ class ProgramEngine:
         written = json.dumps(region, separators=(",", ":"))
         if len(written) > _LONGEST_ARGUMENT:
             raise Refusal(
-                "The region has too many vertices for peeling by the program; peel the whole mesh, or "
-                "set the path of the module 'lapwing' in the add-on's preferences"
+                "The region has too many vertices for peeling by the program; peel the whole mesh, "
+                "or set the path of the module 'lapwing' in the add-on's preferences"
             )
         with tempfile.TemporaryDirectory(prefix="lapwing-") as folder:
             write_ply(os.path.join(folder, "mesh.ply"), mesh)
@@ -150,7 +153,9 @@ class PreparedEdit:
         )
         return np.stack([np.load(self._path(f"linear/m{k}.npy")) for k in range(len(motions))])
 
-    def settle(self, motions: Sequence[np.ndarray], progress: Progress) -> Tuple[np.ndarray, List[str]]:
+    def settle(
+        self, motions: Sequence[np.ndarray], progress: Progress
+    ) -> Tuple[np.ndarray, List[str]]:
         """World coordinates (n, 3), and what is to be said of them."""
         handles = [
             {**handle, "move": {"matrix": motion.ravel().tolist()}}

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bakes keyframed Empties over a range of frames."""
 
-from __future__ import annotations
-
 from typing import Any, Generator, List, Set
 
 import bpy
@@ -14,7 +12,7 @@ from .background import EngineOperator, Work, warn
 from .edit_request import check_object, gather
 from .engine import Progress
 from .errors import Refusal
-from .operators_edit import has_mesh
+from .operator_parts import has_mesh
 from .preferences import chosen_engine
 from .settings import settings_of
 
@@ -24,7 +22,9 @@ _MOST_KEYS = 1000
 class LAPWING_OT_bake(EngineOperator, bpy.types.Operator):
     bl_idname = "lapwing.bake"
     bl_label = "Bake"
-    bl_description = "Settles the surface at each frame of a range, for handles whose Empties are keyframed"
+    bl_description = (
+        "Settles the surface at each frame of a range, for handles whose Empties are keyframed"
+    )
     bl_options = {"REGISTER", "UNDO"}
 
     first: IntProperty(name="First Frame", default=1)
@@ -37,7 +37,9 @@ class LAPWING_OT_bake(EngineOperator, bpy.types.Operator):
         ],
         name="As",
     )
-    cache_file: StringProperty(name="File", subtype="FILE_PATH", description="Beside the .blend file without it")
+    cache_file: StringProperty(
+        name="File", subtype="FILE_PATH", description="Beside the .blend file without it",
+    )
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -52,9 +54,14 @@ class LAPWING_OT_bake(EngineOperator, bpy.types.Operator):
         obj = check_object(context.object)
         engine = chosen_engine(context)
         if self.last < self.first:
-            raise Refusal(f"The last frame, {self.last}, is before the first, {self.first}; exchange them")
+            raise Refusal(
+                f"The last frame, {self.last}, is before the first, {self.first}; exchange them"
+            )
         if self.kind == "KEYS" and self.last - self.first >= _MOST_KEYS:
-            raise Refusal(f"Shape keys of more than {_MOST_KEYS} frames take too much memory; bake a PC2 or MDD cache")
+            raise Refusal(
+                f"Shape keys of more than {_MOST_KEYS} frames take too much memory; bake a PC2 or "
+                "MDD cache"
+            )
         self._path = "" if self.kind == "KEYS" else bake.cache_path(self.cache_file, obj, self.kind)
         if obj.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
@@ -90,9 +97,12 @@ class LAPWING_OT_bake(EngineOperator, bpy.types.Operator):
             if self.kind == "PC2":
                 bake.write_pc2(self._path, self.first, surfaces)
             else:
-                bake.write_mdd(self._path, context.scene.render.fps / context.scene.render.fps_base, surfaces)
+                render = context.scene.render
+                bake.write_mdd(self._path, render.fps / render.fps_base, surfaces)
             bake.add_cache_modifier(obj, self._path, self.kind, self.first)
-        warnings = [f"frame {self.first + k}: {text[0]}" for k, (_, text) in enumerate(value) if text]
+        warnings = [
+            f"frame {self.first + k}: {text[0]}" for k, (_, text) in enumerate(value) if text
+        ]
         warn(self, warnings[:3])
 
 

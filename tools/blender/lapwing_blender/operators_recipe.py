@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Recipes of objects: made again on another object, written for `lapwing run`, forgotten."""
 
-from __future__ import annotations
-
 import json
 import os
 from itertools import groupby
@@ -18,7 +16,7 @@ from .background import EngineOperator, Work, warn
 from .edit_request import check_object
 from .engine import Progress
 from .errors import Refusal
-from .operators_edit import Refusing, has_mesh
+from .operator_parts import Refusing, has_mesh
 from .operators_surface import other_object
 from .outcome import Outcome
 from .ply import write_ply
@@ -53,7 +51,10 @@ def carry_out(
 class LAPWING_OT_replay(EngineOperator, bpy.types.Operator):
     bl_idname = "lapwing.replay"
     bl_label = "Replay"
-    bl_description = "Makes the edits of the other selected mesh object on the active one, which has the same vertices"
+    bl_description = (
+        "Makes the edits of the other selected mesh object on the active one, which has the same "
+        "vertices"
+    )
     bl_options = {"REGISTER", "UNDO"}
 
     source: StringProperty(name="Recipe Of", description="Without it, the other selected mesh")
@@ -75,8 +76,8 @@ class LAPWING_OT_replay(EngineOperator, bpy.types.Operator):
             bpy.ops.object.mode_set(mode="OBJECT")
         if len(start.vertices) != len(obj.data.vertices):
             raise Refusal(
-                f"'{obj.name}' has {len(obj.data.vertices)} vertices and the recipe of '{source.name}' is "
-                f"for {len(start.vertices)}; replay it on a mesh with the same vertices"
+                f"'{obj.name}' has {len(obj.data.vertices)} vertices and the recipe of "
+                f"'{source.name}' is for {len(start.vertices)}; replay it on a mesh with the same vertices"
             )
         self._name, self._matrix = obj.name, world_matrix(obj)
         self._steps, self._objects = recipe_store.steps_at(edits, self._matrix)
@@ -90,7 +91,10 @@ class LAPWING_OT_replay(EngineOperator, bpy.types.Operator):
         obj = bpy.data.objects[self._name]
         if self.as_key:
             if not value.mesh.has_faces_of(self._mesh):
-                raise Refusal("The edit makes other faces, which a shape key cannot hold; replay it into the mesh")
+                raise Refusal(
+                    "The edit makes other faces, which a shape key cannot hold; replay it into "
+                    "the mesh"
+                )
             local = to_local(self._matrix, value.mesh.vertices)
             key, notes = live_mesh.keep_as_key(obj, local, self.key_name or "Lapwing"), []
         else:
@@ -121,7 +125,10 @@ class LAPWING_OT_export_recipe(Refusing, bpy.types.Operator, ExportHelper):
         matrix = recipe_store.matrix_of_edit(edits[0])
         steps, objects = recipe_store.steps_at(edits, matrix)
         if any(step["op"] == "peel" for step in steps):
-            raise Refusal("Peeling is a command of its own and no step of a recipe; use `lapwing peel`, and export edits made before it")
+            raise Refusal(
+                "Peeling is a command of its own and no step of a recipe; use `lapwing peel`, "
+                "and export edits made before it"
+            )
         path = bpy.path.abspath(self.filepath)
         folder, stem = os.path.dirname(path), os.path.splitext(os.path.basename(path))[0]
         names = {file: f"{stem}-{file}" for file in objects}
@@ -137,14 +144,18 @@ class LAPWING_OT_export_recipe(Refusing, bpy.types.Operator, ExportHelper):
             with open(path, "w", encoding="utf-8") as file:
                 json.dump(recipe, file, indent=1)
         except OSError as error:
-            raise Refusal(f"{error.filename} cannot be written ({error.strerror}); choose another folder") from error
+            raise Refusal(
+                f"{error.filename} cannot be written ({error.strerror}); choose another folder"
+            ) from error
         self.report({"INFO"}, f"Written: {path}")
 
 
 class LAPWING_OT_forget_recipe(bpy.types.Operator):
     bl_idname = "lapwing.forget_recipe"
     bl_label = "Forget Recipe"
-    bl_description = "Frees the copy of the original mesh; the edits can no longer be replayed or exported"
+    bl_description = (
+        "Frees the copy of the original mesh; the edits can no longer be replayed or exported"
+    )
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Coat, mix, transplant and peel: one call of the engine each."""
 
-from __future__ import annotations
-
 from math import degrees
 from typing import Any, Dict, Generator, Tuple
 
@@ -14,7 +12,7 @@ from .arrays import MeshArrays, object_arrays, world_matrix
 from .background import EngineOperator, Work, warn
 from .edit_request import check_object
 from .errors import Refusal
-from .operators_edit import has_mesh
+from .operator_parts import has_mesh
 from .outcome import Outcome
 from .preferences import chosen_engine
 from .regions import chosen_region, named_region
@@ -154,7 +152,10 @@ class LAPWING_OT_coat(SurfaceOperator, bpy.types.Operator):
 class LAPWING_OT_mix(SurfaceOperator, bpy.types.Operator):
     bl_idname = "lapwing.mix"
     bl_label = "Mix"
-    bl_description = "Mixes the detail of the other selected mesh with the active one's own, by distance from the 3D cursor"
+    bl_description = (
+        "Mixes the detail of the other selected mesh with the active one's own, by distance from "
+        "the 3D cursor"
+    )
     bl_options = {"REGISTER", "UNDO"}
 
     source: StringProperty(name="Source", description="Without it, the other selected mesh")
@@ -194,7 +195,9 @@ class LAPWING_OT_mix(SurfaceOperator, bpy.types.Operator):
 class LAPWING_OT_transplant(SurfaceOperator, bpy.types.Operator):
     bl_idname = "lapwing.transplant"
     bl_label = "Transplant"
-    bl_description = "Puts the other selected mesh, or a part of it, in the place of a part of the active one"
+    bl_description = (
+        "Puts the other selected mesh, or a part of it, in the place of a part of the active one"
+    )
     bl_options = {"REGISTER", "UNDO"}
 
     part: StringProperty(name="Part", description="Without it, the other selected mesh")

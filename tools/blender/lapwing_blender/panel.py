@@ -9,7 +9,7 @@ import bpy
 
 from . import session
 from .edit_request import edited_object
-from .operators_edit import has_mesh
+from .operator_parts import has_mesh
 from .recipe_store import edits_of
 from .settings import settings_of
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where the engine is, when it is not where Python or the system would find it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import bpy

@@ -30,7 +30,8 @@ def add(
     shape key `key`. `objects` are the names of those whose meshes stand in the steps as files."""
     edits = edits_of(obj)
     edits.append({
-        "steps": list(steps), "matrix": matrix.ravel().tolist(), "key": key, "objects": dict(objects or {}),
+        "steps": list(steps), "matrix": matrix.ravel().tolist(), "key": key,
+        "objects": dict(objects or {}),
     })
     obj[PROPERTY] = json.dumps(edits)
 
@@ -126,7 +127,10 @@ def other_meshes(objects: Mapping[str, str]) -> Dict[str, MeshArrays]:
     for file, name in objects.items():
         other = bpy.data.objects.get(name)
         if other is None or other.type != "MESH":
-            raise Refusal(f"The recipe needs the mesh object '{name}', which is gone; bring it back under this name")
+            raise Refusal(
+                f"The recipe needs the mesh object '{name}', which is gone; bring it back under "
+                "this name"
+            )
         meshes[file] = object_arrays(other)
     return meshes
 

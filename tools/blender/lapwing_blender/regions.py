@@ -18,7 +18,9 @@ _MASKED = 0.5
 
 def group_index(obj: bpy.types.Object, name: str, what: str) -> int:
     if not name:
-        raise Refusal(f"{what} is not set; choose a vertex group for it, or set it from the selection")
+        raise Refusal(
+            f"{what} is not set; choose a vertex group for it, or set it from the selection"
+        )
     group = obj.vertex_groups.get(name)
     if group is None:
         raise Refusal(
@@ -109,7 +111,9 @@ def chosen_region(
         return named_region(obj, group, what)
     vertices = selected_vertices(obj)
     if len(vertices) == 0:
-        raise Refusal(f"{what} is the selection of '{obj.name}', which is empty; select faces of it")
+        raise Refusal(
+            f"{what} is the selection of '{obj.name}', which is empty; select faces of it"
+        )
     return region_of(vertices, len(obj.data.vertices))
 
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What an object keeps of its edit; saved with the file, and undone by Blender."""
 
-from __future__ import annotations
-
 import bpy
 from bpy.props import (
     BoolProperty,

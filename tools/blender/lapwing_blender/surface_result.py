@@ -27,7 +27,9 @@ def put(obj: bpy.types.Object, before: MeshArrays, made: MeshArrays, matrix: np.
     if obj.data.shape_keys is not None:
         raise Refusal(f"'{obj.name}' has shape keys, and {_REBUILT}; remove the keys first")
     if any(modifier.type == "MULTIRES" for modifier in obj.modifiers):
-        raise Refusal(f"'{obj.name}' has a Multires modifier, and {_REBUILT}; apply the modifier first")
+        raise Refusal(
+            f"'{obj.name}' has a Multires modifier, and {_REBUILT}; apply the modifier first"
+        )
     return _rebuild(obj, made.turned_over() if is_mirrored(matrix) else made, matrix)
 
 
