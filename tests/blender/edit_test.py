@@ -231,6 +231,21 @@ class Settings(SceneTest):
         field = self.step(obj)["handles"][0]["weight"]["field"]
         self.assertEqual([field[v] for v in held[:4]], [0.5, 0.5, 0.5, 1.0])
 
+    def test_an_empty_rests_where_it_is_when_it_is_chosen(self):
+        obj = wavy(PLACES["of uneven scale"])
+        rest = coordinates(obj.data.vertices)
+        other = bpy.data.objects.new("Other", None)
+        bpy.context.scene.collection.objects.link(other)
+        other.matrix_world = lift()
+        bpy.context.view_layer.update()
+        obj.lapwing.handles[0].empty = other
+        bpy.ops.lapwing.start()
+        bpy.ops.lapwing.settle()
+        np.testing.assert_array_equal(coordinates(obj.data.vertices), rest)
+        move(obj, lift())
+        bpy.ops.lapwing.settle()
+        self.assertGreater(np.abs(coordinates(obj.data.vertices) - rest).max(), 0.1)
+
     def test_pins_stay(self):
         obj = wavy()
         rest = coordinates(obj.data.vertices)

@@ -194,12 +194,6 @@ def _mirror(obj: bpy.types.Object, matrix: np.ndarray) -> Dict[str, Any]:
     return {"point": matrix[:3, 3].tolist(), "normal": normal.tolist()}
 
 
-def put_handle_at_rest(obj: bpy.types.Object, handle: Any) -> None:
-    """The Empty's place is its rest from now on."""
-    seen = np.linalg.inv(matrix_of(obj.matrix_world)) @ matrix_of(handle.empty.matrix_world)
-    handle.rest = seen.ravel().tolist()
-
-
 def return_handles(obj: bpy.types.Object) -> None:
     """Moves the Empties back to rest, but for those whose motion is keyframed or driven."""
     from mathutils import Matrix

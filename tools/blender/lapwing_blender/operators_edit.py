@@ -8,10 +8,10 @@ from bpy.props import BoolProperty, StringProperty
 
 from . import live_mesh, recipe_store, session
 from .background import EngineOperator, Work, warn
-from .edit_request import check_object, edited_object, gather, put_handle_at_rest, return_handles
+from .edit_request import check_object, edited_object, gather, return_handles
 from .operator_parts import Refusing, has_edited
 from .preferences import chosen_engine
-from .settings import settings_of
+from .settings import put_at_rest, settings_of
 
 
 class LAPWING_OT_start(EngineOperator, bpy.types.Operator):
@@ -108,7 +108,7 @@ class LAPWING_OT_apply(_Settling, bpy.types.Operator):
             recipe_store.keep_original(obj)
             live_mesh.keep_in_mesh(obj, coordinates)
             for handle in settings_of(obj).handles:
-                put_handle_at_rest(obj, handle)
+                put_at_rest(obj, handle)
         step = live.request.moved_step(live.motions())
         recipe_store.add(obj, [step], live.request.matrix, key=key)
         settings_of(obj).is_live = False

@@ -6,11 +6,11 @@ import numpy as np
 from bpy.props import EnumProperty, FloatProperty
 
 from .arrays import coordinates_of, rest_points, transformed, world_matrix
-from .edit_request import check_object, edited_object, put_handle_at_rest
+from .edit_request import check_object, edited_object
 from .errors import Refusal
 from .operator_parts import Refusing, has_edited, has_mesh
 from .regions import free_name, masked_vertices, selected_vertices, set_group
-from .settings import PROFILES, settings_of
+from .settings import PROFILES, put_at_rest, settings_of
 
 _ROLES = [
     ("roi", "Region", "What may move"),
@@ -105,7 +105,6 @@ class LAPWING_OT_add_handle(Refusing, bpy.types.Operator):
         handle.empty = empty
         handle.group = _grouped(obj, name, vertices)
         handle.falloff, handle.profile = self.falloff, self.profile
-        put_handle_at_rest(obj, handle)
         settings_of(obj).active_handle = len(settings_of(obj).handles) - 1
 
 
@@ -158,7 +157,7 @@ class LAPWING_OT_set_rest(Refusing, bpy.types.Operator):
         obj = check_object(edited_object(context))
         for handle in settings_of(obj).handles:
             if handle.empty is not None:
-                put_handle_at_rest(obj, handle)
+                put_at_rest(obj, handle)
 
 
 CLASSES = (

@@ -2,6 +2,7 @@
 """What an object keeps of its edit; saved with the file, and undone by Blender."""
 
 import bpy
+import numpy as np
 from bpy.props import (
     BoolProperty,
     CollectionProperty,
@@ -13,6 +14,8 @@ from bpy.props import (
     StringProperty,
 )
 
+from .arrays import matrix_of
+
 PROFILES = [
     ("smooth", "Smooth", "The hold of the handle fades out smoothly"),
     ("linear", "Linear", "The hold of the handle fades out linearly"),
@@ -23,11 +26,23 @@ def _is_empty(_self: bpy.types.PropertyGroup, obj: bpy.types.Object) -> bool:
     return obj.type == "EMPTY"
 
 
+def put_at_rest(obj: bpy.types.Object, handle: "LapwingHandle") -> None:
+    """The Empty's place is its rest from now on."""
+    seen = np.linalg.inv(matrix_of(obj.matrix_world)) @ matrix_of(handle.empty.matrix_world)
+    handle.rest = seen.ravel().tolist()
+
+
+def _another_empty(handle: "LapwingHandle", _context: bpy.types.Context) -> None:
+    if handle.empty is not None:
+        put_at_rest(handle.id_data, handle)
+
+
 class LapwingHandle(bpy.types.PropertyGroup):
     """Vertices that go where an Empty goes. `name` is Blender's own key of a collection."""
 
     empty: PointerProperty(
-        type=bpy.types.Object, poll=_is_empty, name="Empty", description="Moves the handle",
+        type=bpy.types.Object, poll=_is_empty, update=_another_empty, name="Empty",
+        description="Moves the handle, from where it is when it is chosen",
     )
     group: StringProperty(
         name="Vertex Group",
