@@ -21,10 +21,23 @@ _found: dict = {}
 
 
 def engine(path: str = "") -> Any:
-    """The engine at the preferred `path`, or else the module, or else the program on PATH. Looked
-    for once for each path; Refusal says why there is none."""
+    """The engine at the preferred `path`, or else the module, or else the program on PATH. Once
+    found it stays; Refusal says why there is none, and the next call looks again."""
+    if isinstance(_found.get(path), Refusal):
+        del _found[path]
+    found = last_look(path)
+    if isinstance(found, Refusal):
+        raise found
+    return found
+
+
+def last_look(path: str = "") -> Any:
+    """The engine or the Refusal that was found last, for a panel that is drawn again and again."""
     if path not in _found:
-        _found[path] = _find(path)
+        try:
+            _found[path] = _find(path)
+        except Refusal as refusal:
+            _found[path] = refusal
     return _found[path]
 
 

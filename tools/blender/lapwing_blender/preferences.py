@@ -23,15 +23,15 @@ class LapwingPreferences(bpy.types.AddonPreferences):
         "Without it, the module that Python finds, or else the program on PATH",
     )
 
-    def draw(self, context: bpy.types.Context) -> None:
+    def draw(self, _context: bpy.types.Context) -> None:
         self.layout.prop(self, "engine_path")
         row = self.layout.row()
-        try:
-            found = chosen_engine(context)
+        found = engine.last_look(self.engine_path)
+        if isinstance(found, Refusal):
+            row.label(text=str(found), icon="ERROR")
+        else:
             version = ".".join(map(str, found.version))
             row.label(text=f"Found: {found.name}, version {version}", icon="CHECKMARK")
-        except Refusal as refusal:
-            row.label(text=str(refusal), icon="ERROR")
         row.operator("lapwing.find_engine", text="Look Again", icon="FILE_REFRESH")
 
 
