@@ -97,7 +97,10 @@ class Edits(SceneTest):
     def test_what_the_engine_refuses_comes_in_its_words(self):
         obj = wavy()
         obj.lapwing.belt = obj.lapwing.handles[0].group
-        self.assert_refused("belt", bpy.ops.lapwing.start)
+        for engine in (scene.MODULE, scene.CLI):
+            with self.subTest(engine):
+                scene.use_engine(engine)
+                self.assert_refused("belt", bpy.ops.lapwing.start)
         self.assertFalse(obj.lapwing.is_live)
 
 
@@ -135,6 +138,22 @@ class Surfaces(SceneTest):
         self.assert_refused("has a Multires modifier", bpy.ops.lapwing.coat, **where)
         self.assertEqual(len(target.data.vertices), vertices)
         self.assertIsNone(target.lapwing.original)
+
+    def test_a_part_a_hundred_times_as_large(self):
+        _, part = self.pair()
+        part.scale = (100, 100, 100)
+        bpy.context.view_layer.update()
+        self.assert_refused(
+            "Error: The seam between mesh and part would get", bpy.ops.lapwing.transplant,
+            region="CURSOR", radius=0.3, place="WORLD",
+        )
+
+    def test_detail_larger_than_its_source_leaves_the_target(self):
+        target, source = self.pair()
+        source.scale = (1e-3, 1e-3, 1e-3)
+        bpy.context.view_layer.update()
+        bpy.ops.lapwing.coat(region="CURSOR", radius=0.5, detail_size=0.1)
+        self.assertLess(max(abs(v.co.z) for v in target.data.vertices), 1e-3)
 
     def test_a_recipe_for_other_vertices(self):
         obj = wavy()
@@ -218,6 +237,14 @@ class Engines(SceneTest):
         scene.use_engine(self.program("other", "echo 9.3.1\n"))
         self.assert_refused("is of version 9.3.1, and this add-on needs 0.1", bpy.ops.lapwing.start)
 
+    def test_a_module_of_another_version(self):
+        package = self.folder("old") / "lapwing"
+        package.mkdir()
+        (package / "__init__.py").write_text("__version__ = '0.2.0'\nclass Deformer: pass\n")
+        wavy()
+        scene.use_engine(package.parent)
+        self.assert_refused("is of version 0.2.0, and this add-on needs 0.1", bpy.ops.lapwing.start)
+
     def test_a_program_that_is_no_lapwing(self):
         wavy()
         scene.use_engine(self.program("wrong", "exit 1\n"))
@@ -232,7 +259,7 @@ class Engines(SceneTest):
 
     def test_a_module_that_cannot_be_imported(self):
         package = self.folder("broken") / "lapwing"
-        package.mkdir(exist_ok=True)
+        package.mkdir()
         (package / "__init__.py").write_text("raise ImportError('built for Python 3.9')\n")
         wavy()
         scene.use_engine(package.parent)

@@ -14,7 +14,7 @@ import numpy as np
 from .arrays import MeshArrays
 from .engine import Progress
 from .errors import Cancelled, Refusal
-from .outcome import Outcome
+from .outcome import Outcome, in_words
 from .ply import read_ply, write_ply
 
 
@@ -40,7 +40,7 @@ class ModuleEngine:
         except self._module.Error as error:
             if stopped:
                 raise Cancelled() from error
-            raise Refusal(" ".join(str(error).split())) from error
+            raise Refusal(in_words(str(error))) from error
 
     def _mesh(self, mesh: MeshArrays) -> Any:
         corners = mesh.sizes[0]
@@ -89,7 +89,7 @@ class ModuleEngine:
             saved = os.path.join(folder, "result.ply")
             self._module.write(saved, result)
             made = read_ply(saved)
-        return Outcome(made, list(result.warnings))
+        return Outcome(made, [in_words(text) for text in result.warnings])
 
     def peel(
         self, mesh: MeshArrays, region: Mapping[str, Any], detail_size: float, progress: Progress
@@ -97,7 +97,7 @@ class ModuleEngine:
         with self.heard(progress):
             peeled = self._module.peel(self._mesh(mesh), detail_size=detail_size, region=region)
         made = MeshArrays(peeled.vertices, mesh.corners, mesh.sizes, mesh.materials)
-        return Outcome(made, list(peeled.warnings))
+        return Outcome(made, [in_words(text) for text in peeled.warnings])
 
 
 class PreparedEdit:
@@ -117,7 +117,7 @@ class PreparedEdit:
             if self._edit is None:
                 self._edit = self._prepared(hear)
             result = self._edit.solve(np.stack(motions), progress=hear)
-        return result.vertices, list(result.warnings)
+        return result.vertices, [in_words(text) for text in result.warnings]
 
     def close(self) -> None:
         self._edit = None

@@ -15,7 +15,7 @@ import numpy as np
 from .arrays import MeshArrays
 from .engine import Progress
 from .errors import Cancelled, Refusal
-from .outcome import Outcome
+from .outcome import Outcome, in_words
 from .ply import read_ply, write_ply
 
 _POLL_SECONDS = 0.03
@@ -62,7 +62,7 @@ class ProgramEngine:
             said = log.read()
         if code != 0:
             raise Refusal(
-                _first_failure(folder) or _last_message(said)
+                in_words(_first_failure(folder) or _last_message(said))
                 or f"The program lapwing ended with code {code}; try again"
             )
         return said
@@ -96,7 +96,7 @@ class ProgramEngine:
             folder, ["run", name, "--device", "cpu", "--report", "report.json"], progress
         )
         with open(os.path.join(folder, "report.json"), encoding="utf-8") as report:
-            return list(json.load(report).get("warnings", []))
+            return [in_words(text) for text in json.load(report).get("warnings", [])]
 
     def peel(
         self, mesh: MeshArrays, region: Mapping[str, Any], detail_size: float, progress: Progress
@@ -117,7 +117,7 @@ class ProgramEngine:
             )
             made = read_ply(os.path.join(folder, "result.ply"), vertices_only=True)
         result = MeshArrays(made.vertices, mesh.corners, mesh.sizes, mesh.materials)
-        notes = [line.partition(_NOTE)[2] for line in said.splitlines() if _NOTE in line]
+        notes = [in_words(line) for line in said.splitlines() if line.startswith(_NOTE)]
         return Outcome(result, notes)
 
 
