@@ -188,6 +188,20 @@ class LiveEdit(SceneTest):
         self.assertGreater(coordinates(obj.data.vertices)[:, 2].max(), 0.3)
 
 
+    def test_a_mesh_that_gets_shape_keys_meanwhile_ends_the_edit(self):
+        from lapwing_blender import session
+        obj = wavy()
+        bpy.ops.lapwing.start()
+        move(obj, lift())
+        bpy.ops.lapwing.respond()
+        obj.shape_key_add(name="Basis")
+        shown = coordinates(obj.data.shape_keys.key_blocks["Basis"].data)
+        session.advance(obj, session.session_of(obj))
+        self.assertFalse(obj.lapwing.is_live)
+        self.assertIn("shape keys", session.why_ended(obj))
+        np.testing.assert_array_equal(coordinates(obj.data.shape_keys.key_blocks["Basis"].data), shown)
+
+
 class Settings(SceneTest):
     def step(self, obj):
         move(obj, lift())

@@ -39,6 +39,14 @@ def begin(obj: bpy.types.Object) -> None:
         mesh.attributes.new(REST, "FLOAT_VECTOR", "POINT").data.foreach_set("vector", rest.ravel())
 
 
+def is_begun(obj: bpy.types.Object) -> bool:
+    """Whether there is still what `begin` made, which shape keys added meanwhile would hide."""
+    mesh = obj.data
+    if mesh.shape_keys is not None:
+        return LIVE_KEY in mesh.shape_keys.key_blocks
+    return mesh.attributes.get(REST) is not None
+
+
 def show(obj: bpy.types.Object, coordinates: np.ndarray) -> None:
     mesh = obj.data
     if mesh.shape_keys is None:

@@ -49,6 +49,8 @@ class LAPWING_PT_edit(_Panel, bpy.types.Panel):
         if session.has_session(obj):
             self._draw_live(layout, session.session_of(obj))
             return
+        if why := session.why_ended(obj):
+            _draw_text(layout, why)
         column = layout.column()
         _draw_region(column, obj, settings, "roi", "Region")
         if context.mode in ("SCULPT", "OBJECT"):

@@ -27,6 +27,8 @@ from .settings import settings_of
 _TICK_SECONDS = 1.0 / 60.0
 
 _sessions: Dict[str, "Session"] = {}
+#: Why a live edit of an object ended by itself, for its panel.
+_ends: Dict[str, str] = {}
 
 
 class Session:
@@ -127,6 +129,7 @@ def preparing(engine: Any, request: EditRequest) -> Work:
 
 def start(obj: bpy.types.Object, session: Session) -> None:
     stop(obj.name)
+    _ends.pop(obj.name, None)
     live_mesh.begin(obj)
     settings_of(obj).is_live = True
     _sessions[obj.name] = session
@@ -144,6 +147,10 @@ def session_of(obj: bpy.types.Object) -> Session:
 
 def has_session(obj: bpy.types.Object) -> bool:
     return obj.name in _sessions and settings_of(obj).is_live
+
+
+def why_ended(obj: bpy.types.Object) -> str:
+    return _ends.get(obj.name, "")
 
 
 def stop(name: str) -> None:
@@ -167,17 +174,20 @@ def _tick() -> Optional[float]:
             session.is_stale = True
             continue
         try:
-            _advance(obj, session)
+            advance(obj, session)
         except (Refusal, Cancelled) as refusal:
             session.message = str(refusal)
     return _TICK_SECONDS if _sessions else None
 
 
-def _advance(obj: bpy.types.Object, session: Session) -> None:
-    if len(obj.data.vertices) != len(session.request.rest):
+def advance(obj: bpy.types.Object, session: Session) -> None:
+    """What a tick does for one live edit."""
+    if len(obj.data.vertices) != len(session.request.rest) or not live_mesh.is_begun(obj):
         stop(obj.name)
         settings_of(obj).is_live = False
-        raise Refusal("The mesh has other vertices than before, which ends the edit")
+        _ends[obj.name] = "The mesh got other vertices or shape keys, which ended the live edit"
+        _redraw_panels()
+        return
     session.respond(obj)
     before = session.message
     session.settle_step(obj)
@@ -201,6 +211,7 @@ def _after_undo(_scene: Any, *_: Any) -> None:
 @persistent
 def _after_load(_scene: Any, *_: Any) -> None:
     stop_all()
+    _ends.clear()
 
 
 def local_result(request: EditRequest, world: np.ndarray) -> np.ndarray:
