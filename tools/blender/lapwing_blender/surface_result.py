@@ -47,7 +47,8 @@ def _rebuild(obj: bpy.types.Object, made: MeshArrays, matrix: np.ndarray) -> Lis
     mesh.loops.foreach_set("vertex_index", made.corners.astype(np.uint32))
     mesh.polygons.add(len(made.sizes))
     mesh.polygons.foreach_set("loop_start", made.starts.astype(np.int32))
-    if bpy.app.version < (4, 0, 0):  # since then it follows from the starts
+    # In newer versions it follows from the starts.
+    if not bpy.types.MeshPolygon.bl_rna.properties["loop_total"].is_readonly:
         mesh.polygons.foreach_set("loop_total", made.sizes)
     last_slot = max(len(mesh.materials) - 1, 0)
     mesh.polygons.foreach_set("material_index", np.clip(made.materials, 0, last_slot).astype(np.int32))
