@@ -27,6 +27,18 @@ def test_solve_is_deform(tube, ends, bend):
         assert (once.rotations == again.rotations).all()
 
 
+def test_a_mirrored_edit_is_prepared_too():
+    grid = lapwing.shape("sheet")
+    x, y, z = grid.vertices.T
+    hand = np.hypot(x - np.quantile(x, 0.75), y - np.median(y)) < 0.1 * np.ptp(x)
+    lift = np.eye(4)
+    lift[2, 3] = 0.1 * np.ptp(x)
+    mirror = {"point": [np.mean(x), 0.0, 0.0], "normal": [1.0, 0.0, 0.0]}
+    edit = lapwing.Deformer(grid, handles=[hand], mirror=mirror)
+    once = lapwing.deform(grid, handles=[(hand, lift)], mirror=mirror)
+    assert (edit.solve(lift).vertices == once.vertices).all()
+
+
 def test_one_result_does_not_depend_on_those_before(bend):
     motions = motions_of(6)
     forward = [bend.solve(motion).vertices for motion in motions]

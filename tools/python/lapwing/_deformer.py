@@ -43,6 +43,7 @@ class Deformer:
         handles: Sequence[Any] = (),
         *,
         targets: Any = None,
+        mirror: Any = None,
         hard: Optional[bool] = None,
         detail_length: Optional[float] = None,
         constraint_weight: Optional[float] = None,
@@ -55,9 +56,9 @@ class Deformer:
     ) -> None:
         chosen = mesh_of(mesh, faces, "Deformer: mesh")
         keys = dict(
-            roi=roi, belt=belt, targets=targets, hard=hard, detail_length=detail_length,
-            constraint_weight=constraint_weight, settle=settle, weights=weights,
-            response=response, loose=loose, seams=seams,
+            roi=roi, belt=belt, targets=targets, mirror=mirror, hard=hard,
+            detail_length=detail_length, constraint_weight=constraint_weight, settle=settle,
+            weights=weights, response=response, loose=loose, seams=seams,
             handles=[_at_rest(handle) for handle in handles],
         )
         step = deform_step(chosen.vertex_count, "Deformer", keys)

@@ -1,0 +1,136 @@
+"""In a window, by mouse and keys: the surface follows a drag, settles, is undone; Esc cancels."""
+
+import os
+import sys
+import threading
+import time
+import traceback
+
+sys.path.insert(0, os.path.dirname(__file__))
+
+import bpy
+import numpy as np
+import scene
+from scene import coordinates
+
+#: For what a loaded machine does within seconds.
+PATIENCE_SECONDS = 60
+COAT = dict(region="CURSOR", radius=0.9, detail_size=0.3)
+
+
+class Window:
+    def __init__(self):
+        self.window = bpy.context.window_manager.windows[0]
+        self.area = next(area for area in self.window.screen.areas if area.type == "VIEW_3D")
+        self.region = next(region for region in self.area.regions if region.type == "WINDOW")
+        self.x = self.region.x + self.region.width // 2
+        self.y = self.region.y + self.region.height // 2
+
+    def context(self):
+        return bpy.context.temp_override(window=self.window, area=self.area, region=self.region)
+
+    def event(self, kind, value, **more):
+        self.window.event_simulate(type=kind, value=value, x=self.x, y=self.y, **more)
+
+    def press(self, kind, **more):
+        self.event(kind, "PRESS", **more)
+        self.event(kind, "RELEASE", **more)
+
+    def move_mouse(self, x, y):
+        self.x, self.y = self.x + x, self.y + y
+        self.event("MOUSEMOVE", "NOTHING")
+
+
+def until(what, condition):
+    """A step of a story: waits, while Blender works, until `condition` holds."""
+    end = time.monotonic() + PATIENCE_SECONDS
+    while not condition():
+        assert time.monotonic() < end, f"it never came about that {what}"
+        yield
+
+
+def story():
+    from lapwing_blender import session
+
+    window = Window()
+    window.move_mouse(0, 0)
+    yield
+    with window.context():
+        obj = scene.wavy()
+        name, handle = obj.name, scene.empty_of(obj).name
+        bpy.ops.ed.undo_push(message="scene")
+        bpy.ops.lapwing.start("INVOKE_DEFAULT")
+    yield from until("the edit is live", lambda: bpy.data.objects[name].lapwing.is_live)
+    live = lambda: session.session_of(bpy.data.objects[name])
+    shown = lambda: coordinates(bpy.data.objects[name].data.vertices)
+    rest = shown()
+
+    scene.make_active(bpy.data.objects[handle])
+    bpy.ops.ed.undo_push(message="handle selected")
+    yield
+    window.press("G")
+    yield
+    for _ in range(6):
+        window.move_mouse(0, 15)
+        yield
+    yield from until("the surface follows the mouse", lambda: np.abs(shown() - rest).max() > 0.1)
+    window.press("LEFTMOUSE")
+    yield from until("the surface settles", lambda: live().is_settled)
+    moved = shown()
+    assert np.abs(moved - rest).max() > 0.1
+
+    window.press("Z", ctrl=True)
+    yield from until("undo takes the surface back", lambda: np.abs(shown() - rest).max() < 1e-6)
+    window.press("Z", ctrl=True, shift=True)
+    yield from until("redo settles it there again",
+                     lambda: live().is_settled and np.abs(shown() - moved).max() < 1e-4)
+
+    with window.context():
+        bpy.ops.lapwing.apply("INVOKE_DEFAULT", as_key=True)
+    yield from until("there is a shape key", lambda: bpy.data.objects[name].data.shape_keys)
+    assert not bpy.data.objects[name].lapwing.is_live
+
+    # What takes a while is cancelled, and leaves the mesh.
+    with window.context():
+        source = scene.add_mesh("Source", *scene.grid(150, lambda x, y: 0.02 * np.sin(40 * x)))
+        target = scene.add_mesh("Target", *scene.grid(150, lambda x, y: 0.1 * y * y))
+        scene.make_active(target, source)
+        before = coordinates(target.data.vertices)
+        bpy.ops.lapwing.coat("INVOKE_DEFAULT", **COAT)
+    computes = lambda: any(thread.name == "lapwing" for thread in threading.enumerate())
+    yield from until("the engine is at work", computes)
+    window.press("ESC")
+    yield from until("Esc ends it", lambda: not computes())
+    for _ in range(10):
+        yield
+    assert "lapwing_edits" not in target
+    np.testing.assert_array_equal(coordinates(target.data.vertices), before)
+
+    # Without Esc it ends by itself.
+    with window.context():
+        bpy.ops.lapwing.coat("INVOKE_DEFAULT", **COAT)
+    yield from until("the coat is there", lambda: "lapwing_edits" in bpy.data.objects["Target"])
+
+
+def tell(steps):
+    """Goes on with the story each time that Blender has nothing else to do."""
+    def step():
+        try:
+            next(steps)
+            return 0.05
+        except StopIteration:
+            print("OK")
+            code = 0
+        except BaseException:
+            traceback.print_exc()
+            code = 1
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(code)
+
+    bpy.app.timers.register(step, first_interval=1.0, persistent=True)
+
+
+bpy.context.preferences.view.show_splash = False
+scene.install()
+tell(story())

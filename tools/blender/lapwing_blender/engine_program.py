@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The engine as the program `lapwing`: recipes and files in a temporary folder."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import tempfile
+from typing import Any, Dict, List, Mapping, Sequence, Tuple
+
+import numpy as np
+
+from .arrays import MeshArrays
+from .engine import Progress
+from .errors import Cancelled, Refusal
+from .outcome import Outcome, in_words
+from .ply import read_ply, write_ply
+
+_POLL_SECONDS = 0.03
+#: What Linux takes as one argument, less some.
+_LONGEST_ARGUMENT = 120_000
+_NOTE = "note: "
+
+
+class ProgramEngine:
+    name = "program"
+
+    def __init__(self, program: str, version: Tuple[int, ...]) -> None:
+        self._program = program
+        self.version = version
+
+    def call(self, folder: str, arguments: Sequence[str], progress: Progress) -> str:
+        """What the program wrote to standard error. An interrupt lets it take its files away."""
+        log_path = os.path.join(folder, "log.txt")
+        with open(log_path, "wb") as log:
+            try:
+                running = subprocess.Popen(
+                    [self._program, *arguments], cwd=folder, stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL, stderr=log,
+                )
+            except OSError as error:
+                raise Refusal(
+                    f"{self._program} cannot be started ({error.strerror}); set the path in the "
+                    "add-on's preferences to the program 'lapwing'"
+                ) from error
+            while True:
+                try:
+                    code = running.wait(_POLL_SECONDS)
+                    break
+                except subprocess.TimeoutExpired:
+                    pass
+                if not progress(arguments[0], 0.0):
+                    if os.name == "nt":
+                        running.terminate()
+                    else:
+                        running.send_signal(signal.SIGINT)
+                    running.wait()
+                    raise Cancelled()
+        with open(log_path, encoding="utf-8", errors="replace") as log:
+            said = log.read()
+        if code != 0:
+            raise Refusal(
+                in_words(_first_failure(folder) or _last_message(said))
+                or f"The program lapwing ended with code {code}; try again"
+            )
+        return said
+
+    def prepare(
+        self, mesh: MeshArrays, step: Mapping[str, Any], motions: np.ndarray, progress: Progress
+    ) -> Tuple[np.ndarray, "PreparedEdit"]:
+        """The linear response to each of `motions` (k, handles, 4, 4) as displacements (k, n, 3),
+        and the edit that settles."""
+        edit = PreparedEdit(self, mesh, step)
+        try:
+            return edit.linear(motions, progress), edit
+        except BaseException:
+            edit.close()
+            raise
+
+    def run(
+        self, mesh: MeshArrays, steps: Sequence[Mapping[str, Any]], others: Dict[str, MeshArrays],
+        progress: Progress,
+    ) -> Outcome:
+        with tempfile.TemporaryDirectory(prefix="lapwing-") as folder:
+            for name, each in {**others, "mesh.ply": mesh}.items():
+                write_ply(os.path.join(folder, name), each)
+            _write_json(os.path.join(folder, "recipe.json"), _recipe(steps))
+            warnings = self.run_recipe(folder, "recipe.json", progress)
+            return Outcome(read_ply(os.path.join(folder, "result.ply")), warnings)
+
+    def run_recipe(self, folder: str, name: str, progress: Progress) -> List[str]:
+        """What the report of the recipe warns of."""
+        self.call(
+            folder, ["run", name, "--device", "cpu", "--report", "report.json"], progress
+        )
+        with open(os.path.join(folder, "report.json"), encoding="utf-8") as report:
+            return [in_words(text) for text in json.load(report).get("warnings", [])]
+
+    def peel(
+        self, mesh: MeshArrays, region: Mapping[str, Any], detail_size: float, progress: Progress
+    ) -> Outcome:
+        written = json.dumps(region, separators=(",", ":"))
+        if len(written) > _LONGEST_ARGUMENT:
+            raise Refusal(
+                "The region has too many vertices for peeling by the program; peel the whole mesh, "
+                "or set the path of the module 'lapwing' in the add-on's preferences"
+            )
+        with tempfile.TemporaryDirectory(prefix="lapwing-") as folder:
+            write_ply(os.path.join(folder, "mesh.ply"), mesh)
+            said = self.call(
+                folder,
+                ["peel", "mesh.ply", "--detail-size", repr(detail_size), "--region", written,
+                 "--coating", "none", "-o", "result.ply"],
+                progress,
+            )
+            made = read_ply(os.path.join(folder, "result.ply"), vertices_only=True)
+        result = MeshArrays(made.vertices, mesh.corners, mesh.sizes, mesh.materials)
+        notes = [in_words(line) for line in said.splitlines() if line.startswith(_NOTE)]
+        return Outcome(result, notes)
+
+
+class PreparedEdit:
+    """An edit whose mesh lies in a folder of its own until it is closed."""
+
+    def __init__(self, engine: ProgramEngine, mesh: MeshArrays, step: Mapping[str, Any]) -> None:
+        self._engine = engine
+        self._step = dict(step)
+        self._rest = mesh.vertices
+        self._folder = tempfile.TemporaryDirectory(prefix="lapwing-")
+        write_ply(self._path("mesh.ply"), mesh)
+
+    def _path(self, name: str) -> str:
+        return os.path.join(self._folder.name, name)
+
+    def linear(self, motions: np.ndarray, progress: Progress) -> np.ndarray:
+        if len(motions) == 0:
+            return np.empty((0, *self._rest.shape))
+        _write_json(self._path("linear.json"), _recipe([{**self._step, "settle": False}]))
+        with open(self._path("jobs.jsonl"), "w", encoding="utf-8") as jobs:
+            for k, of_handles in enumerate(motions):
+                moves = {
+                    f"/steps/0/handles/{h}/move": {"matrix": matrix.ravel().tolist()}
+                    for h, matrix in enumerate(of_handles)
+                }
+                jobs.write(json.dumps({"id": f"m{k}", "set": moves}) + "\n")
+        self._engine.call(
+            self._folder.name,
+            ["batch", "jobs.jsonl", "--recipe", "linear.json", "-o", "linear", "--displacements",
+             "float64", "--threads", "1"],
+            progress,
+        )
+        return np.stack([np.load(self._path(f"linear/m{k}.npy")) for k in range(len(motions))])
+
+    def settle(
+        self, motions: Sequence[np.ndarray], progress: Progress
+    ) -> Tuple[np.ndarray, List[str]]:
+        """World coordinates (n, 3), and what is to be said of them."""
+        handles = [
+            {**handle, "move": {"matrix": motion.ravel().tolist()}}
+            for handle, motion in zip(self._step["handles"], motions)
+        ]
+        _write_json(self._path("settle.json"), _recipe([{**self._step, "handles": handles}]))
+        warnings = self._engine.run_recipe(self._folder.name, "settle.json", progress)
+        made = read_ply(self._path("result.ply"), vertices_only=True)
+        return made.vertices, warnings
+
+    def close(self) -> None:
+        self._folder.cleanup()
+
+
+def _recipe(steps: Sequence[Mapping[str, Any]]) -> Dict[str, Any]:
+    return {"lapwing": 1, "mesh": "mesh.ply", "steps": list(steps), "save": "result.ply"}
+
+
+def _write_json(path: str, value: Any) -> None:
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(value, file)
+
+
+def _last_message(said: str) -> str:
+    lines = [line for line in said.splitlines() if line.startswith("lapwing: ")]
+    return lines[-1][len("lapwing: "):] if lines else ""
+
+
+def _first_failure(folder: str) -> str:
+    """Why a batch failed, which it writes beside its results."""
+    path = os.path.join(folder, "linear", "failed.jsonl")
+    if not os.path.exists(path):
+        return ""
+    with open(path, encoding="utf-8") as failed:
+        message = str(json.loads(failed.readline())["error"])
+    return message.partition("(linear.json): ")[2] or message

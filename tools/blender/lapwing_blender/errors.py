@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The one way in which the add-on says no."""
+
+
+class Refusal(Exception):
+    """One sentence for Blender's report: what is wrong, and the next step."""
+
+
+class Cancelled(Exception):
+    """The user pressed Esc."""

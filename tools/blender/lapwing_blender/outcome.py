@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What an operation of the engine gives back."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import List
+
+from .arrays import MeshArrays
+
+
+@dataclass(frozen=True)
+class Outcome:
+    mesh: MeshArrays
+    warnings: List[str] = field(default_factory=list)
+
+
+#: The file or step, and the place in it, that the engine's messages begin with. A recipe that was
+#: written for one call says nothing to whoever pressed a button.
+_PLACE = re.compile(r"^(note: )?((\w+\.json|recipe|Deformer|deform|peel|step \d+): )*(/[\w/]*: )?")
+
+
+def in_words(message: str) -> str:
+    """A message of the engine as one sentence for Blender's report."""
+    words = _PLACE.sub("", " ".join(message.split()))
+    return words[:1].upper() + words[1:]

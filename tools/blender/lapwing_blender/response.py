@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How the surface follows its handles linearly, as columns that a frame only has to add up.
+
+The engine's linear response is affine in the twelve numbers of a handle's matrix. Solved once for
+each of them, it costs a frame one product of a thin matrix with a vector.
+"""
+
+from __future__ import annotations
+
+from typing import List, Sequence
+
+import numpy as np
+
+PARAMETERS = 12
+#: Below this turn, growth and share of the region's size a handle has not been moved.
+_AT_REST = 2e-6
+
+
+class HandleFrame:
+    """The point about which a handle's motions are measured, and a length of the size of the edit,
+    which keeps the numbers of turns and translations alike."""
+
+    def __init__(self, points: np.ndarray, length: float) -> None:
+        self.centroid = points.mean(axis=0)
+        self.length = length
+
+    def parameters(self, motion: np.ndarray) -> np.ndarray:
+        linear = motion[:3, :3] - np.eye(3)
+        shift = linear @ self.centroid + motion[:3, 3]
+        return np.column_stack([linear, shift / self.length]).ravel()
+
+    def is_rest(self, motion: np.ndarray) -> bool:
+        """To Blender's single precision."""
+        far = 1.0 + np.abs(self.centroid).max() / self.length
+        return bool(np.abs(self.parameters(motion)).max() < _AT_REST * far)
+
+    def unit_motion(self, parameter: int) -> np.ndarray:
+        """The motion of which this parameter is 1 and the others are 0."""
+        row, column = divmod(parameter, 4)
+        motion = np.eye(4)
+        if column < 3:
+            motion[row, column] += 1.0
+            motion[row, 3] -= self.centroid[column]
+        else:
+            motion[row, 3] = self.length
+        return motion
+
+
+def unit_motions(frames: Sequence[HandleFrame], moved: Sequence[int], handles: int) -> np.ndarray:
+    """(12 len(moved), handles, 4, 4): each number of each of the handles `moved`, the others at
+    rest."""
+    motions = np.tile(np.eye(4), (PARAMETERS * len(moved), handles, 1, 1))
+    for k, handle in enumerate(moved):
+        for p in range(PARAMETERS):
+            motions[PARAMETERS * k + p, handle] = frames[k].unit_motion(p)
+    return motions
+
+
+class Response:
+    """Coordinates of the whole mesh in the object's own space, for motions in the world's.
+
+    `rest` (in the object's space), `rest_world` and `to_local` are those when the edit was prepared;
+    `columns` of shape (12 handles, n, 3) are displacements in the world.
+    """
+
+    def __init__(
+        self, frames: List[HandleFrame], rest: np.ndarray, rest_world: np.ndarray,
+        columns: np.ndarray, to_local: np.ndarray,
+    ) -> None:
+        self._frames = frames
+        self._rest = rest
+        self._rest_world = rest_world
+        self._to_local = to_local
+        self.moving = np.flatnonzero(columns.any(axis=(0, 2)))
+        local = columns[:, self.moving] @ to_local[:3, :3].T
+        self._columns = np.ascontiguousarray(
+            local.reshape(len(columns), -1).T.astype(np.float32)
+        )
+        self._coordinates = rest.astype(np.float32)
+        self.set_pose(None, None)
+
+    def set_pose(self, motions: Sequence[np.ndarray] | None, world: np.ndarray | None) -> None:
+        """From here on frames begin at the surface `world`, settled for `motions`; None is rest."""
+        if motions is None or world is None:
+            self._of_pose = np.zeros(PARAMETERS * len(self._frames))
+            self._base = self._rest[self.moving].astype(np.float32)
+            return
+        self._of_pose = self._parameters(motions)
+        moved = world[self.moving]
+        points = moved @ self._to_local[:3, :3].T + self._to_local[:3, 3]
+        # What is at rest there keeps its bits, which two conversions would not.
+        still = (moved == self._rest_world[self.moving]).all(axis=1, keepdims=True)
+        self._base = np.where(still, self._rest[self.moving], points).astype(np.float32)
+
+    def _parameters(self, motions: Sequence[np.ndarray]) -> np.ndarray:
+        return np.concatenate(
+            [frame.parameters(motion) for frame, motion in zip(self._frames, motions)]
+        )
+
+    def coordinates(self, motions: Sequence[np.ndarray]) -> np.ndarray:
+        """(n, 3) float32, valid until the next call."""
+        change = (self._parameters(motions) - self._of_pose).astype(np.float32)
+        moved = (self._columns @ change).reshape(-1, 3)
+        moved += self._base
+        self._coordinates[self.moving] = moved
+        return self._coordinates
