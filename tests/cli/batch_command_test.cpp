@@ -116,7 +116,7 @@ TEST_F(BatchCommandLine, TellsFailedLinesByItsExitCode) {
 TEST_F(BatchCommandLine, RefusesWhatItCannotBeginBeforeItBegins) {
   EXPECT_EQ(lapwing(kBatch + std::string("out --shard 0/4")).exit_code, 2);
   EXPECT_EQ(lapwing(kBatch + std::string("out --shard 5/4")).exit_code, 2);
-  EXPECT_EQ(lapwing(kBatch + std::string("out --format gltf")).exit_code, 2);
+  EXPECT_EQ(lapwing(kBatch + std::string("out --format fbx")).exit_code, 2);
   EXPECT_EQ(lapwing("batch none.jsonl -o out").exit_code, 6);
   write("jobs.jsonl", "{\"id\": \"a\"}\n{\"id\": \"a\"}\n");
   const Outcome twice = lapwing(kBatch + std::string("out"));

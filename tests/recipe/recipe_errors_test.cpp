@@ -83,9 +83,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoObject", "[]", ": expected an object, got a list of 0"},
         Mistake{"UnknownKey", R"({"lapwing": 1, "mehs": "a.obj", "steps": []})",
                 ": /mehs: unknown key; did you mean \"mesh\"? Known here: \"lapwing\", \"mesh\", "
-                "\"steps\", \"save\""},
+                "\"steps\", \"save\", \"save_as\""},
         Mistake{"KeyWithASlash", R"({"a/b~c": 1})",
-                ": /a~1b~0c: unknown key; Known here: \"lapwing\", \"mesh\", \"steps\", \"save\""},
+                ": /a~1b~0c: unknown key; Known here: \"lapwing\", \"mesh\", \"steps\", \"save\", "
+                "\"save_as\""},
+        Mistake{
+            "MorphTargetWithASlash",
+            R"({"lapwing": 1, "mesh": "a.glb", "steps": [], "save_as": {"morph_target": "a/b"}})",
+            ": /save_as/morph_target: expected a name without \"/\", which is part of a file's "
+            "name in some formats"},
         Mistake{
             "NoVersion", R"({"mesh": "a.obj", "steps": []})",
             ": the key \"lapwing\" is missing; a recipe says \"lapwing\": 1, the version of its "

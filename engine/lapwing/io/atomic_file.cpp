@@ -62,7 +62,7 @@ void flush_directory(const fs::path& target) {
   if (directory.is_open()) ::fsync(directory.get());
 }
 
-bool is_same_file(int descriptor, const fs::path& path) {
+bool is_same_open_file(int descriptor, const fs::path& path) {
   struct stat open {};
   struct stat named {};
   return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 &&
@@ -80,7 +80,7 @@ bool remove_stale(const fs::path& path) {
   struct stat status {};
   const bool is_stale = file.is_open() && ::fstat(file.get(), &status) == 0 &&
                         S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
-                        lock(file.get()) && is_same_file(file.get(), path);
+                        lock(file.get()) && is_same_open_file(file.get(), path);
   return is_stale && ::unlink(path.c_str()) == 0;
 }
 
@@ -151,7 +151,7 @@ class FileReplacement::Temporary {
       path_ = name;
       lock(file_.get());
       // Between these two calls another process may have taken the file for a dead one's.
-      if (is_same_file(file_.get(), name)) return true;
+      if (is_same_open_file(file_.get(), name)) return true;
       path_.clear();
       errno = EEXIST;
       return false;

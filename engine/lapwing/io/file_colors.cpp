@@ -8,7 +8,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/grouped.h"
-#include "lapwing/io/gltf/gltf_materials.h"
+#include "lapwing/io/gltf_materials.h"
 #include "lapwing/io/material_library.h"
 #include "lapwing/io/named_file.h"
 #include "lapwing/io/reading.h"

@@ -31,10 +31,10 @@ struct WriteOptions {
   /// was read are written.
   bool anew = false;
   /// Of a glTF file that the mesh was read from: its positions stay, and how the mesh differs from
-  /// them is added as a morph target of this name (see gltf/gltf_morph.h).
+  /// them is added as a morph target of this name (see gltf_morph.h).
   std::string morph_target = {};
   /// The file that the mesh was made from, where its triangles are others than those of that file.
-  /// Of glTF: they take the place of the old ones in it (see gltf/gltf_splice.h).
+  /// Of glTF: they take the place of the old ones in it (see gltf_splice.h).
   std::shared_ptr<const SourceFile> made_from = {};
 };
 

@@ -6,7 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/binary_numbers.h"
-#include "lapwing/io/gltf/gltf_layout.h"
+#include "lapwing/io/gltf_layout.h"
 #include "lapwing/io/text_scanner.h"
 #include "lapwing/io/writing.h"
 

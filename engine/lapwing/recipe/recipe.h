@@ -18,10 +18,10 @@ struct Recipe {
   std::filesystem::path mesh;            ///< as written
   std::vector<Step> steps;               ///< in order; may be empty
   std::filesystem::path save;            ///< as written; empty when the recipe does not say
+  std::filesystem::path base_directory;  ///< what the relative paths above are relative to
   /// The result is saved as a morph target of this name, beside the mesh as it was: "save_as":
   /// {"morph_target": NAME}. Empty: as the mesh itself.
   std::string morph_target;
-  std::filesystem::path base_directory;  ///< what the relative paths above are relative to
 
   std::filesystem::path mesh_path() const { return base_directory / mesh; }
   /// Empty when `save` is.

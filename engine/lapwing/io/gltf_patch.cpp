@@ -1,20 +1,20 @@
-#include "lapwing/io/gltf/gltf_patch.h"
+#include "lapwing/io/gltf_patch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <system_error>
 
-#include "lapwing/io/gltf/base64.h"
-#include "lapwing/io/gltf/gltf_layout.h"
-#include "lapwing/io/gltf/gltf_morph.h"
-#include "lapwing/io/gltf/gltf_numbers.h"
-#include "lapwing/io/gltf/gltf_splice.h"
-#include "lapwing/io/gltf/gltf_tangents.h"
-#include "lapwing/io/gltf/uri.h"
+#include "lapwing/io/base64.h"
+#include "lapwing/io/gltf_layout.h"
+#include "lapwing/io/gltf_morph.h"
+#include "lapwing/io/gltf_numbers.h"
+#include "lapwing/io/gltf_splice.h"
+#include "lapwing/io/gltf_tangents.h"
 #include "lapwing/io/real_path.h"
 #include "lapwing/io/source_patch.h"
 #include "lapwing/io/stored_normals.h"
+#include "lapwing/io/uri.h"
 #include "lapwing/json/json_text.h"
 
 namespace lapwing {

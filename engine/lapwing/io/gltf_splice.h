@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lapwing/io/gltf/gltf_layout.h"
-#include "lapwing/io/gltf/gltf_numbers.h"
+#include "lapwing/io/gltf_layout.h"
+#include "lapwing/io/gltf_numbers.h"
 #include "lapwing/io/mesh_file.h"
 
 namespace lapwing {

@@ -1,10 +1,10 @@
-#include "lapwing/io/gltf/gltf_file.h"
+#include "lapwing/io/gltf_file.h"
 
 #include "lapwing/base/errors.h"
+#include "lapwing/io/base64.h"
 #include "lapwing/io/binary_numbers.h"
-#include "lapwing/io/gltf/base64.h"
-#include "lapwing/io/gltf/uri.h"
 #include "lapwing/io/named_file.h"
+#include "lapwing/io/uri.h"
 
 namespace lapwing {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "lapwing/io/gltf/gltf_layout.h"
-#include "lapwing/io/gltf/gltf_numbers.h"
+#include "lapwing/io/gltf_layout.h"
+#include "lapwing/io/gltf_numbers.h"
 
 namespace lapwing {
 

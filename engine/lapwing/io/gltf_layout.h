@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/io/gltf/gltf_accessor.h"
-#include "lapwing/io/gltf/gltf_scene.h"
+#include "lapwing/io/gltf_accessor.h"
+#include "lapwing/io/gltf_scene.h"
 
 namespace lapwing {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "lapwing/io/gltf/gltf_layout.h"
+#include "lapwing/io/gltf_layout.h"
 #include "lapwing/mesh/mesh.h"
 
 namespace lapwing {

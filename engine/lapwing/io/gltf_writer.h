@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "lapwing/io/gltf/gltf_patch.h"
+#include "lapwing/io/gltf_patch.h"
 #include "lapwing/io/mesh_file.h"
 
 namespace lapwing {

@@ -1,8 +1,8 @@
-#include "lapwing/io/gltf/gltf_materials.h"
+#include "lapwing/io/gltf_materials.h"
 
 #include "lapwing/base/srgb.h"
-#include "lapwing/io/gltf/gltf_file.h"
-#include "lapwing/io/gltf/uri.h"
+#include "lapwing/io/gltf_file.h"
+#include "lapwing/io/uri.h"
 
 namespace lapwing {
 namespace {

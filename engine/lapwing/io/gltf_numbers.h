@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lapwing/io/gltf/gltf_appender.h"
-#include "lapwing/io/gltf/gltf_layout.h"
+#include "lapwing/io/gltf_appender.h"
+#include "lapwing/io/gltf_layout.h"
 
 namespace lapwing {
 

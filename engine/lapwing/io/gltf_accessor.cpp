@@ -1,4 +1,4 @@
-#include "lapwing/io/gltf/gltf_accessor.h"
+#include "lapwing/io/gltf_accessor.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "lapwing/io/gltf/gltf_numbers.h"
+#include "lapwing/io/gltf_numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "lapwing/io/gltf/gltf_morph.h"
+#include "lapwing/io/gltf_morph.h"
 
 #include <algorithm>
 #include <map>

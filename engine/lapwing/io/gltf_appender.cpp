@@ -1,4 +1,4 @@
-#include "lapwing/io/gltf/gltf_appender.h"
+#include "lapwing/io/gltf_appender.h"
 
 #include <nlohmann/json.hpp>
 

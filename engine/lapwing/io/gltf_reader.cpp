@@ -6,7 +6,7 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/srgb.h"
 #include "lapwing/io/formats.h"
-#include "lapwing/io/gltf/gltf_layout.h"
+#include "lapwing/io/gltf_layout.h"
 #include "lapwing/io/reading.h"
 #include "lapwing/io/welder.h"
 

@@ -1,4 +1,4 @@
-#include "lapwing/io/gltf/uri.h"
+#include "lapwing/io/uri.h"
 
 #include <charconv>
 

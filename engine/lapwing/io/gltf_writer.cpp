@@ -1,10 +1,10 @@
-#include "lapwing/io/gltf/gltf_writer.h"
+#include "lapwing/io/gltf_writer.h"
 
 #include <numeric>
 
-#include "lapwing/io/gltf/gltf_file.h"
-#include "lapwing/io/gltf/gltf_primitives.h"
-#include "lapwing/io/gltf/uri.h"
+#include "lapwing/io/gltf_file.h"
+#include "lapwing/io/gltf_primitives.h"
+#include "lapwing/io/uri.h"
 #include "lapwing/io/writing.h"
 
 namespace lapwing {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/io/gltf/gltf_appender.h"
+#include "lapwing/io/gltf_appender.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/mesh.h"
 

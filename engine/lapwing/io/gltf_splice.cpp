@@ -1,10 +1,10 @@
-#include "lapwing/io/gltf/gltf_splice.h"
+#include "lapwing/io/gltf_splice.h"
 
 #include <algorithm>
 #include <set>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/io/gltf/gltf_primitives.h"
+#include "lapwing/io/gltf_primitives.h"
 
 namespace lapwing {
 namespace {

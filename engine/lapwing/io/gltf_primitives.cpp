@@ -1,4 +1,4 @@
-#include "lapwing/io/gltf/gltf_primitives.h"
+#include "lapwing/io/gltf_primitives.h"
 
 #include <algorithm>
 #include <array>

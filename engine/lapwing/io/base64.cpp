@@ -1,4 +1,4 @@
-#include "lapwing/io/gltf/base64.h"
+#include "lapwing/io/base64.h"
 
 #include <array>
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "lapwing/io/gltf/gltf_file.h"
+#include "lapwing/io/gltf_file.h"
 
 namespace lapwing {
 

@@ -1,4 +1,4 @@
-#include "lapwing/io/gltf/gltf_tangents.h"
+#include "lapwing/io/gltf_tangents.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

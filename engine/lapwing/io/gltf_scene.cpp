@@ -1,4 +1,4 @@
-#include "lapwing/io/gltf/gltf_scene.h"
+#include "lapwing/io/gltf_scene.h"
 
 #include <algorithm>
 #include <cmath>

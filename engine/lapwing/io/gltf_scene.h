@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lapwing/io/gltf/gltf_file.h"
+#include "lapwing/io/gltf_file.h"
 
 namespace lapwing {
 
