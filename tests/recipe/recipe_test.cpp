@@ -223,7 +223,7 @@ Recipe full_recipe() {
   other.belt = RegionSpec{ListedVertices{{1, 2}}};
   other.handles.push_back({{ListedVertices{{4}}}, SimilarityMove{}});
   other.mirror = MirrorSpec{AutomaticMirror{}};
-  return {"meshes/a \"b\".obj", {step, other}, "out.ply", "/data"};
+  return {"meshes/a \"b\".obj", {step, other}, "out.ply", "/data", "smile"};
 }
 
 TEST(Recipe, ReadsBackWhatItWrites) {
