@@ -77,7 +77,8 @@ class MorphTarget {
     for (const GltfRecords& set : layout_.records) {
       for (std::size_t k = 0; k < set.count(); ++k) {
         const Index v = layout_.vertex_of_record[set.first_record + k];
-        if (mesh_.positions[v] != rest_[v]) meshes.insert(layout_.objects[set.object].mesh);
+        if (!are_same(mesh_.positions[v], rest_[v]))
+          meshes.insert(layout_.objects[set.object].mesh);
       }
     }
     if (meshes.empty()) {
@@ -112,10 +113,12 @@ class MorphTarget {
     std::vector<Vector3d> turns;
     for (std::size_t k = 0; k < set.count(); ++k) {
       const Index v = layout_.vertex_of_record[set.first_record + k];
-      rows.emplace_back(to_local * (mesh_.positions[v] - rest_[v]));
+      const bool is_still = are_same(mesh_.positions[v], rest_[v]);
+      rows.emplace_back(is_still ? Vector3d(Vector3d::Zero())
+                                 : Vector3d(to_local * (mesh_.positions[v] - rest_[v])));
       if (!set.normals) continue;
       const Index n = layout_.normal_of_record[set.first_record + k];
-      const bool stays = normals_[n] == mesh_.attributes().normals[n];
+      const bool stays = are_same(normals_[n], mesh_.attributes().normals[n]);
       const Vector3d turn =
           (linear.transpose() * normals_[n]).normalized() - set.normals->vector3(k);
       turns.push_back(stays ? Vector3d::Zero() : turn);

@@ -21,19 +21,22 @@ float to_float(double value, const GltfAccessor& accessor) {
   return static_cast<float>(value);
 }
 
-// ",\"min\":[...],\"max\":[...]" of rows of `width` numbers.
+// The least and the most of rows of `width` numbers, as JSON lists, which have no words for what is
+// not finite: that does not count.
 template <class Number>
 std::array<std::string, 2> bounds_of_rows(std::size_t rows, std::size_t width, Scalar type,
                                           const Number& number) {
   std::array<std::string, 2> bounds;
   for (std::size_t c = 0; c < width; ++c) {
-    double least = number(0, c);
-    double most = least;
-    for (std::size_t k = 1; k < rows; ++k) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t k = 0; k < rows; ++k) {
       const double x = number(k, c);
+      if (!std::isfinite(x)) continue;
       least = std::min(least, x);
       most = std::max(most, x);
     }
+    if (least > most) least = most = 0.0;
     for (std::string& bound : bounds) bound += c > 0 ? ',' : '[';
     append_number(bounds[0], least, type);
     append_number(bounds[1], most, type);
