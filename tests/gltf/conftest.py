@@ -43,13 +43,3 @@ def validator(tmp_path_factory) -> Path:
         "        (error) => { console.error(error); process.exit(1); });\n"
     )
     return script
-
-
-@pytest.fixture(scope="session")
-def source() -> Path:
-    return Path(os.environ["LAPWING_SOURCE"])
-
-
-@pytest.fixture(scope="session")
-def cli() -> str:
-    return os.environ["LAPWING_CLI"]

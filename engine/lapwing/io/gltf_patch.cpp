@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "lapwing/io/base64.h"
+#include "lapwing/io/gltf_appender.h"
 #include "lapwing/io/gltf_layout.h"
 #include "lapwing/io/gltf_morph.h"
 #include "lapwing/io/gltf_numbers.h"
@@ -33,22 +34,17 @@ class GltfPatch {
 
   std::vector<FileContent> run(const fs::path& target) {
     for (const GltfRecords& set : layout_.records) move(set);
-    if (numbers_.has_changed()) {
-      turn();
-      numbers_.finish(edits_);
-    }
+    if (numbers_.has_changed()) turn();
     return files_at(target);
   }
 
   std::vector<FileContent> run_with_new_triangles(const fs::path& target) {
     splice_triangles(layout_, mesh_, numbers_, edits_, report_);
-    numbers_.finish(edits_);
     return files_at(target);
   }
 
   std::vector<FileContent> run_as_morph_target(const std::string& name, const fs::path& target) {
     add_morph_target(layout_, mesh_, name, numbers_, edits_);
-    numbers_.finish(edits_);
     return files_at(target);
   }
 
@@ -96,9 +92,9 @@ class GltfPatch {
     const Eigen::Matrix3d to_local = to_world.inverse();
     const auto carried = carried_tangents(layout_, set, mesh_, rest, normals);
     // What did not move may still not be at right angles to its normal: that is the file's.
-    const auto unmoved = touched_records(set, rest);
+    const auto touched = touched_records(set, rest);
     for (std::size_t k = 0; k < set.count(); ++k) {
-      if (!unmoved[k]) continue;
+      if (!touched[k]) continue;
       const Vector3d local = (to_local * carried[k]).stableNormalized();
       if ((local - set.tangents->vector3(k)).norm() <= kSameDirection) continue;
       numbers_.set(*set.tangents, "TANGENT", mesh_of(set), k, local);
@@ -126,6 +122,7 @@ class GltfPatch {
   }
 
   std::vector<FileContent> files_at(const fs::path& target) {
+    numbers_.finish(edits_);
     const bool stays = is_same_file(target, source_.path());
     std::vector<FileContent> files(1);
     std::size_t serial = 0;
@@ -139,7 +136,7 @@ class GltfPatch {
       if (old.kind == GltfBuffer::Kind::data_uri && changed) {
         const JsonNode node = layout_.file.root().at("buffers").element(k)->at("uri");
         const std::string head = node.string().substr(0, old.data_offset);
-        edits_.replace(*uri, '"' + head + encode_base64(*changed) + '"');
+        edits_.replace(*uri, quoted_json(head + encode_base64(*changed)));
       }
       if (old.kind != GltfBuffer::Kind::file) continue;
       if (stays) {
@@ -151,7 +148,7 @@ class GltfPatch {
         name = target.stem().string() + (serial > 0 ? "-" + std::to_string(serial) : "") + ".bin";
         ++serial;
       } while (is_read(target.parent_path() / name));
-      edits_.replace(*uri, '"' + uri_of_path(name) + '"');
+      edits_.replace(*uri, quoted_json(uri_of_path(name)));
       files.push_back({target.parent_path() / name, changed ? *changed : std::string(old.bytes)});
     }
     files[0] = {target, main_file()};
