@@ -42,6 +42,13 @@ void write_block(uint block, real3 scaled_delta, real3x3 rotation, real3 x, real
   blocks[at + 8] = c.z - laplacian_entry;
 }
 
+// Precise, for a compiler (NVIDIA's) takes `center` and `here` together first where it may: far from
+// the origin that rounds away most of the difference.
+real3 from_center(Place here, uint neighbour, real3 center) {
+  precise real3 x = difference(here, place_of(neighbour)) - center;
+  return x;
+}
+
 void main() {
   const uint r = invocation();
   if (r >= row_count) return;
@@ -63,7 +70,7 @@ void main() {
   const real3 center = sum / real(end - begin + 1);
   real3x3 C = outerProduct(center, center);
   for (uint e = begin; e < end; ++e) {
-    const real3 x = difference(here, place_of(neighbours[e])) - center;
+    const real3 x = from_center(here, neighbours[e], center);
     C += outerProduct(x, x);
   }
   const real S = C[0][0] + C[1][1] + C[2][2];
@@ -77,7 +84,7 @@ void main() {
   }
   write_block(first_block, scaled_delta, rotation, -center, real(1));
   for (uint e = begin; e < end; ++e) {
-    const real3 x = difference(here, place_of(neighbours[e])) - center;
+    const real3 x = from_center(here, neighbours[e], center);
     write_block(first_block + 1 + e - begin, scaled_delta, rotation, x, -weights[e]);
   }
 }

@@ -13,7 +13,11 @@ Place place_of(uint v) {
   return Place(dvec3(places[3 * v], places[3 * v + 1], places[3 * v + 2]));
 }
 dvec3 value_of(Place place) { return place.value; }
-dvec3 difference(Place from, Place to) { return to.value - from.value; }
+// Precise, as what is subtracted from it next has to be.
+dvec3 difference(Place from, Place to) {
+  precise dvec3 edge = to.value - from.value;
+  return edge;
+}
 #else
 struct Place {
   vec3 high;

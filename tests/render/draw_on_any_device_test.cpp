@@ -73,8 +73,9 @@ TEST_P(DrawOnAnyDevice, ThePictureIsTheSameWhereverADeviceFails) {
     }
   };
   const long calls = test::for_every_call(driver, GetParam(), prepare, act);
-  // What is waited for when all is done comes too late to lose anything.
-  constexpr long kWaitsAtTheEnd = 2;
+  // What is waited for when all is done comes too late to lose anything; where memory is not mapped
+  // there is more of it.
+  constexpr long kWaitsAtTheEnd = 4;
   EXPECT_GT(failures, 2);
   EXPECT_GE(failures, calls - (GetParam() == DriverFault::loss ? kWaitsAtTheEnd : 0));
 }

@@ -1,5 +1,6 @@
 #include "support/faulty_driver.h"
 
+#include <cstdlib>
 #include <dlfcn.h>
 
 namespace lapwing::test {
@@ -13,7 +14,8 @@ Function find(void* library, const char* name) {
 }  // namespace
 
 const char* FaultyDriver::loader() {
-  return LAPWING_FAULTY_LOADER;
+  const char* const elsewhere = std::getenv("LAPWING_TEST_FAULTY_LOADER");
+  return elsewhere != nullptr ? elsewhere : LAPWING_FAULTY_LOADER;
 }
 
 // Never closed, as the real one.

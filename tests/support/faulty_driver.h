@@ -24,7 +24,8 @@ class FaultyDriver {
   bool has_failed() const;
 
   /// The loader, as LAPWING_VULKAN_LOADER; a program that it is given to reads what is to fail from
-  /// LAPWING_DRIVER_FAULT: "loss 3", "memory 5", "memory 5 ever after".
+  /// LAPWING_DRIVER_FAULT: "loss 3", "memory 5", "memory 5 ever after". LAPWING_TEST_FAULTY_LOADER
+  /// says where it is, if not where it was built.
   static const char* loader();
 
  private:

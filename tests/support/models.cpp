@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 namespace lapwing::test {
 
 namespace fs = std::filesystem;
 
 fs::path models_folder() {
-  return LAPWING_MODELS_DIR;
+  const char* const elsewhere = std::getenv("LAPWING_TEST_MODELS");
+  return elsewhere != nullptr ? elsewhere : LAPWING_MODELS_DIR;
 }
 
 std::vector<fs::path> model_files(const std::string& package) {

@@ -9,7 +9,7 @@
 
 namespace lapwing::test {
 
-/// Where tools/setup/fetch-models put Debian's meshes.
+/// Where tools/setup/fetch-models put Debian's meshes; LAPWING_TEST_MODELS names another folder.
 std::filesystem::path models_folder();
 
 /// The OBJ, OFF, PLY and STL files of one package there ("cgal", "assimp"), by name; none where

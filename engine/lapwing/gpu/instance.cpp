@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <dlfcn.h>
+#include <mutex>
+#include <set>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/gpu/results.h"
@@ -28,6 +30,26 @@ std::string loader_file() {
 std::string last_dl_error() {
   const char* text = dlerror();
   return text != nullptr ? text : "unknown error";
+}
+
+// One more instance, which stays, of each loader. A driver is unloaded with its last instance, and
+// not every one can come back as often as contexts do: NVIDIA's took half a second each time and
+// was not found any more after some thirty times (driver 580).
+void keep_drivers(const VkInstanceCreateInfo& info) {
+  static std::mutex mutex;
+  static std::set<std::string> kept;
+  const std::lock_guard lock(mutex);
+  if (!kept.insert(loader_file()).second) return;
+  VkInstanceCreateInfo bare = info;
+  bare.pNext = nullptr;
+  bare.enabledLayerCount = 0;
+  bare.enabledExtensionCount = 0;
+  VkInstance instance = VK_NULL_HANDLE;
+  if (vkCreateInstance(&bare, nullptr, &instance) != VK_SUCCESS) return;
+  const auto enumerate = reinterpret_cast<PFN_vkEnumeratePhysicalDevices>(
+      vkGetInstanceProcAddr(instance, "vkEnumeratePhysicalDevices"));
+  std::uint32_t count = 0;
+  enumerate(instance, &count, nullptr);
 }
 
 }  // namespace
@@ -73,6 +95,7 @@ VkInstance create_instance(std::span<const char* const> extensions, const Valida
     throw GpuError("the Vulkan loader " + loader_file() + " finds no driver; " + kInstall);
   }
   check_result(result, "vkCreateInstance", "the Vulkan loader");
+  keep_drivers(info);
   volkLoadInstanceOnly(instance);
   return instance;
 }
