@@ -125,7 +125,7 @@ TEST_F(FollowedCylinder, FramesWithoutTimeEndWhereSettlingDoes) {
   int frames = 0;
   do {
     int left = 3;
-    deformer_.follow(twist(30.0), pose, [&left] { return left-- > 0; });
+    deformer_.follow(twist(30.0), pose, [&left](double) { return left-- > 0; });
   } while (!pose.settled.settled && ++frames < 100);
   EXPECT_GT(frames, 1);
   EXPECT_LT(distance_from_solution(pose, 30.0), 1e-3);
@@ -133,7 +133,7 @@ TEST_F(FollowedCylinder, FramesWithoutTimeEndWhereSettlingDoes) {
 
 // Of a frame that has no time at all: where it begins.
 TEST_F(FollowedCylinder, AFrameBeginsNearWhereAHandleThatGoesOnTakesTheSurface) {
-  const auto no_time = [] { return false; };
+  const auto no_time = [](double) { return false; };
   SettledPose pose;
   for (double degrees = 0.0; degrees <= 40.0; degrees += 2.0) {
     deformer_.follow(twist(degrees), pose);

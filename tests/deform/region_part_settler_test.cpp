@@ -105,7 +105,7 @@ TEST_P(PartOfADrawnTube, IsSettledByItsTargetsToo) {
 
 TEST_P(PartOfATube, StopsWhenItMayNotGoOn) {
   const std::vector<Vector3d> before = u_;
-  RegionPartSettler(*edit_).settle_part(part_, target(), u_, [] { return false; }, {});
+  RegionPartSettler(*edit_).settle_part(part_, target(), u_, [](double) { return false; }, {});
   EXPECT_EQ(u_, before);
   const auto cancel = [](std::string_view, double) { return false; };
   EXPECT_THROW(RegionPartSettler(*edit_).settle_part(part_, target(), u_, {}, cancel), Cancelled);

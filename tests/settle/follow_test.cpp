@@ -181,7 +181,7 @@ TEST(Follow, AFrameThatMayNotGoOnIsABetterSurfaceAllTheSame) {
     ASSERT_LT(frames, 200);
     int left = 2;
     frame = drag.settler().follow({wanted, scales}, drag.displacement(),
-                                  [&left] { return left-- > 0; });
+                                  [&left](double) { return left-- > 0; });
     EXPECT_LE(frame.iterations, 2);
     EXPECT_LE(frame.energy, last);
     last = frame.energy;

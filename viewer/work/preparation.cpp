@@ -393,9 +393,8 @@ LiveResult Preparation::follow_drag(const Request& request, const Deformer& exac
   if (request.from == nullptr || request.from != last_live_) exact.begin_drag();
   SettledPose pose = request.from ? *request.from : SettledPose();
   const Stopwatch watch;
-  bool is_first = true;
-  const auto go_on = [&] {
-    return std::exchange(is_first, false) || watch.elapsed_ms() < kLiveBudgetMs;
+  const auto go_on = [&](double ms) {
+    return ms == 0.0 || watch.elapsed_ms() + ms < kLiveBudgetMs;
   };
   exact.follow(motions_of(request.state), turns_of(request.state), pose, go_on, progress);
   const bool is_done = pose.settled.settled || pose.settled.exhausted;

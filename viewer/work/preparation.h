@@ -52,8 +52,8 @@ struct LiveResult {
   bool is_done = false;  ///< asked for again, nothing would move
 };
 
-/// What a live result may take, but for its first iteration: of the 16.7 ms of a frame what the
-/// upload of the pose and the drawing leave.
+/// What a live result may take, but for what it cannot do without: of the 16.7 ms of a frame what
+/// the upload of the pose and the drawing leave.
 inline constexpr double kLiveBudgetMs = 12.0;
 
 /// Prepares an edit on a thread of its own, so that the window never waits: first the preview of a

@@ -17,6 +17,11 @@ using Eigen::Vector3d;
 
 namespace {
 
+// Of the coarse surface, in a frame.
+constexpr int kCoarseIterations = 8;
+// Frames at rest in which the coarse surface may still help.
+constexpr int kCoarseMovesAtRest = 20;
+
 // Whether a handle has turned too far from the last frame to this one to go on from there.
 bool any_far_since(std::span<const Eigen::AngleAxisd> last,
                    std::span<const Eigen::AngleAxisd> turns) {
@@ -131,6 +136,64 @@ Positions Deformer::State::gone_on(const SettledPose& pose,
   return u;
 }
 
+void Deformer::State::find_coarse() {
+  if (std::exchange(has_coarse, true)) return;
+  const Stopwatch watch;
+  coarse = CoarseDrag::make(*system);
+  timings.add("coarse", watch.elapsed_ms());
+}
+
+// From `pose` by way of the coarse surface. Belt and handles go as they are held.
+void Deformer::State::take_along(const SettledPose& pose, const SettleTarget& target, bool is_there,
+                                 SettledPose& next) {
+  const std::vector<Vector3d> wanted_before = system->asked_displacement(pose.parameters);
+  if (!is_there) coarse->begin({wanted_before, target.scales}, pose.displacement);
+  coarse_moves_at_rest = 0;
+  next.displacement = pose.displacement;
+  coarse->move(target, kCoarseIterations, next.displacement);
+  for (const Index v : system->region.belt) next.displacement[v] = pose.displacement[v];
+  for (const auto& handle : system->region.handles) {
+    for (const Index v : handle) {
+      next.displacement[v] = pose.displacement[v] + (target.wanted[v] - wanted_before[v]);
+    }
+  }
+}
+
+// Where the handles rest the coarse surface still finds the way, as long as the energy falls; false
+// where it does not.
+bool Deformer::State::go_on_at_rest(const SettledPose& pose, const SettleTarget& target,
+                                    SettledPose& next) {
+  if (coarse_moves_at_rest >= kCoarseMovesAtRest) return false;
+  ++coarse_moves_at_rest;
+  next.displacement = pose.displacement;
+  coarse->move(target, kCoarseIterations, next.displacement);
+  for (const Index v : system->region.belt) next.displacement[v] = pose.displacement[v];
+  for (const auto& handle : system->region.handles) {
+    for (const Index v : handle) next.displacement[v] = pose.displacement[v];
+  }
+  const double before = settler->energy(target, pose.displacement);
+  return settler->energy(target, next.displacement) < before;
+}
+
+// Settles the surface itself, as far as there is time: where a coarse one has taken it along it can
+// do without while the handles move. What pulls on the surface before it is smooth, or in the first
+// frame of a drag, tells the coarse one nothing.
+void Deformer::State::smooth(const SettleTarget& target, bool begins, bool at_rest,
+                             const GoOn& go_on, const Progress& progress, SettledPose& next) {
+  const bool must = begins || at_rest || coarse == nullptr;
+  if (!must && go_on && !go_on(smoothing_ms)) return;
+  const Stopwatch watch;
+  bool is_first = must;
+  const auto goes_on = [&](double ms) { return go_on(std::exchange(is_first, false) ? 0.0 : ms); };
+  next.settled =
+      settler->follow(target, next.displacement, go_on ? GoOn(goes_on) : GoOn(), progress);
+  smoothing_ms = watch.elapsed_ms() / std::max(next.settled.iterations, 1);
+  if (coarse == nullptr || begins || next.settled.iterations == 0) return;
+  std::vector<Vector3d> gradient(next.displacement.size(), Vector3d::Zero());
+  settler->gradient(gradient);
+  coarse->learn(next.displacement, gradient);
+}
+
 const std::shared_ptr<const DragResponse>& Deformer::response(const Progress& progress) const {
   const ProgressScope scope(progress);
   State& s = *state_;
@@ -171,7 +234,7 @@ std::shared_ptr<const DragResponse> Deformer::columns_of(std::vector<std::size_t
 }
 
 void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
-                      const std::function<bool()>& go_on, const Progress& progress) const {
+                      const GoOn& go_on, const Progress& progress) const {
   std::vector<Eigen::AngleAxisd> turns;
   for (std::size_t h = 0; h < motions.size(); ++h) {
     TurnTracker tracker = h < pose.turns.size() ? TurnTracker(pose.turns[h]) : TurnTracker();
@@ -183,7 +246,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pos
 
 void Deformer::follow(std::span<const Eigen::Affine3d> motions,
                       std::span<const Eigen::AngleAxisd> turns, SettledPose& pose,
-                      const std::function<bool()>& go_on, const Progress& progress) const {
+                      const GoOn& go_on, const Progress& progress) const {
   const ProgressScope scope(progress);
   const State& s = *state_;
   const EditSystem& edit = *s.system;
@@ -201,26 +264,42 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   const std::vector<Vector3d> wanted = edit.asked_displacement(next.parameters);
   const std::vector<double> scales = s.asked_scales(motions);
   const SettleTarget target{wanted, scales};
+  State& on = *state_;
+  on.find_coarse();
   const bool begins = pose.parameters.empty() || any_far_since(pose.turns, turns);
+  const bool at_rest = next.parameters == pose.parameters;
+  const bool coarse_was_there =
+      std::exchange(on.coarse_is_there, false) && pose.frame == s.last_frame;
+  bool coarse_is_there = s.coarse != nullptr;
   if (begins) {
     s.settler->begin_drag();
     next.displacement = edit.region.targets.empty() ? s.displacement_by(next.parameters)
                                                     : axis_displacement(edit, wanted);
     choose_start(motions, turns, target, next.displacement);
+    if (s.coarse != nullptr) on.coarse->begin(target, next.displacement);
+    on.coarse_moves_at_rest = 0;
+  } else if (at_rest) {
+    coarse_is_there = coarse_was_there && on.go_on_at_rest(pose, target, next);
+    if (!coarse_is_there) next.displacement = pose.displacement;
+  } else if (s.coarse != nullptr) {
+    on.take_along(pose, target, coarse_was_there, next);
   } else {
     next.displacement = s.gone_on(pose, next.parameters);
   }
-  next.settled = s.settler->follow(target, next.displacement, go_on, progress);
+  on.smooth(target, begins, at_rest, go_on, progress, next);
   edit.loose.carry(wanted, scales, next.displacement);
   Certificate certificate;
   certificate.all_finite = std::all_of(next.displacement.begin(), next.displacement.end(),
                                        [](const Vector3d& v) { return v.allFinite(); });
   require_valid(certificate);
-  if (!begins) remember_change(pose, next);
+  if (!begins && s.coarse == nullptr) remember_change(pose, next);
+  next.frame = ++on.last_frame;
+  on.coarse_is_there = coarse_is_there;
   pose = std::move(next);
 }
 
 void Deformer::begin_drag() const {
+  state_->coarse_is_there = false;
   if (state_->settler != nullptr) state_->settler->begin_drag();
 }
 

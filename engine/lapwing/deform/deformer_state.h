@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "lapwing/deform/coarse_drag.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/edit_system.h"
 #include "lapwing/deform/handle_shares.h"
@@ -33,6 +35,14 @@ struct Deformer::State {
   std::shared_ptr<const DragResponse> latest;  ///< asked for last
   std::string why_not_exact;
 
+  // Of followed drags.
+  std::unique_ptr<CoarseDrag> coarse;  ///< null where the region needs none
+  bool has_coarse = false;             ///< whether that has been looked at
+  std::uint64_t last_frame = 0;
+  bool coarse_is_there = false;  ///< where the last frame left the surface
+  int coarse_moves_at_rest = 0;  ///< since the handles moved last
+  double smoothing_ms = 0.0;     ///< what the fine level takes at least
+
   bool hold_response(const Progress& progress);
   void make_settler(Kernels& on);
   bool has_scale_forces() const;
@@ -45,6 +55,12 @@ struct Deformer::State {
   std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
+  void find_coarse();
+  void take_along(const SettledPose& pose, const SettleTarget& target, bool is_there,
+                  SettledPose& next);
+  bool go_on_at_rest(const SettledPose& pose, const SettleTarget& target, SettledPose& next);
+  void smooth(const SettleTarget& target, bool begins, bool at_rest, const GoOn& go_on,
+              const Progress& progress, SettledPose& next);
 };
 
 /// From here on the way round counts, which a linear response does not know.

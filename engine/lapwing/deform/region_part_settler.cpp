@@ -49,7 +49,7 @@ RegionPartSettler::RegionPartSettler(const EditSystem& edit)
 }
 
 void RegionPartSettler::settle_part(std::span<const Index> vertices, const SettleTarget& target,
-                                    std::span<Vector3d> u, const std::function<bool()>& go_on,
+                                    std::span<Vector3d> u, const GoOn& go_on,
                                     const Progress& progress) {
   const LaplacianSystem& whole = edit_.systems->laplacian();
   const Topology& topology = edit_.topology;

@@ -17,7 +17,7 @@ class RegionPartSettler final : public PartSettler {
   explicit RegionPartSettler(const EditSystem& edit);
 
   void settle_part(std::span<const Index> vertices, const SettleTarget& target,
-                   std::span<Eigen::Vector3d> u, const std::function<bool()>& go_on,
+                   std::span<Eigen::Vector3d> u, const GoOn& go_on,
                    const Progress& progress) override;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -19,6 +20,8 @@ struct SettledPose {
   /// how the surface goes on when the handles do. Empty where the last frame was the first.
   std::vector<double> recent_parameters;
   Positions recent_displacement;
+  /// Among all frames of its deformer, from 1; 0 for a pose that no frame came to.
+  std::uint64_t frame = 0;
 };
 
 }  // namespace lapwing

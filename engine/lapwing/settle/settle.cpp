@@ -13,6 +13,7 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/base/stopwatch.h"
 #include "lapwing/settle/lbfgs.h"
 #include "lapwing/settle/moving_part.h"
 
@@ -73,8 +74,9 @@ struct Settler::State {
   TurnedTangent* tangent = nullptr;  ///< the same until it could not be turned
   PartSettler* parts;
   Pace pace;
-  bool by_tangent = false;  ///< whether directions come from the tangent
-  int next_turn = 0;        ///< the iteration before which it is renewed
+  bool by_tangent = false;    ///< whether directions come from the tangent
+  int next_turn = 0;          ///< the iteration before which it is renewed
+  double iteration_ms = 0.0;  ///< of the last one
   Lbfgs history;
 
   // Vectors over the unknowns, which come in the order of elimination, hold x of all, then y, then
@@ -84,6 +86,7 @@ struct Settler::State {
   std::vector<double> scales;          ///< per row
   std::vector<double> weights;         ///< W of each unknown
   std::vector<double> wanted;
+  std::vector<double> forces;  ///< none where empty
   std::vector<double> direction;
 
   // A surface, E there, and half of its gradient.
@@ -144,7 +147,7 @@ struct Settler::State {
   Sums find_direction();
   bool step(double slope);
   bool settle_part(const SettleTarget& asked, double largest, std::span<Vector3d> u,
-                   const std::function<bool()>& go_on, const Progress& progress);
+                   const GoOn& go_on, const Progress& progress);
 
   Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
   Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
@@ -203,6 +206,8 @@ void Settler::State::begin(const SettleTarget& target, std::span<const Vector3d>
       wanted[axis * n + k] = target.wanted[v][static_cast<Eigen::Index>(axis)];
     }
   }
+  forces.resize(target.forces.empty() ? 0 : 3 * n);
+  if (!forces.empty()) read_unknowns(target.forces, forces);
   read_unknowns(u, at.x);
   evaluate(at);
 }
@@ -269,6 +274,11 @@ void Settler::State::evaluate(Point& point) {
   rotations->fit_rotations(displacement, energies);
   rotations->energy_gradient(point.gradient);
   const Sums held = sum_over_unknowns([&](std::size_t k, Sums& sum) {
+    for (std::size_t axis = 0; axis < 3 && !forces.empty(); ++axis) {
+      const double force = forces[axis * n + k];
+      sum.energy -= 2.0 * force * point.x[axis * n + k];
+      point.gradient[axis * n + k] -= force;
+    }
     if (!(weights[k] > 0.0)) return;
     const Vector3d off = of_unknown(point.x, k) - of_unknown(wanted, k);
     const Vector3d force = weights[k] * off;
@@ -333,7 +343,7 @@ bool Settler::State::step(double slope) {
     evaluate(next);
     const double promised = 2.0 * length * slope;  // below 0
     const double fall = next.energy - at.energy;
-    if (fall <= kShareOfSlope * promised + kRounding * at.energy) return true;
+    if (fall <= kShareOfSlope * promised + kRounding * std::abs(at.energy)) return true;
     // The least point of the parabola through what is known.
     const double least = std::isfinite(fall) ? -0.5 * promised / (fall - promised) : 0.0;
     length *= std::clamp(least, 0.1, 0.5);
@@ -344,7 +354,7 @@ bool Settler::State::step(double slope) {
 // Goes from `at` to `next` by settling what still moves while all else stays; false where that is
 // more than a part, or lowers E by no more than rounding.
 bool Settler::State::settle_part(const SettleTarget& asked, double largest, std::span<Vector3d> u,
-                                 const std::function<bool()>& go_on, const Progress& progress) {
+                                 const GoOn& go_on, const Progress& progress) {
   const std::vector<Index> part = moving_part(rings, direction, largest);
   if (part.empty()) return false;
   finish(u);
@@ -379,14 +389,14 @@ SettleResult Settler::settle(const SettleTarget& target, std::span<Vector3d> u,
 }
 
 SettleResult Settler::settle_small(const SettleTarget& target, std::span<Vector3d> u,
-                                   const std::function<bool()>& go_on, const Progress& progress) {
+                                   const GoOn& go_on, const Progress& progress) {
   state_->begin_anew();
   state_->begin(target, u, kPaceOfSmall);
   return iterate(target, u, go_on, progress);
 }
 
-SettleResult Settler::follow(const SettleTarget& target, std::span<Vector3d> u,
-                             const std::function<bool()>& go_on, const Progress& progress) {
+SettleResult Settler::follow(const SettleTarget& target, std::span<Vector3d> u, const GoOn& go_on,
+                             const Progress& progress) {
   state_->begin(target, u, kPaceOfFrame);
   return iterate(target, u, go_on, progress);
 }
@@ -395,9 +405,19 @@ void Settler::begin_drag() {
   state_->begin_anew();
 }
 
+void Settler::gradient(std::span<Vector3d> gradient) const {
+  for (std::size_t k = 0; k < state_->system.size(); ++k) {
+    gradient[state_->vertex(k)] = state_->of_unknown(state_->at.gradient, k);
+  }
+}
+
+std::vector<Eigen::Matrix3d> Settler::transforms() const {
+  return state_->rotations->transforms();
+}
+
 // From where `begin` has put the unknowns.
-SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
-                              const std::function<bool()>& go_on, const Progress& progress) {
+SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u, const GoOn& go_on,
+                              const Progress& progress) {
   const ProgressScope scope(progress);
   State& s = *state_;
   Lbfgs& history = s.history;
@@ -405,8 +425,14 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
   result.settled = s.system.size() == 0;
   int next_part = s.pace.before_parts;
   if (std::exchange(s.by_tangent, false)) s.history.forget();
+  Stopwatch watch;
+  const auto may_go_on = [&] {
+    if (result.iterations > 0) s.iteration_ms = watch.elapsed_ms();
+    watch.restart();
+    return !go_on || go_on(s.iteration_ms);
+  };
   try {
-    while (!result.settled && (!go_on || go_on())) {
+    while (!result.settled && may_go_on()) {
       report_progress(progress, "settle",
                       static_cast<double>(result.iterations) / s.options.max_iterations);
       if (s.tangent != nullptr && result.iterations >= s.next_turn) {

@@ -29,7 +29,13 @@ struct SettleTarget {
   std::span<const Eigen::Vector3d> wanted;
   /// s_i: per vertex of the mesh, above 0.
   std::span<const double> scales;
+  /// f: per vertex of the mesh, what pulls on the unknowns besides; none where empty.
+  std::span<const Eigen::Vector3d> forces = {};
 };
+
+/// Asked before each iteration, which takes about `ms` (0 where that is not known, or where a frame
+/// cannot do without): whether there is time to go on.
+using GoOn = std::function<bool(double ms)>;
 
 /// The second derivatives of the energy where its rings have turned: a solver that knows how limbs
 /// bend, where the n x n factor holds every ring in its turn. Costs a factorization of the 3n x 3n
@@ -59,7 +65,7 @@ class PartSettler {
   /// that E does not grow. `go_on` and `progress` as in Settler. Throws Cancelled, with `u` as far
   /// as it got.
   virtual void settle_part(std::span<const Index> vertices, const SettleTarget& target,
-                           std::span<Eigen::Vector3d> u, const std::function<bool()>& go_on,
+                           std::span<Eigen::Vector3d> u, const GoOn& go_on,
                            const Progress& progress) = 0;
 };
 
@@ -67,7 +73,7 @@ class PartSettler {
 ///
 ///     E(u) = sum_i min over R_i of om_i |L(v'_i) - s_i R_i delta_i|^2
 ///                                + sum_j k_ij |(v'_i - v'_j) - s_i R_i (v_i - v_j)|^2
-///          + sum_held w^2 |u - d|^2 + the springs of the system
+///          + sum_held w^2 |u - d|^2 + the springs of the system - 2 sum f . u
 ///
 /// (EnergyWeights, DESIGN section 3), by L-BFGS: each step takes the rotations (kernel
 /// fit_rotations), the gradient (kernel energy_gradient) and one solve, at first with the one n x n
@@ -103,22 +109,27 @@ class Settler {
   /// The same for a region so small that a factorization costs no more than an iteration does: by
   /// its tangent from the start, renewed every other time.
   SettleResult settle_small(const SettleTarget& target, std::span<Eigen::Vector3d> u,
-                            const std::function<bool()>& go_on = {}, const Progress& progress = {});
+                            const GoOn& go_on = {}, const Progress& progress = {});
 
   /// One frame of a drag: the same for a `target` a little farther on than in the last call, with
   /// `u` where that one ended and moved on by the response to what the target did since. What its
-  /// steps told of the energy is kept from frame to frame. `go_on`, if given, is asked before each
-  /// iteration how long to go on; when it says no the result is what is there, settled or not.
+  /// steps told of the energy is kept from frame to frame. Where
+  /// `go_on`, if given, says no the result is what is there, settled or not.
   SettleResult follow(const SettleTarget& target, std::span<Eigen::Vector3d> u,
-                      const std::function<bool()>& go_on = {}, const Progress& progress = {});
+                      const GoOn& go_on = {}, const Progress& progress = {});
 
   /// Forgets the frames so far: the next one is the first of another drag.
   void begin_drag();
 
+  /// Half of the gradient of E, and T_i per row of the rings, where the last call of any of these
+  /// ended. `gradient` is per vertex of the mesh and gets those of the unknowns.
+  void gradient(std::span<Eigen::Vector3d> gradient) const;
+  std::vector<Eigen::Matrix3d> transforms() const;
+
  private:
   struct State;
-  SettleResult iterate(const SettleTarget& target, std::span<Eigen::Vector3d> u,
-                       const std::function<bool()>& go_on, const Progress& progress);
+  SettleResult iterate(const SettleTarget& target, std::span<Eigen::Vector3d> u, const GoOn& go_on,
+                       const Progress& progress);
 
   std::unique_ptr<State> state_;
 };

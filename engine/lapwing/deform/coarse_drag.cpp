@@ -1,0 +1,109 @@
+#include "lapwing/deform/coarse_drag.h"
+
+#include <algorithm>
+
+#include "lapwing/deform/axis_response.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Vertices of the coarse region. Fewer follow limbs worse; more cost more than an iteration of the
+// fine one does at 10,000.
+constexpr std::size_t kCoarseVertices = 2000;
+constexpr std::size_t kSmallRegion = 5000;
+
+// Of the gathered forces: the coarse surface gives way to them a little more or less than the fine
+// one would.
+constexpr double kTrust = 0.7;
+
+const Matrix3d& identity() {
+  static const Matrix3d one = Matrix3d::Identity();
+  return one;
+}
+
+}  // namespace
+
+std::unique_ptr<CoarseDrag> CoarseDrag::make(const EditSystem& fine) {
+  if (!fine.options.settle || fine.region.roi.size() < kSmallRegion) return nullptr;
+  std::unique_ptr<CoarseRegion> coarse = coarse_region(fine, kCoarseVertices);
+  if (coarse == nullptr) return nullptr;
+  return std::unique_ptr<CoarseDrag>(new CoarseDrag(fine, std::move(coarse)));
+}
+
+CoarseDrag::CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse)
+    : coarse_(std::move(coarse)),
+      embedding_(fine, *coarse_),
+      settler_(kernels_, coarse_->edit->systems->laplacian_with_rings(), *fine.options.settle),
+      energy_ratio_(static_cast<double>(coarse_->edit->region.roi.size()) /
+                    static_cast<double>(fine.region.roi.size())),
+      is_held_(coarse_->kept.size(), 1) {
+  for (const Index c : coarse_->edit->region.roi) is_held_[c] = 0;
+  for (const Index c : coarse_->edit->region.belt) is_held_[c] = 1;
+  for (const VertexSet& handle : coarse_->edit->region.handles) {
+    for (const Index c : handle) is_held_[c] = 1;
+  }
+}
+
+std::vector<Vector3d> CoarseDrag::of_kept(std::span<const Vector3d> of_fine) const {
+  std::vector<Vector3d> own;
+  own.reserve(coarse_->kept.size());
+  for (const Index v : coarse_->kept) own.push_back(of_fine[v]);
+  return own;
+}
+
+SettleTarget CoarseDrag::target_of(const SettleTarget& fine) {
+  next_wanted_ = of_kept(fine.wanted);
+  scales_.clear();
+  for (const Index v : coarse_->kept) scales_.push_back(fine.scales[v]);
+  return {next_wanted_, scales_, forces_};
+}
+
+// Of the surface that was settled or asked for its energy last.
+CoarseEmbedding::Pose CoarseDrag::pose_at(std::vector<Vector3d> displacement) {
+  const RegionRings& rings = coarse_->edit->systems->laplacian().rings();
+  CoarseEmbedding::Pose pose{std::move(displacement),
+                             std::vector<Matrix3d>(coarse_->kept.size(), identity())};
+  const std::vector<Matrix3d> transforms = settler_.transforms();
+  for (std::size_t r = 0; r < rings.row_count(); ++r) {
+    pose.transforms[rings.vertices[r]] = transforms[r];
+  }
+  return pose;
+}
+
+void CoarseDrag::begin(const SettleTarget& target, std::span<const Vector3d> u) {
+  forces_.assign(coarse_->kept.size(), Vector3d::Zero());
+  settler_.begin_drag();
+  std::vector<Vector3d> displacement = of_kept(u);
+  settler_.energy(target_of(target), displacement);
+  pose_ = pose_at(std::move(displacement));
+  wanted_ = next_wanted_;
+}
+
+void CoarseDrag::move(const SettleTarget& target, int iterations, std::span<Vector3d> u) {
+  const SettleTarget own = target_of(target);
+  std::vector<Vector3d> displacement = pose_.displacement;
+  if (wanted_ != next_wanted_) {
+    std::vector<Vector3d> change = next_wanted_;
+    for (std::size_t c = 0; c < change.size(); ++c) change[c] -= wanted_[c];
+    const std::vector<Vector3d> response = axis_displacement(*coarse_->edit, change, Springs::rest);
+    for (std::size_t c = 0; c < change.size(); ++c) displacement[c] += response[c];
+  }
+  settler_.follow(own, displacement, [&](double) { return iterations-- > 0; });
+  settler_.energy(own, displacement);
+  CoarseEmbedding::Pose next = pose_at(std::move(displacement));
+  embedding_.carry(pose_, next, u);
+  pose_ = std::move(next);
+  std::swap(wanted_, next_wanted_);
+}
+
+void CoarseDrag::learn(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {
+  const std::vector<Vector3d> gathered = embedding_.gather(gradient, u, pose_);
+  for (std::size_t c = 0; c < gathered.size(); ++c) {
+    if (is_held_[c] == 0) forces_[c] -= kTrust * energy_ratio_ * gathered[c];
+  }
+}
+
+}  // namespace lapwing

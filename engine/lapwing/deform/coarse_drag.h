@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lapwing/deform/coarse_region.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/settle/settle.h"
+
+namespace lapwing {
+
+/// A drag's second level: the same edit on a surface of a few thousand vertices, however many there
+/// are, which takes a frame a few milliseconds to settle; the fine surface is carried along. That
+/// tells how limbs swing and bend, which the fine level alone finds out slowly; the fine level then
+/// smooths what carrying left. What pulls on the fine surface afterwards, gathered, is a force on
+/// the coarse one from then on, so that both come to rest at the same pose, though the coarse
+/// surface is another one (defect correction; Brandt, Dinar, "Multigrid solutions to elliptic flow
+/// problems", 1979).
+class CoarseDrag {
+ public:
+  /// Null where the region is small enough to be settled as it is, or cannot be made smaller.
+  /// `fine` must outlive the object.
+  static std::unique_ptr<CoarseDrag> make(const EditSystem& fine);
+
+  /// The fine surface is at `u` for `target`, both of the fine mesh.
+  void begin(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
+
+  /// Settles the coarse surface for `target`, in at most `iterations`, and takes `u` along.
+  void move(const SettleTarget& target, int iterations, std::span<Eigen::Vector3d> u);
+
+  /// What the fine level has come to: its surface, and half of the gradient of its energy there,
+  /// per vertex of the fine mesh.
+  void learn(std::span<const Eigen::Vector3d> u, std::span<const Eigen::Vector3d> gradient);
+
+  std::size_t coarse_vertices() const { return coarse_->kept.size(); }
+
+ private:
+  CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse);
+  std::vector<Eigen::Vector3d> of_kept(std::span<const Eigen::Vector3d> of_fine) const;
+  SettleTarget target_of(const SettleTarget& fine);
+  CoarseEmbedding::Pose pose_at(std::vector<Eigen::Vector3d> displacement);
+
+  std::unique_ptr<CoarseRegion> coarse_;
+  CoarseEmbedding embedding_;
+  CpuKernels kernels_;
+  Settler settler_;
+  double energy_ratio_;        ///< of the coarse energy to the fine one: both sum over vertices
+  std::vector<char> is_held_;  ///< per coarse vertex: belt or handle
+
+  CoarseEmbedding::Pose pose_;
+  std::vector<Eigen::Vector3d> wanted_;  ///< for which it was settled last
+  std::vector<Eigen::Vector3d> forces_;
+  // What a target is given by, kept for as long as it is used.
+  std::vector<Eigen::Vector3d> next_wanted_;
+  std::vector<double> scales_;
+};
+
+}  // namespace lapwing
