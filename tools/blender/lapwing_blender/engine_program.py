@@ -17,6 +17,7 @@ from .engine import Progress
 from .errors import Cancelled, Refusal
 from .outcome import Outcome, in_words
 from .ply import read_ply, write_ply
+from .response import HandleFrame, unit_motions
 
 _POLL_SECONDS = 0.03
 #: What Linux takes as one argument, less some.
@@ -68,13 +69,14 @@ class ProgramEngine:
         return said
 
     def prepare(
-        self, mesh: MeshArrays, step: Mapping[str, Any], motions: np.ndarray, progress: Progress
+        self, mesh: MeshArrays, step: Mapping[str, Any], frames: Sequence[HandleFrame],
+        progress: Progress,
     ) -> Tuple[np.ndarray, "PreparedEdit"]:
-        """The linear response to each of `motions` (k, handles, 4, 4) as displacements (k, n, 3),
-        and the edit that settles."""
+        """The linear response to each number of each of `frames`, those of the first handles, as
+        displacements (12 k, n, 3), each a solve of its own, and the edit that settles."""
         edit = PreparedEdit(self, mesh, step)
         try:
-            return edit.linear(motions, progress), edit
+            return edit.linear(unit_motions(frames, len(step["handles"])), progress), edit
         except BaseException:
             edit.close()
             raise

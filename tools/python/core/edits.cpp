@@ -1,5 +1,6 @@
 #include "edits.h"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <pybind11/stl.h>
@@ -106,6 +107,20 @@ class Edit {
     return py::make_tuple(std::move(vertices), std::move(certificates));
   }
 
+  // (columns of shape (k, 3, 4, n, 3), centers of shape (k, 3)).
+  py::tuple response(const std::vector<std::size_t>& handles, const py::object& heard) {
+    const SurfaceResponse response = Interruptible(heard).call([&](const Progress& progress) {
+      const std::lock_guard lock(mutex_);
+      return prepared_->response(handles, progress);
+    });
+    const auto count = static_cast<py::ssize_t>(handles.size());
+    const auto rows = static_cast<py::ssize_t>(response.vertex_count);
+    py::array_t<double> columns({count, py::ssize_t{3}, py::ssize_t{4}, rows, py::ssize_t{3}});
+    double* to = columns.mutable_data();
+    for (const Eigen::Vector3d& v : response.columns) to = std::copy(v.data(), v.data() + 3, to);
+    return py::make_tuple(std::move(columns), array_of(response.centers));
+  }
+
   const PreparedDeform& prepared() const { return *prepared_; }
   std::size_t handle_count() const { return prepared_->request().handles.size(); }
 
@@ -152,6 +167,7 @@ void add_edits(py::module_& module) {
            py::arg("progress"))
       .def("solve_many_float32", &Edit::solve_many<float>, py::arg("motions"), py::arg("threads"),
            py::arg("progress"))
+      .def("response", &Edit::response, py::arg("handles"), py::arg("progress"))
       .def_property_readonly("handle_count", &Edit::handle_count)
       .def_property_readonly("mesh", [](const Edit& edit) { return edit.prepared().mesh(); })
       .def_property_readonly(
