@@ -135,12 +135,14 @@ void add_response(const ResponseColumns& columns, std::span<const double> parame
 PreparedDeform::PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress)
     : mesh_(std::move(mesh)), request_(std::move(request)) {
   for (MovedHandle& handle : request_.handles) handle.move = SimilarityMove();
-  region_ = at_rest(progress).region;
+  region_ = solved(request_, progress).region;
 }
 
-// Leaves the deformer of the rest pose in the workspace.
-Deformed PreparedDeform::at_rest(const Progress& progress) {
-  return deform(mesh_, request_, kernels_, workspace_, progress);
+Deformed PreparedDeform::solved(const DeformRequest& request, const Progress& progress) {
+  is_at_rest_ = false;
+  Deformed result = deform(mesh_, request, kernels_, workspace_, progress);
+  is_at_rest_ = result.commits == 1;  // else that of the last part
+  return result;
 }
 
 Deformed PreparedDeform::solve(std::span<const Move> moves, const Progress& progress) {
@@ -150,7 +152,7 @@ Deformed PreparedDeform::solve(std::span<const Move> moves, const Progress& prog
   }
   DeformRequest moved = request_;
   for (std::size_t h = 0; h < moves.size(); ++h) moved.handles[h].move = moves[h];
-  return deform(mesh_, moved, kernels_, workspace_, progress);
+  return solved(moved, progress);
 }
 
 SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
@@ -162,7 +164,7 @@ SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
                      " was asked for; they are numbered from 0");
   }
   const ProgressScope scope(progress);
-  at_rest(progress);
+  if (!is_at_rest_) solved(request_, progress);
   const JoinedSurface* joined =
       workspace_.joined && !workspace_.joined->empty() ? &*workspace_.joined : nullptr;
   const MirroredRequest both =

@@ -74,13 +74,14 @@ class PreparedDeform {
                   unsigned threads = 0, const Progress& progress = {});
 
  private:
-  Deformed at_rest(const Progress& progress);
+  Deformed solved(const DeformRequest& request, const Progress& progress);
 
   Mesh mesh_;
   DeformRequest request_;
   CpuKernels kernels_;
   DeformWorkspace workspace_;
   EditRegion region_;
+  bool is_at_rest_ = false;  ///< the workspace's deformer is that of the rest pose
 };
 
 }  // namespace lapwing
