@@ -84,14 +84,6 @@ class ModuleEngine:
             made = read_ply(saved)
         return Outcome(made, [in_words(text) for text in result.warnings])
 
-    def peel(
-        self, mesh: MeshArrays, region: Mapping[str, Any], detail_size: float, progress: Progress
-    ) -> Outcome:
-        with self.heard(progress):
-            peeled = self._module.peel(self._mesh(mesh), detail_size=detail_size, region=region)
-        made = MeshArrays(peeled.vertices, mesh.corners, mesh.sizes, mesh.materials)
-        return Outcome(made, [in_words(text) for text in peeled.warnings])
-
 
 class PreparedEdit:
     """An edit that is settled again and again."""

@@ -20,9 +20,6 @@ from .ply import read_ply, write_ply
 from .response import HandleFrame, unit_motions
 
 _POLL_SECONDS = 0.03
-#: What Linux takes as one argument, less some.
-_LONGEST_ARGUMENT = 120_000
-_NOTE = "note: "
 
 
 class ProgramEngine:
@@ -99,28 +96,6 @@ class ProgramEngine:
         )
         with open(os.path.join(folder, "report.json"), encoding="utf-8") as report:
             return [in_words(text) for text in json.load(report).get("warnings", [])]
-
-    def peel(
-        self, mesh: MeshArrays, region: Mapping[str, Any], detail_size: float, progress: Progress
-    ) -> Outcome:
-        written = json.dumps(region, separators=(",", ":"))
-        if len(written) > _LONGEST_ARGUMENT:
-            raise Refusal(
-                "The region has too many vertices for peeling by the program; peel the whole mesh, "
-                "or set the path of the module 'lapwing' in the add-on's preferences"
-            )
-        with tempfile.TemporaryDirectory(prefix="lapwing-") as folder:
-            write_ply(os.path.join(folder, "mesh.ply"), mesh)
-            said = self.call(
-                folder,
-                ["peel", "mesh.ply", "--detail-size", repr(detail_size), "--region", written,
-                 "--coating", "none", "-o", "result.ply"],
-                progress,
-            )
-            made = read_ply(os.path.join(folder, "result.ply"), vertices_only=True)
-        result = MeshArrays(made.vertices, mesh.corners, mesh.sizes, mesh.materials)
-        notes = [in_words(line) for line in said.splitlines() if line.startswith(_NOTE)]
-        return Outcome(result, notes)
 
 
 class PreparedEdit:

@@ -30,8 +30,8 @@ void put(const NamedMeshes& meshes, MeshShelf& shelf) {
 // One step, as JSON that `name` stands for in messages, on `mesh`.
 Result carry_out(const Mesh& mesh, const std::string& step_json, const std::string& name,
                  const NamedMeshes& meshes, const std::string& device, const py::object& heard) {
-  const Step step = read_step(JsonNode::parse(step_json, name));
   return Interruptible(heard).call([&](const Progress& progress) {
+    const Step step = read_step(JsonNode::parse(step_json, name));
     const Device opened = open_device(device);
     MeshShelf shelf;
     put(meshes, shelf);
@@ -51,8 +51,8 @@ Result carry_out(const Mesh& mesh, const std::string& step_json, const std::stri
 Result run(const std::string& recipe_json, const std::filesystem::path& folder,
            const NamedMeshes& meshes, const std::string& device, bool saves,
            const py::object& heard) {
-  const Recipe recipe = parse_recipe(recipe_json, folder, "recipe");
   return Interruptible(heard).call([&](const Progress& progress) {
+    const Recipe recipe = parse_recipe(recipe_json, folder, "recipe");
     const Device opened = open_device(device);
     MeshShelf shelf;
     put(meshes, shelf);
@@ -67,8 +67,8 @@ Result run(const std::string& recipe_json, const std::filesystem::path& folder,
 class Edit {
  public:
   Edit(const Mesh& mesh, const std::string& step_json, const py::object& heard) {
-    const Step step = read_step(JsonNode::parse(step_json, "Deformer"));
     prepared_ = Interruptible(heard).call([&](const Progress& progress) {
+      const Step step = read_step(JsonNode::parse(step_json, "Deformer"));
       return std::make_unique<PreparedDeform>(mesh, std::get<DeformRequest>(step), progress);
     });
   }
