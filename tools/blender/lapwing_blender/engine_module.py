@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+import threading
 from contextlib import contextmanager
 from typing import Any, Dict, Iterator, List, Mapping, Sequence, Tuple
 
@@ -101,4 +102,6 @@ class PreparedEdit:
         return result.vertices, [in_words(text) for text in result.warnings]
 
     def close(self) -> None:
-        self._edit = None
+        # Of a large mesh it is a gigabyte, which takes a while to free.
+        edits, self._edit = [self._edit], None
+        threading.Thread(target=edits.clear, daemon=True).start()

@@ -73,6 +73,14 @@ class Edit {
     });
   }
 
+  Edit(const Edit&) = delete;
+  Edit& operator=(const Edit&) = delete;
+  // A large factor takes a while to free.
+  ~Edit() {
+    const py::gil_scoped_release unlocked;
+    prepared_.reset();
+  }
+
   Result solve(const py::object& motions, const py::object& heard) {
     const Motions matrices(motions, handle_count());
     return Interruptible(heard).call([&](const Progress& progress) {
@@ -117,7 +125,10 @@ class Edit {
     const auto rows = static_cast<py::ssize_t>(response.vertex_count);
     py::array_t<double> columns({count, py::ssize_t{3}, py::ssize_t{4}, rows, py::ssize_t{3}});
     double* to = columns.mutable_data();
-    for (const Eigen::Vector3d& v : response.columns) to = std::copy(v.data(), v.data() + 3, to);
+    {
+      const py::gil_scoped_release unlocked;  // it is much
+      for (const Eigen::Vector3d& v : response.columns) to = std::copy(v.data(), v.data() + 3, to);
+    }
     return py::make_tuple(std::move(columns), array_of(response.centers));
   }
 
