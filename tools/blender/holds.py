@@ -9,13 +9,15 @@ MODULE is the folder of the Python module `lapwing`, SIDE the number of cells al
 sheet (316). An edit is started, moved, settled and applied, and a coat and a peel are made; printed
 are the longest
 
-    calls   of the add-on by Blender on its main thread: slices of reading, ticks, writing results
-    lock    time for which another thread of Python had to wait, since the main thread may have to
+    call      of the add-on by Blender on its main thread: a slice of reading, a tick, writing a result
+    lock      time for which another thread waited for Python's lock, as the main thread may have to
+    machine   time for which a process that does nothing waited for a processor: noise in both
 
-during each. What Blender draws is in neither.
+during each. What Blender draws is in none of them.
 """
 
 import os
+import subprocess
 import sys
 import threading
 import time
@@ -34,7 +36,8 @@ import lapwing_blender  # noqa: E402 - beside this file, and installed nowhere
 from lapwing_blender import background, recipe_store, session  # noqa: E402
 
 phase = [""]
-calls, locks = {}, {}
+watching = []
+calls, locks, machine = {}, {}, {}
 
 
 def note(kind, seconds):
@@ -70,6 +73,25 @@ def watch_lock():
         now = time.perf_counter()
         note(locks, now - last)
         last = now
+
+
+#: Prints each of its naps that took a millisecond more than it should.
+NAPS = """
+import time
+last = time.perf_counter()
+while True:
+    time.sleep(0.0005)
+    now = time.perf_counter()
+    if now - last > 0.0015: print(now - last, flush=True)
+    last = now
+"""
+
+
+def watch_machine():
+    napping = subprocess.Popen([sys.executable, "-c", NAPS], stdout=subprocess.PIPE, text=True)
+    watching.append(napping)
+    for line in napping.stdout:
+        note(machine, float(line))
 
 
 def sheet(name, side):
@@ -132,10 +154,11 @@ def story():
             yield
     phase[0] = ""
     print(f"\n{(SIDE + 1) ** 2:,} vertices, Blender {bpy.app.version_string}\n")
-    print("| | longest call | longest wait for the lock |\n|---|---|---|")
+    print("| | longest call | longest wait for the lock | for the machine |\n|---|---|---|---|")
     for name in calls:
         if name:
-            print(f"| {name} | {1e3 * calls[name]:.0f} ms | {1e3 * locks[name]:.0f} ms |")
+            cells = [f"{1e3 * kind.get(name, 0.0):.0f} ms" for kind in (calls, locks, machine)]
+            print(f"| {name} | {' | '.join(cells)} |")
 
 
 def tell(steps):
@@ -148,6 +171,8 @@ def tell(steps):
         except BaseException:
             traceback.print_exc()
             code = 1
+        for process in watching:
+            process.kill()
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(code)
@@ -159,4 +184,5 @@ bpy.context.preferences.view.show_splash = False
 watch_calls()
 lapwing_blender.register()
 threading.Thread(target=watch_lock, daemon=True).start()
+threading.Thread(target=watch_machine, daemon=True).start()
 tell(story())
