@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
+import _thread
 import json
 import os
 import tempfile
-import threading
 from contextlib import contextmanager
 from typing import Any, Dict, Iterator, List, Mapping, Sequence, Tuple
 
@@ -102,6 +102,6 @@ class PreparedEdit:
         return result.vertices, [in_words(text) for text in result.warnings]
 
     def close(self) -> None:
-        # Of a large mesh it is a gigabyte, which takes a while to free.
+        # Of a large mesh it is a gigabyte, which takes a while to free; Thread.start would wait.
         edits, self._edit = [self._edit], None
-        threading.Thread(target=edits.clear, daemon=True).start()
+        _thread.start_new_thread(edits.clear, ())
