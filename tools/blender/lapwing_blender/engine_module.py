@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import _thread
-import json
 import os
 import tempfile
 from contextlib import contextmanager
@@ -77,9 +76,7 @@ class ModuleEngine:
             # Files keep the material of each face through an edit that makes faces.
             for name, each in {**others, "mesh.ply": mesh}.items():
                 write_ply(os.path.join(folder, name), each)
-            result = self._module.run(
-                json.loads(json.dumps(recipe)), folder=folder, progress=hear
-            )
+            result = self._module.run(recipe, folder=folder, progress=hear)
             saved = os.path.join(folder, "result.ply")
             self._module.write(saved, result)
             made = read_ply(saved)
