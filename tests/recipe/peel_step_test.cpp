@@ -12,9 +12,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 Recipe parse_peel(const std::string& keys) {
-  return parse_recipe(
-      R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "peel")" + keys + "}]}", "/data",
-      "smooth.json");
+  return parse_recipe(R"({"lapwing": 1, "mesh": "a.obj", "steps": [{"op": "peel")" + keys + "}]}",
+                      "/data", "smooth.json");
 }
 
 PeelRequest peel_step_of(const std::string& keys) {

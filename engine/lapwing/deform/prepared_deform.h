@@ -53,12 +53,13 @@ class PreparedDeform {
 
   /// How the surface follows each of `handles`, numbers in the request, with the others at rest: 12
   /// right-hand sides a handle and no solve of the whole, so that frames can be added up from it.
-  /// What `solve` makes without settling is that to 1e-6 of the mesh's diagonal; the images of
-  /// mirrored handles go along, loose parts too, and what targets ask for is not in it. Without the
-  /// exact system (Deformer::is_exact) it is a DragPreview's, in which details do not turn. Memory
-  /// is 288 bytes a vertex and handle, and as much again while it is made. Stages "response", and
-  /// those of preparing where a solve has left another pose behind. Throws InputError for a handle
-  /// that the request does not have, SolverError where memory is short, Cancelled.
+  /// What `solve` makes without settling is that to 1e-6 of the mesh's diagonal, but for loose
+  /// parts, which solve turns and this moves to first order. The images of mirrored handles go
+  /// along; what targets ask for is not in it. Without the exact system (Deformer::is_exact) it is
+  /// a DragPreview's, in which details do not turn. Memory is 288 bytes a vertex and handle, and as
+  /// much again is kept. Stages "response", and those of preparing where a solve has left another
+  /// pose behind. Throws InputError for a handle that the request does not have, SolverError where
+  /// memory is short, Cancelled.
   SurfaceResponse response(std::span<const std::size_t> handles, const Progress& progress = {});
 
   /// The moves of result `k`, and what is done with it. Both are called by any of the threads; each

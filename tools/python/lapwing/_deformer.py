@@ -157,8 +157,8 @@ class Deformer:
 
         `handles` are numbers from 0. The columns come from what is prepared, by 12 right-hand sides
         a handle, and take 288 bytes a vertex and handle. What a Deformer with `settle=False` solves
-        is V + `displacements` to 1e-6 of the diagonal; targets are left out, and images of mirrored
-        handles go along. A region that is too large for the exact system (a warning of `solve` says
+        is V + `displacements` to 1e-6 of the diagonal, but for loose parts, which turn here to first
+        order alone; targets are left out, and images of mirrored handles go along. A region that is too large for the exact system (a warning of `solve` says
         so) follows with its details unturned. Raises InputError for a handle that there is not,
         SolverError where there is not the memory, and what `progress` raises.
         """
