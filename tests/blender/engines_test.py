@@ -88,6 +88,18 @@ class BothEngines(SceneTest):
         with open(manifest, encoding="utf-8") as file:
             self.assertIn(f'version = "{version}"\n', file.read().splitlines(keepends=True))
 
+    def test_the_manifest_is_one_that_blender_4_takes(self):
+        import tomllib
+        import lapwing_blender
+        with open(os.path.join(os.path.dirname(lapwing_blender.__file__), "blender_manifest.toml"), "rb") as file:
+            manifest = tomllib.load(file)
+        self.assertLessEqual(
+            {"schema_version", "id", "version", "name", "tagline", "maintainer", "type",
+             "blender_version_min", "license"}, set(manifest))
+        for sentence in (manifest["tagline"], *manifest["permissions"].values()):
+            self.assertLessEqual(len(sentence), 64)
+            self.assertTrue(sentence[-1].isalnum(), sentence)
+
 
 class Cancelling(SceneTest):
     def test_each_operation_of_each_engine_ends(self):

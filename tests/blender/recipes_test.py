@@ -8,9 +8,13 @@ sys.path.insert(0, os.path.dirname(__file__))
 
 import bpy
 import numpy as np
-from mathutils import Matrix
+from mathutils import Matrix, Vector
 import scene
 from scene import SceneTest, coordinates, diagonal, in_world, lift, make_active, move, run_recipe, wavy
+
+
+#: Somewhere else, of another size.
+PLACE = Matrix.Translation((5, 1, 0)) @ Matrix.Rotation(1.0, 4, "Y") @ Matrix.Scale(3.0, 4)
 
 
 def deform(obj, matrix=None, **properties):
@@ -59,6 +63,34 @@ class Replay(SceneTest):
         made, expected = coordinates(other.data.vertices), coordinates(obj.data.vertices)
         # Settling ends within 1e-4 of an edge; a length that stayed would show in every one.
         self.assertLess(np.abs(made - expected).max(), 2e-5 * diagonal(expected))
+
+    def test_the_detail_size_of_a_peel_goes_along(self):
+        obj = wavy()
+        original, rest = obj.data.copy(), coordinates(obj.data.vertices)
+        bpy.context.scene.cursor.location = (0.1, 0, 0)
+        bpy.ops.lapwing.peel(region="CURSOR", radius=0.7, detail_size=0.5)
+        other = copy_of(obj, original, PLACE)
+        bpy.ops.lapwing.replay()
+        made, expected = coordinates(other.data.vertices), coordinates(obj.data.vertices)
+        self.assertGreater(np.abs(made - rest).max(), 0.01)
+        self.assertLess(np.abs(made - expected).max(), 2e-6 * diagonal(expected))
+
+    def test_of_a_mix_the_mesh_s_own_detail_goes_along_and_the_source_s_does_not(self):
+        scene.add_mesh("Source", *scene.grid(12, lambda x, y: 0.03 * np.sin(9 * x)))
+        obj = scene.add_mesh("Target", *scene.grid(24, lambda x, y: 0.05 * np.sin(9 * x)))
+        original = obj.data.copy()
+        bpy.context.scene.cursor.location = (0.1, 0, 0)
+        bpy.ops.lapwing.mix(region="CURSOR", radius=0.7, source="Source", detail_size=0.7,
+                            own_detail_size=0.5)
+        other = copy_of(obj, original, PLACE)
+        bpy.ops.lapwing.replay()
+        step = json.loads(other["lapwing_edits"])[0]["steps"][0]
+        source, own = step["sources"]
+        self.assertAlmostEqual(source["detail_size"], 0.7, places=6)
+        self.assertAlmostEqual(own["detail_size"], 3 * 0.5, places=6)
+        self.assertEqual(own["patch"], step["target_patch"])
+        near = own["patch"]["disk_in"]["disk"]["near"]
+        np.testing.assert_allclose(near, PLACE @ Vector((0.1, 0, 0)), atol=1e-6)
 
     def test_as_a_shape_key(self):
         obj = wavy()
@@ -127,6 +159,17 @@ class Export(SceneTest):
         bpy.ops.lapwing.coat(region="CURSOR", radius=0.7, detail_size=0.3)
         made = run_recipe(export())
         np.testing.assert_allclose(in_world(obj, coordinates(obj.data.vertices)), made, atol=1e-6)
+
+    def test_a_peel_between_two_edits(self):
+        obj = wavy(Matrix.Translation((2, 0, 0)))
+        deform(obj)
+        bpy.ops.lapwing.peel(region="GROUP", group="Lapwing Region", detail_size=0.4)
+        deform(obj, Matrix.Translation((0, 0, 0.1)))
+        recipe = export()
+        ops = [step["op"] for step in json.loads(recipe.read_text())["steps"]]
+        self.assertEqual(ops, ["deform", "peel", "deform"])
+        made = in_world(obj, coordinates(obj.data.vertices))
+        self.assertLess(np.abs(run_recipe(recipe) - made).max(), 1e-6 * diagonal(made))
 
     def test_forgetting_frees_the_original(self):
         obj = wavy()

@@ -169,12 +169,6 @@ class Surfaces(SceneTest):
         self.assert_refused("has no recipe", bpy.ops.lapwing.export_recipe,
                             filepath=str(scene.WORK / "none.json"))
 
-    def test_peeling_is_no_recipe(self):
-        target, _ = self.pair()
-        bpy.ops.lapwing.peel(region="ALL", detail_size=0.1)
-        self.assert_refused("lapwing peel", bpy.ops.lapwing.export_recipe,
-                            filepath=str(scene.WORK / "peel.json"))
-
     def test_a_recipe_whose_source_is_gone(self):
         target, source = self.pair()
         bpy.ops.lapwing.coat(region="CURSOR", radius=0.5, detail_size=0.3)

@@ -9,9 +9,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "deform/mirror_scenes.h"
 #include "lapwing/base/errors.h"
 #include "support/bent_tube.h"
 #include "support/error_message.h"
+#include "support/split_meshes.h"
 
 namespace lapwing {
 namespace {
@@ -114,6 +116,119 @@ TEST_F(ManyOfOneEdit, WhatIsWrongWithTheRequestIsSaidWhenItIsPrepared) {
   }
   EXPECT_THAT(message, HasSubstr("leaves the roi"));
   EXPECT_EQ(vertices, region_.handles[0]);
+}
+
+// The vertices of a mesh where one motion for each of the response's handles takes them.
+Positions followed(const Mesh& mesh, const SurfaceResponse& response,
+                   const std::vector<Eigen::Affine3d>& motions) {
+  Positions positions = mesh.positions;
+  for (std::size_t h = 0; h < motions.size(); ++h) {
+    const Vector3d& c = response.centers[h];
+    const Vector3d way = motions[h] * c - c;
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      for (Eigen::Index b = 0; b < 4; ++b) {
+        const double by = b == 3 ? way[a] : motions[h].linear()(a, b) - (a == b ? 1.0 : 0.0);
+        const auto column =
+            response.column(h, static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+        for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += by * column[v];
+      }
+    }
+  }
+  return positions;
+}
+
+Eigen::Affine3d stirred(double size, double scale = 1.2) {
+  return Eigen::Translation3d(0.1 * size, -0.2 * size, 0.15 * size) *
+         Eigen::AngleAxisd(0.4, Vector3d(1, 2, 2).normalized()) * Eigen::Scaling(scale);
+}
+
+Move as_move(const Eigen::Affine3d& motion) {
+  return MatrixMove{motion.affine()};
+}
+
+// Largest distance between what the response adds up to and a whole solve without settling, as a
+// share of the diagonal. The handles without a motion rest.
+double off_from_solve(const Mesh& mesh, DeformRequest request, std::vector<std::size_t> handles,
+                      const std::vector<Eigen::Affine3d>& motions) {
+  PreparedDeform settling(mesh, request);
+  const SurfaceResponse response = settling.response(handles);
+  for (MovedHandle& handle : request.handles) handle.move = as_move(Eigen::Affine3d::Identity());
+  for (std::size_t k = 0; k < handles.size(); ++k) {
+    request.handles[handles[k]].move = as_move(motions[k]);
+  }
+  request.parameters.settle.reset();
+  const Deformed solved = deform(mesh, request);
+  const double diagonal = bounds_of(mesh.positions).diagonal();
+  EXPECT_GT(test::largest_distance(solved.mesh.positions, mesh.positions), 0.05 * diagonal);
+  return test::largest_distance(followed(mesh, response, motions), solved.mesh.positions) /
+         diagonal;
+}
+
+constexpr double kSameSurface = 1e-9;
+
+TEST_F(ManyOfOneEdit, TheResponseAddsUpToAWholeSolve) {
+  EXPECT_LT(off_from_solve(mesh_, request(), {0}, {stirred(1.0)}), kSameSurface);
+  PreparedDeform prepared(mesh_, request());
+  EXPECT_EQ(followed(mesh_, prepared.response(std::vector<std::size_t>{0}),
+                     {Eigen::Affine3d::Identity()}),
+            mesh_.positions);
+}
+
+TEST_F(ManyOfOneEdit, TheResponseIsTheSameAfterASolveThatLeftAnotherPose) {
+  DeformRequest in_parts = request();
+  in_parts.parameters.commit_every = 90.0;
+  PreparedDeform prepared(mesh_, in_parts);
+  const std::vector<std::size_t> handles{0};
+  const SurfaceResponse before = prepared.response(handles);
+  SimilarityMove far;
+  far.rotate = {Vector3d::UnitZ(), 400.0};
+  ASSERT_GT(prepared.solve(std::vector<Move>{far}).commits, 1U);
+  EXPECT_EQ(prepared.response(handles).columns, before.columns);
+}
+
+TEST_F(ManyOfOneEdit, AResponseIsToTheHandlesThatAreAskedFor) {
+  DeformRequest two = request();
+  const auto middle = static_cast<Index>(mesh_.vertex_count() / 2);
+  two.handles.insert(two.handles.begin(), MovedHandle{{ListedVertices{{middle, middle + 1}}}, {}});
+  EXPECT_LT(off_from_solve(mesh_, two, {1}, {stirred(1.0)}), kSameSurface);
+  EXPECT_LT(off_from_solve(mesh_, two, {1, 0}, {stirred(1.0), stirred(0.5)}), kSameSurface);
+  PreparedDeform prepared(mesh_, two);
+  EXPECT_THAT(error_message<InputError>([&] { prepared.response(std::vector<std::size_t>{2}); }),
+              StartsWith("the edit has 2 handles, but the response to handle 2 was asked for"));
+  EXPECT_TRUE(prepared.response({}).columns.empty());
+  const auto stop = [](std::string_view, double) { return false; };
+  EXPECT_THROW(prepared.response(std::vector<std::size_t>{0}, stop), Cancelled);
+}
+
+TEST(AResponse, OfOneVertexIsToItsWayAlone) {
+  Mesh mesh = grid(12, 12);
+  for (Vector3d& p : mesh.positions) p *= 1e-12;
+  DeformRequest request;
+  request.roi = {AllVertices{}};
+  request.handles = {{{ListedVertices{{84}}}, {}}};
+  EXPECT_LT(off_from_solve(mesh, request, {0}, {stirred(1e-12)}), kSameSurface);
+}
+
+TEST(AResponse, HasTheImagesOfMirroredHandlesGoAlong) {
+  for (const test::MirrorScene& scene :
+       {test::sheet_scene(), test::tube_scene(), test::ball_scene()}) {
+    DeformRequest request = scene.request();
+    request.handles = {{scene.across, {}}, {scene.side, {}}};
+    const double size = scene.diagonal();
+    EXPECT_LT(off_from_solve(scene.mesh, request, {0}, {stirred(size)}), kSameSurface);
+    EXPECT_LT(off_from_solve(scene.mesh, request, {1, 0}, {stirred(size), stirred(0.5 * size)}),
+              kSameSurface);
+  }
+}
+
+TEST(AResponse, KeepsSeamsClosed) {
+  const Mesh whole = test::bumpy_tube();
+  const test::SplitMesh split = test::soup(whole);
+  DeformRequest request;
+  request.roi = {AllVertices{}};
+  request.belt = RegionSpec{Box{{-9, -9, -9}, {9, 9, 0.1}}};
+  request.handles = {{{Box{{-9, -9, 2.9}, {9, 9, 9}}}, {}}};
+  EXPECT_LT(off_from_solve(split.mesh, request, {0}, {stirred(1.0)}), kSameSurface);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ def test_polygons_and_what_a_file_has_come_back(tmp_path):
 
 
 def test_every_key_of_an_operation_is_a_parameter():
-    for op in ("deform", "coat", "mix", "transplant"):
+    for op in ("deform", "coat", "mix", "transplant", "peel"):
         parameters = inspect.signature(getattr(lapwing, op)).parameters
         keys = {line.split("`")[1] for line in _core.key_table(op).splitlines() if "`" in line}
         for key in keys - {"carry"}:

@@ -121,3 +121,32 @@ def test_what_is_wrong_with_an_edit_is_said_when_it_is_prepared(tube, ends):
         lapwing.Deformer(tube, belt=ends[0], handles=[ends[1]]).solve_many(
             motions_of(1), dtype=np.int32
         )
+
+
+def test_a_response_adds_up_to_a_solve_without_settling(tube, ends):
+    middle = np.flatnonzero(np.abs(tube.vertices[:, 2] - tube.vertices[:, 2].mean()) < 0.05)[:2]
+    handles = [ends[1], middle]
+    bend = lapwing.Deformer(tube, belt=ends[0], handles=handles)
+    straight = lapwing.Deformer(tube, belt=ends[0], handles=handles, settle=False)
+    motions = np.array([turned(40.0, [0.1, 0.0, 0.2]), turned(-10.0, [0.0, 0.1, 0.0])])
+    both = bend.response()
+    assert both.columns.shape == (2, 3, 4, tube.vertex_count, 3) and both.centers.shape == (2, 3)
+    np.testing.assert_allclose(both.centers[0], tube.vertices[ends[1]].mean(axis=0), atol=1e-12)
+    tolerance = 1e-6 * np.linalg.norm(np.ptp(tube.vertices, axis=0))
+    for surface in (both.displacements(motions), both.displacements(motions[:, :3])):
+        expected = straight.solve(motions).vertices
+        assert np.abs(tube.vertices + surface - expected).max() < tolerance
+
+    one = bend.response([1])
+    expected = straight.solve([np.eye(4), motions[1]]).vertices
+    assert np.abs(tube.vertices + one.displacements(motions[1:]) - expected).max() < tolerance
+    assert not one.displacements([np.eye(4)]).any()
+    assert bend.response([]).columns.shape == (0, 3, 4, tube.vertex_count, 3)
+
+
+def test_a_response_to_what_is_no_handle_is_refused(bend):
+    for handles in ([1], [-1]):
+        with pytest.raises(lapwing.InputError, match="numbered from 0|numbers from 0"):
+            bend.response(handles)
+    with pytest.raises(lapwing.InputError, match=r"expected shape \(1, 4, 4\)"):
+        bend.response().displacements(np.eye(4))

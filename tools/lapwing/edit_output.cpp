@@ -94,6 +94,10 @@ void print_summary(const RunReport& report) {
     if (step.deform) print_certificate(step.deform->certificate, diagonal);
     if (step.coat) print_coat(*step.coat, step.roi, diagonal);
     if (step.transplant) print_transplant(*step.transplant, diagonal);
+    if (step.peel) {
+      std::printf("  coating %.3g in the mean, %.3g at most\n", step.peel->mean_coating,
+                  step.peel->largest_coating);
+    }
   }
   std::printf("  peak memory %.0f MB\n", static_cast<double>(report.peak_memory_bytes) / 1e6);
 }

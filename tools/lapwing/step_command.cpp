@@ -35,7 +35,12 @@ void add_step(CLI::App& app, const Operation& operation) {
 }  // namespace
 
 void add_steps(CLI::App& app) {
-  for (const Operation& operation : operations()) add_step(app, operation);
+  for (const Operation& operation : operations()) {
+    // `lapwing peel` is add_peel's, which keeps what comes off as well.
+    if (operation.name != words_of(static_cast<const PeelRequest*>(nullptr)).name) {
+      add_step(app, operation);
+    }
+  }
 }
 
 }  // namespace lapwing::cli

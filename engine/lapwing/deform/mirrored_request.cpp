@@ -42,7 +42,7 @@ class Mirroring {
         images_(mirror_images(mesh, plane, request.mirror->where)) {}
 
   MirroredRequest both_sides() const {
-    MirroredRequest result{request_, {}, {}};
+    MirroredRequest result{request_, {}, plane_, {}};
     DeformRequest& both = result.request;
     both.mirror.reset();
     both.roi = with_image(request_.roi);
@@ -264,7 +264,7 @@ Move along_mirror(const Move& move, const MirrorPlane& plane) {
 }
 
 MirroredRequest mirrored_request(const DeformRequest& request, const Mesh& mesh) {
-  if (!request.mirror) return {request, {}, {}};
+  if (!request.mirror) return {request, {}, {}, {}};
   const MirrorSpec& spec = *request.mirror;
   const bool automatic = std::holds_alternative<AutomaticMirror>(spec.plane);
   FoundMirror found;

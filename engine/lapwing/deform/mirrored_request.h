@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct MirroredRequest {
   /// Of each of its handles, the number of its image there; its own where it lies across the plane.
   /// Those of the request come first, then the images. Empty without a mirror.
   std::vector<std::size_t> handle_images;
-  std::vector<std::string> notes;  ///< for a person: which plane, how symmetric the mesh is
+  std::optional<MirrorPlane> plane;  ///< given or found
+  std::vector<std::string> notes;    ///< for a person: which plane, how symmetric the mesh is
 };
 
 /// ROI, belt, handles and targets, each with its image. A handle that shares a vertex with its

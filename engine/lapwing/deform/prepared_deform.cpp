@@ -8,11 +8,20 @@
 #include <thread>
 #include <utility>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/worker_pool.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/joined_request.h"
+#include "lapwing/deform/mirrored_request.h"
 
 namespace lapwing {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+
 namespace {
 
 // Rethrows the error at hand as one of its kind that says which motion it came of.
@@ -45,12 +54,95 @@ struct SharedCount {
   double fraction() const { return static_cast<double>(done) / static_cast<double>(count); }
 };
 
+// The motion about `center` that adds `length` to entry (a, b) of the linear part, or for b = 3
+// goes so far along axis a.
+Affine3d unit_motion(const Vector3d& center, double length, Eigen::Index a, Eigen::Index b) {
+  Affine3d motion = Affine3d::Identity();
+  if (b == 3) {
+    motion.translation()[a] = length;
+  } else {
+    motion.linear()(a, b) += length;
+    motion.translation()[a] = -length * center[b];
+  }
+  return motion;
+}
+
+// By what motions of single handles of a request move the handles of its edit, which has those and
+// their mirror images.
+class HandleMotions {
+ public:
+  HandleMotions(const MirroredRequest& both, const EditRegion& region, const Positions& rest)
+      : images_(both.handle_images), plane_(both.plane) {
+    for (const VertexSet& handle : region.handles) frames_.push_back(handle_frame(handle, rest));
+  }
+
+  std::size_t image_of(std::size_t handle) const {
+    return images_.empty() ? handle : images_[handle];
+  }
+
+  // The parameters of `moved`, handles of the edit in ascending order, where `handle` goes by
+  // `motion` and the others rest.
+  void set_parameters(std::size_t handle, const Affine3d& motion,
+                      std::span<const std::size_t> moved, std::span<double> parameters) const {
+    std::fill(parameters.begin(), parameters.end(), 0.0);
+    const auto set = [&](std::size_t h, const Affine3d& by) {
+      const auto at = std::lower_bound(moved.begin(), moved.end(), h) - moved.begin();
+      motion_parameters(
+          frames_[h], by,
+          parameters.subspan(kMotionParameters * static_cast<std::size_t>(at), kMotionParameters));
+    };
+    if (!plane_) return set(handle, motion);
+    const Affine3d mirror = reflection(*plane_);
+    const Affine3d mirrored = mirror * motion * mirror;
+    if (image_of(handle) != handle) {
+      set(handle, motion);
+      return set(image_of(handle), mirrored);
+    }
+    Affine3d along = motion;  // of a handle that lies across the plane
+    along.affine() = 0.5 * (motion.affine() + mirrored.affine());
+    set(handle, along);
+  }
+
+ private:
+  const std::vector<std::size_t>& images_;
+  const std::optional<MirrorPlane>& plane_;
+  std::vector<HandleFrame> frames_;
+};
+
+// displacement += sum_k parameters[k] column_k.
+void add_response(const ResponseColumns& columns, std::span<const double> parameters,
+                  std::span<Vector3d> displacement) {
+  const std::size_t count = columns.moving.size();
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const double by = parameters[k];
+    if (by == 0.0) continue;
+    if (columns.along_axes) {
+      const auto axis = static_cast<Eigen::Index>(k % 12 / 4);
+      const double* column = columns.numbers.data() + (k / 12 * 4 + k % 4) * count;
+      for (const Index v : columns.moving) displacement[v][axis] += by * *column++;
+    } else {
+      const double* column = columns.numbers.data() + 3 * k * count;
+      for (const Index v : columns.moving) {
+        displacement[v] += by * Eigen::Map<const Vector3d>(column);
+        column += 3;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 PreparedDeform::PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress)
     : mesh_(std::move(mesh)), request_(std::move(request)) {
   for (MovedHandle& handle : request_.handles) handle.move = SimilarityMove();
-  region_ = deform(mesh_, request_, kernels_, workspace_, progress).region;
+  region_ = solved(request_, progress).region;
+}
+
+Deformed PreparedDeform::solved(const DeformRequest& request, const Progress& progress) {
+  is_at_rest_ = false;
+  Deformed result = deform(mesh_, request, kernels_, workspace_, progress);
+  is_at_rest_ = result.commits == 1;  // else that of the last part
+  return result;
 }
 
 Deformed PreparedDeform::solve(std::span<const Move> moves, const Progress& progress) {
@@ -60,7 +152,58 @@ Deformed PreparedDeform::solve(std::span<const Move> moves, const Progress& prog
   }
   DeformRequest moved = request_;
   for (std::size_t h = 0; h < moves.size(); ++h) moved.handles[h].move = moves[h];
-  return deform(mesh_, moved, kernels_, workspace_, progress);
+  return solved(moved, progress);
+}
+
+SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
+                                         const Progress& progress) {
+  for (const std::size_t h : handles) {
+    if (h < request_.handles.size()) continue;
+    throw InputError("the edit has " + std::to_string(request_.handles.size()) +
+                     " handles, but the response to handle " + std::to_string(h) +
+                     " was asked for; they are numbered from 0");
+  }
+  const ProgressScope scope(progress);
+  if (!is_at_rest_) solved(request_, progress);
+  const JoinedSurface* joined =
+      workspace_.joined && !workspace_.joined->empty() ? &*workspace_.joined : nullptr;
+  const MirroredRequest both =
+      joined == nullptr ? mirrored_request(request_, mesh_)
+                        : mirrored_request(joined_request(request_, *joined), joined->surface);
+  const Deformer& deformer = *workspace_.deformer;
+  const HandleMotions motions(both, deformer.region(), mesh_.positions);
+  std::vector<std::size_t> moved(handles.begin(), handles.end());
+  for (const std::size_t h : handles) moved.push_back(motions.image_of(h));
+
+  SurfaceResponse response;
+  const std::size_t n = mesh_.vertex_count();
+  require_memory(sizeof(Vector3d) * kMotionParameters * handles.size() * n,
+                 "the response of " + std::to_string(n) + " vertices to " +
+                     std::to_string(handles.size()) + " handles",
+                 "ask for fewer handles at a time");
+  const auto drag = deformer.response_of(moved, progress);
+  response.vertex_count = n;
+  response.columns.assign(kMotionParameters * handles.size() * n, Vector3d::Zero());
+  const double length = bounds_of(mesh_.positions).diagonal();
+  std::vector<double> parameters(drag->columns().count);
+  Vector3d* column = response.columns.data();
+  for (const std::size_t h : handles) {
+    const Vector3d center = handle_frame(region_.handles[h], mesh_.positions).centroid;
+    response.centers.push_back(center);
+    for (std::size_t k = 0; k < kMotionParameters; ++k, column += n) {
+      const auto a = static_cast<Eigen::Index>(k / 4);
+      const auto b = static_cast<Eigen::Index>(k % 4);
+      // Of the mesh's size, so that rounding is that of its coordinates.
+      const double by = b == 3 ? length : 1.0;
+      motions.set_parameters(h, unit_motion(center, by, a, b), drag->handles(), parameters);
+      for (double& parameter : parameters) parameter /= by;
+      const std::span displacement(column, n);
+      add_response(drag->columns(), parameters, displacement);
+      if (joined == nullptr) continue;
+      for (const Index v : joined->followers) displacement[v] = displacement[joined->leaders[v]];
+    }
+  }
+  return response;
 }
 
 void PreparedDeform::solve_many(std::size_t count, const MovesOf& moves_of, const Take& take,

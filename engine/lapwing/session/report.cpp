@@ -125,6 +125,10 @@ Json as_json(const StepReport& step) {
   if (step.deform) json["certificate"] = json_of(step.deform->certificate);
   if (step.coat) json[step.op] = as_json(*step.coat);
   if (step.transplant) json[step.op] = as_json(*step.transplant);
+  if (step.peel) {
+    json[step.op] = {{"mean_coating", number(step.peel->mean_coating)},
+                     {"largest_coating", number(step.peel->largest_coating)}};
+  }
   if (!step.vertices.vertices.empty()) json["vertices"] = as_json(step.vertices);
   return json;
 }

@@ -10,6 +10,7 @@
 #include "lapwing/deform/deform.h"
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/kernels.h"
+#include "lapwing/step/peel_step.h"
 #include "lapwing/transplant/transplant.h"
 
 namespace lapwing {
@@ -25,6 +26,7 @@ struct StepReport {
   std::optional<DeformReport> deform = {};
   std::optional<CoatReport> coat = {};  ///< of a coat or mix step
   std::optional<TransplantReport> transplant = {};
+  std::optional<PeelReport> peel = {};
   VertexMeasures vertices;  ///< of the ROI, where the run was asked for them; empty otherwise
 };
 

@@ -6,6 +6,7 @@
 
 #include "lapwing/step/coat_step.h"
 #include "lapwing/step/deform_step.h"
+#include "lapwing/step/peel_step.h"
 #include "lapwing/step/step_run.h"
 #include "lapwing/step/transplant_step.h"
 
@@ -13,7 +14,7 @@ namespace lapwing {
 
 /// One operation of a recipe. A new one is a type here with its `words_of`, `describe` and
 /// `run_step`: recipes, commands, reference and window take it from there.
-using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep>;
+using Step = std::variant<DeformRequest, CoatStep, MixStep, TransplantStep, PeelRequest>;
 
 /// One kind of step.
 struct Operation : OperationWords {

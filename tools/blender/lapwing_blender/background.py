@@ -70,7 +70,9 @@ def finished(steps: Generator[None, None, Any]) -> Any:
 
 class EngineOperator:
     """Mixin for an operator. Called with a window it runs on a thread; called by a script, in
-    background mode, or again by the redo panel it runs to its end at once."""
+    background mode, or again by the redo panel it runs to its end at once. Redo cannot wait for a
+    thread: Blender undoes the step, calls `execute`, and where that has not finished when it returns,
+    brings the old step back."""
 
     def prepare(self, context: bpy.types.Context) -> Generator[None, None, Work]:
         raise NotImplementedError
@@ -79,12 +81,21 @@ class EngineOperator:
         raise NotImplementedError
 
     def execute(self, context: bpy.types.Context) -> Set[str]:
+        manager = context.window_manager
+
+        def heard(_stage: str, fraction: float) -> bool:
+            manager.progress_update(fraction)  # the cursor alone, since nothing is drawn meanwhile
+            return True
+
+        manager.progress_begin(0.0, 1.0)
         try:
             work = finished(self.prepare(context))
-            self.finish(context, work(lambda _stage, _fraction: True))
+            self.finish(context, work(heard))
         except Refusal as refusal:
             self.report({"ERROR"}, str(refusal))
             return {"CANCELLED"}
+        finally:
+            manager.progress_end()
         return {"FINISHED"}
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> Set[str]:

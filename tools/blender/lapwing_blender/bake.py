@@ -66,9 +66,19 @@ def add_frame_keys(obj: bpy.types.Object, first_frame: int, surfaces: Sequence[n
         for at, value in ((frame - 1, 0.0), (frame, 1.0), (frame + 1, 0.0)):
             key.value = value
             key.keyframe_insert("value", frame=at)
-    for curve in obj.data.shape_keys.animation_data.action.fcurves:
+    for curve in _curves(obj.data.shape_keys.animation_data.action):
         for point in curve.keyframe_points:
             point.interpolation = "LINEAR"
+
+
+def _curves(action: bpy.types.Action) -> List[bpy.types.FCurve]:
+    if hasattr(action, "fcurves"):
+        return list(action.fcurves)
+    # Since 4.4 actions have layers, which are the only way to the curves from 5.0 on.
+    return [
+        curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags
+        for curve in bag.fcurves
+    ]
 
 
 def cache_path(given: str, obj: bpy.types.Object, kind: str) -> str:

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import json
+import _thread
 import os
 import tempfile
 from contextlib import contextmanager
-from typing import Any, Callable, Dict, Iterator, List, Mapping, Sequence, Tuple
+from typing import Any, Dict, Iterator, List, Mapping, Sequence, Tuple
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from .engine import Progress
 from .errors import Cancelled, Refusal
 from .outcome import Outcome, in_words
 from .ply import read_ply, write_ply
+from .response import HandleFrame, columns_about
 
 
 class ModuleEngine:
@@ -53,26 +54,18 @@ class ModuleEngine:
             return self._module.read(path)
 
     def prepare(
-        self, mesh: MeshArrays, step: Mapping[str, Any], motions: np.ndarray, progress: Progress
+        self, mesh: MeshArrays, step: Mapping[str, Any], frames: Sequence[HandleFrame],
+        progress: Progress,
     ) -> Tuple[np.ndarray, "PreparedEdit"]:
-        """The linear response to each of `motions` (k, handles, 4, 4) as displacements (k, n, 3),
-        and the edit that settles. Its factorization goes before that edit makes its own."""
+        """The linear response to each number of each of `frames`, those of the first handles, as
+        displacements (12 k, n, 3), and the edit that settles, both by one factorization."""
         keys = {key: value for key, value in step.items() if key not in ("op", "handles")}
-        handles = list(step["handles"])
-        moved = np.empty((0, *mesh.vertices.shape))
         with self.heard(progress) as hear:
-            taken = self._mesh(mesh)
-            if len(motions):
-                linear = self._module.Deformer(
-                    taken, handles=handles, progress=hear, **{**keys, "settle": False}
-                )
-                moved = linear.solve_many(motions, threads=1, progress=hear).vertices
-                moved -= mesh.vertices
-
-        def prepared(hear: Any) -> Any:
-            return self._module.Deformer(taken, handles=handles, progress=hear, **keys)
-
-        return moved, PreparedEdit(self, prepared)
+            edit = self._module.Deformer(
+                self._mesh(mesh), handles=list(step["handles"]), progress=hear, **keys
+            )
+            linear = edit.response(range(len(frames)), progress=hear)
+        return columns_about(frames, linear.columns, linear.centers), PreparedEdit(self, edit)
 
     def run(
         self, mesh: MeshArrays, steps: Sequence[Mapping[str, Any]], others: Dict[str, MeshArrays],
@@ -83,41 +76,29 @@ class ModuleEngine:
             # Files keep the material of each face through an edit that makes faces.
             for name, each in {**others, "mesh.ply": mesh}.items():
                 write_ply(os.path.join(folder, name), each)
-            result = self._module.run(
-                json.loads(json.dumps(recipe)), folder=folder, progress=hear
-            )
+            result = self._module.run(recipe, folder=folder, progress=hear)
             saved = os.path.join(folder, "result.ply")
             self._module.write(saved, result)
             made = read_ply(saved)
         return Outcome(made, [in_words(text) for text in result.warnings])
 
-    def peel(
-        self, mesh: MeshArrays, region: Mapping[str, Any], detail_size: float, progress: Progress
-    ) -> Outcome:
-        with self.heard(progress):
-            peeled = self._module.peel(self._mesh(mesh), detail_size=detail_size, region=region)
-        made = MeshArrays(peeled.vertices, mesh.corners, mesh.sizes, mesh.materials)
-        return Outcome(made, [in_words(text) for text in peeled.warnings])
-
 
 class PreparedEdit:
-    """An edit that is settled again and again. What settling needs is prepared the first time, so
-    that the handles can be moved before."""
+    """An edit that is settled again and again."""
 
-    def __init__(self, engine: ModuleEngine, prepared: Callable[[Any], Any]) -> None:
+    def __init__(self, engine: ModuleEngine, edit: Any) -> None:
         self._engine = engine
-        self._prepared = prepared
-        self._edit: Any = None
+        self._edit = edit
 
     def settle(
         self, motions: Sequence[np.ndarray], progress: Progress
     ) -> Tuple[np.ndarray, List[str]]:
         """World coordinates (n, 3), and what is to be said of them."""
         with self._engine.heard(progress) as hear:
-            if self._edit is None:
-                self._edit = self._prepared(hear)
             result = self._edit.solve(np.stack(motions), progress=hear)
         return result.vertices, [in_words(text) for text in result.warnings]
 
     def close(self) -> None:
-        self._edit = None
+        # Of a large mesh it is a gigabyte, which takes a while to free; Thread.start would wait.
+        edits, self._edit = [self._edit], None
+        _thread.start_new_thread(edits.clear, ())

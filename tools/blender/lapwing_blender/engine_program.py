@@ -17,11 +17,9 @@ from .engine import Progress
 from .errors import Cancelled, Refusal
 from .outcome import Outcome, in_words
 from .ply import read_ply, write_ply
+from .response import HandleFrame, unit_motions
 
 _POLL_SECONDS = 0.03
-#: What Linux takes as one argument, less some.
-_LONGEST_ARGUMENT = 120_000
-_NOTE = "note: "
 
 
 class ProgramEngine:
@@ -68,13 +66,14 @@ class ProgramEngine:
         return said
 
     def prepare(
-        self, mesh: MeshArrays, step: Mapping[str, Any], motions: np.ndarray, progress: Progress
+        self, mesh: MeshArrays, step: Mapping[str, Any], frames: Sequence[HandleFrame],
+        progress: Progress,
     ) -> Tuple[np.ndarray, "PreparedEdit"]:
-        """The linear response to each of `motions` (k, handles, 4, 4) as displacements (k, n, 3),
-        and the edit that settles."""
+        """The linear response to each number of each of `frames`, those of the first handles, as
+        displacements (12 k, n, 3), each a solve of its own, and the edit that settles."""
         edit = PreparedEdit(self, mesh, step)
         try:
-            return edit.linear(motions, progress), edit
+            return edit.linear(unit_motions(frames, len(step["handles"])), progress), edit
         except BaseException:
             edit.close()
             raise
@@ -97,28 +96,6 @@ class ProgramEngine:
         )
         with open(os.path.join(folder, "report.json"), encoding="utf-8") as report:
             return [in_words(text) for text in json.load(report).get("warnings", [])]
-
-    def peel(
-        self, mesh: MeshArrays, region: Mapping[str, Any], detail_size: float, progress: Progress
-    ) -> Outcome:
-        written = json.dumps(region, separators=(",", ":"))
-        if len(written) > _LONGEST_ARGUMENT:
-            raise Refusal(
-                "The region has too many vertices for peeling by the program; peel the whole mesh, "
-                "or set the path of the module 'lapwing' in the add-on's preferences"
-            )
-        with tempfile.TemporaryDirectory(prefix="lapwing-") as folder:
-            write_ply(os.path.join(folder, "mesh.ply"), mesh)
-            said = self.call(
-                folder,
-                ["peel", "mesh.ply", "--detail-size", repr(detail_size), "--region", written,
-                 "--coating", "none", "-o", "result.ply"],
-                progress,
-            )
-            made = read_ply(os.path.join(folder, "result.ply"), vertices_only=True)
-        result = MeshArrays(made.vertices, mesh.corners, mesh.sizes, mesh.materials)
-        notes = [in_words(line) for line in said.splitlines() if line.startswith(_NOTE)]
-        return Outcome(result, notes)
 
 
 class PreparedEdit:

@@ -4,7 +4,6 @@
 from typing import Any, Generator, List, Set
 
 import bpy
-import numpy as np
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
 from . import bake, session
@@ -79,8 +78,7 @@ class LAPWING_OT_bake(EngineOperator, bpy.types.Operator):
             scene.frame_set(now)
 
         def work(progress: Progress) -> Any:
-            at_rest = np.empty((0, request.handle_count, 4, 4))
-            _, edit = engine.prepare(request.mesh, request.step, at_rest, progress)
+            _, edit = engine.prepare(request.mesh, request.step, [], progress)
             try:
                 return bake.settle_all(edit, motions, progress)
             finally:

@@ -3,7 +3,6 @@
 
 import json
 import os
-from itertools import groupby
 from typing import Any, Dict, Generator, List, Set
 
 import bpy
@@ -11,10 +10,9 @@ from bpy.props import BoolProperty, IntProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
 from . import live_mesh, recipe_store, surface_result
-from .arrays import MeshArrays, object_arrays, to_local, world_matrix
-from .background import EngineOperator, Work, warn
+from .arrays import object_arrays, to_local, world_matrix
+from .background import EngineOperator, Work, finished, warn
 from .edit_request import check_object
-from .engine import Progress
 from .errors import Refusal
 from .operator_parts import Refusing, has_mesh
 from .operators_surface import other_object
@@ -27,25 +25,6 @@ _LAST = IntProperty(
     name="Edit", default=-1, min=-1,
     description="The recipe goes up to this edit of the object, counted from 0; -1 is the last",
 )
-
-
-def carry_out(
-    engine: Any, mesh: MeshArrays, steps: List[Dict[str, Any]], others: Dict[str, MeshArrays],
-    progress: Progress,
-) -> Outcome:
-    """All steps; peeling is none of the engine's recipes and is called by itself."""
-    warnings: List[str] = []
-    for peels, group in groupby(steps, lambda step: step["op"] == "peel"):
-        if not peels:
-            outcome = engine.run(mesh, list(group), others, progress)
-            mesh = outcome.mesh
-            warnings += outcome.warnings
-            continue
-        for step in group:
-            outcome = engine.peel(mesh, step["region"], step["detail_size"], progress)
-            mesh = outcome.mesh
-            warnings += outcome.warnings
-    return Outcome(mesh, warnings)
 
 
 class LAPWING_OT_replay(EngineOperator, bpy.types.Operator):
@@ -83,9 +62,10 @@ class LAPWING_OT_replay(EngineOperator, bpy.types.Operator):
         self._steps, self._objects = recipe_store.steps_at(edits, self._matrix)
         yield
         self._mesh = object_arrays(obj)
-        others = recipe_store.other_meshes(self._objects)
+        yield
+        others = yield from recipe_store.other_meshes(self._objects)
         mesh, steps = self._mesh, self._steps
-        return lambda progress: carry_out(engine, mesh, steps, others, progress)
+        return lambda progress: engine.run(mesh, steps, others, progress)
 
     def finish(self, context: bpy.types.Context, value: Outcome) -> None:
         obj = bpy.data.objects[self._name]
@@ -124,11 +104,6 @@ class LAPWING_OT_export_recipe(Refusing, bpy.types.Operator, ExportHelper):
         edits = recipe_store.chain(obj, self.edit)
         matrix = recipe_store.matrix_of_edit(edits[0])
         steps, objects = recipe_store.steps_at(edits, matrix)
-        if any(step["op"] == "peel" for step in steps):
-            raise Refusal(
-                "Peeling is a command of its own and no step of a recipe; use `lapwing peel`, "
-                "and export edits made before it"
-            )
         path = bpy.path.abspath(self.filepath)
         folder, stem = os.path.dirname(path), os.path.splitext(os.path.basename(path))[0]
         names = {file: f"{stem}-{file}" for file in objects}
@@ -139,7 +114,7 @@ class LAPWING_OT_export_recipe(Refusing, bpy.types.Operator, ExportHelper):
         }
         try:
             write_ply(os.path.join(folder, f"{stem}.ply"), recipe_store.start_mesh(obj, matrix))
-            for file, mesh in recipe_store.other_meshes(objects).items():
+            for file, mesh in finished(recipe_store.other_meshes(objects)).items():
                 write_ply(os.path.join(folder, names[file]), mesh)
             with open(path, "w", encoding="utf-8") as file:
                 json.dump(recipe, file, indent=1)

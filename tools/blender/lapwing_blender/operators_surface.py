@@ -8,18 +8,18 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
 from . import recipe_store, surface_result
-from .arrays import MeshArrays, object_arrays, world_matrix
+from .arrays import object_arrays, world_matrix
 from .background import EngineOperator, Work, warn
 from .edit_request import check_object
 from .errors import Refusal
 from .operator_parts import has_mesh
 from .outcome import Outcome
 from .preferences import chosen_engine
-from .regions import chosen_region, named_region
+from .regions import Region, chosen_region, named_region
 from .settings import PROFILES, settings_of
 
-#: A step of a recipe, and the objects of the files that it names.
-Step = Tuple[Dict[str, Any], Dict[str, str]]
+#: A step of a recipe, and the objects of the files that it names; yields while it reads.
+Step = Generator[None, None, Tuple[Dict[str, Any], Dict[str, str]]]
 REGIONS = [
     ("SELECTION", "Selection", "The selected vertices"),
     ("CURSOR", "3D Cursor", "What lies within a distance of the 3D cursor along the surface"),
@@ -38,7 +38,7 @@ def length(name: str, description: str, default: float = 0.0) -> Any:
 
 
 class SurfaceOperator(EngineOperator):
-    """Mixin: `step` says what is done to the mesh of the active object."""
+    """Mixin: `step` is a generator whose value says what is done to the mesh of the active object."""
 
     region: EnumProperty(items=REGIONS, name="Where")
     radius: FloatProperty(name="Radius", min=1e-6, default=0.5, subtype="DISTANCE",
@@ -52,7 +52,7 @@ class SurfaceOperator(EngineOperator):
     def step(self, context: bpy.types.Context, obj: bpy.types.Object) -> Step:
         raise NotImplementedError
 
-    def target(self, context: bpy.types.Context, obj: bpy.types.Object) -> Dict[str, Any]:
+    def target(self, context: bpy.types.Context, obj: bpy.types.Object) -> Region:
         return chosen_region(context, obj, self.region, self.radius, self.group, "Where")
 
     def prepare(self, context: bpy.types.Context) -> Generator[None, None, Work]:
@@ -62,16 +62,15 @@ class SurfaceOperator(EngineOperator):
         if obj.mode not in ("OBJECT", "EDIT"):
             bpy.ops.object.mode_set(mode="OBJECT")
         self._mode = obj.mode
-        self._step, self._objects = self.step(context, obj)
+        self._step, self._objects = yield from self.step(context, obj)
         yield
-        self._mesh = object_arrays(obj)
-        others = recipe_store.other_meshes(self._objects)
+        self._mesh = mesh = object_arrays(obj)
+        yield
+        others = yield from recipe_store.other_meshes(self._objects)
         if self._mode == "EDIT":
             bpy.ops.object.mode_set(mode="OBJECT")
-        return self.work(engine, self._mesh, others)
-
-    def work(self, engine: Any, mesh: MeshArrays, others: Dict[str, MeshArrays]) -> Work:
-        return lambda progress: engine.run(mesh, [self._step], others, progress)
+        step = self._step
+        return lambda progress: engine.run(mesh, [step], others, progress)
 
     def finish(self, context: bpy.types.Context, value: Outcome) -> None:
         obj = bpy.data.objects[self._name]
@@ -108,8 +107,10 @@ def other_object(context: bpy.types.Context, name: str, what: str) -> bpy.types.
     return others[0]
 
 
-def source_region(obj: bpy.types.Object, group: str) -> Dict[str, Any]:
-    return named_region(obj, group, "The source's region") if group else {"all": True}
+def source_region(obj: bpy.types.Object, group: str) -> Region:
+    if not group:
+        return {"all": True}
+    return (yield from named_region(obj, group, "The source's region"))
 
 
 def disk_of(region: Dict[str, Any], wanted: bool) -> Dict[str, Any]:
@@ -141,8 +142,8 @@ class LAPWING_OT_coat(SurfaceOperator, bpy.types.Operator):
         other = other_object(context, self.source, "The source")
         step = {
             "op": "coat", "source": "source.ply",
-            "source_patch": disk_of(source_region(other, self.source_group), self.find_disk),
-            "target_patch": disk_of(self.target(context, obj), self.find_disk),
+            "source_patch": disk_of((yield from source_region(other, self.source_group)), self.find_disk),
+            "target_patch": disk_of((yield from self.target(context, obj)), self.find_disk),
             "detail_size": check_positive(self.detail_size, "The detail size"),
             "smooth_target": self.smooth_target, "amplitude": self.amplitude,
         }
@@ -172,14 +173,14 @@ class LAPWING_OT_mix(SurfaceOperator, bpy.types.Operator):
 
     def step(self, context: bpy.types.Context, obj: bpy.types.Object) -> Step:
         other = other_object(context, self.source, "The source")
-        target = disk_of(self.target(context, obj), self.find_disk)
+        target = disk_of((yield from self.target(context, obj)), self.find_disk)
+        patch = disk_of((yield from source_region(other, self.source_group)), self.find_disk)
         cursor = [float(x) for x in context.scene.cursor.location]
         own = check_positive(self.own_detail_size, "The own detail size")
         step = {
             "op": "mix", "target_patch": target,
             "sources": [
-                {"mesh": "source.ply",
-                 "patch": disk_of(source_region(other, self.source_group), self.find_disk),
+                {"mesh": "source.ply", "patch": patch,
                  "detail_size": check_positive(self.detail_size, "The detail size")},
                 {"patch": target, "detail_size": own},
             ],
@@ -215,10 +216,9 @@ class LAPWING_OT_transplant(SurfaceOperator, bpy.types.Operator):
         other = other_object(context, self.part, "The part")
         part: Dict[str, Any] = {"mesh": "part.ply"}
         if self.part_group:
-            part["region"] = source_region(other, self.part_group)
-        step: Dict[str, Any] = {
-            "op": "transplant", "part": part, "target_region": self.target(context, obj),
-        }
+            part["region"] = yield from source_region(other, self.part_group)
+        target = yield from self.target(context, obj)
+        step: Dict[str, Any] = {"op": "transplant", "part": part, "target_region": target}
         if self.place == "AUTO":
             step["place"] = {"auto": {"rotate_degrees": degrees(self.turn), "scale": self.scale}}
         else:
@@ -242,11 +242,8 @@ class LAPWING_OT_peel(SurfaceOperator, bpy.types.Operator):
 
     def step(self, context: bpy.types.Context, obj: bpy.types.Object) -> Step:
         size = check_positive(self.detail_size, "The detail size")
-        return {"op": "peel", "region": self.target(context, obj), "detail_size": size}, {}
-
-    def work(self, engine: Any, mesh: MeshArrays, others: Dict[str, MeshArrays]) -> Work:
-        step = self._step
-        return lambda progress: engine.peel(mesh, step["region"], step["detail_size"], progress)
+        region = yield from self.target(context, obj)
+        return {"op": "peel", "region": region, "detail_size": size}, {}
 
 
 CLASSES = (LAPWING_OT_coat, LAPWING_OT_mix, LAPWING_OT_transplant, LAPWING_OT_peel)

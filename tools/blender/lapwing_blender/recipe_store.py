@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import json
-from typing import Any, Callable, Dict, List, Mapping, Sequence, Tuple
+from functools import lru_cache
+from typing import Any, Callable, Dict, Generator, List, Mapping, Sequence, Tuple
 
 import bpy
 import numpy as np
@@ -19,7 +20,14 @@ PROPERTY = "lapwing_edits"
 
 
 def edits_of(obj: bpy.types.Object) -> List[Dict[str, Any]]:
-    return json.loads(obj.get(PROPERTY, "[]"))
+    """Not to be changed."""
+    return list(_read(obj.get(PROPERTY, "[]")))
+
+
+@lru_cache(maxsize=4)
+def _read(text: str) -> List[Dict[str, Any]]:
+    """A panel asks each time that it is drawn, and a region may have all vertices of a mesh."""
+    return json.loads(text)
 
 
 def add(
@@ -121,8 +129,9 @@ def with_files(value: Any, names: Mapping[str, str]) -> Any:
     return value
 
 
-def other_meshes(objects: Mapping[str, str]) -> Dict[str, MeshArrays]:
-    """The meshes of the objects that a recipe names, as they are now."""
+def other_meshes(objects: Mapping[str, str]) -> Generator[None, None, Dict[str, MeshArrays]]:
+    """Yields while it reads; its value is the meshes of the objects that a recipe names, as they are
+    now."""
     meshes = {}
     for file, name in objects.items():
         other = bpy.data.objects.get(name)
@@ -132,6 +141,7 @@ def other_meshes(objects: Mapping[str, str]) -> Dict[str, MeshArrays]:
                 "this name"
             )
         meshes[file] = object_arrays(other)
+        yield
     return meshes
 
 
@@ -143,17 +153,22 @@ def moved_step(step: Mapping[str, Any], by: np.ndarray) -> Dict[str, Any]:
         moved = _moved({k: v for k, v in step.items() if k != "place"}, by)
         place = by @ np.array(step["place"]["matrix"]).reshape(4, 4)
         return {**moved, "place": {"matrix": place.ravel().tolist()}}
-    return _moved(step, by)
+    moved = _moved(step, by)
+    if step["op"] == "peel":
+        moved["detail_size"] *= similarity_scale(by)  # of the mesh itself, and not of a source
+    return moved
 
 
 #: Of the mesh that an operation takes detail from, which stays where it is.
-_OF_SOURCES = {"source_patch", "sources", "part"}
+_OF_SOURCES = {"source_patch", "part"}
 _LENGTHS = {"radius", "width", "padding", "smooth_target"}
 
 
 def _moved(value: Any, by: np.ndarray, key: str = "") -> Any:
     if key in _OF_SOURCES:
         return value
+    if key == "sources":
+        return [each if "mesh" in each else _of_the_mesh_itself(each, by) for each in value]
     if isinstance(value, Mapping):
         return {name: _moved(each, by, name) for name, each in value.items()}
     if key == "matrix":
@@ -168,6 +183,11 @@ def _moved(value: Any, by: np.ndarray, key: str = "") -> Any:
     if isinstance(value, list) and value and isinstance(value[0], Mapping):
         return [_moved(each, by) for each in value]
     return value
+
+
+def _of_the_mesh_itself(source: Mapping[str, Any], by: np.ndarray) -> Dict[str, Any]:
+    """A source of a mix that is the mesh that is edited."""
+    return {**_moved(source, by), "detail_size": source["detail_size"] * similarity_scale(by)}
 
 
 def matrix_of_edit(edit: Mapping[str, Any]) -> np.ndarray:

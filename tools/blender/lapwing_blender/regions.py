@@ -3,15 +3,17 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterator, List, Sequence
+from typing import Any, Dict, Generator, Iterator, List, Sequence
 
 import bpy
 import numpy as np
 
 from .errors import Refusal
 
-#: Vertices whose groups are read in one go; between two of them the window may redraw.
-_SLICE = 50_000
+#: A region as recipes have it, which takes a while to read.
+Region = Generator[None, None, Dict[str, Any]]
+#: Vertices whose groups are read in one go, some milliseconds; between two the window may redraw.
+_SLICE = 2_000
 #: From this value of the sculpt mask on a vertex belongs to the region.
 _MASKED = 0.5
 
@@ -81,12 +83,12 @@ def region_of(vertices: np.ndarray, count: int) -> Dict[str, Any]:
     return {"vertices": vertices.tolist()}
 
 
-def named_region(obj: bpy.types.Object, name: str, what: str) -> Dict[str, Any]:
-    """The vertices of a group, whatever their weight above 0."""
+def named_region(obj: bpy.types.Object, name: str, what: str) -> Region:
+    """Yields while it reads; its value is the vertices of a group, whatever their weight above 0."""
     index = group_index(obj, name, what)
     weights: Dict[int, np.ndarray] = {}
     for weights in read_groups(obj, [index]):
-        pass
+        yield
     vertices = np.flatnonzero(weights[index] > 0.0)
     if len(vertices) == 0:
         raise Refusal(f"{what} is the vertex group '{name}', which is empty; assign vertices to it")
@@ -101,14 +103,14 @@ def cursor_region(cursor: Sequence[float], radius: float) -> Dict[str, Any]:
 def chosen_region(
     context: bpy.types.Context, obj: bpy.types.Object, source: str, radius: float, group: str,
     what: str,
-) -> Dict[str, Any]:
-    """By one of the items of `REGION_ITEMS`."""
+) -> Region:
+    """By one of the items of `REGIONS` of the operators; yields while it reads."""
     if source == "ALL":
         return {"all": True}
     if source == "CURSOR":
         return cursor_region(context.scene.cursor.location, radius)
     if source == "GROUP":
-        return named_region(obj, group, what)
+        return (yield from named_region(obj, group, what))
     vertices = selected_vertices(obj)
     if len(vertices) == 0:
         raise Refusal(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How the surface follows its handles linearly, as columns that a frame only has to add up.
 
-The engine's linear response is affine in the twelve numbers of a handle's matrix. Solved once for
+The engine's linear response is affine in the twelve numbers of a handle's matrix. With a column for
 each of them, it costs a frame one product of a thin matrix with a vector.
 """
 
@@ -46,14 +46,27 @@ class HandleFrame:
         return motion
 
 
-def unit_motions(frames: Sequence[HandleFrame], moved: Sequence[int], handles: int) -> np.ndarray:
-    """(12 len(moved), handles, 4, 4): each number of each of the handles `moved`, the others at
+def unit_motions(frames: Sequence[HandleFrame], handles: int) -> np.ndarray:
+    """(12 len(frames), handles, 4, 4): each number of each of the first handles, the others at
     rest."""
-    motions = np.tile(np.eye(4), (PARAMETERS * len(moved), handles, 1, 1))
-    for k, handle in enumerate(moved):
+    motions = np.tile(np.eye(4), (PARAMETERS * len(frames), handles, 1, 1))
+    for k, frame in enumerate(frames):
         for p in range(PARAMETERS):
-            motions[PARAMETERS * k + p, handle] = frames[k].unit_motion(p)
+            motions[PARAMETERS * k + p, k] = frame.unit_motion(p)
     return motions
+
+
+def columns_about(
+    frames: Sequence[HandleFrame], columns: np.ndarray, centers: np.ndarray
+) -> np.ndarray:
+    """(12 len(frames), n, 3), a column for each number of `frames`, of the module's `columns` of shape
+    (len(frames), 3, 4, n, 3) about its own `centers`."""
+    for k, frame in enumerate(frames):
+        for b, offset in enumerate(centers[k] - frame.centroid):
+            if offset != 0.0:
+                columns[k, :, b] += offset * columns[k, :, 3]
+        columns[k, :, 3] *= frame.length
+    return columns.reshape(PARAMETERS * len(frames), *columns.shape[3:])
 
 
 class Response:

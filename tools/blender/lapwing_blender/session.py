@@ -20,7 +20,7 @@ from .background import Job, Work
 from .edit_request import EditRequest
 from .engine import Progress
 from .errors import Cancelled, Refusal
-from .response import PARAMETERS, Response, unit_motions
+from .response import PARAMETERS, Response
 from .settings import settings_of
 
 #: Between two looks at the Empties.
@@ -114,10 +114,8 @@ def preparing(engine: Any, request: EditRequest) -> Work:
     """The work that makes a Session."""
 
     def work(progress: Progress) -> Session:
-        moved = len(request.frames)
-        motions = unit_motions(request.frames, range(moved), request.handle_count)
-        columns, edit = engine.prepare(request.mesh, request.step, motions, progress)
-        assert len(columns) == PARAMETERS * moved
+        columns, edit = engine.prepare(request.mesh, request.step, request.frames, progress)
+        assert len(columns) == PARAMETERS * len(request.frames)
         inverse = np.linalg.inv(request.matrix)
         response = Response(
             request.frames, request.rest, request.mesh.vertices, columns, inverse

@@ -1,5 +1,6 @@
 #include "edits.h"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <pybind11/stl.h>
@@ -29,8 +30,8 @@ void put(const NamedMeshes& meshes, MeshShelf& shelf) {
 // One step, as JSON that `name` stands for in messages, on `mesh`.
 Result carry_out(const Mesh& mesh, const std::string& step_json, const std::string& name,
                  const NamedMeshes& meshes, const std::string& device, const py::object& heard) {
-  const Step step = read_step(JsonNode::parse(step_json, name));
   return Interruptible(heard).call([&](const Progress& progress) {
+    const Step step = read_step(JsonNode::parse(step_json, name));
     const Device opened = open_device(device);
     MeshShelf shelf;
     put(meshes, shelf);
@@ -50,8 +51,8 @@ Result carry_out(const Mesh& mesh, const std::string& step_json, const std::stri
 Result run(const std::string& recipe_json, const std::filesystem::path& folder,
            const NamedMeshes& meshes, const std::string& device, bool saves,
            const py::object& heard) {
-  const Recipe recipe = parse_recipe(recipe_json, folder, "recipe");
   return Interruptible(heard).call([&](const Progress& progress) {
+    const Recipe recipe = parse_recipe(recipe_json, folder, "recipe");
     const Device opened = open_device(device);
     MeshShelf shelf;
     put(meshes, shelf);
@@ -66,10 +67,18 @@ Result run(const std::string& recipe_json, const std::filesystem::path& folder,
 class Edit {
  public:
   Edit(const Mesh& mesh, const std::string& step_json, const py::object& heard) {
-    const Step step = read_step(JsonNode::parse(step_json, "Deformer"));
     prepared_ = Interruptible(heard).call([&](const Progress& progress) {
+      const Step step = read_step(JsonNode::parse(step_json, "Deformer"));
       return std::make_unique<PreparedDeform>(mesh, std::get<DeformRequest>(step), progress);
     });
+  }
+
+  Edit(const Edit&) = delete;
+  Edit& operator=(const Edit&) = delete;
+  // A large factor takes a while to free.
+  ~Edit() {
+    const py::gil_scoped_release unlocked;
+    prepared_.reset();
   }
 
   Result solve(const py::object& motions, const py::object& heard) {
@@ -104,6 +113,23 @@ class Edit {
       return true;
     });
     return py::make_tuple(std::move(vertices), std::move(certificates));
+  }
+
+  // (columns of shape (k, 3, 4, n, 3), centers of shape (k, 3)).
+  py::tuple response(const std::vector<std::size_t>& handles, const py::object& heard) {
+    const SurfaceResponse response = Interruptible(heard).call([&](const Progress& progress) {
+      const std::lock_guard lock(mutex_);
+      return prepared_->response(handles, progress);
+    });
+    const auto count = static_cast<py::ssize_t>(handles.size());
+    const auto rows = static_cast<py::ssize_t>(response.vertex_count);
+    py::array_t<double> columns({count, py::ssize_t{3}, py::ssize_t{4}, rows, py::ssize_t{3}});
+    double* to = columns.mutable_data();
+    {
+      const py::gil_scoped_release unlocked;  // it is much
+      for (const Eigen::Vector3d& v : response.columns) to = std::copy(v.data(), v.data() + 3, to);
+    }
+    return py::make_tuple(std::move(columns), array_of(response.centers));
   }
 
   const PreparedDeform& prepared() const { return *prepared_; }
@@ -152,6 +178,7 @@ void add_edits(py::module_& module) {
            py::arg("progress"))
       .def("solve_many_float32", &Edit::solve_many<float>, py::arg("motions"), py::arg("threads"),
            py::arg("progress"))
+      .def("response", &Edit::response, py::arg("handles"), py::arg("progress"))
       .def_property_readonly("handle_count", &Edit::handle_count)
       .def_property_readonly("mesh", [](const Edit& edit) { return edit.prepared().mesh(); })
       .def_property_readonly(

@@ -23,7 +23,7 @@ from ._core import (
     SolverError,
     __version__,
 )
-from ._deformer import Deformer, Many
+from ._deformer import Deformer, Many, Response
 from ._meshes import read, shape, write
 from ._operations import coat, deform, mix, run, transplant
 from ._picture import render
@@ -43,7 +43,7 @@ from ._reports import (
 
 __all__ = [
     "Certificate", "Check", "Defect", "Deformer", "DeviceError", "Error", "FileError", "Fixed",
-    "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed", "Result", "SolverError",
-    "check", "coat", "deform", "fix", "mix", "parameterize", "peel", "read", "remesh", "render",
+    "InputError", "Many", "Mesh", "Parameterized", "Peeled", "Remeshed", "Response", "Result",
+    "SolverError", "check", "coat", "deform", "fix", "mix", "parameterize", "peel", "read", "remesh", "render",
     "run", "shape", "transplant", "write",
 ]

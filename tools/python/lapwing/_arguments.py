@@ -168,6 +168,9 @@ def plain(value: Any, vertex_count: Optional[int], where: str) -> Any:
             raise _core.InputError(f"{where}: the number is not finite")
         return value
     if isinstance(value, (Sequence, set, frozenset, range)):
+        kinds = set(map(type, value))
+        if kinds <= {int} or (kinds <= {float} and all(map(math.isfinite, value))):
+            return list(value)  # one by one they would take Python's lock for long
         return [plain(each, vertex_count, f"{where}[{k}]") for k, each in enumerate(value)]
     if hasattr(value, "__array__"):
         return plain(np.asarray(value), vertex_count, where)

@@ -105,6 +105,9 @@ class Edit:
     def solve_many_float32(
         self, motions: object, threads: int, progress: _Progress
     ) -> Tuple[NDArray[np.float32], List[Certificate]]: ...
+    def response(
+        self, handles: List[int], progress: _Progress
+    ) -> Tuple[NDArray[np.float64], NDArray[np.float64]]: ...
     @property
     def handle_count(self) -> int: ...
     @property
