@@ -164,6 +164,107 @@ TEST_F(FollowedCylinder, ADragFromAPoseBeginsThere) {
   EXPECT_LT(moved, 2e-2);
 }
 
+// Of 7,260 vertices, which a coarse surface takes along.
+class FollowedFineCylinder : public ::testing::Test {
+ protected:
+  double off(const SettledPose& pose, double degrees) const {
+    const Positions solved = deformer_.solve(twist(degrees), turn_of(degrees)).positions;
+    double most = 0.0;
+    for (std::size_t v = 0; v < solved.size(); ++v) {
+      most = std::max(most, (mesh_.positions[v] + pose.displacement[v] - solved[v]).norm());
+    }
+    return most / kDiagonal;
+  }
+
+  static constexpr double kDiagonal = 6.2;
+  Mesh mesh_ = test::rippled_cylinder();
+  CpuKernels kernels_;
+  Deformer deformer_{
+      mesh_.positions, mesh_.topology(), test::ends_of_cylinder(mesh_), {}, kernels_};
+};
+
+// Of one frame at rest before, and of frames that have time for the coarse surface alone.
+TEST_F(FollowedFineCylinder, FramesThatOnlyTakeItAlongStayNearTheSolution) {
+  SettledPose pose;
+  for (int degrees = 0; degrees <= 60; degrees += 3) {
+    deformer_.follow(twist(degrees), pose, [](double ms) { return ms == 0.0; });
+    EXPECT_LE(pose.settled.iterations, 1);
+  }
+  EXPECT_LT(off(pose, 60.0), 2e-3);
+}
+
+TEST_F(FollowedFineCylinder, HandleAndBeltGoAsTheyAreHeld) {
+  SettledPose pose;
+  for (int degrees = 0; degrees <= 30; degrees += 3) {
+    deformer_.follow(twist(degrees), pose, [](double ms) { return ms == 0.0; });
+  }
+  for (const Index v : deformer_.region().handles[0]) {
+    const Vector3d wanted = twist(30.0)[0] * mesh_.positions[v];
+    EXPECT_LT((mesh_.positions[v] + pose.displacement[v] - wanted).norm(), 1e-2);
+  }
+  for (const Index v : deformer_.region().belt) EXPECT_LT(pose.displacement[v].norm(), 1e-2);
+}
+
+TEST_F(FollowedFineCylinder, EndsWhereSettlingDoes) {
+  SettledPose pose;
+  for (int degrees = 0; degrees <= 30; degrees += 3) {
+    int left = 1;
+    deformer_.follow(twist(degrees), pose, [&left](double) { return left-- > 0; });
+  }
+  for (int frame = 0; frame < 400 && !pose.settled.settled; ++frame) {
+    int left = 3;
+    deformer_.follow(twist(30.0), pose, [&left](double) { return left-- > 0; });
+  }
+  EXPECT_TRUE(pose.settled.settled);
+  EXPECT_LT(off(pose, 30.0), 1e-3);
+  const SettledPose before = pose;
+  deformer_.follow(twist(30.0), pose);
+  EXPECT_TRUE(same(pose, before));
+}
+
+TEST_F(FollowedFineCylinder, ADragDoesNotDependOnTheOneBefore) {
+  const auto drag = [&](double degrees) {
+    SettledPose pose;
+    for (int frame = 1; frame <= 4; ++frame) {
+      int left = 2;
+      deformer_.follow(twist(degrees * frame), pose, [&left](double) { return left-- > 0; });
+    }
+    return pose;
+  };
+  const SettledPose first = drag(5.0);
+  drag(-12.0);
+  EXPECT_TRUE(same(drag(5.0), first));
+}
+
+TEST_F(FollowedFineCylinder, GoesOnFromAPoseOfBefore) {
+  const auto one_more = [](int& left) { return [&left](double) { return left-- > 0; }; };
+  SettledPose pose;
+  for (int degrees = 0; degrees <= 12; degrees += 3) {
+    int left = 2;
+    deformer_.follow(twist(degrees), pose, one_more(left));
+  }
+  SettledPose on = pose;
+  SettledPose again = pose;
+  int left = 2;
+  deformer_.follow(twist(15.0), on, one_more(left));
+  left = 2;
+  deformer_.follow(twist(15.0), again, one_more(left));
+  EXPECT_LT(off(on, 15.0), 0.01);
+  EXPECT_LT(off(again, 15.0), 0.01);
+}
+
+TEST_F(FollowedFineCylinder, CancellingLeavesThePoseAsItWas) {
+  SettledPose pose;
+  deformer_.follow(twist(10.0), pose);
+  const SettledPose before = pose;
+  int calls = 0;
+  const auto third = [&calls](std::string_view, double) { return ++calls < 3; };
+  EXPECT_THROW(deformer_.follow(twist(20.0), pose, {}, third), Cancelled);
+  EXPECT_TRUE(same(pose, before));
+  deformer_.follow(twist(20.0), pose);
+  EXPECT_LT(off(pose, 20.0), 1e-3);
+}
+
 // A second step, on what the first one made.
 TEST(Follow, TwoStepsOf130DegreesTurnTheMiddleBy130) {
   const Mesh mesh = test::rippled_cylinder();

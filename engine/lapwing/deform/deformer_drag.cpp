@@ -140,7 +140,7 @@ void Deformer::State::find_coarse() {
   if (std::exchange(has_coarse, true)) return;
   const Stopwatch watch;
   coarse = CoarseDrag::make(*system);
-  timings.add("coarse", watch.elapsed_ms());
+  if (coarse != nullptr) timings.add("coarse", watch.elapsed_ms());
 }
 
 // From `pose` by way of the coarse surface. Belt and handles go as they are held.

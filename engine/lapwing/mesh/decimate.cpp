@@ -65,16 +65,11 @@ class Decimation {
         owners_(positions.size()),
         quadrics_(positions.size()) {
     std::iota(owners_.begin(), owners_.end(), 0U);
-    for (const Triangle& t : triangles_) {
-      const Vector3d n = normal_of(t, kNoIndex, kNoIndex);
-      const double length = n.norm();
-      if (!(length > 0.0)) continue;
-      for (const Index v : t) quadrics_[v].add_plane(n / length, length / 6.0);
-    }
+    find_around();
+    for (const Triangle& t : triangles_) add_planes(t);
   }
 
   Decimated run(std::size_t count) {
-    find_around();
     std::size_t left = used_count();
     while (left > count) {
       const std::size_t merged = pass(left - count);
@@ -90,6 +85,21 @@ class Decimation {
   void find_around() {
     around_ = triangles_around_vertices(positions_.size(), triangles_);
     rings_ = rings_by_triangles(around_, triangles_);
+  }
+  // That of a triangle, and across its sides on a boundary, which keep that where it is.
+  void add_planes(const Triangle& t) {
+    const Vector3d n = normal_of(t, kNoIndex, kNoIndex);
+    const double length = n.norm();
+    if (!(length > 0.0)) return;
+    for (const Index v : t) quadrics_[v].add_plane(n / length, length / 6.0);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Index a = t[c];
+      const Index b = t[(c + 1) % 3];
+      if (triangles_on(a, b) != 1) continue;
+      const Vector3d edge = positions_[b] - positions_[a];
+      const Vector3d across = edge.cross(n).normalized();
+      for (const Index v : {a, b}) quadrics_[v].add_plane(across, edge.squaredNorm());
+    }
   }
   std::size_t used_count() const {
     std::size_t used = 0;
@@ -146,7 +156,8 @@ class Decimation {
     const auto b = rings_[into];
     std::size_t common = 0;
     for (const Index j : a) common += std::binary_search(b.begin(), b.end(), j) ? 1 : 0;
-    if (common != triangles_on(from, into)) return false;
+    const std::size_t on = triangles_on(from, into);
+    if (common != on || around_.size(from) + around_.size(into) == 2 * on) return false;
     if (a.size() + b.size() - 2 - common > kMostNeighbours) return false;
     return std::all_of(around_[from].begin(), around_[from].end(), [&](Index t) {
       const Triangle& triangle = triangles_[t];
@@ -167,6 +178,20 @@ class Decimation {
            before.dot(after) >= kLeastCosine * before.norm() * length;
   }
 
+  // The third corners of the triangles on an edge, of which there are at most two.
+  std::array<Index, 2> corners_beside(Index a, Index b) const {
+    std::array<Index, 2> beside{kNoIndex, kNoIndex};
+    std::size_t count = 0;
+    for (const Index t : around_[a]) {
+      if (!has(triangles_[t], b) || count == beside.size()) continue;
+      for (const Index v : triangles_[t]) {
+        if (v != a && v != b) beside[count] = v;
+      }
+      ++count;
+    }
+    return beside;
+  }
+
   // Merges at most `most` vertices, none next to another; returns how many.
   std::size_t pass(std::size_t most) {
     std::vector<Merge> merges(positions_.size());
@@ -179,11 +204,21 @@ class Decimation {
     });
     const std::size_t tried = std::max<std::size_t>(merges.size() / kCandidatesPerPass, 1);
     std::vector<char> is_taken(positions_.size(), 0);
+    std::vector<char> loses(positions_.size(), 0);  // a triangle, in this pass
     std::size_t merged = 0;
     // Of the others only where none of the cheapest may.
     for (std::size_t k = 0; k < merges.size() && merged < most && (k < tried || merged == 0); ++k) {
       const auto [cost, from, into] = merges[k];
       if (is_taken[from] != 0 || !may_merge(from, into)) continue;
+      const auto beside = corners_beside(from, into);
+      if (std::any_of(beside.begin(), beside.end(), [&](Index v) {
+            return v != kNoIndex && (loses[v] != 0 || around_.size(v) < 2);
+          })) {
+        continue;
+      }
+      for (const Index v : beside) {
+        if (v != kNoIndex) loses[v] = 1;
+      }
       for (const Index j : rings_[from]) is_taken[j] = 1;
       merge(from, into);
       ++merged;
