@@ -253,6 +253,21 @@ TEST_F(FollowedFineCylinder, GoesOnFromAPoseOfBefore) {
   EXPECT_LT(off(again, 15.0), 0.01);
 }
 
+TEST_F(FollowedFineCylinder, GoesOnAtRestFromAPoseOfAnotherDeformer) {
+  SettledPose pose;
+  for (int degrees = 0; degrees <= 12; degrees += 3) {
+    deformer_.follow(twist(degrees), pose, [](double ms) { return ms == 0.0; });
+  }
+  const Deformer other(mesh_.positions, mesh_.topology(), test::ends_of_cylinder(mesh_), {},
+                       kernels_);
+  for (int frame = 0; frame < 400 && !pose.settled.settled; ++frame) {
+    int left = 3;
+    other.follow(twist(12.0), pose, [&left](double) { return left-- > 0; });
+  }
+  EXPECT_TRUE(pose.settled.settled);
+  EXPECT_LT(off(pose, 12.0), 1e-3);
+}
+
 TEST_F(FollowedFineCylinder, CancellingLeavesThePoseAsItWas) {
   SettledPose pose;
   deformer_.follow(twist(10.0), pose);

@@ -18,6 +18,7 @@ struct Studies {
   SettleBench settle;
   RealBench real;
   ConstraintsBench constraints;
+  FollowBench follow;
   CoatBench coat;
 #ifdef LAPWING_HAVE_VIEWER
   FrameBench frame;
@@ -97,6 +98,15 @@ void add_studies(CLI::App& app, Studies& studies) {
     studies.coat.repeats = studies.repeats;
     bench_coat(studies.coat);
   });
+
+  auto* follow = app.add_subcommand(
+      "follow", "drags settled frame by frame in a given time, and how far they are from settled");
+  follow->add_option("MESH", studies.follow.meshes)->required();
+  follow->add_option("--subdivide", studies.follow.subdivisions, "so many times")
+      ->check(CLI::Range(0, 4));
+  follow->add_option("--budget", studies.follow.budget_ms, "milliseconds of a frame")
+      ->check(CLI::PositiveNumber);
+  follow->callback([&] { bench_follow(studies.follow); });
 
   auto* constraints =
       app.add_subcommand("constraints", "what many handles and landmarks cost beside one handle");

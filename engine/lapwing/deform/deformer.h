@@ -94,18 +94,19 @@ class Deformer {
   DeformResult solve(std::span<const Eigen::Affine3d> motions,
                      std::span<const Eigen::AngleAxisd> turns, const Progress& progress = {}) const;
 
-  /// One settled frame of a drag: moves `pose` on to where the handles' motions take it. A region
-  /// of 5,000 vertices or more is taken along by one of 2,000 (CoarseDrag), which the first frame
-  /// makes (stage "coarse"). A smaller one begins where the last frames lead as far as the handles
-  /// go on as they did, and goes the rest of the way by the linear response: that of `response` or
-  /// `response_of`, which was asked for last, as long as the other handles rest. Every frame is a
-  /// better surface than that, and as good as `go_on` (Settler::follow) leaves time for; with the
-  /// same motions again it goes on, and once settled nothing moves. `turns` are those of `solve`.
-  /// From an empty pose it begins where `solve` does, and so does a frame in which a handle has
-  /// turned by more than 90 degrees since the last, for which the old pose tells too little. One
-  /// drag at a time; another one begins with `begin_drag`. Throws InputError without settling in
-  /// the options, SolverError when the result is not finite, Cancelled when `progress` asks for it,
-  /// each time with `pose` as it was.
+  /// One settled frame of a drag: moves `pose` on to where the handles' motions take it. It begins
+  /// where the last frames lead as far as the handles go on as they did, and goes the rest of the
+  /// way by the linear response: that of `response` or `response_of`, which was asked for last, as
+  /// long as the other handles rest. Every frame is a better surface than that, and as good as
+  /// `go_on` (Settler::follow) leaves time for. Where that was too little for a frame, a region of
+  /// 5,000 vertices or more is taken along by one of 2,000 instead (CoarseDrag, made once), which
+  /// takes little time at any size, until the handles rest; then the surface itself is settled.
+  /// With the same motions again it goes on, and once settled nothing moves. `turns` are those of
+  /// `solve`. From an empty pose it begins where `solve` does, and so does a frame in which a
+  /// handle has turned by more than 90 degrees since the last, for which the old pose tells too
+  /// little. One drag at a time; another one begins with `begin_drag`. Throws InputError without
+  /// settling in the options, SolverError when the result is not finite, Cancelled when `progress`
+  /// asks for it, each time with `pose` as it was.
   void follow(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
               SettledPose& pose, const GoOn& go_on = {}, const Progress& progress = {}) const;
 

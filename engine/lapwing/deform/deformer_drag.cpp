@@ -136,11 +136,10 @@ Positions Deformer::State::gone_on(const SettledPose& pose,
   return u;
 }
 
-void Deformer::State::find_coarse() {
-  if (std::exchange(has_coarse, true)) return;
-  const Stopwatch watch;
-  coarse = CoarseDrag::make(*system);
-  if (coarse != nullptr) timings.add("coarse", watch.elapsed_ms());
+// Whether there is one, which the first call makes.
+bool Deformer::State::find_coarse() {
+  if (!std::exchange(has_coarse, true)) coarse = CoarseDrag::make(*system);
+  return coarse != nullptr;
 }
 
 // From `pose` by way of the coarse surface. Belt and handles go as they are held.
@@ -175,23 +174,18 @@ bool Deformer::State::go_on_at_rest(const SettledPose& pose, const SettleTarget&
   return settler->energy(target, next.displacement) < before;
 }
 
-// Settles the surface itself, as far as there is time: where a coarse one has taken it along it can
-// do without while the handles move. What pulls on the surface before it is smooth, or in the first
-// frame of a drag, tells the coarse one nothing.
-void Deformer::State::smooth(const SettleTarget& target, bool begins, bool at_rest,
-                             const GoOn& go_on, const Progress& progress, SettledPose& next) {
-  const bool must = begins || at_rest || coarse == nullptr;
-  if (!must && go_on && !go_on(smoothing_ms)) return;
+// Settles the surface itself, as far as there is time; false where a frame does without, which it
+// may where a coarse surface has taken it along.
+bool Deformer::State::smooth(const SettleTarget& target, bool must, const GoOn& go_on,
+                             const Progress& progress, SettledPose& next) {
+  if (!must && go_on && !go_on(smoothing_ms)) return false;
   const Stopwatch watch;
   bool is_first = must;
   const auto goes_on = [&](double ms) { return go_on(std::exchange(is_first, false) ? 0.0 : ms); };
   next.settled =
       settler->follow(target, next.displacement, go_on ? GoOn(goes_on) : GoOn(), progress);
   smoothing_ms = watch.elapsed_ms() / std::max(next.settled.iterations, 1);
-  if (coarse == nullptr || begins || next.settled.iterations == 0) return;
-  std::vector<Vector3d> gradient(next.displacement.size(), Vector3d::Zero());
-  settler->gradient(gradient);
-  coarse->learn(next.displacement, gradient);
+  return next.settled.iterations > 0;
 }
 
 const std::shared_ptr<const DragResponse>& Deformer::response(const Progress& progress) const {
@@ -265,41 +259,51 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   const std::vector<double> scales = s.asked_scales(motions);
   const SettleTarget target{wanted, scales};
   State& on = *state_;
-  on.find_coarse();
   const bool begins = pose.parameters.empty() || any_far_since(pose.turns, turns);
   const bool at_rest = next.parameters == pose.parameters;
+  if (begins || (at_rest && pose.settled.settled)) on.lacks_time = false;
   const bool coarse_was_there =
       std::exchange(on.coarse_is_there, false) && pose.frame == s.last_frame;
-  bool coarse_is_there = s.coarse != nullptr;
+  bool by_coarse = false;
   if (begins) {
     s.settler->begin_drag();
     next.displacement = edit.region.targets.empty() ? s.displacement_by(next.parameters)
                                                     : axis_displacement(edit, wanted);
     choose_start(motions, turns, target, next.displacement);
-    if (s.coarse != nullptr) on.coarse->begin(target, next.displacement);
-    on.coarse_moves_at_rest = 0;
   } else if (at_rest) {
-    coarse_is_there = coarse_was_there && on.go_on_at_rest(pose, target, next);
-    if (!coarse_is_there) next.displacement = pose.displacement;
-  } else if (s.coarse != nullptr) {
-    on.take_along(pose, target, coarse_was_there, next);
+    by_coarse = coarse_was_there && on.go_on_at_rest(pose, target, next);
+    if (!by_coarse) next.displacement = pose.displacement;
   } else {
-    next.displacement = s.gone_on(pose, next.parameters);
+    by_coarse = s.lacks_time && go_on && on.find_coarse();
+    if (by_coarse) {
+      on.take_along(pose, target, coarse_was_there, next);
+    } else {
+      next.displacement = s.gone_on(pose, next.parameters);
+    }
   }
-  on.smooth(target, begins, at_rest, go_on, progress, next);
+  const bool must = !by_coarse || at_rest;
+  const bool is_smooth = on.smooth(target, must, go_on, progress, next);
+  if (!begins && !at_rest && !next.settled.settled) on.lacks_time = true;
+  // What pulls on the surface before it is smooth tells the coarse one nothing.
+  if (is_smooth && by_coarse) {
+    std::vector<Vector3d> gradient(next.displacement.size(), Vector3d::Zero());
+    s.settler->gradient(gradient);
+    on.coarse->learn(next.displacement, gradient);
+  }
   edit.loose.carry(wanted, scales, next.displacement);
   Certificate certificate;
   certificate.all_finite = std::all_of(next.displacement.begin(), next.displacement.end(),
                                        [](const Vector3d& v) { return v.allFinite(); });
   require_valid(certificate);
-  if (!begins && s.coarse == nullptr) remember_change(pose, next);
+  if (!begins && !by_coarse) remember_change(pose, next);
   next.frame = ++on.last_frame;
-  on.coarse_is_there = coarse_is_there;
+  on.coarse_is_there = by_coarse;
   pose = std::move(next);
 }
 
 void Deformer::begin_drag() const {
   state_->coarse_is_there = false;
+  state_->lacks_time = false;
   if (state_->settler != nullptr) state_->settler->begin_drag();
 }
 

@@ -40,6 +40,7 @@ struct Deformer::State {
   bool has_coarse = false;             ///< whether that has been looked at
   std::uint64_t last_frame = 0;
   bool coarse_is_there = false;  ///< where the last frame left the surface
+  bool lacks_time = false;       ///< whether a frame of this drag has not settled in its time
   int coarse_moves_at_rest = 0;  ///< since the handles moved last
   double smoothing_ms = 0.0;     ///< what the fine level takes at least
 
@@ -55,12 +56,12 @@ struct Deformer::State {
   std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
-  void find_coarse();
+  bool find_coarse();
   void take_along(const SettledPose& pose, const SettleTarget& target, bool is_there,
                   SettledPose& next);
   bool go_on_at_rest(const SettledPose& pose, const SettleTarget& target, SettledPose& next);
-  void smooth(const SettleTarget& target, bool begins, bool at_rest, const GoOn& go_on,
-              const Progress& progress, SettledPose& next);
+  bool smooth(const SettleTarget& target, bool must, const GoOn& go_on, const Progress& progress,
+              SettledPose& next);
 };
 
 /// From here on the way round counts, which a linear response does not know.

@@ -25,6 +25,7 @@ constexpr double kLeastCosine = 0.7;
 constexpr std::size_t kMostNeighbours = 14;
 // Of the candidates of a pass, the cheapest; the others are more expensive by then.
 constexpr std::size_t kCandidatesPerPass = 3;  // one in
+constexpr std::size_t kSmallPass = 100;        // merges less than one in so many
 constexpr std::size_t kVerticesPerTask = 2048;
 
 // sum_t area_t (squared distance from the plane of t), as a polynomial about a vertex of its own,
@@ -73,9 +74,10 @@ class Decimation {
     std::size_t left = used_count();
     while (left > count) {
       const std::size_t merged = pass(left - count);
-      if (merged == 0) break;
       left -= merged;
       find_around();
+      // What is left may hardly be merged: each pass costs as much as a large one.
+      if (kSmallPass * merged < left) break;
     }
     return result();
   }
@@ -206,8 +208,11 @@ class Decimation {
     std::vector<char> is_taken(positions_.size(), 0);
     std::vector<char> loses(positions_.size(), 0);  // a triangle, in this pass
     std::size_t merged = 0;
-    // Of the others only where none of the cheapest may.
-    for (std::size_t k = 0; k < merges.size() && merged < most && (k < tried || merged == 0); ++k) {
+    // Of the others only where few of the cheapest may.
+    const auto goes_on = [&](std::size_t k) {
+      return merged < most && (k < tried || kSmallPass / 2 * merged < merges.size());
+    };
+    for (std::size_t k = 0; k < merges.size() && goes_on(k); ++k) {
       const auto [cost, from, into] = merges[k];
       if (is_taken[from] != 0 || !may_merge(from, into)) continue;
       const auto beside = corners_beside(from, into);

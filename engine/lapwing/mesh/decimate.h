@@ -22,9 +22,9 @@ inline constexpr Index kKeptGroup = kNoIndex;
 /// whose going changes the surface least: quadric error, and a little of the fourth power of the
 /// edge, so that flat parts keep triangles of one size. No triangle folds over or becomes a needle,
 /// boundaries go along themselves, and vertices of edges with more than two triangles and where
-/// fans meet are kept; more than `count` are left where that forbids the rest. `groups`: one per
-/// vertex, or kKeptGroup. Same result for any number of threads. Linear in the size at each of some
-/// dozen passes, each of which takes a fifth away. Based on: Garland, Heckbert, "Surface
+/// fans meet are kept; more than `count` are left where that forbids most of the rest. `groups`:
+/// one per vertex, or kKeptGroup. Same result for any number of threads. Linear in the size at each
+/// of some dozen passes, each of which takes a fifth away. Based on: Garland, Heckbert, "Surface
 /// Simplification Using Quadric Error Metrics", 1997.
 Decimated decimate(std::span<const Eigen::Vector3d> positions, std::vector<Triangle> triangles,
                    std::span<const Index> groups, std::size_t count);

@@ -79,6 +79,17 @@ struct ConstraintsBench {
 /// mesh as it is, how long a window waits with many pins, and for another one to be taken in hand.
 void bench_constraints(const ConstraintsBench& settings);
 
+struct FollowBench {
+  std::vector<std::string> meshes;
+  int subdivisions = 0;    ///< of every mesh, each into four times the triangles
+  double budget_ms = 0.0;  ///< of a frame; 0: 8 up to 50,000 vertices, 16 up to 250,000, then 100
+};
+
+/// Drags one end of each mesh in two ways (`studies/real/ends_motion.h`), settled frame by frame in
+/// a given time, and prints what frames take and how far they are from what they would settle to:
+/// while the handle moves, beside the linear response, and half a second after it has come to rest.
+void bench_follow(const FollowBench& settings);
+
 struct FrameBench {
   std::string mesh;
   int subdivisions = 0;  ///< of it, each into four times the triangles

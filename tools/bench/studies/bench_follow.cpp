@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+#include "lapwing/base/errors.h"
+#include "lapwing/deform/deform_request.h"
+#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/turn_tracker.h"
+#include "lapwing/io/mesh_file.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/mesh/subdivide.h"
+#include "run/measure.h"
+#include "studies/real/ends_motion.h"
+#include "studies/real/held_region.h"
+#include "studies/studies.h"
+
+namespace lapwing::bench {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+
+// A drag there in half a second, and then a hand that rests.
+constexpr int kFrames = 30;
+constexpr double kRest_ms = 500.0;
+constexpr int kFramesPerCheck = 5;
+
+double budget_ms(const FollowBench& settings, std::size_t vertices) {
+  constexpr std::size_t kSmall = 50'000;
+  constexpr std::size_t kLarge = 250'000;
+  if (settings.budget_ms > 0.0) return settings.budget_ms;
+  return vertices <= kSmall ? 8.0 : vertices <= kLarge ? 16.0 : 100.0;
+}
+
+class FollowedEdit {
+ public:
+  FollowedEdit(const Mesh& mesh, EndsMotion motion)
+      : mesh_(mesh),
+        ends_(moved_ends(motion, mesh.positions)),
+        region_(held_region(ends_, mesh.positions, mesh.topology()).region),
+        centroid_(handle_frame(region_.handles[0], mesh.positions).centroid),
+        diagonal_(bounds_of(mesh.positions).diagonal()),
+        deformer_(mesh.positions, mesh.topology(), region_, DeformParameters{}, kernels_) {}
+
+  void frame(double share, SettledPose& pose, const GoOn& go_on = {}) const {
+    const std::array motions{part(share)};
+    deformer_.follow(motions, pose, go_on);
+  }
+  // By the columns alone.
+  Positions linear(double share) const {
+    Positions positions = mesh_.positions;
+    Drag(deformer_.response()).move(std::array{part(share)}, positions);
+    return positions;
+  }
+  // What settling comes to from a pose, in percent of the diagonal from there.
+  double off_percent(double share, const SettledPose& pose, Positions* settled = nullptr) const {
+    SettledPose end = pose;
+    end.settled = {};
+    const Deformer& other = reference();
+    other.begin_drag();
+    const std::array motions{part(share)};
+    for (int k = 0; k < kMostFrames && !end.settled.settled && !end.settled.exhausted; ++k) {
+      other.follow(motions, end);
+    }
+    if (settled != nullptr) *settled = displaced(end);
+    return distance_percent(displaced(end), displaced(pose));
+  }
+  double distance_percent(const Positions& a, const Positions& b) const {
+    double most = 0.0;
+    for (std::size_t v = 0; v < a.size(); ++v) most = std::max(most, (a[v] - b[v]).norm());
+    return 100.0 * most / diagonal_;
+  }
+  const Deformer& deformer() const { return deformer_; }
+
+ private:
+  static constexpr int kMostFrames = 5;  // of 200 iterations each
+
+  Affine3d part(double share) const {
+    return partial_motion(ends_.map, shortest_turn(ends_.map), centroid_, share);
+  }
+  Positions displaced(const SettledPose& pose) const {
+    Positions positions = mesh_.positions;
+    for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
+    return positions;
+  }
+  // So that what is measured keeps what its frames have told.
+  const Deformer& reference() const {
+    if (reference_ == nullptr) {
+      reference_ = std::make_unique<Deformer>(mesh_.positions, mesh_.topology(), region_,
+                                              DeformParameters{}, kernels_);
+    }
+    return *reference_;
+  }
+
+  const Mesh& mesh_;
+  MovedEnds ends_;
+  EditRegion region_;
+  Vector3d centroid_;
+  double diagonal_;
+  mutable CpuKernels kernels_;
+  Deformer deformer_;
+  mutable std::unique_ptr<Deformer> reference_;
+};
+
+void follow(const FollowBench& settings, const std::string& name, const Mesh& mesh,
+            EndsMotion motion) {
+  const FollowedEdit edit(mesh, motion);
+  const double budget = budget_ms(settings, mesh.vertex_count());
+  Samples frames;
+  SettledPose pose;
+  edit.deformer().response();
+  const Stopwatch first;
+  edit.frame(0.0, pose);
+  const double first_ms = first.elapsed_ms();
+  double off = 0.0;
+  double linear_off = 0.0;
+  int iterations = 0;
+  for (int k = 1; k <= kFrames; ++k) {
+    const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * k / kFrames);
+    const Stopwatch watch;
+    edit.frame(share, pose, [&](double ms) { return watch.elapsed_ms() + ms < budget; });
+    frames.milliseconds.push_back(watch.elapsed_ms());
+    iterations += pose.settled.iterations;
+    if (k % kFramesPerCheck != 0) continue;
+    Positions settled;
+    off = std::max(off, edit.off_percent(share, pose, &settled));
+    linear_off = std::max(linear_off, edit.distance_percent(edit.linear(share), settled));
+  }
+  const Stopwatch rest;
+  while (rest.elapsed_ms() < kRest_ms && !pose.settled.settled) {
+    const Stopwatch watch;
+    edit.frame(1.0, pose, [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < budget; });
+  }
+  const double rest_off = edit.off_percent(1.0, pose);
+  std::printf(
+      "| %-20s | %-4s | %9zu | %7.1f | %6.0f | %6.2f | %6.2f | %5.2f | %6.2f | %6.2f | %6.3f |\n",
+      name.c_str(), std::string(name_of(motion)).c_str(), mesh.vertex_count(), first_ms, budget,
+      frames.median(), frames.max(), static_cast<double>(iterations) / kFrames, off, linear_off,
+      rest_off);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+void bench_follow(const FollowBench& settings) {
+  std::printf(
+      "Frames of a drag in half a second, each in a given time; how far a vertex is at most from\n"
+      "what the frame would settle to, in percent of the diagonal, beside the linear response; "
+      "and\n"
+      "so half a second after the hand has come to rest.\n\n"
+      "| mesh                 |      |  vertices | first   | given  | median | most   | its.  | "
+      "off    "
+      "| linear | rest   |\n"
+      "|----------------------|------|----------:|--------:|-------:|-------:|-------:|------:|----"
+      "---:"
+      "|-------:|-------:|\n");
+  for (const std::string& file : settings.meshes) {
+    const std::string name = std::filesystem::path(file).stem().string();
+    try {
+      Mesh mesh = read_mesh(file);
+      for (int k = 0; k < settings.subdivisions; ++k) mesh = subdivide(mesh);
+      for (const EndsMotion motion : kEndsMotions) follow(settings, name, mesh, motion);
+    } catch (const Error& error) {
+      std::printf("| %-20s | %s\n", name.c_str(), error.what());
+    }
+  }
+}
+
+}  // namespace lapwing::bench
