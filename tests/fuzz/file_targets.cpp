@@ -3,6 +3,7 @@
 
 #include "fuzz/targets.h"
 #include "io/gltf_sample.h"
+#include "io/jpeg_file.h"
 #include "io/rich_mesh.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/file_bytes.h"
@@ -183,9 +184,9 @@ void read_picture(Bytes bytes) {
   const fs::path path = file_of(bytes, "a.png");
   try {
     const ImageSize size = read_image_size(path);
-    // The readers of images are the library's; its memory is bounded by the pixels, of which a
-    // file of no size can promise very many.
-    constexpr std::uint64_t kMostPixels = 1U << 12U;
+    // The readers of images are libraries'; their memory is bounded by the pixels, of which a file
+    // of no size can promise very many. Most of the time goes into writing them again.
+    constexpr std::uint64_t kMostPixels = 1U << 8U;
     if (std::uint64_t{size.width} * size.height > kMostPixels) return;
     const Image image = read_image(path);
     require(image.rgba.size() == std::size_t{4} * image.width * image.height, "all pixels");
@@ -295,6 +296,19 @@ std::vector<std::string> picture_seeds() {
       "BM\x3A\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0"
       "\0\0\0\0\4\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\1\2\3\0",
       58);
+  // JPEG: grey, colour of fewer samples, and inks, each as baseline and progressive.
+  for (JpegOptions options :
+       {JpegOptions{.pixels = TJPF_GRAY, .sampling = TJSAMP_GRAY, .quality = 80},
+        JpegOptions{.pixels = TJPF_RGB, .sampling = TJSAMP_420, .quality = 80},
+        JpegOptions{.pixels = TJPF_CMYK, .sampling = TJSAMP_444, .quality = 80}}) {
+    const std::vector<std::uint8_t> values{0,  40, 80,  120, 160, 200, 240, 30, 70,  110, 150, 190,
+                                           20, 60, 100, 140, 180, 220, 10,  50, 255, 130, 170, 210};
+    const std::size_t count =
+        std::size_t{6} * static_cast<std::size_t>(tjPixelSize[options.pixels]);
+    seeds.push_back(jpeg_file(std::span(values).first(count), 3, options));
+    options.progressive = true;
+    seeds.push_back(jpeg_file(std::span(values).first(count), 3, options));
+  }
   return seeds;
 }
 std::vector<std::string> csv_seeds() {

@@ -15,4 +15,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/lapwingConfigVersion.cmak
 install(FILES
   ${PROJECT_BINARY_DIR}/lapwingConfig.cmake ${PROJECT_BINARY_DIR}/lapwingConfigVersion.cmake
   tools/cmake/FindAMD.cmake tools/cmake/FindMETIS.cmake
+  tools/cmake/FindTurboJPEG.cmake
   DESTINATION ${package_dir})

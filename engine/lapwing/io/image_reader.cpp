@@ -7,6 +7,8 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/io/file_bytes.h"
 #include "lapwing/io/image.h"
+#include "lapwing/io/image_refusal.h"
+#include "lapwing/io/jpeg_reader.h"
 
 namespace lapwing {
 namespace {
@@ -27,9 +29,8 @@ void* allocate_for_image(void* old, std::size_t bytes) {
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
 // What else stb can read is rarely a texture, and the parts of it with the most faults found so
-// far.
+// far; JPEG files are libjpeg-turbo's.
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
 #include <stb/stb_image.h>
@@ -41,8 +42,7 @@ constexpr int kImageChannels = 4;
 
 [[noreturn]] void fail_to_decode(const std::filesystem::path& path) {
   const char* const reason = stbi_failure_reason();
-  throw InputError(path.string() + ": not a PNG, JPEG, BMP or TGA image that can be read (" +
-                   (reason != nullptr ? reason : "no pixels") + "); convert it to PNG");
+  refuse_image(path, reason != nullptr ? reason : "no pixels");
 }
 
 // An image's file in memory.
@@ -56,17 +56,10 @@ class ImageFile {
   }
 
   ImageSize size() const {
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    if (stbi_info_from_memory(data(), length(), &width, &height, &channels) == 0 || width <= 0 ||
-        height <= 0) {
-      fail_to_decode(path_);
-    }
-    const ImageSize size{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+    const ImageSize size = is_jpeg(bytes_.view()) ? jpeg().size() : size_by_stb();
     if (std::uint64_t{size.width} * size.height > kMostImagePixels) {
-      throw InputError(path_.string() + ": " + std::to_string(width) + " x " +
-                       std::to_string(height) +
+      throw InputError(path_.string() + ": " + std::to_string(size.width) + " x " +
+                       std::to_string(size.height) +
                        " pixels are more than 8192 x 8192; make the image smaller");
     }
     return size;
@@ -74,6 +67,24 @@ class ImageFile {
 
   Image decode() const {
     const ImageSize expected = size();
+    return is_jpeg(bytes_.view()) ? jpeg().decode() : decode_by_stb(expected);
+  }
+
+ private:
+  JpegReader jpeg() const { return {path_, bytes_.view()}; }
+
+  ImageSize size_by_stb() const {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (stbi_info_from_memory(data(), length(), &width, &height, &channels) == 0 || width <= 0 ||
+        height <= 0) {
+      fail_to_decode(path_);
+    }
+    return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+  }
+
+  Image decode_by_stb(const ImageSize& expected) const {
     int width = 0;
     int height = 0;
     int channels = 0;
@@ -87,7 +98,6 @@ class ImageFile {
     return image;
   }
 
- private:
   const stbi_uc* data() const { return reinterpret_cast<const stbi_uc*>(bytes_.view().data()); }
   int length() const { return static_cast<int>(bytes_.view().size()); }
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include <turbojpeg.h>
+
+namespace lapwing {
+
+/// How `jpeg_file` writes.
+struct JpegOptions {
+  int pixels = TJPF_RGBA;  ///< what it is given, one of TJPF_*
+  int sampling = TJSAMP_444;
+  int quality = 100;
+  bool progressive = false;
+};
+
+/// The bytes of a JPEG file of `width` columns, rows from the top.
+inline std::string jpeg_file(std::span<const std::uint8_t> pixels, int width,
+                             const JpegOptions& options = {}) {
+  const std::unique_ptr<void, decltype(&tjDestroy)> encoder(tjInitCompress(), &tjDestroy);
+  const int row = width * tjPixelSize[options.pixels];
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  const int status =
+      tjCompress2(encoder.get(), pixels.data(), width, row, static_cast<int>(pixels.size()) / row,
+                  options.pixels, &bytes, &size, options.sampling, options.quality,
+                  options.progressive ? TJFLAG_PROGRESSIVE : 0);
+  const std::unique_ptr<unsigned char, decltype(&tjFree)> owned(bytes, &tjFree);
+  if (status != 0) throw std::runtime_error(tjGetErrorStr2(encoder.get()));
+  return {reinterpret_cast<const char*>(bytes), size};
+}
+
+}  // namespace lapwing
