@@ -10,19 +10,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Vertices of the coarse region. Fewer follow limbs worse; more cost more than an iteration of the
-// fine one does at 10,000.
-constexpr std::size_t kCoarseVertices = 2000;
-constexpr std::size_t kSmallRegion = 5000;
+// Vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
+constexpr std::size_t kCoarseVertices = 3000;
+constexpr std::size_t kSmallRegion = 6500;
 
 // Of the gathered forces: the coarse surface gives way to them a little more or less than the fine
 // one would.
 constexpr double kTrust = 0.7;
-
-const Matrix3d& identity() {
-  static const Matrix3d one = Matrix3d::Identity();
-  return one;
-}
 
 }  // namespace
 
@@ -65,7 +59,7 @@ SettleTarget CoarseDrag::target_of(const SettleTarget& fine) {
 CoarseEmbedding::Pose CoarseDrag::pose_at(std::vector<Vector3d> displacement) {
   const RegionRings& rings = coarse_->edit->systems->laplacian().rings();
   CoarseEmbedding::Pose pose{std::move(displacement),
-                             std::vector<Matrix3d>(coarse_->kept.size(), identity())};
+                             std::vector<Matrix3d>(coarse_->kept.size(), Matrix3d::Identity())};
   const std::vector<Matrix3d> transforms = settler_.transforms();
   for (std::size_t r = 0; r < rings.row_count(); ++r) {
     pose.transforms[rings.vertices[r]] = transforms[r];

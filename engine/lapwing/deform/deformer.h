@@ -99,7 +99,7 @@ class Deformer {
   /// way by the linear response: that of `response` or `response_of`, which was asked for last, as
   /// long as the other handles rest. Every frame is a better surface than that, and as good as
   /// `go_on` (Settler::follow) leaves time for. Where that was too little for a frame, a region of
-  /// 5,000 vertices or more is taken along by one of 2,000 instead (CoarseDrag, made once), which
+  /// 6,500 vertices or more is taken along by one of 3,000 instead (CoarseDrag, made once), which
   /// takes little time at any size, until the handles rest; then the surface itself is settled.
   /// With the same motions again it goes on, and once settled nothing moves. `turns` are those of
   /// `solve`. From an empty pose it begins where `solve` does, and so does a frame in which a

@@ -154,9 +154,26 @@ void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevi
   if (row != nullptr) row->counts["iterations"] = iterations / frames;
 }
 
+// What a frame comes to depends on the time it takes: no count.
+void measure_frame_in_time(BenchRun& run, const Subject& subject, const BenchDevice& device,
+                           const Deformer& deformer) {
+  if (run.settings().only_counts) return;
+  const double budget = frame_budget_ms(subject.vertices());
+  MovingHandle handle(subject);
+  SettledPose pose;
+  deformer.begin_drag();
+  run.measure("settle frame in time", kLapwing, device, subject, MovingHandle::kFramesOfMotion,
+              [&] {
+                const Stopwatch watch;
+                deformer.follow(handle.next(), pose,
+                                [&](double ms) { return watch.elapsed_ms() + ms < budget; });
+              });
+}
+
 void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& device) {
   const bool frames = run.wants("drag frame", kLapwing, device.name, subject) ||
-                      run.wants("settle frame", kLapwing, device.name, subject);
+                      run.wants("settle frame", kLapwing, device.name, subject) ||
+                      run.wants("settle frame in time", kLapwing, device.name, subject);
   if (!frames && !run.wants("preparation", kLapwing, device.name, subject)) return;
   const DeformOptions options = deform_options(run);
   MovingHandle handle(subject);
@@ -172,6 +189,7 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
   ShownDrag drag(subject, device, deformer->response());
   measure_frame(run, subject, device, "drag frame", [&] { drag.move(handle.next()); });
   measure_settle_frame(run, subject, device, "settle frame", *deformer);
+  measure_frame_in_time(run, subject, device, *deformer);
 }
 
 // The region of the subject with another handle, the same number of vertices below its own.

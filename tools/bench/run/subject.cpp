@@ -71,6 +71,12 @@ Eigen::Affine3d Subject::motion(double share) const {
          Eigen::AngleAxisd(0.3 * share, Vector3d(1.0, 2.0, 3.0).normalized());
 }
 
+double frame_budget_ms(std::size_t vertices) {
+  constexpr std::size_t kSmall = 50'000;
+  constexpr std::size_t kMedium = 250'000;
+  return vertices <= kSmall ? 8.0 : vertices <= kMedium ? 16.0 : 100.0;
+}
+
 std::array<Eigen::Affine3d, 1> MovingHandle::next() {
   const double turn = 2.0 * std::numbers::pi * ++frames_ / kFramesOfMotion;
   return {subject_.motion(0.5 - 0.5 * std::cos(turn))};

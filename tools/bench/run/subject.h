@@ -28,6 +28,10 @@ struct Subject {
   Eigen::Affine3d motion(double share) const;
 };
 
+/// What a settled frame of a drag may take, by the size of its mesh: 8 ms up to 50,000 vertices, 16
+/// up to 250,000, then 100.
+double frame_budget_ms(std::size_t vertices);
+
 /// A handle on its way there and back, a frame at a time: one that stands still would be too easy.
 class MovingHandle {
  public:

@@ -45,6 +45,7 @@ constexpr std::array kRatios{
     RatioTarget{"again, other Laplacians", "preparation", kLapwing, 0.6},
     RatioTarget{"drag frame", "settle iteration", kArap, 0.02},
     RatioTarget{"settle frame", "settle iteration", kArap, 1.0},
+    RatioTarget{"settle frame in time", "settle iteration", kArap, 0.25},
 };
 
 struct GrowthTarget {

@@ -15,6 +15,7 @@
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/subdivide.h"
 #include "run/measure.h"
+#include "run/subject.h"
 #include "studies/real/ends_motion.h"
 #include "studies/real/held_region.h"
 #include "studies/studies.h"
@@ -30,13 +31,6 @@ using Eigen::Vector3d;
 constexpr int kFrames = 30;
 constexpr double kRest_ms = 500.0;
 constexpr int kFramesPerCheck = 5;
-
-double budget_ms(const FollowBench& settings, std::size_t vertices) {
-  constexpr std::size_t kSmall = 50'000;
-  constexpr std::size_t kLarge = 250'000;
-  if (settings.budget_ms > 0.0) return settings.budget_ms;
-  return vertices <= kSmall ? 8.0 : vertices <= kLarge ? 16.0 : 100.0;
-}
 
 class FollowedEdit {
  public:
@@ -111,7 +105,8 @@ class FollowedEdit {
 void follow(const FollowBench& settings, const std::string& name, const Mesh& mesh,
             EndsMotion motion) {
   const FollowedEdit edit(mesh, motion);
-  const double budget = budget_ms(settings, mesh.vertex_count());
+  const double budget =
+      settings.budget_ms > 0.0 ? settings.budget_ms : frame_budget_ms(mesh.vertex_count());
   Samples frames;
   SettledPose pose;
   edit.deformer().response();

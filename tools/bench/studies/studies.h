@@ -82,7 +82,7 @@ void bench_constraints(const ConstraintsBench& settings);
 struct FollowBench {
   std::vector<std::string> meshes;
   int subdivisions = 0;    ///< of every mesh, each into four times the triangles
-  double budget_ms = 0.0;  ///< of a frame; 0: 8 up to 50,000 vertices, 16 up to 250,000, then 100
+  double budget_ms = 0.0;  ///< of a frame; 0: frame_budget_ms
 };
 
 /// Drags one end of each mesh in two ways (`studies/real/ends_motion.h`), settled frame by frame in
