@@ -6,6 +6,8 @@
 
 #include "batch/bent_tubes.h"
 #include "command_line.h"
+#include "lapwing/io/mesh_file.h"
+#include "support/largest_distance.h"
 
 namespace lapwing {
 namespace {
@@ -251,7 +253,15 @@ TEST_F(FilesOfTheCommandLine, OfARunWithoutMemoryAreWhole) {
     EXPECT_THAT(outcome.exit_code, AnyOf(0, 4)) << megabytes << " MB: " << outcome.output;
     EXPECT_TRUE(outcome.exit_code == 0 || outcome.output.find("memory") != std::string::npos)
         << outcome.output;
-    EXPECT_EQ(read("out.obj"), outcome.exit_code == 0 ? read("whole.obj") : "old");
+    // With little memory settling begins elsewhere, and ends there within its tolerance.
+    if (outcome.exit_code == 0) {
+      const Positions saved = read_mesh(folder_ / "out.obj").positions;
+      const Positions expected = read_mesh(folder_ / "whole.obj").positions;
+      ASSERT_EQ(saved.size(), expected.size());
+      EXPECT_LT(test::largest_distance(saved, expected), 1e-3);
+    } else {
+      EXPECT_EQ(read("out.obj"), "old");
+    }
     refused += outcome.exit_code != 0 ? 1 : 0;
   }
   EXPECT_GT(refused, 0);

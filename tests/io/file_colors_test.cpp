@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/gltf_sample.h"
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/io/mesh_file.h"
@@ -360,6 +361,44 @@ TEST(FileColorsOfModels, AreReadOrANoteSaysWhyNot) {
     found.erase(expected.name);
   }
   for (const auto& [name, model] : found) ADD_FAILURE() << "not listed: " << name;
+}
+
+// Base colours are linear in the file; an image beside it is read, one inside is told of.
+TEST(FileColorsOfGltf, AreThoseOfItsMaterials) {
+  const TemporaryFolder folder;
+  write_png(folder / "bark.png", one_color(2, 2, 128));
+  test::GltfSample sample;
+  const auto points = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3,
+                                 R"(,"min":[0,0,0],"max":[1,1,0])");
+  const auto uv = sample.add(std::vector<float>{0, 0, 1, 0, 0, 1}, 5126, "VEC2", 3);
+  std::string primitives;
+  for (int material = 0; material < 4; ++material) {
+    primitives +=
+        (material > 0 ? R"(,{"attributes":{"POSITION":)" : R"({"attributes":{"POSITION":)") +
+        std::to_string(points) + R"(,"TEXCOORD_0":)" + std::to_string(uv) + R"(},"material":)" +
+        std::to_string(material) + "}";
+  }
+  const std::filesystem::path file = folder.file(
+      "a.glb",
+      sample.glb(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[)" +
+                 primitives +
+                 R"(]}],"materials":[{"name":"red","pbrMetallicRoughness":)"
+                 R"({"baseColorFactor":[1,0,0,1]}},{"name":"bark","pbrMetallicRoughness":)"
+                 R"({"baseColorTexture":{"index":0}}},{"name":"in","pbrMetallicRoughness":)"
+                 R"({"baseColorTexture":{"index":1}}},{"name":"none"}],)"
+                 R"("textures":[{"source":0},{"source":1}],)"
+                 R"("images":[{"uri":"bark.png"},{"bufferView":0,"mimeType":"image/png"}])"));
+  const Mesh mesh = read_mesh(file);
+  const FileColors colors = read_file_colors(mesh, file);
+  ASSERT_THAT(colors.materials, SizeIs(4));
+  EXPECT_EQ(colors.materials[0].name, "red");
+  ASSERT_TRUE(colors.materials[0].color.has_value());
+  EXPECT_LT((*colors.materials[0].color - Vector3f(1, 0, 0)).norm(), 1e-6F);
+  ASSERT_THAT(colors.images, SizeIs(1));
+  EXPECT_EQ(colors.materials[1].image, 0U);
+  EXPECT_EQ(colors.materials[2].image, kNone);
+  EXPECT_FALSE(colors.materials[3].color.has_value());
+  EXPECT_THAT(colors.notes, Contains(HasSubstr("images inside the file are not shown")));
 }
 
 }  // namespace

@@ -293,6 +293,55 @@ TEST(Gltf, AMorphTargetTellsWhatMoved) {
   EXPECT_THROW(write_mesh(mesh, folder / "b.glb", {.morph_target = "up"}), InputError);
 }
 
+// A square with a morph target, its weight on mesh and node, and an animation of that.
+std::string morphed_square(const std::string& extras) {
+  Square square;
+  GltfSample& sample = square.sample;
+  const auto up = sample.add(std::vector<float>(18, 0.5F), 5126, "VEC3", 6);
+  const auto times = sample.add(std::vector<float>{0, 1, 2}, 5126, "SCALAR", 3);
+  const auto weights = sample.add(std::vector<float>{0, .25F, 1}, 5126, "SCALAR", 3);
+  std::string primitive = square.primitive;
+  primitive.insert(primitive.size() - 1, R"(,"targets":[{"POSITION":)" + std::to_string(up) + "}]");
+  return sample.glb(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"weights":[0.5]}],)"
+                    R"("materials":[{}],"meshes":[{"primitives":[)" +
+                    primitive + R"(],"weights":[0.25])" + extras +
+                    R"(}],"animations":[{"samplers":[{"input":)" + std::to_string(times) +
+                    R"(,"output":)" + std::to_string(weights) +
+                    R"(}],"channels":[{"sampler":0,"target":{"node":0,"path":"weights"}}]}])");
+}
+
+TEST(Gltf, AnotherMorphTargetHasAWeightWhereTheOthersHaveTheirs) {
+  const TemporaryFolder folder;
+  Mesh mesh = read_mesh(folder.file("a.glb", morphed_square("")));
+  mesh.positions[1].z() = 4.0;
+  write_mesh(mesh, folder / "b.glb", {.morph_target = "smile"});
+  const std::string text = content_of(folder / "b.glb");
+  EXPECT_THAT(text, AllOf(HasSubstr(R"("weights":[0.5,0])"), HasSubstr(R"("weights":[0.25,0])"),
+                          HasSubstr(R"("targetNames":["target 0","smile"])")));
+  // The keys of the animation: the old weight and a 0, three times.
+  std::string keys;
+  for (const float number : {0.0F, 0.0F, 0.25F, 0.0F, 1.0F, 0.0F}) {
+    keys.append(reinterpret_cast<const char*>(&number), sizeof number);
+  }
+  EXPECT_THAT(text, HasSubstr(keys));
+}
+
+TEST(Gltf, NamesOfMorphTargetsAreKeptAndStayApart) {
+  const TemporaryFolder folder;
+  Mesh mesh =
+      read_mesh(folder.file("a.glb", morphed_square(R"(,"extras":{"targetNames":["up"]})")));
+  mesh.positions[1].z() = 4.0;
+  write_mesh(mesh, folder / "b.glb", {.morph_target = "smile"});
+  EXPECT_THAT(content_of(folder / "b.glb"), HasSubstr(R"("targetNames":["up","smile"])"));
+  EXPECT_THROW(write_mesh(mesh, folder / "c.glb", {.morph_target = "up"}), InputError);
+
+  Mesh other = read_mesh(folder.file("d.glb", morphed_square(R"(,"extras":{"mine":1})")));
+  other.positions[1].z() = 4.0;
+  write_mesh(other, folder / "e.glb", {.morph_target = "smile"});
+  EXPECT_THAT(content_of(folder / "e.glb"),
+              HasSubstr(R"("mine":1,"targetNames":["target 0","smile"])"));
+}
+
 TEST(Gltf, MadeAnewItReadsBack) {
   const TemporaryFolder folder;
   for (const char* name : {"a.glb", "a.gltf"}) {
