@@ -33,8 +33,6 @@ class CoarseDrag {
   /// per vertex of the fine mesh.
   void learn(std::span<const Eigen::Vector3d> u, std::span<const Eigen::Vector3d> gradient);
 
-  std::size_t coarse_vertices() const { return coarse_->kept.size(); }
-
  private:
   CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse);
   std::vector<Eigen::Vector3d> of_kept(std::span<const Eigen::Vector3d> of_fine) const;

@@ -86,8 +86,10 @@ std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t 
   const Positions& rest = *fine.rest;
   std::vector<Triangle> triangles = triangles_of(fine.region, fine.topology);
   const std::vector<Index> groups = groups_of(fine.region, rest.size());
-  const auto outside = static_cast<std::size_t>(numbered(triangles).vertices.size()) -
-                       std::min(fine.region.roi.size(), numbered(triangles).vertices.size());
+  const std::vector<Index> all = numbered(triangles).vertices;
+  const auto outside = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](Index v) {
+    return !std::binary_search(fine.region.roi.begin(), fine.region.roi.end(), v);
+  }));
   Decimated left = decimate(rest, std::move(triangles), groups, count + outside);
   if (left.kept.size() > outside + fine.region.roi.size() / 2) return nullptr;
 

@@ -138,24 +138,31 @@ Positions Deformer::State::gone_on(const SettledPose& pose,
 
 // Whether there is one, which the first call makes.
 bool Deformer::State::find_coarse() {
-  if (!std::exchange(has_coarse, true)) coarse = CoarseDrag::make(*system);
+  if (!has_coarse) coarse = CoarseDrag::make(*system);
+  has_coarse = true;  // a call that was cancelled leaves it to the next
   return coarse != nullptr;
 }
 
-// From `pose` by way of the coarse surface. Belt and handles go as they are held.
-void Deformer::State::take_along(const SettledPose& pose, const SettleTarget& target, bool is_there,
-                                 SettledPose& next) {
-  const std::vector<Vector3d> wanted_before = system->asked_displacement(pose.parameters);
-  if (!is_there) coarse->begin({wanted_before, target.scales}, pose.displacement);
-  coarse_moves_at_rest = 0;
+// From `pose`, whose handles asked for `wanted`, by way of the coarse surface. Belt and handles go
+// as they are held.
+void Deformer::State::take_along(const SettledPose& pose, std::span<const Vector3d> wanted,
+                                 const SettleTarget& target, SettledPose& next) {
   next.displacement = pose.displacement;
   coarse->move(target, kCoarseIterations, next.displacement);
   for (const Index v : system->region.belt) next.displacement[v] = pose.displacement[v];
   for (const auto& handle : system->region.handles) {
     for (const Index v : handle) {
-      next.displacement[v] = pose.displacement[v] + (target.wanted[v] - wanted_before[v]);
+      next.displacement[v] = pose.displacement[v] + (target.wanted[v] - wanted[v]);
     }
   }
+}
+
+void Deformer::State::follow_by_coarse(const SettledPose& pose, const SettleTarget& target,
+                                       bool is_there, SettledPose& next) {
+  const std::vector<Vector3d> wanted = system->asked_displacement(pose.parameters);
+  if (!is_there) coarse->begin({wanted, target.scales}, pose.displacement);
+  coarse_moves_at_rest = 0;
+  take_along(pose, wanted, target, next);
 }
 
 // Where the handles rest the coarse surface still finds the way, as long as the energy falls; false
@@ -164,12 +171,7 @@ bool Deformer::State::go_on_at_rest(const SettledPose& pose, const SettleTarget&
                                     SettledPose& next) {
   if (coarse_moves_at_rest >= kCoarseMovesAtRest) return false;
   ++coarse_moves_at_rest;
-  next.displacement = pose.displacement;
-  coarse->move(target, kCoarseIterations, next.displacement);
-  for (const Index v : system->region.belt) next.displacement[v] = pose.displacement[v];
-  for (const auto& handle : system->region.handles) {
-    for (const Index v : handle) next.displacement[v] = pose.displacement[v];
-  }
+  take_along(pose, target.wanted, target, next);
   const double before = settler->energy(target, pose.displacement);
   return settler->energy(target, next.displacement) < before;
 }
@@ -276,7 +278,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   } else {
     by_coarse = s.lacks_time && go_on && on.find_coarse();
     if (by_coarse) {
-      on.take_along(pose, target, coarse_was_there, next);
+      on.follow_by_coarse(pose, target, coarse_was_there, next);
     } else {
       next.displacement = s.gone_on(pose, next.parameters);
     }

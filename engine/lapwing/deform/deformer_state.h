@@ -57,8 +57,10 @@ struct Deformer::State {
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
   bool find_coarse();
-  void take_along(const SettledPose& pose, const SettleTarget& target, bool is_there,
-                  SettledPose& next);
+  void take_along(const SettledPose& pose, std::span<const Eigen::Vector3d> wanted,
+                  const SettleTarget& target, SettledPose& next);
+  void follow_by_coarse(const SettledPose& pose, const SettleTarget& target, bool is_there,
+                        SettledPose& next);
   bool go_on_at_rest(const SettledPose& pose, const SettleTarget& target, SettledPose& next);
   bool smooth(const SettleTarget& target, bool must, const GoOn& go_on, const Progress& progress,
               SettledPose& next);
