@@ -53,14 +53,19 @@ class LongLife : public ::testing::Test {
   // What lists of free blocks and the like may come to.
   static constexpr std::size_t kSlack = std::size_t{256} << 10U;
 
+  // The software driver keeps scenes of a quarter of a MiB for use again, more of them when its
+  // threads wait for a busy processor; after hundreds of edits there are as many as ever.
+  static constexpr std::size_t kDeviceSlack = std::size_t{2} << 20U;
+
   // Does `edit` so often, and looks at the memory after a tenth of them and at the end.
-  static void expect_flat(int count, const std::function<void(int)>& edit) {
+  static void expect_flat(int count, const std::function<void(int)>& edit,
+                          std::size_t slack = kSlack) {
     const int first = std::max(20, count / 10);
     for (int k = 0; k < first; ++k) edit(k);
     const std::size_t before = test::memory_in_use();
     ASSERT_GT(before, 0U);
     for (int k = first; k < count; ++k) edit(k);
-    EXPECT_LE(test::memory_in_use(), before + kSlack) << "after " << count << " edits";
+    EXPECT_LE(test::memory_in_use(), before + slack) << "after " << count << " edits";
   }
 
   TemporaryFolder folder_;
@@ -100,7 +105,7 @@ TEST_F(LongLife, OnTheDeviceWithPictures) {
   VulkanOptions options;
   options.frames_on_device = true;
   VulkanKernels kernels(options);
-  expect_flat(edits(60), [&](int k) {
+  const auto edit = [&](int k) {
     const auto result = run_recipe(bend(k), kernels);
     Surface surface(kernels.context(), result->original, result->mesh.topology());
     const SurfacePaint paint(surface);
@@ -108,7 +113,8 @@ TEST_F(LongLife, OnTheDeviceWithPictures) {
     PictureRequest picture;
     picture.width = picture.height = 32;
     render_image(surface, paint, picture.camera(result->mesh.positions, false), picture.options());
-  });
+  };
+  expect_flat(edits(300), edit, kDeviceSlack);
 }
 
 }  // namespace
