@@ -63,43 +63,20 @@ INSTANTIATE_TEST_SUITE_P(Each, EveryOrdering,
                            }
                          });
 
-// Pairs of neighbouring numbers.
-std::vector<Index> pairs(std::size_t blocks) {
-  std::vector<Index> cluster_of(blocks);
-  for (std::size_t b = 0; b < blocks; ++b) cluster_of[b] = static_cast<Index>(b / 2);
-  return cluster_of;
-}
-
-TEST(ClusteredOrder, IsAPermutationThatKeepsClustersTogether) {
+// Counted from what AMD says of its order, and from the columns of the factor.
+TEST(MinimumDegreeOrder, KnowsItsOperations) {
   for (const OwnedMatrix& A :
-       {laplacian_matrix(grid(17, 8), 1.0, 10), random_matrix(31, 1, 0.0, 0.1, 1),
+       {laplacian_matrix(grid(59, 40), 1.0, 10), random_matrix(60, 1, 0.0, 0.1, 1),
         random_matrix(1, 1, 0.0, 0.1, 1)}) {
-    const std::size_t n = A.pattern->size();
-    const std::vector<int> order = clustered_order(*A.pattern, pairs(n));
-    std::vector<int> place(n, -1);
-    for (std::size_t i = 0; i < n; ++i)
-      place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    EXPECT_THAT(place, ::testing::Each(::testing::Ge(0)));
-    for (std::size_t b = 0; b + 1 < n; b += 2) EXPECT_EQ(place[b + 1], place[b] + 1);
+    const MinimumDegreeOrder found = minimum_degree_order(*A.pattern);
+    const auto solver = make_solver();
+    solver->analyze(*A.pattern, 1, found.order);
+    EXPECT_NEAR(found.operations, solver->statistics().flops, 1e-9 * found.operations);
+    EXPECT_EQ(found.order, fill_reducing_order(*A.pattern, Ordering::minimum_degree));
   }
 }
 
-TEST(ClusteredOrder, SavesOperationsAndIsTheSameEachTime) {
-  const OwnedMatrix A = laplacian_matrix(grid(59, 59), 1.0, 10);  // no pair across rows
-  std::vector<int> natural(A.pattern->size());
-  std::iota(natural.begin(), natural.end(), 0);
-  const auto flops = [&](std::span<const int> order) {
-    const auto solver = make_solver();
-    solver->analyze(*A.pattern, 1, order);
-    return solver->statistics().flops;
-  };
-  const auto order = clustered_order(*A.pattern, pairs(natural.size()));
-  EXPECT_LT(flops(order), 0.6 * flops(natural));
-  EXPECT_EQ(clustered_order(*A.pattern, pairs(natural.size())), order);
-}
-
 TEST(Ordering, OfTheEmptyPatternIsEmpty) {
-  EXPECT_TRUE(clustered_order(BlockPattern{}, {}).empty());
   EXPECT_TRUE(fill_reducing_order(BlockPattern{}).empty());
 }
 

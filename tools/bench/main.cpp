@@ -15,6 +15,7 @@ using namespace lapwing::bench;
 struct Studies {
   int repeats = 7;
   SolveBench solve;
+  OrderBench order;
   SettleBench settle;
   RealBench real;
   ConstraintsBench constraints;
@@ -50,6 +51,19 @@ void add_studies(CLI::App& app, Studies& studies) {
   solve->callback([&] {
     studies.solve.repeats = studies.repeats;
     bench_solve(studies.solve);
+  });
+
+  auto* order = app.add_subcommand("order", "our nested dissection beside AMD and METIS");
+  add_repeats(order);
+  order->add_option("MESH", studies.order.meshes);
+  order->add_option("--hills", studies.order.hills, "generated sheets of so many vertices a side")
+      ->delimiter(',')
+      ->check(CLI::Range(2, 4000));
+  order->add_option("--subdivide", studies.order.subdivisions, "split the triangles so many times")
+      ->check(CLI::Range(0, 4));
+  order->callback([&] {
+    studies.order.repeats = studies.repeats;
+    bench_order(studies.order);
   });
 
   auto* settle = app.add_subcommand(

@@ -5,8 +5,13 @@
 #include <vector>
 
 #include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/solve/dissection/coupling_graph.h"
 
 namespace lapwing {
+
+/// How `rows` of M couple the unknowns of M'M; `rings` is the mesh's.
+CouplingGraph coupling_graph(const Adjacency& rings, std::span<const Index> rows,
+                             const Unknowns& unknowns);
 
 /// Where the unknowns of a region meet, and the orders in which to eliminate them. The rows of M
 /// and of L hold the same vertices, so M'M and L'L have one pattern.
@@ -17,22 +22,22 @@ class SystemPattern {
   const NormalPattern& normal() const { return normal_; }
   const BlockPattern& blocks() const { return normal_.blocks(); }
 
-  /// New to old, for L'L, found fast since a preview waits for it: by minimum degree, or in a large
-  /// region (above kMinimumDegreeLimit) by dissection of small clusters. Found in the first call,
-  /// by whichever thread that is.
+  /// New to old, for L'L, found fast since a preview waits for it: by minimum degree, or in a
+  /// region of more than kMinimumDegreeLimit unknowns by nested dissection. Found in the first
+  /// call, by whichever thread that is.
   const std::vector<int>& order() const;
   /// Whether it has been; not to be asked while another thread may be finding it.
   bool is_ordered() const { return order_.size() == blocks().size(); }
-  /// The order for M'M: the same, or where the region is so large that it saves more of the
-  /// factorization's 27 times as many operations than it takes, by nested dissection; found
-  /// likewise.
+  /// The order for M'M: the same, or by nested dissection where that saves more of the
+  /// factorization's 27 times as many operations than it takes; found likewise.
   const std::vector<int>& thorough_order() const;
 
  private:
   NormalPattern normal_;
-  std::vector<Index> cluster_of_;  // per unknown of a large region
+  mutable CouplingGraph coupling_;  // until there are orders
   mutable std::once_flag ordered_;
   mutable std::vector<int> order_;
+  mutable double operations_ = 0;  // of L'L in that order, where minimum degree found it
   mutable std::once_flag thoroughly_ordered_;
   mutable std::vector<int> thorough_order_;  // empty where it is the same
 };

@@ -11,7 +11,7 @@ namespace lapwing {
 enum class Ordering {
   automatic,          ///< minimum_degree up to kMinimumDegreeLimit blocks, nested_dissection above
   minimum_degree,     ///< AMD: a tenth of the time of nested dissection
-  nested_dissection,  ///< METIS: up to a third fewer operations in the factorization
+  nested_dissection,  ///< METIS: a third fewer operations in the factorization of regular meshes
 };
 
 /// Up to this many blocks nested dissection takes longer than it saves in one factorization.
@@ -21,15 +21,19 @@ inline constexpr std::size_t kMinimumDegreeLimit = 150'000;
 
 /// A permutation of the block columns, new to old, that keeps the Cholesky factor sparse. Works on
 /// the graph of blocks, one node a vertex. The same pattern gives the same order. Throws
-/// SolverError when the ordering library fails (out of memory).
+/// SolverError when the ordering library fails (out of memory). For M'M of a mesh
+/// `dissection_order` (dissection/mesh_dissection.h) does what METIS does in a quarter of the time.
 std::vector<int> fill_reducing_order(const BlockPattern& pattern,
                                      Ordering ordering = Ordering::automatic);
 
-/// The same by nested dissection of clusters of blocks, `cluster_of` each block, numbered from 0
-/// without gaps: those of one cluster are eliminated one after the other. With clusters of four
-/// neighbours on a surface it takes a sixth of the time of nested dissection, about that of
-/// minimum degree, and the factorization 1.1 to 2.3 times the operations; minimum degree is at 2.1
-/// to 3.4 on as many blocks (measured at 0.4 to 1 million, the more the more regular the mesh).
-std::vector<int> clustered_order(const BlockPattern& pattern, std::span<const Index> cluster_of);
+struct MinimumDegreeOrder {
+  std::vector<int> order;  ///< new to old
+  /// Of the counts of entries in the factor's block columns, squared and added up: what it takes to
+  /// factor in 1 x 1 blocks, and a 27th of that in 3 x 3 blocks, in operations.
+  double operations = 0;
+};
+
+/// `fill_reducing_order` by minimum degree, and what it is worth.
+MinimumDegreeOrder minimum_degree_order(const BlockPattern& pattern);
 
 }  // namespace lapwing

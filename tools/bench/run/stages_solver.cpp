@@ -6,7 +6,6 @@
 #include "lapwing/laplacian/laplacian_system.h"
 #include "lapwing/laplacian/system_pattern.h"
 #include "lapwing/solve/block_solver.h"
-#include "lapwing/solve/ordering.h"
 #include "run/edit_parts.h"
 #include "run/stages.h"
 
@@ -56,11 +55,12 @@ void measure_coupled(BenchRun& run, const Subject& subject, const EditParts& par
   const SystemPattern& pattern = *parts.pattern;
   std::unique_ptr<BlockSolver> solver;
   Measurement* row = run.measure(
-      "analyze", kLapwing, subject, [&] { solver->analyze(pattern.blocks(), 3, pattern.order()); },
+      "analyze", kLapwing, subject,
+      [&] { solver->analyze(pattern.blocks(), 3, pattern.thorough_order()); },
       [&] { solver = make_solver(); });
   if (solver == nullptr) {
     solver = make_solver();
-    solver->analyze(pattern.blocks(), 3, pattern.order());
+    solver->analyze(pattern.blocks(), 3, pattern.thorough_order());
   }
   const SolverStatistics statistics = solver->statistics();
   if (row != nullptr) row->counts["nonzeros"] = statistics.factor_bytes / sizeof(double);
@@ -100,13 +100,18 @@ void measure_solver_stages(BenchRun& run, const Subject& subject) {
   run.measure("pattern", kLapwing, subject, [&] {
     SystemPattern(subject.mesh.topology(), subject.region.roi, parts.constraints.unknowns);
   });
-  std::vector<int> order;
-  run.measure("order", kLapwing, subject,
-              [&] { order = fill_reducing_order(parts.pattern->blocks()); });
+  std::unique_ptr<SystemPattern> unordered;
+  run.measure(
+      "order", kLapwing, subject, [&] { unordered->thorough_order(); },
+      [&] {
+        unordered = std::make_unique<SystemPattern>(subject.mesh.topology(), subject.region.roi,
+                                                    parts.constraints.unknowns);
+      });
+  unordered.reset();
   run.measure("laplacian weights", kLapwing, subject, [&] {
     laplacian_weights(subject.mesh.topology(), subject.mesh.positions, LaplacianWeights::uniform);
   });
-  parts.pattern->order();
+  parts.pattern->thorough_order();
   run.measure("laplacian", kLapwing, subject, [&] { parts.laplacian_system(subject); });
   measure_assembly(run, subject, parts);
   measure_coupled(run, subject, parts);

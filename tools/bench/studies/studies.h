@@ -19,6 +19,17 @@ struct SolveBench {
 /// Times the block Cholesky beside CHOLMOD and Eigen on the RSI systems of whole meshes.
 void bench_solve(const SolveBench& settings);
 
+struct OrderBench {
+  std::vector<std::string> meshes;
+  std::vector<std::uint32_t> hills;  ///< generated sheets of so many vertices a side
+  int subdivisions = 0;              ///< of every mesh, each into four times the triangles
+  int repeats = 7;
+};
+
+/// Times our nested dissection on whole meshes beside AMD and METIS, and counts what each makes of
+/// the operations of the factorization.
+void bench_order(const OrderBench& settings);
+
 struct SettleBench {
   std::string device = "auto";
   std::string recipes = "tools/recipes";  ///< the folder of the four test motions

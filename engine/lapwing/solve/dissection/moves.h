@@ -1,0 +1,161 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "lapwing/base/cancellation.h"
+
+namespace lapwing::dissection {
+
+/// Nodes by what moving them gains, the largest gain first, of equal gains the later node. A node
+/// whose gain changes is added again; whoever takes one compares it with the gain that holds.
+class MoveQueue {
+ public:
+  struct Move {
+    int gain;
+    int node;
+  };
+
+  void clear() { heap_.clear(); }
+  bool empty() const { return heap_.empty(); }
+  void add(int gain, int node) {
+    heap_.push_back((std::int64_t{gain} << kNodeBits) + node);
+    std::push_heap(heap_.begin(), heap_.end());
+  }
+  Move take() {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const std::int64_t key = heap_.back();
+    heap_.pop_back();
+    return {static_cast<int>(key >> kNodeBits), static_cast<int>(key & kNodeMask)};
+  }
+
+ private:
+  static constexpr int kNodeBits = 32;
+  static constexpr std::int64_t kNodeMask = (std::int64_t{1} << kNodeBits) - 1;
+
+  std::vector<std::int64_t> heap_;  // gain and node in one number
+};
+
+/// What both sides of a cut weigh, in unknowns, and what the cut is worth.
+struct SideWeights {
+  int of[2] = {0, 0};
+
+  int total() const { return of[0] + of[1]; }
+  void move(int weight, int from) {
+    of[from] -= weight;
+    of[1 - from] += weight;
+  }
+  int heavier() const { return std::max(of[0], of[1]); }
+  /// What one side may weigh: two thirds.
+  int limit() const { return total() - total() / 3; }
+  /// Whether a node may leave side `from`: the other stays within the limit, or the sides become
+  /// more equal.
+  bool allows(int weight, int from) const {
+    const int to = of[1 - from] + weight;
+    return to <= limit() || to < of[from];
+  }
+};
+
+/// How good a cut is: the smaller the better, first by what a side weighs over its limit, then by
+/// the separator, which may be a little larger between equal sides, then by the heavier side.
+class CutScore {
+ public:
+  CutScore(const SideWeights& sides, int separator)
+      : over_(std::max(0, sides.heavier() - sides.limit())), heavier_(sides.heavier()) {
+    constexpr double kUnequal = 20.0;  // a side of two thirds makes up for half of the separator
+    const double off = static_cast<double>(heavier_) / std::max(1, sides.total()) - 0.5;
+    cost_ = separator * (1.0 + kUnequal * off * off);
+  }
+  friend bool operator<(const CutScore& a, const CutScore& b) {
+    return std::tie(a.over_, a.cost_, a.heavier_) < std::tie(b.over_, b.cost_, b.heavier_);
+  }
+
+ private:
+  int over_;
+  double cost_;
+  int heavier_;
+};
+
+/// Fiduccia's and Mattheyses' moves (1982): the node whose move gains most changes sides, be it at
+/// a loss, each at most once a pass; what came after the best state of the pass is taken back.
+/// `Cut` has
+///
+///     int size(), weight(v), side(v)
+///     int separator()                             its weight, or what grows with it
+///     bool on_border(v)                           only such nodes are moved
+///     int gain(v)                                 how much lighter the cut becomes by moving v
+///     void move(v)
+///     void for_affected(v, f)                     f(u) for all whose gain or border v's move
+///     changes
+template <typename Cut>
+class Improvement {
+ public:
+  /// A pass ends after `patience` moves without a better state.
+  Improvement(Cut& cut, SideWeights& sides, int patience)
+      : cut_(cut), sides_(sides), patience_(patience) {
+    gains_.resize(static_cast<std::size_t>(cut.size()));
+    locked_.resize(static_cast<std::size_t>(cut.size()));
+  }
+
+  void run(int most_passes) {
+    for (int pass = 0; pass < most_passes && improve(); ++pass) {
+    }
+  }
+
+ private:
+  bool improve() {
+    std::fill(locked_.begin(), locked_.end(), 0);
+    std::fill(gains_.begin(), gains_.end(), std::numeric_limits<int>::min());
+    queue_.clear();
+    moved_.clear();
+    for (int v = 0; v < cut_.size(); ++v) add(v);
+    const CutScore before = score();
+    CutScore best = before;
+    std::size_t kept = 0;
+    while (!queue_.empty() && moved_.size() < kept + static_cast<std::size_t>(patience_)) {
+      check_();
+      const MoveQueue::Move next = queue_.take();
+      const int v = next.node;
+      if (locked_[v] || gains_[v] != next.gain || !cut_.on_border(v)) continue;
+      if (!sides_.allows(cut_.weight(v), cut_.side(v))) continue;
+      move(v);
+      locked_[v] = 1;
+      moved_.push_back(v);
+      cut_.for_affected(v, [&](int u) { add(u); });
+      if (const CutScore now = score(); now < best) {
+        best = now;
+        kept = moved_.size();
+      }
+    }
+    for (; moved_.size() > kept; moved_.pop_back()) move(moved_.back());
+    return best < before;
+  }
+
+  void add(int v) {
+    if (locked_[v] || !cut_.on_border(v)) return;
+    const int gain = cut_.gain(v);
+    if (std::exchange(gains_[v], gain) != gain) queue_.add(gain, v);
+  }
+
+  void move(int v) {
+    sides_.move(cut_.weight(v), cut_.side(v));
+    cut_.move(v);
+  }
+
+  CutScore score() const { return {sides_, cut_.separator()}; }
+
+  Cut& cut_;
+  SideWeights& sides_;
+  int patience_;
+  std::vector<int> gains_;  // with which each was last added
+  std::vector<char> locked_;
+  std::vector<int> moved_;
+  MoveQueue queue_;
+  CancelCheck check_;
+};
+
+}  // namespace lapwing::dissection

@@ -1,0 +1,162 @@
+#include "lapwing/solve/dissection/weighted_graph.h"
+
+#include <numeric>
+#include <utility>
+
+#include "lapwing/base/cancellation.h"
+
+namespace lapwing::dissection {
+namespace {
+
+constexpr int kNone = -1;
+// Larger groups make fewer levels and rougher borders.
+constexpr int kGroup = 4;
+// A node all of whose neighbours are in groups joins one of them, up to this size.
+constexpr int kLargestGroup = 6;
+
+class Grouping {
+ public:
+  Grouping(const WeightedGraph& fine, int most_weight, std::vector<int>& group_of)
+      : fine_(fine), most_weight_(most_weight), group_of_(group_of) {}
+
+  void run(unsigned variant) {
+    group_of_.assign(static_cast<std::size_t>(fine_.size()), kNone);
+    CancelCheck check;
+    const int n = fine_.size();
+    const int start = static_cast<int>((variant / 2 * 40503U) % static_cast<unsigned>(n));
+    for (int k = 0; k < n; ++k) {
+      const int at = (start + k) % n;
+      const int v = variant % 2 == 0 ? at : n - 1 - at;
+      check();
+      if (group_of_[v] == kNone && !join_a_group(v)) begin_group(v);
+    }
+  }
+
+  /// By group: its weight.
+  std::vector<int> weights;
+
+ private:
+  // With the free neighbours that hang on `v` by the heaviest edges.
+  void begin_group(int v) {
+    const int group = static_cast<int>(weights.size());
+    group_of_[v] = group;
+    weights.push_back(fine_.weights[v]);
+    sizes_.push_back(1);
+    while (sizes_[group] < kGroup) {
+      int best = kNone;
+      int heaviest = 0;
+      for (int e = fine_.starts[v]; e < fine_.starts[v + 1]; ++e) {
+        const int u = fine_.neighbours[e];
+        if (group_of_[u] != kNone || fine_.edge_weights[e] <= heaviest) continue;
+        if (weights[group] + fine_.weights[u] > most_weight_) continue;
+        best = u;
+        heaviest = fine_.edge_weights[e];
+      }
+      if (best == kNone) return;
+      put(best, group);
+    }
+  }
+
+  // Where no neighbour of `v` is free.
+  bool join_a_group(int v) {
+    int best = kNone;
+    int heaviest = 0;
+    for (int e = fine_.starts[v]; e < fine_.starts[v + 1]; ++e) {
+      const int group = group_of_[fine_.neighbours[e]];
+      if (group == kNone) return false;
+      if (sizes_[group] >= kLargestGroup || fine_.edge_weights[e] <= heaviest ||
+          weights[group] + fine_.weights[v] > most_weight_) {
+        continue;
+      }
+      best = group;
+      heaviest = fine_.edge_weights[e];
+    }
+    if (best == kNone) return false;
+    put(v, best);
+    return true;
+  }
+
+  void put(int v, int group) {
+    group_of_[v] = group;
+    weights[group] += fine_.weights[v];
+    ++sizes_[group];
+  }
+
+  const WeightedGraph& fine_;
+  int most_weight_;
+  std::vector<int>& group_of_;
+  std::vector<int> sizes_;
+};
+
+}  // namespace
+
+Groups group_neighbours(const WeightedGraph& graph, int most_weight, unsigned variant) {
+  Groups groups;
+  Grouping grouping(graph, most_weight, groups.of_node);
+  grouping.run(variant);
+  const std::size_t count = grouping.weights.size();
+  groups.starts.assign(count + 1, 0);
+  for (const int g : groups.of_node) ++groups.starts[g + 1];
+  std::partial_sum(groups.starts.begin(), groups.starts.end(), groups.starts.begin());
+  groups.nodes.resize(groups.of_node.size());
+  std::vector<int> next(groups.starts.begin(), groups.starts.end() - 1);
+  for (int v = 0; v < graph.size(); ++v) groups.nodes[next[groups.of_node[v]]++] = v;
+  return groups;
+}
+
+namespace {
+
+// Rows of the graph of groups, one after the other. `visit(v, e, add)` is called with every edge e
+// of a node v that leads to another group; add(weight) adds to the edge between the two groups.
+template <typename Visit>
+WeightedGraph contract_rows(const WeightedGraph& fine, const Groups& groups, Visit visit) {
+  WeightedGraph graph;
+  graph.starts.reserve(groups.starts.size());
+  graph.weights.reserve(groups.starts.size());
+  graph.neighbours.reserve(fine.neighbours.size() / 2);
+  graph.edge_weights.reserve(fine.neighbours.size() / 2);
+  std::vector<int> place(groups.starts.size(), kNone);  // in the row at hand
+  CancelCheck check;
+  for (int g = 0; g < groups.size(); ++g) {
+    check();
+    const int row = graph.starts.back();
+    int weight = 0;
+    for (int m = groups.starts[g]; m < groups.starts[g + 1]; ++m) {
+      const int v = groups.nodes[m];
+      weight += fine.weights[v];
+      for (int e = fine.starts[v]; e < fine.starts[v + 1]; ++e) {
+        const int other = groups.of_node[fine.neighbours[e]];
+        if (other == g) continue;
+        if (place[other] < row) {
+          place[other] = static_cast<int>(graph.neighbours.size());
+          graph.neighbours.push_back(other);
+          graph.edge_weights.push_back(0);
+        }
+        graph.edge_weights[place[other]] += visit(g, v, other, e);
+      }
+    }
+    graph.weights.push_back(weight);
+    graph.starts.push_back(static_cast<int>(graph.neighbours.size()));
+  }
+  return graph;
+}
+
+}  // namespace
+
+WeightedGraph contract(const WeightedGraph& fine, const Groups& groups) {
+  return contract_rows(fine, groups, [&](int, int, int, int e) { return fine.edge_weights[e]; });
+}
+
+WeightedGraph contract_nodes(const WeightedGraph& fine, const Groups& groups) {
+  std::vector<int> counted_for(fine.weights.size(), kNone);  // the last group that counted it
+  std::vector<int> last_node(groups.starts.size(), kNone);   // that counted for each group
+  return contract_rows(fine, groups, [&](int g, int v, int other, int e) {
+    const int u = fine.neighbours[e];
+    int weight = 0;
+    if (std::exchange(counted_for[u], g) != g) weight += fine.weights[u];
+    if (std::exchange(last_node[other], v) != v) weight += fine.weights[v];
+    return weight;
+  });
+}
+
+}  // namespace lapwing::dissection

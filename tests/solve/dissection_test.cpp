@@ -1,0 +1,322 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "lapwing/base/cancellation.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/base/worker_pool.h"
+#include "lapwing/laplacian/system_pattern.h"
+#include "lapwing/mesh/shapes.h"
+#include "lapwing/solve/block_solver.h"
+#include "lapwing/solve/dissection/bisection.h"
+#include "lapwing/solve/dissection/leaf_order.h"
+#include "lapwing/solve/dissection/mesh_dissection.h"
+#include "lapwing/solve/dissection/separator.h"
+#include "lapwing/solve/ordering.h"
+
+namespace lapwing {
+namespace {
+
+using namespace dissection;
+
+std::vector<Index> all_vertices(const Mesh& mesh) {
+  std::vector<Index> all(mesh.vertex_count());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
+
+// Of a whole mesh, all but every `held`-th vertex unknown.
+struct System {
+  Unknowns unknowns;
+  CouplingGraph graph;
+  BlockPattern pattern;
+
+  explicit System(const Mesh& mesh, std::size_t held = 0) {
+    const std::vector<Index> all = all_vertices(mesh);
+    std::vector<Index> free;
+    for (const Index v : all) {
+      if (held == 0 || v % held != 0) free.push_back(v);
+    }
+    unknowns = Unknowns(free, all.size());
+    const Adjacency& rings = mesh.topology().rings;
+    graph = coupling_graph(rings, all, unknowns);
+    pattern = NormalPattern(ring_blocks(rings, all), unknowns).blocks();
+  }
+
+  double flops(std::span<const int> order) const {
+    const auto solver = make_solver();
+    solver->analyze(pattern, 1, order);
+    return solver->statistics().flops;
+  }
+};
+
+// A regular cone: everything meets at its tip.
+Mesh fan(int triangles) {
+  Mesh mesh;
+  mesh.positions.emplace_back(0, 0, 1);
+  Faces& faces = mesh.edit_faces();
+  for (int k = 0; k < triangles; ++k) {
+    const double angle = 2 * std::numbers::pi * k / triangles;
+    mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    faces.add(std::array<Index, 3>{0U, static_cast<Index>(1 + k),
+                                   static_cast<Index>(1 + (k + 1) % triangles)});
+  }
+  return mesh;
+}
+
+Mesh two_spheres() {
+  const Mesh one = icosphere(3);
+  Mesh both = one;
+  const auto shift = static_cast<Index>(one.vertex_count());
+  for (const Eigen::Vector3d& p : one.positions)
+    both.positions.emplace_back(p + Eigen::Vector3d(3, 0, 0));
+  Faces& faces = both.edit_faces();
+  for (std::size_t f = 0; f < one.face_count(); ++f) {
+    const auto face = one.face(f);
+    faces.add(std::array<Index, 3>{face[0] + shift, face[1] + shift, face[2] + shift});
+  }
+  return both;
+}
+
+void expect_permutation(const std::vector<int>& order, std::size_t size) {
+  std::vector<int> sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<int> expected(size);
+  std::iota(expected.begin(), expected.end(), 0);
+  EXPECT_EQ(sorted, expected);
+}
+
+// Which unknowns M'M couples, from the definition.
+std::vector<std::set<int>> coupled(const CouplingGraph& graph) {
+  std::vector<std::set<int>> result(static_cast<std::size_t>(graph.unknowns));
+  for (int row = 0; row < graph.size(); ++row) {
+    std::vector<int> members{row};
+    for (int e = graph.starts[row]; e < graph.starts[row + 1]; ++e) {
+      members.push_back(graph.neighbours[e]);
+    }
+    for (const int a : members) {
+      for (const int b : members) {
+        if (a != b && a < graph.unknowns && b < graph.unknowns) result[a].insert(b);
+      }
+    }
+  }
+  return result;
+}
+
+WeightedGraph weighted(const CouplingGraph& graph) {
+  WeightedGraph result;
+  result.starts = graph.starts;
+  result.neighbours = graph.neighbours;
+  result.edge_weights.assign(graph.neighbours.size(), 1);
+  result.weights.assign(static_cast<std::size_t>(graph.size()), 0);
+  std::fill_n(result.weights.begin(), graph.unknowns, 1);
+  return result;
+}
+
+TEST(DissectionOrder, IsAPermutationWhateverTheMesh) {
+  for (const Mesh& mesh : {icosphere(0), icosphere(4), grid(40, 70), cylinder(12, 90, 0.3, 6.0),
+                           two_spheres(), fan(3000)}) {
+    for (const std::size_t held : {0U, 3U, 2U, 1U}) {
+      const System system(mesh, held);
+      expect_permutation(dissection_order(system.graph), system.unknowns.size());
+    }
+  }
+  expect_permutation(dissection_order(CouplingGraph()), 0);
+}
+
+TEST(CouplingGraph, CouplesWhatMeetsInTheNormalMatrix) {
+  const System system(grid(12, 9), 4);
+  const auto expected = coupled(system.graph);
+  const BlockGraph actual = block_graph(system.pattern);
+  for (std::size_t u = 0; u < expected.size(); ++u) {
+    const std::set<int> row(actual.neighbours.begin() + actual.starts[u],
+                            actual.neighbours.begin() + actual.starts[u + 1]);
+    EXPECT_EQ(row, expected[u]) << "unknown " << u;
+  }
+}
+
+// On a sheet minimum degree is far from the best, and METIS near it.
+TEST(DissectionOrder, TakesAsFewOperationsAsMetisOnASheet) {
+  const System system(grid(120, 120));
+  const double ours = system.flops(dissection_order(system.graph));
+  EXPECT_LT(ours,
+            1.1 * system.flops(fill_reducing_order(system.pattern, Ordering::nested_dissection)));
+  EXPECT_LT(ours,
+            0.8 * system.flops(fill_reducing_order(system.pattern, Ordering::minimum_degree)));
+}
+
+TEST(DissectionOrder, IsTheSameForAnyNumberOfThreads) {
+  const System system(grid(90, 120));
+  const std::vector<int> shared = dissection_order(system.graph);
+  const WorkAlone alone;
+  EXPECT_EQ(dissection_order(system.graph), shared);
+}
+
+TEST(DissectionOrder, CanBeCancelledAtEachPoint) {
+  const System system(grid(60, 60));
+  const std::vector<int> expected = dissection_order(system.graph);
+  const AskAtEveryCheck always;
+  {
+    const ProgressScope scope([](std::string_view, double) { return false; });
+    EXPECT_THROW(dissection_order(system.graph), Cancelled);
+  }
+  const WorkAlone alone;  // what others do is not asked about
+  int asked = 0;
+  {
+    const ProgressScope scope([&](std::string_view, double) {
+      ++asked;
+      return true;
+    });
+    EXPECT_EQ(dissection_order(system.graph), expected);
+  }
+  ASSERT_GT(asked, 20);
+  for (int stop = 1; stop < asked; stop += std::max(1, asked / 15)) {
+    int left = stop;
+    const ProgressScope scope([&](std::string_view, double) { return --left > 0; });
+    EXPECT_THROW(dissection_order(system.graph), Cancelled) << "at check " << stop;
+  }
+}
+
+TEST(Bisection, CutsALongTubeAcross) {
+  const System system(cylinder(16, 200, 0.5, 20.0));
+  const WeightedGraph graph = weighted(system.graph);
+  Sides sides = bisect(graph, 1, 0);
+  const auto ones = static_cast<int>(std::count(sides.begin(), sides.end(), 1));
+  EXPECT_GT(3 * ones, graph.size());
+  EXPECT_LT(3 * ones, 2 * graph.size());
+  ThickSeparator separator(graph, sides);
+  separator.smooth();
+  // Two rings of sixteen.
+  EXPECT_LE(separator.value(), 34);
+}
+
+TEST(ThickSeparator, PartsWhatIsCoupled) {
+  for (const std::size_t held : {0U, 5U}) {
+    const System system(icosphere(4), held);
+    const WeightedGraph graph = weighted(system.graph);
+    Sides sides = bisect(graph, 2, 1);
+    ThickSeparator separator(graph, sides);
+    separator.smooth();
+    const auto neighbours = coupled(system.graph);
+    int weight = 0;
+    for (int v = 0; v < system.graph.unknowns; ++v) {
+      weight += separator.contains(v) ? 1 : 0;
+      if (separator.contains(v)) continue;
+      for (const int u : neighbours[v]) {
+        EXPECT_TRUE(separator.contains(u) || separator.side(u) == separator.side(v));
+      }
+    }
+    EXPECT_EQ(separator.value(), weight);
+    EXPECT_GT(weight, 0);
+  }
+}
+
+TEST(ThickSeparator, GainIsWhatAMoveSaves) {
+  const System system(grid(14, 11), 6);
+  const WeightedGraph graph = weighted(system.graph);
+  std::mt19937 random(7);
+  Sides sides(graph.weights.size());
+  for (std::size_t v = 0; v < sides.size(); ++v) sides[v] = v % 14 < 7 ? 0 : 1;
+  ThickSeparator separator(graph, sides);
+  for (int k = 0; k < 300; ++k) {
+    const int v = static_cast<int>(random() % sides.size());
+    const int before = separator.value();
+    const int gain = separator.gain(v);
+    separator.move(v);
+    EXPECT_EQ(separator.value(), before - gain) << "move " << k;
+    EXPECT_EQ(ThickSeparator(graph, sides).value(), separator.value()) << "move " << k;
+  }
+}
+
+TEST(ThickSeparator, SmoothingNeverMakesItLarger) {
+  const System system(grid(30, 30));
+  const WeightedGraph graph = weighted(system.graph);
+  Sides sides(graph.weights.size());
+  // A ragged border.
+  for (std::size_t v = 0; v < sides.size(); ++v) sides[v] = v % 30 < 15 + (v / 30 % 2) * 4 ? 0 : 1;
+  ThickSeparator separator(graph, sides);
+  const int before = separator.value();
+  separator.smooth();
+  EXPECT_LT(3 * separator.value(), 2 * before);
+}
+
+TEST(WeightedGraph, ContractingCountsEdgesAndNodesAtBorders) {
+  const System system(grid(17, 13), 7);
+  WeightedGraph graph = weighted(system.graph);
+  for (std::size_t e = 0; e < graph.edge_weights.size(); ++e) graph.edge_weights[e] = 1;
+  const Groups groups = group_neighbours(graph, 6, 0);
+  const WeightedGraph edges = contract(graph, groups);
+  const WeightedGraph nodes = contract_nodes(graph, groups);
+  ASSERT_EQ(edges.neighbours, nodes.neighbours);
+  for (int g = 0; g < edges.size(); ++g) {
+    int weight = 0;
+    for (int m = groups.starts[g]; m < groups.starts[g + 1]; ++m) {
+      EXPECT_EQ(groups.of_node[groups.nodes[m]], g);
+      weight += graph.weights[groups.nodes[m]];
+    }
+    EXPECT_EQ(edges.weights[g], weight);
+    EXPECT_LE(weight, 6);
+    for (int e = edges.starts[g]; e < edges.starts[g + 1]; ++e) {
+      const int other = edges.neighbours[e];
+      int count = 0;
+      std::set<int> border;
+      for (int v = 0; v < graph.size(); ++v) {
+        for (int f = graph.starts[v]; f < graph.starts[v + 1]; ++f) {
+          const int u = graph.neighbours[f];
+          if (groups.of_node[v] != g || groups.of_node[u] != other) continue;
+          ++count;
+          border.insert({v, u});
+        }
+      }
+      int weight_of_border = 0;
+      for (const int v : border) weight_of_border += graph.weights[v];
+      EXPECT_EQ(edges.edge_weights[e], count);
+      EXPECT_EQ(nodes.edge_weights[e], weight_of_border);
+    }
+  }
+}
+
+// Each unknown has the least degree of those that are left, by elimination as it is defined.
+TEST(LeafOrder, TakesTheLeastDegreeAndCountsWhatIsAround) {
+  const System system(grid(20, 20), 9);
+  std::vector<int> leaf;
+  for (int u = 0; u < system.graph.unknowns; ++u) {
+    const Index v = system.unknowns.vertices[u];
+    if (v % 20 >= 5 && v % 20 < 13 && v / 20 >= 4 && v / 20 < 14) leaf.push_back(u);
+  }
+  std::vector<int> order = leaf;
+  LeafOrder leaf_order(system.graph);
+  leaf_order.sort(order);
+  std::vector<int> sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(sorted, leaf);
+  auto graph = coupled(system.graph);
+  std::set<int> left(leaf.begin(), leaf.end());
+  for (const int v : order) {
+    for (const int u : left) EXPECT_LE(graph[v].size(), graph[u].size());
+    for (const int a : graph[v]) {
+      graph[a].insert(graph[v].begin(), graph[v].end());
+      graph[a].erase(a);
+      graph[a].erase(v);
+    }
+    left.erase(v);
+  }
+}
+
+TEST(LeafOrder, OrdersASetThatIsTooLargeForItsMethod) {
+  const System system(fan(900));
+  std::vector<int> order(static_cast<std::size_t>(system.graph.unknowns));
+  std::iota(order.begin(), order.end(), 0);
+  LeafOrder(system.graph).sort(order);
+  expect_permutation(order, order.size());
+}
+
+}  // namespace
+}  // namespace lapwing
