@@ -1,7 +1,9 @@
 #include "lapwing/solve/block_cholesky/arena.h"
 
 #include <limits>
+#include <mutex>
 #include <new>
+#include <vector>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -12,6 +14,74 @@ namespace {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
 constexpr std::size_t kCacheLine = 64;
+
+void free_block(double* memory, std::size_t alignment) {
+  ::operator delete(memory, std::align_val_t(alignment));
+}
+
+// Blocks on huge pages that nobody uses. The system clears the pages of a new one, which for an
+// edit of 10,000 vertices takes a tenth of its preparation; a block of the edit before has them.
+class SpareBlocks {
+ public:
+  struct Block {
+    double* memory = nullptr;
+    std::size_t bytes = 0;
+  };
+
+  SpareBlocks() { blocks_.reserve(kMostSpareBytes / kHugePage); }
+
+  // The smallest that has room for `bytes` and is not much larger; none where there is none.
+  Block take(std::size_t bytes) {
+    const std::scoped_lock lock(mutex_);
+    auto best = blocks_.end();
+    for (auto block = blocks_.begin(); block != blocks_.end(); ++block) {
+      if (block->bytes < bytes || block->bytes > 2 * bytes) continue;
+      if (best == blocks_.end() || block->bytes < best->bytes) best = block;
+    }
+    if (best == blocks_.end()) return {};
+    const Block taken = *best;
+    blocks_.erase(best);
+    bytes_ -= taken.bytes;
+    return taken;
+  }
+
+  // Frees what has been spare for longest where that makes more than kMostSpareBytes.
+  void keep(const Block& block) noexcept {
+    const std::scoped_lock lock(mutex_);
+    if (block.bytes > kMostSpareBytes || blocks_.size() == blocks_.capacity()) {
+      free_block(block.memory, kHugePage);
+      return;
+    }
+    while (bytes_ + block.bytes > kMostSpareBytes) free_oldest();
+    blocks_.push_back(block);
+    bytes_ += block.bytes;
+  }
+
+  // False where there is nothing to free.
+  bool free_all() noexcept {
+    const std::scoped_lock lock(mutex_);
+    const bool any = !blocks_.empty();
+    while (!blocks_.empty()) free_oldest();
+    return any;
+  }
+
+ private:
+  void free_oldest() {
+    free_block(blocks_.front().memory, kHugePage);
+    bytes_ -= blocks_.front().bytes;
+    blocks_.erase(blocks_.begin());
+  }
+
+  std::mutex mutex_;
+  std::vector<Block> blocks_;  // the oldest first; has room for all that may be kept
+  std::size_t bytes_ = 0;
+};
+
+// Lives until the program has ended: solvers may end after any other static object.
+SpareBlocks& spare_blocks() {
+  static auto* const blocks = new SpareBlocks;
+  return *blocks;
+}
 
 }  // namespace
 
@@ -24,22 +94,40 @@ std::size_t arena_bytes(std::size_t count) {
   return (bytes + unit - 1) / unit * unit;
 }
 
+void free_spare_memory() {
+  spare_blocks().free_all();
+}
+
 void Arena::Release::operator()(double* memory) const {
-  ::operator delete(memory, std::align_val_t(alignment));
+  if (alignment == kHugePage) {
+    spare_blocks().keep({memory, bytes});
+  } else {
+    free_block(memory, alignment);
+  }
 }
 
 void Arena::reserve(std::size_t count) {
   const std::size_t bytes = arena_bytes(count);
-  if (bytes <= bytes_) return;
+  if (bytes <= this->bytes()) return;
   data_.reset();
-  bytes_ = 0;
-  const std::size_t alignment = bytes >= kHugePage ? kHugePage : kCacheLine;
-  auto* memory = static_cast<double*>(::operator new(bytes, std::align_val_t(alignment)));
-  data_ = std::unique_ptr<double[], Release>(memory, Release{alignment});
-  bytes_ = bytes;
+  if (bytes < kHugePage) {
+    auto* memory = static_cast<double*>(::operator new(bytes, std::align_val_t(kCacheLine)));
+    data_ = {memory, Release(kCacheLine, bytes)};
+    return;
+  }
+  if (const auto block = spare_blocks().take(bytes); block.memory != nullptr) {
+    data_ = {block.memory, Release(kHugePage, block.bytes)};
+    return;
+  }
+  void* memory = ::operator new(bytes, std::align_val_t(kHugePage), std::nothrow);
+  if (memory == nullptr && spare_blocks().free_all()) {
+    memory = ::operator new(bytes, std::align_val_t(kHugePage), std::nothrow);
+  }
+  if (memory == nullptr) throw std::bad_alloc();
+  data_ = {static_cast<double*>(memory), Release(kHugePage, bytes)};
 #ifdef MADV_HUGEPAGE
   // Only a hint: without huge pages everything works, a little slower.
-  if (alignment == kHugePage) madvise(memory, bytes, MADV_HUGEPAGE);
+  madvise(memory, bytes, MADV_HUGEPAGE);
 #endif
 }
 

@@ -33,8 +33,8 @@ struct Effort {
   unsigned variants = 1;
 
   explicit Effort(int unknowns)
-      : attempts(static_cast<unsigned>(std::clamp(unknowns / 1500, 1, 24))),
-        variants(unknowns >= 30'000 ? 2 : 1) {}
+      : attempts(static_cast<unsigned>(std::clamp(unknowns / 3000, 1, 12))),
+        variants(unknowns >= 60'000 ? 2 : 1) {}
 };
 
 // A set of nodes that is to be ordered. Unknowns weigh 1; nodes that only couple, 0. An edge weighs
