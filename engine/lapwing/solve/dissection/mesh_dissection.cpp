@@ -34,11 +34,13 @@ struct Effort {
 
   explicit Effort(int unknowns)
       : attempts(static_cast<unsigned>(std::clamp(unknowns / 3000, 1, 12))),
-        variants(unknowns >= 60'000 ? 2 : 1) {}
+        variants(unknowns >= 200'000  ? 4
+                 : unknowns >= 60'000 ? 2
+                                      : 1) {}
 };
 
-// A set of nodes that is to be ordered. Unknowns weigh 1; nodes that only couple, 0. An edge weighs
-// as much as its ends.
+// A set of nodes that is to be ordered. Unknowns weigh 1; nodes that only couple, 0; edges have no
+// weights.
 struct Part {
   WeightedGraph graph;
   Groups groups;           // its nodes stand group by group
@@ -59,15 +61,12 @@ struct Part {
     unknowns += weight;
   }
 
-  // The edges of node after node: those of `node` in `from` that lead to nodes with a number.
+  // For node after node of this one: the edges of `node` in the graph it comes from, where they
+  // lead to nodes with a number here.
   void connect(const std::vector<int>& starts, const std::vector<int>& neighbours, int node,
                const std::vector<int>& number) {
-    const int weight = graph.weights[number[node]];
     for (int e = starts[node]; e < starts[node + 1]; ++e) {
-      const int u = number[neighbours[e]];
-      if (u < 0) continue;
-      graph.neighbours.push_back(u);
-      graph.edge_weights.push_back(weight + graph.weights[u]);
+      if (const int u = number[neighbours[e]]; u >= 0) graph.neighbours.push_back(u);
     }
     graph.starts.push_back(static_cast<int>(graph.neighbours.size()));
   }

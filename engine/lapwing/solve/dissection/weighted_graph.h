@@ -9,7 +9,7 @@ namespace lapwing::dissection {
 struct WeightedGraph {
   std::vector<int> starts{0};
   std::vector<int> neighbours;
-  std::vector<int> edge_weights;  ///< beside `neighbours`
+  std::vector<int> edge_weights;  ///< beside `neighbours`; empty where nobody asks for them
   std::vector<int> weights;       ///< of the nodes
 
   int size() const { return static_cast<int>(weights.size()); }
