@@ -34,9 +34,7 @@ struct Effort {
 
   explicit Effort(int unknowns)
       : attempts(static_cast<unsigned>(std::clamp(unknowns / 3000, 1, 12))),
-        variants(unknowns >= 200'000  ? 4
-                 : unknowns >= 60'000 ? 2
-                                      : 1) {}
+        variants(unknowns >= 60'000 ? 2 : 1) {}
 };
 
 // A set of nodes that is to be ordered. Unknowns weigh 1; nodes that only couple, 0; edges have no
