@@ -98,7 +98,7 @@ TEST_F(Carried, PointsOnTheSurfaceStayOnIt) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
   Positions points = tube_.positions;
   Positions expected = bent.mesh.positions;
-  for (const auto& [a, b, c] : tube_.topology().triangles) {
+  for (const Triangle& t : tube_.topology().triangles) {
     double u = share(random);
     double v = share(random);
     if (u + v > 1.0) {
@@ -106,7 +106,7 @@ TEST_F(Carried, PointsOnTheSurfaceStayOnIt) {
       v = 1.0 - v;
     }
     const auto at = [&](const Positions& from) {
-      return Vector3d((1.0 - u - v) * from[a] + u * from[b] + v * from[c]);
+      return Vector3d((1.0 - u - v) * from[t[0]] + u * from[t[1]] + v * from[t[2]]);
     };
     points.push_back(at(tube_.positions));
     expected.push_back(at(bent.mesh.positions));

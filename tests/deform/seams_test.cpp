@@ -6,6 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/deform.h"
+#include "lapwing/deform/joined_request.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/topology.h"
@@ -19,6 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -302,6 +304,21 @@ TEST_F(ASeam, IsNoDuplicateVertex) {
   EXPECT_TRUE(std::equal(other.positions.begin(), other.positions.end(), positions.begin() + n));
   const Positions alone = deform(mesh_, request).mesh.positions;
   EXPECT_TRUE(std::equal(alone.begin(), alone.end(), positions.begin()));
+}
+
+// The needle 3 4 5 between two triangles that meet along it is no triangle of the joined surface.
+TEST(GiveBackSeams, NamesFlippedTrianglesByTheirNumbersInTheMesh) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0},
+                    {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  for (Index v = 0; v < 9; v += 3) mesh.add_face(std::array<Index, 3>{v, v + 1, v + 2});
+  const JoinedSurface joined = joined_surface(mesh);
+  Deformed result;
+  result.mesh = joined.surface;
+  result.certificate.first_flipped_triangles = {0, 1};
+  give_back_seams(joined, mesh, "roi", result);
+  EXPECT_THAT(result.certificate.first_flipped_triangles, ElementsAre(0, 2));
+  EXPECT_EQ(result.mesh.positions, mesh.positions);
 }
 
 }  // namespace

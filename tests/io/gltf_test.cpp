@@ -1,4 +1,9 @@
 // glTF files: what is read, that nothing but what moved changes, and what is refused.
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -189,6 +194,35 @@ TEST(Gltf, WholeNumbersBecomeFloatsWhereTheyMove) {
   EXPECT_EQ(read_mesh(path).positions[2], mesh.positions[2]);
 }
 
+// A triangle with texture coordinates in whole numbers, of which the largest stands for 1.
+template <class Part, class Corner>
+std::string triangle_in(int part_type, int corner_type) {
+  GltfSample sample;
+  const auto one = std::numeric_limits<Part>::max();
+  const auto p = sample.add(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, 5126, "VEC3", 3);
+  const auto uv = sample.add(std::vector<Part>{0, one, one, one, 0, 0}, part_type, "VEC2", 3,
+                             R"(,"normalized":true)");
+  const auto i = sample.add(std::vector<Corner>{2, 0, 1}, corner_type, "SCALAR", 3);
+  return sample.glb(R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":)" +
+                    std::to_string(p) + R"(,"TEXCOORD_0":)" + std::to_string(uv) +
+                    R"(},"indices":)" + std::to_string(i) + "}]}]");
+}
+
+TEST(Gltf, WholeNumbersOfEverySizeAreRead) {
+  const TemporaryFolder folder;
+  const Mesh expected =
+      read_mesh(folder.file("a.glb", triangle_in<std::int16_t, std::uint16_t>(5122, 5123)));
+  EXPECT_EQ(expected.positions[expected.face(0)[2]], Eigen::Vector3d(1, 0, 0));
+  EXPECT_THAT(expected.attributes().uvs, Contains(Eigen::Vector2d(1, 0)));
+  for (const std::string& bytes : {triangle_in<std::int8_t, std::uint8_t>(5120, 5121),
+                                   triangle_in<std::uint8_t, std::uint8_t>(5121, 5121),
+                                   triangle_in<std::uint16_t, std::uint32_t>(5123, 5125)}) {
+    const Mesh mesh = read_mesh(folder.file("b.glb", bytes));
+    EXPECT_EQ(mesh.faces().vertices, expected.faces().vertices);
+    EXPECT_EQ(mesh.attributes().uvs, expected.attributes().uvs);
+  }
+}
+
 TEST(Gltf, DataInTheTextIsWrittenThere) {
   const TemporaryFolder folder;
   GltfSample sample;
@@ -196,8 +230,8 @@ TEST(Gltf, DataInTheTextIsWrittenThere) {
   const std::string rest = R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
                            R"({"POSITION":)" +
                            std::to_string(p) + "}}]}]";
-  // 36 bytes, of which only four floats are not 0: 1.0F is 00 00 80 3F.
-  const std::string data = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+  // 36 bytes, of which only two floats are not 0, 1.0F is 00 00 80 3F; and two that nothing uses.
+  const std::string data = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAA=";
   const fs::path path = folder.file(
       "a.gltf", sample.json(rest, R"(,"uri":"data:application/octet-stream;base64,)" + data + '"'));
   const std::string before = content_of(path);

@@ -188,7 +188,7 @@ TEST(MirrorOnModels, AreSymmetricToRoundingWhereTheMeshIs) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       if (mesh.positions[v][up] < bounds.min[up] + 0.25 * size[up]) low.push_back(v);
       const auto height = [&](Index w) {
-        return mesh.positions[w][up] + 2.0 * mesh.positions[w][axis];
+        return mesh.positions[w][up] + 2.0 * mesh.positions[w].dot(plane.normal);
       };
       if (height(v) > height(top)) top = v;
     }

@@ -9,6 +9,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/vertex_motion.h"
 #include "lapwing/io/mesh_file.h"
+#include "lapwing/io/number_table.h"
 #include "lapwing/io/source_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
@@ -92,6 +93,26 @@ TEST_F(RunRecipe, SavesHowEachVertexMovedBesideThePropertiesThatThePlyHas) {
               }),
               HasSubstr("no.obj: OBJ has no place for how each vertex moved"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "no.obj"));
+}
+
+TEST_F(RunRecipe, SavesAMorphTargetThatTheFormatHasNoPlaceForAsATable) {
+  const std::string text = R"({"lapwing": 1, "mesh": "tube.obj",
+      "save_as": {"morph_target": "smile"}, "steps": [)";
+  const auto result =
+      run_recipe(parse_recipe(text + kLift + "]}", folder_.path(), "test"), kernels_);
+  save_result(*result, folder_ / "out.obj");
+  EXPECT_EQ(content_of(folder_ / "out.obj"), content_of(folder_ / "tube.obj"));
+  EXPECT_THAT(result->report.warnings, Contains(HasSubstr("out-smile.npy")));
+  const NumberTable table = read_number_table(folder_ / "out-smile.npy");
+  ASSERT_EQ(table.row_count(), result->original.size());
+  for (std::size_t v = 0; v < table.row_count(); ++v) {
+    const Eigen::Vector3d moved = result->mesh.positions[v] - result->original[v];
+    EXPECT_EQ(Eigen::Vector3d(table.row(v).data()), moved);
+  }
+  result->mesh = icosphere(1);
+  EXPECT_THAT(error_message<InputError>([&] { save_result(*result, folder_ / "other.obj"); }),
+              HasSubstr("a step made other triangles, which have no displacements from the mesh"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "other.obj"));
 }
 
 TEST_F(RunRecipe, StepsFollowOneAnother) {

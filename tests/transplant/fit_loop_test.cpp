@@ -1,5 +1,6 @@
 #include "lapwing/transplant/fit_loop.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -74,7 +75,7 @@ TEST_F(CutHills, PartThatWasMovedGoesBackWhereItWasCut) {
 }
 
 TEST_F(CutHills, ItDoesNotMatterWhereTheLoopsStart) {
-  std::ranges::rotate(hole, hole.begin() + 17);
+  std::rotate(hole.begin(), hole.begin() + 17, hole.end());
   EXPECT_LT(difference(fit_loop(part, hole, {}, "fit"), Affine3d::Identity()), 1e-6);
 }
 

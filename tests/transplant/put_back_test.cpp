@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -30,7 +31,7 @@ std::set<Triangle> triangles_of(const Mesh& mesh, std::span<const Index> numbers
   std::set<Triangle> triangles;
   for (Triangle triangle : mesh.topology().triangles) {
     for (Index& v : triangle) v = numbers[v];
-    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
     triangles.insert(triangle);
   }
   return triangles;

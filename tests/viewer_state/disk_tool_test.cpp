@@ -191,7 +191,8 @@ TEST_F(ADiskWithGrips, HasNoneWhileASurfaceThatMovesHasNotSettled) {
 }
 
 TEST_F(ADiskWithGrips, HasNoneOnceSomethingElseIsChosen) {
-  sphere_.state = apply(std::move(sphere_.state), Paint{kRoi, {}, {sphere_.roi().front()}});
+  const Paint cleared{kRoi, {}, {sphere_.roi().front()}};
+  sphere_.state = apply(std::move(sphere_.state), cleared);
   send(move_to(front_));
   EXPECT_TRUE(grips().empty());
 }

@@ -1,5 +1,7 @@
 #include "tools/projection.h"
 
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,11 +11,12 @@
 namespace lapwing::viewer::test {
 namespace {
 
-const Projection kViews[] = {perspective({1, 2, 5}, {0.2, 0, 0}),
-                             parallel({1, 2, 5}, {0, 0, 0}, 3)};
+std::vector<Projection> views() {
+  return {perspective({1, 2, 5}, {0.2, 0, 0}), parallel({1, 2, 5}, {0, 0, 0}, 3)};
+}
 
 TEST(Projection, RayThroughAPixelMeetsThePoint) {
-  for (const Projection& view : kViews) {
+  for (const Projection& view : views()) {
     const Vector3d point(0.3, -0.2, 0.4);
     const SightLine ray = view.ray_through(*view.to_pixel(point));
     const Vector3d toward = point - ray.origin;
@@ -34,7 +37,7 @@ TEST(Projection, WhatIsBehindTheEyeShowsNowhere) {
 }
 
 TEST(Projection, LengthOfAPixelShowsAsOne) {
-  for (const Projection& view : kViews) {
+  for (const Projection& view : views()) {
     const Vector3d point(0.3, -0.2, 0.4);
     const Vector3d eyeward = view.toward_eye(point);
     const Vector3d across = eyeward.unitOrthogonal() * view.length_of_pixel(point);

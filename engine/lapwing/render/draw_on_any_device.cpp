@@ -19,8 +19,9 @@ std::shared_ptr<gpu::Context> open(const std::string& device) {
 std::vector<std::string> devices_from(std::size_t failed) {
   std::vector<gpu::DeviceDescription> all = gpu::list_devices();
   std::erase_if(all, [](const gpu::DeviceDescription& device) { return !device.rejected.empty(); });
-  std::ranges::stable_partition(
-      all, [&](const gpu::DeviceDescription& device) { return device.index == failed; });
+  std::stable_partition(all.begin(), all.end(), [&](const gpu::DeviceDescription& device) {
+    return device.index == failed;
+  });
   std::vector<std::string> names;
   for (const gpu::DeviceDescription& device : all) names.push_back(std::to_string(device.index));
   return names;

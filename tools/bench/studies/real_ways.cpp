@@ -167,16 +167,16 @@ void run_real_mesh(const std::filesystem::path& path, const std::string& name,
       laplacian_weights(mesh.topology(), mesh.positions, default_options().weights);
   const std::vector<ReadyEdit> ready = ready_edits(mesh, weights, name, all);
   done(all);
-  for (const auto& [edit, r] : ready) {
-    RealRun& run = all.runs[r];
-    try_to([&] { deform_by_ours(edit, default_options(), run.ours); }, run.ours);
+  for (const ReadyEdit& each : ready) {
+    RealRun& run = all.runs[each.run];
+    try_to([&] { deform_by_ours(each.edit, default_options(), run.ours); }, run.ours);
     done(all);
-    try_to([&] { deform_by_ours(edit, linear_options(), run.linear); }, run.linear);
+    try_to([&] { deform_by_ours(each.edit, linear_options(), run.linear); }, run.linear);
     done(all);
   }
-  for (const auto& [edit, r] : ready) {
-    try_to([&] { deform_by_cgal(edit, limits.arap_iterations, all.runs[r].arap); },
-           all.runs[r].arap);
+  for (const ReadyEdit& each : ready) {
+    RealRun& run = all.runs[each.run];
+    try_to([&] { deform_by_cgal(each.edit, limits.arap_iterations, run.arap); }, run.arap);
     done(all);
   }
 }
