@@ -15,7 +15,7 @@ namespace {
 // times as many, and the search for n unknowns as long as this many of them.
 bool is_worth_dissecting(double n, double operations) {
   constexpr double kOfDissection = 90.0;
-  constexpr double kSearch = 300'000.0;
+  constexpr double kSearch = 250'000.0;
   return 27.0 * (operations - kOfDissection * n * std::sqrt(n)) > kSearch * n;
 }
 
