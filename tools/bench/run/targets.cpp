@@ -37,12 +37,13 @@ struct RatioTarget {
   double at_most;
 };
 constexpr std::array kRatios{
-    RatioTarget{"preparation", "preparation", kArap, 3.0},
-    RatioTarget{"first drag", "preparation", kArap, 0.5},
-    RatioTarget{"again, other handle", "preparation", kLapwing, 0.6},
-    RatioTarget{"again, other belt", "preparation", kLapwing, 0.6},
-    RatioTarget{"again, other weight", "preparation", kLapwing, 0.6},
-    RatioTarget{"again, other Laplacians", "preparation", kLapwing, 0.6},
+    RatioTarget{"preparation", "preparation", kArap, 1.0},
+    RatioTarget{"first drag", "preparation", kArap, 0.25},
+    RatioTarget{"order", "preparation", kLapwing, 0.2},
+    RatioTarget{"again, other handle", "preparation", kLapwing, 0.3},
+    RatioTarget{"again, other belt", "preparation", kLapwing, 0.3},
+    RatioTarget{"again, other weight", "preparation", kLapwing, 0.3},
+    RatioTarget{"again, other Laplacians", "preparation", kLapwing, 0.3},
     RatioTarget{"drag frame", "settle iteration", kArap, 0.02},
     RatioTarget{"settle frame", "settle iteration", kArap, 1.0},
     RatioTarget{"settle frame in time", "settle iteration", kArap, 0.25},
