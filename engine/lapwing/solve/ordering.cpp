@@ -1,16 +1,15 @@
 #include "lapwing/solve/ordering.h"
 
-#include <array>
 #include <memory>
 #include <numeric>
 #include <string>
 #include <utility>
 
-#include <amd.h>
 #include <metis.h>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/solve/abandonable.h"
+#include "lapwing/solve/minimum_degree.h"
 
 namespace lapwing {
 namespace {
@@ -24,22 +23,6 @@ template <typename Order>
 std::vector<int> cancellable(std::size_t nodes, Order order) {
   if (nodes <= kQuickToOrder) return order();
   return run_abandonable(std::move(order));
-}
-
-std::vector<int> minimum_degree(const BlockGraph& graph, double& operations) {
-  const int n = static_cast<int>(graph.starts.size()) - 1;
-  std::vector<int> order(static_cast<std::size_t>(n));
-  std::array<double, AMD_INFO> info{};
-  const int status = amd_order(n, graph.starts.data(), graph.neighbours.data(), order.data(),
-                               nullptr, info.data());
-  if (status != AMD_OK && status != AMD_OK_BUT_JUMBLED) {
-    throw SolverError("the minimum degree ordering failed (AMD status " + std::to_string(status) +
-                      "); out of memory at " + std::to_string(n) + " vertices");
-  }
-  // A column of c entries below the diagonal takes c divisions and c (c + 1) / 2 multiplications
-  // with subtractions.
-  operations = n + info[AMD_NDIV] + 2 * info[AMD_NMULTSUBS_LDL];
-  return order;
 }
 
 std::vector<int> nested_dissection(BlockGraph graph) {
@@ -69,8 +52,9 @@ MinimumDegreeOrder minimum_degree_order(const BlockPattern& pattern) {
   if (graph.neighbours.empty()) return {as_they_stand(n), static_cast<double>(n)};
   // Counted on whichever thread orders, which outlives this call when it is abandoned.
   const auto operations = std::make_shared<double>(0.0);
-  std::vector<int> order = cancellable(
-      n, [operations, graph = std::move(graph)] { return minimum_degree(graph, *operations); });
+  std::vector<int> order = cancellable(n, [operations, graph = std::move(graph)] {
+    return minimum_degree(graph, operations.get());
+  });
   return {std::move(order), *operations};
 }
 

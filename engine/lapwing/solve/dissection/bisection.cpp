@@ -71,22 +71,11 @@ class EdgeCut {
   int value_ = 0;
 };
 
-SideWeights weights_of(const WeightedGraph& graph, const Sides& sides) {
-  SideWeights weights;
-  for (int v = 0; v < graph.size(); ++v) weights.of[sides[v]] += graph.weights[v];
-  return weights;
-}
-
 CutScore improve(const WeightedGraph& graph, Sides& sides) {
   EdgeCut cut(graph, sides);
-  SideWeights weights = weights_of(graph, sides);
-  Improvement improvement(cut, weights, kPatience);
+  Improvement improvement(cut, kPatience);
   improvement.run(kPasses);
-  return {weights, cut.separator()};
-}
-
-CutScore score_of(const WeightedGraph& graph, Sides& sides) {
-  return {weights_of(graph, sides), EdgeCut(graph, sides).separator()};
+  return improvement.score();
 }
 
 // Steps from `from` to each node; nodes that cannot be reached are farthest of all.
@@ -206,7 +195,7 @@ class Sweeps {
   std::vector<Candidate> best_;
 };
 
-Sides cut_coarsest(const WeightedGraph& graph, std::size_t tips) {
+Candidate cut_coarsest(const WeightedGraph& graph, std::size_t tips) {
   const auto distances = distances_from_tips(graph, tips);
   Sweeps sweeps(graph, kSweepsKept);
   std::vector<int> difference(graph.weights.size());
@@ -225,7 +214,7 @@ Sides cut_coarsest(const WeightedGraph& graph, std::size_t tips) {
     candidate.score = improve(graph, candidate.sides);
     if (best == nullptr || candidate.score < best->score) best = &candidate;
   }
-  return std::move(best->sides);
+  return std::move(*best);
 }
 
 // A graph as it becomes smaller, level by level.
@@ -247,16 +236,16 @@ class Levels {
   const WeightedGraph& coarsest() const { return levels_.empty() ? finest_ : levels_.back().graph; }
 
   // The cut of the finest graph that one of the coarsest becomes, improved on every level above.
-  Sides refine(Sides sides) {
+  Candidate refine(Candidate cut) {
     while (!levels_.empty()) {
       const std::vector<int> group_of = std::move(levels_.back().group_of);
       levels_.pop_back();
       Sides finer(group_of.size());
-      for (std::size_t v = 0; v < finer.size(); ++v) finer[v] = sides[group_of[v]];
-      sides = std::move(finer);
-      improve(coarsest(), sides);
+      for (std::size_t v = 0; v < finer.size(); ++v) finer[v] = cut.sides[group_of[v]];
+      cut.sides = std::move(finer);
+      cut.score = improve(coarsest(), cut.sides);
     }
-    return sides;
+    return cut;
   }
 
  private:
@@ -277,19 +266,14 @@ Sides bisect(const WeightedGraph& graph, unsigned attempts, unsigned variant) {
   const int most_weight = std::max(1, 3 * total / (2 * kCoarsest));
   Levels levels(graph);
   levels.coarsen(kSearched, most_weight, variant);
-  Sides best;
-  std::optional<CutScore> best_score;
+  std::optional<Candidate> best;
   for (unsigned attempt = 0; attempt < attempts; ++attempt) {
     Levels below(levels.coarsest());
     below.coarsen(kCoarsest, most_weight, attempt + 8 * variant);
-    Sides sides = below.refine(cut_coarsest(below.coarsest(), attempts > 1 ? kTips : kFewTips));
-    const CutScore score = score_of(levels.coarsest(), sides);
-    if (!best_score || score < *best_score) {
-      best = std::move(sides);
-      best_score = score;
-    }
+    Candidate cut = below.refine(cut_coarsest(below.coarsest(), attempts > 1 ? kTips : kFewTips));
+    if (!best || cut.score < best->score) best = std::move(cut);
   }
-  return levels.refine(std::move(best));
+  return levels.refine(std::move(*best)).sides;
 }
 
 }  // namespace lapwing::dissection

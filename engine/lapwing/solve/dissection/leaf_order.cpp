@@ -3,11 +3,9 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <string>
+#include <utility>
 
-#include <amd.h>
-
-#include "lapwing/base/errors.h"
+#include "lapwing/solve/minimum_degree.h"
 
 namespace lapwing::dissection {
 namespace {
@@ -65,26 +63,19 @@ void for_coupled(const CouplingGraph& graph, int v, Visit visit) {
 // Leaves that could not be cut any smaller, such as a fan of thousands of triangles.
 std::vector<int> large_leaf(const CouplingGraph& graph, std::span<const int> unknowns,
                             const std::vector<int>& place) {
-  std::vector<int> starts{0};
-  std::vector<int> neighbours;
+  BlockGraph coupled;
+  coupled.starts = {0};
   std::vector<int> seen_from(unknowns.size(), -1);
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     seen_from[i] = static_cast<int>(i);
     for_coupled(graph, unknowns[i], [&](int u) {
       const int k = place[u];
       if (k < 0 || std::exchange(seen_from[k], static_cast<int>(i)) == static_cast<int>(i)) return;
-      neighbours.push_back(k);
+      coupled.neighbours.push_back(k);
     });
-    starts.push_back(static_cast<int>(neighbours.size()));
+    coupled.starts.push_back(static_cast<int>(coupled.neighbours.size()));
   }
-  const int n = static_cast<int>(unknowns.size());
-  std::vector<int> order(unknowns.size());
-  const int status = amd_order(n, starts.data(), neighbours.data(), order.data(), nullptr, nullptr);
-  if (status != AMD_OK && status != AMD_OK_BUT_JUMBLED) {
-    throw SolverError("the minimum degree ordering failed (AMD status " + std::to_string(status) +
-                      "); out of memory at " + std::to_string(n) + " vertices");
-  }
-  return order;
+  return minimum_degree(coupled);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ class CutScore {
  public:
   CutScore(const SideWeights& sides, int separator)
       : over_(std::max(0, sides.heavier() - sides.limit())), heavier_(sides.heavier()) {
-    constexpr double kUnequal = 20.0;  // a side of two thirds makes up for half of the separator
+    constexpr double kUnequal = 20.0;  // a side of two thirds counts as half a separator more
     const double off = static_cast<double>(heavier_) / std::max(1, sides.total()) - 0.5;
     cost_ = separator * (1.0 + kUnequal * off * off);
   }
@@ -89,14 +89,13 @@ class CutScore {
 ///     bool on_border(v)                           only such nodes are moved
 ///     int gain(v)                                 how much lighter the cut becomes by moving v
 ///     void move(v)
-///     void for_affected(v, f)                     f(u) for all whose gain or border v's move
-///     changes
+///     void for_affected(v, f)                     f(u) for all that a move of v changes
 template <typename Cut>
 class Improvement {
  public:
   /// A pass ends after `patience` moves without a better state.
-  Improvement(Cut& cut, SideWeights& sides, int patience)
-      : cut_(cut), sides_(sides), patience_(patience) {
+  Improvement(Cut& cut, int patience) : cut_(cut), patience_(patience) {
+    for (int v = 0; v < cut.size(); ++v) sides_.of[cut.side(v)] += cut.weight(v);
     gains_.resize(static_cast<std::size_t>(cut.size()));
     locked_.resize(static_cast<std::size_t>(cut.size()));
   }
@@ -105,6 +104,8 @@ class Improvement {
     for (int pass = 0; pass < most_passes && improve(); ++pass) {
     }
   }
+
+  CutScore score() const { return {sides_, cut_.separator()}; }
 
  private:
   bool improve() {
@@ -146,10 +147,8 @@ class Improvement {
     cut_.move(v);
   }
 
-  CutScore score() const { return {sides_, cut_.separator()}; }
-
   Cut& cut_;
-  SideWeights& sides_;
+  SideWeights sides_;
   int patience_;
   std::vector<int> gains_;  // with which each was last added
   std::vector<char> locked_;

@@ -39,11 +39,9 @@ void ThickSeparator::move(int v) {
 }
 
 void ThickSeparator::smooth() {
-  SideWeights weights;
-  for (int v = 0; v < graph_.size(); ++v) weights.of[sides_[v]] += graph_.weights[v];
   constexpr int kPatience = 20;
   constexpr int kPasses = 2;
-  Improvement improvement(*this, weights, kPatience);
+  Improvement improvement(*this, kPatience);
   improvement.run(kPasses);
 }
 

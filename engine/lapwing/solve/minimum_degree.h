@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "lapwing/solve/block_matrix.h"
+
+namespace lapwing {
+
+/// An order of a graph by approximate minimum degree (AMD), new to old. `operations`, where asked
+/// for, becomes what MinimumDegreeOrder says. Cannot be interrupted. Throws SolverError where
+/// memory ends.
+std::vector<int> minimum_degree(const BlockGraph& graph, double* operations = nullptr);
+
+}  // namespace lapwing
