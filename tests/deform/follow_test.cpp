@@ -222,6 +222,40 @@ TEST_F(FollowedFineCylinder, EndsWhereSettlingDoes) {
   EXPECT_TRUE(same(pose, before));
 }
 
+// By the steps of the frames before alone it takes more than 100 iterations.
+TEST_F(FollowedFineCylinder, SettlesAtRestByTheTangentOfItsPose) {
+  SettledPose pose;
+  for (int degrees = 0; degrees <= 60; degrees += 3) {
+    deformer_.follow(twist(degrees), pose, [](double ms) { return ms == 0.0; });
+  }
+  int iterations = 0;
+  for (int frame = 0; frame < 100 && !pose.settled.settled; ++frame) {
+    int left = 3;
+    deformer_.follow(twist(60.0), pose, [&left](double) { return left-- > 0; });
+    EXPECT_LE(pose.settled.iterations, 3);
+    iterations += pose.settled.iterations;
+  }
+  EXPECT_TRUE(pose.settled.settled);
+  EXPECT_LT(iterations, 40);
+  EXPECT_LT(off(pose, 60.0), 1e-3);
+}
+
+TEST_F(FollowedFineCylinder, MovesOnWhereItWasSettlingAtRest) {
+  const auto no_time = [](double ms) { return ms == 0.0; };
+  SettledPose pose;
+  for (int degrees = 0; degrees <= 30; degrees += 3) {
+    deformer_.follow(twist(degrees), pose, no_time);
+  }
+  for (int frame = 0; frame < 8; ++frame) deformer_.follow(twist(30.0), pose, no_time);
+  EXPECT_FALSE(pose.settled.settled);
+  for (int degrees = 33; degrees <= 45; degrees += 3) {
+    deformer_.follow(twist(degrees), pose, no_time);
+  }
+  EXPECT_LT(off(pose, 45.0), 2e-3);
+  while (!pose.settled.settled) deformer_.follow(twist(45.0), pose);
+  EXPECT_LT(off(pose, 45.0), 1e-3);
+}
+
 TEST_F(FollowedFineCylinder, ADragDoesNotDependOnTheOneBefore) {
   const auto drag = [&](double degrees) {
     SettledPose pose;

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/solve/ordering.h"
 #include "solve/test_matrices.h"
@@ -308,6 +309,38 @@ TEST(BlockCholesky, CountsTheOperationsOfADenseFactorization) {
   for (double k = 1; k <= 60; ++k) flops += k * k;
   EXPECT_DOUBLE_EQ(solver.statistics().flops, flops);
   EXPECT_GE(solver.statistics().factor_bytes, 60U * 61U / 2U * sizeof(double));
+}
+
+// ---- Memory taken ahead.
+
+TEST(BlockCholesky, FactorsToTheSameBitsInMemoryTakenAhead) {
+  const OwnedMatrix A = rsi_matrix(icosphere(4), 1.0, 10);
+  const auto b = random_vector(A.matrix.scalar_size(), 2);
+  BlockCholesky usual;
+  BlockCholesky ahead;
+  ahead.analyze(*A.pattern, 3, fill_reducing_order(*A.pattern, Ordering::minimum_degree));
+  ahead.prepare_memory();
+  ahead.prepare_memory();
+  ahead.factor(A.matrix);
+  std::vector<double> x(b.size());
+  ahead.solve(b, x, 1);
+  EXPECT_EQ(x, solve_with(usual, A.matrix, b));
+}
+
+TEST(BlockCholesky, TakesNoMemoryAheadOfTheAnalysis) {
+  EXPECT_THROW(BlockCholesky().prepare_memory(), SolverError);
+}
+
+TEST(BlockCholesky, CanBeCancelledWhileItTakesMemory) {
+  const OwnedMatrix A = laplacian_matrix(grid(150, 150), 1.0, 10);
+  BlockCholesky solver;
+  solver.analyze(*A.pattern, 1, fill_reducing_order(*A.pattern));
+  {
+    const AskAtEveryCheck always;
+    const ProgressScope scope([](std::string_view, double) { return false; });
+    EXPECT_THROW(solver.prepare_memory(), Cancelled);
+  }
+  EXPECT_NO_THROW(solver.factor(A.matrix));
 }
 
 // ---- Refactoring.

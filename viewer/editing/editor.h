@@ -221,6 +221,7 @@ class Editor {
   std::vector<std::size_t> dragged_;
   std::vector<Move> live_moves_;
   std::optional<LiveResult> live_;                   // the last one of a drag
+  std::optional<std::vector<Move>> resting_moves_;   // those asked for of a hand that rests
   std::shared_ptr<const SettledPose> dragged_from_;  // before any
   std::vector<Eigen::Affine3d> motions_dragged_from_;
   bool classes_are_old_ = true;

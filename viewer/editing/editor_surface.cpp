@@ -180,9 +180,17 @@ void Editor::settle_live() {
     follow_from(result->pose, result->moves);
     live_ = std::move(result);
   }
+  if (resting_moves_ && *resting_moves_ != live_moves_) {
+    // It may be at a factorization, which the hand does not wait for.
+    session_->cancel_settling();
+    resting_moves_.reset();
+  }
   const bool is_there = live_ ? live_->is_done && live_->moves == live_moves_
                               : !needs_settling(state()) && state().moves == live_moves_;
-  if (!is_there) session_->settle_live(live_moves_, shown_.pose());
+  if (is_there) return;
+  const bool rests = live_ && live_->moves == live_moves_;
+  session_->settle_live(live_moves_, shown_.pose(), rests);
+  if (rests) resting_moves_ = live_moves_;
 }
 
 void Editor::show_classes() {

@@ -217,14 +217,14 @@ std::shared_ptr<const SettledPose> EditSession::pose() const {
   return pose;
 }
 
-void EditSession::settle_live(std::span<const Move> moves,
-                              std::shared_ptr<const SettledPose> from) {
+void EditSession::settle_live(std::span<const Move> moves, std::shared_ptr<const SettledPose> from,
+                              bool rests) {
   // A copy of the state costs the selection: only where it is going to be used.
   if (preparation_.status().phase != PreparationStatus::Phase::ready) return;
   AppState dragged = state();
   dragged.moves.assign(moves.begin(), moves.end());
   dragged.settled.reset();
-  preparation_.settle_live(dragged, std::move(from));
+  preparation_.settle_live(dragged, std::move(from), rests);
 }
 
 std::optional<LiveResult> EditSession::take_live_result() {

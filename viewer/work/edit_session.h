@@ -83,7 +83,8 @@ class EditSession {
   /// under way, brought on from the pose `from` (Preparation::settle_live). Only if nothing else
   /// settles; does nothing otherwise, so call it as often as they change. Every step, undo and redo
   /// wins over it, as `cancel_settling` does where it is given up.
-  void settle_live(std::span<const Move> moves, std::shared_ptr<const SettledPose> from);
+  void settle_live(std::span<const Move> moves, std::shared_ptr<const SettledPose> from,
+                   bool rests = false);
   /// That result, once. Never a step of the history.
   std::optional<LiveResult> take_live_result();
 

@@ -124,7 +124,7 @@ void Preparation::settle(const AppState& state) {
     const std::lock_guard lock(worker_.mutex());
     result_.reset();
     live_result_.reset();
-    to_settle_ = Request{state, wanted_ticket_ = ++settle_ticket_, false, nullptr};
+    to_settle_ = Request{state, wanted_ticket_ = ++settle_ticket_};
     if (status_.phase == Phase::ready) status_.phase = Phase::settling;
   }
   worker_.notify();
@@ -144,11 +144,12 @@ std::optional<SettledResult> Preparation::take_result() {
   return std::exchange(result_, std::nullopt);
 }
 
-bool Preparation::settle_live(const AppState& state, std::shared_ptr<const SettledPose> from) {
+bool Preparation::settle_live(const AppState& state, std::shared_ptr<const SettledPose> from,
+                              bool rests) {
   {
     const std::lock_guard lock(worker_.mutex());
     if (status_.phase != Phase::ready || result_ || live_result_) return false;
-    to_settle_ = Request{state, wanted_ticket_ = ++settle_ticket_, true, std::move(from)};
+    to_settle_ = Request{state, wanted_ticket_ = ++settle_ticket_, true, std::move(from), rests};
     status_.phase = Phase::settling;
   }
   worker_.notify();
@@ -393,9 +394,8 @@ LiveResult Preparation::follow_drag(const Request& request, const Deformer& exac
   if (request.from == nullptr || request.from != last_live_) exact.begin_drag();
   SettledPose pose = request.from ? *request.from : SettledPose();
   const Stopwatch watch;
-  const auto go_on = [&](double ms) {
-    return ms == 0.0 || watch.elapsed_ms() + ms < kLiveBudgetMs;
-  };
+  const double budget = request.rests ? kRestBudgetMs : kLiveBudgetMs;
+  const auto go_on = [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < budget; };
   exact.follow(motions_of(request.state), turns_of(request.state), pose, go_on, progress);
   const bool is_done = pose.settled.settled || pose.settled.exhausted;
   last_live_ = std::make_shared<const SettledPose>(std::move(pose));

@@ -55,6 +55,8 @@ struct LiveResult {
 /// What a live result may take, but for what it cannot do without: of the 16.7 ms of a frame what
 /// the upload of the pose and the drawing leave.
 inline constexpr double kLiveBudgetMs = 12.0;
+/// Where the hand rests nothing is to be followed, and longer frames settle sooner.
+inline constexpr double kRestBudgetMs = 50.0;
 
 /// Prepares an edit on a thread of its own, so that the window never waits: first the preview of a
 /// drag, then the exact one; and settles. All members may be called from one other thread, the
@@ -97,11 +99,13 @@ class Preparation {
 
   /// Follows a drag under way, whose moves `state` holds for once: a result to look at, which comes
   /// by `take_live_result`. It goes on from the pose `from`, the last live one or that of a settled
-  /// state, as far as kLiveBudgetMs allows (Deformer::follow); from none it begins where `settle`
-  /// does. Asked for again until it is done it is within the tolerance what `settle` gives. Only if
-  /// nothing settles and no result waits to be taken; false otherwise, and nothing is asked for. A
-  /// later `settle` takes its place at once.
-  bool settle_live(const AppState& state, std::shared_ptr<const SettledPose> from);
+  /// state, as far as kLiveBudgetMs allows (Deformer::follow), or kRestBudgetMs where the hand
+  /// `rests` since the last one; from none it begins where `settle` does. Asked for again until it
+  /// is done it is within the tolerance what `settle` gives. Only if nothing settles and no result
+  /// waits to be taken; false otherwise, and nothing is asked for. A later `settle` takes its place
+  /// at once.
+  bool settle_live(const AppState& state, std::shared_ptr<const SettledPose> from,
+                   bool rests = false);
   /// Once.
   std::optional<LiveResult> take_live_result();
 
@@ -154,6 +158,7 @@ class Preparation {
     std::uint64_t ticket = 0;
     bool is_live = false;
     std::shared_ptr<const SettledPose> from;  ///< of a live one
+    bool rests = false;                       ///< its hand
   };
 
   Worker::Work next();

@@ -165,11 +165,11 @@ void Deformer::State::follow_by_coarse(const SettledPose& pose, const SettleTarg
   take_along(pose, wanted, target, next);
 }
 
-// Where the handles rest the coarse surface still finds the way, as long as the energy falls; false
-// where it does not.
+// Where the handles rest the coarse surface still finds the way, as long as the energy falls and
+// the tangent does not find it sooner; false where it does not.
 bool Deformer::State::go_on_at_rest(const SettledPose& pose, const SettleTarget& target,
                                     SettledPose& next) {
-  if (coarse_moves_at_rest >= kCoarseMovesAtRest) return false;
+  if (coarse_moves_at_rest >= kCoarseMovesAtRest || settler->goes_by_tangent()) return false;
   ++coarse_moves_at_rest;
   take_along(pose, target.wanted, target, next);
   const double before = settler->energy(target, pose.displacement);
@@ -178,14 +178,18 @@ bool Deformer::State::go_on_at_rest(const SettledPose& pose, const SettleTarget&
 
 // Settles the surface itself, as far as there is time; false where a frame does without, which it
 // may where a coarse surface has taken it along.
-bool Deformer::State::smooth(const SettleTarget& target, bool must, const GoOn& go_on,
+bool Deformer::State::smooth(const SettleTarget& target, bool at_rest, bool must, const GoOn& go_on,
                              const Progress& progress, SettledPose& next) {
   if (!must && go_on && !go_on(smoothing_ms)) return false;
   const Stopwatch watch;
   bool is_first = must;
-  const auto goes_on = [&](double ms) { return go_on(std::exchange(is_first, false) ? 0.0 : ms); };
-  next.settled =
-      settler->follow(target, next.displacement, go_on ? GoOn(goes_on) : GoOn(), progress);
+  const auto ask = [&](double ms) { return go_on(std::exchange(is_first, false) ? 0.0 : ms); };
+  const GoOn goes_on = go_on ? GoOn(ask) : GoOn();
+  if (at_rest) {
+    next.settled = settler->rest(target, next.displacement, goes_on, progress);
+    return next.settled.iterations > 0;
+  }
+  next.settled = settler->follow(target, next.displacement, goes_on, progress);
   smoothing_ms = watch.elapsed_ms() / std::max(next.settled.iterations, 1);
   return next.settled.iterations > 0;
 }
@@ -284,8 +288,10 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
     }
   }
   const bool must = !by_coarse || at_rest;
-  const bool is_smooth = on.smooth(target, must, go_on, progress, next);
-  if (!begins && !at_rest && !next.settled.settled) on.lacks_time = true;
+  const bool is_smooth = on.smooth(target, at_rest, must, go_on, progress, next);
+  if (!begins && !at_rest && !next.settled.settled && !std::exchange(on.lacks_time, true)) {
+    on.tangent->prepare();
+  }
   // What pulls on the surface before it is smooth tells the coarse one nothing.
   if (is_smooth && by_coarse) {
     std::vector<Vector3d> gradient(next.displacement.size(), Vector3d::Zero());

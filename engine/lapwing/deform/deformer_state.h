@@ -62,8 +62,8 @@ struct Deformer::State {
   void follow_by_coarse(const SettledPose& pose, const SettleTarget& target, bool is_there,
                         SettledPose& next);
   bool go_on_at_rest(const SettledPose& pose, const SettleTarget& target, SettledPose& next);
-  bool smooth(const SettleTarget& target, bool must, const GoOn& go_on, const Progress& progress,
-              SettledPose& next);
+  bool smooth(const SettleTarget& target, bool at_rest, bool must, const GoOn& go_on,
+              const Progress& progress, SettledPose& next);
 };
 
 /// From here on the way round counts, which a linear response does not know.

@@ -1,10 +1,13 @@
 #include "lapwing/deform/pose_tangent.h"
 
 #include <cmath>
+#include <string_view>
+#include <system_error>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/response_system.h"
@@ -68,19 +71,47 @@ PoseTangent::PoseTangent(const Topology& topology, std::span<const Index> roi,
       roi_(roi.begin(), roi.end()),
       b_(3 * laplacian.size()) {}
 
-// False where there is not enough.
-bool PoseTangent::take_memory() {
-  if (factor_ != nullptr) return true;
+PoseTangent::~PoseTangent() {
+  stopped_ = true;
+}
+
+void PoseTangent::prepare() {
+  if (factor_ != nullptr || prepared_.valid()) return;
+  const auto take = [this]() -> std::unique_ptr<HeldFactor> {
+    const ProgressScope scope([this](std::string_view, double) { return !stopped_; });
+    std::unique_ptr<HeldFactor> factor = analyzed_factor();
+    if (factor != nullptr) factor->solver().prepare_memory();
+    return factor;
+  };
+  try {
+    prepared_ = std::async(std::launch::async, take);
+  } catch (const std::system_error&) {
+    // Without another thread the first turn takes it.
+  }
+}
+
+// Null where there is not the memory.
+std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor() const {
   auto factor = std::make_unique<HeldFactor>(pattern_, 3);
   factor->analyze();
   std::size_t blocks = pattern_.blocks().rows.size();  // of the matrix, and of G at rest and turned
   for (const Index v : roi_) blocks += 2 * (1 + topology_.rings.size(v));
   const std::size_t bytes = 9 * sizeof(double) * blocks + factor->solver().statistics().peak_bytes;
-  if (bytes > allowed_memory(memory_limit_)) return false;
-  factor_ = std::move(factor);
+  if (bytes > allowed_memory(memory_limit_)) return nullptr;
+  return factor;
+}
+
+bool PoseTangent::take_memory() {
+  if (factor_ != nullptr) return true;
+  while (prepared_.valid() && prepared_.wait_for(kAskEvery) != std::future_status::ready) {
+    check_cancelled();
+  }
+  std::unique_ptr<HeldFactor> factor = prepared_.valid() ? prepared_.get() : analyzed_factor();
+  if (factor == nullptr) return false;
   const RegionRings& rings = laplacian_.rings();
   const std::vector<Index> row_of_vertex =
       places_in(std::span(rings.vertices).first(rings.row_count()), rest_.size());
+  row_of_.clear();
   for (const Index v : roi_) row_of_.push_back(row_of_vertex[v]);
   const EnergyWeights& weights = laplacian_.weights();
   at_rest_ = rsi_rows(topology_.rings, roi_);
@@ -88,6 +119,7 @@ bool PoseTangent::take_memory() {
       {{rest_, topology_.rings, weights.laplacian, roi_}, weights.rows, weights.stiffness},
       at_rest_.values);
   turned_ = at_rest_;
+  factor_ = std::move(factor);
   return true;
 }
 

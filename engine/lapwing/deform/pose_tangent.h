@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <future>
 #include <memory>
 #include <span>
 
@@ -17,7 +19,7 @@ namespace lapwing {
 /// larger than at rest, C_i = R_i S: its rotation follows the surface less, and what is under
 /// tension resists bending. Directions in which a ring has been crushed keep the K_i of rest, so
 /// that the matrix stays positive semidefinite in every pose. Takes its memory, that of another 3n
-/// x 3n factor, when it is first turned.
+/// x 3n factor, when it is first turned, or before.
 class PoseTangent final : public TurnedTangent {
  public:
   /// `topology`, `pattern`, `laplacian` and `kernels` must outlive the object; `laplacian` is the
@@ -26,11 +28,17 @@ class PoseTangent final : public TurnedTangent {
               const LaplacianSystem& laplacian, std::span<const Eigen::Vector3d> rest,
               const DeformOptions& options, Kernels& kernels);
 
+  ~PoseTangent() override;
+
+  /// Begins to take that memory on a thread of its own, for which the first turn waits.
+  void prepare();
+
   bool turn(std::span<const Eigen::Matrix3d> transforms,
             std::span<const Eigen::Vector3d> displacement) override;
   void solve_in_place(std::span<double> b) override;
 
  private:
+  std::unique_ptr<HeldFactor> analyzed_factor() const;
   bool take_memory();
 
   const Topology& topology_;
@@ -45,6 +53,8 @@ class PoseTangent final : public TurnedTangent {
   BlockRows turned_;
   std::unique_ptr<HeldFactor> factor_;
   std::vector<double> b_;
+  std::atomic<bool> stopped_ = false;
+  std::future<std::unique_ptr<HeldFactor>> prepared_;  // last: it uses all the others
 };
 
 }  // namespace lapwing

@@ -36,6 +36,8 @@ struct Pace {
 constexpr Pace kPace{10, 5, 5};
 // Of a frame, whose history already tells of the pose.
 constexpr Pace kPaceOfFrame{50, 5, 25};
+// Of all frames together in which the target rests.
+constexpr Pace kPaceAtRest{4, 5, 4};
 constexpr Pace kPaceOfSmall{0, 2, 0};
 
 constexpr int kIterationsBetweenParts = 2;
@@ -74,8 +76,11 @@ struct Settler::State {
   TurnedTangent* tangent = nullptr;  ///< the same until it could not be turned
   PartSettler* parts;
   Pace pace;
+  bool at_rest = false;       ///< whether `pace` is that of frames whose target rests
+  int taken = 0;              ///< iterations at this pace
   bool by_tangent = false;    ///< whether directions come from the tangent
   int next_turn = 0;          ///< the iteration before which it is renewed
+  int next_part = 0;          ///< and that before which what still moves is settled by itself
   double iteration_ms = 0.0;  ///< of the last one
   Lbfgs history;
 
@@ -136,14 +141,15 @@ struct Settler::State {
   }
 
   void begin_anew();
-  void begin(const SettleTarget& target, std::span<const Vector3d> u, Pace of);
+  void begin_pace(const Pace& of);
+  void place(const SettleTarget& target, std::span<const Vector3d> u);
   void read_unknowns(std::span<const Vector3d> u, std::vector<double>& x) const;
   void finish(std::span<Vector3d> u) const;
   void place_springs();
   void evaluate(Point& point);
   Sums pull_by_springs(Point& point) const;
-  void turn_tangent(int iteration);
-  void leave_tangent(int iteration);
+  void turn_tangent();
+  void leave_tangent();
   Sums find_direction();
   bool step(double slope);
   bool settle_part(const SettleTarget& asked, double largest, std::span<Vector3d> u,
@@ -181,11 +187,21 @@ struct Settler::State {
 void Settler::State::begin_anew() {
   history.forget();
   tangent = given_tangent;
+  at_rest = false;
+  by_tangent = false;
 }
 
-void Settler::State::begin(const SettleTarget& target, std::span<const Vector3d> u, Pace of) {
+void Settler::State::begin_pace(const Pace& of) {
   pace = of;
+  at_rest = false;
+  taken = 0;
   next_turn = pace.plain;
+  next_part = pace.before_parts;
+  if (std::exchange(by_tangent, false)) history.forget();
+}
+
+// `at` becomes the surface `u`.
+void Settler::State::place(const SettleTarget& target, std::span<const Vector3d> u) {
   const std::vector<int>& order = system.elimination_order();
   const std::size_t n = system.size();
   weights.clear();
@@ -298,17 +314,17 @@ void Settler::State::evaluate(Point& point) {
 
 // At `at`, where the rotations were fitted last. The history tells what another first Hessian does
 // not: it begins anew with each.
-void Settler::State::turn_tangent(int iteration) {
+void Settler::State::turn_tangent() {
   by_tangent = tangent->turn(rotations->transforms(), displacement);
   if (!by_tangent) tangent = nullptr;
-  next_turn = iteration + pace.tangent;
+  next_turn = taken + pace.tangent;
   history.forget();
 }
 
 // Where the surface is crushed the tangent promises what does not hold.
-void Settler::State::leave_tangent(int iteration) {
+void Settler::State::leave_tangent() {
   by_tangent = false;
-  next_turn = iteration + std::max(pace.plain, pace.tangent);
+  next_turn = taken + std::max(pace.plain, pace.tangent);
   history.forget();
 }
 
@@ -377,27 +393,38 @@ Settler::Settler(Settler&&) noexcept = default;
 Settler& Settler::operator=(Settler&&) noexcept = default;
 
 double Settler::energy(const SettleTarget& target, std::span<const Vector3d> u) {
-  state_->begin(target, u, kPace);
+  state_->place(target, u);
   return state_->at.energy;
 }
 
 SettleResult Settler::settle(const SettleTarget& target, std::span<Vector3d> u,
                              const Progress& progress) {
   state_->begin_anew();
-  state_->begin(target, u, kPace);
+  state_->begin_pace(kPace);
+  state_->place(target, u);
   return iterate(target, u, {}, progress);
 }
 
 SettleResult Settler::settle_small(const SettleTarget& target, std::span<Vector3d> u,
                                    const GoOn& go_on, const Progress& progress) {
   state_->begin_anew();
-  state_->begin(target, u, kPaceOfSmall);
+  state_->begin_pace(kPaceOfSmall);
+  state_->place(target, u);
   return iterate(target, u, go_on, progress);
 }
 
 SettleResult Settler::follow(const SettleTarget& target, std::span<Vector3d> u, const GoOn& go_on,
                              const Progress& progress) {
-  state_->begin(target, u, kPaceOfFrame);
+  state_->begin_pace(kPaceOfFrame);
+  state_->place(target, u);
+  return iterate(target, u, go_on, progress);
+}
+
+SettleResult Settler::rest(const SettleTarget& target, std::span<Vector3d> u, const GoOn& go_on,
+                           const Progress& progress) {
+  if (!state_->at_rest) state_->begin_pace(kPaceAtRest);
+  state_->at_rest = true;
+  state_->place(target, u);
   return iterate(target, u, go_on, progress);
 }
 
@@ -415,7 +442,11 @@ std::vector<Eigen::Matrix3d> Settler::transforms() const {
   return state_->rotations->transforms();
 }
 
-// From where `begin` has put the unknowns.
+bool Settler::goes_by_tangent() const {
+  return state_->by_tangent;
+}
+
+// From where `place` has put the unknowns.
 SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u, const GoOn& go_on,
                               const Progress& progress) {
   const ProgressScope scope(progress);
@@ -423,8 +454,6 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
   Lbfgs& history = s.history;
   SettleResult result;
   result.settled = s.system.size() == 0;
-  int next_part = s.pace.before_parts;
-  if (std::exchange(s.by_tangent, false)) s.history.forget();
   Stopwatch watch;
   const auto may_go_on = [&] {
     if (result.iterations > 0) s.iteration_ms = watch.elapsed_ms();
@@ -435,8 +464,10 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
     while (!result.settled && may_go_on()) {
       report_progress(progress, "settle",
                       static_cast<double>(result.iterations) / s.options.max_iterations);
-      if (s.tangent != nullptr && result.iterations >= s.next_turn) {
-        s.turn_tangent(result.iterations);
+      if (s.tangent != nullptr && s.taken >= s.next_turn) {
+        // That takes longer than a frame has; the next one begins with it.
+        if (s.at_rest && go_on && result.iterations > 0) break;
+        s.turn_tangent();
       }
       State::Sums sums = s.find_direction();
       if (!(sums.slope < 0.0) && !history.is_empty()) {
@@ -448,11 +479,12 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
       result.settled = sums.step <= s.options.tolerance;
       if (result.settled || result.iterations == s.options.max_iterations) break;
 
-      if (s.parts != nullptr && result.iterations >= next_part) {
-        next_part = result.iterations + 1 + kIterationsBetweenParts;
+      if (s.parts != nullptr && s.taken >= s.next_part) {
+        s.next_part = s.taken + 1 + kIterationsBetweenParts;
         if (s.settle_part(target, sums.step * s.mean_edge, u, go_on, progress)) {
           std::swap(s.at, s.next);
           ++result.iterations;
+          ++s.taken;
           continue;
         }
       }
@@ -460,7 +492,7 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
         if (!history.is_empty()) {
           history.forget();
         } else if (s.by_tangent) {
-          s.leave_tangent(result.iterations);
+          s.leave_tangent();
         } else {
           result.exhausted = true;
           break;
@@ -470,6 +502,7 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
       history.add(s.at.x, s.next.x, s.at.gradient, s.next.gradient);
       std::swap(s.at, s.next);
       ++result.iterations;
+      ++s.taken;
     }
   } catch (const Cancelled&) {
     s.finish(u);

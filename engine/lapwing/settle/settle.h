@@ -118,8 +118,18 @@ class Settler {
   SettleResult follow(const SettleTarget& target, std::span<Eigen::Vector3d> u,
                       const GoOn& go_on = {}, const Progress& progress = {});
 
+  /// A frame whose `target` is still that of the last call, of `follow` or of this, with `u` where
+  /// that ended. After a few iterations, of all such frames together, it goes by the tangent of the
+  /// pose: where that is to be renewed a call begins with it, whatever `go_on` says, and takes a
+  /// factorization longer.
+  SettleResult rest(const SettleTarget& target, std::span<Eigen::Vector3d> u,
+                    const GoOn& go_on = {}, const Progress& progress = {});
+
   /// Forgets the frames so far: the next one is the first of another drag.
   void begin_drag();
+
+  /// Whether the last step went by the tangent of a pose.
+  bool goes_by_tangent() const;
 
   /// Half of the gradient of E, and T_i per row of the rings, where the last call of any of these
   /// ended. `gradient` is per vertex of the mesh and gets those of the unknowns.

@@ -40,6 +40,11 @@ class BlockSolver {
   /// must outlive the solver.
   virtual void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) = 0;
 
+  /// Takes the memory of a factorization before it is wanted, and has the system clear it, which
+  /// may take as long as the factorization: for another thread, beside what else there is to do.
+  /// Throws Cancelled.
+  virtual void prepare_memory() {}
+
   /// Numeric factorization of a matrix with the analyzed pattern. Throws NotPositiveDefinite.
   virtual void factor(const BlockMatrix& matrix) = 0;
 

@@ -9,10 +9,13 @@
 #include <sys/mman.h>
 #endif
 
+#include "lapwing/base/cancellation.h"
+
 namespace lapwing::cholesky {
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
+constexpr std::size_t kSmallPage = 4096;
 constexpr std::size_t kCacheLine = 64;
 
 void free_block(double* memory, std::size_t alignment) {
@@ -129,6 +132,15 @@ void Arena::reserve(std::size_t count) {
   // Only a hint: without huge pages everything works, a little slower.
   madvise(memory, bytes, MADV_HUGEPAGE);
 #endif
+}
+
+void Arena::touch() {
+  volatile double* const numbers = data();
+  CancelCheck check;
+  for (std::size_t byte = 0; byte < bytes(); byte += kSmallPage) {
+    check();
+    numbers[byte / sizeof(double)] = 0.0;
+  }
 }
 
 }  // namespace lapwing::cholesky

@@ -14,6 +14,8 @@ class Arena {
  public:
   /// Makes room for `count` numbers. Throws std::bad_alloc; the arena is then empty.
   void reserve(std::size_t count);
+  /// Has the system clear its pages now, in place of when they are first used. Throws Cancelled.
+  void touch();
   double* data() const { return data_.get(); }
   std::size_t bytes() const { return data_ ? data_.get_deleter().bytes : 0; }
 

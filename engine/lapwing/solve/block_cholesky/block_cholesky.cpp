@@ -111,14 +111,16 @@ class BlockCholesky::Implementation {
     }
   }
 
+  void prepare_memory() {
+    require_analysis();
+    take_memory();
+    numeric_->touch();
+  }
+
   void factor(const BlockMatrix& matrix, const Progress& progress, const std::vector<char>& kept) {
     check(matrix);
     factored_ = false;
-    if (!numeric_) {
-      require_memory_for_factor();
-      numeric_ = std::make_unique<Numeric>(*symbolic_, kernels_, pool_);
-      solve_ = std::make_unique<TriangularSolve>(*symbolic_, *numeric_, kernels_, pool_);
-    }
+    take_memory();
     const Refusal refusal = numeric_->factor(matrix, options_.pivot_tolerance, progress, kept);
     if (refusal.reason == Refusal::Reason::pivot) throw refused_pivot(*symbolic_, refusal);
     if (refusal.reason == Refusal::Reason::not_finite) throw not_finite(*pattern_, refusal.where);
@@ -179,6 +181,13 @@ class BlockCholesky::Implementation {
     statistics_ = {};
   }
 
+  void take_memory() {
+    if (numeric_) return;
+    require_memory_for_factor();
+    numeric_ = std::make_unique<Numeric>(*symbolic_, kernels_, pool_);
+    solve_ = std::make_unique<TriangularSolve>(*symbolic_, *numeric_, kernels_, pool_);
+  }
+
   // Systems in 3 x 3 blocks are the large ones, and whoever makes one can do without it where it
   // does not fit: it asks before.
   void require_memory_for_factor() const {
@@ -196,8 +205,12 @@ class BlockCholesky::Implementation {
     return symbolic_->front_of_block[block];
   }
 
-  void check(const BlockMatrix& matrix) const {
+  void require_analysis() const {
     if (!symbolic_) throw SolverError("there is no analysis to factor with; call analyze first");
+  }
+
+  void check(const BlockMatrix& matrix) const {
+    require_analysis();
     const auto b = static_cast<std::size_t>(symbolic_->block_size);
     if (matrix.block_size != symbolic_->block_size ||
         matrix.values.size() != symbolic_->entries.size() * b * b) {
@@ -225,6 +238,10 @@ BlockCholesky::~BlockCholesky() = default;
 void BlockCholesky::analyze(const BlockPattern& pattern, int block_size,
                             std::span<const int> order) {
   implementation_->guard([&] { implementation_->analyze(pattern, block_size, order); });
+}
+
+void BlockCholesky::prepare_memory() {
+  implementation_->guard([&] { implementation_->prepare_memory(); });
 }
 
 void BlockCholesky::factor(const BlockMatrix& matrix) {

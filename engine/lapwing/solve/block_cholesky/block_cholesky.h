@@ -41,9 +41,12 @@ class BlockCholesky final : public BlockSolver {
   /// be needed; takes next to no memory itself before that is known.
   void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) override;
 
+  /// Throws SolverError when there is no analysis, or not the memory.
+  void prepare_memory() override;
+
   /// Throws SolverError, naming the block, when a number is not finite; NotPositiveDefinite, naming
   /// block and component, when a pivot is refused; Cancelled. All memory is taken in the first
-  /// call.
+  /// call, or by `prepare_memory`.
   void factor(const BlockMatrix& matrix) override;
 
   /// Redoes the subtrees that hold the changed blocks and the fronts above them.

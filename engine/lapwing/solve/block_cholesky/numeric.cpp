@@ -49,6 +49,12 @@ Numeric::Numeric(const Symbolic& symbolic, const KernelTable& kernels, WorkerPoo
   floors_.resize(static_cast<std::size_t>(symbolic.blocks) * symbolic.block_size);
 }
 
+void Numeric::touch() {
+  factor_.touch();
+  kept_.touch();
+  for (Arena& stack : stacks_) stack.touch();
+}
+
 std::size_t Numeric::bytes_needed(const Symbolic& symbolic, int threads) {
   const std::size_t stacks =
       symbolic.updates.stacks[0] + symbolic.updates.stacks[1] + 2 * kUpdateSlack;

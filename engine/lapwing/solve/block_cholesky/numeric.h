@@ -27,6 +27,9 @@ class Numeric final : private NodeWork {
  public:
   Numeric(const Symbolic& symbolic, const KernelTable& kernels, WorkerPool& pool);
 
+  /// Arena::touch for all that `factor` needs.
+  void touch();
+
   /// Bytes that `factor` takes with `threads` threads.
   static std::size_t bytes_needed(const Symbolic& symbolic, int threads);
 
