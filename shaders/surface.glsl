@@ -26,4 +26,7 @@ const uint kSourceImage = 2;
 layout(constant_id = 0) const uint fixed_flags = 0;
 layout(constant_id = 1) const bool flags_are_fixed = false;
 
+// Whether gl_VertexIndex is a vertex, whose normal is that of all its corners, or a corner.
+layout(constant_id = 2) const bool by_vertex = false;
+
 bool has(uint flag) { return ((flags_are_fixed ? fixed_flags : flags) & flag) != 0; }

@@ -82,6 +82,18 @@ struct FixedState {
   FixedState& operator=(const FixedState&) = delete;
 };
 
+VkCullModeFlags culled(Sides sides) {
+  switch (sides) {
+    case Sides::both:
+      return VK_CULL_MODE_NONE;
+    case Sides::front:
+      return VK_CULL_MODE_BACK_BIT;
+    case Sides::back:
+      return VK_CULL_MODE_FRONT_BIT;
+  }
+  return VK_CULL_MODE_NONE;
+}
+
 }  // namespace
 
 void require_graphics(const gpu::Context& context) {
@@ -177,9 +189,9 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
                  ("vkCreateGraphicsPipelines for " + name_).c_str());
 }
 
-void GraphicsPipeline::record(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
-                              std::span<const std::byte> push, std::uint32_t vertices,
-                              std::uint32_t first, Sides sides) const {
+void GraphicsPipeline::bind_bytes(VkCommandBuffer commands,
+                                  std::span<const gpu::Buffer* const> buffers,
+                                  std::span<const std::byte> push, Sides sides) const {
   const VkDeviceSize limit = context_.limits().maxStorageBufferRange;
   std::array<VkDescriptorBufferInfo, kMaxBuffers> infos;
   std::array<VkWriteDescriptorSet, kMaxBuffers> writes;
@@ -199,14 +211,23 @@ void GraphicsPipeline::record(VkCommandBuffer commands, std::span<const gpu::Buf
   }
   const auto& vk = context_.vk();
   vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
-  vk.vkCmdSetCullMode(commands, sides == Sides::front ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE);
+  vk.vkCmdSetCullMode(commands, culled(sides));
   if (!buffers.empty()) {
     vk.vkCmdPushDescriptorSetKHR(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0,
                                  static_cast<std::uint32_t>(buffers.size()), writes.data());
   }
   vk.vkCmdPushConstants(commands, layout_, kStages, 0, static_cast<std::uint32_t>(push.size()),
                         push.data());
-  vk.vkCmdDraw(commands, vertices, 1, first, 0);
+}
+
+void GraphicsPipeline::draw_vertices(VkCommandBuffer commands, std::uint32_t vertices,
+                                     std::uint32_t first) const {
+  context_.vk().vkCmdDraw(commands, vertices, 1, first, 0);
+}
+
+void GraphicsPipeline::draw_indices(VkCommandBuffer commands, const IndexRange& indices) const {
+  context_.vk().vkCmdBindIndexBuffer(commands, indices.buffer->handle(), 0, VK_INDEX_TYPE_UINT32);
+  context_.vk().vkCmdDrawIndexed(commands, indices.count, 1, indices.first, 0, 0);
 }
 
 void GraphicsPipeline::release() noexcept {

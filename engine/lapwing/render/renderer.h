@@ -94,16 +94,20 @@ class Renderer {
             const Camera& camera, const SurfaceStyle& style) const;
 
  private:
+  /// What the vertex stage is told of what it draws.
+  enum class Numbers : std::uint32_t { corners, vertices };
+
   void fill(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
-  const GraphicsPipeline& surface_pipeline(std::uint32_t flags) const;
+  const GraphicsPipeline& surface_pipeline(std::uint32_t flags, Numbers numbers) const;
 
   /// Of surfaces that are looked at in one way.
   struct StylePipeline {
     StylePipeline(const gpu::Context& context, const TargetFormat& target, std::uint32_t its_flags,
-                  bool is_fixed);
+                  bool is_fixed, Numbers its_numbers);
 
     std::uint32_t flags;
-    std::array<std::uint32_t, 2> constants;  ///< shaders/surface.glsl
+    Numbers numbers;
+    std::array<std::uint32_t, 3> constants;  ///< shaders/surface.glsl
     GraphicsPipeline pipeline;
   };
 

@@ -49,6 +49,7 @@ Surface::Surface(std::shared_ptr<gpu::Context> context, std::span<const Vector3d
   transfer_.upload(positions_, std::span<const Vec4>(known_));
   transfer_.upload(triangles_, std::span<const Triangle>(topology.triangles));
   make_normals();
+  make_order();
 }
 
 void Surface::make_normals() {
@@ -62,6 +63,15 @@ void Surface::make_normals() {
   vertex_normals_.record(recorder, list, positions_, normals_);
   recorder.finish();
   commands_.run();
+}
+
+void Surface::make_order() {
+  // The largest index is that of the last corner.
+  const bool fits =
+      3 * std::uint64_t{triangle_count()} <= context_->limits().maxDrawIndexedIndexValue;
+  if (!on_host_ || !fits) return;
+  order_.emplace(*context_, known_, topology_.triangles);
+  order_->split(positions_.mapped_as<Vec4>(), normals_.mapped_as<Vec4>());
 }
 
 void Surface::place(std::span<const Vector3d> positions) {
@@ -118,6 +128,7 @@ void Surface::blend(const std::shared_ptr<BlendResponse>& response,
   times_.blend_ms += watch.elapsed_ms();
   watch.restart();
   vertex_normals_.run_on_host(response->affected().mapped_as<Index>(), positions_, normals_);
+  if (order_) order_->split(positions_.mapped_as<Vec4>(), normals_.mapped_as<Vec4>());
   times_.normals_ms += watch.elapsed_ms();
 }
 

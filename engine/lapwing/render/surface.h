@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "lapwing/gpu/recorder.h"
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/render/draw_order.h"
 #include "lapwing/render/revision.h"
 #include "lapwing/vulkan/blend_response.h"
 #include "lapwing/vulkan/vertex_normals.h"
@@ -77,9 +79,12 @@ class Surface {
   const gpu::Buffer& normal_buffer() const { return normals_; }
   /// Three uint per triangle.
   const gpu::Buffer& triangle_buffer() const { return triangles_; }
+  /// How a software device draws it soonest; null where the device moves it itself.
+  const DrawOrder* draw_order() const { return order_ ? &*order_ : nullptr; }
 
  private:
   void make_normals();
+  void make_order();
   template <typename Wanted>
   void move_to(std::span<const Eigen::Vector3d> positions, const Wanted& wanted);
 
@@ -94,6 +99,7 @@ class Surface {
   gpu::Buffer triangles_;
   VertexNormals vertex_normals_;
   bool on_host_;
+  std::optional<DrawOrder> order_;
   /// Where the device has each vertex; not a number where it alone knows.
   std::vector<Vec4> known_;
   std::shared_ptr<BlendResponse> moved_by_;  ///< last; what was recorded of it may still run
