@@ -96,6 +96,21 @@ VkCullModeFlags culled(Sides sides) {
 
 }  // namespace
 
+VkFormat TargetFormat::drawn_color() const {
+  return shaders_encode ? without_encoding(color) : color;
+}
+
+VkFormat without_encoding(VkFormat srgb) {
+  switch (srgb) {
+    case VK_FORMAT_R8G8B8A8_SRGB:
+      return VK_FORMAT_R8G8B8A8_UNORM;
+    case VK_FORMAT_B8G8R8A8_SRGB:
+      return VK_FORMAT_B8G8R8A8_UNORM;
+    default:
+      return VK_FORMAT_UNDEFINED;
+  }
+}
+
 void require_graphics(const gpu::Context& context) {
   if (context.has_graphics()) return;
   throw GpuError(context.description().name +
@@ -168,7 +183,8 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
   depth.depthCompareOp = VK_COMPARE_OP_GREATER;
   VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
   rendering.colorAttachmentCount = 1;
-  rendering.pColorAttachmentFormats = &target.color;
+  const VkFormat color = target.drawn_color();
+  rendering.pColorAttachmentFormats = &color;
   rendering.depthAttachmentFormat = target.depth;
 
   const FixedState fixed(info.blend);

@@ -16,13 +16,22 @@ class Buffer;
 class Context;
 }  // namespace gpu
 
-/// What pipelines draw into: a window's images or an offscreen target. Shaders write linear light,
-/// so the colour format is an _SRGB one, which encodes it.
+/// What pipelines draw into: a window's images or an offscreen target.
 struct TargetFormat {
-  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;
+  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;  ///< of the picture; encodes linear light
   VkFormat depth = VK_FORMAT_D32_SFLOAT;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  /// Shaders encode colours themselves (shaders/target.glsl), once per pixel, and draw into the
+  /// same bits without an encoding. For software devices, which otherwise encode every sample.
+  bool shaders_encode = false;
+
+  /// What pipelines draw into.
+  VkFormat drawn_color() const;
 };
+
+/// The format of the same bits without an encoding; VK_FORMAT_UNDEFINED for formats that no window
+/// of the viewer has.
+VkFormat without_encoding(VkFormat srgb);
 
 struct GraphicsPipelineInfo {
   std::string name;  ///< appears in error messages

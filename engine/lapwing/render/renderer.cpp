@@ -144,7 +144,8 @@ Renderer::StylePipeline::StylePipeline(const gpu::Context& context, const Target
                                        std::uint32_t its_flags, bool is_fixed, Numbers its_numbers)
     : flags(its_flags),
       numbers(its_numbers),
-      constants{its_flags, is_fixed ? 1U : 0U, its_numbers == Numbers::vertices ? 1U : 0U},
+      constants{target.shaders_encode ? 1U : 0U, its_flags, is_fixed ? 1U : 0U,
+                its_numbers == Numbers::vertices ? 1U : 0U},
       pipeline(context, target,
                {.name = "a surface",
                 .vertex_spirv = shaders::surface_vert(),
@@ -157,24 +158,28 @@ Renderer::StylePipeline::StylePipeline(const gpu::Context& context, const Target
 Renderer::Renderer(gpu::Context& context, const TargetFormat& target, Pipelines pipelines)
     : context_(context),
       target_(target),
+      shaders_encode_(target.shaders_encode ? 1U : 0U),
       pipelines_(pipelines),
       background_(context, target,
                   {.name = "the background",
                    .vertex_spirv = shaders::background_vert(),
                    .fragment_spirv = shaders::background_frag(),
-                   .push_constant_bytes = sizeof(BackgroundPush)}),
+                   .push_constant_bytes = sizeof(BackgroundPush),
+                   .constants = std::span(&shaders_encode_, 1)}),
       overlay_(context, target,
                {.name = "an overlay",
                 .vertex_spirv = shaders::overlay_vert(),
                 .fragment_spirv = shaders::overlay_frag(),
                 .storage_buffers = 1,
-                .push_constant_bytes = sizeof(OverlayPush)}),
+                .push_constant_bytes = sizeof(OverlayPush),
+                .constants = std::span(&shaders_encode_, 1)}),
       points_(context, target,
               {.name = "points",
                .vertex_spirv = shaders::points_vert(),
                .fragment_spirv = shaders::points_frag(),
                .storage_buffers = 1,
                .push_constant_bytes = sizeof(PointsPush),
+               .constants = std::span(&shaders_encode_, 1),
                .depth = true}),
       color_maps_(make_color_maps(context)) {}
 
@@ -216,9 +221,10 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
                &paint.corner_source_buffer(), &paint.corner_place_buffer(), &paint.image_buffer()},
               push, what..., sides);
   };
-  const DrawOrder* order = surface.draw_order();
   const bool needs_corners = (push.flags & (kWireframe | kFlat | kFileColor)) != 0;
-  if (order == nullptr || needs_corners || pipelines_ == Pipelines::one) {
+  const bool by_vertex = !needs_corners && pipelines_ == Pipelines::by_style;
+  const DrawOrder* order = by_vertex ? surface.draw_order() : nullptr;
+  if (order == nullptr) {
     return draw(style.sides, Numbers::corners,
                 static_cast<std::uint32_t>(3 * surface.triangle_count()), 0U);
   }

@@ -49,7 +49,6 @@ Surface::Surface(std::shared_ptr<gpu::Context> context, std::span<const Vector3d
   transfer_.upload(positions_, std::span<const Vec4>(known_));
   transfer_.upload(triangles_, std::span<const Triangle>(topology.triangles));
   make_normals();
-  make_order();
 }
 
 void Surface::make_normals() {
@@ -65,13 +64,15 @@ void Surface::make_normals() {
   commands_.run();
 }
 
-void Surface::make_order() {
+const DrawOrder* Surface::draw_order() const {
   // The largest index is that of the last corner.
   const bool fits =
       3 * std::uint64_t{triangle_count()} <= context_->limits().maxDrawIndexedIndexValue;
-  if (!on_host_ || !fits) return;
-  order_.emplace(*context_, known_, topology_.triangles);
-  order_->split(positions_.mapped_as<Vec4>(), normals_.mapped_as<Vec4>());
+  if (!on_host_ || !fits) return nullptr;
+  const std::span<const Vec4> positions = positions_.mapped_as<Vec4>();
+  if (!order_) order_.emplace(*context_, positions, topology_.triangles);
+  if (std::exchange(is_order_old_, false)) order_->split(positions, normals_.mapped_as<Vec4>());
+  return &*order_;
 }
 
 void Surface::place(std::span<const Vector3d> positions) {
@@ -128,8 +129,8 @@ void Surface::blend(const std::shared_ptr<BlendResponse>& response,
   times_.blend_ms += watch.elapsed_ms();
   watch.restart();
   vertex_normals_.run_on_host(response->affected().mapped_as<Index>(), positions_, normals_);
-  if (order_) order_->split(positions_.mapped_as<Vec4>(), normals_.mapped_as<Vec4>());
   times_.normals_ms += watch.elapsed_ms();
+  is_order_old_ = true;
 }
 
 void Surface::record_blend(gpu::Recorder& recorder) const {

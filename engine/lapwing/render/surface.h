@@ -79,12 +79,12 @@ class Surface {
   const gpu::Buffer& normal_buffer() const { return normals_; }
   /// Three uint per triangle.
   const gpu::Buffer& triangle_buffer() const { return triangles_; }
-  /// How a software device draws it soonest; null where the device moves it itself.
-  const DrawOrder* draw_order() const { return order_ ? &*order_ : nullptr; }
+  /// How a software device draws it soonest where it is now; null where the device moves it itself.
+  /// Takes O(n log n) at the first call, linear time at the first after it moved.
+  const DrawOrder* draw_order() const;
 
  private:
   void make_normals();
-  void make_order();
   template <typename Wanted>
   void move_to(std::span<const Eigen::Vector3d> positions, const Wanted& wanted);
 
@@ -99,7 +99,8 @@ class Surface {
   gpu::Buffer triangles_;
   VertexNormals vertex_normals_;
   bool on_host_;
-  std::optional<DrawOrder> order_;
+  mutable std::optional<DrawOrder> order_;  ///< once it was asked for
+  mutable bool is_order_old_ = true;        ///< whether the surface has moved since
   /// Where the device has each vertex; not a number where it alone knows.
   std::vector<Vec4> known_;
   std::shared_ptr<BlendResponse> moved_by_;  ///< last; what was recorded of it may still run
