@@ -3,7 +3,7 @@
 
 // A vertical gradient between two sRGB colours, dithered against banding.
 
-#include "srgb.glsl"
+#include "target.glsl"
 
 layout(push_constant) uniform Push {
   vec4 top;
@@ -21,5 +21,5 @@ float noise(vec2 pixel) {
 void main() {
   const vec4 encoded = mix(top, bottom, height);
   const float step_of_8_bits = top == bottom ? 0.0 : 1.0 / 255.0;
-  color = vec4(linear_of(encoded.rgb + step_of_8_bits * noise(gl_FragCoord.xy)), encoded.a);
+  color = vec4(of_encoded(encoded.rgb + step_of_8_bits * noise(gl_FragCoord.xy)), encoded.a);
 }

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "carried.glsl"
-#include "srgb.glsl"
+#include "target.glsl"
 
 layout(location = 0) in vec2 from_middle;
 layout(location = 0) out vec4 written;
@@ -14,5 +14,5 @@ const float kRimFrom = 0.65;
 void main() {
   const float distance = length(from_middle);
   if (distance > 1) discard;
-  written = vec4(linear_of(distance < kRimFrom ? kCarried : kRim), 1);
+  written = vec4(of_encoded(distance < kRimFrom ? kCarried : kRim), 1);
 }

@@ -5,8 +5,8 @@
 
 #include "carried.glsl"
 #include "file_color.glsl"
-#include "srgb.glsl"
 #include "surface.glsl"
+#include "target.glsl"
 
 layout(std430, binding = 6) readonly buffer ColorMaps { vec4 color_maps[]; };
 
@@ -98,6 +98,10 @@ float bend(vec3 normal) {
   return angle / (0.6 + abs(angle));
 }
 
+// Powers without a logarithm.
+float square(float x) { return x * x; }
+float fourth(float x) { return square(square(x)); }
+
 vec3 shade(vec3 albedo, vec3 normal, vec3 eye) {
   const vec3 key = normalize(vec3(-0.50, 0.62, 0.60));
   const vec3 fill = normalize(vec3(0.85, 0.05, 0.45));
@@ -107,8 +111,9 @@ vec3 shade(vec3 albedo, vec3 normal, vec3 eye) {
   const vec3 ambient = mix(vec3(0.10, 0.085, 0.08), vec3(0.22, 0.24, 0.28), height);
   const vec3 light = 1.0 * key_light * vec3(1.0, 0.965, 0.91) +
                      0.22 * fill_light * vec3(0.75, 0.87, 1.0) + ambient;
-  const float gloss = pow(max(dot(normal, normalize(key + eye)), 0.0), 40.0);
-  const float rim = pow(1.0 - max(dot(normal, eye), 0.0), 4.0) * height;
+  const float facing = max(dot(normal, normalize(key + eye)), 0.0);
+  const float gloss = fourth(square(facing * fourth(facing)));  // to the 40th
+  const float rim = fourth(1.0 - max(dot(normal, eye), 0.0)) * height;
   const float relief = 1.0 + 0.30 * bend(normal);
   return albedo * light * relief + 0.05 * gloss + 0.20 * rim * vec3(0.85, 0.93, 1.0);
 }
@@ -136,5 +141,5 @@ void main() {
   const vec3 normal = normalize(gl_FrontFacing ? view_normal : -view_normal);
   vec3 color = shade(surface_color(), normal, eye);
   if (has(kWireframe)) color = mix(color, linear_of(kLine), 0.75 * line_coverage());
-  written = vec4(color, 1);
+  written = vec4(of_linear(color), 1);
 }

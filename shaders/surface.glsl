@@ -23,7 +23,10 @@ const uint kSourceImage = 2;
 
 // What a pipeline made for some flags alone has them from: what the others say is left out of it,
 // which a branch on a number that is pushed is not on a software device.
-layout(constant_id = 0) const uint fixed_flags = 0;
-layout(constant_id = 1) const bool flags_are_fixed = false;
+layout(constant_id = 1) const uint fixed_flags = 0;
+layout(constant_id = 2) const bool flags_are_fixed = false;
+
+// Whether gl_VertexIndex is a vertex, whose normal is that of all its corners, or a corner.
+layout(constant_id = 3) const bool by_vertex = false;
 
 bool has(uint flag) { return ((flags_are_fixed ? fixed_flags : flags) & flag) != 0; }

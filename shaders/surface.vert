@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Corner gl_VertexIndex of a triangle list, pulled from the surface's own buffers.
+// Corner or vertex gl_VertexIndex of a triangle list, pulled from the surface's own buffers.
 
 #include "srgb.glsl"
 #include "surface.glsl"
@@ -52,11 +52,14 @@ vec3 corner_normal(vec3 vertex_normal, uint first) {
 
 void main() {
   const uint corner = gl_VertexIndex % 3;
-  const uint vertex = corners[gl_VertexIndex];
+  uint vertex = gl_VertexIndex;
+  if (!by_vertex) vertex = corners[gl_VertexIndex];
   const vec3 position = positions[vertex].xyz;
   view_position = rotate_to_view(position) +
                   vec3(view_from_surface[0].w, view_from_surface[1].w, view_from_surface[2].w);
-  view_normal = rotate_to_view(corner_normal(normals[vertex].xyz, gl_VertexIndex - corner));
+  vec3 normal = normals[vertex].xyz;
+  if (!by_vertex) normal = corner_normal(normal, gl_VertexIndex - corner);
+  view_normal = rotate_to_view(normal);
   barycentric = vec3(corner == 0, corner == 1, corner == 2);
   const uint class_word = has(kRegions) ? classes[vertex] : 0;
   class_weights = vec4(equal(uvec4(0, 1, 2, 3), uvec4(class_word & 255u)));

@@ -69,6 +69,24 @@ TEST(RenderImage, SphereIsALitDiscOnTheBackground) {
   }
 }
 
+// With several samples the shaders of a software device encode colours, without, the device does.
+TEST(RenderImage, ColoursAreThoseWithoutAntialiasing) {
+  LAPWING_NEEDS_GPU();
+  Subject square(grid(1, 1));
+  square.options.style.color = SurfaceColor::scalar;
+  square.paint.set_scalars(std::vector<float>{0.0F, 1.0F, 2.0F, 3.0F});
+  square.options.legend = true;
+  const Image with = square.render();
+  square.options.samples = 1;
+  const Image without = square.render();
+  std::size_t alike = 0;
+  for (std::size_t at = 0; at < with.rgba.size(); ++at) {
+    if (std::abs(with.rgba[at] - without.rgba[at]) <= 1) ++alike;
+  }
+  // All but what lies on an edge.
+  EXPECT_GT(static_cast<double>(alike), 0.97 * static_cast<double>(with.rgba.size()));
+}
+
 TEST(RenderImage, PictureIsUpright) {
   LAPWING_NEEDS_GPU();
   Mesh mesh;

@@ -27,8 +27,7 @@ PictureWay picture_way(const PictureNeed& need) {
 
 KeptPicture::Drawing::Drawing(gpu::Context& context, VkFormat color, std::uint32_t samples,
                               Renderer::Pipelines pipelines)
-    : format{.color = color, .samples = sample_count(context, samples)},
-      renderer(context, format, pipelines) {}
+    : format(antialiased(context, color, samples)), renderer(context, format, pipelines) {}
 
 KeptPicture::KeptPicture(gpu::Context& context, VkFormat color, const PaintingOptions& options)
     : context_(context),
@@ -97,7 +96,7 @@ void KeptPicture::record(VkCommandBuffer commands, const Scene& scene, PictureWa
                           carried.surface != nullptr ? style : scene.style);
   }
   if (scene.beside) draw_beside(commands, drawing, *scene.beside, scene.background);
-  drawing.scope->end(commands);
+  drawing.scope->end(commands, drawing.image->view());
   drawing.image->transition(commands, kColorTarget, kCopySource);
   shown_ = &drawing;
   std::swap(contents_, next_);

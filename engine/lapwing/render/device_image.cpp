@@ -17,11 +17,15 @@ DeviceImage::DeviceImage(const gpu::Context& context, const DeviceImageInfo& inf
   create.samples = info.samples;
   create.tiling = VK_IMAGE_TILING_OPTIMAL;
   create.usage = info.usage;
+  const bool has_second =
+      info.second_format != VK_FORMAT_UNDEFINED && info.second_format != info.format;
+  if (has_second) create.flags = VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
   try {
     context.check(context.vk().vkCreateImage(context.device(), &create, nullptr, &handle_),
                   "vkCreateImage");
     allocate(info.name);
-    create_view(info.format);
+    create_view(info.format, view_);
+    if (has_second) create_view(info.second_format, second_view_);
   } catch (...) {
     release();
     throw;
@@ -43,13 +47,13 @@ void DeviceImage::allocate(const std::string& name) {
                   "vkBindImageMemory");
 }
 
-void DeviceImage::create_view(VkFormat format) {
+void DeviceImage::create_view(VkFormat format, VkImageView& view) {
   VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
   info.image = handle_;
   info.viewType = VK_IMAGE_VIEW_TYPE_2D;
   info.format = format;
   info.subresourceRange = {aspect_, 0, 1, 0, 1};
-  context_->check(context_->vk().vkCreateImageView(context_->device(), &info, nullptr, &view_),
+  context_->check(context_->vk().vkCreateImageView(context_->device(), &info, nullptr, &view),
                   "vkCreateImageView");
 }
 
@@ -80,7 +84,9 @@ void transition_image(const gpu::Context& context, VkCommandBuffer commands, VkI
 void DeviceImage::release() noexcept {
   const auto& vk = context_->vk();
   const VkDevice device = context_->device();
-  if (view_ != VK_NULL_HANDLE) vk.vkDestroyImageView(device, view_, nullptr);
+  for (const VkImageView view : {view_, second_view_}) {
+    if (view != VK_NULL_HANDLE) vk.vkDestroyImageView(device, view, nullptr);
+  }
   if (handle_ != VK_NULL_HANDLE) vk.vkDestroyImage(device, handle_, nullptr);
   if (memory_ != VK_NULL_HANDLE) vk.vkFreeMemory(device, memory_, nullptr);
 }
@@ -94,7 +100,8 @@ DeviceImage::DeviceImage(DeviceImage&& other) noexcept
       aspect_(other.aspect_),
       handle_(std::exchange(other.handle_, VK_NULL_HANDLE)),
       memory_(std::exchange(other.memory_, VK_NULL_HANDLE)),
-      view_(std::exchange(other.view_, VK_NULL_HANDLE)) {}
+      view_(std::exchange(other.view_, VK_NULL_HANDLE)),
+      second_view_(std::exchange(other.second_view_, VK_NULL_HANDLE)) {}
 
 DeviceImage& DeviceImage::operator=(DeviceImage&& other) noexcept {
   std::swap(context_, other.context_);
@@ -102,6 +109,7 @@ DeviceImage& DeviceImage::operator=(DeviceImage&& other) noexcept {
   std::swap(handle_, other.handle_);
   std::swap(memory_, other.memory_);
   std::swap(view_, other.view_);
+  std::swap(second_view_, other.second_view_);
   return *this;
 }
 

@@ -21,6 +21,12 @@ VkRenderingAttachmentInfo attachment(VkImageView view, const ImageState& state) 
   return info;
 }
 
+void resolve(VkRenderingAttachmentInfo& color, VkImageView picture) {
+  color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+  color.resolveImageView = picture;
+  color.resolveImageLayout = kColorTarget.layout;
+}
+
 }  // namespace
 
 VkSampleCountFlagBits sample_count(const gpu::Context& context, std::uint32_t wanted) {
@@ -34,40 +40,63 @@ VkSampleCountFlagBits sample_count(const gpu::Context& context, std::uint32_t wa
   return static_cast<VkSampleCountFlagBits>(best);
 }
 
+TargetFormat antialiased(const gpu::Context& context, VkFormat color, std::uint32_t samples) {
+  TargetFormat format{.color = color, .samples = sample_count(context, samples)};
+  format.shaders_encode = context.description().type == "software" &&
+                          format.samples != VK_SAMPLE_COUNT_1_BIT &&
+                          without_encoding(color) != VK_FORMAT_UNDEFINED;
+  return format;
+}
+
 DrawScope::DrawScope(const gpu::Context& context, VkExtent2D extent, const TargetFormat& format)
     : context_(context),
       extent_(extent),
+      shaders_encode_(format.shaders_encode),
       depth_(context, {"depth", format.depth, extent, format.samples,
                        VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, VK_IMAGE_ASPECT_DEPTH_BIT}) {
   if (format.samples == VK_SAMPLE_COUNT_1_BIT) return;
-  multisampled_.emplace(
-      context, DeviceImageInfo{"multisampled picture", format.color, extent, format.samples,
-                               VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
+  multisampled_.emplace(context, DeviceImageInfo{.name = "multisampled picture",
+                                                 .format = format.color,
+                                                 .extent = extent,
+                                                 .samples = format.samples,
+                                                 .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                                                 .second_format = format.drawn_color()});
 }
 
 void DrawScope::begin(VkCommandBuffer commands, VkImageView picture) const {
   depth_.transition(commands, kDiscarded, kDepthTarget);
   VkRenderingAttachmentInfo color = attachment(picture, kColorTarget);
-  color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
   if (multisampled_) {
     multisampled_->transition(commands, kDiscarded, kColorTarget);
-    color = attachment(multisampled_->view(), kColorTarget);
-    color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
-    color.resolveImageView = picture;
-    color.resolveImageLayout = kColorTarget.layout;
+    color = attachment(multisampled_->second_view(), kColorTarget);
+    if (!shaders_encode_) resolve(color, picture);
   }
+  if (!multisampled_ || shaders_encode_) color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
   // Depth is reversed: the farthest is 0, which is what a zeroed clear value says.
   const VkRenderingAttachmentInfo depth = attachment(depth_.view(), kDepthTarget);
+  begin(commands, color, &depth);
+}
+
+void DrawScope::begin(VkCommandBuffer commands, const VkRenderingAttachmentInfo& color,
+                      const VkRenderingAttachmentInfo* depth) const {
   VkRenderingInfo scope{VK_STRUCTURE_TYPE_RENDERING_INFO};
   scope.renderArea = {{0, 0}, extent_};
   scope.layerCount = 1;
   scope.colorAttachmentCount = 1;
   scope.pColorAttachments = &color;
-  scope.pDepthAttachment = &depth;
+  scope.pDepthAttachment = depth;
   context_.vk().vkCmdBeginRendering(commands, &scope);
 }
 
-void DrawScope::end(VkCommandBuffer commands) const {
+void DrawScope::end(VkCommandBuffer commands, VkImageView picture) const {
+  context_.vk().vkCmdEndRendering(commands);
+  if (!shaders_encode_) return;
+  // Samples are averaged in linear light, so by the format that decodes what shaders encoded.
+  multisampled_->transition(commands, kColorTarget, kColorTarget);
+  VkRenderingAttachmentInfo color = attachment(multisampled_->view(), kColorTarget);
+  color.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+  resolve(color, picture);
+  begin(commands, color, nullptr);
   context_.vk().vkCmdEndRendering(commands);
 }
 

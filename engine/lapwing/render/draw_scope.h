@@ -25,6 +25,10 @@ inline constexpr ImageState kDiscarded{VK_IMAGE_LAYOUT_UNDEFINED,
 /// As many samples per pixel, up to `wanted`, as the context's device draws with.
 VkSampleCountFlagBits sample_count(const gpu::Context& context, std::uint32_t wanted);
 
+/// A target for pictures of `color`, an _SRGB format, with sample_count samples, in the way that
+/// the context's device draws soonest.
+TargetFormat antialiased(const gpu::Context& context, VkFormat color, std::uint32_t samples);
+
 /// A rendering scope that draws one picture with depth, antialiased where the format has several
 /// samples. Holds the images that this takes beside the picture itself, which is someone else's: a
 /// window's or an OffscreenTarget's. The context must outlive it.
@@ -35,12 +39,16 @@ class DrawScope {
   /// Begins drawing into `picture`, an image of the extent and colour format, with one sample, in
   /// the layout of kColorTarget. It starts transparent black; depth starts farthest.
   void begin(VkCommandBuffer commands, VkImageView picture) const;
-  /// The picture is whole once this is done, in the same layout.
-  void end(VkCommandBuffer commands) const;
+  /// The same picture is whole once this is done, in the same layout.
+  void end(VkCommandBuffer commands, VkImageView picture) const;
 
  private:
+  void begin(VkCommandBuffer commands, const VkRenderingAttachmentInfo& color,
+             const VkRenderingAttachmentInfo* depth) const;
+
   const gpu::Context& context_;
   VkExtent2D extent_;
+  bool shaders_encode_;
   DeviceImage depth_;
   std::optional<DeviceImage> multisampled_;  ///< drawn into, with more than one sample
 };

@@ -82,7 +82,34 @@ struct FixedState {
   FixedState& operator=(const FixedState&) = delete;
 };
 
+VkCullModeFlags culled(Sides sides) {
+  switch (sides) {
+    case Sides::both:
+      return VK_CULL_MODE_NONE;
+    case Sides::front:
+      return VK_CULL_MODE_BACK_BIT;
+    case Sides::back:
+      return VK_CULL_MODE_FRONT_BIT;
+  }
+  return VK_CULL_MODE_NONE;
+}
+
 }  // namespace
+
+VkFormat TargetFormat::drawn_color() const {
+  return shaders_encode ? without_encoding(color) : color;
+}
+
+VkFormat without_encoding(VkFormat srgb) {
+  switch (srgb) {
+    case VK_FORMAT_R8G8B8A8_SRGB:
+      return VK_FORMAT_R8G8B8A8_UNORM;
+    case VK_FORMAT_B8G8R8A8_SRGB:
+      return VK_FORMAT_B8G8R8A8_UNORM;
+    default:
+      return VK_FORMAT_UNDEFINED;
+  }
+}
 
 void require_graphics(const gpu::Context& context) {
   if (context.has_graphics()) return;
@@ -156,7 +183,8 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
   depth.depthCompareOp = VK_COMPARE_OP_GREATER;
   VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
   rendering.colorAttachmentCount = 1;
-  rendering.pColorAttachmentFormats = &target.color;
+  const VkFormat color = target.drawn_color();
+  rendering.pColorAttachmentFormats = &color;
   rendering.depthAttachmentFormat = target.depth;
 
   const FixedState fixed(info.blend);
@@ -177,9 +205,9 @@ void GraphicsPipeline::create_pipeline(const TargetFormat& target,
                  ("vkCreateGraphicsPipelines for " + name_).c_str());
 }
 
-void GraphicsPipeline::record(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
-                              std::span<const std::byte> push, std::uint32_t vertices,
-                              std::uint32_t first, Sides sides) const {
+void GraphicsPipeline::bind_bytes(VkCommandBuffer commands,
+                                  std::span<const gpu::Buffer* const> buffers,
+                                  std::span<const std::byte> push, Sides sides) const {
   const VkDeviceSize limit = context_.limits().maxStorageBufferRange;
   std::array<VkDescriptorBufferInfo, kMaxBuffers> infos;
   std::array<VkWriteDescriptorSet, kMaxBuffers> writes;
@@ -199,14 +227,23 @@ void GraphicsPipeline::record(VkCommandBuffer commands, std::span<const gpu::Buf
   }
   const auto& vk = context_.vk();
   vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
-  vk.vkCmdSetCullMode(commands, sides == Sides::front ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE);
+  vk.vkCmdSetCullMode(commands, culled(sides));
   if (!buffers.empty()) {
     vk.vkCmdPushDescriptorSetKHR(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0,
                                  static_cast<std::uint32_t>(buffers.size()), writes.data());
   }
   vk.vkCmdPushConstants(commands, layout_, kStages, 0, static_cast<std::uint32_t>(push.size()),
                         push.data());
-  vk.vkCmdDraw(commands, vertices, 1, first, 0);
+}
+
+void GraphicsPipeline::draw_vertices(VkCommandBuffer commands, std::uint32_t vertices,
+                                     std::uint32_t first) const {
+  context_.vk().vkCmdDraw(commands, vertices, 1, first, 0);
+}
+
+void GraphicsPipeline::draw_indices(VkCommandBuffer commands, const IndexRange& indices) const {
+  context_.vk().vkCmdBindIndexBuffer(commands, indices.buffer->handle(), 0, VK_INDEX_TYPE_UINT32);
+  context_.vk().vkCmdDrawIndexed(commands, indices.count, 1, indices.first, 0, 0);
 }
 
 void GraphicsPipeline::release() noexcept {

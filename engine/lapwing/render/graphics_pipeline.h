@@ -16,13 +16,22 @@ class Buffer;
 class Context;
 }  // namespace gpu
 
-/// What pipelines draw into: a window's images or an offscreen target. Shaders write linear light,
-/// so the colour format is an _SRGB one, which encodes it.
+/// What pipelines draw into: a window's images or an offscreen target.
 struct TargetFormat {
-  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;
+  VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;  ///< of the picture; encodes linear light
   VkFormat depth = VK_FORMAT_D32_SFLOAT;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  /// Shaders encode colours themselves (shaders/target.glsl), once per pixel, and draw into the
+  /// same bits without an encoding. For software devices, which otherwise encode every sample.
+  bool shaders_encode = false;
+
+  /// What pipelines draw into.
+  VkFormat drawn_color() const;
 };
+
+/// The format of the same bits without an encoding; VK_FORMAT_UNDEFINED for formats that no window
+/// of the viewer has.
+VkFormat without_encoding(VkFormat srgb);
 
 struct GraphicsPipelineInfo {
   std::string name;  ///< appears in error messages
@@ -36,10 +45,17 @@ struct GraphicsPipelineInfo {
 };
 
 /// Which sides of triangles are drawn; the front is the one seen counter-clockwise.
-enum class Sides { both, front };
+enum class Sides { both, front, back };
 
-/// A pipeline that draws triangles without vertex or index buffers: shaders pull what they need
-/// from storage buffers. Viewport and scissor are dynamic. The context must outlive it.
+/// Numbers of vertices in a buffer of uint.
+struct IndexRange {
+  const gpu::Buffer* buffer;
+  std::uint32_t first;
+  std::uint32_t count;
+};
+
+/// A pipeline that draws triangles without vertex buffers: shaders pull what they need from storage
+/// buffers. Viewport and scissor are dynamic. The context must outlive it.
 class GraphicsPipeline {
  public:
   /// Throws GpuError, naming the pipeline, when the device cannot draw or refuses it.
@@ -55,17 +71,31 @@ class GraphicsPipeline {
   void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
             const Push& push, std::uint32_t vertices, std::uint32_t first = 0,
             Sides sides = Sides::both) const {
-    static_assert(std::is_trivially_copyable_v<Push>);
-    record(commands, {buffers.begin(), buffers.size()}, std::as_bytes(std::span(&push, 1)),
-           vertices, first, sides);
+    bind(commands, buffers, push, sides);
+    draw_vertices(commands, vertices, first);
+  }
+  /// The same of the vertices that `indices` numbers.
+  template <typename Push>
+  void draw(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
+            const Push& push, const IndexRange& indices, Sides sides = Sides::both) const {
+    bind(commands, buffers, push, sides);
+    draw_indices(commands, indices);
   }
 
  private:
   void create_layout(const GraphicsPipelineInfo& info);
   void create_pipeline(const TargetFormat& target, const GraphicsPipelineInfo& info);
-  void record(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
-              std::span<const std::byte> push, std::uint32_t vertices, std::uint32_t first,
-              Sides sides) const;
+  template <typename Push>
+  void bind(VkCommandBuffer commands, std::initializer_list<const gpu::Buffer*> buffers,
+            const Push& push, Sides sides) const {
+    static_assert(std::is_trivially_copyable_v<Push>);
+    bind_bytes(commands, {buffers.begin(), buffers.size()}, std::as_bytes(std::span(&push, 1)),
+               sides);
+  }
+  void bind_bytes(VkCommandBuffer commands, std::span<const gpu::Buffer* const> buffers,
+                  std::span<const std::byte> push, Sides sides) const;
+  void draw_vertices(VkCommandBuffer commands, std::uint32_t vertices, std::uint32_t first) const;
+  void draw_indices(VkCommandBuffer commands, const IndexRange& indices) const;
   void release() noexcept;
 
   const gpu::Context& context_;

@@ -96,7 +96,7 @@ void IdPicture::record(const Surface& surface) {
     pipeline_.draw(commands, {&surface.position_buffer(), &surface.triangle_buffer()}, push,
                    static_cast<std::uint32_t>(3 * surface.triangle_count()));
   }
-  target_->scope.end(commands);
+  target_->scope.end(commands, target_->ids.view());
   target_->ids.transition(commands, kColorTarget, kCopySource);
   recorder.access(target_->read_back, kCopySource.stages, VK_ACCESS_2_TRANSFER_WRITE_BIT);
   VkBufferImageCopy region{};

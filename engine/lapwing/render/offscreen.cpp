@@ -28,7 +28,7 @@ OffscreenTarget::OffscreenTarget(gpu::Context& context, std::uint32_t width, std
                                  std::uint32_t samples)
     : context_(context),
       extent_(checked_extent(context, width, height)),
-      format_{.samples = sample_count(context, samples)},
+      format_(antialiased(context, TargetFormat{}.color, samples)),
       color_(context, {"picture", format_.color, extent_, VK_SAMPLE_COUNT_1_BIT,
                        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}),
       scope_(context, extent_, format_),
@@ -40,7 +40,7 @@ Image OffscreenTarget::render(const std::function<void(VkCommandBuffer)>& draw) 
   color_.transition(recorder.handle(), kDiscarded, kColorTarget);
   scope_.begin(recorder.handle(), color_.view());
   draw(recorder.handle());
-  scope_.end(recorder.handle());
+  scope_.end(recorder.handle(), color_.view());
   color_.transition(recorder.handle(), kColorTarget, kCopySource);
   recorder.access(pixels_, kCopySource.stages, VK_ACCESS_2_TRANSFER_WRITE_BIT);
   VkBufferImageCopy region{};

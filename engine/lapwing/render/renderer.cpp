@@ -141,9 +141,11 @@ ScalarRange color_range(const SurfaceStyle& style, const SurfacePaint& paint) {
 }
 
 Renderer::StylePipeline::StylePipeline(const gpu::Context& context, const TargetFormat& target,
-                                       std::uint32_t its_flags, bool is_fixed)
+                                       std::uint32_t its_flags, bool is_fixed, Numbers its_numbers)
     : flags(its_flags),
-      constants{its_flags, is_fixed ? 1U : 0U},
+      numbers(its_numbers),
+      constants{target.shaders_encode ? 1U : 0U, its_flags, is_fixed ? 1U : 0U,
+                its_numbers == Numbers::vertices ? 1U : 0U},
       pipeline(context, target,
                {.name = "a surface",
                 .vertex_spirv = shaders::surface_vert(),
@@ -156,24 +158,28 @@ Renderer::StylePipeline::StylePipeline(const gpu::Context& context, const Target
 Renderer::Renderer(gpu::Context& context, const TargetFormat& target, Pipelines pipelines)
     : context_(context),
       target_(target),
+      shaders_encode_(target.shaders_encode ? 1U : 0U),
       pipelines_(pipelines),
       background_(context, target,
                   {.name = "the background",
                    .vertex_spirv = shaders::background_vert(),
                    .fragment_spirv = shaders::background_frag(),
-                   .push_constant_bytes = sizeof(BackgroundPush)}),
+                   .push_constant_bytes = sizeof(BackgroundPush),
+                   .constants = std::span(&shaders_encode_, 1)}),
       overlay_(context, target,
                {.name = "an overlay",
                 .vertex_spirv = shaders::overlay_vert(),
                 .fragment_spirv = shaders::overlay_frag(),
                 .storage_buffers = 1,
-                .push_constant_bytes = sizeof(OverlayPush)}),
+                .push_constant_bytes = sizeof(OverlayPush),
+                .constants = std::span(&shaders_encode_, 1)}),
       points_(context, target,
               {.name = "points",
                .vertex_spirv = shaders::points_vert(),
                .fragment_spirv = shaders::points_frag(),
                .storage_buffers = 1,
                .push_constant_bytes = sizeof(PointsPush),
+               .constants = std::span(&shaders_encode_, 1),
                .depth = true}),
       color_maps_(make_color_maps(context)) {}
 
@@ -206,22 +212,41 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
                     const SurfacePaint& paint, const Camera& camera,
                     const SurfaceStyle& style) const {
   if (surface.triangle_count() == 0) return;
-  surface_pipeline(flags_of(style, paint, camera))
-      .draw(commands,
-            {&surface.position_buffer(), &surface.normal_buffer(), &surface.triangle_buffer(),
-             &paint.class_buffer(), &paint.scalar_buffer(), &paint.edge_buffer(), &color_maps_,
-             &paint.corner_source_buffer(), &paint.corner_place_buffer(), &paint.image_buffer()},
-            surface_push(extent, surface.origin(), camera, style, paint),
-            static_cast<std::uint32_t>(3 * surface.triangle_count()), 0, style.sides);
+  const SurfacePush push = surface_push(extent, surface.origin(), camera, style, paint);
+  const auto draw = [&](Sides sides, Numbers numbers, const auto&... what) {
+    surface_pipeline(push.flags, numbers)
+        .draw(commands,
+              {&surface.position_buffer(), &surface.normal_buffer(), &surface.triangle_buffer(),
+               &paint.class_buffer(), &paint.scalar_buffer(), &paint.edge_buffer(), &color_maps_,
+               &paint.corner_source_buffer(), &paint.corner_place_buffer(), &paint.image_buffer()},
+              push, what..., sides);
+  };
+  const bool needs_corners = (push.flags & (kWireframe | kFlat | kFileColor)) != 0;
+  const bool by_vertex = !needs_corners && pipelines_ == Pipelines::by_style;
+  const DrawOrder* order = by_vertex ? surface.draw_order() : nullptr;
+  if (order == nullptr) {
+    return draw(style.sides, Numbers::corners,
+                static_cast<std::uint32_t>(3 * surface.triangle_count()), 0U);
+  }
+  const auto smooth = static_cast<std::uint32_t>(3 * order->smooth_count());
+  const auto sharp = static_cast<std::uint32_t>(3 * order->sharp_count());
+  const auto draw_sides = [&](Sides sides) {
+    if (smooth > 0) draw(sides, Numbers::vertices, IndexRange{&order->index_buffer(), 0, smooth});
+    if (sharp > 0) draw(sides, Numbers::corners, IndexRange{&order->index_buffer(), smooth, sharp});
+  };
+  if (style.sides != Sides::both) return draw_sides(style.sides);
+  // Most backs lie behind a front: what is there already needs no shading there.
+  draw_sides(Sides::front);
+  draw_sides(Sides::back);
 }
 
-const GraphicsPipeline& Renderer::surface_pipeline(std::uint32_t flags) const {
+const GraphicsPipeline& Renderer::surface_pipeline(std::uint32_t flags, Numbers numbers) const {
   const bool is_fixed = pipelines_ == Pipelines::by_style;
   if (!is_fixed) flags = 0;
   for (const auto& made : surfaces_) {
-    if (made->flags == flags) return made->pipeline;
+    if (made->flags == flags && made->numbers == numbers) return made->pipeline;
   }
-  surfaces_.push_back(std::make_unique<StylePipeline>(context_, target_, flags, is_fixed));
+  surfaces_.push_back(std::make_unique<StylePipeline>(context_, target_, flags, is_fixed, numbers));
   return surfaces_.back()->pipeline;
 }
 

@@ -66,8 +66,9 @@ Eigen::Matrix4d clip_from_surface(const Camera& camera, VkExtent2D extent,
 
 /// Records draws into a rendering scope (vkCmdBeginRendering) that someone else began, on images
 /// that someone else owns: a window's or an OffscreenTarget's. Draws from the buffers of the
-/// surface as they are when the commands run; nothing is copied or uploaded. The context must
-/// outlive the renderer, and what is drawn must live until the commands are done.
+/// surface, which on a software device has to be where it is until the commands have run; nothing
+/// is copied or uploaded. The context must outlive the renderer, and what is drawn must live until
+/// the commands are done.
 class Renderer {
  public:
   /// How the pipelines of surfaces are made: one for each way of looking, when it is first drawn,
@@ -94,21 +95,26 @@ class Renderer {
             const Camera& camera, const SurfaceStyle& style) const;
 
  private:
+  /// What the vertex stage is told of what it draws.
+  enum class Numbers : std::uint32_t { corners, vertices };
+
   void fill(VkCommandBuffer commands, const VkRect2D& area, Background background) const;
-  const GraphicsPipeline& surface_pipeline(std::uint32_t flags) const;
+  const GraphicsPipeline& surface_pipeline(std::uint32_t flags, Numbers numbers) const;
 
   /// Of surfaces that are looked at in one way.
   struct StylePipeline {
     StylePipeline(const gpu::Context& context, const TargetFormat& target, std::uint32_t its_flags,
-                  bool is_fixed);
+                  bool is_fixed, Numbers its_numbers);
 
     std::uint32_t flags;
-    std::array<std::uint32_t, 2> constants;  ///< shaders/surface.glsl
+    Numbers numbers;
+    std::array<std::uint32_t, 4> constants;  ///< shaders/surface.glsl
     GraphicsPipeline pipeline;
   };
 
   const gpu::Context& context_;
   TargetFormat target_;
+  std::uint32_t shaders_encode_;  ///< constant 0 of all pipelines; shaders/target.glsl
   Pipelines pipelines_;
   GraphicsPipeline background_;
   mutable std::vector<std::unique_ptr<const StylePipeline>> surfaces_;

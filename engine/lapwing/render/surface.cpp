@@ -64,6 +64,17 @@ void Surface::make_normals() {
   commands_.run();
 }
 
+const DrawOrder* Surface::draw_order() const {
+  // The largest index is that of the last corner.
+  const bool fits =
+      3 * std::uint64_t{triangle_count()} <= context_->limits().maxDrawIndexedIndexValue;
+  if (!on_host_ || !fits) return nullptr;
+  const std::span<const Vec4> positions = positions_.mapped_as<Vec4>();
+  if (!order_) order_.emplace(*context_, positions, topology_.triangles);
+  if (std::exchange(is_order_old_, false)) order_->split(positions, normals_.mapped_as<Vec4>());
+  return &*order_;
+}
+
 void Surface::place(std::span<const Vector3d> positions) {
   move_to(positions, [](Index) { return true; });
 }
@@ -119,6 +130,7 @@ void Surface::blend(const std::shared_ptr<BlendResponse>& response,
   watch.restart();
   vertex_normals_.run_on_host(response->affected().mapped_as<Index>(), positions_, normals_);
   times_.normals_ms += watch.elapsed_ms();
+  is_order_old_ = true;
 }
 
 void Surface::record_blend(gpu::Recorder& recorder) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "lapwing/gpu/recorder.h"
 #include "lapwing/gpu/transfer.h"
 #include "lapwing/mesh/topology.h"
+#include "lapwing/render/draw_order.h"
 #include "lapwing/render/revision.h"
 #include "lapwing/vulkan/blend_response.h"
 #include "lapwing/vulkan/vertex_normals.h"
@@ -77,6 +79,9 @@ class Surface {
   const gpu::Buffer& normal_buffer() const { return normals_; }
   /// Three uint per triangle.
   const gpu::Buffer& triangle_buffer() const { return triangles_; }
+  /// How a software device draws it soonest where it is now; null where the device moves it itself.
+  /// Takes O(n log n) at the first call, linear time at the first after it moved.
+  const DrawOrder* draw_order() const;
 
  private:
   void make_normals();
@@ -94,6 +99,8 @@ class Surface {
   gpu::Buffer triangles_;
   VertexNormals vertex_normals_;
   bool on_host_;
+  mutable std::optional<DrawOrder> order_;  ///< once it was asked for
+  mutable bool is_order_old_ = true;        ///< whether the surface has moved since
   /// Where the device has each vertex; not a number where it alone knows.
   std::vector<Vec4> known_;
   std::shared_ptr<BlendResponse> moved_by_;  ///< last; what was recorded of it may still run

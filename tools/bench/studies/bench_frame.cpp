@@ -85,6 +85,10 @@ Mesh subject_of(const FrameBench& settings) {
 // What a frame does to the mesh.
 enum class Change { panels, camera, handle };
 
+// What draws it: as the viewer does, without keeping pictures, or by corner and by one pipeline for
+// all ways of looking, besides, at full resolution.
+enum class Painter { viewer, anew, one_pipeline };
+
 // A mesh on its way through the frames of a window that nobody sees.
 class DraggedMesh {
  public:
@@ -100,8 +104,10 @@ class DraggedMesh {
         paint_(surface_),
         panels_(settings),
         kept_(context_, {}),
-        anew_(context_,
-              {.keeps_pictures = false, .moving_pixels = 1, .pipelines = Renderer::Pipelines::one}),
+        fine_(context_, {.keeps_pictures = false}),
+        one_pipeline_(
+            context_,
+            {.keeps_pictures = false, .moving_pixels = 1, .pipelines = Renderer::Pipelines::one}),
         size_{settings.width, settings.height},
         diagonal_(bounds_of(mesh_.positions).diagonal()),
         closed_(is_closed_outward(mesh_.positions, topology_.triangles)) {
@@ -117,7 +123,7 @@ class DraggedMesh {
   }
 
   // One frame, drawn as the window does while something moves or as when nothing does.
-  void paint(Change change, bool quick, bool anew, FrameParts& parts) {
+  void paint(Change change, bool quick, Painter by, FrameParts& parts) {
     const Stopwatch frame;
     ++frames_;
     if (change == Change::handle) {
@@ -137,7 +143,7 @@ class DraggedMesh {
     const Stopwatch layout;
     const ImDrawData& laid_out = panels_.lay_out(times_);
     times_.panels_ms = layout.elapsed_ms();
-    viewer::FramePainter& painter = (anew ? anew_ : kept_).painter;
+    viewer::FramePainter& painter = window(by).painter;
     painter.paint(size_, scene_, laid_out);
     painter.finish_frame(times_);
     parts.add(times_, frame.elapsed_ms());
@@ -185,6 +191,11 @@ class DraggedMesh {
     return std::make_shared<gpu::Context>(options);
   }
 
+  Window& window(Painter by) {
+    if (by == Painter::viewer) return kept_;
+    return by == Painter::anew ? fine_ : one_pipeline_;
+  }
+
   Mesh mesh_;
   const Topology& topology_;
   std::shared_ptr<gpu::Context> context_;
@@ -196,7 +207,8 @@ class DraggedMesh {
   SurfacePaint paint_;
   Panels panels_;
   Window kept_;
-  Window anew_;
+  Window fine_;
+  Window one_pipeline_;
   IdPicture picture_of_ids_{*context_};
   Positions dragged_;
   Scene scene_;
@@ -213,15 +225,17 @@ struct Kind {
   const char* title;
   Change change;
   bool quick;
-  bool anew;
+  Painter by;
 };
-constexpr std::array<Kind, 6> kKinds{
-    {{"the panels change, picture kept", Change::panels, false, false},
-     {"the panels change, picture drawn anew", Change::panels, false, true},
-     {"the camera moves", Change::camera, true, false},
-     {"the camera moves, full resolution, one pipeline", Change::camera, true, true},
-     {"the eye jumps, as with a wheel", Change::camera, false, false},
-     {"a handle is dragged", Change::handle, true, false}}};
+constexpr std::array<Kind, 7> kKinds{
+    {{"the panels change, picture kept", Change::panels, false, Painter::viewer},
+     {"the panels change, picture drawn anew", Change::panels, false, Painter::anew},
+     {"the panels change, drawn anew, one pipeline", Change::panels, false, Painter::one_pipeline},
+     {"the camera moves", Change::camera, true, Painter::viewer},
+     {"the camera moves, full resolution, one pipeline", Change::camera, true,
+      Painter::one_pipeline},
+     {"the eye jumps, as with a wheel", Change::camera, false, Painter::viewer},
+     {"a handle is dragged", Change::handle, true, Painter::viewer}}};
 
 void print_dragged_mesh(const FrameBench& settings) {
   DraggedMesh dragged(settings);
@@ -232,11 +246,11 @@ void print_dragged_mesh(const FrameBench& settings) {
       const Kind& kind = kKinds[k];
       FrameParts uncounted;
       // The first frame of a kind may follow on one that showed something else.
-      dragged.paint(kind.change, kind.quick, kind.anew, uncounted);
+      dragged.paint(kind.change, kind.quick, kind.by, uncounted);
       for (int f = 0; f < kFramesPerRun; ++f) {
-        dragged.paint(kind.change, kind.quick, kind.anew, run < 0 ? uncounted : measured[k]);
+        dragged.paint(kind.change, kind.quick, kind.by, run < 0 ? uncounted : measured[k]);
       }
-      if (kind.change == Change::camera && kind.quick && !kind.anew) {
+      if (kind.change == Change::camera && kind.quick && kind.by == Painter::viewer) {
         coarseness = dragged.coarseness();
       }
     }

@@ -1,0 +1,141 @@
+#include "lapwing/render/draw_order.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/parallel.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector4f;
+
+// Triangles that one thread looks at in one go.
+constexpr std::size_t kRun = 4096;
+
+// cos_smooth of shaders/surface.vert: where the face's normal is as close to a vertex's as this,
+// the vertex's is the corner's.
+constexpr float kCosSmooth = 0.87F;
+
+constexpr unsigned kBitsPerAxis = 10;
+
+Eigen::Map<const Vector4f, Eigen::Aligned16> lanes(const Vec4& v) {
+  return Eigen::Map<const Vector4f, Eigen::Aligned16>(v.data());
+}
+
+// Moves bit b of a number of kBitsPerAxis bits to bit 3 b.
+std::uint32_t spread(std::uint32_t bits) {
+  bits = (bits | bits << 16U) & 0x030000FFU;
+  bits = (bits | bits << 8U) & 0x0300F00FU;
+  bits = (bits | bits << 4U) & 0x030C30C3U;
+  return (bits | bits << 2U) & 0x09249249U;
+}
+
+// Not so where a normal or a position is not a number.
+bool is_smooth(const Triangle& triangle, std::span<const Vec4> positions,
+               std::span<const Vec4> normals) {
+  const Vector4f a = lanes(positions[triangle[0]]);
+  const Vector4f across =
+      (lanes(positions[triangle[1]]) - a).cross3(lanes(positions[triangle[2]]) - a);
+  const float least = kCosSmooth * across.norm();
+  return lanes(normals[triangle[0]]).dot(across) >= least &&
+         lanes(normals[triangle[1]]).dot(across) >= least &&
+         lanes(normals[triangle[2]]).dot(across) >= least;
+}
+
+}  // namespace
+
+std::vector<Index> order_in_space(std::span<const Vec4> positions,
+                                  std::span<const Triangle> triangles) {
+  const auto middle = [&](const Triangle& t, std::size_t axis) {
+    return (positions[t[0]][axis] + positions[t[1]][axis] + positions[t[2]][axis]) / 3.0F;
+  };
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  std::array<float, 3> low{kInfinity, kInfinity, kInfinity};
+  float size = 0.0F;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    float high = -kInfinity;
+    // Passes over what is not a number, as do all comparisons here.
+    for (const Triangle& t : triangles) {
+      low[axis] = std::min(low[axis], middle(t, axis));
+      high = std::max(high, middle(t, axis));
+    }
+    size = std::max(size, high - low[axis]);
+  }
+  constexpr float kLast = (1U << kBitsPerAxis) - 1U;
+  const float scale = size > 0.0F ? kLast / size : 0.0F;
+  std::vector<std::pair<std::uint32_t, Index>> places(triangles.size());
+  for (Index t = 0; t < triangles.size(); ++t) {
+    std::uint32_t place = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float at =
+          std::min(kLast, std::max(0.0F, (middle(triangles[t], axis) - low[axis]) * scale));
+      place |= spread(static_cast<std::uint32_t>(at)) << axis;
+    }
+    places[t] = {place, t};
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<Index> numbers(triangles.size());
+  std::transform(places.begin(), places.end(), numbers.begin(),
+                 [](const auto& place) { return place.second; });
+  return numbers;
+}
+
+DrawOrder::DrawOrder(const gpu::Context& context, std::span<const Vec4> positions,
+                     std::span<const Triangle> triangles)
+    : numbers_(order_in_space(positions, triangles)),
+      triangles_(triangles.size()),
+      is_smooth_(triangles.size(), 0),
+      smooth_in_((triangles.size() + kRun - 1) / kRun, 0),
+      indices_(context, "drawn corners", triangles.size() * sizeof(Triangle)) {
+  std::transform(numbers_.begin(), numbers_.end(), triangles_.begin(),
+                 [&](Index number) { return triangles[number]; });
+  write(0, triangles_.size(), 0);
+}
+
+void DrawOrder::split(std::span<const Vec4> positions, std::span<const Vec4> normals) {
+  const auto for_runs = [&](const auto& body) {
+    parallel_for(smooth_in_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t run = begin; run < end; ++run) {
+        body(run, run * kRun, std::min((run + 1) * kRun, triangles_.size()));
+      }
+    });
+  };
+  for_runs([&](std::size_t run, std::size_t begin, std::size_t end) {
+    std::size_t smooth = 0;
+    for (std::size_t t = begin; t < end; ++t) {
+      is_smooth_[t] = is_smooth(triangles_[t], positions, normals) ? 1 : 0;
+      smooth += static_cast<std::size_t>(is_smooth_[t]);
+    }
+    smooth_in_[run] = smooth;
+  });
+  // From here on: how many smooth ones come before each run.
+  smooth_count_ = 0;
+  for (std::size_t& smooth : smooth_in_) {
+    smooth_count_ += std::exchange(smooth, smooth_count_);
+  }
+  for_runs([&](std::size_t run, std::size_t begin, std::size_t end) {
+    write(begin, end, smooth_in_[run]);
+  });
+}
+
+// The triangles [begin, end), before which there are so many smooth ones.
+void DrawOrder::write(std::size_t begin, std::size_t end, std::size_t smooth_before) {
+  const std::span<Triangle> drawn = indices_.mapped_as<Triangle>();
+  std::size_t smooth = smooth_before;
+  std::size_t sharp = smooth_count_ + begin - smooth_before;
+  for (std::size_t t = begin; t < end; ++t) {
+    if (is_smooth_[t] != 0) {
+      drawn[smooth++] = triangles_[t];
+    } else {
+      const Index first = 3 * numbers_[t];
+      drawn[sharp++] = {first, first + 1, first + 2};
+    }
+  }
+}
+
+}  // namespace lapwing

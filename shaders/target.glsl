@@ -1,0 +1,17 @@
+// How fragment shaders write colours into a picture (TargetFormat, render/graphics_pipeline.h).
+
+#include "srgb.glsl"
+
+// Whether the target takes colours encoded, by the shader; else it encodes linear light itself. A
+// software device does that for every sample of a pixel.
+layout(constant_id = 0) const bool shaders_encode = false;
+
+vec3 of_linear(vec3 light) {
+  if (shaders_encode) return encoded_of(light);
+  return light;
+}
+
+vec3 of_encoded(vec3 color) {
+  if (shaders_encode) return color;
+  return linear_of(color);
+}
