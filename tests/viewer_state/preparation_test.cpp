@@ -66,17 +66,18 @@ SettledResult wait_for_result(Preparation& preparation) {
 using Pose = std::shared_ptr<const SettledPose>;
 
 // Where a drag is brought next, as soon as that is possible.
-LiveResult follow(Preparation& preparation, const AppState& dragged, const Pose& from) {
+LiveResult follow(Preparation& preparation, const AppState& dragged, const Pose& from,
+                  bool rests = false) {
   wait_for(preparation, Phase::ready);
-  EXPECT_TRUE(preparation.settle_live(dragged, from));
+  EXPECT_TRUE(preparation.settle_live(dragged, from, rests));
   wait_for(preparation, Phase::ready);
   return preparation.take_live_result().value();
 }
 
 // The same, asked for again until nothing is left to settle.
 Pose follow_to_the_end(Preparation& preparation, const AppState& dragged, Pose from = {}) {
-  for (;;) {
-    const LiveResult result = follow(preparation, dragged, from);
+  for (bool rests = false;; rests = true) {
+    const LiveResult result = follow(preparation, dragged, from, rests);
     if (result.is_done) return result.pose;
     from = result.pose;
   }

@@ -9,8 +9,8 @@ namespace lapwing {
 enum class InstructionSet {
   automatic,  ///< the best this processor has
   baseline,   ///< what every processor of the target has: SSE2 on x86-64, NEON on 64-bit ARM
-  avx2,       ///< the same bits as the baseline of x86-64
-  avx512,     ///< F, DQ, VL; rounds otherwise
+  avx2,       ///< with FMA, which rounds otherwise
+  avx512,     ///< F, DQ, VL; so does this
 };
 std::string_view instruction_set_name(InstructionSet set);
 
