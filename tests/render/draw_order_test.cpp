@@ -36,7 +36,7 @@ class Ordered {
   std::vector<Triangle> sharp() const {
     std::vector<Triangle> found;
     const auto drawn = order().index_buffer().mapped_as<Triangle>();
-    for (const Triangle& corners : drawn.subspan(order().smooth_count())) {
+    for (const Triangle& corners : drawn.subspan(order().smooth_count(), order().sharp_count())) {
       EXPECT_EQ(corners[0] % 3, 0U);
       EXPECT_EQ(corners[1], corners[0] + 1);
       EXPECT_EQ(corners[2], corners[0] + 2);

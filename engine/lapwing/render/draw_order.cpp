@@ -91,10 +91,11 @@ DrawOrder::DrawOrder(const gpu::Context& context, std::span<const Vec4> position
       triangles_(triangles.size()),
       is_smooth_(triangles.size(), 0),
       smooth_in_((triangles.size() + kRun - 1) / kRun, 0),
-      indices_(context, "drawn corners", triangles.size() * sizeof(Triangle)) {
+      indices_(context, "drawn corners", (triangles.size() + 1) * sizeof(Triangle)) {
   std::transform(numbers_.begin(), numbers_.end(), triangles_.begin(),
                  [&](Index number) { return triangles[number]; });
   write(0, triangles_.size(), 0);
+  indices_.mapped_as<Triangle>().back() = {0, 0, 0};
 }
 
 void DrawOrder::split(std::span<const Vec4> positions, std::span<const Vec4> normals) {

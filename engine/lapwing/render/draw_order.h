@@ -31,7 +31,8 @@ class DrawOrder {
   std::size_t smooth_count() const { return smooth_count_; }
   std::size_t sharp_count() const { return triangles_.size() - smooth_count_; }
   /// uint: three vertices for each smooth triangle, then for each sharp one the three places of its
-  /// corners among the corners of all triangles.
+  /// corners among the corners of all triangles; last three times 0, of which nothing shows either
+  /// way.
   const gpu::Buffer& index_buffer() const { return indices_; }
 
  private:

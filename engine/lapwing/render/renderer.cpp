@@ -230,9 +230,16 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
   }
   const auto smooth = static_cast<std::uint32_t>(3 * order->smooth_count());
   const auto sharp = static_cast<std::uint32_t>(3 * order->sharp_count());
+  if (smooth + sharp == 0) return;
+  // A kind that there is none of draws a triangle of no area: the driver compiles shaders when they
+  // first draw, which would hold up the frame of a drag in which the first such triangle appears.
+  const auto some = [&](std::uint32_t first, std::uint32_t count) {
+    const gpu::Buffer* indices = &order->index_buffer();
+    return count > 0 ? IndexRange{indices, first, count} : IndexRange{indices, smooth + sharp, 3};
+  };
   const auto draw_sides = [&](Sides sides) {
-    if (smooth > 0) draw(sides, Numbers::vertices, IndexRange{&order->index_buffer(), 0, smooth});
-    if (sharp > 0) draw(sides, Numbers::corners, IndexRange{&order->index_buffer(), smooth, sharp});
+    draw(sides, Numbers::vertices, some(0, smooth));
+    draw(sides, Numbers::corners, some(smooth, sharp));
   };
   if (style.sides != Sides::both) return draw_sides(style.sides);
   // Most backs lie behind a front: what is there already needs no shading there.
