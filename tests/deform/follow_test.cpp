@@ -252,7 +252,12 @@ TEST_F(FollowedFineCylinder, MovesOnWhereItWasSettlingAtRest) {
     deformer_.follow(twist(degrees), pose, no_time);
   }
   EXPECT_LT(off(pose, 45.0), 2e-3);
-  while (!pose.settled.settled) deformer_.follow(twist(45.0), pose);
+  // The tangent of where it rested before would be of little use here.
+  int frames = 0;
+  for (; frames < 100 && !pose.settled.settled; ++frames) {
+    deformer_.follow(twist(45.0), pose, no_time);
+  }
+  EXPECT_LT(frames, 12);
   EXPECT_LT(off(pose, 45.0), 1e-3);
 }
 

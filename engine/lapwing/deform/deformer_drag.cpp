@@ -180,7 +180,10 @@ bool Deformer::State::go_on_at_rest(const SettledPose& pose, const SettleTarget&
 // may where a coarse surface has taken it along.
 bool Deformer::State::smooth(const SettleTarget& target, bool at_rest, bool must, const GoOn& go_on,
                              const Progress& progress, SettledPose& next) {
-  if (!must && go_on && !go_on(smoothing_ms)) return false;
+  if (!must && go_on && !go_on(smoothing_ms)) {
+    settler->end_rest();
+    return false;
+  }
   const Stopwatch watch;
   bool is_first = must;
   const auto ask = [&](double ms) { return go_on(std::exchange(is_first, false) ? 0.0 : ms); };

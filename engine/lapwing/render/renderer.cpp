@@ -230,7 +230,6 @@ void Renderer::draw(VkCommandBuffer commands, VkExtent2D extent, const Surface& 
   }
   const auto smooth = static_cast<std::uint32_t>(3 * order->smooth_count());
   const auto sharp = static_cast<std::uint32_t>(3 * order->sharp_count());
-  if (smooth + sharp == 0) return;
   // A kind that there is none of draws a triangle of no area: the driver compiles shaders when they
   // first draw, which would hold up the frame of a drag in which the first such triangle appears.
   const auto some = [&](std::uint32_t first, std::uint32_t count) {

@@ -188,7 +188,6 @@ void Settler::State::begin_anew() {
   history.forget();
   tangent = given_tangent;
   at_rest = false;
-  by_tangent = false;
 }
 
 void Settler::State::begin_pace(const Pace& of) {
@@ -426,6 +425,10 @@ SettleResult Settler::rest(const SettleTarget& target, std::span<Vector3d> u, co
   state_->at_rest = true;
   state_->place(target, u);
   return iterate(target, u, go_on, progress);
+}
+
+void Settler::end_rest() {
+  state_->begin_pace(kPaceOfFrame);
 }
 
 void Settler::begin_drag() {

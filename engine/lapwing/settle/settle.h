@@ -125,6 +125,10 @@ class Settler {
   SettleResult rest(const SettleTarget& target, std::span<Eigen::Vector3d> u,
                     const GoOn& go_on = {}, const Progress& progress = {});
 
+  /// Says that the target moves on in a frame that has no time for `follow`: what `rest` has
+  /// counted, and its tangent, are of another pose.
+  void end_rest();
+
   /// Forgets the frames so far: the next one is the first of another drag.
   void begin_drag();
 
