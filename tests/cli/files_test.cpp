@@ -8,6 +8,7 @@
 #include "command_line.h"
 #include "lapwing/io/mesh_file.h"
 #include "support/largest_distance.h"
+#include "support/sanitizers.h"
 
 namespace lapwing {
 namespace {
@@ -238,7 +239,7 @@ TEST_F(FilesOfTheCommandLine, ListingPartsKeepsPicturesOfOthers) {
 
 // Less and less memory: each run says so, or does its work.
 TEST_F(FilesOfTheCommandLine, OfARunWithoutMemoryAreWhole) {
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef LAPWING_ADDRESS_SANITIZER
   GTEST_SKIP() << "AddressSanitizer takes terabytes of addresses";
 #endif
   const Outcome whole = lapwing("run bend.json --device cpu --quiet --save whole.obj");

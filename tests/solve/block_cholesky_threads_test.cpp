@@ -11,6 +11,7 @@
 #include "lapwing/solve/block_cholesky/block_cholesky.h"
 #include "lapwing/solve/ordering.h"
 #include "solve/test_matrices.h"
+#include "support/sanitizers.h"
 
 namespace lapwing {
 namespace {
@@ -25,7 +26,7 @@ BlockCholeskyOptions with_threads(unsigned threads) {
 
 // How often what hangs on chance is tried. ThreadSanitizer makes runs slow, but sees a race between
 // accesses that did not collide; what differs by order alone is left to the other builds.
-#ifdef __SANITIZE_THREAD__
+#ifdef LAPWING_THREAD_SANITIZER
 constexpr int kRuns = 10;
 #else
 constexpr int kRuns = 70;

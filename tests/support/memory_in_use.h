@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <malloc.h>
 
-#if defined(__SANITIZE_ADDRESS__)
-// GCC has the function, and no header for it.
+#include "support/sanitizers.h"
+
+#ifdef LAPWING_ADDRESS_SANITIZER
+// The compilers have the function; GCC has no header for it.
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #endif
 
@@ -12,7 +14,7 @@ namespace lapwing::test {
 
 /// The bytes that the program has taken and not given back.
 inline std::size_t memory_in_use() {
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef LAPWING_ADDRESS_SANITIZER
   return __sanitizer_get_current_allocated_bytes();
 #else
   const auto info = ::mallinfo2();

@@ -1,5 +1,6 @@
-// Every panel in both themes, on a small window and on a large one of a desktop that enlarges: all
-// of its texts are whole and can be read.
+// Every panel in both themes, one on a small window, the other on a large one of a desktop that
+// enlarges (places hang on the window alone, colours on the theme): all of its texts are whole and
+// can be read.
 #include <cstdlib>
 #include <fstream>
 
@@ -185,8 +186,9 @@ TEST_P(Panels, OfTheBrowserAreWhole) {
   for (const auto& [key, modifiers, button] :
        {std::tuple{'O', kControl, "Open"}, {'S', kControlShift, "Save"}, {'E', kControl, "Save"}}) {
     viewer_->key(key, modifiers);
-    viewer_->wait_for([&] { return viewer_->shows(button) && viewer_->shows("Cancel"); },
-                      "the browser is there");
+    viewer_->wait_for(
+        [&, button = button] { return viewer_->shows(button) && viewer_->shows("Cancel"); },
+        "the browser is there");
     check(std::string("browser-") + static_cast<char>(key));
     viewer_->key(kEscape);
   }
@@ -271,8 +273,6 @@ std::string name_of(const ::testing::TestParamInfo<Look>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Looks, Panels,
                          ::testing::Values(Look{Theme::dark, {1280, 800}, 1.0},
-                                           Look{Theme::light, {1280, 800}, 1.0},
-                                           Look{Theme::dark, {2560, 1600}, 2.0},
                                            Look{Theme::light, {2560, 1600}, 2.0}),
                          name_of);
 
