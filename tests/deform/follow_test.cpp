@@ -167,6 +167,8 @@ TEST_F(FollowedCylinder, ADragFromAPoseBeginsThere) {
 // Of 7,260 vertices, which a coarse surface takes along.
 class FollowedFineCylinder : public ::testing::Test {
  protected:
+  void SetUp() override { deformer_.prepare_to_follow(); }
+
   double off(const SettledPose& pose, double degrees) const {
     const Positions solved = deformer_.solve(twist(degrees), turn_of(degrees)).positions;
     double most = 0.0;
@@ -220,6 +222,43 @@ TEST_F(FollowedFineCylinder, EndsWhereSettlingDoes) {
   const SettledPose before = pose;
   deformer_.follow(twist(30.0), pose);
   EXPECT_TRUE(same(pose, before));
+}
+
+TEST_F(FollowedFineCylinder, FramesGoOnWhileTheCoarseSurfaceIsMade) {
+  const Deformer unprepared(mesh_.positions, mesh_.topology(), test::ends_of_cylinder(mesh_), {},
+                            kernels_);
+  SettledPose pose;
+  for (int degrees = 0; degrees <= 60; degrees += 3) {
+    unprepared.follow(twist(degrees), pose, [](double ms) { return ms == 0.0; });
+    EXPECT_LE(pose.settled.iterations, 1);
+  }
+  for (int frame = 0; frame < 400 && !pose.settled.settled; ++frame) {
+    int left = 3;
+    unprepared.follow(twist(60.0), pose, [&left](double) { return left-- > 0; });
+  }
+  EXPECT_TRUE(pose.settled.settled);
+  EXPECT_LT(off(pose, 60.0), 1e-3);
+}
+
+TEST_F(FollowedFineCylinder, IsLeftWhileTheCoarseSurfaceIsMade) {
+  SettledPose pose;
+  for (int run = 0; run < 3; ++run) {
+    const Deformer unprepared(mesh_.positions, mesh_.topology(), test::ends_of_cylinder(mesh_), {},
+                              kernels_);
+    pose = {};
+    for (int frame = 0; frame < 2 + run; ++frame) {
+      unprepared.follow(twist(3.0 * frame), pose, [](double ms) { return ms == 0.0; });
+    }
+  }
+  EXPECT_LT(off(pose, 9.0), 0.1);
+}
+
+TEST_F(FollowedFineCylinder, MakingTheCoarseSurfaceCanBeCancelled) {
+  const Deformer unprepared(mesh_.positions, mesh_.topology(), test::ends_of_cylinder(mesh_), {},
+                            kernels_);
+  EXPECT_THROW(unprepared.prepare_to_follow([](std::string_view, double) { return false; }),
+               Cancelled);
+  unprepared.prepare_to_follow();
 }
 
 // By the steps of the frames before alone it takes 17 iterations.

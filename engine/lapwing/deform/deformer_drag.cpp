@@ -136,10 +136,9 @@ Positions Deformer::State::gone_on(const SettledPose& pose,
   return u;
 }
 
-// Whether there is one, which the first call makes.
+// Whether there is one by now.
 bool Deformer::State::find_coarse() {
-  if (!has_coarse) coarse = CoarseDrag::make(*system);
-  has_coarse = true;  // a call that was cancelled leaves it to the next
+  if (coarse == nullptr) coarse = coarse_maker.take();
   return coarse != nullptr;
 }
 
@@ -290,10 +289,12 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
       next.displacement = s.gone_on(pose, next.parameters);
     }
   }
-  const bool must = !by_coarse || at_rest;
+  // While the coarse surface is being made, frames that lack time go on as they can without.
+  const bool must = at_rest || (!by_coarse && !(go_on && on.coarse_maker.is_at_work()));
   const bool is_smooth = on.smooth(target, at_rest, must, go_on, progress, next);
   if (!begins && !at_rest && !next.settled.settled && !std::exchange(on.lacks_time, true)) {
     on.tangent->prepare();
+    on.coarse_maker.begin(edit);
   }
   // What pulls on the surface before it is smooth tells the coarse one nothing.
   if (is_smooth && by_coarse) {
@@ -310,6 +311,14 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   next.frame = ++on.last_frame;
   on.coarse_is_there = by_coarse;
   pose = std::move(next);
+}
+
+void Deformer::prepare_to_follow(const Progress& progress) const {
+  const ProgressScope scope(progress);
+  State& s = *state_;
+  s.coarse_maker.begin(*s.system);
+  report_progress(progress, "coarse surface", 0.0);
+  if (s.coarse == nullptr) s.coarse = s.coarse_maker.finish();
 }
 
 void Deformer::begin_drag() const {

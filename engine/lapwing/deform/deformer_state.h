@@ -36,13 +36,13 @@ struct Deformer::State {
   std::string why_not_exact;
 
   // Of followed drags.
-  std::unique_ptr<CoarseDrag> coarse;  ///< null where the region needs none
-  bool has_coarse = false;             ///< whether that has been looked at
+  std::unique_ptr<CoarseDrag> coarse;  ///< null until it is there, and where the region needs none
   std::uint64_t last_frame = 0;
   bool coarse_is_there = false;  ///< where the last frame left the surface
   bool lacks_time = false;       ///< whether a frame of this drag has not settled in its time
   int coarse_moves_at_rest = 0;  ///< since the handles moved last
   double smoothing_ms = 0.0;     ///< what the fine level takes at least
+  CoarseDragMaker coarse_maker;  // last: it uses the system
 
   bool hold_response(const Progress& progress);
   void make_settler(Kernels& on);

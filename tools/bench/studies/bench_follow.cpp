@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
+#include <thread>
 #include <vector>
 
 #include "lapwing/base/errors.h"
@@ -29,6 +31,7 @@ using Eigen::Vector3d;
 
 // A drag there in half a second, and then a hand that rests.
 constexpr int kFrames = 30;
+constexpr std::chrono::microseconds kFrameInterval{1'000'000 / 60};
 constexpr double kRest_ms = 500.0;
 constexpr double kLongestRest_ms = 10'000.0;
 // What a frame is given while the hand rests, as in the viewer.
@@ -121,9 +124,12 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
   int iterations = 0;
   for (int k = 1; k <= kFrames; ++k) {
     const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * k / kFrames);
+    const auto next = std::chrono::steady_clock::now() + kFrameInterval;
     const Stopwatch watch;
     edit.frame(share, pose, [&](double ms) { return watch.elapsed_ms() + ms < budget; });
     frames.milliseconds.push_back(watch.elapsed_ms());
+    // What is made beside the drag has that time, too.
+    std::this_thread::sleep_until(next);
     iterations += pose.settled.iterations;
     if (k % kFramesPerCheck != 0) continue;
     Positions settled;
