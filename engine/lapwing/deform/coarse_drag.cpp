@@ -26,8 +26,12 @@ constexpr double kTrust = 0.7;
 
 }  // namespace
 
+bool CoarseDrag::is_of_use(const EditSystem& fine) {
+  return fine.options.settle && fine.region.roi.size() >= kSmallRegion;
+}
+
 std::unique_ptr<CoarseDrag> CoarseDrag::make(const EditSystem& fine) {
-  if (!fine.options.settle || fine.region.roi.size() < kSmallRegion) return nullptr;
+  if (!is_of_use(fine)) return nullptr;
   std::unique_ptr<CoarseRegion> coarse = coarse_region(fine, kCoarseVertices);
   if (coarse == nullptr) return nullptr;
   return std::unique_ptr<CoarseDrag>(new CoarseDrag(fine, std::move(coarse)));
@@ -111,7 +115,7 @@ CoarseDragMaker::~CoarseDragMaker() {
 }
 
 void CoarseDragMaker::begin(const EditSystem& fine) {
-  if (std::exchange(has_begun_, true)) return;
+  if (std::exchange(has_begun_, true) || !CoarseDrag::is_of_use(fine)) return;
   const auto make = [this, &fine] {
     const ProgressScope scope([this](std::string_view, double) { return !stopped_; });
     return CoarseDrag::make(fine);

@@ -21,8 +21,10 @@ namespace lapwing {
 /// problems", 1979).
 class CoarseDrag {
  public:
-  /// Null where the region is small enough to be settled as it is, or cannot be made smaller.
-  /// `fine` must outlive the object.
+  /// Whether the region is settled, and too large for a frame to settle it as it is.
+  static bool is_of_use(const EditSystem& fine);
+  /// Null where it is of no use, or where the region cannot be made smaller. `fine` must outlive
+  /// the object.
   static std::unique_ptr<CoarseDrag> make(const EditSystem& fine);
 
   /// The fine surface is at `u` for `target`, both of the fine mesh.
@@ -65,7 +67,8 @@ class CoarseDragMaker {
   CoarseDragMaker(const CoarseDragMaker&) = delete;
   CoarseDragMaker& operator=(const CoarseDragMaker&) = delete;
 
-  /// Only the first call does something. `fine` must outlive the object.
+  /// Only the first call does something, and only where a CoarseDrag is of use. `fine` must outlive
+  /// the object.
   void begin(const EditSystem& fine);
   /// From `begin` until what was made has been taken.
   bool is_at_work() const { return made_.valid(); }

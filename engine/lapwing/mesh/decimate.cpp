@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
 
 namespace lapwing {
@@ -67,7 +68,11 @@ class Decimation {
         quadrics_(positions.size()) {
     std::iota(owners_.begin(), owners_.end(), 0U);
     find_around();
-    for (const Triangle& t : triangles_) add_planes(t);
+    CancelCheck check;
+    for (const Triangle& t : triangles_) {
+      check();
+      add_planes(t);
+    }
   }
 
   Decimated run(std::size_t count) {
@@ -212,7 +217,9 @@ class Decimation {
     const auto goes_on = [&](std::size_t k) {
       return merged < most && (k < tried || kSmallPass / 2 * merged < merges.size());
     };
+    CancelCheck check;
     for (std::size_t k = 0; k < merges.size() && goes_on(k); ++k) {
+      check();
       const auto [cost, from, into] = merges[k];
       if (is_taken[from] != 0 || !may_merge(from, into)) continue;
       const auto beside = corners_beside(from, into);

@@ -25,7 +25,7 @@ inline constexpr Index kKeptGroup = kNoIndex;
 /// fans meet are kept; more than `count` are left where that forbids most of the rest. `groups`:
 /// one per vertex, or kKeptGroup. Same result for any number of threads. Linear in the size at each
 /// of some dozen passes, each of which takes a fifth away. Based on: Garland, Heckbert, "Surface
-/// Simplification Using Quadric Error Metrics", 1997.
+/// Simplification Using Quadric Error Metrics", 1997. Throws Cancelled.
 Decimated decimate(std::span<const Eigen::Vector3d> positions, std::vector<Triangle> triangles,
                    std::span<const Index> groups, std::size_t count);
 
