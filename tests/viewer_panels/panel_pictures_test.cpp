@@ -1,6 +1,6 @@
 // Every panel in both themes, one on a small window, the other on a large one of a desktop that
-// enlarges (places depend on the window alone, colours on the theme): all of its texts are whole and
-// can be read.
+// enlarges (places depend on the window alone, colours on the theme): all of its texts are whole
+// and can be read.
 #include <cstdlib>
 #include <fstream>
 
