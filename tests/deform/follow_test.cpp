@@ -169,6 +169,14 @@ class FollowedFineCylinder : public ::testing::Test {
  protected:
   void SetUp() override { deformer_.prepare_to_follow(); }
 
+  // By three iterations a frame.
+  static void settle(const Deformer& deformer, double degrees, SettledPose& pose) {
+    for (int frame = 0; frame < 400 && !pose.settled.settled; ++frame) {
+      int left = 3;
+      deformer.follow(twist(degrees), pose, [&left](double) { return left-- > 0; });
+    }
+    EXPECT_TRUE(pose.settled.settled);
+  }
   double off(const SettledPose& pose, double degrees) const {
     const Positions solved = deformer_.solve(twist(degrees), turn_of(degrees)).positions;
     double most = 0.0;
@@ -213,11 +221,7 @@ TEST_F(FollowedFineCylinder, EndsWhereSettlingDoes) {
     int left = 1;
     deformer_.follow(twist(degrees), pose, [&left](double) { return left-- > 0; });
   }
-  for (int frame = 0; frame < 400 && !pose.settled.settled; ++frame) {
-    int left = 3;
-    deformer_.follow(twist(30.0), pose, [&left](double) { return left-- > 0; });
-  }
-  EXPECT_TRUE(pose.settled.settled);
+  settle(deformer_, 30.0, pose);
   EXPECT_LT(off(pose, 30.0), 1e-3);
   const SettledPose before = pose;
   deformer_.follow(twist(30.0), pose);
@@ -232,11 +236,7 @@ TEST_F(FollowedFineCylinder, FramesGoOnWhileTheCoarseSurfaceIsMade) {
     unprepared.follow(twist(degrees), pose, [](double ms) { return ms == 0.0; });
     EXPECT_LE(pose.settled.iterations, 1);
   }
-  for (int frame = 0; frame < 400 && !pose.settled.settled; ++frame) {
-    int left = 3;
-    unprepared.follow(twist(60.0), pose, [&left](double) { return left-- > 0; });
-  }
-  EXPECT_TRUE(pose.settled.settled);
+  settle(unprepared, 60.0, pose);
   EXPECT_LT(off(pose, 60.0), 1e-3);
 }
 
@@ -338,11 +338,7 @@ TEST_F(FollowedFineCylinder, GoesOnAtRestFromAPoseOfAnotherDeformer) {
   }
   const Deformer other(mesh_.positions, mesh_.topology(), test::ends_of_cylinder(mesh_), {},
                        kernels_);
-  for (int frame = 0; frame < 400 && !pose.settled.settled; ++frame) {
-    int left = 3;
-    other.follow(twist(12.0), pose, [&left](double) { return left-- > 0; });
-  }
-  EXPECT_TRUE(pose.settled.settled);
+  settle(other, 12.0, pose);
   EXPECT_LT(off(pose, 12.0), 1e-3);
 }
 

@@ -1,13 +1,8 @@
 #include "lapwing/deform/coarse_drag.h"
 
 #include <algorithm>
-#include <chrono>
-#include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "lapwing/base/cancellation.h"
-#include "lapwing/base/limits.h"
 #include "lapwing/deform/axis_response.h"
 
 namespace lapwing {
@@ -108,37 +103,6 @@ void CoarseDrag::learn(std::span<const Vector3d> u, std::span<const Vector3d> gr
   for (std::size_t c = 0; c < gathered.size(); ++c) {
     if (is_held_[c] == 0) forces_[c] -= kTrust * energy_ratio_ * gathered[c];
   }
-}
-
-CoarseDragMaker::~CoarseDragMaker() {
-  stopped_ = true;
-}
-
-void CoarseDragMaker::begin(const EditSystem& fine) {
-  if (std::exchange(has_begun_, true) || !CoarseDrag::is_of_use(fine)) return;
-  const auto make = [this, &fine] {
-    const ProgressScope scope([this](std::string_view, double) { return !stopped_; });
-    return CoarseDrag::make(fine);
-  };
-  try {
-    made_ = std::async(std::launch::async, make);
-  } catch (const std::system_error&) {
-    // Without another thread it is made by whoever takes it.
-    made_ = std::async(std::launch::deferred, make);
-  }
-}
-
-std::unique_ptr<CoarseDrag> CoarseDragMaker::take() {
-  const bool is_there =
-      made_.valid() && made_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
-  return is_there ? made_.get() : nullptr;
-}
-
-std::unique_ptr<CoarseDrag> CoarseDragMaker::finish() {
-  while (made_.valid() && made_.wait_for(kAskEvery) == std::future_status::timeout) {
-    check_cancelled();
-  }
-  return take();
 }
 
 }  // namespace lapwing

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <atomic>
-#include <future>
 #include <memory>
 #include <span>
 #include <vector>
@@ -56,32 +54,6 @@ class CoarseDrag {
   // What a target is given by, kept for as long as it is used.
   std::vector<Eigen::Vector3d> next_wanted_;
   std::vector<double> scales_;
-};
-
-/// Makes a CoarseDrag on a thread of its own, beside a drag's frames: it takes from a tenth of a
-/// second at 26,000 vertices to some seconds at a million.
-class CoarseDragMaker {
- public:
-  CoarseDragMaker() = default;
-  ~CoarseDragMaker();
-  CoarseDragMaker(const CoarseDragMaker&) = delete;
-  CoarseDragMaker& operator=(const CoarseDragMaker&) = delete;
-
-  /// Only the first call does something, and only where a CoarseDrag is of use. `fine` must outlive
-  /// the object.
-  void begin(const EditSystem& fine);
-  /// From `begin` until what was made has been taken.
-  bool is_at_work() const { return made_.valid(); }
-  /// Once, when it is there; until then null, and afterwards, and where none can be made. Rethrows
-  /// what making it threw.
-  std::unique_ptr<CoarseDrag> take();
-  /// Waits for it first. Throws Cancelled.
-  std::unique_ptr<CoarseDrag> finish();
-
- private:
-  bool has_begun_ = false;
-  std::atomic<bool> stopped_ = false;
-  std::future<std::unique_ptr<CoarseDrag>> made_;  // last: it uses the others
 };
 
 }  // namespace lapwing

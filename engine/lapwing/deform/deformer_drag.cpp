@@ -136,9 +136,16 @@ Positions Deformer::State::gone_on(const SettledPose& pose,
   return u;
 }
 
+// Begins to make one, which takes from a tenth of a second at 26,000 vertices to some seconds at a
+// million.
+void Deformer::State::begin_coarse() {
+  if (!CoarseDrag::is_of_use(*system)) return;
+  coarse_aside.begin([this] { return CoarseDrag::make(*system); });
+}
+
 // Whether there is one by now.
 bool Deformer::State::find_coarse() {
-  if (coarse == nullptr) coarse = coarse_maker.take();
+  if (coarse_aside.is_made()) coarse = coarse_aside.take();
   return coarse != nullptr;
 }
 
@@ -290,11 +297,11 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
     }
   }
   // While the coarse surface is being made, frames that lack time go on as they can without.
-  const bool must = at_rest || (!by_coarse && !(go_on && on.coarse_maker.is_at_work()));
+  const bool must = at_rest || (!by_coarse && !(go_on && on.coarse_aside.is_at_work()));
   const bool is_smooth = on.smooth(target, at_rest, must, go_on, progress, next);
   if (!begins && !at_rest && !next.settled.settled && !std::exchange(on.lacks_time, true)) {
     on.tangent->prepare();
-    on.coarse_maker.begin(edit);
+    on.begin_coarse();
   }
   // What pulls on the surface before it is smooth tells the coarse one nothing.
   if (is_smooth && by_coarse) {
@@ -316,9 +323,9 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
 void Deformer::prepare_to_follow(const Progress& progress) const {
   const ProgressScope scope(progress);
   State& s = *state_;
-  s.coarse_maker.begin(*s.system);
+  s.begin_coarse();
   report_progress(progress, "coarse surface", 0.0);
-  if (s.coarse == nullptr) s.coarse = s.coarse_maker.finish();
+  if (s.coarse_aside.is_at_work()) s.coarse = s.coarse_aside.take();
 }
 
 void Deformer::begin_drag() const {

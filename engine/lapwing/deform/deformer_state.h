@@ -14,6 +14,7 @@
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/edit_system.h"
 #include "lapwing/deform/handle_shares.h"
+#include "lapwing/deform/made_aside.h"
 #include "lapwing/deform/pose_tangent.h"
 #include "lapwing/deform/region_part_settler.h"
 
@@ -42,7 +43,7 @@ struct Deformer::State {
   bool lacks_time = false;       ///< whether a frame of this drag has not settled in its time
   int coarse_moves_at_rest = 0;  ///< since the handles moved last
   double smoothing_ms = 0.0;     ///< what the fine level takes at least
-  CoarseDragMaker coarse_maker;  // last: it uses the system
+  MadeAside<std::unique_ptr<CoarseDrag>> coarse_aside;  // last: it uses the system
 
   bool hold_response(const Progress& progress);
   void make_settler(Kernels& on);
@@ -56,6 +57,7 @@ struct Deformer::State {
   std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
+  void begin_coarse();
   bool find_coarse();
   void take_along(const SettledPose& pose, std::span<const Eigen::Vector3d> wanted,
                   const SettleTarget& target, SettledPose& next);

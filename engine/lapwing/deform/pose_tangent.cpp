@@ -1,13 +1,10 @@
 #include "lapwing/deform/pose_tangent.h"
 
 #include <cmath>
-#include <string_view>
-#include <system_error>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "lapwing/base/cancellation.h"
 #include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/response_system.h"
@@ -71,23 +68,13 @@ PoseTangent::PoseTangent(const Topology& topology, std::span<const Index> roi,
       roi_(roi.begin(), roi.end()),
       b_(3 * laplacian.size()) {}
 
-PoseTangent::~PoseTangent() {
-  stopped_ = true;
-}
-
 void PoseTangent::prepare() {
-  if (factor_ != nullptr || prepared_.valid()) return;
-  const auto take = [this]() -> std::unique_ptr<HeldFactor> {
-    const ProgressScope scope([this](std::string_view, double) { return !stopped_; });
+  if (factor_ != nullptr) return;
+  prepared_.begin([this] {
     std::unique_ptr<HeldFactor> factor = analyzed_factor();
     if (factor != nullptr) factor->solver().prepare_memory();
     return factor;
-  };
-  try {
-    prepared_ = std::async(std::launch::async, take);
-  } catch (const std::system_error&) {
-    // Without another thread the first turn takes it.
-  }
+  });
 }
 
 // Null where there is not the memory.
@@ -103,10 +90,8 @@ std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor() const {
 
 bool PoseTangent::take_memory() {
   if (factor_ != nullptr) return true;
-  while (prepared_.valid() && prepared_.wait_for(kAskEvery) != std::future_status::ready) {
-    check_cancelled();
-  }
-  std::unique_ptr<HeldFactor> factor = prepared_.valid() ? prepared_.get() : analyzed_factor();
+  std::unique_ptr<HeldFactor> factor =
+      prepared_.is_at_work() ? prepared_.take() : analyzed_factor();
   if (factor == nullptr) return false;
   const RegionRings& rings = laplacian_.rings();
   const std::vector<Index> row_of_vertex =

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <atomic>
-#include <future>
 #include <memory>
 #include <span>
 
 #include "lapwing/deform/deform_options.h"
+#include "lapwing/deform/made_aside.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/held_factor.h"
 #include "lapwing/laplacian/laplacian_system.h"
@@ -27,8 +26,6 @@ class PoseTangent final : public TurnedTangent {
   PoseTangent(const Topology& topology, std::span<const Index> roi, const SystemPattern& pattern,
               const LaplacianSystem& laplacian, std::span<const Eigen::Vector3d> rest,
               const DeformOptions& options, Kernels& kernels);
-
-  ~PoseTangent() override;
 
   /// Begins to take that memory on a thread of its own, for which the first turn waits.
   void prepare();
@@ -53,8 +50,7 @@ class PoseTangent final : public TurnedTangent {
   BlockRows turned_;
   std::unique_ptr<HeldFactor> factor_;
   std::vector<double> b_;
-  std::atomic<bool> stopped_ = false;
-  std::future<std::unique_ptr<HeldFactor>> prepared_;  // last: it uses all the others
+  MadeAside<std::unique_ptr<HeldFactor>> prepared_;  // last: it uses all the others
 };
 
 }  // namespace lapwing
