@@ -2,19 +2,39 @@
 
 #include <vector>
 
+#include "lapwing/solve/dissection/edge_cut.h"
 #include "lapwing/solve/dissection/weighted_graph.h"
 
 namespace lapwing::dissection {
 
-/// Each node's side, 0 or 1.
-using Sides = std::vector<unsigned char>;
+/// Cuts of a graph in two, multilevel (Hendrickson, Leland 1995): the graph is grouped until few
+/// nodes are left; those are swept; and what that finds is improved on each level. Any number of
+/// threads may call it at the same time. Throws Cancelled.
+class Bisection {
+ public:
+  /// `graph` must outlive it.
+  explicit Bisection(const WeightedGraph& graph);
 
-/// A graph cut in two: the edges between the sides weigh little, and neither side weighs more than
-/// two thirds where nodes are light enough. Multilevel (Hendrickson, Leland 1995): the graph is
-/// grouped until some hundred nodes are left; those are swept in the order of their distances from
-/// nodes far apart, which on a body are the tips of its limbs; and the best sweeps are improved on
-/// each level. The best of several `attempts`, which differ in how some thousand nodes are grouped;
-/// `variant` numbers different ways to group more. Throws Cancelled.
-Sides bisect(const WeightedGraph& graph, unsigned attempts, unsigned variant);
+  /// A cut of the graph grouped to some thousand nodes. Attempts differ in how these are grouped
+  /// further.
+  EdgeCut attempt(std::size_t number) const;
+
+  /// The sides of the whole graph that those of an attempt become.
+  Sides refine(const EdgeCut& cut) const;
+
+ private:
+  struct Level {
+    std::vector<int> group_of;  // of the nodes one level finer
+    WeightedGraph graph;
+  };
+
+  // Levels on top of `finest`, until at most `size` nodes are left, or hardly any can be grouped.
+  std::vector<Level> coarsen(const WeightedGraph& finest, int size, std::size_t variant) const;
+  static EdgeCut refine(EdgeCut cut, const std::vector<Level>& levels, const WeightedGraph& finest);
+
+  const WeightedGraph& graph_;
+  int most_weight_;  // of a group
+  std::vector<Level> levels_;
+};
 
 }  // namespace lapwing::dissection

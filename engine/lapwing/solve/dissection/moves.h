@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <tuple>
@@ -40,18 +41,23 @@ class MoveQueue {
   std::vector<std::int64_t> heap_;  // gain and node in one number
 };
 
-/// What both sides of a cut weigh, in unknowns, and what the cut is worth.
+/// What both sides of a cut hold, in unknowns.
 struct SideWeights {
   int of[2] = {0, 0};
+  int borders[2] = {0, 0};  ///< that come later in the order, and fill as these are eliminated
 
   int total() const { return of[0] + of[1]; }
-  void move(int weight, int from) {
-    of[from] -= weight;
-    of[1 - from] += weight;
+  void add(int weight, int border, int to) {
+    of[to] += weight;
+    borders[to] += border;
+  }
+  void move(int weight, int border, int from) {
+    add(-weight, -border, from);
+    add(weight, border, 1 - from);
   }
   int heavier() const { return std::max(of[0], of[1]); }
-  /// What one side may weigh: two thirds.
-  int limit() const { return total() - total() / 3; }
+  /// What one side may weigh. Beyond it what a cut costs is not estimated well.
+  int limit() const { return total() - total() / 4; }
   /// Whether a node may leave side `from`: the other stays within the limit, or the sides become
   /// more equal.
   bool allows(int weight, int from) const {
@@ -61,30 +67,44 @@ struct SideWeights {
 };
 
 /// How good a cut is: the smaller the better, first by what a side weighs over its limit, then by
-/// the separator, which may be a little larger between equal sides, then by the heavier side.
+/// the operations that both sides and the separator between them will take.
 class CutScore {
  public:
+  /// Of no cut: worse than that of any.
+  CutScore() : over_(std::numeric_limits<int>::max()) {}
   CutScore(const SideWeights& sides, int separator)
-      : over_(std::max(0, sides.heavier() - sides.limit())), heavier_(sides.heavier()) {
-    constexpr double kUnequal = 20.0;  // a side of two thirds counts as half a separator more
-    const double off = static_cast<double>(heavier_) / std::max(1, sides.total()) - 0.5;
-    cost_ = separator * (1.0 + kUnequal * off * off);
+      : over_(std::max(0, sides.heavier() - sides.limit())) {
+    cost_ = of_front(separator, sides.borders[0] + sides.borders[1]);
+    for (const int side : {0, 1}) {
+      cost_ += of_patch(sides.of[side], sides.borders[side] + separator);
+    }
   }
   friend bool operator<(const CutScore& a, const CutScore& b) {
-    return std::tie(a.over_, a.cost_, a.heavier_) < std::tie(b.over_, b.cost_, b.heavier_);
+    return std::tie(a.over_, a.cost_) < std::tie(b.over_, b.cost_);
   }
 
  private:
+  /// Eliminates s unknowns that fill among themselves and with b others.
+  static double of_front(double s, double b) { return s * (s * s / 3.0 + s * b + b * b); }
+
+  /// Of n unknowns on a surface with a border of b others: the sum of the fronts of a dissection
+  /// whose first separator is kWidth sqrt(n) long. Each cut halves unknowns and borders, and adds
+  /// its separator to the borders of both halves.
+  static double of_patch(double n, double b) {
+    constexpr double kWidth = 3.0;
+    const double w = kWidth * std::sqrt(n);
+    return w * (30.4 * w * w + 6.4 * w * b + 1.55 * b * b);
+  }
+
   int over_;
-  double cost_;
-  int heavier_;
+  double cost_ = 0;
 };
 
 /// Fiduccia's and Mattheyses' moves (1982): the node whose move gains most changes sides, be it at
 /// a loss, each at most once a pass; what came after the best state of the pass is taken back.
 /// `Cut` has
 ///
-///     int size(), weight(v), side(v)
+///     int size(), weight(v), border(v), side(v)
 ///     int separator()                             its weight, or what grows with it
 ///     bool on_border(v)                           only such nodes are moved
 ///     int gain(v)                                 how much lighter the cut becomes by moving v
@@ -95,7 +115,9 @@ class Improvement {
  public:
   /// A pass ends after `patience` moves without a better state.
   Improvement(Cut& cut, int patience) : cut_(cut), patience_(patience) {
-    for (int v = 0; v < cut.size(); ++v) sides_.of[cut.side(v)] += cut.weight(v);
+    for (int v = 0; v < cut.size(); ++v) {
+      sides_.add(cut.weight(v), cut.border(v), cut.side(v));
+    }
     gains_.resize(static_cast<std::size_t>(cut.size()));
     locked_.resize(static_cast<std::size_t>(cut.size()));
   }
@@ -143,7 +165,7 @@ class Improvement {
   }
 
   void move(int v) {
-    sides_.move(cut_.weight(v), cut_.side(v));
+    sides_.move(cut_.weight(v), cut_.border(v), cut_.side(v));
     cut_.move(v);
   }
 

@@ -1,13 +1,15 @@
 #include "lapwing/solve/dissection/separator.h"
 
-#include "lapwing/solve/dissection/moves.h"
+#include <algorithm>
+#include <utility>
 
 namespace lapwing::dissection {
-ThickSeparator::ThickSeparator(const WeightedGraph& graph, Sides& sides)
-    : graph_(graph), sides_(sides), across_(graph.weights.size(), 0) {
+
+ThickSeparator::ThickSeparator(const WeightedGraph& graph, Sides sides)
+    : graph_(&graph), sides_(std::move(sides)), across_(graph.weights.size(), 0) {
   for (int v = 0; v < graph.size(); ++v) {
     for (int e = graph.starts[v]; e < graph.starts[v + 1]; ++e) {
-      across_[v] += sides[graph.neighbours[e]] != sides[v] ? 1 : 0;
+      across_[v] += sides_[graph.neighbours[e]] != sides_[v] ? 1 : 0;
     }
     if (across_[v] > 0) value_ += graph.weights[v];
   }
@@ -15,14 +17,14 @@ ThickSeparator::ThickSeparator(const WeightedGraph& graph, Sides& sides)
 
 int ThickSeparator::gain(int v) const {
   int result = 0;
-  if (across_[v] > 0 && across_[v] == degree(v)) result += graph_.weights[v];
-  if (across_[v] == 0 && degree(v) > 0) result -= graph_.weights[v];
-  for (int e = graph_.starts[v]; e < graph_.starts[v + 1]; ++e) {
-    const int u = graph_.neighbours[e];
+  if (across_[v] > 0 && across_[v] == degree(v)) result += graph_->weights[v];
+  if (across_[v] == 0 && degree(v) > 0) result -= graph_->weights[v];
+  for (int e = graph_->starts[v]; e < graph_->starts[v + 1]; ++e) {
+    const int u = graph_->neighbours[e];
     if (sides_[u] == sides_[v]) {
-      if (across_[u] == 0) result -= graph_.weights[u];
+      if (across_[u] == 0) result -= graph_->weights[u];
     } else if (across_[u] == 1) {
-      result += graph_.weights[u];
+      result += graph_->weights[u];
     }
   }
   return result;
@@ -30,19 +32,22 @@ int ThickSeparator::gain(int v) const {
 
 void ThickSeparator::move(int v) {
   value_ -= gain(v);
-  for (int e = graph_.starts[v]; e < graph_.starts[v + 1]; ++e) {
-    const int u = graph_.neighbours[e];
+  for (int e = graph_->starts[v]; e < graph_->starts[v + 1]; ++e) {
+    const int u = graph_->neighbours[e];
     across_[u] += sides_[u] == sides_[v] ? 1 : -1;
   }
   sides_[v] = static_cast<unsigned char>(1 - sides_[v]);
   across_[v] = degree(v) - across_[v];
 }
 
-void ThickSeparator::smooth() {
-  constexpr int kPatience = 20;
-  constexpr int kPasses = 2;
-  Improvement improvement(*this, kPatience);
-  improvement.run(kPasses);
+CutScore ThickSeparator::smooth(int most_passes) {
+  // A long separator has larger bumps.
+  const int patience = std::max(30, value_ / 3);
+  visits_ = 0;
+  visited_.assign(across_.size(), 0);
+  Improvement improvement(*this, patience);
+  improvement.run(most_passes);
+  return improvement.score();
 }
 
 }  // namespace lapwing::dissection

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "lapwing/solve/dissection/bisection.h"
+#include "lapwing/solve/dissection/moves.h"
 
 namespace lapwing::dissection {
 
@@ -8,38 +12,51 @@ namespace lapwing::dissection {
 /// edges. Whoever is not one of them is three edges or more from the other side.
 class ThickSeparator {
  public:
-  ThickSeparator(const WeightedGraph& graph, Sides& sides);
+  /// Of no graph: to be assigned to.
+  ThickSeparator() = default;
+  /// `graph` must outlive it.
+  ThickSeparator(const WeightedGraph& graph, Sides sides);
 
-  int size() const { return graph_.size(); }
-  int weight(int v) const { return graph_.weights[v]; }
+  int size() const { return graph_->size(); }
+  int weight(int v) const { return graph_->weights[v]; }
+  int border(int v) const { return graph_->borders[v]; }
   int side(int v) const { return sides_[v]; }
   /// What the separator weighs.
   int value() const { return value_; }
   bool contains(int v) const { return across_[v] > 0; }
 
-  /// Moves nodes from one side to the other where that makes the separator lighter.
-  void smooth();
+  /// Moves nodes from one side to the other where that makes a better cut, and says how good it is.
+  CutScore smooth(int most_passes);
 
   int separator() const { return value_; }
   bool on_border(int v) const { return contains(v); }
   int gain(int v) const;
   void move(int v);
+  /// Calls visit(u) for v and whatever is at most two edges from it.
   template <typename Visit>
-  void for_affected(int v, Visit visit) const {
-    for (int e = graph_.starts[v]; e < graph_.starts[v + 1]; ++e) {
-      const int u = graph_.neighbours[e];
-      visit(u);
-      for (int f = graph_.starts[u]; f < graph_.starts[u + 1]; ++f) visit(graph_.neighbours[f]);
+  void for_affected(int v, Visit visit) {
+    ++visits_;
+    const auto visit_once = [&](int u) {
+      if (std::exchange(visited_[u], visits_) != visits_) visit(u);
+    };
+    for (int e = graph_->starts[v]; e < graph_->starts[v + 1]; ++e) {
+      const int u = graph_->neighbours[e];
+      visit_once(u);
+      for (int f = graph_->starts[u]; f < graph_->starts[u + 1]; ++f) {
+        visit_once(graph_->neighbours[f]);
+      }
     }
   }
 
  private:
-  int degree(int v) const { return graph_.starts[v + 1] - graph_.starts[v]; }
+  int degree(int v) const { return graph_->starts[v + 1] - graph_->starts[v]; }
 
-  const WeightedGraph& graph_;
-  Sides& sides_;
+  const WeightedGraph* graph_ = nullptr;
+  Sides sides_;
   std::vector<int> across_;  // of each node: its neighbours on the other side
   int value_ = 0;
+  int visits_ = 0;
+  std::vector<int> visited_;  // by node: the last of the visits
 };
 
 }  // namespace lapwing::dissection

@@ -19,11 +19,11 @@ class Grouping {
   Grouping(const WeightedGraph& fine, int most_weight, std::vector<int>& group_of)
       : fine_(fine), most_weight_(most_weight), group_of_(group_of) {}
 
-  void run(unsigned variant) {
+  void run(std::size_t variant) {
     group_of_.assign(static_cast<std::size_t>(fine_.size()), kNone);
     CancelCheck check;
     const int n = fine_.size();
-    const int start = static_cast<int>((variant / 2 * 40503U) % static_cast<unsigned>(n));
+    const int start = static_cast<int>((variant / 2 * 40503U) % static_cast<std::size_t>(n));
     for (int k = 0; k < n; ++k) {
       const int at = (start + k) % n;
       const int v = variant % 2 == 0 ? at : n - 1 - at;
@@ -90,7 +90,7 @@ class Grouping {
 
 }  // namespace
 
-Groups group_neighbours(const WeightedGraph& graph, int most_weight, unsigned variant) {
+Groups group_neighbours(const WeightedGraph& graph, int most_weight, std::size_t variant) {
   Groups groups;
   Grouping grouping(graph, most_weight, groups.of_node);
   grouping.run(variant);
@@ -113,6 +113,7 @@ WeightedGraph contract_rows(const WeightedGraph& fine, const Groups& groups, Vis
   WeightedGraph graph;
   graph.starts.reserve(groups.starts.size());
   graph.weights.reserve(groups.starts.size());
+  graph.borders.reserve(groups.starts.size());
   graph.neighbours.reserve(fine.neighbours.size() / 2);
   graph.edge_weights.reserve(fine.neighbours.size() / 2);
   std::vector<int> place(groups.starts.size(), kNone);  // in the row at hand
@@ -121,9 +122,11 @@ WeightedGraph contract_rows(const WeightedGraph& fine, const Groups& groups, Vis
     check();
     const int row = graph.starts.back();
     int weight = 0;
+    int border = 0;
     for (int m = groups.starts[g]; m < groups.starts[g + 1]; ++m) {
       const int v = groups.nodes[m];
       weight += fine.weights[v];
+      border += fine.borders[v];
       for (int e = fine.starts[v]; e < fine.starts[v + 1]; ++e) {
         const int other = groups.of_node[fine.neighbours[e]];
         if (other == g) continue;
@@ -136,6 +139,7 @@ WeightedGraph contract_rows(const WeightedGraph& fine, const Groups& groups, Vis
       }
     }
     graph.weights.push_back(weight);
+    graph.borders.push_back(border);
     graph.starts.push_back(static_cast<int>(graph.neighbours.size()));
   }
   return graph;

@@ -11,6 +11,7 @@ struct WeightedGraph {
   std::vector<int> neighbours;
   std::vector<int> edge_weights;  ///< beside `neighbours`; empty where nobody asks for them
   std::vector<int> weights;       ///< of the nodes
+  std::vector<int> borders;       ///< of the nodes: what they hold of a border; no node weighs that
 
   int size() const { return static_cast<int>(weights.size()); }
 };
@@ -27,7 +28,7 @@ struct Groups {
 /// Groups nodes by four or so along their heaviest edges; no group weighs more than `most_weight`
 /// unless a single node does. `variant` numbers different ways to begin. Linear time; throws
 /// Cancelled.
-Groups group_neighbours(const WeightedGraph& graph, int most_weight, unsigned variant);
+Groups group_neighbours(const WeightedGraph& graph, int most_weight, std::size_t variant);
 
 /// The graph of groups: an edge weighs as much as all edges between its two groups.
 WeightedGraph contract(const WeightedGraph& fine, const Groups& groups);

@@ -1,0 +1,92 @@
+#include "lapwing/solve/dissection/part.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lapwing::dissection {
+namespace {
+
+// Nodes that are cut as one at first.
+constexpr int kNodesInGroup = 6;
+
+class PartBuilder {
+ public:
+  // `group` is any number that its neighbours in the group have, too.
+  void add(int node, int weight, int border, int group) {
+    Groups& groups = part_.groups;
+    if (std::exchange(last_group_, group) != group) groups.starts.push_back(groups.starts.back());
+    groups.of_node.push_back(groups.size() - 1);
+    groups.nodes.push_back(groups.starts.back()++);
+    part_.nodes.push_back(node);
+    part_.graph.weights.push_back(weight);
+    part_.graph.borders.push_back(border);
+    part_.unknowns += weight;
+  }
+
+  // For node after node: the edges of `node` in the graph it comes from, where they lead to nodes
+  // with a number here.
+  void connect(const std::vector<int>& starts, const std::vector<int>& neighbours, int node,
+               const std::vector<int>& number) {
+    WeightedGraph& graph = part_.graph;
+    for (int e = starts[node]; e < starts[node + 1]; ++e) {
+      if (const int u = number[neighbours[e]]; u >= 0) graph.neighbours.push_back(u);
+    }
+    graph.starts.push_back(static_cast<int>(graph.neighbours.size()));
+  }
+
+  Part& part() { return part_; }
+
+ private:
+  Part part_;
+  int last_group_ = -1;
+};
+
+}  // namespace
+
+Part whole_part(const CouplingGraph& graph) {
+  WeightedGraph even;
+  even.starts = graph.starts;
+  even.neighbours = graph.neighbours;
+  even.edge_weights.assign(graph.neighbours.size(), 1);
+  even.weights.assign(static_cast<std::size_t>(graph.size()), 1);
+  const Groups groups = group_neighbours(even, kNodesInGroup, 0);
+  PartBuilder builder;
+  std::vector<int> number(even.weights.size());
+  for (const int v : groups.nodes) {
+    number[v] = builder.part().graph.size();
+    builder.add(v, v < graph.unknowns ? 1 : 0, 0, groups.of_node[v]);
+  }
+  for (const int v : builder.part().nodes) {
+    builder.connect(graph.starts, graph.neighbours, v, number);
+  }
+  return std::move(builder.part());
+}
+
+Part side_of(const Part& part, const ThickSeparator& separator, int side) {
+  const WeightedGraph& graph = part.graph;
+  const auto is_left = [&](int v) {
+    return graph.weights[v] > 0 && separator.side(v) == side && !separator.contains(v);
+  };
+  PartBuilder builder;
+  std::vector<int> number(graph.weights.size(), -1);
+  for (int v = 0; v < graph.size(); ++v) {
+    if (separator.side(v) != side) continue;
+    const bool left = is_left(v);
+    bool wanted = left;
+    for (int e = graph.starts[v]; !wanted && e < graph.starts[v + 1]; ++e) {
+      wanted = is_left(graph.neighbours[e]);
+    }
+    if (!wanted) continue;
+    number[v] = builder.part().graph.size();
+    // A separator is two nodes thick; the farther ones are not among these.
+    const int border = left ? 0 : std::max(2 * graph.weights[v], graph.borders[v]);
+    builder.add(v, left ? 1 : 0, border, part.groups.of_node[v]);
+  }
+  for (int& node : builder.part().nodes) {
+    builder.connect(graph.starts, graph.neighbours, node, number);
+    node = part.nodes[node];
+  }
+  return std::move(builder.part());
+}
+
+}  // namespace lapwing::dissection
