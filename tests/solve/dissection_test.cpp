@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
 #include <string_view>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +20,9 @@
 #include "lapwing/solve/dissection/bisection.h"
 #include "lapwing/solve/dissection/leaf_order.h"
 #include "lapwing/solve/dissection/mesh_dissection.h"
+#include "lapwing/solve/dissection/part.h"
 #include "lapwing/solve/dissection/separator.h"
+#include "lapwing/solve/dissection/shared_loops.h"
 #include "lapwing/solve/ordering.h"
 
 namespace lapwing {
@@ -116,6 +120,7 @@ WeightedGraph weighted(const CouplingGraph& graph) {
   result.neighbours = graph.neighbours;
   result.edge_weights.assign(graph.neighbours.size(), 1);
   result.weights.assign(static_cast<std::size_t>(graph.size()), 0);
+  result.borders.assign(result.weights.size(), 0);
   std::fill_n(result.weights.begin(), graph.unknowns, 1);
   return result;
 }
@@ -143,13 +148,18 @@ TEST(CouplingGraph, CouplesWhatMeetsInTheNormalMatrix) {
 }
 
 // On a sheet minimum degree is far from the best, and METIS near it.
-TEST(DissectionOrder, TakesAsFewOperationsAsMetisOnASheet) {
-  const System system(grid(120, 120));
-  const double ours = system.flops(dissection_order(system.graph));
-  EXPECT_LT(ours,
-            1.1 * system.flops(fill_reducing_order(system.pattern, Ordering::nested_dissection)));
-  EXPECT_LT(ours,
-            0.8 * system.flops(fill_reducing_order(system.pattern, Ordering::minimum_degree)));
+TEST(DissectionOrder, TakesAsFewOperationsAsMetis) {
+  for (const Mesh& mesh : {grid(120, 120), grid(30, 300), icosphere(5), cylinder(40, 160, 1.0, 9.0),
+                           cylinder(90, 70, 1.0, 0.6)}) {
+    const System system(mesh);
+    const double ours = system.flops(dissection_order(system.graph));
+    EXPECT_LT(ours,
+              1.05 * system.flops(fill_reducing_order(system.pattern, Ordering::nested_dissection)))
+        << mesh.vertex_count();
+  }
+  const System sheet(grid(120, 120));
+  EXPECT_LT(sheet.flops(dissection_order(sheet.graph)),
+            0.7 * sheet.flops(fill_reducing_order(sheet.pattern, Ordering::minimum_degree)));
 }
 
 TEST(DissectionOrder, IsTheSameForAnyNumberOfThreads) {
@@ -184,15 +194,161 @@ TEST(DissectionOrder, CanBeCancelledAtEachPoint) {
   }
 }
 
+// By the definition: front after front.
+double operations_of_halving(double separator, double border) {
+  double sum = 0;
+  double count = 1;
+  for (int level = 0; level < 60; ++level, count *= 2) {
+    sum += count * front_operations(separator, border);
+    border = border / 2 + separator;
+    separator /= std::numbers::sqrt2;
+  }
+  return sum;
+}
+
+TEST(CutScore, EstimatesTheSumOfAllFronts) {
+  for (const double n : {100.0, 5'000.0}) {
+    for (const double border : {0.0, 40.0, 300.0}) {
+      const double expected = operations_of_halving(3.0 * std::sqrt(n), border);
+      EXPECT_NEAR(patch_operations(n, border), expected, 1e-3 * expected);
+    }
+  }
+  // Minus what is left without its first s pivots, by the definition of a dense factorization.
+  double pivots = 0;
+  for (int left = 2'000; left > 1'500; --left) pivots += double(left) * left;
+  EXPECT_NEAR(front_operations(500, 1'500), pivots, 1e-3 * pivots);
+}
+
+TEST(CutScore, PrefersShortSeparatorsEqualSidesAndSharedBorders) {
+  SideWeights even;
+  even.add(500, 0, 0);
+  even.add(500, 0, 1);
+  SideWeights uneven = even;
+  uneven.move(100, 0, 0);
+  SideWeights lopsided = even;
+  lopsided.move(300, 0, 0);
+  EXPECT_LT(CutScore(even, 60), CutScore(even, 61));
+  EXPECT_LT(CutScore(even, 60), CutScore(uneven, 60));
+  EXPECT_LT(CutScore(uneven, 50), CutScore(even, 60));
+  EXPECT_LT(CutScore(even, 200), CutScore(lopsided, 50)) << "a side is over its limit";
+  SideWeights shared = even;
+  shared.add(0, 40, 0);
+  shared.add(0, 40, 1);
+  SideWeights on_one = even;
+  on_one.add(0, 80, 0);
+  EXPECT_LT(CutScore(shared, 60), CutScore(on_one, 60));
+  EXPECT_LT(CutScore(even, 60), CutScore(shared, 60));
+  EXPECT_LT(CutScore(lopsided, 1'000), CutScore());
+}
+
+TEST(Part, KnowsTheBorderThatItsSeparatorLeaves) {
+  const int across = 20;
+  const System system(grid(across - 1, across - 1), 7);
+  const Part part = whole_part(system.graph);
+  EXPECT_EQ(part.unknowns, system.graph.unknowns);
+  Sides sides(part.nodes.size());
+  std::vector<Index> vertices = system.unknowns.vertices;  // of the nodes: what is held comes last
+  for (Index v = 0; v < across * across; v += 7) vertices.push_back(v);
+  for (std::size_t v = 0; v < sides.size(); ++v) {
+    sides[v] = vertices[part.nodes[v]] % across < across / 2 ? 0 : 1;
+  }
+  const ThickSeparator separator(part.graph, sides);
+  const auto neighbours = coupled(system.graph);
+  for (const int side : {0, 1}) {
+    const Part half = side_of(part, separator, side);
+    EXPECT_GT(half.unknowns, 0);
+    int unknowns = 0;
+    for (std::size_t v = 0; v < half.nodes.size(); ++v) {
+      const int node = half.nodes[v];
+      const bool is_unknown = half.graph.weights[v] > 0;
+      unknowns += is_unknown ? 1 : 0;
+      // What is held is no border; what was an unknown and is none here, is.
+      const bool is_later = !is_unknown && node < system.graph.unknowns;
+      EXPECT_EQ(half.graph.borders[v], is_later ? 2 : 0);
+    }
+    EXPECT_EQ(half.unknowns, unknowns);
+    // What borders stays border in the parts of this part.
+    const ThickSeparator none(half.graph, Sides(half.nodes.size(), 0));
+    EXPECT_EQ(side_of(half, none, 0).graph.borders, half.graph.borders);
+  }
+}
+
+TEST(SharedLoops, RunsEachRoundOnceOnAllThatHelp) {
+  constexpr std::size_t kRounds = 400;
+  SharedLoops loops;
+  EXPECT_FALSE(loops.help());
+  std::array<std::atomic<int>, kRounds> runs{};
+  std::atomic<bool> ended = false;
+  std::atomic<int> helped = 0;
+  std::vector<std::jthread> helpers;
+  for (int t = 0; t < 3; ++t) {
+    helpers.emplace_back([&] {
+      while (!ended) {
+        if (loops.help()) ++helped;
+        std::this_thread::yield();
+      }
+    });
+  }
+  while (helped == 0) {
+    for (auto& count : runs) count = 0;
+    loops.run(kRounds, [&](std::size_t k) {
+      ++runs[k];
+      std::this_thread::yield();
+    });
+    for (const auto& count : runs) ASSERT_EQ(count, 1);
+  }
+  ended = true;
+}
+
+TEST(SharedLoops, RethrowsAnErrorOnceNoRoundIsRunning) {
+  SharedLoops loops;
+  for (const std::size_t bad : {0U, 3U, 7U}) {
+    std::vector<std::size_t> begun;
+    EXPECT_THROW(loops.run(8,
+                           [&](std::size_t k) {
+                             begun.push_back(k);
+                             if (k == bad) throw SolverError("bad round");
+                           }),
+                 SolverError);
+    EXPECT_EQ(begun.size(), bad + 1);
+    EXPECT_FALSE(loops.help());
+  }
+}
+
+// Rounds that are begun elsewhere fail the loop, too, and the helper goes on.
+TEST(SharedLoops, AnErrorOfAHelperIsTheLoops) {
+  SharedLoops loops;
+  std::atomic<bool> helping = false;
+  std::jthread helper([&] {
+    while (!helping) {
+      loops.help();
+      std::this_thread::yield();
+    }
+  });
+  const auto owner = std::this_thread::get_id();
+  EXPECT_THROW(loops.run(100'000,
+                         [&](std::size_t) {
+                           if (std::this_thread::get_id() == owner) {
+                             for (int k = 0; k < 100 && !helping; ++k) std::this_thread::yield();
+                             return;
+                           }
+                           helping = true;
+                           throw SolverError("a helper's");
+                         }),
+               SolverError);
+  helping = true;
+}
+
 TEST(Bisection, CutsALongTubeAcross) {
   const System system(cylinder(16, 200, 0.5, 20.0));
   const WeightedGraph graph = weighted(system.graph);
-  Sides sides = bisect(graph, 1, 0);
+  const Bisection bisection(graph);
+  const Sides sides = bisection.refine(bisection.attempt(0));
   const auto ones = static_cast<int>(std::count(sides.begin(), sides.end(), 1));
   EXPECT_GT(3 * ones, graph.size());
   EXPECT_LT(3 * ones, 2 * graph.size());
   ThickSeparator separator(graph, sides);
-  separator.smooth();
+  separator.smooth(2);
   // Two rings of sixteen.
   EXPECT_LE(separator.value(), 34);
 }
@@ -201,9 +357,9 @@ TEST(ThickSeparator, PartsWhatIsCoupled) {
   for (const std::size_t held : {0U, 5U}) {
     const System system(icosphere(4), held);
     const WeightedGraph graph = weighted(system.graph);
-    Sides sides = bisect(graph, 2, 1);
-    ThickSeparator separator(graph, sides);
-    separator.smooth();
+    const Bisection bisection(graph);
+    ThickSeparator separator(graph, bisection.refine(bisection.attempt(1)));
+    separator.smooth(2);
     const auto neighbours = coupled(system.graph);
     int weight = 0;
     for (int v = 0; v < system.graph.unknowns; ++v) {
@@ -230,6 +386,8 @@ TEST(ThickSeparator, GainIsWhatAMoveSaves) {
     const int before = separator.value();
     const int gain = separator.gain(v);
     separator.move(v);
+    sides[v] = static_cast<unsigned char>(1 - sides[v]);
+    EXPECT_EQ(separator.side(v), sides[v]);
     EXPECT_EQ(separator.value(), before - gain) << "move " << k;
     EXPECT_EQ(ThickSeparator(graph, sides).value(), separator.value()) << "move " << k;
   }
@@ -243,25 +401,28 @@ TEST(ThickSeparator, SmoothingNeverMakesItLarger) {
   for (std::size_t v = 0; v < sides.size(); ++v) sides[v] = v % 30 < 15 + (v / 30 % 2) * 4 ? 0 : 1;
   ThickSeparator separator(graph, sides);
   const int before = separator.value();
-  separator.smooth();
+  separator.smooth(2);
   EXPECT_LT(3 * separator.value(), 2 * before);
 }
 
 TEST(WeightedGraph, ContractingCountsEdgesAndNodesAtBorders) {
   const System system(grid(17, 13), 7);
   WeightedGraph graph = weighted(system.graph);
-  for (std::size_t e = 0; e < graph.edge_weights.size(); ++e) graph.edge_weights[e] = 1;
+  for (std::size_t v = 0; v < graph.borders.size(); ++v) graph.borders[v] = static_cast<int>(v % 3);
   const Groups groups = group_neighbours(graph, 6, 0);
   const WeightedGraph edges = contract(graph, groups);
   const WeightedGraph nodes = contract_nodes(graph, groups);
   ASSERT_EQ(edges.neighbours, nodes.neighbours);
   for (int g = 0; g < edges.size(); ++g) {
     int weight = 0;
+    int border_weight = 0;
     for (int m = groups.starts[g]; m < groups.starts[g + 1]; ++m) {
       EXPECT_EQ(groups.of_node[groups.nodes[m]], g);
       weight += graph.weights[groups.nodes[m]];
+      border_weight += graph.borders[groups.nodes[m]];
     }
     EXPECT_EQ(edges.weights[g], weight);
+    EXPECT_EQ(edges.borders[g], border_weight);
     EXPECT_LE(weight, 6);
     for (int e = edges.starts[g]; e < edges.starts[g + 1]; ++e) {
       const int other = edges.neighbours[e];

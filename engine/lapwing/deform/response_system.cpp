@@ -108,15 +108,20 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   if (is_analyzed()) {
     make_rows();
   } else {
-    // The symbolic work needs the pattern alone and is one thread's, as the rows are meanwhile.
-    // N, which takes longer, has all threads to itself.
+    // All threads look for the order. The symbolic work that follows is one thread's, as the rows
+    // are meanwhile. N, which takes longer, has all threads to itself again.
+    report_progress(progress, "assemble", 0.0);
+    pattern_.thorough_order();
+    const double ordering_ms = watch.elapsed_ms();
+    watch.restart();
     parallel_invoke(
         [&] {
           make_rows();
           report_progress(progress, "analyze", 0.0);
         },
         [&] { factor_.analyze(); });
-    stage_is_done("analyze");
+    timings.add("analyze", ordering_ms + watch.elapsed_ms());
+    watch.restart();
   }
   report_progress(progress, "normal_matrix", 0.0);
   Numbers memory = factor_.take_memory();

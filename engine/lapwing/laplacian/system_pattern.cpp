@@ -11,10 +11,10 @@ namespace lapwing {
 namespace {
 
 // Whether it pays to look for a better order than that of minimum degree, which makes of L'L of `n`
-// unknowns so many operations. On surfaces nested dissection comes to some 90 n^1.5; M'M takes 27
+// unknowns so many operations. On surfaces nested dissection comes to some 84 n^1.5; M'M takes 27
 // times as many, and the search for n unknowns as long as this many of them.
 bool is_worth_dissecting(double n, double operations) {
-  constexpr double kOfDissection = 90.0;
+  constexpr double kOfDissection = 84.0;
   constexpr double kSearch = 250'000.0;
   return 27.0 * (operations - kOfDissection * n * std::sqrt(n)) > kSearch * n;
 }

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "lapwing/base/cancellation.h"
+#include "lapwing/solve/dissection/cut_score.h"
 
 namespace lapwing::dissection {
 
@@ -39,65 +38,6 @@ class MoveQueue {
   static constexpr std::int64_t kNodeMask = (std::int64_t{1} << kNodeBits) - 1;
 
   std::vector<std::int64_t> heap_;  // gain and node in one number
-};
-
-/// What both sides of a cut hold, in unknowns.
-struct SideWeights {
-  int of[2] = {0, 0};
-  int borders[2] = {0, 0};  ///< that come later in the order, and fill as these are eliminated
-
-  int total() const { return of[0] + of[1]; }
-  void add(int weight, int border, int to) {
-    of[to] += weight;
-    borders[to] += border;
-  }
-  void move(int weight, int border, int from) {
-    add(-weight, -border, from);
-    add(weight, border, 1 - from);
-  }
-  int heavier() const { return std::max(of[0], of[1]); }
-  /// What one side may weigh. Beyond it what a cut costs is not estimated well.
-  int limit() const { return total() - total() / 4; }
-  /// Whether a node may leave side `from`: the other stays within the limit, or the sides become
-  /// more equal.
-  bool allows(int weight, int from) const {
-    const int to = of[1 - from] + weight;
-    return to <= limit() || to < of[from];
-  }
-};
-
-/// How good a cut is: the smaller the better, first by what a side weighs over its limit, then by
-/// the operations that both sides and the separator between them will take.
-class CutScore {
- public:
-  /// Of no cut: worse than that of any.
-  CutScore() : over_(std::numeric_limits<int>::max()) {}
-  CutScore(const SideWeights& sides, int separator)
-      : over_(std::max(0, sides.heavier() - sides.limit())) {
-    cost_ = of_front(separator, sides.borders[0] + sides.borders[1]);
-    for (const int side : {0, 1}) {
-      cost_ += of_patch(sides.of[side], sides.borders[side] + separator);
-    }
-  }
-  friend bool operator<(const CutScore& a, const CutScore& b) {
-    return std::tie(a.over_, a.cost_) < std::tie(b.over_, b.cost_);
-  }
-
- private:
-  /// Eliminates s unknowns that fill among themselves and with b others.
-  static double of_front(double s, double b) { return s * (s * s / 3.0 + s * b + b * b); }
-
-  /// Of n unknowns on a surface with a border of b others: the sum of the fronts of a dissection
-  /// whose first separator is kWidth sqrt(n) long. Each cut halves unknowns and borders, and adds
-  /// its separator to the borders of both halves.
-  static double of_patch(double n, double b) {
-    constexpr double kWidth = 3.0;
-    const double w = kWidth * std::sqrt(n);
-    return w * (30.4 * w * w + 6.4 * w * b + 1.55 * b * b);
-  }
-
-  int over_;
-  double cost_ = 0;
 };
 
 /// Fiduccia's and Mattheyses' moves (1982): the node whose move gains most changes sides, be it at
