@@ -20,6 +20,7 @@ class MoveQueue {
     int node;
   };
 
+  void reserve(std::size_t count) { heap_.reserve(count); }
   void clear() { heap_.clear(); }
   bool empty() const { return heap_.empty(); }
   void add(int gain, int node) {
@@ -59,6 +60,7 @@ class Improvement {
       sides_.add(cut.weight(v), cut.border(v), cut.side(v));
     }
     gains_.resize(static_cast<std::size_t>(cut.size()));
+    queue_.reserve(gains_.size());
     locked_.resize(static_cast<std::size_t>(cut.size()));
   }
 

@@ -11,6 +11,17 @@ constexpr int kNodesInGroup = 6;
 
 class PartBuilder {
  public:
+  // Of at most so many nodes and edges.
+  PartBuilder(std::size_t nodes, std::size_t edges) {
+    for (auto* numbers : {&part_.groups.of_node, &part_.groups.nodes, &part_.nodes,
+                          &part_.graph.weights, &part_.graph.borders}) {
+      numbers->reserve(nodes);
+    }
+    part_.groups.starts.reserve(nodes + 1);
+    part_.graph.starts.reserve(nodes + 1);
+    part_.graph.neighbours.reserve(edges);
+  }
+
   // `group` is any number that its neighbours in the group have, too.
   void add(int node, int weight, int border, int group) {
     Groups& groups = part_.groups;
@@ -50,7 +61,7 @@ Part whole_part(const CouplingGraph& graph) {
   even.edge_weights.assign(graph.neighbours.size(), 1);
   even.weights.assign(static_cast<std::size_t>(graph.size()), 1);
   const Groups groups = group_neighbours(even, kNodesInGroup, 0);
-  PartBuilder builder;
+  PartBuilder builder(even.weights.size(), even.neighbours.size());
   std::vector<int> number(even.weights.size());
   for (const int v : groups.nodes) {
     number[v] = builder.part().graph.size();
@@ -67,7 +78,7 @@ Part side_of(const Part& part, const ThickSeparator& separator, int side) {
   const auto is_left = [&](int v) {
     return graph.weights[v] > 0 && separator.side(v) == side && !separator.contains(v);
   };
-  PartBuilder builder;
+  PartBuilder builder(graph.weights.size(), graph.neighbours.size());
   std::vector<int> number(graph.weights.size(), -1);
   for (int v = 0; v < graph.size(); ++v) {
     if (separator.side(v) != side) continue;

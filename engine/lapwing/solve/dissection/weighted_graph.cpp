@@ -21,6 +21,8 @@ class Grouping {
 
   void run(std::size_t variant) {
     group_of_.assign(static_cast<std::size_t>(fine_.size()), kNone);
+    weights.reserve(group_of_.size());
+    sizes_.reserve(group_of_.size());
     CancelCheck check;
     const int n = fine_.size();
     const int start = static_cast<int>((variant / 2 * 40503U) % static_cast<std::size_t>(n));
