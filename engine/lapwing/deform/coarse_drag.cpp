@@ -12,7 +12,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
-constexpr std::size_t kCoarseVertices = 3000;
+constexpr std::size_t kCoarseVertices = 3500;
 constexpr std::size_t kSmallRegion = 6500;
 
 // Of the gathered forces: the coarse surface gives way to them a little more or less than the fine
