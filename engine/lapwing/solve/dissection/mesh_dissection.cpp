@@ -26,7 +26,7 @@ constexpr int kLeaf = 90;
 constexpr int kSmallestShared = 500;
 // Of all attempts at a cut, those that are followed to the nodes.
 constexpr std::size_t kFinalists = 3;
-// What makes them smoother, and once more the one that is best then.
+// Passes that make each of them smoother, and then the best one.
 constexpr int kFirstPasses = 1;
 constexpr int kPasses = 3;
 
@@ -127,6 +127,7 @@ class Dissection final {
     std::stable_sort(cuts.begin(), cuts.end(),
                      [](const EdgeCut& a, const EdgeCut& b) { return a.score < b.score; });
     cuts.resize(std::min(cuts.size(), kFinalists));
+    const bool is_chosen = cuts.size() > 1;
     std::vector<ThickSeparator> separators(cuts.size());
     std::vector<CutScore> scores(cuts.size());
     loops_.run(cuts.size(), [&](std::size_t k) {
@@ -134,11 +135,11 @@ class Dissection final {
       Sides sides(part.nodes.size());
       for (std::size_t v = 0; v < sides.size(); ++v) sides[v] = of_groups[part.groups.of_node[v]];
       separators[k] = ThickSeparator(part.graph, std::move(sides));
-      scores[k] = separators[k].smooth(kFirstPasses);
+      scores[k] = separators[k].smooth(is_chosen ? kFirstPasses : kPasses);
     });
     ThickSeparator& best =
         separators[std::min_element(scores.begin(), scores.end()) - scores.begin()];
-    best.smooth(kPasses);
+    if (is_chosen) best.smooth(kPasses);
     return std::move(best);
   }
 
