@@ -7,8 +7,10 @@
 
 #include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/base/worker_pool.h"
 #include "lapwing/deform/response_system.h"
 #include "lapwing/laplacian/ring_fit.h"
+#include "lapwing/solve/dissection/mesh_dissection.h"
 
 namespace lapwing {
 namespace {
@@ -71,16 +73,24 @@ PoseTangent::PoseTangent(const Topology& topology, std::span<const Index> roi,
 void PoseTangent::prepare() {
   if (factor_ != nullptr) return;
   prepared_.begin([this] {
-    std::unique_ptr<HeldFactor> factor = analyzed_factor();
+    const WorkAlone alone;  // the other threads are the frames'
+    std::unique_ptr<HeldFactor> factor = analyzed_factor(true);
     if (factor != nullptr) factor->solver().prepare_memory();
     return factor;
   });
 }
 
 // Null where there is not the memory.
-std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor() const {
+std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor(bool has_time) const {
   auto factor = std::make_unique<HeldFactor>(pattern_, 3);
   factor->analyze();
+  if (has_time && !pattern_.is_dissected()) {
+    auto dissected = std::make_unique<HeldFactor>(pattern_, 3);
+    dissected->analyze(
+        dissection_order(coupling_graph(topology_.rings, roi_, laplacian_.constraints().unknowns)));
+    const auto flops = [](const HeldFactor& f) { return f.solver().statistics().flops; };
+    if (flops(*dissected) < flops(*factor)) factor = std::move(dissected);
+  }
   std::size_t blocks = pattern_.blocks().rows.size();  // of the matrix, and of G at rest and turned
   for (const Index v : roi_) blocks += 2 * (1 + topology_.rings.size(v));
   const std::size_t bytes = 9 * sizeof(double) * blocks + factor->solver().statistics().peak_bytes;
@@ -91,7 +101,7 @@ std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor() const {
 bool PoseTangent::take_memory() {
   if (factor_ != nullptr) return true;
   std::unique_ptr<HeldFactor> factor =
-      prepared_.is_at_work() ? prepared_.take() : analyzed_factor();
+      prepared_.is_at_work() ? prepared_.take() : analyzed_factor(false);
   if (factor == nullptr) return false;
   const RegionRings& rings = laplacian_.rings();
   const std::vector<Index> row_of_vertex =

@@ -27,7 +27,8 @@ class PoseTangent final : public TurnedTangent {
               const LaplacianSystem& laplacian, std::span<const Eigen::Vector3d> rest,
               const DeformOptions& options, Kernels& kernels);
 
-  /// Begins to take that memory on a thread of its own, for which the first turn waits.
+  /// Begins to take that memory on a thread of its own, for which the first turn waits; an order of
+  /// fewer operations is looked for there, too, since many turns will be factored in it.
   void prepare();
 
   bool turn(std::span<const Eigen::Matrix3d> transforms,
@@ -35,7 +36,7 @@ class PoseTangent final : public TurnedTangent {
   void solve_in_place(std::span<double> b) override;
 
  private:
-  std::unique_ptr<HeldFactor> analyzed_factor() const;
+  std::unique_ptr<HeldFactor> analyzed_factor(bool has_time) const;
   bool take_memory();
 
   const Topology& topology_;

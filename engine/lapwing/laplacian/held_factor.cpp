@@ -26,9 +26,12 @@ HeldFactor::HeldFactor(const SystemPattern& pattern, int block_size)
     : pattern_(pattern), block_size_(block_size), solver_(make_solver()) {}
 
 void HeldFactor::analyze() {
+  if (!analyzed_) analyze(block_size_ == 1 ? pattern_.order() : pattern_.thorough_order());
+}
+
+void HeldFactor::analyze(std::span<const int> order) {
   if (analyzed_) return;
-  solver_->analyze(pattern_.blocks(), block_size_,
-                   block_size_ == 1 ? pattern_.order() : pattern_.thorough_order());
+  solver_->analyze(pattern_.blocks(), block_size_, order);
   analyzed_ = true;
 }
 

@@ -22,6 +22,8 @@ class HeldFactor {
   /// The symbolic work, the order included, which needs no numbers; may run beside `set_matrix`.
   /// Does nothing when done already.
   void analyze();
+  /// The same in an order of one's own, new to old.
+  void analyze(std::span<const int> order);
   bool is_analyzed() const { return analyzed_; }
 
   /// A, without W.

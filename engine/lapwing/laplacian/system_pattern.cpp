@@ -74,4 +74,8 @@ const std::vector<int>& SystemPattern::thorough_order() const {
   return thorough_order_.empty() ? order_ : thorough_order_;
 }
 
+bool SystemPattern::is_dissected() const {
+  return !thorough_order_.empty() || blocks().size() > kMinimumDegreeLimit;
+}
+
 }  // namespace lapwing

@@ -31,6 +31,8 @@ class SystemPattern {
   /// The order for M'M: the same, or by nested dissection where that saves more of the
   /// factorization's 27 times as many operations than it takes; found likewise.
   const std::vector<int>& thorough_order() const;
+  /// Whether that is nested dissection's; once it has been found.
+  bool is_dissected() const;
 
  private:
   NormalPattern normal_;
