@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
 #include <string_view>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +20,6 @@
 #include "lapwing/solve/dissection/mesh_dissection.h"
 #include "lapwing/solve/dissection/part.h"
 #include "lapwing/solve/dissection/separator.h"
-#include "lapwing/solve/dissection/shared_loops.h"
 #include "lapwing/solve/ordering.h"
 
 namespace lapwing {
@@ -194,53 +191,6 @@ TEST(DissectionOrder, CanBeCancelledAtEachPoint) {
   }
 }
 
-// By the definition: front after front.
-double operations_of_halving(double separator, double border) {
-  double sum = 0;
-  double count = 1;
-  for (int level = 0; level < 60; ++level, count *= 2) {
-    sum += count * front_operations(separator, border);
-    border = border / 2 + separator;
-    separator /= std::numbers::sqrt2;
-  }
-  return sum;
-}
-
-TEST(CutScore, EstimatesTheSumOfAllFronts) {
-  for (const double n : {100.0, 5'000.0}) {
-    for (const double border : {0.0, 40.0, 300.0}) {
-      const double expected = operations_of_halving(3.0 * std::sqrt(n), border);
-      EXPECT_NEAR(patch_operations(n, border), expected, 1e-3 * expected);
-    }
-  }
-  // Minus what is left without its first s pivots, by the definition of a dense factorization.
-  double pivots = 0;
-  for (int left = 2'000; left > 1'500; --left) pivots += double(left) * left;
-  EXPECT_NEAR(front_operations(500, 1'500), pivots, 1e-3 * pivots);
-}
-
-TEST(CutScore, PrefersShortSeparatorsEqualSidesAndSharedBorders) {
-  SideWeights even;
-  even.add(500, 0, 0);
-  even.add(500, 0, 1);
-  SideWeights uneven = even;
-  uneven.move(100, 0, 0);
-  SideWeights lopsided = even;
-  lopsided.move(300, 0, 0);
-  EXPECT_LT(CutScore(even, 60), CutScore(even, 61));
-  EXPECT_LT(CutScore(even, 60), CutScore(uneven, 60));
-  EXPECT_LT(CutScore(uneven, 50), CutScore(even, 60));
-  EXPECT_LT(CutScore(even, 200), CutScore(lopsided, 50)) << "a side is over its limit";
-  SideWeights shared = even;
-  shared.add(0, 40, 0);
-  shared.add(0, 40, 1);
-  SideWeights on_one = even;
-  on_one.add(0, 80, 0);
-  EXPECT_LT(CutScore(shared, 60), CutScore(on_one, 60));
-  EXPECT_LT(CutScore(even, 60), CutScore(shared, 60));
-  EXPECT_LT(CutScore(lopsided, 1'000), CutScore());
-}
-
 TEST(Part, KnowsTheBorderThatItsSeparatorLeaves) {
   const int across = 20;
   const System system(grid(across - 1, across - 1), 7);
@@ -271,72 +221,6 @@ TEST(Part, KnowsTheBorderThatItsSeparatorLeaves) {
     const ThickSeparator none(half.graph, Sides(half.nodes.size(), 0));
     EXPECT_EQ(side_of(half, none, 0).graph.borders, half.graph.borders);
   }
-}
-
-TEST(SharedLoops, RunsEachRoundOnceOnAllThatHelp) {
-  constexpr std::size_t kRounds = 400;
-  SharedLoops loops;
-  EXPECT_FALSE(loops.help());
-  std::array<std::atomic<int>, kRounds> runs{};
-  std::atomic<bool> ended = false;
-  std::atomic<int> helped = 0;
-  std::vector<std::jthread> helpers;
-  for (int t = 0; t < 3; ++t) {
-    helpers.emplace_back([&] {
-      while (!ended) {
-        if (loops.help()) ++helped;
-        std::this_thread::yield();
-      }
-    });
-  }
-  while (helped == 0) {
-    for (auto& count : runs) count = 0;
-    loops.run(kRounds, [&](std::size_t k) {
-      ++runs[k];
-      std::this_thread::yield();
-    });
-    for (const auto& count : runs) ASSERT_EQ(count, 1);
-  }
-  ended = true;
-}
-
-TEST(SharedLoops, RethrowsAnErrorOnceNoRoundIsRunning) {
-  SharedLoops loops;
-  for (const std::size_t bad : {0U, 3U, 7U}) {
-    std::vector<std::size_t> begun;
-    EXPECT_THROW(loops.run(8,
-                           [&](std::size_t k) {
-                             begun.push_back(k);
-                             if (k == bad) throw SolverError("bad round");
-                           }),
-                 SolverError);
-    EXPECT_EQ(begun.size(), bad + 1);
-    EXPECT_FALSE(loops.help());
-  }
-}
-
-// Rounds that are begun elsewhere fail the loop, too, and the helper goes on.
-TEST(SharedLoops, AnErrorOfAHelperIsTheLoops) {
-  SharedLoops loops;
-  std::atomic<bool> helping = false;
-  std::jthread helper([&] {
-    while (!helping) {
-      loops.help();
-      std::this_thread::yield();
-    }
-  });
-  const auto owner = std::this_thread::get_id();
-  EXPECT_THROW(loops.run(100'000,
-                         [&](std::size_t) {
-                           if (std::this_thread::get_id() == owner) {
-                             for (int k = 0; k < 100 && !helping; ++k) std::this_thread::yield();
-                             return;
-                           }
-                           helping = true;
-                           throw SolverError("a helper's");
-                         }),
-               SolverError);
-  helping = true;
 }
 
 TEST(Bisection, CutsALongTubeAcross) {

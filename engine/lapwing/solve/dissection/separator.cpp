@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "lapwing/solve/dissection/moves.h"
+
 namespace lapwing::dissection {
 
 ThickSeparator::ThickSeparator(const WeightedGraph& graph, Sides sides)
-    : graph_(&graph), sides_(std::move(sides)), across_(graph.weights.size(), 0) {
+    : graph_(&graph),
+      sides_(std::move(sides)),
+      across_(graph.weights.size(), 0),
+      visited_(graph.weights.size(), 0) {
   for (int v = 0; v < graph.size(); ++v) {
     for (int e = graph.starts[v]; e < graph.starts[v + 1]; ++e) {
       across_[v] += sides_[graph.neighbours[e]] != sides_[v] ? 1 : 0;
@@ -43,8 +48,6 @@ void ThickSeparator::move(int v) {
 CutScore ThickSeparator::smooth(int most_passes) {
   // A long separator has larger bumps.
   const int patience = std::max(30, value_ / 3);
-  visits_ = 0;
-  visited_.assign(across_.size(), 0);
   Improvement improvement(*this, patience);
   improvement.run(most_passes);
   return improvement.score();

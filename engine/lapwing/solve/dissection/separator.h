@@ -3,8 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "lapwing/solve/dissection/bisection.h"
-#include "lapwing/solve/dissection/moves.h"
+#include "lapwing/solve/dissection/cut_score.h"
+#include "lapwing/solve/dissection/edge_cut.h"
+#include "lapwing/solve/dissection/weighted_graph.h"
 
 namespace lapwing::dissection {
 

@@ -11,7 +11,7 @@ struct WeightedGraph {
   std::vector<int> neighbours;
   std::vector<int> edge_weights;  ///< beside `neighbours`; empty where nobody asks for them
   std::vector<int> weights;       ///< of the nodes
-  std::vector<int> borders;       ///< of the nodes: what they hold of a border; no node weighs that
+  std::vector<int> borders;       ///< of the nodes: how many unknowns of a border, without weight
 
   int size() const { return static_cast<int>(weights.size()); }
 };
