@@ -258,7 +258,24 @@ TEST_F(FollowedFineCylinder, MakingTheCoarseSurfaceCanBeCancelled) {
                             kernels_);
   EXPECT_THROW(unprepared.prepare_to_follow([](std::string_view, double) { return false; }),
                Cancelled);
+  // With the coarse surface there, what is waited for next.
+  EXPECT_THROW(unprepared.prepare_to_follow(
+                   [](std::string_view, double fraction) { return fraction < 1.0; }),
+               Cancelled);
   unprepared.prepare_to_follow();
+}
+
+TEST_F(FollowedFineCylinder, IsLeftWhileWhatItNeedsIsMade) {
+  for (int run = 0; run < 3; ++run) {
+    const Deformer left(mesh_.positions, mesh_.topology(), test::ends_of_cylinder(mesh_), {},
+                        kernels_);
+    left.begin_to_follow();
+    left.begin_to_follow();
+    if (run == 0) continue;
+    SettledPose pose;
+    left.follow(twist(3.0), pose);
+    EXPECT_LT(off(pose, 3.0), 1e-3);
+  }
 }
 
 // By the steps of the frames before alone it takes 17 iterations.

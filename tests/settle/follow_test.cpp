@@ -53,14 +53,15 @@ SettleOptions settling(double tolerance = 1e-4) {
 // A settler and where its surface is.
 class Drag {
  public:
-  Drag(FollowedEdit edit, const SettleOptions& options, bool hard = false)
+  Drag(FollowedEdit edit, const SettleOptions& options, bool hard = false,
+       PartSettler* parts = nullptr)
       : edit_(std::move(edit)),
         topology_(edit_.mesh.topology()),
         constraints_(constraints_of(edit_.region, topology_, 1.0, hard)),
         pattern_(topology_, edit_.region.roi, constraints_.unknowns),
         system_(edit_.mesh.positions, topology_, edit_.region.roi, constraints_, pattern_,
                 {LaplacianWeights::cotangent, kDefaultDetailLength}, timings_),
-        settler_(kernels_, system_, options),
+        settler_(kernels_, system_, options, nullptr, parts),
         linear_(edit_.mesh.positions, topology_, edit_.region, hard_options(hard), kernels_),
         u_(edit_.mesh.vertex_count(), Vector3d::Zero()),
         scales_(u_.size(), 1.0) {}
@@ -186,6 +187,86 @@ TEST(Follow, AFrameThatMayNotGoOnIsABetterSurfaceAllTheSame) {
     EXPECT_LE(frame.energy, last);
     last = frame.energy;
   }
+}
+
+// A frame that goes on where the last one ended takes what is known of the surface from there.
+TEST(Follow, FramesAtRestEndWhereOneOfAllTheirIterationsDoes) {
+  constexpr int kIterations = 12;
+  const auto at_rest_by = [](int iterations_a_frame) {
+    Drag drag(bent_tube(), settling());
+    const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
+    const std::vector<double> scales(wanted.size(), 1.0);
+    for (int done = 0; done < kIterations; done += iterations_a_frame) {
+      int left = iterations_a_frame;
+      const SettleResult frame = drag.settler().rest({wanted, scales}, drag.displacement(),
+                                                     [&left](double) { return left-- > 0; });
+      EXPECT_EQ(frame.iterations, iterations_a_frame);
+    }
+    return drag.displacement();
+  };
+  const Positions at_once = at_rest_by(kIterations);
+  EXPECT_EQ(at_rest_by(1), at_once);
+  EXPECT_EQ(at_rest_by(4), at_once);
+}
+
+TEST(Follow, TheEnergyIsThatOfTheTargetAsked) {
+  Drag drag(bent_tube(), settling());
+  drag.follow_all();
+  const std::vector<Vector3d> u = drag.displacement();
+  const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
+  const std::vector<Vector3d> elsewhere = drag.wanted(drag.edit().part(0.9));
+  const std::vector<double> same(u.size(), 1.0);
+  const std::vector<double> larger(u.size(), 1.1);
+  const std::vector<Vector3d> forces(u.size(), Vector3d(0, 0, 0.1));
+  std::vector<Vector3d> moved = u;
+  for (Vector3d& v : moved) v *= 1.01;
+  const std::vector<std::pair<SettleTarget, std::span<const Vector3d>>> asked{
+      {{wanted, same}, u},
+      {{elsewhere, same}, u},
+      {{wanted, larger}, u},
+      {{wanted, same, forces}, u},
+      {{wanted, same}, moved}};
+  for (const auto& [target, surface] : asked) {
+    Drag other(bent_tube(), settling());
+    const double expected = other.settler().energy(target, surface);
+    EXPECT_EQ(drag.settler().energy(target, surface), expected);
+    EXPECT_EQ(drag.settler().energy(target, surface), expected) << "asked again";
+    EXPECT_NE(drag.settler().energy({wanted, same}, moved),
+              drag.settler().energy({wanted, same}, u));
+  }
+}
+
+// Settles nothing, and says what it was asked to.
+class NotedParts final : public PartSettler {
+ public:
+  void settle_part(std::span<const Index> vertices, const SettleTarget&, std::span<Vector3d>,
+                   const GoOn&, const Progress&) override {
+    largest = std::max(largest, vertices.size());
+  }
+  std::size_t largest = 0;
+};
+
+// Where one vertex is drawn out of the surface what is around it goes on moving.
+TEST(Follow, OnlySmallPartsAreSettledByThemselvesAtRest) {
+  const auto largest_part = [](bool at_rest) {
+    NotedParts parts;
+    Drag drag(bent_tube(), settling(), false, &parts);
+    drag.follow_all();
+    const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
+    const std::vector<double> scales(wanted.size(), 1.0);
+    const std::vector<Index>& roi = drag.edit().region.roi;
+    std::vector<Vector3d> forces(wanted.size(), Vector3d::Zero());
+    forces[roi[roi.size() / 2]] = Vector3d::UnitZ();
+    const SettleTarget target{wanted, scales, forces};
+    if (at_rest) {
+      drag.settler().rest(target, drag.displacement());
+    } else {
+      drag.settler().settle(target, drag.displacement());
+    }
+    return static_cast<double>(parts.largest) / static_cast<double>(roi.size());
+  };
+  EXPECT_GT(largest_part(false), 0.05);
+  EXPECT_LE(largest_part(true), 0.05);
 }
 
 TEST(Follow, HardConstraintsAreMetExactlyInEachFrame) {

@@ -264,7 +264,9 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
         [kernels = ready.exact_kernels,
          topology = surface_of(state)->shared_topology()](Deformer* d) { delete d; });
     ready.drag_by = exact_response(*ready.exact, dragged(), progress);
-    publish(ticket, ready, Phase::ready);
+    if (!publish(ticket, ready, Phase::ready)) return;
+    // So that it is there when a hand takes hold of something.
+    if (state.parameters.settle && !state.parameters.commit_every) ready.exact->begin_to_follow();
   } catch (const Cancelled&) {
     // Whoever cancelled has set the status.
   } catch (const std::exception& error) {

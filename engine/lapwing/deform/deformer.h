@@ -99,10 +99,10 @@ class Deformer {
   /// way by the linear response: that of `response` or `response_of`, which was asked for last, as
   /// long as the other handles rest. Every frame is a better surface than that, and as good as
   /// `go_on` (Settler::follow) leaves time for. Where that was too little for a frame, a region of
-  /// 6,500 vertices or more is taken along by one of 3,000 instead (CoarseDrag), which takes little
-  /// time at any size, until the handles rest; then the surface itself is settled. The first such
-  /// frame has that surface made on a thread of its own, so that which frames have it depends on
-  /// time; after `prepare_to_follow` all do.
+  /// 6,500 vertices or more is taken along by one of 3,500 instead (CoarseDrag), which takes little
+  /// time at any size, until the handles rest; then the surface itself is settled. Which frames
+  /// have that surface depends on when it is made (`begin_to_follow`); after `prepare_to_follow`
+  /// all do.
   /// With the same motions again it goes on, and once settled nothing moves. `turns` are those of
   /// `solve`. From an empty pose it begins where `solve` does, and so does a frame in which a
   /// handle has turned by more than 90 degrees since the last, for which the old pose tells too
@@ -116,9 +116,15 @@ class Deformer {
   void follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose, const GoOn& go_on = {},
               const Progress& progress = {}) const;
 
-  /// Waits until what frames without time need is there, so that no drag depends on how long it
-  /// takes to make. A tenth of a second at 26,000 vertices, some seconds at a million. Throws
-  /// Cancelled when `progress` asks for it.
+  /// Begins to make what `follow` needs where frames have too little time: the coarse surface, and
+  /// the memory for the tangent of a pose, which is as large as the 3n x 3n factor. Threads of its
+  /// own do, in a third of a second at 26,000 vertices and some seconds at a million; returns at
+  /// once. Without it the first such frame of a drag begins it. Nothing for regions that settle
+  /// within their frames.
+  void begin_to_follow() const;
+
+  /// The same, and waits until all is there, so that no drag depends on how long it takes to make.
+  /// Throws Cancelled when `progress` asks for it.
   void prepare_to_follow(const Progress& progress = {}) const;
 
   /// The scales that handles so moved ask for, as DeformResult has them; none where no handle

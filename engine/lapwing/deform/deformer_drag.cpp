@@ -320,12 +320,21 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   pose = std::move(next);
 }
 
+void Deformer::begin_to_follow() const {
+  State& s = *state_;
+  if (!CoarseDrag::is_of_use(*s.system)) return;
+  s.begin_coarse();
+  s.tangent->prepare();
+}
+
 void Deformer::prepare_to_follow(const Progress& progress) const {
   const ProgressScope scope(progress);
   State& s = *state_;
-  s.begin_coarse();
+  begin_to_follow();
   report_progress(progress, "coarse surface", 0.0);
   if (s.coarse_aside.is_at_work()) s.coarse = s.coarse_aside.take();
+  report_progress(progress, "coarse surface", 1.0);
+  if (s.tangent != nullptr) s.tangent->wait_until_prepared();
 }
 
 void Deformer::begin_drag() const {

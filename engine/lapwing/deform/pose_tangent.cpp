@@ -80,6 +80,10 @@ void PoseTangent::prepare() {
   });
 }
 
+void PoseTangent::wait_until_prepared() const {
+  if (prepared_.is_at_work()) prepared_.wait();
+}
+
 // Null where there is not the memory.
 std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor(bool has_time) const {
   auto factor = std::make_unique<HeldFactor>(pattern_, 3);

@@ -30,6 +30,8 @@ class PoseTangent final : public TurnedTangent {
   /// Begins to take that memory on a thread of its own, for which the first turn waits; an order of
   /// fewer operations is looked for there, too, since many turns will be factored in it.
   void prepare();
+  /// Waits for that. Throws Cancelled.
+  void wait_until_prepared() const;
 
   bool turn(std::span<const Eigen::Matrix3d> transforms,
             std::span<const Eigen::Vector3d> displacement) override;

@@ -5,7 +5,6 @@
 #include "lapwing/settle/settle.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -14,8 +13,8 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/settle/lbfgs.h"
 #include "lapwing/settle/moving_part.h"
+#include "lapwing/settle/settler_state.h"
 
 namespace lapwing {
 namespace {
@@ -24,21 +23,15 @@ using Eigen::Vector3d;
 
 // Steps kept of the past.
 constexpr int kWindow = 10;
-constexpr std::size_t kUnknownsPerTask = 4096;
 
-// Numbers of iterations.
-struct Pace {
-  int plain = 0;         // by the n x n factor, before the tangent is worth its factorization
-  int tangent = 0;       // by one tangent, before the surface has turned on from it
-  int before_parts = 0;  // before what still moves is settled by itself
-};
 // Chosen on ten scans.
-constexpr Pace kPace{10, 5, 5};
+constexpr SettlePace kPace{10, 5, 5};
 // Of a frame, whose history already tells of the pose.
-constexpr Pace kPaceOfFrame{50, 5, 25};
-// Of all frames together in which the target rests.
-constexpr Pace kPaceAtRest{4, 5, 4};
-constexpr Pace kPaceOfSmall{0, 2, 0};
+constexpr SettlePace kPaceOfFrame{50, 5, 25};
+// Of all frames together in which the target rests. To settle a larger part takes as long as some
+// iterations of all, which by the tangent are few.
+constexpr SettlePace kPaceAtRest{4, 5, 4, 0.05};
+constexpr SettlePace kPaceOfSmall{0, 2, 0};
 
 constexpr int kIterationsBetweenParts = 2;
 // A step is taken where E falls by this share of what its slope promises (Armijo 1966), or rounding
@@ -66,122 +59,25 @@ double mean_length(std::span<const Vector3d> edges) {
 
 }  // namespace
 
-struct Settler::State {
-  const LaplacianSystem& system;
-  const RegionRings& rings;
-  SettleOptions options;
-  double mean_edge;
-  std::unique_ptr<RingRotations> rotations;
-  TurnedTangent* const given_tangent;
-  TurnedTangent* tangent = nullptr;  ///< the same until it could not be turned
-  PartSettler* parts;
-  Pace pace;
-  bool at_rest = false;       ///< whether `pace` is that of frames whose target rests
-  int taken = 0;              ///< iterations at this pace
-  bool by_tangent = false;    ///< whether directions come from the tangent
-  int next_turn = 0;          ///< the iteration before which it is renewed
-  int next_part = 0;          ///< and that before which what still moves is settled by itself
-  double iteration_ms = 0.0;  ///< of the last one
-  Lbfgs history;
-
-  // Vectors over the unknowns, which come in the order of elimination, hold x of all, then y, then
-  // z.
-  std::vector<Vector3d> displacement;  ///< of RegionRings::vertices
-  std::vector<double> energies;        ///< per row
-  std::vector<double> scales;          ///< per row
-  std::vector<double> weights;         ///< W of each unknown
-  std::vector<double> wanted;
-  std::vector<double> forces;  ///< none where empty
-  std::vector<double> direction;
-
-  // A surface, E there, and half of its gradient.
-  struct Point {
-    std::vector<double> x;
-    std::vector<double> gradient;
-    double energy = 0.0;
-    double force = 0.0;  ///< |W (x - wanted)|
-  };
-  Point at;
-  Point next;
-
-  // A spring of the system, by rows and by places among the unknowns; kNoIndex for a given corner.
-  struct PlacedSpring {
-    Spring spring;
-    std::array<Index, 3> rows{};
-    std::array<Index, 3> places{};
-  };
-  std::vector<PlacedSpring> springs;
-
-  struct Sums {
-    double energy = 0.0;
-    double force = 0.0;
-    double slope = 0.0;
-    double gradient = 0.0;
-    double step = 0.0;  ///< the largest
-  };
-  std::vector<Sums> partial;  ///< per task
-
-  State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
-        TurnedTangent* turned, PartSettler* part_settler)
-      : system(laplacian),
-        rings(laplacian.rings()),
-        options(o),
-        mean_edge(mean_length(rings.edges)),
-        rotations(kernels.make_ring_rotations(rings)),
-        given_tangent(turned),
-        parts(part_settler),
-        history(3 * laplacian.size(), kWindow),
-        displacement(rings.vertices.size(), Vector3d::Zero()),
-        energies(rings.row_count()),
-        scales(rings.row_count(), 1.0),
-        partial((laplacian.size() + kUnknownsPerTask - 1) / kUnknownsPerTask) {
-    for (auto* vector : {&wanted, &direction, &at.x, &at.gradient, &next.x, &next.gradient}) {
-      vector->resize(3 * system.size());
-    }
+Settler::State::State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
+                      TurnedTangent* turned, PartSettler* part_settler)
+    : system(laplacian),
+      rings(laplacian.rings()),
+      options(o),
+      mean_edge(mean_length(rings.edges)),
+      rotations(kernels.make_ring_rotations(rings)),
+      given_tangent(turned),
+      parts(part_settler),
+      history(3 * laplacian.size(), kWindow),
+      displacement(rings.vertices.size(), Vector3d::Zero()),
+      energies(rings.row_count()),
+      scales(rings.row_count(), 1.0),
+      asked(rings.vertices.size(), Vector3d::Zero()),
+      partial((laplacian.size() + kUnknownsPerTask - 1) / kUnknownsPerTask) {
+  for (auto* vector : {&wanted, &direction, &at.x, &at.gradient, &next.x, &next.gradient}) {
+    vector->resize(3 * system.size());
   }
-
-  void begin_anew();
-  void begin_pace(const Pace& of);
-  void place(const SettleTarget& target, std::span<const Vector3d> u);
-  void read_unknowns(std::span<const Vector3d> u, std::vector<double>& x) const;
-  void finish(std::span<Vector3d> u) const;
-  void place_springs();
-  void evaluate(Point& point);
-  Sums pull_by_springs(Point& point) const;
-  void turn_tangent();
-  void leave_tangent();
-  Sums find_direction();
-  bool step(double slope);
-  bool settle_part(const SettleTarget& asked, double largest, std::span<Vector3d> u,
-                   const GoOn& go_on, const Progress& progress);
-
-  Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
-  Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
-    const std::size_t n = system.size();
-    return {numbers[k], numbers[n + k], numbers[2 * n + k]};
-  }
-  // Adds up `add(k, sums)` of every unknown; task by task, so that the result does not depend on
-  // the number of threads.
-  template <typename Add>
-  Sums sum_over_unknowns(const Add& add) {
-    parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t task = begin; task < end; ++task) {
-        Sums& sum = partial[task] = {};
-        const std::size_t last = std::min((task + 1) * kUnknownsPerTask, system.size());
-        for (std::size_t k = task * kUnknownsPerTask; k < last; ++k) add(k, sum);
-      }
-    });
-    Sums all;
-    for (const Sums& sum : partial) {
-      all.energy += sum.energy;
-      all.force += sum.force;
-      all.slope += sum.slope;
-      all.gradient += sum.gradient;
-      all.step = std::max(all.step, sum.step);
-    }
-    return all;
-  }
-};
+}
 
 // As if nothing had been settled before.
 void Settler::State::begin_anew() {
@@ -190,7 +86,7 @@ void Settler::State::begin_anew() {
   at_rest = false;
 }
 
-void Settler::State::begin_pace(const Pace& of) {
+void Settler::State::begin_pace(const SettlePace& of) {
   pace = of;
   at_rest = false;
   taken = 0;
@@ -199,122 +95,19 @@ void Settler::State::begin_pace(const Pace& of) {
   if (std::exchange(by_tangent, false)) history.forget();
 }
 
-// `at` becomes the surface `u`.
-void Settler::State::place(const SettleTarget& target, std::span<const Vector3d> u) {
-  const std::vector<int>& order = system.elimination_order();
-  const std::size_t n = system.size();
-  weights.clear();
-  for (const int k : order) {
-    weights.push_back(system.constraints().W[static_cast<std::size_t>(k)]);
-  }
-  for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
-    displacement[r] = target.wanted[rings.vertices[r]];
-  }
-  for (std::size_t r = 0; r < rings.row_count(); ++r) {
-    scales[r] = target.scales[rings.vertices[r]];
-  }
-  rotations->set_scales(scales);
-  place_springs();
-  for (std::size_t k = 0; k < n; ++k) {
-    const Index v = vertex(k);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      wanted[axis * n + k] = target.wanted[v][static_cast<Eigen::Index>(axis)];
-    }
-  }
-  forces.resize(target.forces.empty() ? 0 : 3 * n);
-  if (!forces.empty()) read_unknowns(target.forces, forces);
-  read_unknowns(u, at.x);
-  evaluate(at);
-}
-
-void Settler::State::read_unknowns(std::span<const Vector3d> u, std::vector<double>& x) const {
-  const std::size_t n = system.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      x[axis * n + k] = u[vertex(k)][static_cast<Eigen::Index>(axis)];
-    }
-  }
-}
-
-void Settler::State::place_springs() {
-  springs.clear();
-  if (system.springs().empty()) return;
-  const Unknowns& unknowns = system.constraints().unknowns;
-  const std::vector<Index> row_of = places_in(rings.vertices, unknowns.of_vertex.size());
-  const std::vector<Index> place_of = places_in(rings.unknown_rows, rings.vertices.size());
-  for (const Spring& spring : system.springs()) {
-    PlacedSpring& placed = springs.emplace_back(PlacedSpring{spring, {}, {}});
-    for (std::size_t c = 0; c < 3; ++c) {
-      placed.rows[c] = row_of[spring.corners[c]];
-      placed.places[c] = place_of[placed.rows[c]];
-    }
-  }
-}
-
-// Adds to the gradient; returns energy and squared force.
-Settler::State::Sums Settler::State::pull_by_springs(Point& point) const {
-  const std::size_t n = system.size();
-  Sums sum;
-  for (const PlacedSpring& placed : springs) {
-    const auto& [spring, rows, places] = placed;
-    Vector3d off = -spring.wanted;
-    for (std::size_t c = 0; c < 3; ++c) off += spring.shares[c] * displacement[rows[c]];
-    const Vector3d force = spring.stiffness * off;
-    sum.energy += force.dot(off);
-    sum.force += force.squaredNorm();
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (places[c] == kNoIndex) continue;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        point.gradient[axis * n + places[c]] +=
-            spring.shares[c] * force[static_cast<Eigen::Index>(axis)];
-      }
-    }
-  }
-  return sum;
-}
-
-void Settler::State::finish(std::span<Vector3d> u) const {
-  for (std::size_t r = 0; r < rings.row_count(); ++r) u[rings.vertices[r]] = displacement[r];
-  for (std::size_t k = 0; k < system.size(); ++k) u[vertex(k)] = of_unknown(at.x, k);
-}
-
-// Energy and gradient at point.x, with the rotations that are best there.
-void Settler::State::evaluate(Point& point) {
-  const std::size_t n = system.size();
-  parallel_for(n, kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      displacement[rings.unknown_rows[k]] = of_unknown(point.x, k);
-    }
-  });
-  rotations->fit_rotations(displacement, energies);
-  rotations->energy_gradient(point.gradient);
-  const Sums held = sum_over_unknowns([&](std::size_t k, Sums& sum) {
-    for (std::size_t axis = 0; axis < 3 && !forces.empty(); ++axis) {
-      const double force = forces[axis * n + k];
-      sum.energy -= 2.0 * force * point.x[axis * n + k];
-      point.gradient[axis * n + k] -= force;
-    }
-    if (!(weights[k] > 0.0)) return;
-    const Vector3d off = of_unknown(point.x, k) - of_unknown(wanted, k);
-    const Vector3d force = weights[k] * off;
-    sum.energy += force.dot(off);
-    sum.force += force.squaredNorm();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      point.gradient[axis * n + k] += force[static_cast<Eigen::Index>(axis)];
-    }
-  });
-  const Sums drawn = pull_by_springs(point);
-  point.force = std::sqrt(held.force + drawn.force);
-  point.energy =
-      held.energy + drawn.energy +
-      Eigen::Map<const Eigen::ArrayXd>(energies.data(), static_cast<Eigen::Index>(energies.size()))
-          .sum();
+// Frames at rest, which go by the clock as it is, keep a tangent for as long as it is the faster
+// way.
+bool Settler::State::is_turn_due() const {
+  if (tangent == nullptr || taken < next_turn) return false;
+  return !at_rest || !by_tangent || trend.is_next_due(options.tolerance, iteration_ms);
 }
 
 // At `at`, where the rotations were fitted last. The history tells what another first Hessian does
 // not: it begins anew with each.
 void Settler::State::turn_tangent() {
+  const Stopwatch watch;
   by_tangent = tangent->turn(rotations->transforms(), displacement);
+  trend.begin(watch.elapsed_ms());
   if (!by_tangent) tangent = nullptr;
   next_turn = taken + pace.tangent;
   history.forget();
@@ -366,18 +159,28 @@ bool Settler::State::step(double slope) {
   return false;
 }
 
+// After `next` was evaluated.
+void Settler::State::take_next() {
+  std::swap(at, next);
+  is_placed = true;
+}
+
 // Goes from `at` to `next` by settling what still moves while all else stays; false where that is
 // more than a part, or lowers E by no more than rounding.
-bool Settler::State::settle_part(const SettleTarget& asked, double largest, std::span<Vector3d> u,
+bool Settler::State::settle_part(const SettleTarget& target, double largest, std::span<Vector3d> u,
                                  const GoOn& go_on, const Progress& progress) {
   const std::vector<Index> part = moving_part(rings, direction, largest);
   if (part.empty()) return false;
+  if (static_cast<double>(part.size()) > pace.largest_part * static_cast<double>(system.size())) {
+    return false;
+  }
   finish(u);
-  parts->settle_part(part, asked, u, go_on, progress);
+  parts->settle_part(part, target, u, go_on, progress);
   read_unknowns(u, next.x);
   evaluate(next);
   if (next.energy < at.energy) return true;
   evaluate(at);
+  is_placed = true;
   return false;
 }
 
@@ -467,10 +270,11 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
     while (!result.settled && may_go_on()) {
       report_progress(progress, "settle",
                       static_cast<double>(result.iterations) / s.options.max_iterations);
-      if (s.tangent != nullptr && s.taken >= s.next_turn) {
+      if (s.is_turn_due()) {
         // That takes longer than a frame has; the next one begins with it.
         if (s.at_rest && go_on && result.iterations > 0) break;
         s.turn_tangent();
+        watch.restart();
       }
       State::Sums sums = s.find_direction();
       if (!(sums.slope < 0.0) && !history.is_empty()) {
@@ -478,6 +282,7 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
         sums = s.find_direction();
       }
       result.last_step = sums.step;
+      s.trend.add(sums.step);
       result.relative_gradient = s.at.force > 0.0 ? sums.gradient / s.at.force : 0.0;
       result.settled = sums.step <= s.options.tolerance;
       if (result.settled || result.iterations == s.options.max_iterations) break;
@@ -485,7 +290,7 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
       if (s.parts != nullptr && s.taken >= s.next_part) {
         s.next_part = s.taken + 1 + kIterationsBetweenParts;
         if (s.settle_part(target, sums.step * s.mean_edge, u, go_on, progress)) {
-          std::swap(s.at, s.next);
+          s.take_next();
           ++result.iterations;
           ++s.taken;
           continue;
@@ -503,7 +308,7 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
         continue;
       }
       history.add(s.at.x, s.next.x, s.at.gradient, s.next.gradient);
-      std::swap(s.at, s.next);
+      s.take_next();
       ++result.iterations;
       ++s.taken;
     }

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lapwing/base/parallel.h"
+#include "lapwing/settle/lbfgs.h"
+#include "lapwing/settle/settle.h"
+#include "lapwing/settle/tangent_trend.h"
+
+namespace lapwing {
+
+/// How settling goes, in numbers of iterations.
+struct SettlePace {
+  int plain = 0;         ///< by the n x n factor, before the tangent is worth its factorization
+  int tangent = 0;       ///< by one tangent, before the surface has turned on from it
+  int before_parts = 0;  ///< before what still moves is settled by itself
+  double largest_part = 1.0;  ///< of the unknowns, of what is settled by itself
+};
+
+/// What a Settler holds. Its iterations are in settle.cpp, the surface it moves, whose energy and
+/// gradient they go by, in settler_surface.cpp.
+struct Settler::State {
+  const LaplacianSystem& system;
+  const RegionRings& rings;
+  SettleOptions options;
+  double mean_edge;
+  std::unique_ptr<RingRotations> rotations;
+  TurnedTangent* const given_tangent;
+  TurnedTangent* tangent = nullptr;  ///< the same until it could not be turned
+  PartSettler* parts;
+  SettlePace pace;
+  bool at_rest = false;       ///< whether `pace` is that of frames whose target rests
+  int taken = 0;              ///< iterations at this pace
+  bool by_tangent = false;    ///< whether directions come from the tangent
+  int next_turn = 0;          ///< the iteration before which it is renewed
+  int next_part = 0;          ///< and that before which what still moves is settled by itself
+  double iteration_ms = 0.0;  ///< of the last one, without the tangent's factorization
+  TangentTrend trend;
+  bool is_placed = false;  ///< whether what was evaluated last is `at`
+  Lbfgs history;
+
+  // Vectors over the unknowns, which come in the order of elimination, hold x of all, then y, then
+  // z.
+  std::vector<Eigen::Vector3d> displacement;  ///< of RegionRings::vertices
+  std::vector<double> energies;               ///< per row
+  std::vector<double> scales;                 ///< per row
+  std::vector<double> weights;                ///< W of each unknown
+  std::vector<Eigen::Vector3d> asked;         ///< SettleTarget::wanted of RegionRings::vertices
+  std::vector<double> wanted;
+  std::vector<double> forces;  ///< none where empty
+  std::vector<double> direction;
+
+  // A surface, E there, and half of its gradient.
+  struct Point {
+    std::vector<double> x;
+    std::vector<double> gradient;
+    double energy = 0.0;
+    double force = 0.0;  ///< |W (x - wanted)|
+  };
+  Point at;
+  Point next;
+
+  // A spring of the system, by rows and by places among the unknowns; kNoIndex for a given corner.
+  struct PlacedSpring {
+    Spring spring;
+    std::array<Index, 3> rows{};
+    std::array<Index, 3> places{};
+  };
+  std::vector<PlacedSpring> springs;
+
+  struct Sums {
+    double energy = 0.0;
+    double force = 0.0;
+    double slope = 0.0;
+    double gradient = 0.0;
+    double step = 0.0;  ///< the largest
+  };
+  std::vector<Sums> partial;  ///< per task
+
+  State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
+        TurnedTangent* turned, PartSettler* part_settler);
+
+  void begin_anew();
+  void begin_pace(const SettlePace& of);
+  bool is_at(const SettleTarget& target, std::span<const Eigen::Vector3d> u) const;
+  void place(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
+  void read_unknowns(std::span<const Eigen::Vector3d> u, std::vector<double>& x) const;
+  void finish(std::span<Eigen::Vector3d> u) const;
+  void place_springs();
+  void evaluate(Point& point);
+  Sums pull_by_springs(Point& point) const;
+  bool is_turn_due() const;
+  void turn_tangent();
+  void leave_tangent();
+  Sums find_direction();
+  bool step(double slope);
+  void take_next();
+  bool settle_part(const SettleTarget& target, double largest, std::span<Eigen::Vector3d> u,
+                   const GoOn& go_on, const Progress& progress);
+
+  Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
+  Eigen::Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
+    const std::size_t n = system.size();
+    return {numbers[k], numbers[n + k], numbers[2 * n + k]};
+  }
+  static constexpr std::size_t kUnknownsPerTask = 4096;
+  // Adds up `add(k, sums)` of every unknown; task by task, so that the result does not depend on
+  // the number of threads.
+  template <typename Add>
+  Sums sum_over_unknowns(const Add& add) {
+    parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t task = begin; task < end; ++task) {
+        Sums& sum = partial[task] = {};
+        const std::size_t last = std::min((task + 1) * kUnknownsPerTask, system.size());
+        for (std::size_t k = task * kUnknownsPerTask; k < last; ++k) add(k, sum);
+      }
+    });
+    Sums all;
+    for (const Sums& sum : partial) {
+      all.energy += sum.energy;
+      all.force += sum.force;
+      all.slope += sum.slope;
+      all.gradient += sum.gradient;
+      all.step = std::max(all.step, sum.step);
+    }
+    return all;
+  }
+};
+
+}  // namespace lapwing

@@ -1,0 +1,142 @@
+// The surface that a Settler moves: its energy (settle.h) and what pulls on its unknowns.
+#include <cmath>
+
+#include "lapwing/settle/settler_state.h"
+
+namespace lapwing {
+
+using Eigen::Vector3d;
+
+// Whether `at` is the surface `u`, evaluated for the same target.
+bool Settler::State::is_at(const SettleTarget& target, std::span<const Vector3d> u) const {
+  if (!is_placed || forces.empty() != target.forces.empty()) return false;
+  for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
+    if (target.wanted[rings.vertices[r]] != asked[r]) return false;
+  }
+  for (std::size_t r = 0; r < rings.row_count(); ++r) {
+    if (target.scales[rings.vertices[r]] != scales[r]) return false;
+  }
+  for (std::size_t k = 0; k < system.size(); ++k) {
+    if (u[vertex(k)] != of_unknown(at.x, k)) return false;
+    if (!forces.empty() && target.forces[vertex(k)] != of_unknown(forces, k)) return false;
+  }
+  return true;
+}
+
+// `at` becomes the surface `u`, which costs nothing where it is that already.
+void Settler::State::place(const SettleTarget& target, std::span<const Vector3d> u) {
+  if (is_at(target, u)) return;
+  const std::vector<int>& order = system.elimination_order();
+  const std::size_t n = system.size();
+  weights.clear();
+  for (const int k : order) {
+    weights.push_back(system.constraints().W[static_cast<std::size_t>(k)]);
+  }
+  for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
+    asked[r] = target.wanted[rings.vertices[r]];
+  }
+  displacement = asked;
+  for (std::size_t r = 0; r < rings.row_count(); ++r) {
+    scales[r] = target.scales[rings.vertices[r]];
+  }
+  rotations->set_scales(scales);
+  place_springs();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Index v = vertex(k);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      wanted[axis * n + k] = target.wanted[v][static_cast<Eigen::Index>(axis)];
+    }
+  }
+  forces.resize(target.forces.empty() ? 0 : 3 * n);
+  if (!forces.empty()) read_unknowns(target.forces, forces);
+  read_unknowns(u, at.x);
+  evaluate(at);
+  is_placed = true;
+}
+
+void Settler::State::read_unknowns(std::span<const Vector3d> u, std::vector<double>& x) const {
+  const std::size_t n = system.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      x[axis * n + k] = u[vertex(k)][static_cast<Eigen::Index>(axis)];
+    }
+  }
+}
+
+void Settler::State::place_springs() {
+  springs.clear();
+  if (system.springs().empty()) return;
+  const Unknowns& unknowns = system.constraints().unknowns;
+  const std::vector<Index> row_of = places_in(rings.vertices, unknowns.of_vertex.size());
+  const std::vector<Index> place_of = places_in(rings.unknown_rows, rings.vertices.size());
+  for (const Spring& spring : system.springs()) {
+    PlacedSpring& placed = springs.emplace_back(PlacedSpring{spring, {}, {}});
+    for (std::size_t c = 0; c < 3; ++c) {
+      placed.rows[c] = row_of[spring.corners[c]];
+      placed.places[c] = place_of[placed.rows[c]];
+    }
+  }
+}
+
+// Adds to the gradient; returns energy and squared force.
+Settler::State::Sums Settler::State::pull_by_springs(Point& point) const {
+  const std::size_t n = system.size();
+  Sums sum;
+  for (const PlacedSpring& placed : springs) {
+    const auto& [spring, rows, places] = placed;
+    Vector3d off = -spring.wanted;
+    for (std::size_t c = 0; c < 3; ++c) off += spring.shares[c] * displacement[rows[c]];
+    const Vector3d force = spring.stiffness * off;
+    sum.energy += force.dot(off);
+    sum.force += force.squaredNorm();
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (places[c] == kNoIndex) continue;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        point.gradient[axis * n + places[c]] +=
+            spring.shares[c] * force[static_cast<Eigen::Index>(axis)];
+      }
+    }
+  }
+  return sum;
+}
+
+void Settler::State::finish(std::span<Vector3d> u) const {
+  for (std::size_t r = 0; r < rings.row_count(); ++r) u[rings.vertices[r]] = displacement[r];
+  for (std::size_t k = 0; k < system.size(); ++k) u[vertex(k)] = of_unknown(at.x, k);
+}
+
+// Energy and gradient at point.x, with the rotations that are best there.
+void Settler::State::evaluate(Point& point) {
+  is_placed = false;
+  const std::size_t n = system.size();
+  parallel_for(n, kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      displacement[rings.unknown_rows[k]] = of_unknown(point.x, k);
+    }
+  });
+  rotations->fit_rotations(displacement, energies);
+  rotations->energy_gradient(point.gradient);
+  const Sums held = sum_over_unknowns([&](std::size_t k, Sums& sum) {
+    for (std::size_t axis = 0; axis < 3 && !forces.empty(); ++axis) {
+      const double force = forces[axis * n + k];
+      sum.energy -= 2.0 * force * point.x[axis * n + k];
+      point.gradient[axis * n + k] -= force;
+    }
+    if (!(weights[k] > 0.0)) return;
+    const Vector3d off = of_unknown(point.x, k) - of_unknown(wanted, k);
+    const Vector3d force = weights[k] * off;
+    sum.energy += force.dot(off);
+    sum.force += force.squaredNorm();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point.gradient[axis * n + k] += force[static_cast<Eigen::Index>(axis)];
+    }
+  });
+  const Sums drawn = pull_by_springs(point);
+  point.force = std::sqrt(held.force + drawn.force);
+  point.energy =
+      held.energy + drawn.energy +
+      Eigen::Map<const Eigen::ArrayXd>(energies.data(), static_cast<Eigen::Index>(energies.size()))
+          .sum();
+}
+
+}  // namespace lapwing
