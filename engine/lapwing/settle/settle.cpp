@@ -30,9 +30,11 @@ constexpr SettlePace kPace{10, 5, 5};
 constexpr SettlePace kPaceOfFrame{50, 5, 25};
 // Of all frames together in which the target rests. To settle a larger part takes as long as some
 // iterations of all, which by the tangent are few.
-constexpr SettlePace kPaceAtRest{4, 5, 4, 0.05};
+constexpr SettlePace kPaceAtRest{4, 5, 4, 12, 0.05};
 constexpr SettlePace kPaceOfSmall{0, 2, 0};
 
+// Steps of plain iterations that are long, in mean edge lengths.
+constexpr double kLongStep = 0.03;
 constexpr int kIterationsBetweenParts = 2;
 // A step is taken where E falls by this share of what its slope promises (Armijo 1966), or rounding
 // hides whether it does.
@@ -99,7 +101,8 @@ void Settler::State::begin_pace(const SettlePace& of) {
 // way.
 bool Settler::State::is_turn_due() const {
   if (tangent == nullptr || taken < next_turn) return false;
-  return !at_rest || !by_tangent || trend.is_next_due(options.tolerance, iteration_ms);
+  if (!by_tangent) return taken >= pace.most_plain || last_step <= kLongStep;
+  return !at_rest || trend.is_next_due(options.tolerance, iteration_ms);
 }
 
 // At `at`, where the rotations were fitted last. The history tells what another first Hessian does
@@ -281,7 +284,7 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
         history.forget();
         sums = s.find_direction();
       }
-      result.last_step = sums.step;
+      result.last_step = s.last_step = sums.step;
       s.trend.add(sums.step);
       result.relative_gradient = s.at.force > 0.0 ? sums.gradient / s.at.force : 0.0;
       result.settled = sums.step <= s.options.tolerance;

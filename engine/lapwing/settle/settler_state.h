@@ -19,6 +19,8 @@ struct SettlePace {
   int plain = 0;         ///< by the n x n factor, before the tangent is worth its factorization
   int tangent = 0;       ///< by one tangent, before the surface has turned on from it
   int before_parts = 0;  ///< before what still moves is settled by itself
+  /// Plain ones at most as long as steps are long, where a tangent would soon be of another pose.
+  int most_plain = 0;
   double largest_part = 1.0;  ///< of the unknowns, of what is settled by itself
 };
 
@@ -40,6 +42,7 @@ struct Settler::State {
   int next_turn = 0;          ///< the iteration before which it is renewed
   int next_part = 0;          ///< and that before which what still moves is settled by itself
   double iteration_ms = 0.0;  ///< of the last one, without the tangent's factorization
+  double last_step = 0.0;     ///< in mean edge lengths
   TangentTrend trend;
   bool is_placed = false;  ///< whether what was evaluated last is `at`
   Lbfgs history;
