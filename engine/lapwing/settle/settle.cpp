@@ -74,9 +74,9 @@ Settler::State::State(Kernels& kernels, const LaplacianSystem& laplacian, const 
       displacement(rings.vertices.size(), Vector3d::Zero()),
       energies(rings.row_count()),
       scales(rings.row_count(), 1.0),
-      asked(rings.vertices.size(), Vector3d::Zero()),
+      wanted(rings.vertices.size(), Vector3d::Zero()),
       partial((laplacian.size() + kUnknownsPerTask - 1) / kUnknownsPerTask) {
-  for (auto* vector : {&wanted, &direction, &at.x, &at.gradient, &next.x, &next.gradient}) {
+  for (auto* vector : {&direction, &at.x, &at.gradient, &next.x, &next.gradient}) {
     vector->resize(3 * system.size());
   }
 }

@@ -53,9 +53,8 @@ struct Settler::State {
   std::vector<double> energies;               ///< per row
   std::vector<double> scales;                 ///< per row
   std::vector<double> weights;                ///< W of each unknown
-  std::vector<Eigen::Vector3d> asked;         ///< SettleTarget::wanted of RegionRings::vertices
-  std::vector<double> wanted;
-  std::vector<double> forces;  ///< none where empty
+  std::vector<Eigen::Vector3d> wanted;        ///< of RegionRings::vertices
+  std::vector<double> forces;                 ///< none where empty
   std::vector<double> direction;
 
   // A surface, E there, and half of its gradient.

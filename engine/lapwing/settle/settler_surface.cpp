@@ -7,11 +7,12 @@ namespace lapwing {
 
 using Eigen::Vector3d;
 
-// Whether `at` is the surface `u`, evaluated for the same target.
+// Whether `at` is the surface `u`, evaluated for the same target; the system is held as it was
+// then.
 bool Settler::State::is_at(const SettleTarget& target, std::span<const Vector3d> u) const {
   if (!is_placed || forces.empty() != target.forces.empty()) return false;
   for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
-    if (target.wanted[rings.vertices[r]] != asked[r]) return false;
+    if (target.wanted[rings.vertices[r]] != wanted[r]) return false;
   }
   for (std::size_t r = 0; r < rings.row_count(); ++r) {
     if (target.scales[rings.vertices[r]] != scales[r]) return false;
@@ -33,20 +34,14 @@ void Settler::State::place(const SettleTarget& target, std::span<const Vector3d>
     weights.push_back(system.constraints().W[static_cast<std::size_t>(k)]);
   }
   for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
-    asked[r] = target.wanted[rings.vertices[r]];
+    wanted[r] = target.wanted[rings.vertices[r]];
   }
-  displacement = asked;
+  displacement = wanted;
   for (std::size_t r = 0; r < rings.row_count(); ++r) {
     scales[r] = target.scales[rings.vertices[r]];
   }
   rotations->set_scales(scales);
   place_springs();
-  for (std::size_t k = 0; k < n; ++k) {
-    const Index v = vertex(k);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      wanted[axis * n + k] = target.wanted[v][static_cast<Eigen::Index>(axis)];
-    }
-  }
   forces.resize(target.forces.empty() ? 0 : 3 * n);
   if (!forces.empty()) read_unknowns(target.forces, forces);
   read_unknowns(u, at.x);
@@ -123,7 +118,7 @@ void Settler::State::evaluate(Point& point) {
       point.gradient[axis * n + k] -= force;
     }
     if (!(weights[k] > 0.0)) return;
-    const Vector3d off = of_unknown(point.x, k) - of_unknown(wanted, k);
+    const Vector3d off = of_unknown(point.x, k) - wanted[rings.unknown_rows[k]];
     const Vector3d force = weights[k] * off;
     sum.energy += force.dot(off);
     sum.force += force.squaredNorm();
