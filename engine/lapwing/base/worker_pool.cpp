@@ -1,5 +1,6 @@
 #include "lapwing/base/worker_pool.h"
 
+#include <chrono>
 #include <system_error>
 
 #include "lapwing/base/cancellation.h"
@@ -8,9 +9,22 @@
 namespace lapwing {
 namespace {
 
-// Jobs come in rows. Waking from sleep takes about 50 microseconds; a helper that looks around for
-// as long before it sleeps is there when the next job comes.
-constexpr int kLooksBeforeSleep = 1000;
+using Clock = std::chrono::steady_clock;
+
+// The parts of a round, from the lowest bit.
+constexpr std::uint64_t kJoined = (std::uint64_t{1} << 32) - 1;
+constexpr std::uint64_t kOpen = kJoined + 1;
+constexpr std::uint64_t kNextRound = 2 * kOpen;
+
+std::uint64_t number_of(std::uint64_t round) {
+  return round / kNextRound;
+}
+
+// Jobs come in rows, and to sleep and be woken takes about 50 microseconds, as long as many a job.
+// So whoever waits looks around for a while before it sleeps.
+constexpr std::chrono::microseconds kHelperLooks{100};
+constexpr std::chrono::microseconds kCallerLooks{50};
+constexpr int kLooksBetweenClocks = 16;
 
 // How many WorkAlone there are on this thread.
 thread_local int alone = 0;
@@ -19,6 +33,19 @@ void pause() {
 #if defined(__x86_64__) || defined(__i386__)
   __builtin_ia32_pause();
 #endif
+}
+
+// Whether `holds` comes to hold within a time.
+template <typename Condition>
+bool look_for(std::chrono::microseconds time, const Condition& holds) {
+  const Clock::time_point end = Clock::now() + time;
+  do {
+    for (int look = 0; look < kLooksBetweenClocks; ++look) {
+      if (holds()) return true;
+      pause();
+    }
+  } while (Clock::now() < end);
+  return false;
 }
 
 }  // namespace
@@ -45,49 +72,74 @@ WorkerPool::~WorkerPool() {
 }
 
 void WorkerPool::run(const std::function<void(int)>& job) {
-  if (helpers_.empty() || alone > 0 || taken_.exchange(true, std::memory_order_acquire)) {
+  if (helpers_.empty() || alone > 0 || taken_.exchange(true)) {
     job(0);
     return;
   }
-  {
-    const std::scoped_lock lock(mutex_);
-    job_ = &job;
-    ++generation_;
+  job_ = &job;
+  round_ += kNextRound + kOpen;
+  // Whoever goes to sleep from here on has seen the round.
+  if (sleepers_ > 0) {
+    { const std::scoped_lock lock(mutex_); }
+    wake_.notify_all();
   }
-  wake_.notify_all();
   job(0);
-  {
-    std::unique_lock lock(mutex_);
-    job_ = nullptr;
-    wait_for_helpers(lock);
-  }
-  taken_.store(false, std::memory_order_release);
+  round_ &= ~kOpen;
+  wait_for_helpers();
+  taken_ = false;
 }
 
 // Meanwhile the caller is asked whether to go on: what the helpers are at may take long.
-void WorkerPool::wait_for_helpers(std::unique_lock<std::mutex>& lock) {
-  while (!idle_.wait_for(lock, kAskEvery, [this] { return active_ == 0; })) {
+void WorkerPool::wait_for_helpers() {
+  const auto all_left = [this] { return (round_ & kJoined) == 0; };
+  if (look_for(kCallerLooks, all_left)) return;
+  std::unique_lock lock(mutex_);
+  caller_sleeps_ = true;
+  while (!idle_.wait_for(lock, kAskEvery, all_left)) {
     lock.unlock();
     ask_whether_cancelled();
     lock.lock();
   }
+  caller_sleeps_ = false;
 }
 
 void WorkerPool::help(int thread) {
-  unsigned long seen = 0;
+  std::uint64_t last = 0;
+  const auto sees_work = [&] {
+    const std::uint64_t round = round_;
+    return quit_ || ((round & kOpen) != 0 && number_of(round) != last);
+  };
   for (;;) {
-    for (int look = 0; look < kLooksBeforeSleep && generation_ == seen && !quit_; ++look) pause();
-    std::unique_lock lock(mutex_);
-    wake_.wait(lock, [&] { return quit_ || (job_ != nullptr && generation_ != seen); });
+    if (!look_for(kHelperLooks, sees_work)) {
+      std::unique_lock lock(mutex_);
+      ++sleepers_;
+      wake_.wait(lock, sees_work);
+      --sleepers_;
+    }
     if (quit_) return;
-    seen = generation_;
-    const auto& job = *job_;
-    ++active_;
-    lock.unlock();
-    job(thread);
-    lock.lock();
-    if (--active_ == 0) idle_.notify_one();
+    if (!join(last)) continue;
+    (*job_)(thread);
+    leave();
   }
+}
+
+// Unless the round is closed; a round that was joined is not joined again.
+bool WorkerPool::join(std::uint64_t& last) {
+  std::uint64_t round = round_;
+  while ((round & kOpen) != 0 && number_of(round) != last) {
+    if (round_.compare_exchange_weak(round, round + 1)) {
+      last = number_of(round);
+      return true;
+    }
+  }
+  return false;
+}
+
+void WorkerPool::leave() {
+  const std::uint64_t before = round_.fetch_sub(1);
+  if ((before & kJoined) > 1 || !caller_sleeps_) return;
+  { const std::scoped_lock lock(mutex_); }
+  idle_.notify_one();
 }
 
 WorkAlone::WorkAlone() {

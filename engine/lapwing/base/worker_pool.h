@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -30,16 +31,21 @@ class WorkerPool {
 
  private:
   void help(int thread);
-  void wait_for_helpers(std::unique_lock<std::mutex>& lock);
+  bool join(std::uint64_t& last);
+  void leave();
+  void wait_for_helpers();
 
-  std::mutex mutex_;
+  std::atomic<bool> taken_ = false;
+  const std::function<void(int)>* job_ = nullptr;
+  /// Which job it is, whether helpers may join it, and how many have.
+  std::atomic<std::uint64_t> round_ = 0;
+  std::atomic<bool> quit_ = false;
+
+  std::mutex mutex_;  ///< of those that sleep
   std::condition_variable wake_;
   std::condition_variable idle_;
-  std::atomic<bool> taken_ = false;
-  const std::function<void(int)>* job_ = nullptr;  // null when there is nothing to join
-  std::atomic<unsigned long> generation_ = 0;
-  int active_ = 0;
-  std::atomic<bool> quit_ = false;
+  std::atomic<int> sleepers_ = 0;
+  std::atomic<bool> caller_sleeps_ = false;
   std::vector<std::thread> helpers_;
 };
 

@@ -3,18 +3,34 @@
 #include <algorithm>
 
 #include "lapwing/base/cancellation.h"
+#include "lapwing/base/instruction_set.h"
 
 namespace lapwing {
 
+extern const RingLoops kRingLoopsBaseline;
+#ifdef __x86_64__
+extern const RingLoops kRingLoopsAvx2;
+extern const RingLoops kRingLoopsAvx512;
+#endif
+
 using Eigen::Vector3d;
+
+const RingLoops& ring_loops() {
+#ifdef __x86_64__
+  const InstructionSet set = available_instruction_sets().front();
+  if (set == InstructionSet::avx512) return kRingLoopsAvx512;
+  if (set == InstructionSet::avx2) return kRingLoopsAvx2;
+#endif
+  return kRingLoopsBaseline;
+}
 
 CpuRingRotations::CpuRingRotations(const RegionRings& rings)
     : rings_(rings),
-      functions_(fit_batch_functions()),
+      loops_(ring_loops()),
       rest_((rings.row_count() + kFitLanes - 1) / kFitLanes),
-      displacement_(std::max(rings.vertices.size(), rest_.size() * kFitLanes), Vector4::Zero()),
-      transforms_(rings.row_count(), Eigen::Matrix3d::Identity()),
-      residuals_(rings.vertices.size(), Vector4::Zero()) {
+      displacement_(std::max(rings.vertices.size(), rest_.size() * kFitLanes)),
+      turns_(rings.vertices.size()),
+      residuals_(rings.vertices.size()) {
   entry_starts_.push_back(0);
   CancelCheck cancel_check;
   for (std::size_t batch = 0; batch < rest_.size(); ++batch) {
@@ -50,6 +66,16 @@ void CpuRingRotations::pack_batch(std::size_t batch) {
     rest.scale[lane] = 1.0;
   }
   entry_starts_.push_back(entries_.size());
+}
+
+std::vector<Eigen::Matrix3d> CpuRingRotations::transforms() const {
+  std::vector<Eigen::Matrix3d> transforms(rings_.row_count(), Eigen::Matrix3d::Identity());
+  for (std::size_t r = 0; r < transforms.size(); ++r) {
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      transforms[r].col(c) += Eigen::Map<const Vector3d>(turns_[r].column[c].xyz0);
+    }
+  }
+  return transforms;
 }
 
 void CpuRingRotations::set_scales(std::span<const double> scales) {

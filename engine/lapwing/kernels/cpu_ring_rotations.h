@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lapwing/kernels/fit_batch.h"
+#include "lapwing/kernels/ring_loops.h"
 #include "lapwing/kernels/kernels.h"
 
 namespace lapwing {
@@ -17,24 +17,20 @@ class CpuRingRotations final : public RingRotations {
   void fit_rotations(std::span<const Eigen::Vector3d> displacement,
                      std::span<double> energies) override;
   void energy_gradient(std::span<double> g) override;
-  std::vector<Eigen::Matrix3d> transforms() const override { return transforms_; }
+  std::vector<Eigen::Matrix3d> transforms() const override;
 
  private:
-  using Vector4 = Eigen::Vector4d;
-
   void pack_batch(std::size_t batch);
   void fit(std::size_t batch_number, FitBatch& batch) const;
-  Eigen::Vector3d edge_forces(std::size_t row) const;
 
   RegionRings rings_;
-  const FitBatchFunctions& functions_;
+  const RingLoops& loops_;
   std::vector<FitRest> rest_;              ///< per batch of kFitLanes rows
   std::vector<std::size_t> entry_starts_;  ///< per batch, in entries_
   std::vector<FitEntries> entries_;
-  std::vector<Vector4> displacement_;        ///< per vertex, of the last fit; no fewer than lanes
-  std::vector<Eigen::Matrix3d> transforms_;  ///< per row
-  /// Per vertex: om_i (L(v')_i - T_i delta_i), 0 for one that is no row.
-  std::vector<Vector4> residuals_;
+  std::vector<PaddedVector> displacement_;  ///< per vertex, of the last fit; no fewer than lanes
+  std::vector<PaddedTurn> turns_;           ///< per vertex, of the last fit; 0 for no row
+  std::vector<PaddedVector> residuals_;     ///< likewise: om_i (L(v')_i - T_i delta_i)
 };
 
 }  // namespace lapwing

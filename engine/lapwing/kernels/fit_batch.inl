@@ -1,10 +1,13 @@
-// The inner loops of fit_rotations (kernels/fit_rotations.cpp), kFitLanes rows at a time. Included
-// by fit_batch_*.cpp inside an unnamed namespace. Calls nothing that has external linkage: the
-// linker would be free to take another instruction set's copy.
+// The inner loops of fit_rotations (kernels/fit_rotations.cpp). A batch is done kLanes rows at a
+// time, as many as a register holds: compilers take wider vectors apart into single numbers.
+// Included by ring_loops_*.cpp inside an unnamed namespace, after kLanes is defined. Calls nothing
+// that has external linkage: the linker would be free to take another instruction set's copy.
 
-typedef double Lanes __attribute__((vector_size(sizeof(double) * kFitLanes), may_alias));
-typedef long long LaneBits __attribute__((vector_size(sizeof(double) * kFitLanes)));
-typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kFitLanes)));
+static_assert(kFitLanes % kLanes == 0);
+
+typedef double Lanes __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
+typedef long long LaneBits __attribute__((vector_size(sizeof(double) * kLanes)));
+typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kLanes)));
 
 #define LAPWING_INLINE static inline __attribute__((always_inline))
 
@@ -20,14 +23,14 @@ constexpr double kConverged = 1e-9;
 LAPWING_INLINE Lanes absolute(Lanes x) { return x < 0.0 ? -x : x; }
 LAPWING_INLINE Lanes square_root(Lanes x) {
   Lanes root;
-  for (int l = 0; l < kFitLanes; ++l) root[l] = __builtin_sqrt(x[l]);
+  for (int l = 0; l < kLanes; ++l) root[l] = __builtin_sqrt(x[l]);
   return root;
 }
 
 LAPWING_INLINE bool any(LaneBits bits) {
-  bits |= __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
-  bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1, 6, 7, 4, 5);
-  return (bits[0] | bits[1]) != 0;
+  long long all = 0;
+  for (int l = 0; l < kLanes; ++l) all |= bits[l];
+  return all != 0;
 }
 LAPWING_INLINE Lanes& lanes_at(double* p) { return *reinterpret_cast<Lanes*>(p); }
 LAPWING_INLINE const Lanes& lanes_at(const double* p) { return *reinterpret_cast<const Lanes*>(p); }
@@ -37,41 +40,54 @@ LAPWING_INLINE Lanes exact(RoughLanes x) { return __builtin_convertvector(x, Lan
 LAPWING_INLINE Lanes rough_root(Lanes x) {
   const RoughLanes square = rough(x);
   RoughLanes root;
-  for (int l = 0; l < kFitLanes; ++l) root[l] = __builtin_sqrtf(square[l]);
+  for (int l = 0; l < kLanes; ++l) root[l] = __builtin_sqrtf(square[l]);
   return exact(root);
 }
-LAPWING_INLINE Lanes rough_inverse(Lanes x) { return exact(1.0F / rough(x)); }
 
-// Coordinate `axis` of the displacement of each lane's vertex.
-LAPWING_INLINE Lanes gather(const double* displacement, const std::uint32_t* vertices, int axis) {
-  const double* from = displacement + axis;
-  const auto at = [&](int lane) { return from[4 * static_cast<std::size_t>(vertices[lane])]; };
-  return Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+struct Points {
+  Lanes axis[3];
+};
+
+// The displacements of each lane's vertex.
+LAPWING_INLINE Points gather(const PaddedVector* displacement, const std::uint32_t* vertices) {
+  Points points;
+  for (int a = 0; a < 3; ++a) {
+    for (int l = 0; l < kLanes; ++l) points.axis[a][l] = displacement[vertices[l]].xyz0[a];
+  }
+  return points;
+}
+
+LAPWING_INLINE void number_rows(const FitRings& rings, int first, std::uint32_t* rows) {
+  for (int lane = 0; lane < kLanes; ++lane) {
+    rows[lane] = rings.first_row + static_cast<std::uint32_t>(first + lane);
+  }
 }
 
 // C and `moved`.
-LAPWING_INLINE void sum_rings(const FitRings& rings, const std::uint32_t* rows, FitBatch& batch) {
-  Lanes here[3];
+LAPWING_INLINE void sum_rings(const FitRings& rings, int first, FitBatch& batch) {
+  std::uint32_t rows[kLanes];
+  number_rows(rings, first, rows);
+  const Points here = gather(rings.displacement, rows);
   Lanes C[9] = {};
   Lanes moved[3];
   for (int a = 0; a < 3; ++a) {
-    here[a] = gather(rings.displacement, rows, a);
-    moved[a] = lanes_at(rings.rest.delta[a]);
+    moved[a] = lanes_at(rings.rest.delta[a] + first);
   }
   for (std::size_t k = 0; k < rings.entry_count; ++k) {
     const FitEntries& entry = rings.entries[k];
+    const Points there = gather(rings.displacement, entry.neighbour + first);
     for (int a = 0; a < 3; ++a) {
-      const Lanes shift = gather(rings.displacement, entry.neighbour, a) - here[a];
-      const Lanes pull = lanes_at(entry.stiffness) * (lanes_at(entry.edge[a]) + shift);
-      moved[a] -= shift * lanes_at(entry.weight);
-      for (int c = 0; c < 3; ++c) C[3 * c + a] += pull * lanes_at(entry.edge[c]);
+      const Lanes shift = there.axis[a] - here.axis[a];
+      const Lanes pull = lanes_at(entry.stiffness + first) * (lanes_at(entry.edge[a] + first) + shift);
+      moved[a] -= shift * lanes_at(entry.weight + first);
+      for (int c = 0; c < 3; ++c) C[3 * c + a] += pull * lanes_at(entry.edge[c] + first);
     }
   }
   for (int a = 0; a < 3; ++a) {
-    const Lanes pull = lanes_at(rings.rest.weight) * moved[a];
-    lanes_at(batch.moved[a]) = moved[a];
+    const Lanes pull = lanes_at(rings.rest.weight + first) * moved[a];
+    lanes_at(batch.moved[a] + first) = moved[a];
     for (int c = 0; c < 3; ++c) {
-      lanes_at(batch.C[3 * c + a]) = C[3 * c + a] + pull * lanes_at(rings.rest.delta[c]);
+      lanes_at(batch.C[3 * c + a] + first) = C[3 * c + a] + pull * lanes_at(rings.rest.delta[c] + first);
     }
   }
 }
@@ -81,8 +97,7 @@ struct Root {
   LaneBits found;  // with a slope that is large enough
 };
 
-// The largest root of Horn's matrix for |H| = 1, as largest_root in laplacian/rotation.cpp. Newton's
-// method forgives a slope of single precision.
+// The largest root of Horn's matrix for |H| = 1, as largest_root in laplacian/rotation.cpp.
 LAPWING_INLINE Root largest_root(const Lanes* H) {
   const Lanes c0 = H[4] * H[8] - H[5] * H[7];
   const Lanes c1 = H[5] * H[6] - H[3] * H[8];
@@ -104,23 +119,27 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
   Lanes l = rough_root(1.0 + 2.0 * rough_root(squares + 3.4641016151377544 * positive)) * 1.000001;
   Lanes down = {};
   Lanes slope = {};
+  LaneBits moving = slope == slope;
   for (int step = 0; step < kMostNewtonSteps; ++step) {
     slope = (4.0 * l * l - 4.0) * l + b;
     const Lanes value = ((l * l - 2.0) * l + b) * l + c;
-    down = slope > kSmallestGap ? value * rough_inverse(slope) : Lanes{};
+    down = moving & (slope > kSmallestGap) ? value / slope : Lanes{};
     l -= down;
-    if (step >= kUncheckedNewtonSteps && !any(down > kConverged)) break;
+    if (step < kUncheckedNewtonSteps) continue;
+    // What a row comes to must not depend on which others share the register.
+    moving &= down > kConverged;
+    if (!any(moving)) break;
   }
   slope = (4.0 * l * l - 4.0) * l + b;
   return {l, (slope > kSmallestGap) & (absolute(down) <= kConverged)};
 }
 
 // R from C, both column after column; a bit for every lane where it is not sure.
-LAPWING_INLINE unsigned rotate(const FitBatch& batch, Lanes* R) {
+LAPWING_INLINE unsigned rotate(const FitBatch& batch, int first, Lanes* R) {
   Lanes H[9];
   Lanes square = {};
   for (int k = 0; k < 9; ++k) {
-    H[k] = lanes_at(batch.C[k]);
+    H[k] = lanes_at(batch.C[k] + first);
     square += H[k] * H[k];
   }
   const LaneBits usable = (square > 0.0) & (square < 1e300);
@@ -191,63 +210,60 @@ LAPWING_INLINE unsigned rotate(const FitBatch& batch, Lanes* R) {
   R[7] = scale * (y * z - w * x);
   R[8] = 1.0 - scale * (x * x + y * y);
   unsigned unsure = 0;
-  for (int lane = 0; lane < kFitLanes; ++lane) {
-    if (!sure[lane]) unsure |= 1U << static_cast<unsigned>(lane);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (!sure[lane]) unsure |= 1U << static_cast<unsigned>(first + lane);
   }
   return unsure;
 }
 
 // What follows from T. Differences of edges come from displacements and T - I, so that small ones
 // keep their digits.
-LAPWING_INLINE void finish(const FitRings& rings, const std::uint32_t* rows, FitBatch& batch) {
+LAPWING_INLINE void finish(const FitRings& rings, int first, FitBatch& batch) {
+  std::uint32_t rows[kLanes];
+  number_rows(rings, first, rows);
   Lanes change[9];  // T - I
-  for (int k = 0; k < 9; ++k) change[k] = lanes_at(batch.T[k]) - (k % 4 == 0 ? 1.0 : 0.0);
+  for (int k = 0; k < 9; ++k) change[k] = lanes_at(batch.T[k] + first) - (k % 4 == 0 ? 1.0 : 0.0);
   Lanes energy = {};
   for (int a = 0; a < 3; ++a) {
-    const Lanes wish = lanes_at(batch.T[a]) * lanes_at(rings.rest.delta[0]) +
-                       lanes_at(batch.T[3 + a]) * lanes_at(rings.rest.delta[1]) +
-                       lanes_at(batch.T[6 + a]) * lanes_at(rings.rest.delta[2]);
-    const Lanes off = lanes_at(batch.moved[a]) - wish;
-    const Lanes weighted = lanes_at(rings.rest.weight) * off;
-    lanes_at(batch.residual[a]) = weighted;
+    const Lanes wish = lanes_at(batch.T[a] + first) * lanes_at(rings.rest.delta[0] + first) +
+                       lanes_at(batch.T[3 + a] + first) * lanes_at(rings.rest.delta[1] + first) +
+                       lanes_at(batch.T[6 + a] + first) * lanes_at(rings.rest.delta[2] + first);
+    const Lanes off = lanes_at(batch.moved[a] + first) - wish;
+    const Lanes weighted = lanes_at(rings.rest.weight + first) * off;
+    lanes_at(batch.residual[a] + first) = weighted;
     energy += weighted * off;
   }
-  Lanes here[3];
-  for (int a = 0; a < 3; ++a) here[a] = gather(rings.displacement, rows, a);
+  const Points here = gather(rings.displacement, rows);
   for (std::size_t k = 0; k < rings.entry_count; ++k) {
     const FitEntries& entry = rings.entries[k];
+    const Points there = gather(rings.displacement, entry.neighbour + first);
     Lanes square = {};
     for (int a = 0; a < 3; ++a) {
-      const Lanes off = gather(rings.displacement, entry.neighbour, a) - here[a] -
-                        (change[a] * lanes_at(entry.edge[0]) +
-                         change[3 + a] * lanes_at(entry.edge[1]) +
-                         change[6 + a] * lanes_at(entry.edge[2]));
+      const Lanes off = there.axis[a] - here.axis[a] -
+                        (change[a] * lanes_at(entry.edge[0] + first) +
+                         change[3 + a] * lanes_at(entry.edge[1] + first) +
+                         change[6 + a] * lanes_at(entry.edge[2] + first));
       square += off * off;
     }
-    energy += lanes_at(entry.stiffness) * square;
+    energy += lanes_at(entry.stiffness + first) * square;
   }
-  lanes_at(batch.energy) = energy;
-}
-
-LAPWING_INLINE void number_rows(const FitRings& rings, std::uint32_t* rows) {
-  for (int lane = 0; lane < kFitLanes; ++lane) {
-    rows[lane] = rings.first_row + static_cast<std::uint32_t>(lane);
-  }
+  lanes_at(batch.energy + first) = energy;
 }
 
 unsigned fit_batch(const FitRings& rings, FitBatch& batch) {
-  std::uint32_t rows[kFitLanes];
-  number_rows(rings, rows);
-  sum_rings(rings, rows, batch);
-  Lanes R[9];
-  const unsigned unsure = rotate(batch, R);
-  for (int k = 0; k < 9; ++k) lanes_at(batch.T[k]) = lanes_at(rings.rest.scale) * R[k];
-  finish(rings, rows, batch);
+  unsigned unsure = 0;
+  for (int first = 0; first < kFitLanes; first += kLanes) {
+    sum_rings(rings, first, batch);
+    Lanes R[9];
+    unsure |= rotate(batch, first, R);
+    for (int k = 0; k < 9; ++k) {
+      lanes_at(batch.T[k] + first) = lanes_at(rings.rest.scale + first) * R[k];
+    }
+    finish(rings, first, batch);
+  }
   return unsure;
 }
 
 void finish_batch(const FitRings& rings, FitBatch& batch) {
-  std::uint32_t rows[kFitLanes];
-  number_rows(rings, rows);
-  finish(rings, rows, batch);
+  for (int first = 0; first < kFitLanes; first += kLanes) finish(rings, first, batch);
 }

@@ -1,18 +1,10 @@
 #include <algorithm>
-#include <cstring>
 
-#include "lapwing/base/instruction_set.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/kernels/cpu_ring_rotations.h"
 #include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {
-
-extern const FitBatchFunctions kFitBatchBaseline;
-#ifdef __x86_64__
-extern const FitBatchFunctions kFitBatchAvx2;
-extern const FitBatchFunctions kFitBatchAvx512;
-#endif
 
 namespace {
 
@@ -26,26 +18,16 @@ Matrix3d matrix_of(const double (&entries)[9][kFitLanes], int lane) {
   for (Eigen::Index k = 0; k < 9; ++k) m(k % 3, k / 3) = entries[k][lane];
   return m;
 }
-Vector3d vector_of(const double (&entries)[3][kFitLanes], int lane) {
-  return {entries[0][lane], entries[1][lane], entries[2][lane]};
-}
 
 }  // namespace
-
-const FitBatchFunctions& fit_batch_functions() {
-#ifdef __x86_64__
-  const InstructionSet set = available_instruction_sets().front();
-  if (set == InstructionSet::avx512) return kFitBatchAvx512;
-  if (set == InstructionSet::avx2) return kFitBatchAvx2;
-#endif
-  return kFitBatchBaseline;
-}
 
 void CpuRingRotations::fit_rotations(std::span<const Vector3d> displacement,
                                      std::span<double> energies) {
   constexpr std::size_t kVerticesPerTask = 8192;
   parallel_for(displacement.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) displacement_[v].head<3>() = displacement[v];
+    for (std::size_t v = begin; v < end; ++v) {
+      std::copy_n(displacement[v].data(), 3, displacement_[v].xyz0);
+    }
   });
   parallel_for(rest_.size(), kBatchesPerTask, [&](std::size_t begin, std::size_t end) {
     FitBatch batch;
@@ -55,8 +37,10 @@ void CpuRingRotations::fit_rotations(std::span<const Vector3d> displacement,
       const std::size_t last = std::min(first + kFitLanes, rings_.row_count());
       for (std::size_t r = first; r < last; ++r) {
         const auto lane = static_cast<int>(r - first);
-        transforms_[r] = matrix_of(batch.T, lane);
-        residuals_[r].head<3>() = vector_of(batch.residual, lane);
+        for (std::size_t k = 0; k < 9; ++k) {
+          turns_[r].column[k / 3].xyz0[k % 3] = batch.T[k][lane] - (k % 4 == 0 ? 1.0 : 0.0);
+        }
+        for (std::size_t a = 0; a < 3; ++a) residuals_[r].xyz0[a] = batch.residual[a][lane];
         energies[r] = batch.energy[lane];
       }
     }
@@ -66,8 +50,8 @@ void CpuRingRotations::fit_rotations(std::span<const Vector3d> displacement,
 void CpuRingRotations::fit(std::size_t number, FitBatch& batch) const {
   const std::size_t begin = entry_starts_[number];
   const FitRings rings{rest_[number], entries_.data() + begin, entry_starts_[number + 1] - begin,
-                       static_cast<Index>(number * kFitLanes), displacement_.front().data()};
-  const unsigned unsure = functions_.fit(rings, batch);
+                       static_cast<Index>(number * kFitLanes), displacement_.data()};
+  const unsigned unsure = loops_.fit(rings, batch);
   if (unsure == 0) return;
   // Rings whose rotation takes the slow way.
   for (int lane = 0; lane < kFitLanes; ++lane) {
@@ -75,7 +59,7 @@ void CpuRingRotations::fit(std::size_t number, FitBatch& batch) const {
     const Matrix3d T = rings.rest.scale[lane] * nearest_rotation(matrix_of(batch.C, lane));
     for (Eigen::Index k = 0; k < 9; ++k) batch.T[k][lane] = T(k % 3, k / 3);
   }
-  functions_.finish(rings, batch);
+  loops_.finish(rings, batch);
 }
 
 }  // namespace lapwing

@@ -2,11 +2,14 @@
 // unnamed namespace. Calls nothing that has external linkage: the linker would be free to take
 // another instruction set's copy.
 
-constexpr std::size_t kLanes = 8;
 typedef double Lanes __attribute__((vector_size(sizeof(double) * kLanes)));
 typedef float RoughLanes __attribute__((vector_size(sizeof(float) * kLanes)));
 
 #define LAPWING_INLINE static inline __attribute__((always_inline))
+
+// Sums run side by side in as many parts for every instruction set, so that they come to the same.
+constexpr std::size_t kSums = 16;
+constexpr std::size_t kParts = kSums / kLanes;
 
 // Copies are how every compiler is told that the numbers may lie anywhere; they cost nothing.
 LAPWING_INLINE Lanes lanes_at(const double* p) {
@@ -21,21 +24,25 @@ LAPWING_INLINE Lanes lanes_at(const float* p) {
 }
 LAPWING_INLINE void put_at(double* p, Lanes lanes) { __builtin_memcpy(p, &lanes, sizeof lanes); }
 
-LAPWING_INLINE double sum_of(Lanes v) {
+LAPWING_INLINE double sum_of(const double* v) {
   return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
 }
 
 template <typename Number>
 LAPWING_INLINE double sum_of_products(const float* a, const Number* b, std::size_t count) {
-  Lanes sums[2] = {};
+  Lanes sums[kParts] = {};
   std::size_t k = 0;
-  for (; k + 2 * kLanes <= count; k += 2 * kLanes) {
-    for (std::size_t part = 0; part < 2; ++part) {
+  for (; k + kSums <= count; k += kSums) {
+    for (std::size_t part = 0; part < kParts; ++part) {
       const std::size_t at = k + part * kLanes;
       sums[part] += lanes_at(a + at) * lanes_at(b + at);
     }
   }
-  double sum = sum_of(sums[0] + sums[1]);
+  double all[kSums / 2];
+  for (std::size_t part = 0; part < kParts / 2; ++part) {
+    put_at(all + part * kLanes, sums[part] + sums[part + kParts / 2]);
+  }
+  double sum = sum_of(all);
   for (; k < count; ++k) sum += static_cast<double>(a[k]) * static_cast<double>(b[k]);
   return sum;
 }

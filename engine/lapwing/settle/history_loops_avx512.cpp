@@ -3,6 +3,8 @@
 namespace lapwing {
 namespace {
 
+constexpr std::size_t kLanes = 8;  // numbers of a register
+
 #include "lapwing/settle/history_loops.inl"
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 constexpr int kLanes = 4;
 constexpr int kTileStrips = 1;
 constexpr int kTileColumns = 4;
-constexpr int kSolveRows = 4;
+constexpr int kRegisters = 16;
 
 #include "lapwing/solve/block_cholesky/factor_kernels.inl"
 #include "lapwing/solve/block_cholesky/solve_kernels.inl"

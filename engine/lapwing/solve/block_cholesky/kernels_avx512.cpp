@@ -8,7 +8,7 @@ namespace {
 constexpr int kLanes = 8;
 constexpr int kTileStrips = 3;
 constexpr int kTileColumns = 8;
-constexpr int kSolveRows = 8;
+constexpr int kRegisters = 32;
 
 #include "lapwing/solve/block_cholesky/factor_kernels.inl"
 #include "lapwing/solve/block_cholesky/solve_kernels.inl"

@@ -9,10 +9,10 @@ constexpr int kLanes = 2;
 constexpr int kTileStrips = 1;
 #ifdef __aarch64__  // 32 registers
 constexpr int kTileColumns = 4;
-constexpr int kSolveRows = 4;
+constexpr int kRegisters = 32;
 #else  // 16 registers
 constexpr int kTileColumns = 2;
-constexpr int kSolveRows = 2;
+constexpr int kRegisters = 16;
 #endif
 
 #include "lapwing/solve/block_cholesky/factor_kernels.inl"

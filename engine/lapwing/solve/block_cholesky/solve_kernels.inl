@@ -128,32 +128,40 @@ LAPWING_INLINE const RowVector& row_vector_at(const double* p) {
   return *reinterpret_cast<const RowVector*>(p);
 }
 
+// How many rows of sums the registers hold, beside a row to multiply by.
+constexpr int rows_at_once(int row_registers) {
+  int rows = kStrip;
+  while (rows > 2 && (rows + 1) * row_registers >= kRegisters) rows /= 2;
+  return rows;
+}
+
 // The kernels for `kWidth` right-hand sides.
 template <int kWidth>
 struct Rows {
-  static constexpr int kRegisters = kWidth / kRowLanes;  // of a row
+  static constexpr int kRowRegisters = kWidth / kRowLanes;  // of a row
+  static constexpr int kSolveRows = rows_at_once(kRowRegisters);
 
   // target rows -= strip times y over `count` columns.
   LAPWING_INLINE void subtract(const double* strip, int count, const double* y, double* target) {
     for (int lane = 0; lane < kStrip; lane += kSolveRows) {
-      RowVector sum[kSolveRows][kRegisters];
+      RowVector sum[kSolveRows][kRowRegisters];
       LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
-        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+        LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
           sum[i][r] = row_vector_at(target + kWidth * (lane + i) + kRowLanes * r);
         }
       }
       for (int k = 0; k < count; ++k) {
-        RowVector row[kRegisters];
-        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+        RowVector row[kRowRegisters];
+        LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
           row[r] = row_vector_at(y + kWidth * k + kRowLanes * r);
         }
         LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
           const double factor = strip[kStrip * k + lane + i];
-          LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) sum[i][r] -= row[r] * factor;
+          LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) sum[i][r] -= row[r] * factor;
         }
       }
       LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
-        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+        LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
           row_vector_at(target + kWidth * (lane + i) + kRowLanes * r) = sum[i][r];
         }
       }
@@ -164,35 +172,49 @@ struct Rows {
   LAPWING_INLINE void subtract_transposed(const double* strip, const double* x, double* y,
                                           int first, int last) {
     for (int lane = 0; lane < kStrip; lane += kSolveRows) {
-      RowVector row[kSolveRows][kRegisters];
+      RowVector row[kSolveRows][kRowRegisters];
       LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
-        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+        LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
           row[i][r] = row_vector_at(x + kWidth * (lane + i) + kRowLanes * r);
         }
       }
       for (int k = first; k < last; ++k) {
-        RowVector sum[kRegisters];
-        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+        RowVector sum[kRowRegisters];
+        LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
           sum[r] = row_vector_at(y + kWidth * k + kRowLanes * r);
         }
         LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
           const double factor = strip[kStrip * k + lane + i];
-          LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) sum[r] -= row[i][r] * factor;
+          LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) sum[r] -= row[i][r] * factor;
         }
-        LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
+        LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
           row_vector_at(y + kWidth * k + kRowLanes * r) = sum[r];
         }
       }
     }
   }
 
-  LAPWING_INLINE void scale_row(double* row, double factor) {
-    LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) row_vector_at(row + kRowLanes * r) *= factor;
-  }
-  LAPWING_INLINE void subtract_row(double* row, const double* other, double factor) {
-    LAPWING_UNROLL for (int r = 0; r < kRegisters; ++r) {
-      row_vector_at(row + kRowLanes * r) -= row_vector_at(other + kRowLanes * r) * factor;
+  // Solves with a diagonal tile of `width` pivots, for a register of right-hand sides.
+  LAPWING_INLINE void forward_tile(const double* tile, int width, double* rows) {
+    RowVector row[kStrip];
+    LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
+    LAPWING_UNROLL for (int j = 0; j < kStrip; ++j) {
+      if (j >= width) break;
+      row[j] *= tile[kStrip * j + j];
+      LAPWING_UNROLL for (int i = j + 1; i < kStrip; ++i) row[i] -= row[j] * tile[kStrip * j + i];
     }
+    LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row_vector_at(rows + kWidth * i) = row[i];
+  }
+
+  LAPWING_INLINE void backward_tile(const double* tile, int width, double* rows) {
+    RowVector row[kStrip];
+    LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
+    LAPWING_UNROLL for (int j = kStrip - 1; j >= 0; --j) {
+      if (j >= width) continue;
+      row[j] *= tile[kStrip * j + j];
+      LAPWING_UNROLL for (int i = 0; i < j; ++i) row[i] -= row[j] * tile[kStrip * i + j];
+    }
+    LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row_vector_at(rows + kWidth * i) = row[i];
   }
 
   static void forward_pivots(const FrontView& front, double* y) {
@@ -202,11 +224,8 @@ struct Rows {
       subtract(strip, kStrip * s, y, rows);
       const double* tile = strip + kStrip * kStrip * s;
       const int width = smaller(kStrip, front.pivots - kStrip * s);
-      for (int j = 0; j < width; ++j) {
-        scale_row(rows + kWidth * j, tile[kStrip * j + j]);
-        for (int i = j + 1; i < width; ++i) {
-          subtract_row(rows + kWidth * i, rows + kWidth * j, tile[kStrip * j + i]);
-        }
+      LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
+        forward_tile(tile, width, rows + kRowLanes * r);
       }
     }
   }
@@ -232,11 +251,8 @@ struct Rows {
       const double* tile = strip + kStrip * kStrip * s;
       double* rows = y + kWidth * kStrip * s;
       const int width = smaller(kStrip, front.pivots - kStrip * s);
-      for (int j = width - 1; j >= 0; --j) {
-        for (int i = j + 1; i < width; ++i) {
-          subtract_row(rows + kWidth * j, rows + kWidth * i, tile[kStrip * j + i]);
-        }
-        scale_row(rows + kWidth * j, tile[kStrip * j + j]);
+      LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
+        backward_tile(tile, width, rows + kRowLanes * r);
       }
       subtract_transposed(strip, rows, y, 0, kStrip * s);
     }

@@ -128,15 +128,7 @@ struct FourColumns {
       double* rows = y + kStripRows * s;
       if (s > 0) subtract<1>(strip, kStrip * s, y, rows);
       const double* tile = strip + kStrip * kStrip * s;
-      const int width = smaller(kStrip, front.pivots - kStrip * s);
-      RowVector row[kStrip];
-      LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
-      LAPWING_UNROLL for (int j = 0; j < kStrip; ++j) {
-        if (j >= width) break;
-        row[j] *= tile[kStrip * j + j];
-        LAPWING_UNROLL for (int i = j + 1; i < kStrip; ++i) row[i] -= row[j] * tile[kStrip * j + i];
-      }
-      LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row_vector_at(rows + kWidth * i) = row[i];
+      Rows<kWidth>::forward_tile(tile, smaller(kStrip, front.pivots - kStrip * s), rows);
     }
   }
 
@@ -178,14 +170,7 @@ struct FourColumns {
                           below},
                          width, scratch + kStripRows * (s + 1), rows);
       }
-      RowVector row[kStrip];
-      LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
-      LAPWING_UNROLL for (int j = kStrip - 1; j >= 0; --j) {
-        if (j >= width) continue;
-        row[j] *= tile[kStrip * j + j];
-        LAPWING_UNROLL for (int i = 0; i < j; ++i) row[i] -= row[j] * tile[kStrip * i + j];
-      }
-      LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row_vector_at(rows + kWidth * i) = row[i];
+      Rows<kWidth>::backward_tile(tile, width, rows);
       if (s > 0) turn_and_store(rows, scratch + kStripRows * s);
     }
   }

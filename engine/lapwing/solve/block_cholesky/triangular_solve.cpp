@@ -269,38 +269,44 @@ double* TriangularSolve::own_rows(const Front& front) const {
          static_cast<std::size_t>(front.first_block) * symbolic_.block_size * width_;
 }
 
-// Where a pivot block stands in the columns.
-std::size_t TriangularSolve::place(const Front& front, int pivot_block) const {
-  const int block = symbolic_.order[front.first_block + pivot_block];
-  return columns_.places.empty() ? block : columns_.places[block];
+// Calls body(row, place, size) for each pivot block: its first row in the front, the first of its
+// rows in the columns, and how many there are, a constant where that is 1.
+template <typename Body>
+void TriangularSolve::for_pivot_blocks(const Front& front, const Body& body) const {
+  const int* order = symbolic_.order.data() + front.first_block;
+  const Index* places = columns_.places.empty() ? nullptr : columns_.places.data();
+  const auto visit = [&](auto size) {
+    for (int j = 0; j < front.pivot_blocks; ++j) {
+      const std::size_t place = places != nullptr ? places[order[j]] : static_cast<Index>(order[j]);
+      body(j * size, size * place, size);
+    }
+  };
+  if (symbolic_.block_size == 1) return visit(std::integral_constant<std::size_t, 1>());
+  visit(static_cast<std::size_t>(symbolic_.block_size));
 }
 
 void TriangularSolve::load_pivots(const Front& front, double* y) const {
   const auto width = static_cast<std::size_t>(width_);
-  const auto b = static_cast<std::size_t>(symbolic_.block_size);
-  const std::size_t size = b * symbolic_.blocks;
+  const std::size_t column = static_cast<std::size_t>(symbolic_.block_size) * symbolic_.blocks;
   if (static_cast<int>(width) > columns_.count) std::fill_n(y, front.pivots * width, 0.0);
   std::fill_n(y + front.pivots * width, (padded_pivots(front) - front.pivots) * width, 0.0);
-  for (int j = 0; j < front.pivot_blocks; ++j) {
-    const double* from = columns_.B + b * place(front, j);
-    double* to = y + j * b * width;
+  for_pivot_blocks(front, [&](std::size_t row, std::size_t place, auto size) {
     for (int r = 0; r < columns_.count; ++r) {
-      for (std::size_t z = 0; z < b; ++z) to[z * width + r] = from[r * size + z];
+      const double* from = columns_.B + r * column + place;
+      for (std::size_t z = 0; z < size; ++z) y[(row + z) * width + r] = from[z];
     }
-  }
+  });
 }
 
 void TriangularSolve::store_pivots(const Front& front, const double* y) const {
   const auto width = static_cast<std::size_t>(width_);
-  const auto b = static_cast<std::size_t>(symbolic_.block_size);
-  const std::size_t size = b * symbolic_.blocks;
-  for (int j = 0; j < front.pivot_blocks; ++j) {
-    double* to = columns_.X + b * place(front, j);
-    const double* from = y + j * b * width;
+  const std::size_t column = static_cast<std::size_t>(symbolic_.block_size) * symbolic_.blocks;
+  for_pivot_blocks(front, [&](std::size_t row, std::size_t place, auto size) {
     for (int r = 0; r < columns_.count; ++r) {
-      for (std::size_t z = 0; z < b; ++z) to[r * size + z] = from[z * width + r];
+      double* to = columns_.X + r * column + place;
+      for (std::size_t z = 0; z < size; ++z) to[z] = y[(row + z) * width + r];
     }
-  }
+  });
 }
 
 int TriangularSolve::chunks_for(const Front& front, int pieces) const {

@@ -41,7 +41,8 @@ class TriangularSolve {
   void reserve(int width);
   double* update_rows(const Front& front, int thread) const;
   double* own_rows(const Front& front) const;
-  std::size_t place(const Front& front, int pivot_block) const;
+  template <typename Body>
+  void for_pivot_blocks(const Front& front, const Body& body) const;
   void load_pivots(const Front& front, double* y) const;
   void store_pivots(const Front& front, const double* y) const;
   int chunks_for(const Front& front, int pieces) const;
