@@ -13,10 +13,15 @@ class CutEdges {
         outside_(graph.weights.size()),
         inside_(graph.weights.size()) {
     for (int v = 0; v < graph.size(); ++v) {
+      int all = 0;
+      int outside = 0;
       for (int e = graph.starts[v]; e < graph.starts[v + 1]; ++e) {
-        (is_cut(v, e) ? outside_[v] : inside_[v]) += graph.edge_weights[e];
+        all += graph.edge_weights[e];
+        outside += is_cut(v, e) ? graph.edge_weights[e] : 0;
       }
-      value_ += outside_[v];
+      outside_[v] = outside;
+      inside_[v] = all - outside;
+      value_ += outside;
     }
     value_ /= 2;
   }

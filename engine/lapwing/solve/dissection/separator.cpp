@@ -13,10 +13,12 @@ ThickSeparator::ThickSeparator(const WeightedGraph& graph, Sides sides)
       across_(graph.weights.size(), 0),
       visited_(graph.weights.size(), 0) {
   for (int v = 0; v < graph.size(); ++v) {
+    int across = 0;
     for (int e = graph.starts[v]; e < graph.starts[v + 1]; ++e) {
-      across_[v] += sides_[graph.neighbours[e]] != sides_[v] ? 1 : 0;
+      across += sides_[graph.neighbours[e]] != sides_[v] ? 1 : 0;
     }
-    if (across_[v] > 0) value_ += graph.weights[v];
+    across_[v] = across;
+    if (across > 0) value_ += graph.weights[v];
   }
 }
 

@@ -108,21 +108,25 @@ Groups group_neighbours(const WeightedGraph& graph, int most_weight, std::size_t
 
 namespace {
 
-// Rows of the graph of groups, one after the other. `visit(v, e, add)` is called with every edge e
-// of a node v that leads to another group; add(weight) adds to the edge between the two groups.
+// Rows of the graph of groups, one after the other. `visit(g, v, other, e)` is called with every
+// edge e of a node v of group g that leads to another group: what it adds to the edge between the
+// two.
 template <typename Visit>
 WeightedGraph contract_rows(const WeightedGraph& fine, const Groups& groups, Visit visit) {
   WeightedGraph graph;
   graph.starts.reserve(groups.starts.size());
   graph.weights.reserve(groups.starts.size());
   graph.borders.reserve(groups.starts.size());
-  graph.neighbours.reserve(fine.neighbours.size() / 2);
-  graph.edge_weights.reserve(fine.neighbours.size() / 2);
+  // Room for all, so that what comes next is one number and not two vectors' ends in memory: 0.9 of
+  // the time of a whole order.
+  std::vector<int> neighbours(fine.neighbours.size());
+  std::vector<int> edge_weights(fine.neighbours.size());
   std::vector<int> place(groups.starts.size(), kNone);  // in the row at hand
+  int end = 0;
   CancelCheck check;
   for (int g = 0; g < groups.size(); ++g) {
     check();
-    const int row = graph.starts.back();
+    const int row = end;
     int weight = 0;
     int border = 0;
     for (int m = groups.starts[g]; m < groups.starts[g + 1]; ++m) {
@@ -132,18 +136,22 @@ WeightedGraph contract_rows(const WeightedGraph& fine, const Groups& groups, Vis
       for (int e = fine.starts[v]; e < fine.starts[v + 1]; ++e) {
         const int other = groups.of_node[fine.neighbours[e]];
         if (other == g) continue;
-        if (place[other] < row) {
-          place[other] = static_cast<int>(graph.neighbours.size());
-          graph.neighbours.push_back(other);
-          graph.edge_weights.push_back(0);
+        const int added = visit(g, v, other, e);
+        if (const int at = place[other]; at >= row) {
+          edge_weights[at] += added;
+          continue;
         }
-        graph.edge_weights[place[other]] += visit(g, v, other, e);
+        place[other] = end;
+        neighbours[end] = other;
+        edge_weights[end++] = added;
       }
     }
     graph.weights.push_back(weight);
     graph.borders.push_back(border);
-    graph.starts.push_back(static_cast<int>(graph.neighbours.size()));
+    graph.starts.push_back(end);
   }
+  graph.neighbours.assign(neighbours.begin(), neighbours.begin() + end);
+  graph.edge_weights.assign(edge_weights.begin(), edge_weights.begin() + end);
   return graph;
 }
 
