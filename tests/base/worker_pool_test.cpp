@@ -1,5 +1,8 @@
 #include "lapwing/base/worker_pool.h"
 
+#include <chrono>
+#include <thread>
+
 #include <gtest/gtest.h>
 
 namespace lapwing {
@@ -25,6 +28,36 @@ TEST(WorkerPool, HelpersTakePart) {
     while (!helped) std::this_thread::yield();
   });
   EXPECT_TRUE(helped);
+}
+
+// They look around for a tenth of a millisecond before they sleep.
+TEST(WorkerPool, HelpersThatSleepAreWoken) {
+  WorkerPool pool(3);
+  for (int round = 0; round < 5; ++round) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::atomic<int> calls{0};
+    pool.run([&](int) {
+      ++calls;
+      while (calls < 3) std::this_thread::yield();
+    });
+    EXPECT_EQ(calls, 3);
+  }
+}
+
+TEST(WorkerPool, WaitsForAHelperThatTakesLong) {
+  WorkerPool pool(2);
+  std::atomic<bool> begun{false};
+  std::atomic<bool> done{false};
+  pool.run([&](int thread) {
+    if (thread == 0) {
+      while (!begun) std::this_thread::yield();
+      return;
+    }
+    begun = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    done = true;
+  });
+  EXPECT_TRUE(done);
 }
 
 TEST(WorkerPool, JobWithinAJobRunsOnItsThreadAlone) {
