@@ -20,6 +20,11 @@ std::uint64_t number_of(std::uint64_t round) {
   return round / kNextRound;
 }
 
+// A round that was joined is not joined again.
+bool may_be_joined(std::uint64_t round, std::uint64_t last) {
+  return (round & kOpen) != 0 && number_of(round) != last;
+}
+
 // Jobs come in rows, and to sleep and be woken takes about 50 microseconds, as long as many a job.
 // So whoever waits looks around for a while before it sleeps.
 constexpr std::chrono::microseconds kHelperLooks{100};
@@ -105,10 +110,7 @@ void WorkerPool::wait_for_helpers() {
 
 void WorkerPool::help(int thread) {
   std::uint64_t last = 0;
-  const auto sees_work = [&] {
-    const std::uint64_t round = round_;
-    return quit_ || ((round & kOpen) != 0 && number_of(round) != last);
-  };
+  const auto sees_work = [&] { return quit_ || may_be_joined(round_, last); };
   for (;;) {
     if (!look_for(kHelperLooks, sees_work)) {
       std::unique_lock lock(mutex_);
@@ -123,10 +125,10 @@ void WorkerPool::help(int thread) {
   }
 }
 
-// Unless the round is closed; a round that was joined is not joined again.
+// False where the round was closed meanwhile.
 bool WorkerPool::join(std::uint64_t& last) {
   std::uint64_t round = round_;
-  while ((round & kOpen) != 0 && number_of(round) != last) {
+  while (may_be_joined(round, last)) {
     if (round_.compare_exchange_weak(round, round + 1)) {
       last = number_of(round);
       return true;

@@ -78,7 +78,8 @@ LAPWING_INLINE void sum_rings(const FitRings& rings, int first, FitBatch& batch)
     const Points there = gather(rings.displacement, entry.neighbour + first);
     for (int a = 0; a < 3; ++a) {
       const Lanes shift = there.axis[a] - here.axis[a];
-      const Lanes pull = lanes_at(entry.stiffness + first) * (lanes_at(entry.edge[a] + first) + shift);
+      const Lanes pull =
+          lanes_at(entry.stiffness + first) * (lanes_at(entry.edge[a] + first) + shift);
       moved[a] -= shift * lanes_at(entry.weight + first);
       for (int c = 0; c < 3; ++c) C[3 * c + a] += pull * lanes_at(entry.edge[c] + first);
     }
@@ -87,7 +88,8 @@ LAPWING_INLINE void sum_rings(const FitRings& rings, int first, FitBatch& batch)
     const Lanes pull = lanes_at(rings.rest.weight + first) * moved[a];
     lanes_at(batch.moved[a] + first) = moved[a];
     for (int c = 0; c < 3; ++c) {
-      lanes_at(batch.C[3 * c + a] + first) = C[3 * c + a] + pull * lanes_at(rings.rest.delta[c] + first);
+      lanes_at(batch.C[3 * c + a] + first) =
+          C[3 * c + a] + pull * lanes_at(rings.rest.delta[c] + first);
     }
   }
 }
@@ -119,7 +121,7 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
   Lanes l = rough_root(1.0 + 2.0 * rough_root(squares + 3.4641016151377544 * positive)) * 1.000001;
   Lanes down = {};
   Lanes slope = {};
-  LaneBits moving = slope == slope;
+  LaneBits moving = ~LaneBits{};
   for (int step = 0; step < kMostNewtonSteps; ++step) {
     slope = (4.0 * l * l - 4.0) * l + b;
     const Lanes value = ((l * l - 2.0) * l + b) * l + c;

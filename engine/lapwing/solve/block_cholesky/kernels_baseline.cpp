@@ -7,10 +7,10 @@ namespace {
 
 constexpr int kLanes = 2;
 constexpr int kTileStrips = 1;
-#ifdef __aarch64__  // 32 registers
+#ifdef __aarch64__
 constexpr int kTileColumns = 4;
 constexpr int kRegisters = 32;
-#else  // 16 registers
+#else
 constexpr int kTileColumns = 2;
 constexpr int kRegisters = 16;
 #endif
