@@ -203,6 +203,24 @@ TEST_F(FollowedFineCylinder, FramesThatOnlyTakeItAlongStayNearTheSolution) {
   EXPECT_LT(off(pose, 60.0), 2e-3);
 }
 
+// The last three iterations of the coarse surface, and what smooths the surface itself.
+TEST_F(FollowedFineCylinder, AsksForTimeBeforeWhatAFrameCanDoWithout) {
+  SettledPose pose;
+  for (int degrees = 0; degrees <= 12; degrees += 3) {
+    deformer_.follow(twist(degrees), pose, [](double ms) { return ms == 0.0; });
+  }
+  const auto asks = [&](double degrees, int most) {
+    int count = 0;
+    deformer_.follow(twist(degrees), pose, [&](double ms) {
+      EXPECT_GT(ms, 0.0);
+      return ++count <= most;
+    });
+    return count;
+  };
+  EXPECT_EQ(asks(15.0, 0), 2);
+  EXPECT_EQ(asks(18.0, 3), 4);
+}
+
 TEST_F(FollowedFineCylinder, HandleAndBeltGoAsTheyAreHeld) {
   SettledPose pose;
   for (int degrees = 0; degrees <= 30; degrees += 3) {

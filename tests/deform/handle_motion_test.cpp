@@ -28,7 +28,7 @@ TEST(HandleMotion, ParametersReproduceAnyAffineMotion) {
   motion_parameters(frame, motion, q);
   for (const Vector3d& p : kPoints) {
     Vector3d u = Vector3d::Zero();
-    for (std::size_t k = 0; k < kMotionParameters; ++k) u += q[k] * unit_displacement(frame, p, k);
+    u += handle_displacement(frame, q, p);
     EXPECT_LT((p + u - motion * p).norm(), 1e-13);
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/axis_response.h"
 
 namespace lapwing {
@@ -81,7 +82,7 @@ void CoarseDrag::begin(const SettleTarget& target, std::span<const Vector3d> u) 
   wanted_ = next_wanted_;
 }
 
-void CoarseDrag::move(const SettleTarget& target, int iterations, std::span<Vector3d> u) {
+void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, std::span<Vector3d> u) {
   const SettleTarget own = target_of(target);
   std::vector<Vector3d> displacement = pose_.displacement;
   if (wanted_ != next_wanted_) {
@@ -90,12 +91,20 @@ void CoarseDrag::move(const SettleTarget& target, int iterations, std::span<Vect
     const std::vector<Vector3d> response = axis_displacement(*coarse_->edit, change, Springs::rest);
     for (std::size_t c = 0; c < change.size(); ++c) displacement[c] += response[c];
   }
-  settler_.follow(own, displacement, [&](double) { return iterations-- > 0; });
+  int iterations = 0;
+  settler_.follow(own, displacement, [&](double ms) {
+    if (iterations == kMostIterations) return false;
+    if (iterations >= kFewestIterations && go_on && !go_on(ms + carrying_ms_)) return false;
+    ++iterations;
+    return true;
+  });
+  const Stopwatch carrying;
   settler_.energy(own, displacement);
   CoarseEmbedding::Pose next = pose_at(std::move(displacement));
   embedding_.carry(pose_, next, u);
   pose_ = std::move(next);
   std::swap(wanted_, next_wanted_);
+  carrying_ms_ = carrying.elapsed_ms();
 }
 
 void CoarseDrag::learn(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {

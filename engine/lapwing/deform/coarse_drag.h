@@ -28,14 +28,19 @@ class CoarseDrag {
   /// The fine surface is at `u` for `target`, both of the fine mesh.
   void begin(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
 
-  /// Settles the coarse surface for `target`, in at most `iterations`, and takes `u` along.
-  void move(const SettleTarget& target, int iterations, std::span<Eigen::Vector3d> u);
+  /// Settles the coarse surface for `target` and takes `u` along. Fewer iterations follow limbs
+  /// worse (tools/bench/measured); the last three are made only where `go_on` says that there is
+  /// time for one and for the rest of this call.
+  void move(const SettleTarget& target, const GoOn& go_on, std::span<Eigen::Vector3d> u);
 
   /// What the fine level has come to: its surface, and half of the gradient of its energy there,
   /// per vertex of the fine mesh.
   void learn(std::span<const Eigen::Vector3d> u, std::span<const Eigen::Vector3d> gradient);
 
  private:
+  static constexpr int kFewestIterations = 5;
+  static constexpr int kMostIterations = 8;
+
   CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse);
   std::vector<Eigen::Vector3d> of_kept(std::span<const Eigen::Vector3d> of_fine) const;
   SettleTarget target_of(const SettleTarget& fine);
@@ -47,6 +52,8 @@ class CoarseDrag {
   Settler settler_;
   double energy_ratio_;        ///< of the coarse energy to the fine one: both sum over vertices
   std::vector<char> is_held_;  ///< per coarse vertex: belt or handle
+
+  double carrying_ms_ = 0.0;  ///< what followed on the iterations last time
 
   CoarseEmbedding::Pose pose_;
   std::vector<Eigen::Vector3d> wanted_;  ///< for which it was settled last

@@ -100,15 +100,14 @@ class Deformer {
   /// long as the other handles rest. Every frame is a better surface than that, and as good as
   /// `go_on` (Settler::follow) leaves time for. Where that was too little for a frame, a region of
   /// 6,500 vertices or more is taken along by one of 3,500 instead (CoarseDrag), which takes little
-  /// time at any size, until the handles rest; then the surface itself is settled. Which frames
-  /// have that surface depends on when it is made (`begin_to_follow`); after `prepare_to_follow`
-  /// all do.
-  /// With the same motions again it goes on, and once settled nothing moves. `turns` are those of
-  /// `solve`. From an empty pose it begins where `solve` does, and so does a frame in which a
-  /// handle has turned by more than 90 degrees since the last, for which the old pose tells too
-  /// little. One drag at a time; another one begins with `begin_drag`. Throws InputError without
-  /// settling in the options, SolverError when the result is not finite, Cancelled when `progress`
-  /// asks for it, each time with `pose` as it was.
+  /// time at any size and asks `go_on`, too, until the handles rest; then the surface itself is
+  /// settled. Which frames have that surface depends on when it is made (`begin_to_follow`); after
+  /// `prepare_to_follow` all do. With the same motions again it goes on, and once settled nothing
+  /// moves. `turns` are those of `solve`. From an empty pose it begins where `solve` does, and so
+  /// does a frame in which a handle has turned by more than 90 degrees since the last, for which
+  /// the old pose tells too little. One drag at a time; another one begins with `begin_drag`.
+  /// Throws InputError without settling in the options, SolverError when the result is not finite,
+  /// Cancelled when `progress` asks for it, each time with `pose` as it was.
   void follow(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
               SettledPose& pose, const GoOn& go_on = {}, const Progress& progress = {}) const;
 

@@ -17,8 +17,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Of the coarse surface, in a frame.
-constexpr int kCoarseIterations = 8;
 // A surface is smooth where its last step was no longer, in mean edges. A first iteration, which
 // takes out what carrying left, goes 0.01 to 0.1 of them, and 0.6 where details are steep: what
 // pulls on that surface would have the coarse one crumple.
@@ -156,9 +154,9 @@ bool Deformer::State::find_coarse() {
 // From `pose`, whose handles asked for `wanted`, by way of the coarse surface. Belt and handles go
 // as they are held.
 void Deformer::State::take_along(const SettledPose& pose, std::span<const Vector3d> wanted,
-                                 const SettleTarget& target, SettledPose& next) {
+                                 const SettleTarget& target, const GoOn& go_on, SettledPose& next) {
   next.displacement = pose.displacement;
-  coarse->move(target, kCoarseIterations, next.displacement);
+  coarse->move(target, go_on, next.displacement);
   for (const Index v : system->region.belt) next.displacement[v] = pose.displacement[v];
   for (const auto& handle : system->region.handles) {
     for (const Index v : handle) {
@@ -168,11 +166,11 @@ void Deformer::State::take_along(const SettledPose& pose, std::span<const Vector
 }
 
 void Deformer::State::follow_by_coarse(const SettledPose& pose, const SettleTarget& target,
-                                       bool is_there, SettledPose& next) {
+                                       bool is_there, const GoOn& go_on, SettledPose& next) {
   const std::vector<Vector3d> wanted = system->asked_displacement(pose.parameters);
   if (!is_there) coarse->begin({wanted, target.scales}, pose.displacement);
   coarse_moves_at_rest = 0;
-  take_along(pose, wanted, target, next);
+  take_along(pose, wanted, target, go_on, next);
 }
 
 // Where the handles rest the coarse surface still finds the way, as long as the energy falls and
@@ -181,7 +179,7 @@ bool Deformer::State::go_on_at_rest(const SettledPose& pose, const SettleTarget&
                                     SettledPose& next) {
   if (coarse_moves_at_rest >= kCoarseMovesAtRest || settler->goes_by_tangent()) return false;
   ++coarse_moves_at_rest;
-  take_along(pose, target.wanted, target, next);
+  take_along(pose, target.wanted, target, {}, next);
   const double before = settler->energy(target, pose.displacement);
   return settler->energy(target, next.displacement) < before;
 }
@@ -295,7 +293,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   } else {
     by_coarse = s.lacks_time && go_on && on.find_coarse();
     if (by_coarse) {
-      on.follow_by_coarse(pose, target, coarse_was_there, next);
+      on.follow_by_coarse(pose, target, coarse_was_there, go_on, next);
     } else {
       next.displacement = s.gone_on(pose, next.parameters);
     }

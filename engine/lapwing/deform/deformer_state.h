@@ -60,9 +60,9 @@ struct Deformer::State {
   void begin_coarse();
   bool find_coarse();
   void take_along(const SettledPose& pose, std::span<const Eigen::Vector3d> wanted,
-                  const SettleTarget& target, SettledPose& next);
+                  const SettleTarget& target, const GoOn& go_on, SettledPose& next);
   void follow_by_coarse(const SettledPose& pose, const SettleTarget& target, bool is_there,
-                        SettledPose& next);
+                        const GoOn& go_on, SettledPose& next);
   bool go_on_at_rest(const SettledPose& pose, const SettleTarget& target, SettledPose& next);
   bool smooth(const SettleTarget& target, bool at_rest, bool must, const GoOn& go_on,
               const Progress& progress, SettledPose& next);

@@ -203,9 +203,7 @@ std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> pa
   std::vector<Vector3d> wanted(rest->size(), Vector3d::Zero());
   const auto ask = [&](std::size_t h, Index v) {
     const auto own = parameters.subspan(h * kMotionParameters, kMotionParameters);
-    for (std::size_t k = 0; k < kMotionParameters; ++k) {
-      wanted[v] += own[k] * unit_displacement(frames[h], (*rest)[v], k);
-    }
+    wanted[v] += handle_displacement(frames[h], own, (*rest)[v]);
   };
   for (std::size_t h = 0; h < frames.size(); ++h) {
     for (const Index v : region.handles[h]) ask(h, v);

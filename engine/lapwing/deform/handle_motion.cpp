@@ -35,13 +35,11 @@ void motion_parameters(const HandleFrame& frame, const Eigen::Affine3d& motion,
   }
 }
 
-Eigen::Vector3d unit_displacement(const HandleFrame& frame, const Eigen::Vector3d& position,
-                                  std::size_t k) {
-  const auto axis = static_cast<Eigen::Index>(k / 4);
-  const auto coordinate = static_cast<Eigen::Index>(k % 4);
-  Eigen::Vector3d u = Eigen::Vector3d::Zero();
-  u(axis) = coordinate == 3 ? 1.0 : (position - frame.centroid)(coordinate) / frame.radius;
-  return u;
+Eigen::Vector3d handle_displacement(const HandleFrame& frame, std::span<const double> parameters,
+                                    const Eigen::Vector3d& position) {
+  using Motion = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
+  const Eigen::Map<const Motion> motion(parameters.data());
+  return motion.leftCols<3>() * ((position - frame.centroid) / frame.radius) + motion.col(3);
 }
 
 Eigen::AngleAxisd shortest_turn(const Eigen::Affine3d& motion) {

@@ -28,9 +28,9 @@ HandleFrame handle_frame(std::span<const Index> vertices,
 void motion_parameters(const HandleFrame& frame, const Eigen::Affine3d& motion,
                        std::span<double> parameters);
 
-/// The displacement of a point at `position` when parameter k is 1 and the others are 0.
-Eigen::Vector3d unit_displacement(const HandleFrame& frame, const Eigen::Vector3d& position,
-                                  std::size_t k);
+/// u of a point at `position` by the 12 numbers of its handle.
+Eigen::Vector3d handle_displacement(const HandleFrame& frame, std::span<const double> parameters,
+                                    const Eigen::Vector3d& position);
 
 /// The rotation of `motion` as a turn of 0 to 180 degrees: that of the polar decomposition of its
 /// linear part.
