@@ -5,6 +5,7 @@
 
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/axis_response.h"
+#include "lapwing/deform/recent_change.h"
 
 namespace lapwing {
 namespace {
@@ -16,9 +17,12 @@ using Eigen::Vector3d;
 constexpr std::size_t kCoarseVertices = 3500;
 constexpr std::size_t kSmallRegion = 6500;
 
+// Of what the surface did recently: less than all of it, since recent frames have left something.
+constexpr double kTrustInRecent = 0.9;
+
 // Of the gathered forces: the coarse surface gives way to them a little more or less than the fine
 // one would.
-constexpr double kTrust = 0.7;
+constexpr double kTrustInForces = 0.7;
 
 }  // namespace
 
@@ -75,6 +79,8 @@ CoarseEmbedding::Pose CoarseDrag::pose_at(std::vector<Vector3d> displacement) {
 
 void CoarseDrag::begin(const SettleTarget& target, std::span<const Vector3d> u) {
   forces_.assign(coarse_->kept.size(), Vector3d::Zero());
+  recent_wanted_.clear();
+  recent_displacement_.clear();
   settler_.begin_drag();
   std::vector<Vector3d> displacement = of_kept(u);
   settler_.energy(target_of(target), displacement);
@@ -82,26 +88,52 @@ void CoarseDrag::begin(const SettleTarget& target, std::span<const Vector3d> u) 
   wanted_ = next_wanted_;
 }
 
-void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, std::span<Vector3d> u) {
-  const SettleTarget own = target_of(target);
+// Where the surface is for the next target: as far as the handles go on as they did recently, so
+// does the surface, and the rest of the way it responds linearly.
+std::vector<Vector3d> CoarseDrag::gone_on() const {
   std::vector<Vector3d> displacement = pose_.displacement;
-  if (wanted_ != next_wanted_) {
-    std::vector<Vector3d> change = next_wanted_;
-    for (std::size_t c = 0; c < change.size(); ++c) change[c] -= wanted_[c];
-    const std::vector<Vector3d> response = axis_displacement(*coarse_->edit, change, Springs::rest);
-    for (std::size_t c = 0; c < change.size(); ++c) displacement[c] += response[c];
+  if (wanted_ == next_wanted_) return displacement;
+  std::vector<Vector3d> change = next_wanted_;
+  double along = 0.0;
+  double square = 0.0;
+  for (std::size_t c = 0; c < change.size(); ++c) {
+    change[c] -= wanted_[c];
+    if (recent_wanted_.empty()) continue;
+    along += change[c].dot(recent_wanted_[c]);
+    square += recent_wanted_[c].squaredNorm();
   }
+  if (square > 0.0) {
+    const double share = kTrustInRecent * std::clamp(along / square, 0.0, 1.0);
+    for (std::size_t c = 0; c < change.size(); ++c) {
+      change[c] -= share * recent_wanted_[c];
+      displacement[c] += share * recent_displacement_[c];
+    }
+  }
+  const std::vector<Vector3d> response = axis_displacement(*coarse_->edit, change, Springs::rest);
+  for (std::size_t c = 0; c < change.size(); ++c) displacement[c] += response[c];
+  return displacement;
+}
+
+void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, double next_ms,
+                      std::span<Vector3d> u) {
+  const SettleTarget own = target_of(target);
+  std::vector<Vector3d> displacement = gone_on();
   int iterations = 0;
+  const auto has_time = [&](double ms) {
+    if (iterations < kFewestIterations || !go_on || go_on(ms + carrying_ms_ + next_ms)) return true;
+    return !go_on(carrying_ms_ + next_ms) && go_on(ms + carrying_ms_);
+  };
   settler_.follow(own, displacement, [&](double ms) {
-    if (iterations == kMostIterations) return false;
-    if (iterations >= kFewestIterations && go_on && !go_on(ms + carrying_ms_)) return false;
-    ++iterations;
-    return true;
+    return iterations < kMostIterations && has_time(ms) && ++iterations > 0;
   });
   const Stopwatch carrying;
   settler_.energy(own, displacement);
   CoarseEmbedding::Pose next = pose_at(std::move(displacement));
   embedding_.carry(pose_, next, u);
+  if (wanted_ != next_wanted_) {
+    add_change(recent_wanted_, wanted_, next_wanted_);
+    add_change(recent_displacement_, pose_.displacement, next.displacement);
+  }
   pose_ = std::move(next);
   std::swap(wanted_, next_wanted_);
   carrying_ms_ = carrying.elapsed_ms();
@@ -110,7 +142,7 @@ void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, std::span<V
 void CoarseDrag::learn(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {
   const std::vector<Vector3d> gathered = embedding_.gather(gradient, u, pose_);
   for (std::size_t c = 0; c < gathered.size(); ++c) {
-    if (is_held_[c] == 0) forces_[c] -= kTrust * energy_ratio_ * gathered[c];
+    if (is_held_[c] == 0) forces_[c] -= kTrustInForces * energy_ratio_ * gathered[c];
   }
 }
 

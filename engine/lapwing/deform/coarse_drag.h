@@ -28,22 +28,25 @@ class CoarseDrag {
   /// The fine surface is at `u` for `target`, both of the fine mesh.
   void begin(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
 
-  /// Settles the coarse surface for `target` and takes `u` along. Fewer iterations follow limbs
-  /// worse (tools/bench/measured); the last three are made only where `go_on` says that there is
-  /// time for one and for the rest of this call.
-  void move(const SettleTarget& target, const GoOn& go_on, std::span<Eigen::Vector3d> u);
+  /// Settles the coarse surface for `target` by four to eight iterations and takes `u` along. More
+  /// than four are made where `go_on` says that there is time for one, for the rest of this call,
+  /// and for the `next_ms` that the caller has a use for; or where there is not even time for that
+  /// use.
+  void move(const SettleTarget& target, const GoOn& go_on, double next_ms,
+            std::span<Eigen::Vector3d> u);
 
   /// What the fine level has come to: its surface, and half of the gradient of its energy there,
   /// per vertex of the fine mesh.
   void learn(std::span<const Eigen::Vector3d> u, std::span<const Eigen::Vector3d> gradient);
 
  private:
-  static constexpr int kFewestIterations = 5;
+  static constexpr int kFewestIterations = 4;
   static constexpr int kMostIterations = 8;
 
   CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse);
   std::vector<Eigen::Vector3d> of_kept(std::span<const Eigen::Vector3d> of_fine) const;
   SettleTarget target_of(const SettleTarget& fine);
+  std::vector<Eigen::Vector3d> gone_on() const;
   CoarseEmbedding::Pose pose_at(std::vector<Eigen::Vector3d> displacement);
 
   std::unique_ptr<CoarseRegion> coarse_;
@@ -57,6 +60,9 @@ class CoarseDrag {
 
   CoarseEmbedding::Pose pose_;
   std::vector<Eigen::Vector3d> wanted_;  ///< for which it was settled last
+  // What the last frames changed in both (add_change); empty where the last one was the first.
+  std::vector<Eigen::Vector3d> recent_wanted_;
+  std::vector<Eigen::Vector3d> recent_displacement_;
   std::vector<Eigen::Vector3d> forces_;
   // What a target is given by, kept for as long as it is used.
   std::vector<Eigen::Vector3d> next_wanted_;

@@ -6,6 +6,7 @@
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/deformer_state.h"
 #include "lapwing/deform/drag.h"
+#include "lapwing/deform/recent_change.h"
 #include "lapwing/deform/response_basis.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -34,27 +35,14 @@ bool any_far_since(std::span<const Eigen::AngleAxisd> last,
   return false;
 }
 
-// recent = share recent + (to - from), where nothing is 0.
-template <typename T>
-void add_change(std::vector<T>& recent, double share, const std::vector<T>& from,
-                const std::vector<T>& to) {
-  const bool is_first = recent.empty();
-  recent.resize(to.size());
-  for (std::size_t k = 0; k < to.size(); ++k) {
-    const T change = to[k] - from[k];
-    recent[k] = is_first ? change : T(share * recent[k] + change);
-  }
-}
-
 // What the handles made of the surface from one frame to the next. While they rest it settles,
 // which says nothing of where it goes with them.
 void remember_change(SettledPose& last, SettledPose& next) {
-  constexpr double kShareOfOlder = 0.5;
   next.recent_parameters = std::move(last.recent_parameters);
   next.recent_displacement = std::move(last.recent_displacement);
   if (last.parameters == next.parameters) return;
-  add_change(next.recent_parameters, kShareOfOlder, last.parameters, next.parameters);
-  add_change(next.recent_displacement, kShareOfOlder, last.displacement, next.displacement);
+  add_change(next.recent_parameters, last.parameters, next.parameters);
+  add_change(next.recent_displacement, last.displacement, next.displacement);
 }
 
 }  // namespace
@@ -156,7 +144,7 @@ bool Deformer::State::find_coarse() {
 void Deformer::State::take_along(const SettledPose& pose, std::span<const Vector3d> wanted,
                                  const SettleTarget& target, const GoOn& go_on, SettledPose& next) {
   next.displacement = pose.displacement;
-  coarse->move(target, go_on, next.displacement);
+  coarse->move(target, go_on, smoothing_ms, next.displacement);
   for (const Index v : system->region.belt) next.displacement[v] = pose.displacement[v];
   for (const auto& handle : system->region.handles) {
     for (const Index v : handle) {
