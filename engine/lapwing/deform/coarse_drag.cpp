@@ -119,6 +119,7 @@ void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, double next
   const SettleTarget own = target_of(target);
   std::vector<Vector3d> displacement = gone_on();
   int iterations = 0;
+  // One more takes no time that the caller has a use for.
   const auto has_time = [&](double ms) {
     if (iterations < kFewestIterations || !go_on || go_on(ms + carrying_ms_ + next_ms)) return true;
     return !go_on(carrying_ms_ + next_ms) && go_on(ms + carrying_ms_);
