@@ -94,16 +94,12 @@ std::vector<Vector3d> CoarseDrag::gone_on() const {
   std::vector<Vector3d> displacement = pose_.displacement;
   if (wanted_ == next_wanted_) return displacement;
   std::vector<Vector3d> change = next_wanted_;
-  double along = 0.0;
-  double square = 0.0;
+  ShareOfRecent again;
   for (std::size_t c = 0; c < change.size(); ++c) {
     change[c] -= wanted_[c];
-    if (recent_wanted_.empty()) continue;
-    along += change[c].dot(recent_wanted_[c]);
-    square += recent_wanted_[c].squaredNorm();
+    if (!recent_wanted_.empty()) again.add(change[c], recent_wanted_[c]);
   }
-  if (square > 0.0) {
-    const double share = kTrustInRecent * std::clamp(along / square, 0.0, 1.0);
+  if (const double share = kTrustInRecent * again.value(); share > 0.0) {
     for (std::size_t c = 0; c < change.size(); ++c) {
       change[c] -= share * recent_wanted_[c];
       displacement[c] += share * recent_displacement_[c];

@@ -92,15 +92,11 @@ double Deformer::State::share_of_recent(const SettledPose& pose,
   if (pose.recent_parameters.empty()) return 0.0;
   const std::vector<Vector3d> now = system->wanted_displacement(change);
   const std::vector<Vector3d> recent = system->wanted_displacement(pose.recent_parameters);
-  double along = 0.0;
-  double square = 0.0;
+  ShareOfRecent again;
   for (const auto& handle : system->region.handles) {
-    for (const Index v : handle) {
-      along += now[v].dot(recent[v]);
-      square += recent[v].squaredNorm();
-    }
+    for (const Index v : handle) again.add(now[v], recent[v]);
   }
-  return square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+  return again.value();
 }
 
 // Where the surface of a pose is at other parameters. As far as the handles go on as they did

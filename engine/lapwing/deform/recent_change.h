@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace lapwing {
 
@@ -17,5 +20,20 @@ void add_change(std::vector<T>& recent, const std::vector<T>& from, const std::v
     recent[k] = is_first ? change : T(kShareOfOlder * recent[k] + change);
   }
 }
+
+/// How much of what points did recently they do again, from 0 to 1: the share of those ways that
+/// comes nearest to their ways now, in least squares.
+class ShareOfRecent {
+ public:
+  void add(const Eigen::Vector3d& now, const Eigen::Vector3d& recent) {
+    along_ += now.dot(recent);
+    square_ += recent.squaredNorm();
+  }
+  double value() const { return square_ > 0.0 ? std::clamp(along_ / square_, 0.0, 1.0) : 0.0; }
+
+ private:
+  double along_ = 0.0;
+  double square_ = 0.0;
+};
 
 }  // namespace lapwing
