@@ -51,7 +51,7 @@ SystemPattern::SystemPattern(const Topology& topology, std::span<const Index> ro
       coupling_(coupling_graph(topology.rings, roi, unknowns)) {}
 
 const std::vector<int>& SystemPattern::order() const {
-  std::call_once(ordered_, [&] {
+  ordering_([&] {
     if (blocks().size() > kMinimumDegreeLimit) {
       order_ = dissection_order(coupling_);
       return;
@@ -65,7 +65,7 @@ const std::vector<int>& SystemPattern::order() const {
 
 const std::vector<int>& SystemPattern::thorough_order() const {
   order();
-  std::call_once(thoroughly_ordered_, [&] {
+  thorough_ordering_([&] {
     if (is_worth_dissecting(static_cast<double>(blocks().size()), operations_)) {
       thorough_order_ = dissection_order(coupling_);
     }

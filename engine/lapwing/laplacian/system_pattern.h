@@ -1,9 +1,9 @@
 #pragma once
 
-#include <mutex>
 #include <span>
 #include <vector>
 
+#include "lapwing/base/once.h"
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/solve/dissection/coupling_graph.h"
 
@@ -37,10 +37,10 @@ class SystemPattern {
  private:
   NormalPattern normal_;
   mutable CouplingGraph coupling_;  // until there are orders
-  mutable std::once_flag ordered_;
+  mutable Once ordering_;
   mutable std::vector<int> order_;
   mutable double operations_ = 0;  // of L'L in that order, where minimum degree found it
-  mutable std::once_flag thoroughly_ordered_;
+  mutable Once thorough_ordering_;
   mutable std::vector<int> thorough_order_;  // empty where it is the same
 };
 

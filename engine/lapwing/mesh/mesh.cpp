@@ -33,7 +33,7 @@ const Topology& Mesh::topology() const& {
 
 std::shared_ptr<const Topology> Mesh::shared_topology() const {
   if (!connectivity_) throw std::logic_error("a mesh that was moved from has no topology");
-  std::call_once(connectivity_->asked, [&] {
+  connectivity_->building([&] {
     connectivity_->topology = std::make_shared<const Topology>(build_topology(*this));
   });
   if (connectivity_->topology->vertex_count() != vertex_count()) {

@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "lapwing/base/once.h"
 
 namespace lapwing {
 
@@ -121,7 +122,7 @@ class Mesh {
  private:
   struct Connectivity {
     Faces faces;
-    mutable std::once_flag asked;
+    mutable Once building;
     mutable std::shared_ptr<const Topology> topology;
   };
   static const Faces kNoFaces;
