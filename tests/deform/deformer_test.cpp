@@ -442,6 +442,28 @@ TEST(Deformer, ProgressCanCancelAtEveryStage) {
   }
 }
 
+// Without settling only handles that scale need the n x n factor; and what they ask for then is
+// what it would have been at once.
+TEST(Deformer, ALinearOneFactorsTheSmallSystemWhereHandlesScale) {
+  const Mesh mesh = bumpy_tube();
+  CpuKernels kernels;
+  const Deformer settles(mesh.positions, mesh.topology(), foot_and_head(mesh), {}, kernels);
+  const Deformer linear(mesh.positions, mesh.topology(), foot_and_head(mesh),
+                        test::linear_options(), kernels);
+  std::vector<std::string> stages;
+  for (const auto& [stage, ms] : linear.timings().stages()) stages.push_back(stage);
+  EXPECT_THAT(stages, ::testing::ElementsAre("pattern", "order", "assemble", "analyze",
+                                             "normal_matrix", "factor", "upload"));
+  const Eigen::Affine3d moved(Eigen::Translation3d(0.5, 0.2, -0.3));
+  const std::array scaled{Eigen::Affine3d(moved * Eigen::Scaling(1.25))};
+  EXPECT_EQ(linear.asked_scales(std::array{moved}), std::vector<double>());
+  EXPECT_THAT(linear.solve(std::array{moved}).asked_scales, ::testing::Each(1.0));
+  EXPECT_EQ(linear.asked_scales(scaled), settles.asked_scales(scaled));
+  const std::vector<double> asked = linear.solve(scaled).asked_scales;
+  EXPECT_EQ(asked, settles.asked_scales(scaled));
+  EXPECT_GT(*std::max_element(asked.begin(), asked.end()), 1.2);
+}
+
 TEST(Deformer, RunsGiveTheSameBits) {
   const Mesh mesh = bumpy_tube();
   const Positions first = deformed(mesh, bend());

@@ -229,7 +229,7 @@ TEST_F(PreparedTube, FirstPreparationCancelledKeepsWhatItFound) {
   EXPECT_THROW(prepare(edit, [](std::string_view stage, double) { return stage != "factor"; }),
                Cancelled);
   const Deformer next = prepare(edit);
-  EXPECT_THAT(stages_of(next.timings()), ::testing::ElementsAreArray(kFactored));
+  EXPECT_EQ(stages_of(next.timings()), kFactored);
   EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
 }
 
@@ -237,18 +237,29 @@ TEST_F(PreparedTube, FailedPreparationLosesNothing) {
   Edit edit = first_edit(mesh_);
   edit.region.roi = slab(mesh_, 0.0, 7.0);  // which nothing holds but belt and handle
   prepare(edit);
-  for (const bool settles : {true, false}) {
-    Edit unheld = edit;
-    unheld.region.handle_weights = {1e200};  // whose square is none
-    if (!settles) unheld.options.settle.reset();
-    EXPECT_THROW(prepare(unheld), SolverError);
-  }
+  Edit unheld = edit;
+  unheld.region.handle_weights = {1e200};  // whose square is none
+  EXPECT_THROW(prepare(unheld), SolverError);
   Edit unanchored = edit;
   unanchored.region.belt.clear();
   unanchored.region.handles[0].resize(2);
   EXPECT_THROW(prepare(unanchored), InputError);
   const Deformer next = prepare(edit);
   EXPECT_EQ(stages_of(next.timings()), kSameFactor);
+  EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
+}
+
+// Where the n x n system does not fail first.
+TEST_F(PreparedTube, FailedLinearPreparationLosesTheFactorAlone) {
+  Edit edit = first_edit(mesh_);
+  edit.region.roi = slab(mesh_, 0.0, 7.0);
+  prepare(edit);
+  Edit unheld = edit;
+  unheld.region.handle_weights = {1e200};
+  unheld.options.settle.reset();
+  EXPECT_THROW(prepare(unheld), SolverError);
+  const Deformer next = prepare(edit);
+  EXPECT_EQ(stages_of(next.timings()), kFactored);
   EXPECT_TRUE(same_bits(solved(next, edit), expected(edit)));
 }
 

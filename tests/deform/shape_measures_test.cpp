@@ -36,7 +36,7 @@ class ShapeMeasures : public ::testing::Test {
     return edge_stretch(all_, topology_, rest_, current);
   }
   StretchedEdge most_stretched(const Positions& current) const {
-    return most_stretched_edge(all_, topology_, rest_, current);
+    return edge_stretches(all_, topology_, rest_, current).most;
   }
 
   VertexMeasures measure(const Positions& current) const {

@@ -58,6 +58,29 @@ TEST(EnergyWeights, RefiningTheMeshKeepsTheRatioOfRowsAndEdges) {
   EXPECT_NEAR(coarse.rows / coarse.edges, fine.rows / fine.edges, 0.05 * fine.rows / fine.edges);
 }
 
+// What lies far from the region does not count, whatever its shape.
+TEST(EnergyWeights, AreThoseOfTheRegionAlone) {
+  Mesh mesh = icosphere(3);
+  const Topology& topology = mesh.topology();
+  std::vector<Index> region;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.positions[v].z() > 0.6) region.push_back(v);
+  }
+  const EnergyWeights before = energy_weights(topology, mesh.positions, region, kTerms);
+  for (Vector3d& p : mesh.positions) {
+    if (p.z() < 0.2) p *= 3.0;
+  }
+  const EnergyWeights after = energy_weights(topology, mesh.positions, region, kTerms);
+  EXPECT_EQ(before.rows, after.rows);
+  for (const Index i : region) {
+    for (std::size_t e = topology.rings.starts[i]; e < topology.rings.starts[i + 1]; ++e) {
+      EXPECT_EQ(before.laplacian[e], after.laplacian[e]);
+      EXPECT_EQ(before.stiffness[e], after.stiffness[e]);
+      EXPECT_GT(after.stiffness[e], 0.0);
+    }
+  }
+}
+
 TEST(EnergyWeights, StiffnessIsTheSameFromBothEndsAndPositive) {
   const Mesh mesh = rippled_cylinder(24, 31);
   const Topology& topology = mesh.topology();

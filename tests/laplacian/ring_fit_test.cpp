@@ -74,6 +74,21 @@ TEST(RingFit, RecoversEveryRotation) {
   }
 }
 
+TEST(RingFit, RecoversEverySimilarity) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const Ring ring = random_ring(3 + seed % 7, seed);
+    const double scale = 0.1 + 0.2 * seed;
+    const Eigen::Affine3d map =
+        Eigen::Translation3d(1e3, -2e3, 5) *
+        Eigen::AngleAxisd(0.07 * seed, Vector3d(1, 2.0 - seed, 3).normalized()) *
+        Eigen::Scaling(scale);
+    const RingSimilarity fit =
+        fit_similarity(0, ring.neighbours, ring.positions, mapped(ring.positions, map));
+    EXPECT_LT((scale * fit.R - map.linear()).norm(), 1e-10) << "seed " << seed;
+    EXPECT_NEAR(fit.scale, scale, 1e-10) << "seed " << seed;
+  }
+}
+
 TEST(RingFit, RotationOfAReflectedRingIsProper) {
   const Ring ring = random_ring(6, 4);
   Eigen::Affine3d mirror = Eigen::Affine3d::Identity();
@@ -104,6 +119,7 @@ TEST(RingFit, RingAtOnePointHasNoFit) {
   EXPECT_EQ(fit.inverse_S, 0.0);
   EXPECT_TRUE(fit.inverse_J.isZero(0.0));
   EXPECT_TRUE(fit_rotation(0, std::vector<Index>{1, 2, 3}, same, same).isIdentity(0.0));
+  EXPECT_EQ(fit_similarity(0, std::vector<Index>{1, 2, 3}, same, same).scale, 1.0);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "lapwing/laplacian/weights.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -25,6 +26,30 @@ TEST(LaplacianWeights, EveryRowSumsToOne) {
       EXPECT_NEAR(row_sum(topology.rings, weights, i), 1.0, 1e-14);
     }
   }
+}
+
+TEST(LaplacianWeights, OfSomeRowsAreThoseOfAll) {
+  const Mesh mesh = torus(17, 9, 2.0, 0.7);
+  const Topology& topology = mesh.topology();
+  const Adjacency& rings = topology.rings;
+  const std::vector<Index> rows{90, 3, 40, 41};
+  const auto expect_same = [&](const std::vector<double>& some, const std::vector<double>& all) {
+    ASSERT_EQ(some.size(), all.size());
+    for (Index i = 0; i < rings.row_count(); ++i) {
+      const bool is_wanted = std::find(rows.begin(), rows.end(), i) != rows.end();
+      for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
+        EXPECT_EQ(some[e], is_wanted ? all[e] : 0.0) << "vertex " << i;
+      }
+    }
+  };
+  for (const auto scheme : {LaplacianWeights::uniform, LaplacianWeights::cotangent}) {
+    expect_same(laplacian_weights(topology, mesh.positions, scheme, rows),
+                laplacian_weights(topology, mesh.positions, scheme));
+  }
+  const auto sums = cotangent_sums(topology, mesh.positions, rows);
+  expect_same(sums, cotangent_sums(topology, mesh.positions));
+  EXPECT_EQ(laplacian_weights(topology, sums, rows),
+            laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent, rows));
 }
 
 TEST(LaplacianWeights, CotangentLaplacianOfALinearFunctionIsZeroInsideThePlane) {

@@ -33,6 +33,12 @@ TEST_F(SpareMemory, IsUsedByTheNextArenaOfAboutTheSize) {
   EXPECT_EQ(calls_to_reserve(3 * kMegabyte), 1) << "a waste";
 }
 
+TEST_F(SpareMemory, HasRoomForASomewhatLargerArena) {
+  EXPECT_EQ(calls_to_reserve(33 * kMegabyte), 1);
+  EXPECT_EQ(calls_to_reserve(38 * kMegabyte), 0);
+  EXPECT_EQ(calls_to_reserve(42 * kMegabyte), 1) << "too small";
+}
+
 TEST_F(SpareMemory, IsAsLargeAsTheBlockItStandsIn) {
   EXPECT_EQ(calls_to_reserve(10 * kMegabyte), 1);
   Arena arena;

@@ -20,6 +20,7 @@ struct Studies {
   RealBench real;
   ConstraintsBench constraints;
   FollowBench follow;
+  EditsBench edits;
   CoatBench coat;
 #ifdef LAPWING_HAVE_VIEWER
   FrameBench frame;
@@ -121,6 +122,21 @@ void add_studies(CLI::App& app, Studies& studies) {
   follow->add_option("--budget", studies.follow.budget_ms, "milliseconds of a frame")
       ->check(CLI::PositiveNumber);
   follow->callback([&] { bench_follow(studies.follow); });
+
+  auto* edits =
+      app.add_subcommand("edits", "edits of many regions of a mesh, each prepared anew, by stages");
+  edits->add_option("MESH", studies.edits.meshes);
+  edits->add_option("--hills", studies.edits.hills, "generated sheets of so many vertices a side")
+      ->delimiter(',')
+      ->check(CLI::Range(2, 4000));
+  edits->add_option("--vertices", studies.edits.vertices, "of a region, at most")
+      ->check(CLI::Range(100, 1'000'000))
+      ->capture_default_str();
+  edits->add_option("--count", studies.edits.count, "edits of each mesh")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  edits->add_flag("--settled", studies.edits.settled, "not by the linear response alone");
+  edits->callback([&] { bench_edits(studies.edits); });
 
   auto* constraints =
       app.add_subcommand("constraints", "what many handles and landmarks cost beside one handle");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <mutex>
 #include <numbers>
 #include <sstream>
 
@@ -20,6 +21,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr std::size_t kRingsPerTask = 256;
+
 Vector3d area_normal(const Triangle& t, std::span<const Vector3d> p) {
   return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
 }
@@ -32,28 +35,33 @@ bool has_a_side(const Triangle& t, std::span<const Vector3d> p) {
   return area_normal(t, p).norm() > kThinnestTriangle * longest;
 }
 
-void count_flipped(std::span<const char> in_roi, std::span<const Matrix3d> rotation_of,
-                   const Topology& topology, std::span<const Vector3d> rest,
-                   std::span<const Vector3d> current, Certificate& certificate) {
-  CancelCheck cancel_check;
-  for (Index t = 0; t < topology.triangles.size(); ++t) {
-    cancel_check();
-    const Triangle& corners = topology.triangles[t];
-    Matrix3d turn = Matrix3d::Zero();
-    bool touched = false;
-    for (const Index v : corners) {
-      touched = touched || in_roi[v] != 0;
-      turn += in_roi[v] != 0 ? rotation_of[v] : Matrix3d(Matrix3d::Identity());
-    }
-    if (!touched || !has_a_side(corners, rest)) continue;
-    const Vector3d expected = turn * area_normal(corners, rest);
-    if (expected.dot(area_normal(corners, current)) < 0.0) {
-      if (certificate.first_flipped_triangles.size() < kListedTriangles) {
-        certificate.first_flipped_triangles.push_back(t);
+// Those that touch `roi`, ascending. Each is looked at from its first corner there.
+std::vector<Index> flipped_triangles(std::span<const Index> roi, std::span<const char> in_roi,
+                                     std::span<const Matrix3d> rotation_of,
+                                     const Topology& topology, std::span<const Vector3d> rest,
+                                     std::span<const Vector3d> current) {
+  std::mutex mutex;
+  std::vector<Index> flipped;
+  parallel_for(roi.size(), kRingsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      for (const Index t : topology.vertex_triangles[roi[r]]) {
+        const Triangle& corners = topology.triangles[t];
+        const auto first =
+            std::find_if(corners.begin(), corners.end(), [&](Index v) { return in_roi[v] != 0; });
+        if (*first != roi[r] || !has_a_side(corners, rest)) continue;
+        Matrix3d turn = Matrix3d::Zero();
+        for (const Index v : corners) {
+          turn += in_roi[v] != 0 ? rotation_of[v] : Matrix3d(Matrix3d::Identity());
+        }
+        const Vector3d expected = turn * area_normal(corners, rest);
+        if (!(expected.dot(area_normal(corners, current)) < 0.0)) continue;
+        const std::scoped_lock lock(mutex);
+        flipped.push_back(t);
       }
-      ++certificate.flipped_triangles;
     }
-  }
+  });
+  std::sort(flipped.begin(), flipped.end());
+  return flipped;
 }
 
 std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_count) {
@@ -68,29 +76,29 @@ std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_co
   return free;
 }
 
-}  // namespace
-
-void measure_shape(std::span<const Index> roi, const Topology& topology,
-                   std::span<const Vector3d> rest, std::span<const Vector3d> current,
-                   Certificate& certificate, std::span<const double> asked) {
+// `measure_shape`, and the rotation of each ring, by vertex of the mesh; nothing elsewhere.
+std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topology& topology,
+                                         std::span<const Vector3d> rest,
+                                         std::span<const Vector3d> current,
+                                         Certificate& certificate, std::span<const double> asked) {
   certificate.rest_diagonal = bounds_of(rest).diagonal();
   for (const Index v : roi) {
     certificate.all_finite = certificate.all_finite && current[v].allFinite();
   }
-  if (!certificate.all_finite) return;
+  if (!certificate.all_finite) return {};
 
-  std::vector<double> scales(roi.size(), 1.0);
+  std::vector<double> scales(roi.size());
+  std::vector<double> angles(roi.size());
   std::vector<char> in_roi(rest.size(), 0);
   std::vector<Matrix3d> rotations(rest.size());
-  parallel_for(roi.size(), 256, [&](std::size_t begin, std::size_t end) {
+  parallel_for(roi.size(), kRingsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; ++m) {
       const Index i = roi[m];
+      const RingSimilarity ring = fit_similarity(i, topology.rings[i], rest, current);
       in_roi[i] = 1;
-      const auto ring = topology.rings[i];
-      rotations[i] = fit_rotation(i, ring, rest, current);
-      if (fit_ring(i, ring, rest).inverse_S > 0.0) {
-        scales[m] = fit_scale(i, ring, rest, current, rotations[i]);
-      }
+      rotations[i] = ring.R;
+      scales[m] = ring.scale;
+      angles[m] = rotation_angle(ring.R);
     }
   });
   double largest_angle = 0.0;
@@ -105,27 +113,41 @@ void measure_shape(std::span<const Index> roi, const Topology& topology,
       certificate.largest_scale = scales[m];
       certificate.largest_scale_vertex = roi[m];
     }
-    const double angle = rotation_angle(rotations[roi[m]]);
-    if (angle > largest_angle) {
-      largest_angle = angle;
+    if (angles[m] > largest_angle) {
+      largest_angle = angles[m];
       certificate.largest_rotation_vertex = roi[m];
     }
   }
   certificate.largest_rotation_degrees = largest_angle * 180.0 / std::numbers::pi;
-  const StretchedEdge edge = most_stretched_edge(roi, topology, rest, current, asked);
-  certificate.largest_edge_stretch = edge.stretch;
-  certificate.largest_edge_stretch_vertices = edge.vertices;
-  count_flipped(in_roi, rotations, topology, rest, current, certificate);
+  const EdgeStretches edges = edge_stretches(roi, topology, rest, current, asked);
+  certificate.edge_stretch = edges.root_mean_square;
+  certificate.largest_edge_stretch = edges.most.stretch;
+  certificate.largest_edge_stretch_vertices = edges.most.vertices;
+  const std::vector<Index> flipped =
+      flipped_triangles(roi, in_roi, rotations, topology, rest, current);
+  certificate.flipped_triangles = flipped.size();
+  certificate.first_flipped_triangles.assign(
+      flipped.begin(), flipped.begin() + std::min(flipped.size(), kListedTriangles));
+  return rotations;
+}
+
+}  // namespace
+
+void measure_shape(std::span<const Index> roi, const Topology& topology,
+                   std::span<const Vector3d> rest, std::span<const Vector3d> current,
+                   Certificate& certificate, std::span<const double> asked) {
+  measured_rotations(roi, topology, rest, current, certificate, asked);
 }
 
 void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> weights, std::span<const Vector3d> rest,
                     std::span<const Vector3d> current, Certificate& certificate,
                     std::span<const double> asked) {
-  measure_shape(region.roi, topology, rest, current, certificate, asked);
-  certificate.detail_error =
-      detail_error(free_vertices(region, rest.size()), topology, weights, rest, current, asked);
-  certificate.edge_stretch = edge_stretch(region.roi, topology, rest, current, asked);
+  const std::vector<Matrix3d> rotations =
+      measured_rotations(region.roi, topology, rest, current, certificate, asked);
+  if (!certificate.all_finite) return;
+  certificate.detail_error = detail_error(free_vertices(region, rest.size()), topology, weights,
+                                          rest, current, rotations, asked);
 }
 
 bool misses_handles(const Certificate& c) {

@@ -82,15 +82,16 @@ inline constexpr double kMostHandleLag = 0.25;
 /// Whether a handle is farther from its place than those two allow.
 bool misses_handles(const Certificate& certificate);
 
-/// Fills in what can be measured from the shapes alone: size, scales, rotations, flips, the edge
-/// stretched most, finiteness. `roi` are the vertices measured; triangles count when they touch it.
-/// `asked` are the scales that the handles ask for, as in `detail_error`. Linear time.
+/// Fills in what can be measured from the shapes alone: size, scales, rotations, flips, edge
+/// stretch, finiteness; of a pose that is not finite that alone. `roi` are the vertices measured;
+/// triangles count when they touch it. `asked` are the scales that the handles ask for, as in
+/// `detail_error`. Linear time.
 void measure_shape(std::span<const Index> roi, const Topology& topology,
                    std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
                    Certificate& certificate, std::span<const double> asked = {});
 
 /// The same for an edit's region, with the detail error over its free vertices (`weights` are those
-/// of the Laplacians) and the edge stretch.
+/// of the Laplacians).
 void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
                     std::span<const Eigen::Vector3d> current, Certificate& certificate,

@@ -107,8 +107,7 @@ std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t 
     coarse->prepared = std::make_unique<PreparedRegion>(coarse->topology);
     coarse->edit = std::make_unique<const EditSystem>(
         *coarse->prepared, own_rest, kept_of(fine.region, places_in(coarse->kept, rest.size())),
-        fine.options, Progress());
-    coarse->edit->hold_laplacian();
+        fine.options, Progress(), true);
   } catch (const InputError&) {
     return nullptr;
   } catch (const SolverError&) {

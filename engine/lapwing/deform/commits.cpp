@@ -56,7 +56,8 @@ Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
     const double off = (point_of(target, end) - target.position).norm();
     certificate.target_error = std::max(certificate.target_error, off);
   }
-  const auto weights = laplacian_weights(bound.topology, start, bound.request.parameters.weights);
+  const auto weights =
+      laplacian_weights(bound.topology, start, bound.request.parameters.weights, region.roi);
   measure_region(region, bound.topology, weights, start, end, certificate);
   require_valid(certificate);
   return certificate;

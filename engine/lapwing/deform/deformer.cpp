@@ -29,8 +29,13 @@ std::shared_ptr<const EditSystem> edit_of(const Topology& topology, std::span<co
   return std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress);
 }
 
-// What a rotation is off from no scale by rounding.
-constexpr double kSameScale = 1e-12;
+bool all_keep_size(std::span<const Eigen::Affine3d> motions) {
+  // What a rotation is off from no scale by rounding.
+  constexpr double kSameScale = 1e-12;
+  return std::all_of(motions.begin(), motions.end(), [](const Eigen::Affine3d& motion) {
+    return std::abs(scale_of(motion) - 1.0) < kSameScale;
+  });
+}
 
 // A result is in double precision whatever the device; and a device that is the processor in
 // disguise takes about three times as long as the CPU twins (measured on lavapipe).
@@ -52,10 +57,24 @@ bool Deformer::State::hold_response(const Progress& progress) {
   return true;
 }
 
+// The RSI system does without, unless it settles.
+bool Deformer::State::has_shares() const {
+  return system->options.settle || has_scale_forces();
+}
+
+// They take the factor of the n x n system, which a linear response that scales nothing needs for
+// nothing else. Under the lock.
+const HandleShares& Deformer::State::held_shares() const {
+  system->hold_laplacian();
+  if (shares == nullptr) shares = std::make_unique<HandleShares>(*system);
+  return *shares;
+}
+
 std::vector<double> Deformer::State::asked_scales(std::span<const Eigen::Affine3d> motions) const {
+  if (all_keep_size(motions)) return std::vector<double>(system->rest->size(), 1.0);
   std::vector<double> scales;
   for (const Eigen::Affine3d& motion : motions) scales.push_back(scale_of(motion));
-  return shares->scales(scales);
+  return held_shares().scales(scales);
 }
 
 void Deformer::State::make_settler(Kernels& on) {
@@ -82,7 +101,7 @@ Numbers Deformer::State::forces_of_scales(std::span<const double> q) const {
     growth.push_back(growth_of(system->frames[h], q.subspan(h * kMotionParameters)));
   }
   if (std::all_of(growth.begin(), growth.end(), [](double g) { return g == 0.0; })) return {};
-  return scale_forces(*system, shares->spread(growth));
+  return scale_forces(*system, held_shares().spread(growth));
 }
 
 // That, and what the springs pull them by.
@@ -126,16 +145,19 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   s.timings = edit.timings;
   const auto lock = edit.systems->lock();
   s.hold_response(progress);
-  edit.hold_laplacian();
-  s.weights = edit.systems->laplacian().weights().laplacian;
-  report_progress(progress, "shares", 0.0);
-  Stopwatch watch;
-  if (edit.options.settle || edit.options.response == LinearResponse::tangent) {
-    s.shares = std::make_unique<HandleShares>(edit);
+  if (edit.options.settle) {
+    edit.hold_laplacian();
+  } else {
+    edit.assemble_laplacian();
   }
-  s.timings.add("shares", watch.elapsed_ms());
-
-  watch.restart();
+  s.weights = edit.systems->laplacian().weights().laplacian;
+  Stopwatch watch;
+  if (edit.options.settle) {
+    report_progress(progress, "shares", 0.0);
+    s.held_shares();
+    s.timings.add("shares", watch.elapsed_ms());
+    watch.restart();
+  }
   report_progress(progress, "upload", 0.0);
   CpuKernels cpu;
   s.make_settler(settles_on(kernels.device()) ? kernels : cpu);
@@ -148,12 +170,16 @@ void Deformer::hold(const Progress& progress) const {
   const State& s = *state_;
   StageTimings untold;
   if (is_exact()) s.system->hold_response(*s.kernels, progress, untold);
-  hold_for_settling();
+  if (s.settler != nullptr) {
+    hold_for_settling();
+  } else {
+    s.system->assemble_laplacian();
+  }
 }
 
 void Deformer::hold_for_settling() const {
   state_->system->hold_laplacian();
-  if (state_->settler != nullptr) state_->system->systems->laplacian_with_rings();
+  state_->system->systems->laplacian_with_rings();
 }
 
 Deformer::~Deformer() = default;
@@ -172,7 +198,7 @@ void Deformer::choose_start(std::span<const Eigen::Affine3d> motions,
                             std::span<const Eigen::AngleAxisd> turns, const SettleTarget& target,
                             std::vector<Vector3d>& u) const {
   const State& s = *state_;
-  std::vector<Vector3d> turned = s.shares->turned(motions, turns);
+  std::vector<Vector3d> turned = s.held_shares().turned(motions, turns);
   if (!s.system->region.targets.empty()) {
     const std::vector<double> still(s.system->column_count(), 0.0);
     const std::vector<Vector3d> drawn =
@@ -198,7 +224,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   const Numbers forces = s.forces_of(q);
   std::vector<Vector3d> u = s.linear_displacement(wanted, forces);
   std::vector<double> scales;
-  if (s.shares != nullptr) scales = s.asked_scales(motions);
+  if (s.has_shares()) scales = s.asked_scales(motions);
 
   DeformResult result;
   Certificate& certificate = result.certificate;
@@ -249,12 +275,8 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
 
 std::vector<double> Deformer::asked_scales(std::span<const Eigen::Affine3d> motions) const {
   const State& s = *state_;
-  const bool keeps_size = std::all_of(motions.begin(), motions.end(), [](const auto& motion) {
-    return std::abs(scale_of(motion) - 1.0) < kSameScale;
-  });
-  if (keeps_size || s.shares == nullptr) return {};
+  if (all_keep_size(motions) || !s.has_shares()) return {};
   const auto lock = s.system->systems->lock();
-  s.system->hold_laplacian();
   return s.asked_scales(motions);
 }
 

@@ -51,8 +51,8 @@ struct DeformResult {
 class Deformer {
  public:
   /// Prepares. Stages reported and timed: "pattern", "order", with settling "laplacian",
-  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", "shares", "upload"
-  /// (of what settling needs). Throws InputError for a region that does not fit the mesh,
+  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", with settling
+  /// "shares", "upload" (of what settling needs). Throws InputError for a region that does not fit the mesh,
   /// SolverError when a component of the region is not anchored or its exact system exceeds the
   /// memory limit and nothing settles, GpuError when the device fails, Cancelled when `progress`
   /// asks for it.

@@ -220,7 +220,7 @@ std::shared_ptr<const DragResponse> Deformer::columns_of(std::vector<std::size_t
   State& s = *state_;
   hold(progress);
   report_progress(progress, "response", 0.0);
-  const HandleShares* shares = s.has_scale_forces() ? s.shares.get() : nullptr;
+  const HandleShares* shares = s.has_scale_forces() ? &s.held_shares() : nullptr;
   Numbers columns = is_exact() ? response_basis(*s.system, handles, shares, progress)
                                : axis_response(*s.system, handles);
   s.latest = std::make_shared<const DragResponse>(s.system, std::move(handles), std::move(columns),

@@ -29,7 +29,7 @@ struct Deformer::State {
   std::unique_ptr<PoseTangent> tangent;  ///< null without settling, as the next two
   std::unique_ptr<RegionPartSettler> parts;
   std::unique_ptr<Settler> settler;
-  std::unique_ptr<HandleShares> shares;
+  mutable std::unique_ptr<HandleShares> shares;  ///< null until asked for: `held_shares`
   std::vector<double> weights;  ///< of the Laplacians that certificates measure
   std::shared_ptr<const DragResponse> response;
   std::atomic<bool> has_response = false;      ///< `response` does not change from then on
@@ -47,6 +47,8 @@ struct Deformer::State {
 
   bool hold_response(const Progress& progress);
   void make_settler(Kernels& on);
+  bool has_shares() const;
+  const HandleShares& held_shares() const;
   bool has_scale_forces() const;
   Numbers forces_of_scales(std::span<const double> q) const;
   Numbers forces_of(std::span<const double> q) const;

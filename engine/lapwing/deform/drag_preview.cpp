@@ -18,16 +18,16 @@ DragPreview::DragPreview(std::span<const Vector3d> rest, const Topology& topolog
 DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> rest,
                          EditRegion region, const DeformOptions& options, const Progress& progress)
     : system_(std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
-                                                 progress)) {
+                                                 progress, true)) {
   *this = DragPreview(system_, system_->all_handles(), progress);
 }
 
 DragPreview::DragPreview(PreparedRegion& prepared, std::span<const Vector3d> rest,
                          EditRegion region, const DeformOptions& options,
                          std::span<const std::size_t> handles, const Progress& progress)
-    : DragPreview(
-          std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress),
-          handles, progress) {}
+    : DragPreview(std::make_shared<const EditSystem>(prepared, rest, std::move(region), options,
+                                                     progress, true),
+                  handles, progress) {}
 
 DragPreview::DragPreview(std::shared_ptr<const EditSystem> system,
                          std::span<const std::size_t> handles, const Progress& progress)

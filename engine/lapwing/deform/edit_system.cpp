@@ -68,7 +68,7 @@ std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unk
 
 EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_positions,
                        EditRegion edit_region, const DeformOptions& deform_options,
-                       const Progress& progress)
+                       const Progress& progress, bool is_previewed)
     : topology(prepared.topology()), region(std::move(edit_region)), options(deform_options) {
   check(options);
   const ProgressScope scope(progress);
@@ -88,6 +88,7 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
     timings.add("pattern", watch.elapsed_ms());
     watch.restart();
   }
+  const bool needs_laplacian = is_previewed || options.settle.has_value();
   const auto lock = systems->lock();
   const char* const stage = begin(systems->is_ordered() ? "constraints" : "order");
   parallel_invoke(
@@ -95,9 +96,16 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
         check_and_frame();
         systems->assemble_laplacian(terms());
       },
-      [&] { systems->analyze_laplacian(); });
+      [&] {
+        if (needs_laplacian) {
+          systems->analyze_laplacian();
+        } else {
+          systems->find_order();
+        }
+      });
   timings.add(stage, watch.elapsed_ms());
   watch.restart();
+  if (!needs_laplacian) return;
   if (finds_pattern) require_memory_to_settle();
   begin("laplacian");
   hold_laplacian();
@@ -135,6 +143,10 @@ void EditSystem::make_springs() {
 
 SystemTerms EditSystem::terms() const {
   return {rest, {options.weights, options.detail_length}, region.turns_freely, springs};
+}
+
+void EditSystem::assemble_laplacian() const {
+  systems->assemble_laplacian(terms());
 }
 
 void EditSystem::hold_laplacian() const {

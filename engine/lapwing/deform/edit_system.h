@@ -27,10 +27,11 @@ inline constexpr double kFarthestMove = 1e7;
 /// RegionSystem.
 struct EditSystem {
   /// Stages "pattern" and "order", or "constraints" where `prepared` has both, and "laplacian", the
-  /// n x n system. Throws what Deformer does, and SolverError when there is not the memory to
-  /// settle so many vertices.
+  /// n x n system, which is factored for previews and where the options settle. Throws what
+  /// Deformer does, and SolverError when there is not the memory to settle so many vertices.
   EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
-             EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress);
+             EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress,
+             bool is_previewed = false);
 
   std::shared_ptr<const Positions> rest;
   const Topology& topology;
@@ -47,7 +48,9 @@ struct EditSystem {
   /// outside the handles and, with hard constraints, the belt; and the loose parts.
   std::vector<Index> moving;
 
-  /// Makes the n x n system that of this edit, for previews and settling.
+  /// Makes the n x n system that of this edit, but for its factor.
+  void assemble_laplacian() const;
+  /// With its factor: for previews, settling and the shares of handles.
   void hold_laplacian() const;
   /// Makes the 3n x 3n one that of this edit.
   void hold_response(Kernels& kernels, const Progress& progress, StageTimings& stages) const;

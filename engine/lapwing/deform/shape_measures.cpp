@@ -29,6 +29,35 @@ double stretch_of(Index i, Index j, std::span<const Vector3d> rest,
   return was > 0.0 ? std::abs((current[i] - current[j]).norm() / was - 1.0) : -1.0;
 }
 
+// Of the edges of one ring or of several.
+struct RowStretches {
+  double sum_of_squares = 0.0;
+  std::size_t count = 0;
+  StretchedEdge most;
+
+  void add(const RowStretches& other) {
+    sum_of_squares += other.sum_of_squares;
+    count += other.count;
+    if (other.most.stretch > most.stretch) most = other.most;
+  }
+  double root_mean_square() const {
+    return count > 0 ? std::sqrt(sum_of_squares / static_cast<double>(count)) : 0.0;
+  }
+};
+
+RowStretches stretches_of_row(Index i, const Topology& topology, std::span<const Vector3d> rest,
+                              std::span<const Vector3d> current, std::span<const double> scales) {
+  RowStretches row;
+  for (const Index j : topology.rings[i]) {
+    const double stretch = stretch_of(i, j, rest, current, scales);
+    if (stretch < 0.0) continue;
+    row.sum_of_squares += stretch * stretch;
+    ++row.count;
+    if (stretch > row.most.stretch) row.most = {{std::min(i, j), std::max(i, j)}, stretch};
+  }
+  return row;
+}
+
 // delta_i and L(v'_i), from differences: positions far from the origin lose nothing.
 struct Laplacians {
   Vector3d was = Vector3d::Zero();
@@ -51,51 +80,64 @@ Laplacians laplacians_of(Index i, const Topology& topology, std::span<const doub
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Vector3d> rest,
                     std::span<const Vector3d> current, std::span<const double> scales) {
-  double off = 0.0;
-  double size = 0.0;
-  CancelCheck cancel_check;
-  for (const Index i : rows) {
-    cancel_check();
-    const Laplacians L = laplacians_of(i, topology, weights, rest, current);
-    const Matrix3d R = fit_rotation(i, topology.rings[i], rest, current);
-    const Vector3d wanted = scale_at(scales, i) * L.was;
-    off += (L.is - R * wanted).squaredNorm();
-    size += wanted.squaredNorm();
+  std::vector<Matrix3d> rotations(rest.size());
+  parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (const Index i : rows.subspan(begin, end - begin)) {
+      rotations[i] = fit_rotation(i, topology.rings[i], rest, current);
+    }
+  });
+  return detail_error(rows, topology, weights, rest, current, rotations, scales);
+}
+
+double detail_error(std::span<const Index> rows, const Topology& topology,
+                    std::span<const double> weights, std::span<const Vector3d> rest,
+                    std::span<const Vector3d> current, std::span<const Matrix3d> rotations,
+                    std::span<const double> scales) {
+  struct Row {
+    double off = 0.0;
+    double size = 0.0;
+  };
+  std::vector<Row> of_rows(rows.size());
+  parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const Index i = rows[r];
+      const Laplacians L = laplacians_of(i, topology, weights, rest, current);
+      const Vector3d wanted = scale_at(scales, i) * L.was;
+      of_rows[r] = {(L.is - rotations[i] * wanted).squaredNorm(), wanted.squaredNorm()};
+    }
+  });
+  Row sum;
+  for (const Row& row : of_rows) {
+    sum.off += row.off;
+    sum.size += row.size;
   }
-  return size > 0.0 ? std::sqrt(off / size) : 0.0;
+  return sum.size > 0.0 ? std::sqrt(sum.off / sum.size) : 0.0;
 }
 
 double edge_stretch(std::span<const Index> rows, const Topology& topology,
                     std::span<const Vector3d> rest, std::span<const Vector3d> current,
                     std::span<const double> scales) {
-  double sum = 0.0;
-  std::size_t count = 0;
+  RowStretches sum;
   CancelCheck cancel_check;
   for (const Index i : rows) {
     cancel_check();
-    for (const Index j : topology.rings[i]) {
-      const double stretch = stretch_of(i, j, rest, current, scales);
-      if (stretch < 0.0) continue;
-      sum += stretch * stretch;
-      ++count;
-    }
+    sum.add(stretches_of_row(i, topology, rest, current, scales));
   }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+  return sum.root_mean_square();
 }
 
-StretchedEdge most_stretched_edge(std::span<const Index> rows, const Topology& topology,
-                                  std::span<const Vector3d> rest, std::span<const Vector3d> current,
-                                  std::span<const double> scales) {
-  StretchedEdge most;
-  CancelCheck cancel_check;
-  for (const Index i : rows) {
-    cancel_check();
-    for (const Index j : topology.rings[i]) {
-      const double stretch = stretch_of(i, j, rest, current, scales);
-      if (stretch > most.stretch) most = {{std::min(i, j), std::max(i, j)}, stretch};
+EdgeStretches edge_stretches(std::span<const Index> rows, const Topology& topology,
+                             std::span<const Vector3d> rest, std::span<const Vector3d> current,
+                             std::span<const double> scales) {
+  std::vector<RowStretches> of_rows(rows.size());
+  parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      of_rows[r] = stretches_of_row(rows[r], topology, rest, current, scales);
     }
-  }
-  return most;
+  });
+  RowStretches sum;
+  for (const RowStretches& row : of_rows) sum.add(row);
+  return {sum.root_mean_square(), sum.most};
 }
 
 VertexMeasures measure_vertices(std::span<const Index> rows, const Topology& topology,

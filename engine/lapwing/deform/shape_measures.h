@@ -22,24 +22,34 @@ double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
                     std::span<const Eigen::Vector3d> current, std::span<const double> scales = {});
 
+/// The same where the R_i are known, by vertex of the mesh.
+double detail_error(std::span<const Index> rows, const Topology& topology,
+                    std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
+                    std::span<const Eigen::Vector3d> current,
+                    std::span<const Eigen::Matrix3d> rotations, std::span<const double> scales);
+
 /// Root mean square over the ring edges of `rows` of |length' / (s length) - 1|, s the mean of s_i
 /// over both ends. Edges without length do not count.
 double edge_stretch(std::span<const Index> rows, const Topology& topology,
                     std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
                     std::span<const double> scales = {});
 
-/// An edge and its |length' / (s length) - 1|.
+/// The edge whose length changes most, relative to itself, the first of equal ones, and its
+/// |length' / (s length) - 1|. No vertices where every edge keeps its length.
 struct StretchedEdge {
   std::array<Index, 2> vertices{kNoIndex, kNoIndex};  ///< the lower first
   double stretch = 0.0;
 };
 
-/// The ring edge of `rows` whose length changes most, relative to itself; the first of equal ones.
-/// No vertices where every edge keeps its length.
-StretchedEdge most_stretched_edge(std::span<const Index> rows, const Topology& topology,
-                                  std::span<const Eigen::Vector3d> rest,
-                                  std::span<const Eigen::Vector3d> current,
-                                  std::span<const double> scales = {});
+/// Over the ring edges of `rows`, on all processors.
+struct EdgeStretches {
+  double root_mean_square = 0.0;  ///< `edge_stretch`
+  StretchedEdge most;
+};
+EdgeStretches edge_stretches(std::span<const Index> rows, const Topology& topology,
+                             std::span<const Eigen::Vector3d> rest,
+                             std::span<const Eigen::Vector3d> current,
+                             std::span<const double> scales = {});
 
 /// What became of each vertex's ring; all lists as long as `vertices`.
 struct VertexMeasures {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -37,12 +38,24 @@ double area_around(Index i, const Adjacency& rings, std::span<const double> area
   return ring.empty() ? areas[i] : std::max(areas[i], sum / static_cast<double>(ring.size()));
 }
 
-std::vector<double> ring_areas(const Topology& topology, std::span<const Vector3d> rest) {
+// Of the vertices of `roi` and their neighbours; 0 elsewhere.
+std::vector<double> ring_areas(const Topology& topology, std::span<const Vector3d> rest,
+                               std::span<const Index> roi) {
   constexpr std::size_t kRowsPerTask = 2048;
+  std::vector<char> seen(rest.size(), 0);
+  std::vector<Index> vertices;
+  vertices.reserve(roi.size());
+  const auto add = [&](Index v) {
+    if (std::exchange(seen[v], 1) == 0) vertices.push_back(v);
+  };
+  for (const Index i : roi) {
+    add(i);
+    for (const Index j : topology.rings[i]) add(j);
+  }
   std::vector<double> areas(rest.size());
-  parallel_for(rest.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      areas[i] = ring_area(static_cast<Index>(i), topology, rest);
+  parallel_for(vertices.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      areas[vertices[k]] = ring_area(vertices[k], topology, rest);
     }
   });
   return areas;
@@ -85,17 +98,25 @@ std::vector<double> row_weights(const Topology& topology, std::span<const Index>
 EnergyWeights energy_weights(const Topology& topology, std::span<const Vector3d> rest,
                              std::span<const Index> roi, const EnergyTerms& terms) {
   EnergyWeights weights;
-  weights.laplacian = laplacian_weights(topology, rest, terms.weights);
-  if (!(terms.detail_length > 0.0)) return weights;
-  const std::vector<double> areas = ring_areas(topology, rest);
+  const bool has_stiffness = terms.detail_length > 0.0;
+  if (has_stiffness) weights.stiffness = cotangent_sums(topology, rest, roi);
+  if (has_stiffness && terms.weights == LaplacianWeights::cotangent) {
+    weights.laplacian = laplacian_weights(topology, weights.stiffness, roi);
+  } else {
+    weights.laplacian = laplacian_weights(topology, rest, terms.weights, roi);
+  }
+  if (!has_stiffness) return weights;
+  const std::vector<double> areas = ring_areas(topology, rest, roi);
   weights.rows = row_weights(topology, roi, areas);
-  weights.stiffness = cotangent_sums(topology, rest);
   const double mu =
       area_over_square_of_radius(rest, roi, areas) /
       (static_cast<double>(roi.size()) * kRegularSum * terms.detail_length * terms.detail_length);
-  for (double& k : weights.stiffness) {
-    const double weight = std::max(0.5 * k, kSmallestCotangentShare * kRegularWeight);
-    k = mu / (2.0 * kRegularSum) * weight;
+  for (const Index i : roi) {
+    for (std::size_t e = topology.rings.starts[i]; e < topology.rings.starts[i + 1]; ++e) {
+      double& k = weights.stiffness[e];
+      const double weight = std::max(0.5 * k, kSmallestCotangentShare * kRegularWeight);
+      k = mu / (2.0 * kRegularSum) * weight;
+    }
   }
   return weights;
 }

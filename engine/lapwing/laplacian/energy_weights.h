@@ -37,10 +37,10 @@ struct EnergyWeights {
 ///     om_i = mean ring area of the region / the larger of that of i and its neighbours' mean;
 ///     k_ij = mu c_ij / (2 * 2 sqrt(3)),   mu = A / (n * 2 sqrt(3) * (detail_length r)^2),
 /// n the vertices of the region, A its area, r its radius of gyration (A / r^2 no less than that of
-/// a strip 100 times as long as wide, whose triangles may have no area at all), c_ij half of cotangent_sums made positive (kSmallestCotangentShare
-/// of a regular triangulation's 1 / sqrt(3), whose 6 around a vertex sum to 2 sqrt(3)). A ring
-/// smaller than those around it counts as one of their size: Laplacians as firm as a single tiny
-/// ring would have fold its triangles. Linear time.
+/// a strip 100 times as long as wide, whose triangles may have no area at all), c_ij half of
+/// cotangent_sums made positive (kSmallestCotangentShare of a regular triangulation's 1 / sqrt(3),
+/// whose 6 around a vertex sum to 2 sqrt(3)). A ring smaller than those around it counts as one of
+/// their size: Laplacians as firm as a single tiny ring would have fold its triangles. Linear time.
 EnergyWeights energy_weights(const Topology& topology, std::span<const Eigen::Vector3d> rest,
                              std::span<const Index> roi, const EnergyTerms& terms);
 

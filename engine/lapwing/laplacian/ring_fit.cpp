@@ -71,28 +71,26 @@ RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Vector3d>
   return fit;
 }
 
-Matrix3d fit_rotation(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
-                      std::span<const Vector3d> current) {
+RingSimilarity fit_similarity(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
+                              std::span<const Vector3d> current) {
   // The x_k sum to 0 over K_i, so v'_k need not be centred, and relative to v'_i that of i is 0.
   const Vector3d center = ring_center(i, ring, rest);
   Matrix3d H = Matrix3d::Zero();
-  for (const Index j : ring) {
-    H += (current[j] - current[i]) * (rest[j] - rest[i] - center).transpose();
-  }
-  return nearest_rotation(H);
-}
-
-double fit_scale(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
-                 std::span<const Vector3d> current, const Matrix3d& R) {
-  const Vector3d center = ring_center(i, ring, rest);
-  double dot = 0.0;
   double size = center.squaredNorm();
   for (const Index j : ring) {
     const Vector3d x = rest[j] - rest[i] - center;
-    dot += (current[j] - current[i]).dot(R * x);
+    H += (current[j] - current[i]) * x.transpose();
     size += x.squaredNorm();
   }
-  return size > 0.0 ? dot / size : 1.0;
+  RingSimilarity fit{nearest_rotation(H)};
+  // The sum of v'_k . R x_k over that of |x_k|^2.
+  if (size > 0.0) fit.scale = fit.R.cwiseProduct(H).sum() / size;
+  return fit;
+}
+
+Matrix3d fit_rotation(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
+                      std::span<const Vector3d> current) {
+  return fit_similarity(i, ring, rest, current).R;
 }
 
 }  // namespace lapwing

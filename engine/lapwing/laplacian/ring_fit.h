@@ -33,10 +33,15 @@ Eigen::Matrix3d fit_rotation(Index i, std::span<const Index> ring,
                              std::span<const Eigen::Vector3d> rest,
                              std::span<const Eigen::Vector3d> current);
 
-/// The factor s for which s R carries the ring K_i from rest to current best; 1 for a ring without
+/// That rotation, and the factor s for which s R carries the ring best; 1 for a ring without
 /// extent.
-double fit_scale(Index i, std::span<const Index> ring, std::span<const Eigen::Vector3d> rest,
-                 std::span<const Eigen::Vector3d> current, const Eigen::Matrix3d& R);
+struct RingSimilarity {
+  Eigen::Matrix3d R;
+  double scale = 1.0;
+};
+RingSimilarity fit_similarity(Index i, std::span<const Index> ring,
+                              std::span<const Eigen::Vector3d> rest,
+                              std::span<const Eigen::Vector3d> current);
 
 /// F^-1 for the lower Cholesky factor F of K, positive semidefinite. A pivot of next to nothing, as
 /// a ring on a line has, leaves a row of zeros.

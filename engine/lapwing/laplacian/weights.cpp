@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -65,42 +66,97 @@ double sum_of(std::span<const double> row) {
   return sum;
 }
 
+void normalize(std::span<double> row) {
+  const double sum = sum_of(row);
+  for (double& w : row) w /= sum;
+}
+
+// The rows of a mesh, or those of a list, in any order.
+class AllRows {
+ public:
+  explicit AllRows(const Topology& topology) : count_(topology.rings.row_count()) {}
+  std::size_t size() const { return count_; }
+  Index operator[](std::size_t k) const { return static_cast<Index>(k); }
+
+ private:
+  std::size_t count_;
+};
+
+// Calls body(i, entries of row i) for each of `rows` that has any.
+template <typename Rows, typename Body>
+void for_rows(const Topology& topology, const Rows& rows, std::vector<double>& values,
+              const Body& body) {
+  constexpr std::size_t kRowsPerTask = 2048;
+  const Adjacency& rings = topology.rings;
+  parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index i = rows[k];
+      const std::span row(values.data() + rings.starts[i], rings.size(i));
+      if (!row.empty()) body(i, row);
+    }
+  });
+}
+
+template <typename Rows>
+std::vector<double> sums_of(const Topology& topology, std::span<const Vector3d> positions,
+                            const Rows& rows) {
+  std::vector<double> sums(topology.rings.values.size(), 0.0);
+  for_rows(topology, rows, sums,
+           [&](Index i, std::span<double> row) { add_cotangents(topology, i, positions, row); });
+  return sums;
+}
+
+template <typename Rows>
+std::vector<double> weights_of(const Topology& topology, std::vector<double> sums,
+                               const Rows& rows) {
+  for_rows(topology, rows, sums, [&](Index, std::span<double> row) {
+    if (make_positive(row)) {
+      normalize(row);
+    } else {
+      set_uniform(row);
+    }
+  });
+  return sums;
+}
+
+template <typename Rows>
+std::vector<double> uniform_weights(const Topology& topology, const Rows& rows) {
+  std::vector<double> weights(topology.rings.values.size(), 0.0);
+  for_rows(topology, rows, weights, [&](Index, std::span<double> row) { set_uniform(row); });
+  return weights;
+}
+
+template <typename Rows>
+std::vector<double> weights_of(const Topology& topology, std::span<const Vector3d> positions,
+                               LaplacianWeights scheme, const Rows& rows) {
+  if (scheme == LaplacianWeights::uniform) return uniform_weights(topology, rows);
+  return weights_of(topology, sums_of(topology, positions, rows), rows);
+}
+
 }  // namespace
 
 std::vector<double> laplacian_weights(const Topology& topology, std::span<const Vector3d> positions,
                                       LaplacianWeights scheme) {
-  const Adjacency& rings = topology.rings;
-  std::vector<double> weights(rings.values.size(), 0.0);
-  constexpr std::size_t kRowsPerTask = 2048;
-  parallel_for(rings.row_count(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::span row(weights.data() + rings.starts[i], rings.size(i));
-      if (row.empty()) continue;
-      if (scheme == LaplacianWeights::cotangent) {
-        add_cotangents(topology, static_cast<Index>(i), positions, row);
-      }
-      if (scheme == LaplacianWeights::uniform || !make_positive(row)) {
-        set_uniform(row);
-        continue;
-      }
-      const double sum = sum_of(row);
-      for (double& w : row) w /= sum;
-    }
-  });
-  return weights;
+  return weights_of(topology, positions, scheme, AllRows(topology));
+}
+
+std::vector<double> laplacian_weights(const Topology& topology, std::span<const Vector3d> positions,
+                                      LaplacianWeights scheme, std::span<const Index> rows) {
+  return weights_of(topology, positions, scheme, rows);
+}
+
+std::vector<double> laplacian_weights(const Topology& topology, std::vector<double> cotangent_sums,
+                                      std::span<const Index> rows) {
+  return weights_of(topology, std::move(cotangent_sums), rows);
 }
 
 std::vector<double> cotangent_sums(const Topology& topology, std::span<const Vector3d> positions) {
-  constexpr std::size_t kRowsPerTask = 2048;
-  const Adjacency& rings = topology.rings;
-  std::vector<double> sums(rings.values.size(), 0.0);
-  parallel_for(rings.row_count(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      add_cotangents(topology, static_cast<Index>(i), positions,
-                     std::span(sums.data() + rings.starts[i], rings.size(i)));
-    }
-  });
-  return sums;
+  return sums_of(topology, positions, AllRows(topology));
+}
+
+std::vector<double> cotangent_sums(const Topology& topology, std::span<const Vector3d> positions,
+                                   std::span<const Index> rows) {
+  return sums_of(topology, positions, rows);
 }
 
 std::vector<double> edge_weights(const Topology& topology, std::span<const Vector3d> positions) {

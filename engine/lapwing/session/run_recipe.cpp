@@ -35,7 +35,7 @@ std::vector<std::string> doctor_warnings(const CheckReport& report) {
 VertexMeasures measure_vertices(const VertexSet& vertices, const Topology& topology,
                                 LaplacianWeights chosen, const Positions& before,
                                 const Positions& after) {
-  const auto weights = laplacian_weights(topology, before, chosen);
+  const auto weights = laplacian_weights(topology, before, chosen, vertices);
   return measure_vertices(vertices, topology, weights, before, after);
 }
 

@@ -89,11 +89,12 @@ void print_ratios(const Row& theirs, const Row& ours) {
 Row measured(const std::string& name, const Cylinder& cylinder, Positions positions, int iterations,
              const Samples& frame) {
   const auto& [mesh, topology, region, free, weights] = cylinder;
+  const EdgeStretches edges = edge_stretches(region.roi, topology, mesh.positions, positions);
   Row row{name,
           detail_error(free, topology, weights, mesh.positions, positions),
           detail_error(region.roi, topology, weights, mesh.positions, positions),
-          edge_stretch(region.roi, topology, mesh.positions, positions),
-          most_stretched_edge(region.roi, topology, mesh.positions, positions).stretch,
+          edges.root_mean_square,
+          edges.most.stretch,
           iterations,
           frame.median()};
   row.positions = std::move(positions);

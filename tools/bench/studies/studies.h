@@ -101,6 +101,18 @@ struct FollowBench {
 /// while the handle moves, beside the linear response, and half a second after it has come to rest.
 void bench_follow(const FollowBench& settings);
 
+struct EditsBench {
+  std::vector<std::string> meshes;
+  std::vector<std::uint32_t> hills;  ///< generated sheets of so many vertices a side
+  std::size_t vertices = 10'000;     ///< of a region, at most
+  std::size_t count = 100;           ///< edits of each mesh
+  bool settled = false;
+};
+
+/// Edits regions all over each mesh one after the other, each prepared anew, and prints what an
+/// edit takes, by stages.
+void bench_edits(const EditsBench& settings);
+
 struct FrameBench {
   std::string mesh;
   int subdivisions = 0;  ///< of it, each into four times the triangles
