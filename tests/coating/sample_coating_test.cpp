@@ -23,9 +23,12 @@ struct OnItself {
         weights(scheme),
         coating(peel_patch(surface.patch, mesh.positions, surface.topology, kItsDetail, scheme,
                            kernels)),
-        rings(region_rings(surface.topology, mesh.positions,
-                           {laplacian_weights(surface.topology, mesh.positions, scheme), {}, {}},
-                           surface.patch.vertices, {})) {
+        rings(region_rings(
+            surface.topology, mesh.positions,
+            {laplacian_weights(surface.topology, mesh.positions, scheme, surface.patch.vertices),
+             {},
+             {}},
+            surface.patch.vertices, {})) {
     for (const Index v : rings.vertices) {
       const Index own = surface.patch.own_number(v);
       points.push_back(own == kNoIndex ? SurfacePoint::nowhere() : SurfacePoint::at_vertex(own));
@@ -73,7 +76,8 @@ TEST(SampleCoating, InterpolatedBetweenVerticesIsCurvedAsTheSourceIsThere) {
     p = points.back().of<Vector3d>(coating.smooth);
   }
   const Topology& topology = target.topology();
-  const auto weights = laplacian_weights(topology, target.positions, LaplacianWeights::cotangent);
+  const auto weights = laplacian_weights(topology, target.positions, LaplacianWeights::cotangent,
+                                         every_vertex(target));
   const RegionRings rings =
       region_rings(topology, target.positions, {weights, {}, {}}, every_vertex(target), {});
   CpuKernels kernels;

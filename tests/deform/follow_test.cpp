@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -165,6 +167,53 @@ TEST_F(FollowedCylinder, ADragFromAPoseBeginsThere) {
 }
 
 // Of 7,260 vertices, which a coarse surface takes along.
+// A deformer writes its next frame into the memory of the pose before the last.
+TEST_F(FollowedCylinder, FramesAreTheSameWhereTheirPosesAreKept) {
+  const Deformer other(mesh_.positions, topology_, test::ends_of_cylinder(mesh_), {}, kernels_);
+  SettledPose in_place;
+  std::vector<SettledPose> kept(1);
+  for (const double degrees : {10.0, 25.0, 30.0, 30.0, 20.0, 0.0}) {
+    deformer_.follow(twist(degrees), in_place);
+    SettledPose next = kept.back();
+    other.follow(twist(degrees), next);
+    EXPECT_TRUE(same(in_place, next)) << degrees << " degrees";
+    kept.push_back(std::move(next));
+  }
+  SettledPose again;
+  for (std::size_t k = 0; k < 3; ++k) {
+    other.follow(twist(std::array{10.0, 25.0, 30.0}[k]), again);
+    EXPECT_TRUE(same(again, kept[k + 1]));
+  }
+}
+
+TEST_F(FollowedCylinder, APoseOfALargerRegionLeavesNothingOutsideOfASmallerOne) {
+  const Bounds bounds = bounds_of(mesh_.positions);
+  const auto between = [&](double from, double to) {
+    std::vector<Index> found;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      const double height =
+          (mesh_.positions[v].z() - bounds.min.z()) / (bounds.max.z() - bounds.min.z());
+      if (height >= from && height <= to) found.push_back(v);
+    }
+    return make_vertex_set(found);
+  };
+  EditRegion lower;
+  lower.roi = between(0.0, 0.5);
+  lower.belt = between(0.0, 0.05);
+  lower.handles = {between(0.3, 0.4)};
+  const Deformer small(mesh_.positions, topology_, lower, {}, kernels_);
+  SettledPose pose;
+  deformer_.follow(twist(20.0), pose);
+  deformer_.follow(twist(25.0), pose);
+  for (const double degrees : {30.0, 35.0, 40.0}) {
+    small.follow(twist(degrees), pose);
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      const bool is_inside = std::binary_search(lower.roi.begin(), lower.roi.end(), v);
+      EXPECT_TRUE(is_inside || pose.displacement[v].isZero(0.0)) << v;
+    }
+  }
+}
+
 class FollowedFineCylinder : public ::testing::Test {
  protected:
   void SetUp() override { deformer_.prepare_to_follow(); }

@@ -7,7 +7,8 @@ namespace lapwing::test {
 namespace {
 
 RegionRings rings_of(const Sample& sample, std::span<const Index> rows) {
-  return region_rings(sample.topology, sample.mesh.positions, {sample.weights, {}, {}}, rows, {});
+  const Numbers weights(sample.weights.begin(), sample.weights.end());
+  return region_rings(sample.topology, sample.mesh.positions, {weights, {}, {}}, rows, {});
 }
 
 SurfacePoint point_around(const Sample& sample, Index v, std::mt19937& generator) {

@@ -48,12 +48,16 @@ TurnedRings turned_rings(const Sample& sample, double degrees, double noise, dou
                          unsigned seed) {
   const Positions& rest = sample.mesh.positions;
   EnergyWeights weights;
-  weights.laplacian = laplacian_weights(sample.topology, rest, LaplacianWeights::cotangent);
+  weights.laplacian =
+      laplacian_weights(sample.topology, rest, LaplacianWeights::cotangent, sample.vertices);
   for (std::size_t v = 0; v < rest.size(); ++v) {
     weights.rows.push_back(0.5 + 0.2 * static_cast<double>(v % 7));
   }
-  if (mu > 0.0) weights.stiffness = edge_weights(sample.topology, rest);
-  for (double& k : weights.stiffness) k *= 0.5 * mu;
+  if (mu > 0.0) {
+    for (const double w : edge_weights(sample.topology, rest)) {
+      weights.stiffness.push_back(0.5 * mu * w);
+    }
+  }
   const std::size_t row_count = (2 * rest.size() + 2) / 3;
   const auto rows = std::span(sample.vertices).first(row_count);
   std::vector<Index> unknowns;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lapwing/laplacian/laplacian_system.h"
@@ -71,8 +72,8 @@ TEST(EnergyWeights, AreThoseOfTheRegionAlone) {
     if (p.z() < 0.2) p *= 3.0;
   }
   const EnergyWeights after = energy_weights(topology, mesh.positions, region, kTerms);
-  EXPECT_EQ(before.rows, after.rows);
   for (const Index i : region) {
+    EXPECT_EQ(before.rows[i], after.rows[i]);
     for (std::size_t e = topology.rings.starts[i]; e < topology.rings.starts[i + 1]; ++e) {
       EXPECT_EQ(before.laplacian[e], after.laplacian[e]);
       EXPECT_EQ(before.stiffness[e], after.stiffness[e]);
@@ -118,8 +119,8 @@ TEST(EnergyWeights, WithoutADetailLengthTheyAreLaplaciansAlone) {
                                                {LaplacianWeights::uniform, 0.0});
   EXPECT_TRUE(weights.rows.empty());
   EXPECT_TRUE(weights.stiffness.empty());
-  EXPECT_EQ(weights.laplacian,
-            laplacian_weights(topology, mesh.positions, LaplacianWeights::uniform));
+  EXPECT_THAT(weights.laplacian, ::testing::ElementsAreArray(laplacian_weights(
+                                     topology, mesh.positions, LaplacianWeights::uniform)));
 }
 
 TEST(EnergyWeights, OfTrianglesWithoutAreaAreFinite) {

@@ -1,7 +1,8 @@
 #include "lapwing/laplacian/weights.h"
 
-#include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -33,12 +34,11 @@ TEST(LaplacianWeights, OfSomeRowsAreThoseOfAll) {
   const Topology& topology = mesh.topology();
   const Adjacency& rings = topology.rings;
   const std::vector<Index> rows{90, 3, 40, 41};
-  const auto expect_same = [&](const std::vector<double>& some, const std::vector<double>& all) {
+  const auto expect_same = [&](std::span<const double> some, std::span<const double> all) {
     ASSERT_EQ(some.size(), all.size());
-    for (Index i = 0; i < rings.row_count(); ++i) {
-      const bool is_wanted = std::find(rows.begin(), rows.end(), i) != rows.end();
+    for (const Index i : rows) {
       for (std::size_t e = rings.starts[i]; e < rings.starts[i + 1]; ++e) {
-        EXPECT_EQ(some[e], is_wanted ? all[e] : 0.0) << "vertex " << i;
+        EXPECT_EQ(some[e], all[e]) << "vertex " << i;
       }
     }
   };
@@ -48,8 +48,8 @@ TEST(LaplacianWeights, OfSomeRowsAreThoseOfAll) {
   }
   const auto sums = cotangent_sums(topology, mesh.positions, rows);
   expect_same(sums, cotangent_sums(topology, mesh.positions));
-  EXPECT_EQ(laplacian_weights(topology, sums, rows),
-            laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent, rows));
+  expect_same(laplacian_weights(topology, sums, rows),
+              laplacian_weights(topology, mesh.positions, LaplacianWeights::cotangent));
 }
 
 TEST(LaplacianWeights, CotangentLaplacianOfALinearFunctionIsZeroInsideThePlane) {

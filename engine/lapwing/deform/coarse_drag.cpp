@@ -61,7 +61,9 @@ std::vector<Vector3d> CoarseDrag::of_kept(std::span<const Vector3d> of_fine) con
 SettleTarget CoarseDrag::target_of(const SettleTarget& fine) {
   next_wanted_ = of_kept(fine.wanted);
   scales_.clear();
-  for (const Index v : coarse_->kept) scales_.push_back(fine.scales[v]);
+  if (!fine.scales.empty()) {
+    for (const Index v : coarse_->kept) scales_.push_back(fine.scales[v]);
+  }
   return {next_wanted_, scales_, forces_};
 }
 

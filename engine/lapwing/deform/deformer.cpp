@@ -71,7 +71,7 @@ const HandleShares& Deformer::State::held_shares() const {
 }
 
 std::vector<double> Deformer::State::asked_scales(std::span<const Eigen::Affine3d> motions) const {
-  if (all_keep_size(motions)) return std::vector<double>(system->rest->size(), 1.0);
+  if (all_keep_size(motions)) return {};
   std::vector<double> scales;
   for (const Eigen::Affine3d& motion : motions) scales.push_back(scale_of(motion));
   return held_shares().scales(scales);
@@ -150,7 +150,7 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   } else {
     edit.assemble_laplacian();
   }
-  s.weights = edit.systems->laplacian().weights().laplacian;
+  s.weights = edit.systems->laplacian().shared_weights();
   Stopwatch watch;
   if (edit.options.settle) {
     report_progress(progress, "shares", 0.0);
@@ -220,7 +220,8 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   hold(progress);
   std::vector<double> q(edit.column_count());
   edit.set_parameters(motions, q);
-  const std::vector<Vector3d> wanted = edit.asked_displacement(q);
+  std::vector<Vector3d>& wanted = s.asked[0];
+  edit.asked_displacement(q, wanted);
   const Numbers forces = s.forces_of(q);
   std::vector<Vector3d> u = s.linear_displacement(wanted, forces);
   std::vector<double> scales;
@@ -266,8 +267,8 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
     const double way = (target.position - point_of(target, *edit.rest)).norm();
     certificate.asked_motion = std::max(certificate.asked_motion, way);
   }
-  measure_region(edit.region, edit.topology, s.weights, *edit.rest, result.positions, certificate,
-                 scales);
+  measure_region(edit.region, edit.topology, s.weights->laplacian, *edit.rest, result.positions,
+                 certificate, scales);
   require_valid(certificate);
   result.asked_scales = std::move(scales);
   return result;

@@ -1,5 +1,6 @@
 // How a Deformer is dragged: by columns, linearly or settled frame by frame.
 #include <algorithm>
+#include <atomic>
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
@@ -37,12 +38,17 @@ bool any_far_since(std::span<const Eigen::AngleAxisd> last,
 
 // What the handles made of the surface from one frame to the next. While they rest it settles,
 // which says nothing of where it goes with them.
-void remember_change(SettledPose& last, SettledPose& next) {
+void remember_change(SettledPose& last, std::span<const Index> moving, SettledPose& next) {
   next.recent_parameters = std::move(last.recent_parameters);
   next.recent_displacement = std::move(last.recent_displacement);
   if (last.parameters == next.parameters) return;
   add_change(next.recent_parameters, last.parameters, next.parameters);
-  add_change(next.recent_displacement, last.displacement, next.displacement);
+  add_change(next.recent_displacement, last.displacement, next.displacement, moving);
+}
+
+std::uint64_t next_frame() {
+  static std::atomic<std::uint64_t> frames = 0;
+  return ++frames;
 }
 
 }  // namespace
@@ -59,11 +65,25 @@ bool Deformer::State::has_columns_for(std::span<const double> q) const {
                         std::count_if(q.begin(), q.end(), [](double n) { return n != 0.0; }));
 }
 
+// A displacement of nothing, for what moves to be written into.
+Positions Deformer::State::still() const {
+  Positions u = std::exchange(spare, {});
+  if (u.empty()) return Positions(system->rest->size(), Vector3d::Zero());
+  for (const Index v : system->moving) u[v].setZero();
+  return u;
+}
+
+Positions Deformer::State::moved_as(const Positions& displacement) const {
+  Positions u = still();
+  for (const Index v : system->moving) u[v] = displacement[v];
+  return u;
+}
+
 // What the handles alone make of the surface, for drags: by the columns at hand, or else by one
 // right-hand side.
-std::vector<Vector3d> Deformer::State::displacement_by(std::span<const double> q) const {
-  std::vector<Vector3d> u(system->rest->size(), Vector3d::Zero());
+Positions Deformer::State::displacement_by(std::span<const double> q) const {
   if (has_columns_for(q)) {
+    Positions u = still();
     if (latest->handles().size() == system->frames.size()) {
       blend_response(u, latest->columns(), q, u);
       return u;
@@ -90,11 +110,16 @@ std::vector<Vector3d> Deformer::State::displacement_by(std::span<const double> q
 double Deformer::State::share_of_recent(const SettledPose& pose,
                                         std::span<const double> change) const {
   if (pose.recent_parameters.empty()) return 0.0;
-  const std::vector<Vector3d> now = system->wanted_displacement(change);
-  const std::vector<Vector3d> recent = system->wanted_displacement(pose.recent_parameters);
+  const auto way_of = [&](std::size_t h, Index v, std::span<const double> parameters) {
+    return handle_displacement(system->frames[h],
+                               parameters.subspan(h * kMotionParameters, kMotionParameters),
+                               (*system->rest)[v]);
+  };
   ShareOfRecent again;
-  for (const auto& handle : system->region.handles) {
-    for (const Index v : handle) again.add(now[v], recent[v]);
+  for (std::size_t h = 0; h < system->frames.size(); ++h) {
+    for (const Index v : system->region.handles[h]) {
+      again.add(way_of(h, v, change), way_of(h, v, pose.recent_parameters));
+    }
   }
   return again.value();
 }
@@ -139,7 +164,7 @@ bool Deformer::State::find_coarse() {
 // as they are held.
 void Deformer::State::take_along(const SettledPose& pose, std::span<const Vector3d> wanted,
                                  const SettleTarget& target, const GoOn& go_on, SettledPose& next) {
-  next.displacement = pose.displacement;
+  next.displacement = moved_as(pose.displacement);
   coarse->move(target, go_on, smoothing_ms, next.displacement);
   for (const Index v : system->region.belt) next.displacement[v] = pose.displacement[v];
   for (const auto& handle : system->region.handles) {
@@ -151,7 +176,8 @@ void Deformer::State::take_along(const SettledPose& pose, std::span<const Vector
 
 void Deformer::State::follow_by_coarse(const SettledPose& pose, const SettleTarget& target,
                                        bool is_there, const GoOn& go_on, SettledPose& next) {
-  const std::vector<Vector3d> wanted = system->asked_displacement(pose.parameters);
+  std::vector<Vector3d>& wanted = asked[1];
+  system->asked_displacement(pose.parameters, wanted);
   if (!is_there) coarse->begin({wanted, target.scales}, pose.displacement);
   coarse_moves_at_rest = 0;
   take_along(pose, wanted, target, go_on, next);
@@ -256,7 +282,8 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   const auto lock = edit.systems->lock();
   if (s.latest == nullptr) make_response(progress);
   hold_for_settling();
-  const std::vector<Vector3d> wanted = edit.asked_displacement(next.parameters);
+  std::vector<Vector3d>& wanted = s.asked[0];
+  edit.asked_displacement(next.parameters, wanted);
   const std::vector<double> scales = s.asked_scales(motions);
   const SettleTarget target{wanted, scales};
   State& on = *state_;
@@ -273,7 +300,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
     choose_start(motions, turns, target, next.displacement);
   } else if (at_rest) {
     by_coarse = coarse_was_there && on.go_on_at_rest(pose, target, next);
-    if (!by_coarse) next.displacement = pose.displacement;
+    if (!by_coarse) next.displacement = s.moved_as(pose.displacement);
   } else {
     by_coarse = s.lacks_time && go_on && on.find_coarse();
     if (by_coarse) {
@@ -291,17 +318,19 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   }
   // What pulls on the surface before it is smooth tells the coarse one nothing.
   if (is_smooth && by_coarse) {
-    std::vector<Vector3d> gradient(next.displacement.size(), Vector3d::Zero());
-    s.settler->gradient(gradient);
-    on.coarse->learn(next.displacement, gradient);
+    on.pull.resize(next.displacement.size(), Vector3d::Zero());
+    s.settler->gradient(on.pull);
+    on.coarse->learn(next.displacement, on.pull);
   }
   edit.loose.carry(wanted, scales, next.displacement);
   Certificate certificate;
-  certificate.all_finite = std::all_of(next.displacement.begin(), next.displacement.end(),
-                                       [](const Vector3d& v) { return v.allFinite(); });
+  certificate.all_finite = std::all_of(edit.moving.begin(), edit.moving.end(),
+                                       [&](Index v) { return next.displacement[v].allFinite(); });
   require_valid(certificate);
-  if (!begins && !by_coarse) remember_change(pose, next);
-  next.frame = ++on.last_frame;
+  if (!begins && !by_coarse) remember_change(pose, edit.moving, next);
+  // Of any other pose it is not known that nothing else has moved.
+  if (pose.frame != 0 && pose.frame == s.last_frame) s.spare = std::move(pose.displacement);
+  next.frame = on.last_frame = next_frame();
   on.coarse_is_there = by_coarse;
   pose = std::move(next);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
@@ -30,19 +31,26 @@ struct Deformer::State {
   std::unique_ptr<RegionPartSettler> parts;
   std::unique_ptr<Settler> settler;
   mutable std::unique_ptr<HandleShares> shares;  ///< null until asked for: `held_shares`
-  std::vector<double> weights;  ///< of the Laplacians that certificates measure
+  std::shared_ptr<const EnergyWeights> weights;  ///< whose Laplacians certificates measure
   std::shared_ptr<const DragResponse> response;
   std::atomic<bool> has_response = false;      ///< `response` does not change from then on
   std::shared_ptr<const DragResponse> latest;  ///< asked for last
   std::string why_not_exact;
 
+  // Fields over the mesh that frames write again and again, so that none of them takes a time that
+  // is that of the mesh: what handles ask for, now and of the pose before; what pulls; and a
+  // displacement that no pose has any more.
+  mutable std::array<std::vector<Eigen::Vector3d>, 2> asked;
+  std::vector<Eigen::Vector3d> pull;
+  mutable Positions spare;
+
   // Of followed drags.
   std::unique_ptr<CoarseDrag> coarse;  ///< null until it is there, and where the region needs none
-  std::uint64_t last_frame = 0;
-  bool coarse_is_there = false;  ///< where the last frame left the surface
-  bool lacks_time = false;       ///< whether a frame of this drag has not settled in its time
-  int coarse_moves_at_rest = 0;  ///< since the handles moved last
-  double smoothing_ms = 0.0;     ///< what the fine level takes at least
+  std::uint64_t last_frame = 0;        ///< SettledPose::frame
+  bool coarse_is_there = false;        ///< where the last frame left the surface
+  bool lacks_time = false;             ///< whether a frame of this drag has not settled in its time
+  int coarse_moves_at_rest = 0;        ///< since the handles moved last
+  double smoothing_ms = 0.0;           ///< what the fine level takes at least
   MadeAside<std::unique_ptr<CoarseDrag>> coarse_aside;  // last: it uses the system
 
   bool hold_response(const Progress& progress);
@@ -55,7 +63,9 @@ struct Deformer::State {
   std::vector<Eigen::Vector3d> linear_displacement(std::span<const Eigen::Vector3d> wanted,
                                                    std::span<const double> forces) const;
   bool has_columns_for(std::span<const double> q) const;
-  std::vector<Eigen::Vector3d> displacement_by(std::span<const double> q) const;
+  Positions still() const;
+  Positions moved_as(const Positions& displacement) const;
+  Positions displacement_by(std::span<const double> q) const;
   std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;

@@ -211,26 +211,21 @@ std::vector<std::size_t> EditSystem::all_handles() const {
   return all;
 }
 
-std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> parameters) const {
-  std::vector<Vector3d> wanted(rest->size(), Vector3d::Zero());
-  const auto ask = [&](std::size_t h, Index v) {
-    const auto own = parameters.subspan(h * kMotionParameters, kMotionParameters);
-    wanted[v] += handle_displacement(frames[h], own, (*rest)[v]);
-  };
+// Calls visit(handle, vertex) for whatever handles ask to go somewhere.
+template <typename Visit>
+void EditSystem::for_wanted(const Visit& visit) const {
   for (std::size_t h = 0; h < frames.size(); ++h) {
-    for (const Index v : region.handles[h]) ask(h, v);
+    for (const Index v : region.handles[h]) visit(h, v);
   }
-  for (const GradedVertex& graded : region.graded) ask(graded.handle, graded.vertex);
+  for (const GradedVertex& graded : region.graded) visit(graded.handle, graded.vertex);
   for (const LoosePart& part : region.loose) {
     for (const LooseAnchor& anchor : part.anchors) {
-      if (anchor.handle < frames.size()) ask(anchor.handle, anchor.vertex);
+      if (anchor.handle < frames.size()) visit(anchor.handle, anchor.vertex);
     }
   }
-  return wanted;
 }
 
-std::vector<Vector3d> EditSystem::asked_displacement(std::span<const double> parameters) const {
-  std::vector<Vector3d> asked = wanted_displacement(parameters);
+void EditSystem::set_targets(std::span<Vector3d> asked) const {
   for (const Target& target : region.targets) {
     const Index v = target.corners[0];
     if (!target.is_vertex() || constraints.unknowns.of_vertex[v] != kNoIndex) continue;
@@ -241,6 +236,36 @@ std::vector<Vector3d> EditSystem::asked_displacement(std::span<const double> par
       if (anchor.handle == frames.size()) asked[anchor.vertex] = anchor.displacement;
     }
   }
+}
+
+void EditSystem::wanted_displacement(std::span<const double> parameters,
+                                     std::vector<Vector3d>& wanted) const {
+  if (wanted.empty()) {
+    wanted.assign(rest->size(), Vector3d::Zero());
+  } else {
+    for_wanted([&](std::size_t, Index v) { wanted[v].setZero(); });
+  }
+  for_wanted([&](std::size_t h, Index v) {
+    const auto own = parameters.subspan(h * kMotionParameters, kMotionParameters);
+    wanted[v] += handle_displacement(frames[h], own, (*rest)[v]);
+  });
+}
+
+std::vector<Vector3d> EditSystem::wanted_displacement(std::span<const double> parameters) const {
+  std::vector<Vector3d> wanted;
+  wanted_displacement(parameters, wanted);
+  return wanted;
+}
+
+void EditSystem::asked_displacement(std::span<const double> parameters,
+                                    std::vector<Vector3d>& asked) const {
+  wanted_displacement(parameters, asked);
+  set_targets(asked);
+}
+
+std::vector<Vector3d> EditSystem::asked_displacement(std::span<const double> parameters) const {
+  std::vector<Vector3d> asked;
+  asked_displacement(parameters, asked);
   return asked;
 }
 

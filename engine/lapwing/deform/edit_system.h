@@ -70,11 +70,21 @@ struct EditSystem {
   /// What the handles' motions ask for, over the whole mesh; 0 off the handles and the anchors of
   /// loose parts.
   std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;
+  /// The same in memory that nobody else writes, in time that is that of the handles: `wanted` is
+  /// what it was the last time, or empty.
+  void wanted_displacement(std::span<const double> parameters,
+                           std::vector<Eigen::Vector3d>& wanted) const;
 
   /// That and what hard targets ask for.
   std::vector<Eigen::Vector3d> asked_displacement(std::span<const double> parameters) const;
+  /// Likewise.
+  void asked_displacement(std::span<const double> parameters,
+                          std::vector<Eigen::Vector3d>& asked) const;
 
  private:
+  void set_targets(std::span<Eigen::Vector3d> asked) const;
+  template <typename Visit>
+  void for_wanted(const Visit& visit) const;
   SystemTerms terms() const;
   void require_motions(std::size_t count) const;
   void require_near(double distance, const char* what, std::size_t number) const;

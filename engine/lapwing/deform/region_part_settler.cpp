@@ -73,7 +73,7 @@ void RegionPartSettler::settle_part(std::span<const Index> vertices, const Settl
   }
   const SystemPattern pattern(topology, rows, unknowns);
   LaplacianSystem part(topology, rows, unknowns, pattern);
-  part.assemble(whole.weights(), springs);
+  part.assemble(whole.shared_weights(), springs);
   part.analyze();
   part.factor(W);
   part.make_rings(*edit_.rest);

@@ -9,6 +9,12 @@ namespace lapwing {
 
 using Eigen::Vector3d;
 
+namespace {
+
+constexpr std::size_t kMovedPerTask = 4096;
+
+}  // namespace
+
 Numbers scale_forces(const EditSystem& system, std::span<const double> growth) {
   const EnergyWeights& weights = system.systems->laplacian().weights();
   const Adjacency& rings = system.topology.rings;
@@ -72,6 +78,10 @@ Numbers response_basis(const EditSystem& system, std::span<const std::size_t> ha
                  "drag fewer handles at a time, or choose a smaller region");
   Numbers basis(column * kMotionParameters * handles.size());
   Numbers x(kMotionParameters * n);
+  // Over the whole mesh, so made once.
+  std::vector<Vector3d> wanted;
+  std::vector<Vector3d> u;  // where parts are loose
+  if (!system.loose.empty()) u.assign(system.rest->size(), Vector3d::Zero());
   for (std::size_t at = 0; at < handles.size(); ++at) {
     const std::size_t h = handles[at];
     report_progress(progress, "response",
@@ -88,42 +98,47 @@ Numbers response_basis(const EditSystem& system, std::span<const std::size_t> ha
       growth_of_roi = shares->of_handle(h);
       force = scale_forces(system, growth_of_roi);
     }
-    parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        const auto b = std::span(x).subspan(k * n, n);
-        const std::vector<double> q = unit(k);
-        response.right_hand_side(system.wanted_displacement(q), b);
-        const double growth =
-            growth_of(system.frames[h], std::span(q).subspan(h * kMotionParameters));
-        if (growth == 0.0) continue;
-        for (std::size_t i = 0; i < force.size(); ++i) b[i] += growth * force[i];
-      }
-    });
+    for (std::size_t k = 0; k < kMotionParameters; ++k) {
+      const auto b = std::span(x).subspan(k * n, n);
+      const std::vector<double> q = unit(k);
+      system.wanted_displacement(q, wanted);
+      response.right_hand_side(wanted, b);
+      const double growth =
+          growth_of(system.frames[h], std::span(q).subspan(h * kMotionParameters));
+      if (growth == 0.0) continue;
+      for (std::size_t i = 0; i < force.size(); ++i) b[i] += growth * force[i];
+    }
     response.solve_in_place(x, kMotionParameters);
-    parallel_for(kMotionParameters, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        // Vertices that move but are not solved for are handles with hard constraints, and loose.
-        const std::vector<double> q = unit(k);
-        const std::vector<Vector3d> given = system.wanted_displacement(q);
-        std::vector<Vector3d> u = given;
-        for (std::size_t i = 0; i < unknowns.size(); ++i) {
-          u[unknowns.vertices[i]] = Eigen::Map<const Vector3d>(x.data() + k * n + 3 * i);
-        }
-        if (!system.loose.empty()) {
-          const double of_column =
-              growth_of(system.frames[h], std::span(q).subspan(h * kMotionParameters));
-          std::vector<double> growth(u.size(), 0.0);
-          for (std::size_t r = 0; r < growth_of_roi.size(); ++r) {
-            growth[system.region.roi[r]] = of_column * growth_of_roi[r];
+    for (std::size_t k = 0; k < kMotionParameters; ++k) {
+      const std::vector<double> q = unit(k);
+      system.wanted_displacement(q, wanted);
+      // Vertices that move but are not solved for are handles with hard constraints, and loose.
+      const auto displacement_of = [&](Index v) -> Vector3d {
+        const Index i = unknowns.of_vertex[v];
+        return i == kNoIndex ? wanted[v] : Eigen::Map<const Vector3d>(x.data() + k * n + 3 * i);
+      };
+      double* const out = basis.data() + (at * kMotionParameters + k) * column;
+      const auto write = [&](const auto& displacement) {
+        parallel_for(system.moving.size(), kMovedPerTask, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t m = begin; m < end; ++m) {
+            Eigen::Map<Vector3d>(out + 3 * m) = displacement(system.moving[m]);
           }
-          system.loose.carry_linear(given, growth, u);
-        }
-        double* out = basis.data() + (at * kMotionParameters + k) * column;
-        for (std::size_t m = 0; m < system.moving.size(); ++m) {
-          Eigen::Map<Vector3d>(out + 3 * m) = u[system.moving[m]];
-        }
+        });
+      };
+      if (system.loose.empty()) {
+        write(displacement_of);
+        continue;
       }
-    });
+      for (const Index v : system.moving) u[v] = displacement_of(v);
+      const double of_column =
+          growth_of(system.frames[h], std::span(q).subspan(h * kMotionParameters));
+      std::vector<double> growth(u.size(), 0.0);
+      for (std::size_t r = 0; r < growth_of_roi.size(); ++r) {
+        growth[system.region.roi[r]] = of_column * growth_of_roi[r];
+      }
+      system.loose.carry_linear(wanted, growth, u);
+      write([&](Index v) { return u[v]; });
+    }
   }
   return basis;
 }

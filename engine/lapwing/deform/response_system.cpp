@@ -171,12 +171,15 @@ void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) 
 void ResponseSystem::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
   // Hard constraints: what is given moves to the right. Soft ones: wanted is 0 but on unknowns, on
   // which N acts from the left.
-  bool given_elsewhere = false;
-  std::vector<Vector3d> given(wanted.begin(), wanted.end());
-  for (const Index v : constraints_.unknowns.vertices) given[v].setZero();
-  for (const Vector3d& g : given) given_elsewhere = given_elsewhere || !g.isZero(0.0);
+  const auto is_given = [&](Index v) {
+    return constraints_.unknowns.of_vertex[v] == kNoIndex && !wanted[v].isZero(0.0);
+  };
   std::fill(b.begin(), b.end(), 0.0);
-  if (given_elsewhere) {
+  if (std::any_of(roi_.begin(), roi_.end(), is_given)) {
+    std::vector<Vector3d> given(wanted.size(), Vector3d::Zero());
+    for (const Index v : roi_) {
+      if (is_given(v)) given[v] = wanted[v];
+    }
     multiply(given, b);
     for (double& number : b) number = -number;
   }

@@ -20,7 +20,7 @@ struct SettledPose {
   /// how the surface goes on when the handles do. Empty where the last frame was the first.
   std::vector<double> recent_parameters;
   Positions recent_displacement;
-  /// Among all frames of its deformer, from 1; 0 for a pose that no frame came to.
+  /// Among all frames of the program, from 1; 0 for a pose that no frame came to.
   std::uint64_t frame = 0;
 };
 

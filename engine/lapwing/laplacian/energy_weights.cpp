@@ -38,9 +38,9 @@ double area_around(Index i, const Adjacency& rings, std::span<const double> area
   return ring.empty() ? areas[i] : std::max(areas[i], sum / static_cast<double>(ring.size()));
 }
 
-// Of the vertices of `roi` and their neighbours; 0 elsewhere.
-std::vector<double> ring_areas(const Topology& topology, std::span<const Vector3d> rest,
-                               std::span<const Index> roi) {
+// Of the vertices of `roi` and their neighbours alone.
+Numbers ring_areas(const Topology& topology, std::span<const Vector3d> rest,
+                   std::span<const Index> roi) {
   constexpr std::size_t kRowsPerTask = 2048;
   std::vector<char> seen(rest.size(), 0);
   std::vector<Index> vertices;
@@ -52,7 +52,7 @@ std::vector<double> ring_areas(const Topology& topology, std::span<const Vector3
     add(i);
     for (const Index j : topology.rings[i]) add(j);
   }
-  std::vector<double> areas(rest.size());
+  Numbers areas(rest.size());
   parallel_for(vertices.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       areas[vertices[k]] = ring_area(vertices[k], topology, rest);
@@ -80,15 +80,15 @@ double area_over_square_of_radius(std::span<const Vector3d> rest, std::span<cons
   return std::max(area * (area / moment), kNarrowest);
 }
 
-std::vector<double> row_weights(const Topology& topology, std::span<const Index> roi,
-                                std::span<const double> areas) {
+Numbers row_weights(const Topology& topology, std::span<const Index> roi,
+                    std::span<const double> areas) {
   double sum = 0.0;
   for (const Index i : roi) sum += areas[i];
   const double mean = sum / static_cast<double>(roi.size());
-  std::vector<double> rows(areas.size(), 1.0);
-  if (!(mean > 0.0)) return rows;
+  Numbers rows(areas.size());
   for (const Index i : roi) {
-    rows[i] = mean / std::max(area_around(i, topology.rings, areas), kSmallestAreaShare * mean);
+    const double least = kSmallestAreaShare * mean;
+    rows[i] = mean > 0.0 ? mean / std::max(area_around(i, topology.rings, areas), least) : 1.0;
   }
   return rows;
 }
@@ -106,7 +106,7 @@ EnergyWeights energy_weights(const Topology& topology, std::span<const Vector3d>
     weights.laplacian = laplacian_weights(topology, rest, terms.weights, roi);
   }
   if (!has_stiffness) return weights;
-  const std::vector<double> areas = ring_areas(topology, rest, roi);
+  const Numbers areas = ring_areas(topology, rest, roi);
   weights.rows = row_weights(topology, roi, areas);
   const double mu =
       area_over_square_of_radius(rest, roi, areas) /

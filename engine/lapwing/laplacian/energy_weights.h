@@ -27,10 +27,10 @@ struct EnergyTerms {
 /// squared mean curvature vectors and squared gradients, so that neither a finer mesh nor an uneven
 /// one is another surface.
 struct EnergyWeights {
-  std::vector<double> laplacian;  ///< w_ij of L, per entry of the mesh's rings
-  std::vector<double> rows;       ///< om_i, per vertex of the mesh; empty: all 1
+  Numbers laplacian;  ///< w_ij of L, per entry of the mesh's rings
+  Numbers rows;       ///< om_i, per vertex of the mesh; empty: all 1
   /// k_ij = k_ji, per entry of the mesh's rings; empty: all 0.
-  std::vector<double> stiffness;
+  Numbers stiffness;
 };
 
 /// For the region `roi`, not empty; entries of other vertices are there and mean nothing.

@@ -41,21 +41,23 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
 
 void LaplacianSystem::assemble(std::span<const Vector3d> rest, const EnergyTerms& terms,
                                std::span<const Spring> springs) {
-  assemble(energy_weights(topology_, rest, roi_, terms), springs);
+  assemble(std::make_shared<const EnergyWeights>(energy_weights(topology_, rest, roi_, terms)),
+           springs);
 }
 
-void LaplacianSystem::assemble(EnergyWeights weights, std::span<const Spring> springs) {
+void LaplacianSystem::assemble(std::shared_ptr<const EnergyWeights> weights,
+                               std::span<const Spring> springs) {
   has_rings_ = false;
   weights_ = std::move(weights);
-  L_ = laplacian_rows(topology_.rings, weights_.laplacian, roi_);
-  if (!weights_.rows.empty()) {
+  L_ = laplacian_rows(topology_.rings, weights_->laplacian, roi_);
+  if (!weights_->rows.empty()) {
     for (std::size_t r = 0; r < L_.size(); ++r) {
-      const double root = std::sqrt(weights_.rows[roi_[r]]);
+      const double root = std::sqrt(weights_->rows[roi_[r]]);
       for (std::size_t b = L_.starts[r]; b < L_.starts[r + 1]; ++b) L_.values[b] *= root;
     }
   }
   BlockMatrix A = pattern_.normal().normal_matrix(L_, {}, factor_.take_memory());
-  if (!weights_.stiffness.empty()) add_edge_terms(A);
+  if (!weights_->stiffness.empty()) add_edge_terms(A);
   springs_ = with_finite_stiffness(springs, A);
   add_springs(springs_, constraints_.unknowns, A);
   factor_.set_matrix(std::move(A));
@@ -81,7 +83,7 @@ void LaplacianSystem::factor(std::span<const double> W) {
 void LaplacianSystem::make_rings(std::span<const Vector3d> rest) {
   if (has_rings_) return;
   const std::vector<Index> rows = rows_by_elimination();
-  rings_ = region_rings(topology_, rest, weights_, rows, std::span(rows).first(size()));
+  rings_ = region_rings(topology_, rest, *weights_, rows, std::span(rows).first(size()));
   has_rings_ = true;
 }
 
@@ -109,7 +111,7 @@ void LaplacianSystem::add_edge_terms(BlockMatrix& A) const {
     const Index v = constraints_.unknowns.vertices[c];
     for (std::size_t e = rings.starts[v]; e < rings.starts[v + 1]; ++e) {
       const Index j = rings.values[e];
-      const double k = (is_row_[j] != 0 ? 2.0 : 1.0) * weights_.stiffness[e];
+      const double k = (is_row_[j] != 0 ? 2.0 : 1.0) * weights_->stiffness[e];
       A.values[blocks.starts[c]] += k;
       const Index r = constraints_.unknowns.of_vertex[j];
       if (r == kNoIndex || r < c) continue;
@@ -126,7 +128,7 @@ void LaplacianSystem::multiply(std::span<const Vector3d> u, std::span<double> y)
   lapwing::multiply(L_, u, rows);
   pattern_.normal().multiply_transposed(L_, rows, y);
   add_spring_product(springs_, constraints_.unknowns, u, y);
-  if (weights_.stiffness.empty()) return;
+  if (weights_->stiffness.empty()) return;
   const Adjacency& rings = topology_.rings;
   parallel_for(size(), kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -134,7 +136,7 @@ void LaplacianSystem::multiply(std::span<const Vector3d> u, std::span<double> y)
       for (std::size_t e = rings.starts[v]; e < rings.starts[v + 1]; ++e) {
         const Index j = rings.values[e];
         Eigen::Map<Vector3d>(y.data() + 3 * k) +=
-            (is_row_[j] != 0 ? 2.0 : 1.0) * weights_.stiffness[e] * (u[v] - u[j]);
+            (is_row_[j] != 0 ? 2.0 : 1.0) * weights_->stiffness[e] * (u[v] - u[j]);
       }
     }
   });
@@ -143,15 +145,17 @@ void LaplacianSystem::multiply(std::span<const Vector3d> u, std::span<double> y)
 void LaplacianSystem::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
   const std::size_t n = size();
   const Unknowns& unknowns = constraints_.unknowns;
-  std::vector<Vector3d> given(wanted.size(), Vector3d::Zero());
-  bool any_given = false;
-  for (const Index v : roi_) {
-    if (unknowns.of_vertex[v] != kNoIndex || wanted[v].isZero(0.0)) continue;
-    given[v] = wanted[v];
-    any_given = true;
-  }
+  const auto is_given = [&](Index v) {
+    return unknowns.of_vertex[v] == kNoIndex && !wanted[v].isZero(0.0);
+  };
   std::vector<double> moved(3 * n, 0.0);
-  if (any_given) multiply(given, moved);
+  if (std::any_of(roi_.begin(), roi_.end(), is_given)) {
+    std::vector<Vector3d> given(wanted.size(), Vector3d::Zero());
+    for (const Index v : roi_) {
+      if (is_given(v)) given[v] = wanted[v];
+    }
+    multiply(given, moved);
+  }
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double d = wanted[unknowns.vertices[k]][static_cast<Eigen::Index>(axis)];

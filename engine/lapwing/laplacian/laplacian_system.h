@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -37,9 +38,11 @@ class LaplacianSystem {
   void assemble(std::span<const Eigen::Vector3d> rest, const EnergyTerms& terms,
                 std::span<const Spring> springs = {});
   /// The same with weights that are known, as a part of a region has them.
-  void assemble(EnergyWeights weights, std::span<const Spring> springs);
+  void assemble(std::shared_ptr<const EnergyWeights> weights, std::span<const Spring> springs);
   /// As last assembled.
-  const EnergyWeights& weights() const { return weights_; }
+  const EnergyWeights& weights() const { return *weights_; }
+  /// The same, which stay what they are when others are assembled.
+  const std::shared_ptr<const EnergyWeights>& shared_weights() const { return weights_; }
   /// Likewise, none kStiff any more.
   std::span<const Spring> springs() const { return springs_; }
   /// L'Om L + K, without W.
@@ -90,7 +93,7 @@ class LaplacianSystem {
   Constraints constraints_;
   std::vector<char> is_row_;  ///< per vertex of the mesh
   BlockRows L_;               ///< each row times the root of its weight
-  EnergyWeights weights_;
+  std::shared_ptr<const EnergyWeights> weights_ = std::make_shared<const EnergyWeights>();
   std::vector<Spring> springs_;
   bool has_rings_ = false;
   RegionRings rings_;

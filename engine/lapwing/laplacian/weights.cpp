@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -66,12 +65,7 @@ double sum_of(std::span<const double> row) {
   return sum;
 }
 
-void normalize(std::span<double> row) {
-  const double sum = sum_of(row);
-  for (double& w : row) w /= sum;
-}
-
-// The rows of a mesh, or those of a list, in any order.
+// The rows of a mesh.
 class AllRows {
  public:
   explicit AllRows(const Topology& topology) : count_(topology.rings.row_count()) {}
@@ -82,81 +76,85 @@ class AllRows {
   std::size_t count_;
 };
 
-// Calls body(i, entries of row i) for each of `rows` that has any.
+// Calls body(i, entries of row i) for each of `rows`, all of the mesh or some, that has any.
 template <typename Rows, typename Body>
-void for_rows(const Topology& topology, const Rows& rows, std::vector<double>& values,
+void for_rows(const Topology& topology, const Rows& rows, std::span<double> values,
               const Body& body) {
   constexpr std::size_t kRowsPerTask = 2048;
   const Adjacency& rings = topology.rings;
   parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index i = rows[k];
-      const std::span row(values.data() + rings.starts[i], rings.size(i));
+      const std::span row = values.subspan(rings.starts[i], rings.size(i));
       if (!row.empty()) body(i, row);
     }
   });
 }
 
 template <typename Rows>
-std::vector<double> sums_of(const Topology& topology, std::span<const Vector3d> positions,
-                            const Rows& rows) {
-  std::vector<double> sums(topology.rings.values.size(), 0.0);
-  for_rows(topology, rows, sums,
-           [&](Index i, std::span<double> row) { add_cotangents(topology, i, positions, row); });
-  return sums;
-}
-
-template <typename Rows>
-std::vector<double> weights_of(const Topology& topology, std::vector<double> sums,
-                               const Rows& rows) {
-  for_rows(topology, rows, sums, [&](Index, std::span<double> row) {
-    if (make_positive(row)) {
-      normalize(row);
-    } else {
-      set_uniform(row);
-    }
+void set_sums(const Topology& topology, std::span<const Vector3d> positions, const Rows& rows,
+              std::span<double> sums) {
+  for_rows(topology, rows, sums, [&](Index i, std::span<double> row) {
+    std::fill(row.begin(), row.end(), 0.0);
+    add_cotangents(topology, i, positions, row);
   });
-  return sums;
+}
+
+// Of cotangent sums.
+void make_weights(std::span<double> row) {
+  if (!make_positive(row)) return set_uniform(row);
+  const double sum = sum_of(row);
+  for (double& w : row) w /= sum;
 }
 
 template <typename Rows>
-std::vector<double> uniform_weights(const Topology& topology, const Rows& rows) {
-  std::vector<double> weights(topology.rings.values.size(), 0.0);
-  for_rows(topology, rows, weights, [&](Index, std::span<double> row) { set_uniform(row); });
-  return weights;
-}
-
-template <typename Rows>
-std::vector<double> weights_of(const Topology& topology, std::span<const Vector3d> positions,
-                               LaplacianWeights scheme, const Rows& rows) {
-  if (scheme == LaplacianWeights::uniform) return uniform_weights(topology, rows);
-  return weights_of(topology, sums_of(topology, positions, rows), rows);
+void set_weights(const Topology& topology, std::span<const Vector3d> positions,
+                 LaplacianWeights scheme, const Rows& rows, std::span<double> weights) {
+  for_rows(topology, rows, weights, [&](Index i, std::span<double> row) {
+    if (scheme == LaplacianWeights::uniform) return set_uniform(row);
+    std::fill(row.begin(), row.end(), 0.0);
+    add_cotangents(topology, i, positions, row);
+    make_weights(row);
+  });
 }
 
 }  // namespace
 
 std::vector<double> laplacian_weights(const Topology& topology, std::span<const Vector3d> positions,
                                       LaplacianWeights scheme) {
-  return weights_of(topology, positions, scheme, AllRows(topology));
+  std::vector<double> weights(topology.rings.values.size());
+  set_weights(topology, positions, scheme, AllRows(topology), weights);
+  return weights;
 }
 
-std::vector<double> laplacian_weights(const Topology& topology, std::span<const Vector3d> positions,
-                                      LaplacianWeights scheme, std::span<const Index> rows) {
-  return weights_of(topology, positions, scheme, rows);
+Numbers laplacian_weights(const Topology& topology, std::span<const Vector3d> positions,
+                          LaplacianWeights scheme, std::span<const Index> rows) {
+  Numbers weights(topology.rings.values.size());
+  set_weights(topology, positions, scheme, rows, weights);
+  return weights;
 }
 
-std::vector<double> laplacian_weights(const Topology& topology, std::vector<double> cotangent_sums,
-                                      std::span<const Index> rows) {
-  return weights_of(topology, std::move(cotangent_sums), rows);
+Numbers laplacian_weights(const Topology& topology, const Numbers& cotangent_sums,
+                          std::span<const Index> rows) {
+  Numbers weights(cotangent_sums.size());
+  for_rows(topology, rows, weights, [&](Index i, std::span<double> row) {
+    std::copy_n(cotangent_sums.data() + topology.rings.starts[i], row.size(), row.data());
+    make_weights(row);
+  });
+  return weights;
 }
 
 std::vector<double> cotangent_sums(const Topology& topology, std::span<const Vector3d> positions) {
-  return sums_of(topology, positions, AllRows(topology));
+  std::vector<double> sums(topology.rings.values.size());
+  set_sums(topology, positions, AllRows(topology), sums);
+  return sums;
 }
 
-std::vector<double> cotangent_sums(const Topology& topology, std::span<const Vector3d> positions,
-                                   std::span<const Index> rows) {
-  return sums_of(topology, positions, rows);
+Numbers cotangent_sums(const Topology& topology, std::span<const Vector3d> positions,
+                       std::span<const Index> rows) {
+  Numbers sums(topology.rings.values.size());
+  set_sums(topology, positions, rows, sums);
+  return sums;
 }
 
 std::vector<double> edge_weights(const Topology& topology, std::span<const Vector3d> positions) {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "lapwing/base/numbers.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing {
@@ -22,13 +23,13 @@ enum class LaplacianWeights {
 std::vector<double> laplacian_weights(const Topology& topology,
                                       std::span<const Eigen::Vector3d> positions,
                                       LaplacianWeights scheme);
-/// The same of `rows` alone, whose entries do not depend on the others; those are 0.
-std::vector<double> laplacian_weights(const Topology& topology,
-                                      std::span<const Eigen::Vector3d> positions,
-                                      LaplacianWeights scheme, std::span<const Index> rows);
+/// The same of `rows` alone, in time that is theirs: entries of other rows are there, but
+/// undefined.
+Numbers laplacian_weights(const Topology& topology, std::span<const Eigen::Vector3d> positions,
+                          LaplacianWeights scheme, std::span<const Index> rows);
 /// The cotangent ones of `rows` where their `cotangent_sums` are known.
-std::vector<double> laplacian_weights(const Topology& topology, std::vector<double> cotangent_sums,
-                                      std::span<const Index> rows);
+Numbers laplacian_weights(const Topology& topology, const Numbers& cotangent_sums,
+                          std::span<const Index> rows);
 
 /// One weight per entry of `topology.rings`, the same from both ends of an edge: cot a_ij + cot
 /// b_ij, made positive as above by the mean over all edges, and scaled so that their mean is 1. All
@@ -48,9 +49,8 @@ inline constexpr double kLargestCotangent = 1e4;
 /// cot a_ij + cot b_ij per entry of `topology.rings`, as they are: of any sign. Linear time.
 std::vector<double> cotangent_sums(const Topology& topology,
                                    std::span<const Eigen::Vector3d> positions);
-/// The same of `rows` alone; 0 in others.
-std::vector<double> cotangent_sums(const Topology& topology,
-                                   std::span<const Eigen::Vector3d> positions,
-                                   std::span<const Index> rows);
+/// The same of `rows` alone; undefined in others.
+Numbers cotangent_sums(const Topology& topology, std::span<const Eigen::Vector3d> positions,
+                       std::span<const Index> rows);
 
 }  // namespace lapwing

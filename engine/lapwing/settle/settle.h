@@ -27,7 +27,7 @@ struct SettleTarget {
   /// d: per vertex of the mesh; 0 off the handles. A vertex of the region that is not solved for
   /// goes there.
   std::span<const Eigen::Vector3d> wanted;
-  /// s_i: per vertex of the mesh, above 0.
+  /// s_i: per vertex of the mesh, above 0; all 1 where empty.
   std::span<const double> scales;
   /// f: per vertex of the mesh, what pulls on the unknowns besides; none where empty.
   std::span<const Eigen::Vector3d> forces = {};

@@ -89,6 +89,7 @@ struct Settler::State {
 
   void begin_anew();
   void begin_pace(const SettlePace& of);
+  double scale_in(const SettleTarget& target, std::size_t row) const;
   bool is_at(const SettleTarget& target, std::span<const Eigen::Vector3d> u) const;
   void place(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
   void read_unknowns(std::span<const Eigen::Vector3d> u, std::vector<double>& x) const;

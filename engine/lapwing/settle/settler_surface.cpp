@@ -7,6 +7,10 @@ namespace lapwing {
 
 using Eigen::Vector3d;
 
+double Settler::State::scale_in(const SettleTarget& target, std::size_t row) const {
+  return target.scales.empty() ? 1.0 : target.scales[rings.vertices[row]];
+}
+
 // Whether `at` is the surface `u`, evaluated for the same target; the system is held as it was
 // then.
 bool Settler::State::is_at(const SettleTarget& target, std::span<const Vector3d> u) const {
@@ -15,7 +19,7 @@ bool Settler::State::is_at(const SettleTarget& target, std::span<const Vector3d>
     if (target.wanted[rings.vertices[r]] != wanted[r]) return false;
   }
   for (std::size_t r = 0; r < rings.row_count(); ++r) {
-    if (target.scales[rings.vertices[r]] != scales[r]) return false;
+    if (scale_in(target, r) != scales[r]) return false;
   }
   for (std::size_t k = 0; k < system.size(); ++k) {
     if (u[vertex(k)] != of_unknown(at.x, k)) return false;
@@ -38,7 +42,7 @@ void Settler::State::place(const SettleTarget& target, std::span<const Vector3d>
   }
   displacement = wanted;
   for (std::size_t r = 0; r < rings.row_count(); ++r) {
-    scales[r] = target.scales[rings.vertices[r]];
+    scales[r] = scale_in(target, r);
   }
   rotations->set_scales(scales);
   place_springs();
