@@ -145,11 +145,7 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   s.timings = edit.timings;
   const auto lock = edit.systems->lock();
   s.hold_response(progress);
-  if (edit.options.settle) {
-    edit.hold_laplacian();
-  } else {
-    edit.assemble_laplacian();
-  }
+  edit.assemble_laplacian();
   s.weights = edit.systems->laplacian().shared_weights();
   Stopwatch watch;
   if (edit.options.settle) {

@@ -7,6 +7,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/laplacian/given_displacement.h"
 #include "lapwing/laplacian/rsi_system.h"
 
 namespace lapwing {
@@ -171,15 +172,9 @@ void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) 
 void ResponseSystem::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
   // Hard constraints: what is given moves to the right. Soft ones: wanted is 0 but on unknowns, on
   // which N acts from the left.
-  const auto is_given = [&](Index v) {
-    return constraints_.unknowns.of_vertex[v] == kNoIndex && !wanted[v].isZero(0.0);
-  };
+  const std::vector<Vector3d> given = given_displacement(roi_, constraints_.unknowns, wanted);
   std::fill(b.begin(), b.end(), 0.0);
-  if (std::any_of(roi_.begin(), roi_.end(), is_given)) {
-    std::vector<Vector3d> given(wanted.size(), Vector3d::Zero());
-    for (const Index v : roi_) {
-      if (is_given(v)) given[v] = wanted[v];
-    }
+  if (!given.empty()) {
     multiply(given, b);
     for (double& number : b) number = -number;
   }

@@ -98,14 +98,14 @@ Numbers row_weights(const Topology& topology, std::span<const Index> roi,
 EnergyWeights energy_weights(const Topology& topology, std::span<const Vector3d> rest,
                              std::span<const Index> roi, const EnergyTerms& terms) {
   EnergyWeights weights;
-  const bool has_stiffness = terms.detail_length > 0.0;
-  if (has_stiffness) weights.stiffness = cotangent_sums(topology, rest, roi);
-  if (has_stiffness && terms.weights == LaplacianWeights::cotangent) {
-    weights.laplacian = laplacian_weights(topology, weights.stiffness, roi);
-  } else {
+  if (!(terms.detail_length > 0.0)) {
     weights.laplacian = laplacian_weights(topology, rest, terms.weights, roi);
+    return weights;
   }
-  if (!has_stiffness) return weights;
+  weights.stiffness = cotangent_sums(topology, rest, roi);
+  weights.laplacian = terms.weights == LaplacianWeights::cotangent
+                          ? laplacian_weights(topology, weights.stiffness, roi)
+                          : laplacian_weights(topology, rest, terms.weights, roi);
   const Numbers areas = ring_areas(topology, rest, roi);
   weights.rows = row_weights(topology, roi, areas);
   const double mu =

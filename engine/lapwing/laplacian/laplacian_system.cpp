@@ -7,6 +7,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/laplacian/given_displacement.h"
 
 namespace lapwing {
 
@@ -145,17 +146,9 @@ void LaplacianSystem::multiply(std::span<const Vector3d> u, std::span<double> y)
 void LaplacianSystem::right_hand_side(std::span<const Vector3d> wanted, std::span<double> b) const {
   const std::size_t n = size();
   const Unknowns& unknowns = constraints_.unknowns;
-  const auto is_given = [&](Index v) {
-    return unknowns.of_vertex[v] == kNoIndex && !wanted[v].isZero(0.0);
-  };
+  const std::vector<Vector3d> given = given_displacement(roi_, unknowns, wanted);
   std::vector<double> moved(3 * n, 0.0);
-  if (std::any_of(roi_.begin(), roi_.end(), is_given)) {
-    std::vector<Vector3d> given(wanted.size(), Vector3d::Zero());
-    for (const Index v : roi_) {
-      if (is_given(v)) given[v] = wanted[v];
-    }
-    multiply(given, moved);
-  }
+  if (!given.empty()) multiply(given, moved);
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double d = wanted[unknowns.vertices[k]][static_cast<Eigen::Index>(axis)];

@@ -41,9 +41,10 @@ void add_triangle(const Triangle& t, Index i, std::span<const Vector3d> position
   add(k, j);
 }
 
-// Sum of the cotangents opposite to each edge of ring i.
-void add_cotangents(const Topology& topology, Index i, std::span<const Vector3d> positions,
+// The sum of the cotangents opposite to each edge of ring i.
+void set_cotangents(const Topology& topology, Index i, std::span<const Vector3d> positions,
                     std::span<double> row) {
+  std::fill(row.begin(), row.end(), 0.0);
   for (const Index t : topology.vertex_triangles[i]) {
     add_triangle(topology.triangles[t], i, positions, topology.rings[i], row);
   }
@@ -94,10 +95,8 @@ void for_rows(const Topology& topology, const Rows& rows, std::span<double> valu
 template <typename Rows>
 void set_sums(const Topology& topology, std::span<const Vector3d> positions, const Rows& rows,
               std::span<double> sums) {
-  for_rows(topology, rows, sums, [&](Index i, std::span<double> row) {
-    std::fill(row.begin(), row.end(), 0.0);
-    add_cotangents(topology, i, positions, row);
-  });
+  for_rows(topology, rows, sums,
+           [&](Index i, std::span<double> row) { set_cotangents(topology, i, positions, row); });
 }
 
 // Of cotangent sums.
@@ -112,8 +111,7 @@ void set_weights(const Topology& topology, std::span<const Vector3d> positions,
                  LaplacianWeights scheme, const Rows& rows, std::span<double> weights) {
   for_rows(topology, rows, weights, [&](Index i, std::span<double> row) {
     if (scheme == LaplacianWeights::uniform) return set_uniform(row);
-    std::fill(row.begin(), row.end(), 0.0);
-    add_cotangents(topology, i, positions, row);
+    set_cotangents(topology, i, positions, row);
     make_weights(row);
   });
 }
