@@ -26,9 +26,9 @@ TEST(SystemPattern, HasOneOrderForBothSystemsOfAnOrdinaryRegion) {
   EXPECT_EQ(&pattern.thorough_order(), &pattern.order());
 }
 
-double flops(const SystemPattern& pattern, std::span<const int> order) {
+double flops(const SystemPattern& pattern, std::span<const int> order, int block_size = 1) {
   const auto solver = make_solver();
-  solver->analyze(pattern.blocks(), 1, order);
+  solver->analyze(pattern.blocks(), block_size, order);
   return solver->statistics().flops;
 }
 
@@ -46,6 +46,21 @@ TEST(SystemPattern, LargeRegionHasOneThatSavesMoreThanMinimumDegree) {
   EXPECT_LT(flops(pattern, pattern.order()),
             0.5 * flops(pattern, fill_reducing_order(pattern.blocks(), Ordering::minimum_degree)));
   EXPECT_EQ(&pattern.thorough_order(), &pattern.order());
+}
+
+TEST(SystemPattern, KeepsTheAnalysisForAsLongAsAFactorHasIt) {
+  const SystemPattern pattern = pattern_of(icosphere(3));
+  std::weak_ptr<const SolverAnalysis> kept;
+  {
+    const std::shared_ptr<const SolverAnalysis> analysis = pattern.analysis();
+    EXPECT_EQ(pattern.analysis(), analysis);
+    const auto solver = make_solver();
+    solver->analyze_as(analysis);
+    EXPECT_DOUBLE_EQ(solver->statistics().flops, flops(pattern, pattern.thorough_order(), 3));
+    kept = analysis;
+  }
+  EXPECT_TRUE(kept.expired());
+  EXPECT_NE(pattern.analysis(), nullptr);
 }
 
 }  // namespace

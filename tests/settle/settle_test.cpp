@@ -59,17 +59,21 @@ class Edit {
     return deformer.solve(std::vector(region_.handles.size(), motion));
   }
 
+  using TangentOf = std::function<std::unique_ptr<TurnedTangent>(const LaplacianSystem&)>;
+
   Settled settle(
       const Affine3d& motion, const SettleOptions& options = {}, Start start = Start::linear,
       bool hard = false, const EnergyTerms& terms = kTerms,
-      const std::function<void(std::function<void()>)>& run = [](auto settle) { settle(); }) const {
+      const std::function<void(std::function<void()>)>& run = [](auto settle) { settle(); },
+      const TangentOf& tangent_of = [](const auto&) { return nullptr; }) const {
     const Constraints constraints = constraints_of(region_, topology_, 1.0, hard);
     StageTimings timings;
     const SystemPattern pattern(topology_, region_.roi, constraints.unknowns);
     const LaplacianSystem system(mesh_.positions, topology_, region_.roi, constraints, pattern,
                                  terms, timings);
     CpuKernels kernels;
-    Settler settler(kernels, system, options);
+    const std::unique_ptr<TurnedTangent> tangent = tangent_of(system);
+    Settler settler(kernels, system, options, tangent.get());
     std::vector<Vector3d> wanted(mesh_.vertex_count(), Vector3d::Zero());
     for (const auto& handle : region_.handles) {
       for (const Index v : handle) wanted[v] = motion * mesh_.positions[v] - mesh_.positions[v];
@@ -240,6 +244,42 @@ TEST(Settle, TheTangentOfThePoseSavesIterations) {
   const Settled plain = edit.settle(bend, settle);
   EXPECT_TRUE(by_tangent.certificate.settled);
   EXPECT_LT(2 * by_tangent.certificate.settle_iterations, plain.result.iterations);
+}
+
+// A tangent that is the n x n system in every pose.
+class CountedTangent final : public TurnedTangent {
+ public:
+  CountedTangent(const LaplacianSystem& system, double turn_cost, int& turns)
+      : system_(system), turn_cost_(turn_cost), turns_(turns) {}
+
+  bool turn(std::span<const Eigen::Matrix3d> /*transforms*/,
+            std::span<const Vector3d> /*displacement*/) override {
+    ++turns_;
+    return true;
+  }
+  double turn_cost() const override { return turn_cost_; }
+  void solve_in_place(std::span<double> b) override { system_.solve_in_elimination_order(b, 3); }
+
+ private:
+  const LaplacianSystem& system_;
+  double turn_cost_;
+  int& turns_;
+};
+
+TEST(Settle, ATangentIsRenewedOnlyWhereThatTakesLessThanToGoOnByIt) {
+  const auto turns_at = [](double turn_cost) {
+    int turns = 0;
+    const Settled settled = bumpy_tube().settle(
+        test::turn_and_move(90, Vector3d::UnitX(), Vector3d(0, -1.5, -1)), {}, Start::linear, false,
+        kTerms, [](auto run) { run(); },
+        [&](const LaplacianSystem& system) {
+          return std::make_unique<CountedTangent>(system, turn_cost, turns);
+        });
+    EXPECT_GT(settled.result.iterations, 20);
+    return turns;
+  };
+  EXPECT_EQ(turns_at(1e9), 1);
+  EXPECT_GE(turns_at(0.0), 5);
 }
 
 TEST(Settle, TwistOf179DegreesIsWoundTheWayTheHandleWent) {

@@ -311,6 +311,41 @@ TEST(BlockCholesky, CountsTheOperationsOfADenseFactorization) {
   EXPECT_GE(solver.statistics().factor_bytes, 60U * 61U / 2U * sizeof(double));
 }
 
+// ---- An analysis that several solvers share.
+
+TEST(BlockCholesky, FactorsToTheSameBitsByTheAnalysisOfAnother) {
+  const OwnedMatrix A = rsi_matrix(icosphere(3), 1.0, 10);
+  const auto b = random_vector(A.matrix.scalar_size(), 2);
+  auto usual = std::make_unique<BlockCholesky>();
+  const auto x = solve_with(*usual, A.matrix, b, 1);
+  BlockCholesky sharing;
+  sharing.analyze_as(usual->analysis());
+  EXPECT_EQ(sharing.statistics().flops, usual->statistics().flops);
+  EXPECT_EQ(sharing.statistics().peak_bytes, usual->statistics().peak_bytes);
+  usual.reset();
+  sharing.factor(A.matrix);
+  std::vector<double> y(b.size());
+  sharing.solve(b, y, 1);
+  EXPECT_EQ(x, y);
+}
+
+TEST(BlockCholesky, HasNoAnalysisBeforeAndRefusesNone) {
+  BlockCholesky solver;
+  EXPECT_EQ(solver.analysis(), nullptr);
+  EXPECT_THROW(solver.analyze_as(nullptr), SolverError);
+}
+
+TEST(BlockCholesky, RefusesTheAnalysisOfAnotherThatTakesMoreThanItsLimit) {
+  const OwnedMatrix A = laplacian_matrix(grid(40, 40), 1.0, 10);
+  BlockCholesky unlimited;
+  unlimited.analyze(*A.pattern, 1, fill_reducing_order(*A.pattern));
+  BlockCholeskyOptions options;
+  options.memory_limit_bytes = unlimited.statistics().peak_bytes - 1;
+  BlockCholesky limited(options);
+  EXPECT_THROW(limited.analyze_as(unlimited.analysis()), SolverError);
+  EXPECT_EQ(limited.analysis(), nullptr);
+}
+
 // ---- Memory taken ahead.
 
 TEST(BlockCholesky, FactorsToTheSameBitsInMemoryTakenAhead) {

@@ -51,6 +51,22 @@ TEST_P(EveryBlockSolver, SolvesInPlace) {
   EXPECT_EQ(x, y);
 }
 
+TEST_P(EveryBlockSolver, SharesItsAnalysisOrSaysThatItCannot) {
+  const OwnedMatrix A = rsi_matrix(icosphere(1), 1.0, 5);
+  const auto b = random_vector(A.matrix.scalar_size(), 2);
+  const auto x = solve_with(*solver_, A.matrix, b);
+  const auto other = GetParam().make();
+  if (solver_->analysis() == nullptr) {
+    EXPECT_THROW(other->analyze_as(nullptr), SolverError);
+    return;
+  }
+  other->analyze_as(solver_->analysis());
+  other->factor(A.matrix);
+  std::vector<double> y(b.size());
+  other->solve(b, y, 1);
+  EXPECT_EQ(x, y);
+}
+
 TEST_P(EveryBlockSolver, SolvesInTheOrderOfTheCaller) {
   constexpr std::size_t kColumns = 3;
   for (const OwnedMatrix& A :

@@ -26,7 +26,9 @@ HeldFactor::HeldFactor(const SystemPattern& pattern, int block_size)
     : pattern_(pattern), block_size_(block_size), solver_(make_solver()) {}
 
 void HeldFactor::analyze() {
-  if (!analyzed_) analyze(block_size_ == 1 ? pattern_.order() : pattern_.thorough_order());
+  if (block_size_ == 1) return analyze(pattern_.order());
+  if (!analyzed_) solver_->analyze_as(pattern_.analysis());
+  analyzed_ = true;
 }
 
 void HeldFactor::analyze(std::span<const int> order) {

@@ -74,6 +74,19 @@ const std::vector<int>& SystemPattern::thorough_order() const {
   return thorough_order_.empty() ? order_ : thorough_order_;
 }
 
+std::shared_ptr<const SolverAnalysis> SystemPattern::analysis() const {
+  const std::vector<int>& order = thorough_order();
+  const std::scoped_lock lock(analyzing_);
+  std::shared_ptr<const SolverAnalysis> analysis = analysis_.lock();
+  if (analysis == nullptr) {
+    const std::unique_ptr<BlockSolver> solver = make_solver();
+    solver->analyze(blocks(), 3, order);
+    analysis = solver->analysis();
+    analysis_ = analysis;
+  }
+  return analysis;
+}
+
 bool SystemPattern::is_dissected() const {
   return !thorough_order_.empty() || blocks().size() > kMinimumDegreeLimit;
 }

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
 #include "lapwing/base/once.h"
 #include "lapwing/laplacian/rsi_system.h"
+#include "lapwing/solve/block_solver.h"
 #include "lapwing/solve/dissection/coupling_graph.h"
 
 namespace lapwing {
@@ -31,6 +34,9 @@ class SystemPattern {
   /// The order for M'M: the same, or by nested dissection where that saves more of the
   /// factorization's 27 times as many operations than it takes; found likewise.
   const std::vector<int>& thorough_order() const;
+  /// The symbolic factorization of M'M in that order, which all its factors share: found when it is
+  /// asked for, and kept for as long as one of them has it.
+  std::shared_ptr<const SolverAnalysis> analysis() const;
   /// Whether that is nested dissection's; once it has been found.
   bool is_dissected() const;
 
@@ -42,6 +48,8 @@ class SystemPattern {
   mutable double operations_ = 0;  // of L'L in that order, where minimum degree found it
   mutable Once thorough_ordering_;
   mutable std::vector<int> thorough_order_;  // empty where it is the same
+  mutable std::mutex analyzing_;
+  mutable std::weak_ptr<const SolverAnalysis> analysis_;
 };
 
 }  // namespace lapwing

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -36,6 +37,10 @@ constexpr SettlePace kPaceOfSmall{0, 2, 0};
 // Steps of plain iterations that are long, in mean edge lengths.
 constexpr double kLongStep = 0.03;
 constexpr int kIterationsBetweenParts = 2;
+// A part takes as long as this many iterations of as many vertices, of the whole surface.
+constexpr double kCostOfParts = 90.0;
+// By the next tangent, until the surface has settled.
+constexpr double kIterationsByNext = 3.0;
 // A step is taken where E falls by this share of what its slope promises (Armijo 1966), or rounding
 // hides whether it does.
 constexpr double kShareOfSlope = 1e-4;
@@ -94,23 +99,28 @@ void Settler::State::begin_pace(const SettlePace& of) {
   taken = 0;
   next_turn = pace.plain;
   next_part = pace.before_parts;
+  trend.begin();
   if (std::exchange(by_tangent, false)) history.forget();
 }
 
-// Frames at rest, which go by the clock as it is, keep a tangent for as long as it is the faster
-// way.
+// Whether to settle the surface by iterations like the last ones takes more than so many.
+bool Settler::State::takes_longer_than(double iterations, bool if_unknown) const {
+  const std::optional<double> left = trend.iterations_left(options.tolerance);
+  return left ? *left > iterations : if_unknown;
+}
+
+// A tangent is kept for as long as it is the faster way.
 bool Settler::State::is_turn_due() const {
   if (tangent == nullptr || taken < next_turn) return false;
   if (!by_tangent) return taken >= pace.most_plain || last_step <= kLongStep;
-  return !at_rest || trend.is_next_due(options.tolerance, iteration_ms);
+  return takes_longer_than(tangent->turn_cost() + kIterationsByNext, true);
 }
 
 // At `at`, where the rotations were fitted last. The history tells what another first Hessian does
 // not: it begins anew with each.
 void Settler::State::turn_tangent() {
-  const Stopwatch watch;
   by_tangent = tangent->turn(rotations->transforms(), displacement);
-  trend.begin(watch.elapsed_ms());
+  trend.begin();
   if (!by_tangent) tangent = nullptr;
   next_turn = taken + pace.tangent;
   history.forget();
@@ -119,6 +129,7 @@ void Settler::State::turn_tangent() {
 // Where the surface is crushed the tangent promises what does not hold.
 void Settler::State::leave_tangent() {
   by_tangent = false;
+  trend.begin();
   next_turn = taken + std::max(pace.plain, pace.tangent);
   history.forget();
 }
@@ -174,9 +185,8 @@ bool Settler::State::settle_part(const SettleTarget& target, double largest, std
                                  const GoOn& go_on, const Progress& progress) {
   const std::vector<Index> part = moving_part(rings, direction, largest);
   if (part.empty()) return false;
-  if (static_cast<double>(part.size()) > pace.largest_part * static_cast<double>(system.size())) {
-    return false;
-  }
+  const double share = static_cast<double>(part.size()) / static_cast<double>(system.size());
+  if (share > pace.largest_part || !takes_longer_than(kCostOfParts * share, false)) return false;
   finish(u);
   parts->settle_part(part, target, u, go_on, progress);
   read_unknowns(u, next.x);

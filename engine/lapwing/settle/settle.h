@@ -51,6 +51,10 @@ class TurnedTangent {
   virtual bool turn(std::span<const Eigen::Matrix3d> transforms,
                     std::span<const Eigen::Vector3d> displacement) = 0;
 
+  /// About how many iterations by it take as long as `turn`; once it has been turned. The same on
+  /// every machine.
+  virtual double turn_cost() const = 0;
+
   /// Replaces a right-hand side by its solution, in the order of elimination of the n x n system: x
   /// of all unknowns, then y, then z.
   virtual void solve_in_place(std::span<double> b) = 0;

@@ -10,7 +10,7 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/settle/lbfgs.h"
 #include "lapwing/settle/settle.h"
-#include "lapwing/settle/tangent_trend.h"
+#include "lapwing/settle/step_trend.h"
 
 namespace lapwing {
 
@@ -43,7 +43,7 @@ struct Settler::State {
   int next_part = 0;          ///< and that before which what still moves is settled by itself
   double iteration_ms = 0.0;  ///< of the last one, without the tangent's factorization
   double last_step = 0.0;     ///< in mean edge lengths
-  TangentTrend trend;
+  StepTrend trend;
   bool is_placed = false;  ///< whether what was evaluated last is `at`
   Lbfgs history;
 
@@ -97,6 +97,7 @@ struct Settler::State {
   void place_springs();
   void evaluate(Point& point);
   Sums pull_by_springs(Point& point) const;
+  bool takes_longer_than(double iterations, bool if_unknown) const;
   bool is_turn_due() const;
   void turn_tangent();
   void leave_tangent();

@@ -5,6 +5,10 @@
 
 namespace lapwing {
 
+void BlockSolver::analyze_as(std::shared_ptr<const SolverAnalysis> /*analysis*/) {
+  throw SolverError("this solver cannot use the analysis of another one; call analyze");
+}
+
 void BlockSolver::solve_in_places(std::span<double> X, std::size_t columns,
                                   std::span<const Index> places) {
   if (X.empty()) return;

@@ -26,6 +26,12 @@ struct SolverStatistics {
   std::size_t peak_bytes = 0;    ///< most memory that analysis, factor and solves hold together
 };
 
+/// What the symbolic factorization of a pattern has found. Does not change.
+class SolverAnalysis {
+ public:
+  virtual ~SolverAnalysis() = default;
+};
+
 /// Sparse Cholesky factorization of a symmetric positive definite block matrix, in three steps
 /// whose results are kept: analyze once per pattern, factor once per matrix, solve as often as
 /// wanted. One object serves one thread at a time.
@@ -39,6 +45,14 @@ class BlockSolver {
   /// Symbolic factorization under `order` (new to old, from `fill_reducing_order`). The pattern
   /// must outlive the solver.
   virtual void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) = 0;
+
+  /// What `analyze` has found, for others of the same class to share; null before, and of a class
+  /// that cannot share it.
+  virtual std::shared_ptr<const SolverAnalysis> analysis() const { return nullptr; }
+
+  /// As the `analyze` that found this, which is not done again; its pattern must outlive this
+  /// solver, too. Throws SolverError for what is not of this class.
+  virtual void analyze_as(std::shared_ptr<const SolverAnalysis> analysis);
 
   /// Takes the memory of a factorization before it is wanted, and has the system clear it, which
   /// may take as long as the factorization: for another thread, beside what else there is to do.

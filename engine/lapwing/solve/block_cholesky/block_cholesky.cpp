@@ -56,6 +56,11 @@ std::vector<int> component_of(const Symbolic& symbolic, int front) {
   return blocks;
 }
 
+struct Analysis final : SolverAnalysis {
+  Symbolic symbolic;
+  const BlockPattern* pattern = nullptr;
+};
+
 NotPositiveDefinite refused_pivot(const Symbolic& symbolic, const Refusal& refusal) {
   const Front& front = symbolic.fronts[refusal.front];
   const int block =
@@ -95,21 +100,32 @@ class BlockCholesky::Implementation {
       throw SolverError("blocks of size " + std::to_string(block_size) +
                         " are not supported; use 1 or 3");
     }
-    symbolic_ = std::make_unique<Symbolic>(analyze_pattern(pattern, block_size, order));
-    pattern_ = &pattern;
-    statistics_.flops = symbolic_->flops;
-    statistics_.factor_bytes = arena_bytes(symbolic_->factor_size);
-    statistics_.peak_bytes = table_bytes(*symbolic_) +
-                             Numeric::bytes_needed(*symbolic_, pool_.size()) +
-                             TriangularSolve::bytes_needed(*symbolic_, pool_.size());
+    auto found = std::make_shared<Analysis>();
+    found->symbolic = analyze_pattern(pattern, block_size, order);
+    found->pattern = &pattern;
+    analyze_as(std::move(found));
+  }
+
+  void analyze_as(std::shared_ptr<const SolverAnalysis> analysis) {
+    forget();
+    analysis_ = std::dynamic_pointer_cast<const Analysis>(std::move(analysis));
+    require_analysis();
+    statistics_.flops = symbolic().flops;
+    statistics_.factor_bytes = arena_bytes(symbolic().factor_size);
+    statistics_.peak_bytes = table_bytes(symbolic()) +
+                             Numeric::bytes_needed(symbolic(), pool_.size()) +
+                             TriangularSolve::bytes_needed(symbolic(), pool_.size());
     if (options_.memory_limit_bytes > 0 && statistics_.peak_bytes > options_.memory_limit_bytes) {
-      symbolic_.reset();
-      throw SolverError("the factorization of " + std::to_string(pattern.size()) +
-                        " blocks needs " + in_megabytes(statistics_.peak_bytes) +
-                        ", more than the limit of " + in_megabytes(options_.memory_limit_bytes) +
+      const int blocks = symbolic().blocks;
+      analysis_.reset();
+      throw SolverError("the factorization of " + std::to_string(blocks) + " blocks needs " +
+                        in_megabytes(statistics_.peak_bytes) + ", more than the limit of " +
+                        in_megabytes(options_.memory_limit_bytes) +
                         "; choose a smaller region or raise the limit");
     }
   }
+
+  std::shared_ptr<const SolverAnalysis> analysis() const { return analysis_; }
 
   void prepare_memory() {
     require_analysis();
@@ -122,8 +138,8 @@ class BlockCholesky::Implementation {
     factored_ = false;
     take_memory();
     const Refusal refusal = numeric_->factor(matrix, options_.pivot_tolerance, progress, kept);
-    if (refusal.reason == Refusal::Reason::pivot) throw refused_pivot(*symbolic_, refusal);
-    if (refusal.reason == Refusal::Reason::not_finite) throw not_finite(*pattern_, refusal.where);
+    if (refusal.reason == Refusal::Reason::pivot) throw refused_pivot(symbolic(), refusal);
+    if (refusal.reason == Refusal::Reason::not_finite) throw not_finite(pattern(), refusal.where);
     factored_ = true;
   }
 
@@ -131,12 +147,12 @@ class BlockCholesky::Implementation {
                          const Progress& progress) {
     std::vector<char> kept;
     if (factored_) {
-      kept.assign(symbolic_->upward.size(), 1);
-      for (const Index block : changed) kept[symbolic_->node_of_front(front_of(block))] = 0;
+      kept.assign(symbolic().upward.size(), 1);
+      for (const Index block : changed) kept[symbolic().node_of_front(front_of(block))] = 0;
       // Nodes are numbered children first.
-      for (int node = 0; node < symbolic_->upward.size(); ++node) {
+      for (int node = 0; node < symbolic().upward.size(); ++node) {
         if (kept[node]) continue;
-        const WorkGraph& graph = symbolic_->upward;
+        const WorkGraph& graph = symbolic().upward;
         for (int s = graph.successor_starts[node]; s < graph.successor_starts[node + 1]; ++s) {
           kept[graph.successors[s]] = 0;
         }
@@ -159,7 +175,7 @@ class BlockCholesky::Implementation {
     try {
       step();
     } catch (const std::bad_alloc&) {
-      const bool known = symbolic_ != nullptr;
+      const bool known = analysis_ != nullptr;
       if (!factored_) {
         solve_.reset();
         numeric_.reset();
@@ -173,47 +189,50 @@ class BlockCholesky::Implementation {
   }
 
  private:
+  const Symbolic& symbolic() const { return analysis_->symbolic; }
+  const BlockPattern& pattern() const { return *analysis_->pattern; }
+
   void forget() {
     factored_ = false;
     solve_.reset();
     numeric_.reset();
-    symbolic_.reset();
+    analysis_.reset();
     statistics_ = {};
   }
 
   void take_memory() {
     if (numeric_) return;
     require_memory_for_factor();
-    numeric_ = std::make_unique<Numeric>(*symbolic_, kernels_, pool_);
-    solve_ = std::make_unique<TriangularSolve>(*symbolic_, *numeric_, kernels_, pool_);
+    numeric_ = std::make_unique<Numeric>(symbolic(), kernels_, pool_);
+    solve_ = std::make_unique<TriangularSolve>(symbolic(), *numeric_, kernels_, pool_);
   }
 
   // Systems in 3 x 3 blocks are the large ones, and whoever makes one can do without it where it
   // does not fit: it asks before.
   void require_memory_for_factor() const {
     constexpr std::size_t kWorthAsking = 64'000'000;  // less is there, or nothing is
-    const std::size_t bytes = statistics_.peak_bytes - table_bytes(*symbolic_);
-    if (symbolic_->block_size == 3 || bytes < kWorthAsking) return;
-    require_memory(bytes, "the factorization of " + std::to_string(symbolic_->blocks) + " blocks",
+    const std::size_t bytes = statistics_.peak_bytes - table_bytes(symbolic());
+    if (symbolic().block_size == 3 || bytes < kWorthAsking) return;
+    require_memory(bytes, "the factorization of " + std::to_string(symbolic().blocks) + " blocks",
                    "choose a smaller region");
   }
 
   int front_of(Index block) const {
-    if (block >= symbolic_->front_of_block.size()) {
+    if (block >= symbolic().front_of_block.size()) {
       throw SolverError("there is no block " + std::to_string(block) + " to refactor");
     }
-    return symbolic_->front_of_block[block];
+    return symbolic().front_of_block[block];
   }
 
   void require_analysis() const {
-    if (!symbolic_) throw SolverError("there is no analysis to factor with; call analyze first");
+    if (!analysis_) throw SolverError("there is no analysis to factor with; call analyze first");
   }
 
   void check(const BlockMatrix& matrix) const {
     require_analysis();
-    const auto b = static_cast<std::size_t>(symbolic_->block_size);
-    if (matrix.block_size != symbolic_->block_size ||
-        matrix.values.size() != symbolic_->entries.size() * b * b) {
+    const auto b = static_cast<std::size_t>(symbolic().block_size);
+    if (matrix.block_size != symbolic().block_size ||
+        matrix.values.size() != symbolic().entries.size() * b * b) {
       throw SolverError("the matrix does not have the analyzed pattern; call analyze again");
     }
   }
@@ -222,9 +241,8 @@ class BlockCholesky::Implementation {
   const KernelTable& kernels_;
   std::unique_ptr<WorkerPool> own_pool_;
   WorkerPool& pool_;
-  const BlockPattern* pattern_ = nullptr;
   SolverStatistics statistics_;
-  std::unique_ptr<Symbolic> symbolic_;
+  std::shared_ptr<const Analysis> analysis_;
   std::unique_ptr<Numeric> numeric_;
   std::unique_ptr<TriangularSolve> solve_;
   bool factored_ = false;
@@ -238,6 +256,14 @@ BlockCholesky::~BlockCholesky() = default;
 void BlockCholesky::analyze(const BlockPattern& pattern, int block_size,
                             std::span<const int> order) {
   implementation_->guard([&] { implementation_->analyze(pattern, block_size, order); });
+}
+
+std::shared_ptr<const SolverAnalysis> BlockCholesky::analysis() const {
+  return implementation_->analysis();
+}
+
+void BlockCholesky::analyze_as(std::shared_ptr<const SolverAnalysis> analysis) {
+  implementation_->guard([&] { implementation_->analyze_as(std::move(analysis)); });
 }
 
 void BlockCholesky::prepare_memory() {

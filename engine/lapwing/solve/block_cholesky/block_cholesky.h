@@ -41,6 +41,11 @@ class BlockCholesky final : public BlockSolver {
   /// be needed; takes next to no memory itself before that is known.
   void analyze(const BlockPattern& pattern, int block_size, std::span<const int> order) override;
 
+  std::shared_ptr<const SolverAnalysis> analysis() const override;
+
+  /// Throws SolverError also when more than the memory limit would be needed.
+  void analyze_as(std::shared_ptr<const SolverAnalysis> analysis) override;
+
   /// Throws SolverError when there is no analysis, or not the memory.
   void prepare_memory() override;
 
