@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "run/blas_kernels.h"
 #include "run_command.h"
 #include "studies/studies.h"
 
@@ -172,6 +173,7 @@ void add_studies(CLI::App& app, Studies& studies) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  require_fitting_blas(argv);
   CLI::App app(
       "Measures what Lapwing costs, stage by stage over meshes of 1,000 to 1,000,000 vertices, "
       "beside what else does the same work and beside the limits of the device.",
