@@ -97,12 +97,14 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
         systems->assemble_laplacian(terms());
       },
       [&] {
-        if (needs_laplacian) {
+        if (is_previewed) {
           systems->analyze_laplacian();
         } else {
           systems->find_order();
         }
       });
+  // What no preview waits for is made exact next.
+  if (needs_laplacian && !is_previewed) systems->analyze_both();
   timings.add(stage, watch.elapsed_ms());
   watch.restart();
   if (!needs_laplacian) return;

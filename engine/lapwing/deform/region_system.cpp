@@ -3,6 +3,7 @@
 #include <string>
 
 #include "lapwing/base/limits.h"
+#include "lapwing/base/parallel.h"
 #include "lapwing/solve/ordering.h"
 
 namespace lapwing {
@@ -24,6 +25,13 @@ void RegionSystem::assemble_laplacian(const SystemTerms& terms) {
   laplacian_.assemble(*terms.rest, terms.energy,
                       terms.springs ? *terms.springs : std::vector<Spring>());
   laplacian_terms_ = terms;
+}
+
+void RegionSystem::analyze_both() {
+  const bool is_known = response_ != nullptr || response_bytes_ > 0;
+  if (is_known || unknowns_.size() > kMinimumDegreeLimit) return laplacian_.analyze();
+  pattern_.thorough_order();  // on all threads
+  parallel_invoke([&] { laplacian_.analyze(); }, [&] { analysis_ahead_ = pattern_.analysis(); });
 }
 
 void RegionSystem::hold_laplacian(const SystemTerms& terms, std::span<const double> W) {
@@ -53,8 +61,9 @@ void RegionSystem::hold_response(const SystemTerms& terms, std::span<const doubl
     response_has_memory_ = false;
   }
   // Elsewhere that goes beside the assembly, which takes little.
-  if (unknowns_.size() > kMinimumDegreeLimit) {
+  if (unknowns_.size() > kMinimumDegreeLimit || analysis_ahead_ != nullptr) {
     response_->analyze(progress, timings);
+    analysis_ahead_.reset();
     require_memory(options.memory_limit_bytes);
   }
   if (terms != response_terms_) {

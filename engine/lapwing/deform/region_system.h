@@ -60,6 +60,9 @@ class RegionSystem {
   /// The order and the symbolic factorization of the n x n system; once. May run beside
   /// `assemble_laplacian`.
   void analyze_laplacian() { laplacian_.analyze(); }
+  /// That and the symbolic factorization of the 3n x 3n system, one beside the other; of a region
+  /// whose 3n x 3n system may not fit the first alone.
+  void analyze_both();
   /// Both, and the factor under `W`.
   void hold_laplacian(const SystemTerms& terms, std::span<const double> W);
   /// As held last; `with_rings` has its rings too.
@@ -86,6 +89,7 @@ class RegionSystem {
   std::mutex mutex_;
   LaplacianSystem laplacian_;
   SystemTerms laplacian_terms_;  ///< no positions where it is not assembled
+  std::shared_ptr<const SolverAnalysis> analysis_ahead_;  ///< for `response_`; null elsewhere
   std::unique_ptr<ResponseSystem> response_;
   LinearResponse response_kind_ = LinearResponse::tangent;
   SystemTerms response_terms_;
