@@ -52,7 +52,9 @@ TEST(SystemPattern, KeepsTheAnalysisForAsLongAsAFactorHasIt) {
   const SystemPattern pattern = pattern_of(icosphere(3));
   std::weak_ptr<const SolverAnalysis> kept;
   {
+    EXPECT_FALSE(pattern.has_analysis());
     const std::shared_ptr<const SolverAnalysis> analysis = pattern.analysis();
+    EXPECT_TRUE(pattern.has_analysis());
     EXPECT_EQ(pattern.analysis(), analysis);
     const auto solver = make_solver();
     solver->analyze_as(analysis);

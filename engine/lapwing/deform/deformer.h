@@ -50,12 +50,12 @@ struct DeformResult {
 /// deformer that settles does without: `is_exact`.
 class Deformer {
  public:
-  /// Prepares. Stages reported and timed: "pattern", "order", with settling "laplacian",
-  /// "assemble", "analyze" (what was left of it), "normal_matrix", "factor", with settling
-  /// "shares", "upload" (of what settling needs). Throws InputError for a region that does not fit the mesh,
-  /// SolverError when a component of the region is not anchored or its exact system exceeds the
-  /// memory limit and nothing settles, GpuError when the device fails, Cancelled when `progress`
-  /// asks for it.
+  /// Prepares. Stages reported and timed: "pattern", "order" (with settling the symbolic
+  /// factorizations, too), with settling "laplacian", "assemble", "analyze" (what was left of it),
+  /// "normal_matrix", "factor", with settling "shares", "upload" (of what settling needs). Throws
+  /// InputError for a region that does not fit the mesh, SolverError when a component of the region
+  /// is not anchored or its exact system exceeds the memory limit and nothing settles, GpuError
+  /// when the device fails, Cancelled when `progress` asks for it.
   Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 

@@ -61,15 +61,15 @@ void RegionSystem::hold_response(const SystemTerms& terms, std::span<const doubl
     response_has_memory_ = false;
   }
   // Elsewhere that goes beside the assembly, which takes little.
-  if (unknowns_.size() > kMinimumDegreeLimit || analysis_ahead_ != nullptr) {
+  if (unknowns_.size() > kMinimumDegreeLimit) {
     response_->analyze(progress, timings);
-    analysis_ahead_.reset();
     require_memory(options.memory_limit_bytes);
   }
   if (terms != response_terms_) {
     response_terms_ = {};
     assemble_laplacian(terms);
     response_->assemble(*terms.rest, terms.turns_freely, kernels, progress, timings);
+    analysis_ahead_.reset();
     response_terms_ = terms;
   }
   require_memory(options.memory_limit_bytes);

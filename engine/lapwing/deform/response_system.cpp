@@ -109,18 +109,24 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   if (is_analyzed()) {
     make_rows();
   } else {
-    // All threads look for the order. The symbolic work that follows is one thread's, as the rows
-    // are meanwhile. N, which takes longer, has all threads to itself again.
+    // All threads look for the order. The symbolic work that follows, where that is not done, is
+    // one thread's, as the rows are meanwhile. N, which takes longer, has all threads to itself
+    // again.
     report_progress(progress, "assemble", 0.0);
     pattern_.thorough_order();
     const double ordering_ms = watch.elapsed_ms();
     watch.restart();
-    parallel_invoke(
-        [&] {
-          make_rows();
-          report_progress(progress, "analyze", 0.0);
-        },
-        [&] { factor_.analyze(); });
+    const auto make_rows_first = [&] {
+      make_rows();
+      report_progress(progress, "analyze", 0.0);
+    };
+    const auto analyze = [&] { factor_.analyze(); };
+    if (pattern_.has_analysis()) {
+      make_rows_first();
+      analyze();
+    } else {
+      parallel_invoke(make_rows_first, analyze);
+    }
     timings.add("analyze", ordering_ms + watch.elapsed_ms());
     watch.restart();
   }

@@ -87,6 +87,11 @@ std::shared_ptr<const SolverAnalysis> SystemPattern::analysis() const {
   return analysis;
 }
 
+bool SystemPattern::has_analysis() const {
+  const std::scoped_lock lock(analyzing_);
+  return !analysis_.expired();
+}
+
 bool SystemPattern::is_dissected() const {
   return !thorough_order_.empty() || blocks().size() > kMinimumDegreeLimit;
 }

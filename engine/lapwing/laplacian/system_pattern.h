@@ -37,6 +37,8 @@ class SystemPattern {
   /// The symbolic factorization of M'M in that order, which all its factors share: found when it is
   /// asked for, and kept for as long as one of them has it.
   std::shared_ptr<const SolverAnalysis> analysis() const;
+  /// Whether that is there. Waits for whoever is finding it.
+  bool has_analysis() const;
   /// Whether that is nested dissection's; once it has been found.
   bool is_dissected() const;
 
