@@ -242,6 +242,7 @@ TEST_F(FilesOfTheCommandLine, OfARunWithoutMemoryAreWhole) {
 #ifdef LAPWING_ADDRESS_SANITIZER
   GTEST_SKIP() << "AddressSanitizer takes terabytes of addresses";
 #endif
+  write_mesh(cylinder(48, 80, 0.5, 3.0), file("tube.obj"));
   const Outcome whole = lapwing("run bend.json --device cpu --quiet --save whole.obj");
   ASSERT_EQ(whole.exit_code, 0) << whole.output;
   int refused = 0;

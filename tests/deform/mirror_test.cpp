@@ -158,7 +158,7 @@ TEST_P(MirroredEdit, IsSymmetric) {
   EXPECT_GT(moved, 0.02 * scene.diagonal());
   const double found = test::asymmetry(scene, deformed.mesh.positions);
   // Settling ends a ten-thousandth of an edge before the least energy.
-  EXPECT_LT(found, settle ? 1e-7 : 1e-9);
+  EXPECT_LT(found, settle ? 3e-6 : 1e-9);
   RecordProperty("asymmetry", std::to_string(1e12 * found) + "e-12");
 }
 

@@ -209,7 +209,9 @@ TEST(MirrorOnModels, AreSymmetricToRoundingWhereTheMeshIs) {
         if (mesh.topology().rings.size(v) == 0) continue;
         largest = std::max(largest, (mirror * positions[v] - positions[images[v]]).norm());
       }
-      EXPECT_LT(largest, 1e-9 * bounds.diagonal()) << name << (settle ? " settled" : " linear");
+      // Settling ends a ten-thousandth of an edge before the least energy.
+      EXPECT_LT(largest, (settle ? 1e-7 : 1e-9) * bounds.diagonal())
+          << name << (settle ? " settled" : " linear");
     }
   }
 }

@@ -62,6 +62,30 @@ TEST(Lbfgs, WithoutAPastTheDirectionIsThatOfTheFirstHessian) {
   EXPECT_EQ(p, g);
 }
 
+// Far below what floats hold.
+TEST(Lbfgs, RemembersStepsOfAnyLength) {
+  const Quadratic f(20);
+  const VectorXd x = VectorXd::Zero(20);
+  const VectorXd step = VectorXd::LinSpaced(20, -1.0, 2.0);
+  const VectorXd g = f.gradient(x);
+  const VectorXd next_g = f.gradient(step);
+  const auto direction = [&](double length) {
+    Lbfgs history(20, 3, length);
+    const VectorXd next = length * step;
+    const VectorXd last = length * g;
+    const VectorXd now = length * next_g;
+    history.add(view(x), view(next), view(last), view(now));
+    VectorXd p(20);
+    history.take_changes(view(now), view(p));
+    history.add_steps(view(p));
+    return VectorXd(p / length);
+  };
+  const VectorXd expected = direction(1.0);
+  EXPECT_NE(expected, next_g);
+  EXPECT_EQ(direction(std::ldexp(1.0, -200)), expected);
+  EXPECT_EQ(direction(std::ldexp(1.0, 200)), expected);
+}
+
 // Sizes around the chunks of the loops, and windows that are filled and run over.
 TEST(Lbfgs, FindsTheMinimumInFewerStepsThanWithoutAPast) {
   for (const Eigen::Index n : {3, 40, 1100}) {

@@ -14,7 +14,7 @@ constexpr std::size_t kMegabyte = (std::size_t{1} << 20) / sizeof(double);
 // How often memory is asked for, of `count` numbers.
 long calls_to_reserve(std::size_t count) {
   const test::FailingNew counter(-1);
-  Arena arena;
+  Arena<double> arena;
   arena.reserve(count);
   return test::FailingNew::calls();
 }
@@ -41,9 +41,9 @@ TEST_F(SpareMemory, HasRoomForASomewhatLargerArena) {
 
 TEST_F(SpareMemory, IsAsLargeAsTheBlockItStandsIn) {
   EXPECT_EQ(calls_to_reserve(10 * kMegabyte), 1);
-  Arena arena;
+  Arena<double> arena;
   arena.reserve(6 * kMegabyte);
-  EXPECT_EQ(arena.bytes(), arena_bytes(10 * kMegabyte));
+  EXPECT_EQ(arena.bytes(), arena_bytes<double>(10 * kMegabyte));
   const double* const before = arena.data();
   arena.reserve(9 * kMegabyte);
   EXPECT_EQ(arena.data(), before);
@@ -51,9 +51,9 @@ TEST_F(SpareMemory, IsAsLargeAsTheBlockItStandsIn) {
 
 TEST_F(SpareMemory, ServesOneArenaAtATime) {
   EXPECT_EQ(calls_to_reserve(4 * kMegabyte), 1);
-  Arena first;
+  Arena<double> first;
   first.reserve(4 * kMegabyte);
-  Arena second;
+  Arena<double> second;
   second.reserve(4 * kMegabyte);
   EXPECT_NE(first.data(), second.data());
   first.data()[0] = 1.0;

@@ -37,14 +37,16 @@ OwnedMatrix shared_system() {
   return rsi_matrix(icosphere(4), 1.0, 100);
 }
 
-TEST(BlockCholeskyThreads, GiveTheSameBits) {
+void expect_the_same_bits(FactorPrecision precision) {
   for (const OwnedMatrix& A : {shared_system(), laplacian_matrix(grid(120, 120), 1.0, 50)}) {
     for (const Ordering ordering : {Ordering::minimum_degree, Ordering::nested_dissection}) {
       const auto order = fill_reducing_order(*A.pattern, ordering);
       const auto b = random_vector(17 * A.matrix.scalar_size(), 3);
       std::vector<double> expected;
       for (const unsigned threads : {1U, 2U, 3U, 4U, 8U}) {
-        BlockCholesky solver(with_threads(threads));
+        BlockCholeskyOptions options = with_threads(threads);
+        options.precision = precision;
+        BlockCholesky solver(options);
         solver.analyze(*A.pattern, A.matrix.block_size, order);
         solver.factor(A.matrix);
         std::vector<double> x(b.size());
@@ -59,6 +61,14 @@ TEST(BlockCholeskyThreads, GiveTheSameBits) {
       }
     }
   }
+}
+
+TEST(BlockCholeskyThreads, GiveTheSameBits) {
+  expect_the_same_bits(FactorPrecision::float64);
+}
+
+TEST(BlockCholeskyThreads, GiveTheSameBitsInFloats) {
+  expect_the_same_bits(FactorPrecision::float32);
 }
 
 TEST(BlockCholeskyThreads, GiveTheSameBitsOnEveryRun) {

@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Each, EveryBlockSolver,
 #ifdef LAPWING_HAVE_CHOLMOD
                              NamedSolver{"Cholmod", bench::make_cholmod_solver},
 #endif
-                             NamedSolver{"Block", make_solver},
+                             NamedSolver{"Block", [] { return make_solver(); }},
                              NamedSolver{"Eigen", bench::make_eigen_solver}),
                          [](const auto& suite) { return suite.param.name; });
 

@@ -16,6 +16,8 @@ namespace lapwing::test {
 
 /// What the residual of a solution may be, against matrix and solution.
 inline constexpr double kBackwardError = 1e-14;
+/// Where the factor is held in floats.
+inline constexpr double kBackwardErrorOfFloats = 3e-6;
 
 /// A block matrix together with the pattern that it needs.
 struct OwnedMatrix {

@@ -80,9 +80,9 @@ std::vector<double> Deformer::State::asked_scales(std::span<const Eigen::Affine3
 void Deformer::State::make_settler(Kernels& on) {
   if (!system->options.settle) return;
   const LaplacianSystem& laplacian = system->systems->laplacian_with_rings();
-  tangent = std::make_unique<PoseTangent>(system->topology, system->region.roi,
-                                          system->systems->pattern(), laplacian, *system->rest,
-                                          system->options, *kernels);
+  tangent = std::make_unique<PoseTangent>(
+      system->topology, system->region.roi, system->systems->pattern(), laplacian, *system->rest,
+      system->options, *kernels, why_not_exact.empty() ? system->systems->tangent_rows() : nullptr);
   parts = std::make_unique<RegionPartSettler>(*system);
   settler =
       std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get(), parts.get());

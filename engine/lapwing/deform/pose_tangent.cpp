@@ -1,6 +1,8 @@
 #include "lapwing/deform/pose_tangent.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -60,7 +62,7 @@ Matrix3d softening(const RegionRings& rings, std::size_t r, const Matrix3d& T, d
 PoseTangent::PoseTangent(const Topology& topology, std::span<const Index> roi,
                          const SystemPattern& pattern, const LaplacianSystem& laplacian,
                          std::span<const Vector3d> rest, const DeformOptions& options,
-                         Kernels& kernels)
+                         Kernels& kernels, std::shared_ptr<const BlockRows> at_rest)
     : topology_(topology),
       pattern_(pattern),
       laplacian_(laplacian),
@@ -68,6 +70,7 @@ PoseTangent::PoseTangent(const Topology& topology, std::span<const Index> roi,
       kernels_(kernels),
       memory_limit_(options.memory_limit_bytes),
       roi_(roi.begin(), roi.end()),
+      at_rest_(std::move(at_rest)),
       b_(3 * laplacian.size()) {}
 
 void PoseTangent::prepare() {
@@ -86,20 +89,24 @@ void PoseTangent::wait_until_prepared() const {
 
 // Null where there is not the memory.
 std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor(bool has_time) const {
-  auto factor = std::make_unique<HeldFactor>(pattern_, 3);
+  auto factor = std::make_unique<HeldFactor>(pattern_, 3, FactorPrecision::float32);
   factor->analyze();
   if (has_time && !pattern_.is_dissected()) {
-    auto dissected = std::make_unique<HeldFactor>(pattern_, 3);
+    auto dissected = std::make_unique<HeldFactor>(pattern_, 3, FactorPrecision::float32);
     dissected->analyze(
         dissection_order(coupling_graph(topology_.rings, roi_, laplacian_.constraints().unknowns)));
     const auto flops = [](const HeldFactor& f) { return f.solver().statistics().flops; };
     if (flops(*dissected) < flops(*factor)) factor = std::move(dissected);
   }
+  return fits(*factor) ? std::move(factor) : nullptr;
+}
+
+bool PoseTangent::fits(const HeldFactor& factor) const {
   std::size_t blocks = pattern_.blocks().rows.size();  // of the matrix, and of G at rest and turned
-  for (const Index v : roi_) blocks += 2 * (1 + topology_.rings.size(v));
-  const std::size_t bytes = 9 * sizeof(double) * blocks + factor->solver().statistics().peak_bytes;
-  if (bytes > allowed_memory(memory_limit_)) return nullptr;
-  return factor;
+  const std::size_t rows = at_rest_ == nullptr ? 2 : 1;
+  for (const Index v : roi_) blocks += rows * (1 + topology_.rings.size(v));
+  const std::size_t bytes = 9 * sizeof(double) * blocks + factor.solver().statistics().peak_bytes;
+  return bytes <= allowed_memory(memory_limit_);
 }
 
 bool PoseTangent::take_memory() {
@@ -112,14 +119,19 @@ bool PoseTangent::take_memory() {
       places_in(std::span(rings.vertices).first(rings.row_count()), rest_.size());
   row_of_.clear();
   for (const Index v : roi_) row_of_.push_back(row_of_vertex[v]);
-  const EnergyWeights& weights = laplacian_.weights();
-  at_rest_ = rsi_rows(topology_.rings, roi_);
-  kernels_.assemble_tangent(
-      {{rest_, topology_.rings, weights.laplacian, roi_}, weights.rows, weights.stiffness},
-      at_rest_.values);
-  turned_ = at_rest_;
+  if (at_rest_ == nullptr) at_rest_ = rows_at_rest();
+  turned_ = rsi_rows(topology_.rings, roi_);
   factor_ = std::move(factor);
   return true;
+}
+
+std::shared_ptr<const BlockRows> PoseTangent::rows_at_rest() const {
+  auto rows = std::make_shared<BlockRows>(rsi_rows(topology_.rings, roi_));
+  const EnergyWeights& weights = laplacian_.weights();
+  kernels_.assemble_tangent(
+      {{rest_, topology_.rings, weights.laplacian, roi_}, weights.rows, weights.stiffness},
+      rows->values);
+  return rows;
 }
 
 bool PoseTangent::turn(std::span<const Matrix3d> transforms,
@@ -127,19 +139,24 @@ bool PoseTangent::turn(std::span<const Matrix3d> transforms,
   constexpr std::size_t kRowsPerTask = 512;
   if (!take_memory()) return false;
   const RegionRings& rings = laplacian_.rings();
+  const BlockRows& at_rest = *at_rest_;
   parallel_for(roi_.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const Matrix3d& T = transforms[row_of_[r]];
       const double scale = std::cbrt(T.determinant());
       const Matrix3d back = kRootOfShare / scale * T.transpose();
       const Matrix3d soft = softening(rings, row_of_[r], T, scale, displacement);
-      for (std::size_t b = at_rest_.starts[r]; b < at_rest_.starts[r + 1]; ++b) {
+      for (std::size_t b = at_rest.starts[r]; b < at_rest.starts[r + 1]; ++b) {
         Eigen::Map<Matrix3d>(turned_.values.data() + 9 * b).noalias() =
-            soft * Eigen::Map<const Matrix3d>(at_rest_.values.data() + 9 * b) * back;
+            soft * Eigen::Map<const Matrix3d>(at_rest.values.data() + 9 * b) * back;
       }
     }
   });
   factor_->set_matrix(tangent_matrix(pattern_, laplacian_, turned_, factor_->take_memory()));
+  return factor_turned() || (take_doubles() && factor_turned());
+}
+
+bool PoseTangent::factor_turned() {
   try {
     factor_->factor(laplacian_.constraints().W);
   } catch (const NotPositiveDefinite&) {
@@ -148,11 +165,23 @@ bool PoseTangent::turn(std::span<const Matrix3d> transforms,
   return true;
 }
 
+// For the matrix at hand and all to come; false where they are in use, or there is not the memory.
+bool PoseTangent::take_doubles() {
+  if (is_in_doubles_) return false;
+  auto doubles = std::make_unique<HeldFactor>(pattern_, 3);
+  doubles->analyze_as(*factor_);
+  if (!fits(*doubles)) return false;
+  doubles->set_matrix(factor_->unheld_matrix());
+  factor_ = std::move(doubles);
+  is_in_doubles_ = true;
+  return true;
+}
+
 double PoseTangent::turn_cost() const {
   // Nanoseconds, of which only ratios count: measured by two threads with AVX-512.
-  constexpr double kPerFlop = 1.0 / 60;
+  constexpr double kPerFlop = 1.0 / 90;
   constexpr double kPerTurnedVertex = 1000.0;
-  constexpr double kPerByteOfSolve = 0.09;
+  constexpr double kPerByteOfSolve = 0.07;
   constexpr double kPerIteratedVertex = 150.0;
   const SolverStatistics statistics = factor_->solver().statistics();
   const auto n = static_cast<double>(laplacian_.size());
@@ -160,7 +189,7 @@ double PoseTangent::turn_cost() const {
          (kPerByteOfSolve * static_cast<double>(statistics.factor_bytes) + kPerIteratedVertex * n);
 }
 
-void PoseTangent::solve_in_place(std::span<double> b) {
+void PoseTangent::read(std::span<const double> b) {
   const std::vector<int>& order = laplacian_.elimination_order();
   const std::size_t n = order.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -168,12 +197,53 @@ void PoseTangent::solve_in_place(std::span<double> b) {
       b_[3 * static_cast<std::size_t>(order[k]) + axis] = b[axis * n + k];
     }
   }
-  factor_->solver().solve(b_, b_, 1);
+}
+
+void PoseTangent::write(std::span<double> b) const {
+  const std::vector<int>& order = laplacian_.elimination_order();
+  const std::size_t n = order.size();
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       b[axis * n + k] = b_[3 * static_cast<std::size_t>(order[k]) + axis];
     }
   }
+}
+
+void PoseTangent::solve_in_place(std::span<double> b) {
+  read(b);
+  factor_->solver().solve(b_, b_, 1);
+  write(b);
+}
+
+void PoseTangent::solve_well_in_place(std::span<double> b) {
+  read(b);
+  x_.resize(b_.size());
+  factor_->solver().solve(b_, x_, 1);
+  if (!is_in_doubles_ && !refine() && take_doubles() && factor_turned()) {
+    factor_->solver().solve(b_, x_, 1);
+  }
+  std::swap(b_, x_);
+  write(b);
+}
+
+// Brings x_ nearer to the solution for b_; false where it stays too far.
+bool PoseTangent::refine() {
+  constexpr int kMostRefinements = 3;
+  constexpr double kGoodChange = 0.1;
+  const auto largest = [](std::span<const double> numbers) {
+    double size = 0.0;
+    for (const double number : numbers) size = std::max(size, std::abs(number));
+    return size;
+  };
+  residual_.resize(b_.size());
+  for (int k = 0; k < kMostRefinements; ++k) {
+    multiply(factor_->matrix(), x_, residual_, 1);
+    for (std::size_t i = 0; i < b_.size(); ++i) residual_[i] = b_[i] - residual_[i];
+    factor_->solver().solve(residual_, residual_, 1);
+    for (std::size_t i = 0; i < b_.size(); ++i) x_[i] += residual_[i];
+    if (!(largest(residual_) > kGoodChange * largest(x_))) return true;
+  }
+  return false;
 }
 
 }  // namespace lapwing

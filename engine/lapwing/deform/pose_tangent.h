@@ -17,15 +17,19 @@ namespace lapwing {
 /// where the ring has kept its shape. Where it has been stretched, F_i F_i' = K_i = tr(S) I - S is
 /// larger than at rest, C_i = R_i S: its rotation follows the surface less, and what is under
 /// tension resists bending. Directions in which a ring has been crushed keep the K_i of rest, so
-/// that the matrix stays positive semidefinite in every pose. Takes its memory, that of another 3n
-/// x 3n factor, when it is first turned, or before.
+/// that the matrix stays positive semidefinite in every pose. Its factor is held in floats, which
+/// do for a first Hessian (settle/README.md), and in doubles from where they do not: rounding has
+/// left it indefinite, or refinement does not bring its solutions nearer. Takes its memory, half
+/// that of another 3n x 3n factor, when it is first turned, or before.
 class PoseTangent final : public TurnedTangent {
  public:
   /// `topology`, `pattern`, `laplacian` and `kernels` must outlive the object; `laplacian` is the
-  /// n x n system with its rings, in whose order transforms come.
+  /// n x n system with its rings, in whose order transforms come. `at_rest` is G over the rings of
+  /// `roi` where the caller has it, null for what is made here.
   PoseTangent(const Topology& topology, std::span<const Index> roi, const SystemPattern& pattern,
               const LaplacianSystem& laplacian, std::span<const Eigen::Vector3d> rest,
-              const DeformOptions& options, Kernels& kernels);
+              const DeformOptions& options, Kernels& kernels,
+              std::shared_ptr<const BlockRows> at_rest = nullptr);
 
   /// Begins to take that memory on a thread of its own, for which the first turn waits; an order of
   /// fewer operations is looked for there, too, since many turns will be factored in it.
@@ -37,10 +41,18 @@ class PoseTangent final : public TurnedTangent {
             std::span<const Eigen::Vector3d> displacement) override;
   double turn_cost() const override;
   void solve_in_place(std::span<double> b) override;
+  void solve_well_in_place(std::span<double> b) override;
 
  private:
   std::unique_ptr<HeldFactor> analyzed_factor(bool has_time) const;
+  bool fits(const HeldFactor& factor) const;
   bool take_memory();
+  std::shared_ptr<const BlockRows> rows_at_rest() const;
+  bool factor_turned();
+  bool take_doubles();
+  void read(std::span<const double> b);
+  void write(std::span<double> b) const;
+  bool refine();
 
   const Topology& topology_;
   const SystemPattern& pattern_;
@@ -50,10 +62,13 @@ class PoseTangent final : public TurnedTangent {
   std::size_t memory_limit_;
   std::vector<Index> roi_;
   std::vector<Index> row_of_;  ///< place in roi_ -> row of the rings
-  BlockRows at_rest_;          ///< G
+  std::shared_ptr<const BlockRows> at_rest_;
   BlockRows turned_;
   std::unique_ptr<HeldFactor> factor_;
-  std::vector<double> b_;
+  bool is_in_doubles_ = false;
+  std::vector<double> b_;  ///< in the order of the unknowns, x, y and z of each together
+  std::vector<double> x_;
+  std::vector<double> residual_;
   MadeAside<std::unique_ptr<HeldFactor>> prepared_;  // last: it uses all the others
 };
 

@@ -77,6 +77,11 @@ void RegionSystem::hold_response(const SystemTerms& terms, std::span<const doubl
   response_->factor(W, progress, timings);
 }
 
+std::shared_ptr<const BlockRows> RegionSystem::tangent_rows() const {
+  const bool is_of_tangent = response_ != nullptr && response_kind_ == LinearResponse::tangent;
+  return is_of_tangent ? response_->rows() : nullptr;
+}
+
 // Of a system that has its memory none is required.
 void RegionSystem::require_memory(std::size_t limit_bytes) {
   if (response_ != nullptr && response_has_memory_) return;

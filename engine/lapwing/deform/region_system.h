@@ -78,6 +78,9 @@ class RegionSystem {
                      StageTimings& timings);
   /// As held last.
   const ResponseSystem& response() const { return *response_; }
+  /// G at rest of what is held, of which settling makes the tangent of a pose; null where the
+  /// response is not the tangent's, or not held.
+  std::shared_ptr<const BlockRows> tangent_rows() const;
 
  private:
   void require_memory(std::size_t limit_bytes);

@@ -93,17 +93,19 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   };
   const auto make_rows = [&] {
     report_progress(progress, "assemble", 0.0);
-    if (rows_.values.empty()) rows_ = rsi_rows(topology_.rings, roi_);
+    rows_.reset();  // of the last rest, which a tangent may hold
+    auto rows = std::make_shared<BlockRows>(rsi_rows(topology_.rings, roi_));
     const EnergyWeights& weights = laplacian_.weights();
     const RingProblem rings{rest, topology_.rings, weights.laplacian, roi_};
     if (kind_ == LinearResponse::tangent) {
-      kernels.assemble_tangent({rings, weights.rows, weights.stiffness}, rows_.values);
+      kernels.assemble_tangent({rings, weights.rows, weights.stiffness}, rows->values);
       if (turns_freely) {
-        for (double& value : rows_.values) value *= kRootOfTurningShare;
+        for (double& value : rows->values) value *= kRootOfTurningShare;
       }
     } else {
-      kernels.assemble_rsi(rings, rows_.values);
+      kernels.assemble_rsi(rings, rows->values);
     }
+    rows_ = std::move(rows);
     stage_is_done("assemble");
   };
   if (is_analyzed()) {
@@ -133,9 +135,9 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   report_progress(progress, "normal_matrix", 0.0);
   Numbers memory = factor_.take_memory();
   if (kind_ == LinearResponse::tangent) {
-    factor_.set_matrix(tangent_matrix(pattern_, laplacian_, rows_, std::move(memory)));
+    factor_.set_matrix(tangent_matrix(pattern_, laplacian_, *rows_, std::move(memory)));
   } else {
-    BlockMatrix N = pattern_.normal().normal_matrix(rows_, {}, std::move(memory));
+    BlockMatrix N = pattern_.normal().normal_matrix(*rows_, {}, std::move(memory));
     add_springs(laplacian_.springs(), constraints_.unknowns, N);
     factor_.set_matrix(std::move(N));
   }
@@ -164,9 +166,9 @@ void ResponseSystem::factor(std::span<const double> W, const Progress& progress,
 
 // y = N u over the unknowns.
 void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) const {
-  std::vector<double> rows(3 * rows_.size());
-  lapwing::multiply(rows_, u, rows);
-  pattern_.normal().multiply_transposed(rows_, rows, y);
+  std::vector<double> rows(3 * rows_->size());
+  lapwing::multiply(*rows_, u, rows);
+  pattern_.normal().multiply_transposed(*rows_, rows, y);
   if (kind_ == LinearResponse::rsi) {
     return add_spring_product(laplacian_.springs(), constraints_.unknowns, u, y);
   }

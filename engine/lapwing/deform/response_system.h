@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,9 @@ class ResponseSystem {
 
   std::string_view solver_name() const { return factor_.solver().name(); }
 
+  /// G, or M, as assembled last; does not change.
+  std::shared_ptr<const BlockRows> rows() const { return rows_; }
+
   /// The right-hand side W d - N d', d what `wanted` says for unknowns, d' for the others of the
   /// region (of the whole mesh, given on handles, 0 elsewhere): 3 numbers per unknown.
   void right_hand_side(std::span<const Eigen::Vector3d> wanted, std::span<double> b) const;
@@ -75,7 +79,7 @@ class ResponseSystem {
   LinearResponse kind_;
   std::vector<Index> roi_;
   Constraints constraints_;
-  BlockRows rows_;  ///< G, or M
+  std::shared_ptr<const BlockRows> rows_;
   HeldFactor factor_;
 };
 

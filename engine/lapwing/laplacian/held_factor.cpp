@@ -22,8 +22,8 @@ class Reporting {
 
 }  // namespace
 
-HeldFactor::HeldFactor(const SystemPattern& pattern, int block_size)
-    : pattern_(pattern), block_size_(block_size), solver_(make_solver()) {}
+HeldFactor::HeldFactor(const SystemPattern& pattern, int block_size, FactorPrecision precision)
+    : pattern_(pattern), block_size_(block_size), solver_(make_solver(precision)) {}
 
 void HeldFactor::analyze() {
   if (block_size_ == 1) return analyze(pattern_.order());
@@ -34,6 +34,11 @@ void HeldFactor::analyze() {
 void HeldFactor::analyze(std::span<const int> order) {
   if (analyzed_) return;
   solver_->analyze(pattern_.blocks(), block_size_, order);
+  analyzed_ = true;
+}
+
+void HeldFactor::analyze_as(const HeldFactor& other) {
+  solver_->analyze_as(other.solver_->analysis());
   analyzed_ = true;
 }
 

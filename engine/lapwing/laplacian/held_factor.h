@@ -17,17 +17,22 @@ class HeldFactor {
  public:
   /// Of matrices in blocks of `block_size`, 3 for M'M or 1 for L'L. `pattern` must outlive the
   /// object.
-  HeldFactor(const SystemPattern& pattern, int block_size);
+  HeldFactor(const SystemPattern& pattern, int block_size,
+             FactorPrecision precision = FactorPrecision::float64);
 
   /// The symbolic work, the order included, which needs no numbers; may run beside `set_matrix`.
   /// Does nothing when done already.
   void analyze();
   /// The same in an order of one's own, new to old.
   void analyze(std::span<const int> order);
+  /// The same, as another one of the same pattern and block size has done it.
+  void analyze_as(const HeldFactor& other);
   bool is_analyzed() const { return analyzed_; }
 
   /// A, without W.
   void set_matrix(BlockMatrix A);
+  /// A + diag(W) as factored last.
+  const BlockMatrix& matrix() const { return A_; }
   /// A as set last.
   BlockMatrix unheld_matrix() const;
   /// What the last A lay in, for the next. There is no A then.

@@ -47,10 +47,11 @@ const HistoryLoops& history_loops() {
   return kHistoryLoopsBaseline;
 }
 
-Lbfgs::Lbfgs(std::size_t size, int window)
+Lbfgs::Lbfgs(std::size_t size, int window, double length)
     : loops_(history_loops()),
       size_(size),
       window_(std::clamp(window, 1, kLargestWindow)),
+      scale_(std::ldexp(1.0, -std::ilogb(length))),
       steps_(size * static_cast<std::size_t>(window_)),
       changes_(size * static_cast<std::size_t>(window_)),
       partial_((size + kChunk - 1) / kChunk) {}
@@ -79,8 +80,8 @@ void Lbfgs::add(std::span<const double> last_x, std::span<const double> x,
   const auto other = [&](std::size_t k) { return slot(static_cast<int>(k)); };
   for_chunks(size_, [&](std::size_t chunk, std::size_t from, std::size_t count) {
     for (std::size_t i = from; i < from + count; ++i) {
-      new_step[i] = static_cast<float>(x[i] - last_x[i]);
-      new_change[i] = static_cast<float>(g[i] - last_g[i]);
+      new_step[i] = static_cast<float>(scale_ * (x[i] - last_x[i]));
+      new_change[i] = static_cast<float>(scale_ * (g[i] - last_g[i]));
     }
     Sums& sums = partial_[chunk];
     sums = {};

@@ -14,13 +14,13 @@ namespace lapwing {
 ///     p = A^-1 p;
 ///     history.add_steps(p);
 /// makes p the inverse of a better Hessian times g. Memory is taken once: 2 window vectors in
-/// single precision, which is enough for differences, passed over on all threads. Same input, same
-/// bits.
+/// single precision, which is enough for differences that are about as long as `length`, whatever
+/// that is, passed over on all threads. Same input, same bits.
 class Lbfgs {
  public:
   static constexpr int kLargestWindow = 24;
 
-  Lbfgs(std::size_t size, int window);
+  Lbfgs(std::size_t size, int window, double length = 1.0);
 
   /// A step was made from `last_x` to `x`, and the gradient went from `last_g` to `g`. Left out
   /// where the gradient did not grow along it. The oldest step is forgotten for it.
@@ -57,6 +57,7 @@ class Lbfgs {
   const HistoryLoops& loops_;
   std::size_t size_;
   int window_;
+  double scale_;  ///< of what is stored: a power of two, which rounds nothing
   int used_ = 0;
   int newest_ = 0;  ///< slot of the last one stored
   std::vector<float> steps_;

@@ -38,7 +38,7 @@ constexpr SettlePace kPaceOfSmall{0, 2, 0};
 constexpr double kLongStep = 0.03;
 constexpr int kIterationsBetweenParts = 2;
 // A part takes as long as this many iterations of as many vertices, of the whole surface.
-constexpr double kCostOfParts = 90.0;
+constexpr double kCostOfParts = 120.0;
 // By the next tangent, until the surface has settled.
 constexpr double kIterationsByNext = 3.0;
 // A step is taken where E falls by this share of what its slope promises (Armijo 1966), or rounding
@@ -75,7 +75,7 @@ Settler::State::State(Kernels& kernels, const LaplacianSystem& laplacian, const 
       rotations(kernels.make_ring_rotations(rings)),
       given_tangent(turned),
       parts(part_settler),
-      history(3 * laplacian.size(), kWindow),
+      history(3 * laplacian.size(), kWindow, mean_edge),
       displacement(rings.vertices.size(), Vector3d::Zero()),
       energies(rings.row_count()),
       scales(rings.row_count(), 1.0),
@@ -116,14 +116,16 @@ bool Settler::State::is_turn_due() const {
   return takes_longer_than(tangent->turn_cost() + kIterationsByNext, true);
 }
 
-// At `at`, where the rotations were fitted last. The history tells what another first Hessian does
-// not: it begins anew with each.
+// At `at`, where the rotations were fitted last. The history tells what its first Hessian does not,
+// and begins anew with another kind of one. What one tangent does not tell the next does not
+// either: directions of compression, in which the energy is softer than any tangent.
 void Settler::State::turn_tangent() {
+  const bool had_tangent = by_tangent;
   by_tangent = tangent->turn(rotations->transforms(), displacement);
   trend.begin();
   if (!by_tangent) tangent = nullptr;
   next_turn = taken + pace.tangent;
-  history.forget();
+  if (by_tangent != had_tangent) history.forget();
 }
 
 // Where the surface is crushed the tangent promises what does not hold.
@@ -134,10 +136,13 @@ void Settler::State::leave_tangent() {
   history.forget();
 }
 
-// -direction is where to go; its slope is half that of E, and `step` in mean edge lengths.
-Settler::State::Sums Settler::State::find_direction() {
+// -direction is where to go; its slope is half that of E, and `step` in mean edge lengths. `well`
+// is as solve_well_in_place has it.
+Settler::State::Sums Settler::State::find_direction(bool well) {
   history.take_changes(at.gradient, direction);
-  if (by_tangent) {
+  if (by_tangent && well) {
+    tangent->solve_well_in_place(direction);
+  } else if (by_tangent) {
     tangent->solve_in_place(direction);
   } else {
     system.solve_in_elimination_order(direction, 3);
@@ -294,6 +299,8 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
         history.forget();
         sums = s.find_direction();
       }
+      // A factor that is not exact may be too stiff where the surface is soft, and end too early.
+      if (s.by_tangent && sums.step <= s.options.tolerance) sums = s.find_direction(true);
       result.last_step = s.last_step = sums.step;
       s.trend.add(sums.step);
       result.relative_gradient = s.at.force > 0.0 ? sums.gradient / s.at.force : 0.0;

@@ -58,6 +58,9 @@ class TurnedTangent {
   /// Replaces a right-hand side by its solution, in the order of elimination of the n x n system: x
   /// of all unknowns, then y, then z.
   virtual void solve_in_place(std::span<double> b) = 0;
+
+  /// As well as its factor can by iterative refinement: what settling ends by.
+  virtual void solve_well_in_place(std::span<double> b) { solve_in_place(b); }
 };
 
 /// Settles a few vertices while all others stay where they are.

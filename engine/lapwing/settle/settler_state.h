@@ -101,7 +101,7 @@ struct Settler::State {
   bool is_turn_due() const;
   void turn_tangent();
   void leave_tangent();
-  Sums find_direction();
+  Sums find_direction(bool well = false);
   bool step(double slope);
   void take_next();
   bool settle_part(const SettleTarget& target, double largest, std::span<Eigen::Vector3d> u,

@@ -19,6 +19,14 @@ class NotPositiveDefinite : public SolverError {
   Index block;
 };
 
+/// What a factor is held and computed in. Matrices, right-hand sides and solutions are doubles.
+enum class FactorPrecision {
+  float64,  ///< refuses a pivot up to 1e-13 times its diagonal entry
+  /// Half the memory. Refuses a pivot up to 1e-6 times its diagonal entry: solutions are right to
+  /// some 1e-7 times the condition number, enough to precondition with.
+  float32,
+};
+
 /// What `analyze` knows of the factorization to come; 0 where a solver does not say.
 struct SolverStatistics {
   double flops = 0;              ///< operations of one factorization
@@ -90,6 +98,6 @@ class BlockSolver {
 };
 
 /// Our own multifrontal block Cholesky (block_cholesky/).
-std::unique_ptr<BlockSolver> make_solver();
+std::unique_ptr<BlockSolver> make_solver(FactorPrecision precision = FactorPrecision::float64);
 
 }  // namespace lapwing

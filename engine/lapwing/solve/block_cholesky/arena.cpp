@@ -20,7 +20,7 @@ constexpr std::size_t kHugePage = std::size_t{2} << 20;
 constexpr std::size_t kSmallPage = 4096;
 constexpr std::size_t kCacheLine = 64;
 
-void free_block(double* memory, std::size_t alignment) {
+void free_block(std::byte* memory, std::size_t alignment) {
   ::operator delete(memory, std::align_val_t(alignment));
 }
 
@@ -29,7 +29,7 @@ void free_block(double* memory, std::size_t alignment) {
 class SpareBlocks {
  public:
   struct Block {
-    double* memory = nullptr;
+    std::byte* memory = nullptr;
     std::size_t bytes = 0;
   };
 
@@ -98,11 +98,8 @@ std::size_t with_room(std::size_t bytes) {
 
 }  // namespace
 
-std::size_t arena_bytes(std::size_t count) {
-  if (count > (std::numeric_limits<std::size_t>::max() - kHugePage) / sizeof(double)) {
-    throw std::bad_alloc();
-  }
-  const std::size_t bytes = count * sizeof(double);
+std::size_t arena_block_bytes(std::size_t bytes) {
+  if (bytes > std::numeric_limits<std::size_t>::max() - kHugePage) throw std::bad_alloc();
   const std::size_t unit = bytes >= kHugePage ? kHugePage : kCacheLine;
   return (bytes + unit - 1) / unit * unit;
 }
@@ -111,7 +108,7 @@ void free_spare_memory() {
   spare_blocks().free_all();
 }
 
-void Arena::Release::operator()(double* memory) const {
+void ArenaBlock::Release::operator()(std::byte* memory) const {
   if (alignment == kHugePage) {
     spare_blocks().keep({memory, bytes});
   } else {
@@ -119,12 +116,12 @@ void Arena::Release::operator()(double* memory) const {
   }
 }
 
-void Arena::reserve(std::size_t count) {
-  const std::size_t bytes = arena_bytes(count);
+void ArenaBlock::reserve(std::size_t wanted_bytes) {
+  const std::size_t bytes = arena_block_bytes(wanted_bytes);
   if (bytes <= this->bytes()) return;
   data_.reset();
   if (bytes < kHugePage) {
-    auto* memory = static_cast<double*>(::operator new(bytes, std::align_val_t(kCacheLine)));
+    auto* memory = static_cast<std::byte*>(::operator new(bytes, std::align_val_t(kCacheLine)));
     data_ = {memory, Release(kCacheLine, bytes)};
     return;
   }
@@ -138,19 +135,19 @@ void Arena::reserve(std::size_t count) {
     memory = ::operator new(taken, std::align_val_t(kHugePage), std::nothrow);
   }
   if (memory == nullptr) throw std::bad_alloc();
-  data_ = {static_cast<double*>(memory), Release(kHugePage, taken)};
+  data_ = {static_cast<std::byte*>(memory), Release(kHugePage, taken)};
 #ifdef MADV_HUGEPAGE
   // Only a hint: without huge pages everything works, a little slower.
   madvise(memory, taken, MADV_HUGEPAGE);
 #endif
 }
 
-void Arena::touch() {
-  volatile double* const numbers = data();
+void ArenaBlock::touch() {
+  volatile std::byte* const memory = data();
   CancelCheck check;
   for (std::size_t byte = 0; byte < bytes(); byte += kSmallPage) {
     check();
-    numbers[byte / sizeof(double)] = 0.0;
+    memory[byte] = std::byte{0};
   }
 }
 

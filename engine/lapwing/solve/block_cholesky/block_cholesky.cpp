@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "lapwing/base/limits.h"
@@ -61,6 +62,55 @@ struct Analysis final : SolverAnalysis {
   const BlockPattern* pattern = nullptr;
 };
 
+// The numeric work of a precision.
+class Factorization {
+ public:
+  virtual ~Factorization() = default;
+  virtual void touch() = 0;
+  virtual Refusal factor(const BlockMatrix& matrix, const Progress& progress,
+                         const std::vector<char>& kept) = 0;
+  virtual void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
+                     std::span<const Index> places) = 0;
+};
+
+template <typename Real>
+const KernelTable<Real>& kernels_in(const KernelTables& tables) {
+  if constexpr (std::is_same_v<Real, float>) {
+    return tables.floats;
+  } else {
+    return tables.doubles;
+  }
+}
+
+template <typename Real>
+class FactorizationIn final : public Factorization {
+ public:
+  FactorizationIn(const Symbolic& symbolic, const KernelTables& tables, WorkerPool& pool)
+      : numeric_(symbolic, kernels_in<Real>(tables), pool),
+        solve_(symbolic, numeric_, kernels_in<Real>(tables), pool) {}
+
+  void touch() override { numeric_.touch(); }
+  Refusal factor(const BlockMatrix& matrix, const Progress& progress,
+                 const std::vector<char>& kept) override {
+    return numeric_.factor(matrix, progress, kept);
+  }
+  void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
+             std::span<const Index> places) override {
+    solve_.solve(B, X, columns, places);
+  }
+
+ private:
+  Numeric<Real> numeric_;
+  TriangularSolve<Real> solve_;
+};
+
+template <typename Real>
+void add_sizes(const Symbolic& symbolic, int threads, SolverStatistics& statistics) {
+  statistics.factor_bytes = arena_bytes<Real>(symbolic.factor_size);
+  statistics.peak_bytes = table_bytes(symbolic) + Numeric<Real>::bytes_needed(symbolic, threads) +
+                          TriangularSolve<Real>::bytes_needed(symbolic, threads);
+}
+
 NotPositiveDefinite refused_pivot(const Symbolic& symbolic, const Refusal& refusal) {
   const Front& front = symbolic.fronts[refusal.front];
   const int block =
@@ -111,10 +161,11 @@ class BlockCholesky::Implementation {
     analysis_ = std::dynamic_pointer_cast<const Analysis>(std::move(analysis));
     require_analysis();
     statistics_.flops = symbolic().flops;
-    statistics_.factor_bytes = arena_bytes(symbolic().factor_size);
-    statistics_.peak_bytes = table_bytes(symbolic()) +
-                             Numeric::bytes_needed(symbolic(), pool_.size()) +
-                             TriangularSolve::bytes_needed(symbolic(), pool_.size());
+    if (options_.precision == FactorPrecision::float32) {
+      add_sizes<float>(symbolic(), pool_.size(), statistics_);
+    } else {
+      add_sizes<double>(symbolic(), pool_.size(), statistics_);
+    }
     if (options_.memory_limit_bytes > 0 && statistics_.peak_bytes > options_.memory_limit_bytes) {
       const int blocks = symbolic().blocks;
       analysis_.reset();
@@ -130,14 +181,14 @@ class BlockCholesky::Implementation {
   void prepare_memory() {
     require_analysis();
     take_memory();
-    numeric_->touch();
+    factorization_->touch();
   }
 
   void factor(const BlockMatrix& matrix, const Progress& progress, const std::vector<char>& kept) {
     check(matrix);
     factored_ = false;
     take_memory();
-    const Refusal refusal = numeric_->factor(matrix, options_.pivot_tolerance, progress, kept);
+    const Refusal refusal = factorization_->factor(matrix, progress, kept);
     if (refusal.reason == Refusal::Reason::pivot) throw refused_pivot(symbolic(), refusal);
     if (refusal.reason == Refusal::Reason::not_finite) throw not_finite(pattern(), refusal.where);
     factored_ = true;
@@ -164,7 +215,7 @@ class BlockCholesky::Implementation {
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
              std::span<const Index> places) {
     if (!factored_) throw SolverError("there is no factorization to solve with; call factor first");
-    solve_->solve(B, X, columns, places);
+    factorization_->solve(B, X, columns, places);
   }
 
   const SolverStatistics& statistics() const { return statistics_; }
@@ -176,10 +227,7 @@ class BlockCholesky::Implementation {
       step();
     } catch (const std::bad_alloc&) {
       const bool known = analysis_ != nullptr;
-      if (!factored_) {
-        solve_.reset();
-        numeric_.reset();
-      }
+      if (!factored_) factorization_.reset();
       throw SolverError(known
                             ? "out of memory: the factorization needs " +
                                   in_megabytes(statistics_.peak_bytes) + "; choose a smaller region"
@@ -194,17 +242,19 @@ class BlockCholesky::Implementation {
 
   void forget() {
     factored_ = false;
-    solve_.reset();
-    numeric_.reset();
+    factorization_.reset();
     analysis_.reset();
     statistics_ = {};
   }
 
   void take_memory() {
-    if (numeric_) return;
+    if (factorization_) return;
     require_memory_for_factor();
-    numeric_ = std::make_unique<Numeric>(symbolic(), kernels_, pool_);
-    solve_ = std::make_unique<TriangularSolve>(symbolic(), *numeric_, kernels_, pool_);
+    if (options_.precision == FactorPrecision::float32) {
+      factorization_ = std::make_unique<FactorizationIn<float>>(symbolic(), kernels_, pool_);
+    } else {
+      factorization_ = std::make_unique<FactorizationIn<double>>(symbolic(), kernels_, pool_);
+    }
   }
 
   // Systems in 3 x 3 blocks are the large ones, and whoever makes one can do without it where it
@@ -238,13 +288,12 @@ class BlockCholesky::Implementation {
   }
 
   BlockCholeskyOptions options_;
-  const KernelTable& kernels_;
+  const KernelTables& kernels_;
   std::unique_ptr<WorkerPool> own_pool_;
   WorkerPool& pool_;
   SolverStatistics statistics_;
   std::shared_ptr<const Analysis> analysis_;
-  std::unique_ptr<Numeric> numeric_;
-  std::unique_ptr<TriangularSolve> solve_;
+  std::unique_ptr<Factorization> factorization_;
   bool factored_ = false;
 };
 
@@ -291,8 +340,10 @@ SolverStatistics BlockCholesky::statistics() const {
   return implementation_->statistics();
 }
 
-std::unique_ptr<BlockSolver> make_solver() {
-  return std::make_unique<BlockCholesky>();
+std::unique_ptr<BlockSolver> make_solver(FactorPrecision precision) {
+  BlockCholeskyOptions options;
+  options.precision = precision;
+  return std::make_unique<BlockCholesky>(options);
 }
 
 }  // namespace lapwing

@@ -16,16 +16,13 @@ struct BlockCholeskyOptions {
   /// Results of different sets differ in last bits.
   InstructionSet instruction_set = InstructionSet::automatic;
   std::size_t memory_limit_bytes = 0;  ///< `analyze` throws when more would be needed; 0: no limit
-  /// A pivot d_j <= pivot_tolerance * a_jj is refused. Since d_j / a_jj is at least the inverse of
-  /// the condition number (with the diagonal scaled to 1), every matrix of condition up to
-  /// 1 / pivot_tolerance passes; the rounding that a singular matrix leaves in place of a pivot 0
-  /// is below the default for millions of unknowns.
-  double pivot_tolerance = 1e-13;
+  FactorPrecision precision = FactorPrecision::float64;
 };
 
 /// Multifrontal Cholesky factorization of matrices in 1 x 1 or 3 x 3 blocks, on several threads.
-/// Symbolic work is done on blocks, numeric work in dense fronts with kernels for the processor's
-/// vector instructions. Same input, same bits, for every number of threads and on every run.
+/// Symbolic work is done on blocks, and serves either precision, numeric work in dense fronts with
+/// kernels for the processor's vector instructions. Same input, same bits, for every number of
+/// threads and on every run.
 ///
 /// After a throw from `factor` or `refactor_diagonal` (NotPositiveDefinite, Cancelled) the analysis
 /// is still good and `factor` may be called again.

@@ -1,9 +1,14 @@
-// The factorization's inner loops. Included by kernels_*.cpp inside an unnamed namespace, after
-// kLanes (numbers per vector register), kTileStrips and kTileColumns (the tile of the result that
-// the registers hold) are defined. Calls nothing that has external linkage: see front_layout.h.
+// The factorization's inner loops. Included by kernels_*.cpp inside an unnamed namespace, after Real
+// (what numbers are held in), kLanes (numbers per vector register), kTileStrips and kTileColumns
+// (the tile of the result that the registers hold) are defined. Calls nothing that has external
+// linkage: see front_layout.h.
 
-typedef double Vector __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
-typedef long long Bits __attribute__((vector_size(sizeof(double) * kLanes), may_alias));
+using View = FrontView<Real>;
+
+constexpr Real kLargest = std::numeric_limits<Real>::max();
+
+typedef Real Vector __attribute__((vector_size(sizeof(Real) * kLanes), may_alias));
+typedef Lane<Real> Bits __attribute__((vector_size(sizeof(Real) * kLanes), may_alias));
 
 constexpr int kParts = kStrip / kLanes;  // registers for one column of a strip
 
@@ -15,14 +20,14 @@ constexpr int kParts = kStrip / kLanes;  // registers for one column of a strip
 #endif
 
 // Where numbers may lie anywhere: copies, which cost nothing, tell every compiler so.
-LAPWING_INLINE Vector unaligned_at(const double* p) {
+LAPWING_INLINE Vector unaligned_at(const Real* p) {
   Vector vector;
   __builtin_memcpy(&vector, p, sizeof vector);
   return vector;
 }
 
-LAPWING_INLINE Vector& vector_at(double* p) { return *reinterpret_cast<Vector*>(p); }
-LAPWING_INLINE const Vector& vector_at(const double* p) {
+LAPWING_INLINE Vector& vector_at(Real* p) { return *reinterpret_cast<Vector*>(p); }
+LAPWING_INLINE const Vector& vector_at(const Real* p) {
   return *reinterpret_cast<const Vector*>(p);
 }
 LAPWING_INLINE int smaller(int a, int b) { return a < b ? a : b; }
@@ -36,7 +41,7 @@ struct Tile {
 
 // `columns` of the N are stored in memory; the rest start at 0 and are not written.
 template <int M, int N, bool kAll>
-LAPWING_INLINE void load(Tile<M, N>& tile, double* const* from, int columns) {
+LAPWING_INLINE void load(Tile<M, N>& tile, Real* const* from, int columns) {
   LAPWING_UNROLL for (int m = 0; m < M; ++m) {
     LAPWING_UNROLL for (int n = 0; n < N; ++n) {
       LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
@@ -49,7 +54,7 @@ LAPWING_INLINE void load(Tile<M, N>& tile, double* const* from, int columns) {
 }
 
 template <int M, int N, bool kAll>
-LAPWING_INLINE void store(const Tile<M, N>& tile, double* const* to, int columns) {
+LAPWING_INLINE void store(const Tile<M, N>& tile, Real* const* to, int columns) {
   LAPWING_UNROLL for (int m = 0; m < M; ++m) {
     LAPWING_UNROLL for (int n = 0; n < N; ++n) {
       LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
@@ -63,8 +68,8 @@ LAPWING_INLINE void store(const Tile<M, N>& tile, double* const* to, int columns
 
 // tile -= A B' over `count` columns of the strips a[m] and of the lanes b[0..N) of a strip.
 template <int M, int N>
-LAPWING_INLINE void subtract_products(Tile<M, N>& tile, int count, const double* const* a,
-                                      const double* b) {
+LAPWING_INLINE void subtract_products(Tile<M, N>& tile, int count, const Real* const* a,
+                                      const Real* b) {
   for (int k = 0; k < count; ++k) {
     Vector row[M][kParts];
     LAPWING_UNROLL for (int m = 0; m < M; ++m) {
@@ -73,7 +78,7 @@ LAPWING_INLINE void subtract_products(Tile<M, N>& tile, int count, const double*
       }
     }
     LAPWING_UNROLL for (int n = 0; n < N; ++n) {
-      const double factor = b[kStrip * k + n];
+      const Real factor = b[kStrip * k + n];
       LAPWING_UNROLL for (int m = 0; m < M; ++m) {
         LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
           tile.c[m][n][part] -= row[m][part] * factor;
@@ -86,23 +91,23 @@ LAPWING_INLINE void subtract_products(Tile<M, N>& tile, int count, const double*
 // The columns [column, column + columns) of the factor in M strips. `pivots` is the pivot strip
 // that holds these columns' diagonal, in lanes `lane` onwards.
 template <int M, bool kAll>
-LAPWING_INLINE void solve_tile(double* const* strips, const double* pivots, int column, int lane,
+LAPWING_INLINE void solve_tile(Real* const* strips, const Real* pivots, int column, int lane,
                                int columns) {
   constexpr int N = kTileColumns;
   Tile<M, N> tile;
-  double* target[M];
+  Real* target[M];
   LAPWING_UNROLL for (int m = 0; m < M; ++m) target[m] = strips[m] + kStrip * column;
   load<M, N, kAll>(tile, target, columns);
   subtract_products<M, N>(tile, column, strips, pivots + lane);
-  const double* diagonal = pivots + kStrip * column + lane;
+  const Real* diagonal = pivots + kStrip * column + lane;
   LAPWING_UNROLL for (int n = 0; n < N; ++n) {
     if (!kAll && n >= columns) break;
-    const double inverse = diagonal[kStrip * n + n];
+    const Real inverse = diagonal[kStrip * n + n];
     LAPWING_UNROLL for (int m = 0; m < M; ++m) {
       LAPWING_UNROLL for (int part = 0; part < kParts; ++part) tile.c[m][n][part] *= inverse;
     }
     LAPWING_UNROLL for (int q = n + 1; q < N; ++q) {
-      const double factor = diagonal[kStrip * n + q];
+      const Real factor = diagonal[kStrip * n + q];
       LAPWING_UNROLL for (int m = 0; m < M; ++m) {
         LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
           tile.c[m][q][part] -= tile.c[m][n][part] * factor;
@@ -114,11 +119,11 @@ LAPWING_INLINE void solve_tile(double* const* strips, const double* pivots, int 
 }
 
 template <int M>
-void solve_strips(const FrontView& front, int first, int first_column, int last_column) {
-  double* strips[M];
+void solve_strips(const View& front, int first, int first_column, int last_column) {
+  Real* strips[M];
   for (int m = 0; m < M; ++m) strips[m] = strip_at(front, first + m);
   for (int s = first_column; s < last_column; ++s) {
-    const double* pivots = strip_at(front, s);
+    const Real* pivots = strip_at(front, s);
     const int width = smaller(kStrip, front.pivots - kStrip * s);
     for (int lane = 0; lane < width; lane += kTileColumns) {
       if (width - lane >= kTileColumns) {
@@ -130,7 +135,7 @@ void solve_strips(const FrontView& front, int first, int first_column, int last_
   }
 }
 
-void solve_rows(const FrontView& front, int first, int last, int first_column, int last_column) {
+void solve_rows(const View& front, int first, int last, int first_column, int last_column) {
   int s = first;
   for (; s + kTileStrips <= last; s += kTileStrips) {
     solve_strips<kTileStrips>(front, s, first_column, last_column);
@@ -146,18 +151,18 @@ void solve_rows(const FrontView& front, int first, int last, int first_column, i
 
 // Cholesky factorization of one diagonal tile of `width` columns; its inverse diagonal replaces the
 // diagonal. Returns the first refused pivot or -1.
-int factor_tile(double* tile, int width, const double* floor) {
+int factor_tile(Real* tile, int width, const Real* floor) {
   for (int j = 0; j < width; ++j) {
-    double* column = tile + kStrip * j;
-    const double pivot = column[j];
-    if (!(pivot > floor[j] && pivot <= __DBL_MAX__)) return j;
-    const double inverse = 1.0 / __builtin_sqrt(pivot);
+    Real* column = tile + kStrip * j;
+    const Real pivot = column[j];
+    if (!(pivot > floor[j] && pivot <= kLargest)) return j;
+    const Real inverse = Real(1) / static_cast<Real>(__builtin_sqrt(pivot));
     Vector scaled[kParts];
     for (int part = 0; part < kParts; ++part) {
       scaled[part] = vector_at(column + kLanes * part) * inverse;
     }
     for (int q = j + 1; q < width; ++q) {
-      const double factor = column[q] * inverse;
+      const Real factor = column[q] * inverse;
       for (int part = 0; part < kParts; ++part) {
         vector_at(tile + kStrip * q + kLanes * part) -= scaled[part] * factor;
       }
@@ -169,14 +174,14 @@ int factor_tile(double* tile, int width, const double* floor) {
   return -1;
 }
 
-int factor_pivots(const FrontView& front, int first, int last, const double* floor) {
+int factor_pivots(const View& front, int first, int last, const Real* floor) {
   for (int s = first; s < last; ++s) {
-    double* strip = strip_at(front, s);
+    Real* strip = strip_at(front, s);
     const int column = kStrip * s;
     const int width = smaller(kStrip, front.pivots - column);
     for (int lane = 0; lane < width; lane += kTileColumns) {
       Tile<1, kTileColumns> tile;
-      double* target = strip + kStrip * (column + lane);
+      Real* target = strip + kStrip * (column + lane);
       const int columns = smaller(kTileColumns, width - lane);
       load<1, kTileColumns, false>(tile, &target, columns);
       subtract_products<1, kTileColumns>(tile, column, &strip, strip + lane);
@@ -191,11 +196,11 @@ int factor_pivots(const FrontView& front, int first, int last, const double* flo
 
 // -A B' for M strips and the strip `b`, to column `column` of the strips `target`.
 template <int M>
-LAPWING_INLINE void product(int pivots, const double* const* a, const double* b,
-                            double* const* target, int column) {
+LAPWING_INLINE void product(int pivots, const Real* const* a, const Real* b,
+                            Real* const* target, int column) {
   LAPWING_UNROLL for (int lane = 0; lane < kStrip; lane += kTileColumns) {
     Tile<M, kTileColumns> tile{};
-    double* to[M];
+    Real* to[M];
     LAPWING_UNROLL for (int m = 0; m < M; ++m) to[m] = target[m] + kStrip * (column + lane);
     subtract_products<M, kTileColumns>(tile, pivots, a, b + lane);
     store<M, kTileColumns, true>(tile, to, kTileColumns);
@@ -203,9 +208,9 @@ LAPWING_INLINE void product(int pivots, const double* const* a, const double* b,
 }
 
 template <int M>
-void update_strips(const FrontView& front, double* matrix, int first) {
-  const double* a[M];
-  double* target[M];
+void update_strips(const View& front, Real* matrix, int first) {
+  const Real* a[M];
+  Real* target[M];
   for (int m = 0; m < M; ++m) {
     a[m] = strip_at(front, front.pivot_strips + first + m);
     target[m] = matrix + triangle_offset(first + m);
@@ -217,7 +222,7 @@ void update_strips(const FrontView& front, double* matrix, int first) {
   if constexpr (M > 2) product<M - 2>(front.pivots, a + 2, a[2], target + 2, kStrip * (first + 2));
 }
 
-void update(const FrontView& front, double* matrix, int first, int last) {
+void update(const View& front, Real* matrix, int first, int last) {
   int s = first;
   for (; s + kTileStrips <= last; s += kTileStrips) update_strips<kTileStrips>(front, matrix, s);
   if constexpr (kTileStrips > 2) {
@@ -237,7 +242,7 @@ LAPWING_INLINE Bits lanes_between(int first, int last, int part) {
 }
 
 // target[lane] += source[lane - shift] for the lanes of `mask`.
-LAPWING_INLINE void add_lanes(double* target, const double* source, int shift, const Bits* mask) {
+LAPWING_INLINE void add_lanes(Real* target, const Real* source, int shift, const Bits* mask) {
   LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
     const Vector moved = unaligned_at(source + kLanes * part - shift);
     vector_at(target + kLanes * part) +=
@@ -247,10 +252,10 @@ LAPWING_INLINE void add_lanes(double* target, const double* source, int shift, c
 
 // Adds the lower-triangle part of `piece` in the child's columns [first, last). `strip` is where
 // the parent's strip would have its column 0.
-LAPWING_INLINE void add_piece(const ChildUpdate& child, const Piece& piece, double* strip,
+LAPWING_INLINE void add_piece(const ChildUpdate<Real>& child, const Piece& piece, Real* strip,
                               int first, int last) {
   const int row = kStrip * piece.source;
-  const double* source = child.matrix + triangle_offset(piece.source);
+  const Real* source = child.matrix + triangle_offset(piece.source);
   last = smaller(last, row + piece.last);
   const int whole = smaller(last, row + piece.first + 1);  // columns left of the diagonal
   Bits mask[kParts];
@@ -272,17 +277,17 @@ LAPWING_INLINE void add_piece(const ChildUpdate& child, const Piece& piece, doub
   }
 }
 
-void add_to_panel(const ChildUpdate& child, const FrontView& front) {
+void add_to_panel(const ChildUpdate<Real>& child, const View& front) {
   for (const Piece* piece = child.pieces_begin; piece != child.pieces_end; ++piece) {
     add_piece(child, *piece, strip_at(front, piece->target), 0, child.pivot_columns);
   }
 }
 
-void add_to_update(const ChildUpdate& child, const FrontView& front, double* matrix) {
+void add_to_update(const ChildUpdate<Real>& child, const View& front, Real* matrix) {
   const std::ptrdiff_t pivot_columns = static_cast<std::ptrdiff_t>(kStrip) * front.pivot_strips;
   for (const Piece* piece = child.pieces_begin; piece != child.pieces_end; ++piece) {
     // Positions count the padded pivot rows, which the update matrix does not have.
-    double* strip = matrix + triangle_offset(piece->target - front.pivot_strips) -
+    Real* strip = matrix + triangle_offset(piece->target - front.pivot_strips) -
                     kStrip * pivot_columns;
     add_piece(child, *piece, strip, child.pivot_columns, child.updates);
   }

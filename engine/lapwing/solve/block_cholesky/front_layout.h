@@ -27,8 +27,9 @@ static inline std::size_t triangle_offset(int s) {
 /// the pivots themselves (a lower triangle of strips, the last one `pivots` columns wide), then the
 /// update rows (strips of `pivots` columns). Pivot and update rows are padded separately.
 /// Diagonal entries hold 1 / l_jj; what lies above the diagonal inside a tile is 0.
+template <typename Real>
 struct FrontView {
-  double* panel = nullptr;
+  Real* panel = nullptr;
   int pivots = 0;
   int pivot_strips = 0;
   int update_strips = 0;
@@ -40,7 +41,8 @@ static inline std::size_t pivot_part_size(int pivots, int pivot_strips) {
 }
 
 /// First number of strip s, counted over pivot and update strips.
-static inline double* strip_at(const FrontView& front, int s) {
+template <typename Real>
+static inline Real* strip_at(const FrontView<Real>& front, int s) {
   if (s < front.pivot_strips) return front.panel + triangle_offset(s);
   return front.panel + pivot_part_size(front.pivots, front.pivot_strips) +
          static_cast<std::size_t>(s - front.pivot_strips) * kStrip * front.pivots;
@@ -57,8 +59,9 @@ struct Piece {
 };
 
 /// A child's update matrix, a lower triangle of strips, on its way into the parent.
+template <typename Real>
 struct ChildUpdate {
-  const double* matrix = nullptr;
+  const Real* matrix = nullptr;
   const int* position = nullptr;  ///< parent's padded row of each update row
   int pivot_columns = 0;          ///< so many leading rows are pivots of the parent
   int updates = 0;

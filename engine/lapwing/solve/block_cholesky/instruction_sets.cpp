@@ -7,13 +7,13 @@
 
 namespace lapwing::cholesky {
 
-extern const KernelTable kBaselineKernels;
+extern const KernelTables kBaselineKernels;
 #ifdef __x86_64__
-extern const KernelTable kAvx2Kernels;
-extern const KernelTable kAvx512Kernels;
+extern const KernelTables kAvx2Kernels;
+extern const KernelTables kAvx512Kernels;
 #endif
 
-const KernelTable& kernels_for(InstructionSet set) {
+const KernelTables& kernels_for(InstructionSet set) {
   const auto available = available_instruction_sets();
   if (set == InstructionSet::automatic) set = available.front();
   if (std::find(available.begin(), available.end(), set) == available.end()) {

@@ -7,6 +7,6 @@ namespace lapwing::cholesky {
 
 /// The kernels for an instruction set; for `automatic` the fastest this processor has. Throws
 /// SolverError when the processor, or this build, lacks it.
-const KernelTable& kernels_for(InstructionSet set);
+const KernelTables& kernels_for(InstructionSet set);
 
 }  // namespace lapwing::cholesky

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <limits>
+#include <type_traits>
+
 #include "lapwing/solve/block_cholesky/front_layout.h"
 
 namespace lapwing::cholesky {
@@ -11,36 +14,50 @@ inline constexpr int kWidestSolve = 12;
 /// Triangular solves with one front for a fixed number R of right-hand sides. Vectors hold R
 /// numbers a row; y has a row for each padded pivot row, w for each padded update row; padding is
 /// 0.
+template <typename Real>
 struct SolveKernels {
   /// y = L11^-1 y.
-  void (*forward_pivots)(const FrontView& front, double* y);
+  void (*forward_pivots)(const FrontView<Real>& front, Real* y);
   /// w -= L21 y, for the rows of update strips [first, last).
-  void (*forward_updates)(const FrontView& front, const double* y, double* w, int first, int last);
+  void (*forward_updates)(const FrontView<Real>& front, const Real* y, Real* w, int first,
+                          int last);
   /// y -= L21' w, for the pivots [first, last).
-  void (*backward_updates)(const FrontView& front, const double* w, double* y, int first, int last);
+  void (*backward_updates)(const FrontView<Real>& front, const Real* w, Real* y, int first,
+                           int last);
   /// y = L11^-T y. `scratch` has 8 numbers for each pivot.
-  void (*backward_pivots)(const FrontView& front, double* y, double* scratch);
+  void (*backward_pivots)(const FrontView<Real>& front, Real* y, Real* scratch);
 };
 
-/// The inner loops, compiled once per instruction set from factor_kernels.inl and
-/// solve_kernels.inl. The order of operations on every number is fixed by the front alone: how
+/// An integer as large as a number, for masks.
+template <typename Real>
+using Lane = std::conditional_t<sizeof(Real) == sizeof(long long), long long, int>;
+
+/// The inner loops, compiled once per instruction set and kind of number from factor_kernels.inl
+/// and solve_kernels.inl. The order of operations on every number is fixed by the front alone: how
 /// strips are divided between calls does not change a bit.
+template <typename Real>
 struct KernelTable {
   /// Factors the pivot strips [first, last) of a panel whose columns before them are done (in these
   /// strips too). A pivot must be finite and above its `floor` (one number per pivot of the front);
   /// returns the first pivot that is not, or -1.
-  int (*factor_pivots)(const FrontView& front, int first, int last, const double* floor);
+  int (*factor_pivots)(const FrontView<Real>& front, int first, int last, const Real* floor);
   /// Computes the factor's rows of strips [first, last), which lie below pivot strip
   /// last_column - 1, in the columns of pivot strips [first_column, last_column).
-  void (*solve_rows)(const FrontView& front, int first, int last, int first_column,
+  void (*solve_rows)(const FrontView<Real>& front, int first, int last, int first_column,
                      int last_column);
   /// Writes strips [first, last) of the update matrix -L21 L21'.
-  void (*update)(const FrontView& front, double* matrix, int first, int last);
+  void (*update)(const FrontView<Real>& front, Real* matrix, int first, int last);
   /// Adds a child's pieces to the pivot columns of the panel.
-  void (*add_to_panel)(const ChildUpdate& child, const FrontView& front);
+  void (*add_to_panel)(const ChildUpdate<Real>& child, const FrontView<Real>& front);
   /// Adds a child's pieces to the update matrix.
-  void (*add_to_update)(const ChildUpdate& child, const FrontView& front, double* matrix);
-  SolveKernels solve[4];  ///< by kSolveWidths
+  void (*add_to_update)(const ChildUpdate<Real>& child, const FrontView<Real>& front, Real* matrix);
+  SolveKernels<Real> solve[4];  ///< by kSolveWidths
+};
+
+/// The kernels of one instruction set.
+struct KernelTables {
+  KernelTable<double> doubles;
+  KernelTable<float> floats;
 };
 
 }  // namespace lapwing::cholesky

@@ -5,24 +5,45 @@
 namespace lapwing::cholesky {
 namespace {
 
-constexpr int kLanes = 2;
-constexpr int kTileStrips = 1;
 #ifdef __aarch64__
-constexpr int kTileColumns = 4;
+constexpr int kColumns = 4;
 constexpr int kRegisters = 32;
 #else
-constexpr int kTileColumns = 2;
+constexpr int kColumns = 2;
 constexpr int kRegisters = 16;
 #endif
+
+namespace doubles {
+
+using Real = double;
+constexpr int kLanes = 2;
+constexpr int kTileStrips = 1;
+constexpr int kTileColumns = kColumns;
 
 #include "lapwing/solve/block_cholesky/factor_kernels.inl"
 #include "lapwing/solve/block_cholesky/solve_kernels.inl"
 
-constexpr KernelTable kTable = kernel_table(Rows<4>::kernels());
+constexpr KernelTable<Real> kTable = kernel_table(Rows<4>::kernels());
+
+}  // namespace doubles
+
+namespace floats {
+
+using Real = float;
+constexpr int kLanes = 4;
+constexpr int kTileStrips = 1;
+constexpr int kTileColumns = kColumns;
+
+#include "lapwing/solve/block_cholesky/factor_kernels.inl"
+#include "lapwing/solve/block_cholesky/solve_kernels.inl"
+
+constexpr KernelTable<Real> kTable = kernel_table(Rows<4>::kernels());
+
+}  // namespace floats
 
 }  // namespace
 
-extern const KernelTable kBaselineKernels;
-const KernelTable kBaselineKernels = kTable;
+extern const KernelTables kBaselineKernels;
+const KernelTables kBaselineKernels = {doubles::kTable, floats::kTable};
 
 }  // namespace lapwing::cholesky

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "lapwing/solve/block_cholesky/denormals.h"
+
 namespace lapwing::cholesky {
 namespace {
 
@@ -13,15 +15,23 @@ constexpr int kStripsBetweenPolls = 24;
 // Pivot strips that one thread factors while the others compute the rows below the last ones.
 constexpr int kBlockStrips = 6;
 // Strips of a chunk: one tile of the widest kernels.
-constexpr int kChunkStrips = 3;
+template <typename Real>
+constexpr int kChunkStrips = sizeof(Real) == sizeof(double) ? 3 : 6;
+// A pivot d_j up to this share of a_jj is refused (FactorPrecision). Since d_j / a_jj is at least
+// the inverse of the condition number (with the diagonal scaled to 1), every matrix of condition up
+// to the inverse of this passes; the rounding that a singular matrix leaves in place of a pivot 0
+// is below it for millions of unknowns in double precision.
+template <typename Real>
+constexpr Real kPivotTolerance = Real(sizeof(Real) == sizeof(double) ? 1e-13 : 1e-6);
 // Blocks of the matrix asked for ahead of use.
 constexpr std::size_t kPrefetch = 8;
 
 int blocks_of(const Front& front) {
   return (front.pivot_strips + kBlockStrips - 1) / kBlockStrips;
 }
+template <typename Real>
 int chunks_of(int strips) {
-  return (strips + kChunkStrips - 1) / kChunkStrips;
+  return (strips + kChunkStrips<Real> - 1) / kChunkStrips<Real>;
 }
 
 // First pivot strip of block `block`, or the number of pivot strips after the last.
@@ -35,7 +45,8 @@ enum Phase { kAssemble = 0, kFirstPivots = 1, kFirstRows = 2 };
 
 }  // namespace
 
-Numeric::Numeric(const Symbolic& symbolic, const KernelTable& kernels, WorkerPool& pool)
+template <typename Real>
+Numeric<Real>::Numeric(const Symbolic& symbolic, const KernelTable<Real>& kernels, WorkerPool& pool)
     : symbolic_(symbolic),
       kernels_(kernels),
       pool_(pool),
@@ -43,29 +54,32 @@ Numeric::Numeric(const Symbolic& symbolic, const KernelTable& kernels, WorkerPoo
       stacks_(pool.size()) {
   factor_.reserve(symbolic.factor_size);
   kept_.reserve(symbolic.updates.kept + 2 * kUpdateSlack);
-  for (Arena& stack : stacks_) {
+  for (Arena<Real>& stack : stacks_) {
     stack.reserve(symbolic.updates.stacks[0] + symbolic.updates.stacks[1] + 2 * kUpdateSlack);
   }
   floors_.resize(static_cast<std::size_t>(symbolic.blocks) * symbolic.block_size);
 }
 
-void Numeric::touch() {
+template <typename Real>
+void Numeric<Real>::touch() {
   factor_.touch();
   kept_.touch();
-  for (Arena& stack : stacks_) stack.touch();
+  for (Arena<Real>& stack : stacks_) stack.touch();
 }
 
-std::size_t Numeric::bytes_needed(const Symbolic& symbolic, int threads) {
+template <typename Real>
+std::size_t Numeric<Real>::bytes_needed(const Symbolic& symbolic, int threads) {
   const std::size_t stacks =
       symbolic.updates.stacks[0] + symbolic.updates.stacks[1] + 2 * kUpdateSlack;
-  return arena_bytes(symbolic.factor_size) + arena_bytes(symbolic.updates.kept + 2 * kUpdateSlack) +
-         threads * arena_bytes(stacks) + sizeof(double) * symbolic.blocks * symbolic.block_size;
+  return arena_bytes<Real>(symbolic.factor_size) +
+         arena_bytes<Real>(symbolic.updates.kept + 2 * kUpdateSlack) +
+         threads * arena_bytes<Real>(stacks) + sizeof(Real) * symbolic.blocks * symbolic.block_size;
 }
 
-Refusal Numeric::factor(const BlockMatrix& matrix, double pivot_tolerance, const Progress& progress,
-                        const std::vector<char>& skipped) {
+template <typename Real>
+Refusal Numeric<Real>::factor(const BlockMatrix& matrix, const Progress& progress,
+                              const std::vector<char>& skipped) {
   matrix_ = &matrix;
-  pivot_tolerance_ = pivot_tolerance;
   progress_ = &progress;
   stop_at_ = std::numeric_limits<int>::max();
   refusal_ = {};
@@ -85,11 +99,13 @@ Refusal Numeric::factor(const BlockMatrix& matrix, double pivot_tolerance, const
   return refusal_;
 }
 
-FrontView Numeric::view(const Front& front) const {
+template <typename Real>
+FrontView<Real> Numeric<Real>::view(const Front& front) const {
   return {factor_.data() + front.panel_at, front.pivots, front.pivot_strips, front.update_strips};
 }
 
-int Numeric::chunk_count(int node, int phase) const {
+template <typename Real>
+int Numeric<Real>::chunk_count(int node, int phase) const {
   if (node < symbolic_.task_count()) return phase == 0 ? 1 : 0;
   const Front& front = symbolic_.fronts[symbolic_.first_top() + node - symbolic_.task_count()];
   const int block = phase - kFirstRows;
@@ -97,12 +113,14 @@ int Numeric::chunk_count(int node, int phase) const {
   if (phase == kFirstPivots) return 1;
   if (block < blocks_of(front)) {
     const bool last = block + 1 == blocks_of(front);
-    return (last ? 0 : 1) + chunks_of(front.strips() - block_start(front, block + 2 - last));
+    return (last ? 0 : 1) + chunks_of<Real>(front.strips() - block_start(front, block + 2 - last));
   }
-  return block == blocks_of(front) ? chunks_of(front.update_strips) : 0;
+  return block == blocks_of(front) ? chunks_of<Real>(front.update_strips) : 0;
 }
 
-void Numeric::run_chunk(int node, int phase, int chunk, int thread) {
+template <typename Real>
+void Numeric<Real>::run_chunk(int node, int phase, int chunk, int thread) {
+  [[maybe_unused]] const DenormalsFor<Real> flushed;
   if (node < symbolic_.task_count()) {
     run_task(node, thread);
   } else {
@@ -110,7 +128,8 @@ void Numeric::run_chunk(int node, int phase, int chunk, int thread) {
   }
 }
 
-void Numeric::run_task(int task, int thread) {
+template <typename Real>
+void Numeric<Real>::run_task(int task, int thread) {
   for (int f = symbolic_.task_starts[task]; f < symbolic_.task_starts[task + 1]; ++f) {
     if (abandoned(f)) return;
     run_front(f, thread);
@@ -119,7 +138,8 @@ void Numeric::run_task(int task, int thread) {
   }
 }
 
-void Numeric::run_front(int f, int thread) {
+template <typename Real>
+void Numeric<Real>::run_front(int f, int thread) {
   const Front& front = symbolic_.fronts[f];
   assemble(f, 0, front.strips(), thread);
   if (thread == 0) poll();
@@ -135,7 +155,8 @@ void Numeric::run_front(int f, int thread) {
   }
 }
 
-void Numeric::run_top_chunk(int f, int phase, int chunk) {
+template <typename Real>
+void Numeric<Real>::run_top_chunk(int f, int phase, int chunk) {
   const Front& front = symbolic_.fronts[f];
   if (phase == kAssemble) {
     const int chunks = chunk_count(symbolic_.node_of_front(f), phase);
@@ -158,22 +179,24 @@ void Numeric::run_top_chunk(int f, int phase, int chunk) {
       kernels_.solve_rows(view(front), next, after, column, next);
       factor_pivots(f, next, after);
     } else {
-      const int first = (has_next ? after : next) + kChunkStrips * (chunk - (has_next ? 1 : 0));
-      kernels_.solve_rows(view(front), first, std::min(first + kChunkStrips, front.strips()),
+      const int first =
+          (has_next ? after : next) + kChunkStrips<Real> * (chunk - (has_next ? 1 : 0));
+      kernels_.solve_rows(view(front), first, std::min(first + kChunkStrips<Real>, front.strips()),
                           column, next);
     }
   } else {
     // The longest strips first.
-    const int first = kChunkStrips * (chunks_of(front.update_strips) - 1 - chunk);
-    update(f, first, std::min(first + kChunkStrips, front.update_strips), 0);
+    const int first = kChunkStrips<Real> * (chunks_of<Real>(front.update_strips) - 1 - chunk);
+    update(f, first, std::min(first + kChunkStrips<Real>, front.update_strips), 0);
   }
 }
 
-void Numeric::assemble(int f, int first_strip, int last_strip, int thread) {
+template <typename Real>
+void Numeric<Real>::assemble(int f, int first_strip, int last_strip, int thread) {
   const Front& front = symbolic_.fronts[f];
-  const FrontView to = view(front);
-  double* begin = strip_at(to, first_strip);
-  std::memset(begin, 0, sizeof(double) * (strip_at(to, last_strip) - begin));
+  const FrontView<Real> to = view(front);
+  Real* begin = strip_at(to, first_strip);
+  std::memset(begin, 0, sizeof(Real) * (strip_at(to, last_strip) - begin));
   if (symbolic_.block_size == 3) {
     add_matrix<3>(f, first_strip, last_strip);
   } else {
@@ -185,13 +208,14 @@ void Numeric::assemble(int f, int first_strip, int last_strip, int thread) {
   }
 }
 
+template <typename Real>
 template <int kBlock>
-void Numeric::add_matrix(int f, int first_strip, int last_strip) {
+void Numeric<Real>::add_matrix(int f, int first_strip, int last_strip) {
   const Front& front = symbolic_.fronts[f];
-  const FrontView to = view(front);
+  const FrontView<Real> to = view(front);
   const int first_row = kStrip * first_strip;
   const int last_row = kStrip * last_strip;
-  double* floors = floors_.data() + static_cast<std::size_t>(kBlock) * front.first_block;
+  Real* floors = floors_.data() + static_cast<std::size_t>(kBlock) * front.first_block;
   const double* values = matrix_->values.data();
   for (std::size_t e = front.entries_begin; e < front.entries_end; ++e) {
     const MatrixEntry& entry = symbolic_.entries[e];
@@ -212,19 +236,20 @@ void Numeric::add_matrix(int f, int first_strip, int last_strip) {
     for (int p = 0; p < kBlock; ++p) {
       const int row = block_row + p;
       if (row < first_row || row >= last_row) continue;
-      double* target = strip_at(to, row / kStrip) +
-                       static_cast<std::size_t>(kStrip) * block_column + row % kStrip;
+      Real* target = strip_at(to, row / kStrip) + static_cast<std::size_t>(kStrip) * block_column +
+                     row % kStrip;
       for (int q = 0; q < (diagonal ? p + 1 : kBlock); ++q) {
-        target[kStrip * q] = block[p * row_stride + q * column_stride];
+        target[kStrip * q] = static_cast<Real>(block[p * row_stride + q * column_stride]);
       }
-      if (diagonal) floors[row] = std::max(0.0, pivot_tolerance_ * target[kStrip * p]);
+      if (diagonal) floors[row] = std::max(Real(0), kPivotTolerance<Real> * target[kStrip * p]);
     }
   }
 }
 
-void Numeric::factor_pivots(int f, int first_strip, int last_strip) {
+template <typename Real>
+void Numeric<Real>::factor_pivots(int f, int first_strip, int last_strip) {
   const Front& front = symbolic_.fronts[f];
-  const double* floors =
+  const Real* floors =
       floors_.data() + static_cast<std::size_t>(symbolic_.block_size) * front.first_block;
   const int refused = kernels_.factor_pivots(view(front), first_strip, last_strip, floors);
   if (refused >= 0) {
@@ -232,9 +257,10 @@ void Numeric::factor_pivots(int f, int first_strip, int last_strip) {
   }
 }
 
-void Numeric::update(int f, int first_strip, int last_strip, int thread) {
+template <typename Real>
+void Numeric<Real>::update(int f, int first_strip, int last_strip, int thread) {
   const Front& front = symbolic_.fronts[f];
-  double* matrix = update_of(front, thread);
+  Real* matrix = update_of(front, thread);
   kernels_.update(view(front), matrix, first_strip, last_strip);
   for (int c = front.children_begin; c < front.children_end; ++c) {
     const Front& child = symbolic_.fronts[symbolic_.children[c]];
@@ -244,14 +270,16 @@ void Numeric::update(int f, int first_strip, int last_strip, int thread) {
   }
 }
 
-double* Numeric::update_of(const Front& front, int thread) const {
+template <typename Real>
+Real* Numeric<Real>::update_of(const Front& front, int thread) const {
   if (front.keeps_update) return kept_.data() + kUpdateSlack + front.update_at;
   const std::size_t stack = front.depth_parity == 0 ? 0 : symbolic_.updates.stacks[0];
   return stacks_[thread].data() + kUpdateSlack + stack + front.update_at;
 }
 
-ChildUpdate Numeric::child_update(const Front& child, int thread, int first_target,
-                                  int last_target) const {
+template <typename Real>
+ChildUpdate<Real> Numeric<Real>::child_update(const Front& child, int thread, int first_target,
+                                              int last_target) const {
   const Piece* begin = symbolic_.pieces.data() + child.pieces_begin;
   const Piece* end = symbolic_.pieces.data() + child.pieces_end;
   const auto before = [](const Piece& piece, int target) { return piece.target < target; };
@@ -264,7 +292,8 @@ ChildUpdate Numeric::child_update(const Front& child, int thread, int first_targ
           std::lower_bound(begin, end, last_target, before)};
 }
 
-void Numeric::refuse(const Refusal& refusal) {
+template <typename Real>
+void Numeric<Real>::refuse(const Refusal& refusal) {
   const std::scoped_lock lock(refusal_mutex_);
   if (refusal.front > refusal_.front ||
       (refusal.front == refusal_.front && refusal.where >= refusal_.where)) {
@@ -274,13 +303,15 @@ void Numeric::refuse(const Refusal& refusal) {
   stop_at_ = std::min(stop_at_.load(), refusal.front);
 }
 
-void Numeric::node_done(int node) {
+template <typename Real>
+void Numeric<Real>::node_done(int node) {
   if (node < symbolic_.task_count()) return;  // counted front by front
   const Front& front = symbolic_.fronts[symbolic_.first_top() + node - symbolic_.task_count()];
   flops_done_.fetch_add(front.flops, std::memory_order_relaxed);
 }
 
-void Numeric::poll() {
+template <typename Real>
+void Numeric<Real>::poll() {
   if (interruption_ || since_report_.elapsed_ms() < kReportEveryMs) return;
   try {
     report_progress(*progress_, "factor", std::min(1.0, flops_done_ / flops_total_));
@@ -290,5 +321,8 @@ void Numeric::poll() {
   }
   since_report_.restart();
 }
+
+template class Numeric<double>;
+template class Numeric<float>;
 
 }  // namespace lapwing::cholesky

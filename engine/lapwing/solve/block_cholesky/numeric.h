@@ -22,10 +22,12 @@ struct Refusal {
   std::size_t where = 0;
 };
 
-/// The numeric factorization: the factor and the update matrices that outlive their front.
+/// The numeric factorization, of doubles or floats: the factor and the update matrices that outlive
+/// their front.
+template <typename Real>
 class Numeric final : private NodeWork {
  public:
-  Numeric(const Symbolic& symbolic, const KernelTable& kernels, WorkerPool& pool);
+  Numeric(const Symbolic& symbolic, const KernelTable<Real>& kernels, WorkerPool& pool);
 
   /// Arena::touch for all that `factor` needs.
   void touch();
@@ -36,11 +38,11 @@ class Numeric final : private NodeWork {
   /// Factors `matrix`. `skipped` marks the nodes of the upward graph whose results of the last call
   /// still hold. Returns the refusal of the earliest front, the same for every number of threads.
   /// Throws Cancelled, and what `progress` throws.
-  Refusal factor(const BlockMatrix& matrix, double pivot_tolerance, const Progress& progress,
+  Refusal factor(const BlockMatrix& matrix, const Progress& progress,
                  const std::vector<char>& skipped);
 
   /// The factor's part that `front` computed.
-  FrontView view(const Front& front) const;
+  FrontView<Real> view(const Front& front) const;
 
  private:
   int chunk_count(int node, int phase) const override;
@@ -56,22 +58,22 @@ class Numeric final : private NodeWork {
   void add_matrix(int f, int first_strip, int last_strip);
   void factor_pivots(int f, int first_strip, int last_strip);
   void update(int f, int first_strip, int last_strip, int thread);
-  double* update_of(const Front& front, int thread) const;
-  ChildUpdate child_update(const Front& child, int thread, int first_target, int last_target) const;
+  Real* update_of(const Front& front, int thread) const;
+  ChildUpdate<Real> child_update(const Front& child, int thread, int first_target,
+                                 int last_target) const;
   void refuse(const Refusal& refusal);
   bool abandoned(int front) const { return front >= stop_at_.load(std::memory_order_relaxed); }
 
   const Symbolic& symbolic_;
-  const KernelTable& kernels_;
+  const KernelTable<Real>& kernels_;
   WorkerPool& pool_;
   SharedWork shared_;
-  Arena factor_;
-  Arena kept_;
-  std::vector<Arena> stacks_;   // one a thread
-  std::vector<double> floors_;  // smallest pivot accepted, by scalar column
+  Arena<Real> factor_;
+  Arena<Real> kept_;
+  std::vector<Arena<Real>> stacks_;  // one a thread
+  std::vector<Real> floors_;         // smallest pivot accepted, by scalar column
 
   const BlockMatrix* matrix_ = nullptr;
-  double pivot_tolerance_ = 0;
   // Fronts from this one on need not be computed: one of them, or an earlier one, was refused.
   std::atomic<int> stop_at_{0};
   std::mutex refusal_mutex_;

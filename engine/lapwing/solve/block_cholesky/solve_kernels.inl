@@ -10,8 +10,8 @@ struct StripSum {
 };
 
 // The 8 numbers at `from`, minus the strip times y over `count` columns.
-LAPWING_INLINE StripSum subtract_strip(const double* strip, int count, const double* y,
-                                       const double* from) {
+LAPWING_INLINE StripSum subtract_strip(const Real* strip, int count, const Real* y,
+                                       const Real* from) {
   Vector sums[kChains][kParts] = {};
   LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
     sums[0][part] = vector_at(from + kLanes * part);
@@ -39,15 +39,15 @@ LAPWING_INLINE StripSum subtract_strip(const double* strip, int count, const dou
   return total;
 }
 
-void forward_pivots_1(const FrontView& front, double* y) {
+void forward_pivots_1(const View& front, Real* y) {
   for (int s = 0; s < front.pivot_strips; ++s) {
-    const double* strip = strip_at(front, s);
+    const Real* strip = strip_at(front, s);
     StripSum sum = subtract_strip(strip, kStrip * s, y, y + kStrip * s);
-    const double* tile = strip + kStrip * kStrip * s;
+    const Real* tile = strip + kStrip * kStrip * s;
     const int width = smaller(kStrip, front.pivots - kStrip * s);
     LAPWING_UNROLL for (int j = 0; j < kStrip; ++j) {
       if (j >= width) break;
-      const double x = sum.part[j / kLanes][j % kLanes] * tile[kStrip * j + j];
+      const Real x = sum.part[j / kLanes][j % kLanes] * tile[kStrip * j + j];
       y[kStrip * s + j] = x;
       LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
         sum.part[part] -= vector_at(tile + kStrip * j + kLanes * part) * x;
@@ -56,9 +56,9 @@ void forward_pivots_1(const FrontView& front, double* y) {
   }
 }
 
-void forward_updates_1(const FrontView& front, const double* y, double* w, int first, int last) {
+void forward_updates_1(const View& front, const Real* y, Real* w, int first, int last) {
   for (int s = first; s < last; ++s) {
-    const double* strip = strip_at(front, front.pivot_strips + s);
+    const Real* strip = strip_at(front, front.pivot_strips + s);
     const StripSum sum = subtract_strip(strip, front.pivots, y, w + kStrip * s);
     LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
       vector_at(w + kStrip * s + kLanes * part) = sum.part[part];
@@ -67,18 +67,18 @@ void forward_updates_1(const FrontView& front, const double* y, double* w, int f
 }
 
 // The sum of 8 numbers, in the same order for every register width.
-LAPWING_INLINE double sum_of_strip(const double* v) {
+LAPWING_INLINE Real sum_of_strip(const Real* v) {
   return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
 }
 
-void backward_updates_1(const FrontView& front, const double* w, double* y, int first, int last) {
+void backward_updates_1(const View& front, const Real* w, Real* y, int first, int last) {
   constexpr int kColumns = 64;  // sums stay in the first cache, loads run along a page
-  alignas(64) double sums[kColumns * kStrip];
+  alignas(64) Real sums[kColumns * kStrip];
   for (int begin = first; begin < last; begin += kColumns) {
     const int columns = smaller(kColumns, last - begin);
     for (int k = 0; k < kStrip * columns; ++k) sums[k] = 0.0;
     for (int s = 0; s < front.update_strips; ++s) {
-      const double* strip = strip_at(front, front.pivot_strips + s) + kStrip * begin;
+      const Real* strip = strip_at(front, front.pivot_strips + s) + kStrip * begin;
       Vector x[kParts];
       LAPWING_UNROLL for (int part = 0; part < kParts; ++part) {
         x[part] = vector_at(w + kStrip * s + kLanes * part);
@@ -94,15 +94,15 @@ void backward_updates_1(const FrontView& front, const double* w, double* y, int 
   }
 }
 
-void backward_pivots_1(const FrontView& front, double* y, double* scratch) {
+void backward_pivots_1(const View& front, Real* y, Real* scratch) {
   for (int k = 0; k < kStrip * front.pivots; ++k) scratch[k] = 0.0;
   for (int s = front.pivot_strips - 1; s >= 0; --s) {
-    const double* strip = strip_at(front, s);
-    const double* tile = strip + kStrip * kStrip * s;
+    const Real* strip = strip_at(front, s);
+    const Real* tile = strip + kStrip * kStrip * s;
     const int width = smaller(kStrip, front.pivots - kStrip * s);
-    alignas(64) double x[kStrip] = {};
+    alignas(64) Real x[kStrip] = {};
     for (int j = width - 1; j >= 0; --j) {
-      double rest = y[kStrip * s + j] - sum_of_strip(scratch + kStrip * (kStrip * s + j));
+      Real rest = y[kStrip * s + j] - sum_of_strip(scratch + kStrip * (kStrip * s + j));
       for (int i = j + 1; i < width; ++i) rest -= tile[kStrip * j + i] * x[i];
       x[j] = rest * tile[kStrip * j + j];
       y[kStrip * s + j] = x[j];
@@ -121,10 +121,10 @@ void backward_pivots_1(const FrontView& front, double* y, double* scratch) {
 // ---- Several right-hand sides: registers run along the right-hand sides of a row.
 
 constexpr int kRowLanes = kLanes < 4 ? kLanes : 4;
-typedef double RowVector __attribute__((vector_size(sizeof(double) * kRowLanes), may_alias));
+typedef Real RowVector __attribute__((vector_size(sizeof(Real) * kRowLanes), may_alias));
 
-LAPWING_INLINE RowVector& row_vector_at(double* p) { return *reinterpret_cast<RowVector*>(p); }
-LAPWING_INLINE const RowVector& row_vector_at(const double* p) {
+LAPWING_INLINE RowVector& row_vector_at(Real* p) { return *reinterpret_cast<RowVector*>(p); }
+LAPWING_INLINE const RowVector& row_vector_at(const Real* p) {
   return *reinterpret_cast<const RowVector*>(p);
 }
 
@@ -142,7 +142,7 @@ struct Rows {
   static constexpr int kSolveRows = rows_at_once(kRowRegisters);
 
   // target rows -= strip times y over `count` columns.
-  LAPWING_INLINE void subtract(const double* strip, int count, const double* y, double* target) {
+  LAPWING_INLINE void subtract(const Real* strip, int count, const Real* y, Real* target) {
     for (int lane = 0; lane < kStrip; lane += kSolveRows) {
       RowVector sum[kSolveRows][kRowRegisters];
       LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
@@ -156,7 +156,7 @@ struct Rows {
           row[r] = row_vector_at(y + kWidth * k + kRowLanes * r);
         }
         LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
-          const double factor = strip[kStrip * k + lane + i];
+          const Real factor = strip[kStrip * k + lane + i];
           LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) sum[i][r] -= row[r] * factor;
         }
       }
@@ -169,7 +169,7 @@ struct Rows {
   }
 
   // y rows [first, last) -= the transposed strip times its 8 rows of x.
-  LAPWING_INLINE void subtract_transposed(const double* strip, const double* x, double* y,
+  LAPWING_INLINE void subtract_transposed(const Real* strip, const Real* x, Real* y,
                                           int first, int last) {
     for (int lane = 0; lane < kStrip; lane += kSolveRows) {
       RowVector row[kSolveRows][kRowRegisters];
@@ -184,7 +184,7 @@ struct Rows {
           sum[r] = row_vector_at(y + kWidth * k + kRowLanes * r);
         }
         LAPWING_UNROLL for (int i = 0; i < kSolveRows; ++i) {
-          const double factor = strip[kStrip * k + lane + i];
+          const Real factor = strip[kStrip * k + lane + i];
           LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) sum[r] -= row[i][r] * factor;
         }
         LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
@@ -195,7 +195,7 @@ struct Rows {
   }
 
   // Solves with a diagonal tile of `width` pivots, for a register of right-hand sides.
-  LAPWING_INLINE void forward_tile(const double* tile, int width, double* rows) {
+  LAPWING_INLINE void forward_tile(const Real* tile, int width, Real* rows) {
     RowVector row[kStrip];
     LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
     LAPWING_UNROLL for (int j = 0; j < kStrip; ++j) {
@@ -206,7 +206,7 @@ struct Rows {
     LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row_vector_at(rows + kWidth * i) = row[i];
   }
 
-  LAPWING_INLINE void backward_tile(const double* tile, int width, double* rows) {
+  LAPWING_INLINE void backward_tile(const Real* tile, int width, Real* rows) {
     RowVector row[kStrip];
     LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row[i] = row_vector_at(rows + kWidth * i);
     LAPWING_UNROLL for (int j = kStrip - 1; j >= 0; --j) {
@@ -217,12 +217,12 @@ struct Rows {
     LAPWING_UNROLL for (int i = 0; i < kStrip; ++i) row_vector_at(rows + kWidth * i) = row[i];
   }
 
-  static void forward_pivots(const FrontView& front, double* y) {
+  static void forward_pivots(const View& front, Real* y) {
     for (int s = 0; s < front.pivot_strips; ++s) {
-      const double* strip = strip_at(front, s);
-      double* rows = y + kWidth * kStrip * s;
+      const Real* strip = strip_at(front, s);
+      Real* rows = y + kWidth * kStrip * s;
       subtract(strip, kStrip * s, y, rows);
-      const double* tile = strip + kStrip * kStrip * s;
+      const Real* tile = strip + kStrip * kStrip * s;
       const int width = smaller(kStrip, front.pivots - kStrip * s);
       LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
         forward_tile(tile, width, rows + kRowLanes * r);
@@ -230,14 +230,14 @@ struct Rows {
     }
   }
 
-  static void forward_updates(const FrontView& front, const double* y, double* w, int first,
+  static void forward_updates(const View& front, const Real* y, Real* w, int first,
                               int last) {
     for (int s = first; s < last; ++s) {
       subtract(strip_at(front, front.pivot_strips + s), front.pivots, y, w + kWidth * kStrip * s);
     }
   }
 
-  static void backward_updates(const FrontView& front, const double* w, double* y, int first,
+  static void backward_updates(const View& front, const Real* w, Real* y, int first,
                                int last) {
     for (int s = 0; s < front.update_strips; ++s) {
       subtract_transposed(strip_at(front, front.pivot_strips + s), w + kWidth * kStrip * s, y,
@@ -245,11 +245,11 @@ struct Rows {
     }
   }
 
-  static void backward_pivots(const FrontView& front, double* y, double* /*scratch*/) {
+  static void backward_pivots(const View& front, Real* y, Real* /*scratch*/) {
     for (int s = front.pivot_strips - 1; s >= 0; --s) {
-      const double* strip = strip_at(front, s);
-      const double* tile = strip + kStrip * kStrip * s;
-      double* rows = y + kWidth * kStrip * s;
+      const Real* strip = strip_at(front, s);
+      const Real* tile = strip + kStrip * kStrip * s;
+      Real* rows = y + kWidth * kStrip * s;
       const int width = smaller(kStrip, front.pivots - kStrip * s);
       LAPWING_UNROLL for (int r = 0; r < kRowRegisters; ++r) {
         backward_tile(tile, width, rows + kRowLanes * r);
@@ -258,13 +258,13 @@ struct Rows {
     }
   }
 
-  static constexpr SolveKernels kernels() {
+  static constexpr SolveKernels<Real> kernels() {
     return {forward_pivots, forward_updates, backward_updates, backward_pivots};
   }
 };
 
 // `four` is what solves four right-hand sides.
-constexpr KernelTable kernel_table(const SolveKernels& four) {
+constexpr KernelTable<Real> kernel_table(const SolveKernels<Real>& four) {
   return {factor_pivots,
           solve_rows,
           update,

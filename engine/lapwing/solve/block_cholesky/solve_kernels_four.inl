@@ -13,7 +13,7 @@ struct FourColumns {
     Vector side[kWidth];
   };
 
-  LAPWING_INLINE void subtract_at(double* p, Vector vector) {
+  LAPWING_INLINE void subtract_at(Real* p, Vector vector) {
     const Vector left = unaligned_at(p) - vector;
     __builtin_memcpy(p, &left, sizeof left);
   }
@@ -24,7 +24,7 @@ struct FourColumns {
     return __builtin_shufflevector(a, b, lane...);
   }
 
-  LAPWING_INLINE Turned turn_rows(const double* rows) {
+  LAPWING_INLINE Turned turn_rows(const Real* rows) {
     Vector p[kPairs];
     LAPWING_UNROLL for (int i = 0; i < kPairs; ++i) p[i] = unaligned_at(rows + 2 * kWidth * i);
     const Vector a = shuffled<0, 4, 8, 12, 1, 5, 9, 13>(p[0], p[1]);
@@ -36,7 +36,7 @@ struct FourColumns {
   }
 
   // rows -= the turned ones.
-  LAPWING_INLINE void subtract_turned(const Turned& turned, double* rows) {
+  LAPWING_INLINE void subtract_turned(const Turned& turned, Real* rows) {
     const auto& s = turned.side;
     const Vector a = shuffled<0, 8, 1, 9, 2, 10, 3, 11>(s[0], s[1]);
     const Vector b = shuffled<4, 12, 5, 13, 6, 14, 7, 15>(s[0], s[1]);
@@ -62,7 +62,7 @@ struct FourColumns {
 
   // rows of M neighbouring strips -= the strips times y over `count` columns.
   template <int M>
-  LAPWING_INLINE void subtract(const double* strip, int count, const double* y, double* rows) {
+  LAPWING_INLINE void subtract(const Real* strip, int count, const Real* y, Real* rows) {
     Turned sum[M] = {};
     const std::size_t next = static_cast<std::size_t>(kStrip) * count;
     for (int k = 0; k < count; ++k) {
@@ -79,7 +79,7 @@ struct FourColumns {
   // Strips that follow each other, the first `stride` numbers long, each `growth` longer than the
   // one before.
   struct Strips {
-    const double* first;
+    const Real* first;
     std::size_t stride;
     std::size_t growth;
     int count;
@@ -87,9 +87,9 @@ struct FourColumns {
 
   // N rows of y -= N columns of the transposed strips times the turned rows at `x`.
   template <int N>
-  LAPWING_INLINE void subtract_columns(const Strips& strips, const double* x, double* y) {
+  LAPWING_INLINE void subtract_columns(const Strips& strips, const Real* x, Real* y) {
     Turned sum[N] = {};
-    const double* strip = strips.first;
+    const Real* strip = strips.first;
     std::size_t stride = strips.stride;
     for (int s = 0; s < strips.count; ++s) {
       Turned rows;
@@ -106,7 +106,7 @@ struct FourColumns {
     LAPWING_UNROLL for (int n = 0; n < N; ++n) row_vector_at(y + kWidth * n) -= sum_of_rows(sum[n]);
   }
 
-  LAPWING_INLINE void subtract_columns(Strips strips, int columns, const double* x, double* y) {
+  LAPWING_INLINE void subtract_columns(Strips strips, int columns, const Real* x, Real* y) {
     if (strips.count == 0) return;
     int k = 0;
     for (; k + 4 <= columns; k += 4, strips.first += 4 * kStrip) {
@@ -117,22 +117,22 @@ struct FourColumns {
     }
   }
 
-  LAPWING_INLINE void turn_and_store(const double* rows, double* turned) {
+  LAPWING_INLINE void turn_and_store(const Real* rows, Real* turned) {
     const Turned t = turn_rows(rows);
     LAPWING_UNROLL for (int r = 0; r < kWidth; ++r) vector_at(turned + kStrip * r) = t.side[r];
   }
 
-  static void forward_pivots(const FrontView& front, double* y) {
+  static void forward_pivots(const View& front, Real* y) {
     for (int s = 0; s < front.pivot_strips; ++s) {
-      const double* strip = strip_at(front, s);
-      double* rows = y + kStripRows * s;
+      const Real* strip = strip_at(front, s);
+      Real* rows = y + kStripRows * s;
       if (s > 0) subtract<1>(strip, kStrip * s, y, rows);
-      const double* tile = strip + kStrip * kStrip * s;
+      const Real* tile = strip + kStrip * kStrip * s;
       Rows<kWidth>::forward_tile(tile, smaller(kStrip, front.pivots - kStrip * s), rows);
     }
   }
 
-  static void forward_updates(const FrontView& front, const double* y, double* w, int first,
+  static void forward_updates(const View& front, const Real* y, Real* w, int first,
                               int last) {
     int s = first;
     for (; s + 2 <= last; s += 2) {
@@ -143,9 +143,9 @@ struct FourColumns {
     }
   }
 
-  static void backward_updates(const FrontView& front, const double* w, double* y, int first,
+  static void backward_updates(const View& front, const Real* w, Real* y, int first,
                                int last) {
-    alignas(64) double x[kBlockStrips * kStripRows];
+    alignas(64) Real x[kBlockStrips * kStripRows];
     const std::size_t stride = static_cast<std::size_t>(kStrip) * front.pivots;
     for (int begin = 0; begin < front.update_strips; begin += kBlockStrips) {
       const int count = smaller(kBlockStrips, front.update_strips - begin);
@@ -158,10 +158,10 @@ struct FourColumns {
     }
   }
 
-  static void backward_pivots(const FrontView& front, double* y, double* scratch) {
+  static void backward_pivots(const View& front, Real* y, Real* scratch) {
     for (int s = front.pivot_strips - 1; s >= 0; --s) {
-      const double* tile = strip_at(front, s) + kStrip * kStrip * s;
-      double* rows = y + kStripRows * s;
+      const Real* tile = strip_at(front, s) + kStrip * kStrip * s;
+      Real* rows = y + kStripRows * s;
       const int width = smaller(kStrip, front.pivots - kStrip * s);
       const int below = front.pivot_strips - 1 - s;
       if (below > 0) {
@@ -175,7 +175,7 @@ struct FourColumns {
     }
   }
 
-  static constexpr SolveKernels kernels() {
+  static constexpr SolveKernels<Real> kernels() {
     return {forward_pivots, forward_updates, backward_updates, backward_pivots};
   }
 };

@@ -1,14 +1,30 @@
 #include "lapwing/solve/block_cholesky/triangular_solve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <type_traits>
+
+#include "lapwing/solve/block_cholesky/denormals.h"
 
 namespace lapwing::cholesky {
 namespace {
 
 // Less of the factor than this (numbers) is not worth a chunk of its own.
 constexpr std::size_t kSmallestChunk = 8192;
+
+// Whether a right-hand side may be too large or too small for Real.
+template <typename Real>
+constexpr bool kIsScaled = sizeof(Real) < sizeof(double);
+
+// The power of two that brings the largest number of a right-hand side to about 1.
+double scale_of(std::span<const double> column) {
+  double largest = 0.0;
+  for (const double number : column) largest = std::max(largest, std::abs(number));
+  if (!(largest >= std::numeric_limits<double>::min()) || !std::isfinite(largest)) return 1.0;
+  return std::ldexp(1.0, -std::ilogb(largest));
+}
 
 struct Sizes {
   std::size_t solution, kept, stack, scratch;
@@ -55,7 +71,8 @@ std::size_t most(const Symbolic& symbolic, Padded padded) {
 }  // namespace
 
 // L Y = B, children before parents.
-class TriangularSolve::Forward final : public CancellableWork {
+template <typename Real>
+class TriangularSolve<Real>::Forward final : public CancellableWork {
  public:
   explicit Forward(const TriangularSolve& solve) : s_(solve) {}
 
@@ -68,6 +85,7 @@ class TriangularSolve::Forward final : public CancellableWork {
 
   void run_chunk(int node, int phase, int chunk, int thread) override {
     if (is_stopped()) return;
+    [[maybe_unused]] const DenormalsFor<Real> flushed;
     const Front* top = s_.symbolic_.top_front(node);
     if (top == nullptr) {
       const auto& starts = s_.symbolic_.task_starts;
@@ -90,10 +108,10 @@ class TriangularSolve::Forward final : public CancellableWork {
  private:
   void pivots(const Front& front, int thread) const {
     const auto width = static_cast<std::size_t>(s_.width_);
-    double* y = s_.scratch_[thread].data();
-    double* w = s_.update_rows(front, thread);
+    Real* y = s_.scratch_[thread].data();
+    Real* w = s_.update_rows(front, thread);
     s_.load_pivots(front, y);
-    std::fill_n(w, padded_updates(front) * width, 0.0);
+    std::fill_n(w, padded_updates(front) * width, Real(0));
     for (int c = front.children_begin; c < front.children_end; ++c) {
       const Front& child = s_.symbolic_.fronts[s_.symbolic_.children[c]];
       add_child(child, s_.update_rows(child, thread), front, y, w);
@@ -102,8 +120,7 @@ class TriangularSolve::Forward final : public CancellableWork {
     std::copy_n(y, front.pivots * width, s_.own_rows(front));
   }
 
-  void add_child(const Front& child, const double* from, const Front& front, double* y,
-                 double* w) const {
+  void add_child(const Front& child, const Real* from, const Front& front, Real* y, Real* w) const {
     const int* position = s_.symbolic_.positions.data() + child.positions_at;
     const int first_update = static_cast<int>(padded_pivots(front));
     if (s_.width_ == 1) {
@@ -115,8 +132,8 @@ class TriangularSolve::Forward final : public CancellableWork {
     }
     with_width(s_.width_, [&](auto width) {
       for (int k = 0; k < child.updates; ++k) {
-        double* to = k < child.parent_pivots ? y + position[k] * width
-                                             : w + (position[k] - first_update) * width;
+        Real* to = k < child.parent_pivots ? y + position[k] * width
+                                           : w + (position[k] - first_update) * width;
         for (std::size_t r = 0; r < width; ++r) to[r] += from[k * width + r];
       }
     });
@@ -131,7 +148,8 @@ class TriangularSolve::Forward final : public CancellableWork {
 };
 
 // L' X = Y, parents before children.
-class TriangularSolve::Backward final : public CancellableWork {
+template <typename Real>
+class TriangularSolve<Real>::Backward final : public CancellableWork {
  public:
   explicit Backward(const TriangularSolve& solve) : s_(solve) {}
 
@@ -145,12 +163,13 @@ class TriangularSolve::Backward final : public CancellableWork {
 
   void run_chunk(int node, int phase, int chunk, int thread) override {
     if (is_stopped()) return;
+    [[maybe_unused]] const DenormalsFor<Real> flushed;
     const Front* top = s_.symbolic_.top_front(node);
     if (top == nullptr) {
       const auto& starts = s_.symbolic_.task_starts;
       for (int f = starts[node + 1] - 1; f >= starts[node]; --f) {
         const Front& front = s_.symbolic_.fronts[f];
-        double* w = s_.scratch_[thread].data();
+        Real* w = s_.scratch_[thread].data();
         gather(front, w);
         updates(front, w, 0, front.pivots);
         pivots(front, thread);
@@ -169,33 +188,33 @@ class TriangularSolve::Backward final : public CancellableWork {
   }
 
  private:
-  void gather(const Front& front, double* w) const {
+  void gather(const Front& front, Real* w) const {
     const int* rows = s_.symbolic_.rows.data() + front.rows_at;
     const auto b = static_cast<std::size_t>(s_.symbolic_.block_size);
     with_width(s_.width_, [&](auto width) {
       const std::size_t row = b * width;
       for (int k = 0; k < front.update_blocks; ++k) {
-        const double* from = s_.solution_.data() + rows[k] * row;
-        double* to = w + k * row;
+        const Real* from = s_.solution_.data() + rows[k] * row;
+        Real* to = w + k * row;
         for (std::size_t z = 0; z < b; ++z) {
           for (std::size_t r = 0; r < width; ++r) to[z * width + r] = from[z * width + r];
         }
       }
     });
     const std::size_t filled = front.update_blocks * b * s_.width_;
-    std::fill_n(w + filled, padded_updates(front) * s_.width_ - filled, 0.0);
+    std::fill_n(w + filled, padded_updates(front) * s_.width_ - filled, Real(0));
   }
 
-  void updates(const Front& front, const double* w, int first, int last) const {
+  void updates(const Front& front, const Real* w, int first, int last) const {
     s_.solve_->backward_updates(s_.numeric_.view(front), w, s_.own_rows(front), first, last);
   }
 
   void pivots(const Front& front, int thread) const {
     const auto width = static_cast<std::size_t>(s_.width_);
-    double* y = s_.scratch_[thread].data();
-    double* sums = y + padded_pivots(front) * width;
+    Real* y = s_.scratch_[thread].data();
+    Real* sums = y + padded_pivots(front) * width;
     std::copy_n(s_.own_rows(front), front.pivots * width, y);
-    std::fill_n(y + front.pivots * width, (padded_pivots(front) - front.pivots) * width, 0.0);
+    std::fill_n(y + front.pivots * width, (padded_pivots(front) - front.pivots) * width, Real(0));
     s_.solve_->backward_pivots(s_.numeric_.view(front), y, sums);
     std::copy_n(y, front.pivots * width, s_.own_rows(front));
     s_.store_pivots(front, y);
@@ -204,8 +223,9 @@ class TriangularSolve::Backward final : public CancellableWork {
   const TriangularSolve& s_;
 };
 
-TriangularSolve::TriangularSolve(const Symbolic& symbolic, const Numeric& numeric,
-                                 const KernelTable& kernels, WorkerPool& pool)
+template <typename Real>
+TriangularSolve<Real>::TriangularSolve(const Symbolic& symbolic, const Numeric<Real>& numeric,
+                                       const KernelTable<Real>& kernels, WorkerPool& pool)
     : symbolic_(symbolic),
       numeric_(numeric),
       kernels_(kernels),
@@ -217,29 +237,37 @@ TriangularSolve::TriangularSolve(const Symbolic& symbolic, const Numeric& numeri
       stacks_(pool.size()),
       scratch_(pool.size()) {}
 
-std::size_t TriangularSolve::bytes_needed(const Symbolic& symbolic, int threads) {
+template <typename Real>
+std::size_t TriangularSolve<Real>::bytes_needed(const Symbolic& symbolic, int threads) {
   const Sizes sizes = sizes_for(symbolic, most(symbolic, padded_pivots),
                                 most(symbolic, padded_updates), kWidestSolve);
-  return arena_bytes(sizes.solution) + arena_bytes(sizes.kept) +
-         threads * (arena_bytes(sizes.stack) + arena_bytes(sizes.scratch));
+  return arena_bytes<Real>(sizes.solution) + arena_bytes<Real>(sizes.kept) +
+         threads * (arena_bytes<Real>(sizes.stack) + arena_bytes<Real>(sizes.scratch));
 }
 
-void TriangularSolve::solve(std::span<const double> B, std::span<double> X, std::size_t columns,
-                            std::span<const Index> places) {
+template <typename Real>
+void TriangularSolve<Real>::solve(std::span<const double> B, std::span<double> X,
+                                  std::size_t columns, std::span<const Index> places) {
   const std::size_t size = static_cast<std::size_t>(symbolic_.blocks) * symbolic_.block_size;
   for (std::size_t first = 0; first < columns; first += kWidestSolve) {
     const std::size_t count = std::min<std::size_t>(columns - first, kWidestSolve);
     solve_columns(
-        {B.data() + first * size, X.data() + first * size, static_cast<int>(count), places});
+        {B.data() + first * size, X.data() + first * size, static_cast<int>(count), places, {}});
   }
 }
 
-void TriangularSolve::solve_columns(const Columns& columns) {
+template <typename Real>
+void TriangularSolve<Real>::solve_columns(Columns columns) {
   const auto* width =
       std::lower_bound(std::begin(kSolveWidths), std::end(kSolveWidths), columns.count);
   reserve(*width);
   width_ = *width;
   solve_ = &kernels_.solve[width - std::begin(kSolveWidths)];
+  if constexpr (kIsScaled<Real>) {
+    const std::size_t size = static_cast<std::size_t>(symbolic_.blocks) * symbolic_.block_size;
+    for (int r = 0; r < columns.count; ++r)
+      columns.scales[r] = scale_of({columns.B + r * size, size});
+  }
   columns_ = columns;
   Forward forward(*this);
   upward_.run(pool_, forward, {});
@@ -249,30 +277,34 @@ void TriangularSolve::solve_columns(const Columns& columns) {
   backward.rethrow();
 }
 
-void TriangularSolve::reserve(int width) {
+template <typename Real>
+void TriangularSolve<Real>::reserve(int width) {
   const Sizes sizes = sizes_for(symbolic_, most_pivots_, most_updates_, width);
   solution_.reserve(sizes.solution);
   kept_.reserve(sizes.kept);
-  for (Arena& stack : stacks_) stack.reserve(sizes.stack);
-  for (Arena& scratch : scratch_) scratch.reserve(sizes.scratch);
+  for (Arena<Real>& stack : stacks_) stack.reserve(sizes.stack);
+  for (Arena<Real>& scratch : scratch_) scratch.reserve(sizes.scratch);
 }
 
-double* TriangularSolve::update_rows(const Front& front, int thread) const {
+template <typename Real>
+Real* TriangularSolve<Real>::update_rows(const Front& front, int thread) const {
   const auto width = static_cast<std::size_t>(width_);
   if (front.keeps_update) return kept_.data() + front.vector_at * width;
   const std::size_t stack = front.depth_parity == 0 ? 0 : symbolic_.vectors.stacks[0];
   return stacks_[thread].data() + (stack + front.vector_at) * width;
 }
 
-double* TriangularSolve::own_rows(const Front& front) const {
+template <typename Real>
+Real* TriangularSolve<Real>::own_rows(const Front& front) const {
   return solution_.data() +
          static_cast<std::size_t>(front.first_block) * symbolic_.block_size * width_;
 }
 
 // Calls body(row, place, size) for each pivot block: its first row in the front, the first of its
 // rows in the columns, and how many there are, a constant where that is 1.
+template <typename Real>
 template <typename Body>
-void TriangularSolve::for_pivot_blocks(const Front& front, const Body& body) const {
+void TriangularSolve<Real>::for_pivot_blocks(const Front& front, const Body& body) const {
   const int* order = symbolic_.order.data() + front.first_block;
   const Index* places = columns_.places.empty() ? nullptr : columns_.places.data();
   const auto visit = [&](auto size) {
@@ -285,35 +317,50 @@ void TriangularSolve::for_pivot_blocks(const Front& front, const Body& body) con
   visit(static_cast<std::size_t>(symbolic_.block_size));
 }
 
-void TriangularSolve::load_pivots(const Front& front, double* y) const {
+template <typename Real>
+void TriangularSolve<Real>::load_pivots(const Front& front, Real* y) const {
   const auto width = static_cast<std::size_t>(width_);
   const std::size_t column = static_cast<std::size_t>(symbolic_.block_size) * symbolic_.blocks;
-  if (static_cast<int>(width) > columns_.count) std::fill_n(y, front.pivots * width, 0.0);
-  std::fill_n(y + front.pivots * width, (padded_pivots(front) - front.pivots) * width, 0.0);
+  if (static_cast<int>(width) > columns_.count) std::fill_n(y, front.pivots * width, Real(0));
+  std::fill_n(y + front.pivots * width, (padded_pivots(front) - front.pivots) * width, Real(0));
   for_pivot_blocks(front, [&](std::size_t row, std::size_t place, auto size) {
     for (int r = 0; r < columns_.count; ++r) {
       const double* from = columns_.B + r * column + place;
-      for (std::size_t z = 0; z < size; ++z) y[(row + z) * width + r] = from[z];
+      for (std::size_t z = 0; z < size; ++z) {
+        double number = from[z];
+        if constexpr (kIsScaled<Real>) number *= columns_.scales[r];
+        y[(row + z) * width + r] = static_cast<Real>(number);
+      }
     }
   });
 }
 
-void TriangularSolve::store_pivots(const Front& front, const double* y) const {
+template <typename Real>
+void TriangularSolve<Real>::store_pivots(const Front& front, const Real* y) const {
   const auto width = static_cast<std::size_t>(width_);
   const std::size_t column = static_cast<std::size_t>(symbolic_.block_size) * symbolic_.blocks;
   for_pivot_blocks(front, [&](std::size_t row, std::size_t place, auto size) {
     for (int r = 0; r < columns_.count; ++r) {
       double* to = columns_.X + r * column + place;
-      for (std::size_t z = 0; z < size; ++z) to[z] = y[(row + z) * width + r];
+      double back = 1.0;
+      if constexpr (kIsScaled<Real>) back = 1.0 / columns_.scales[r];
+      for (std::size_t z = 0; z < size; ++z) {
+        to[z] = y[(row + z) * width + r];
+        if constexpr (kIsScaled<Real>) to[z] *= back;
+      }
     }
   });
 }
 
-int TriangularSolve::chunks_for(const Front& front, int pieces) const {
+template <typename Real>
+int TriangularSolve<Real>::chunks_for(const Front& front, int pieces) const {
   const std::size_t numbers = padded_updates(front) * front.pivots;
   const auto wanted = static_cast<int>(
       std::min<std::size_t>(numbers / kSmallestChunk, static_cast<std::size_t>(4 * pool_.size())));
   return std::clamp(wanted, 1, std::max(1, pieces));
 }
+
+template class TriangularSolve<double>;
+template class TriangularSolve<float>;
 
 }  // namespace lapwing::cholesky

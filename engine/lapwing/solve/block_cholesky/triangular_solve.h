@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -11,11 +12,12 @@ namespace lapwing::cholesky {
 
 /// Forward and backward substitution with a factor, front by front: what a front subtracts from
 /// its update rows goes to its parent, as in the factorization, so that no two threads write one
-/// number.
+/// number. Right-hand sides and solutions are doubles whatever the factor holds.
+template <typename Real>
 class TriangularSolve {
  public:
-  TriangularSolve(const Symbolic& symbolic, const Numeric& numeric, const KernelTable& kernels,
-                  WorkerPool& pool);
+  TriangularSolve(const Symbolic& symbolic, const Numeric<Real>& numeric,
+                  const KernelTable<Real>& kernels, WorkerPool& pool);
 
   /// Bytes that solves of the greatest width take with `threads` threads.
   static std::size_t bytes_needed(const Symbolic& symbolic, int threads);
@@ -35,33 +37,35 @@ class TriangularSolve {
     double* X = nullptr;
     int count = 0;
     std::span<const Index> places;
+    std::array<double, kWidestSolve> scales = {};  // what each is multiplied by; for floats
   };
 
-  void solve_columns(const Columns& columns);
+  void solve_columns(Columns columns);
   void reserve(int width);
-  double* update_rows(const Front& front, int thread) const;
-  double* own_rows(const Front& front) const;
+  Real* update_rows(const Front& front, int thread) const;
+  Real* own_rows(const Front& front) const;
   template <typename Body>
   void for_pivot_blocks(const Front& front, const Body& body) const;
-  void load_pivots(const Front& front, double* y) const;
-  void store_pivots(const Front& front, const double* y) const;
+  void load_pivots(const Front& front, Real* y) const;
+  void store_pivots(const Front& front, const Real* y) const;
   int chunks_for(const Front& front, int pieces) const;
 
   const Symbolic& symbolic_;
-  const Numeric& numeric_;
-  const KernelTable& kernels_;
+  const Numeric<Real>& numeric_;
+  const KernelTable<Real>& kernels_;
   WorkerPool& pool_;
   SharedWork upward_;
   SharedWork downward_;
   std::size_t most_pivots_ = 0;  // padded, of any front
   std::size_t most_updates_ = 0;
   int width_ = 0;  // right-hand sides a row holds
-  const SolveKernels* solve_ = nullptr;
+  const SolveKernels<Real>* solve_ = nullptr;
   Columns columns_;
-  Arena solution_;              // all rows, in the factor's order
-  Arena kept_;                  // update rows of the fronts that keep them
-  std::vector<Arena> stacks_;   // update rows of the others, one a thread
-  std::vector<Arena> scratch_;  // pivot rows, update rows, and 8 numbers a pivot; one a thread
+  Arena<Real> solution_;             // all rows, in the factor's order
+  Arena<Real> kept_;                 // update rows of the fronts that keep them
+  std::vector<Arena<Real>> stacks_;  // update rows of the others, one a thread
+  std::vector<Arena<Real>>
+      scratch_;  // pivot rows, update rows, and 8 numbers a pivot; one a thread
 };
 
 }  // namespace lapwing::cholesky
