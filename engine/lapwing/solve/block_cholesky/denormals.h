@@ -9,7 +9,8 @@
 
 namespace lapwing::cholesky {
 
-/// For as long as it lives, denormal numbers are 0 on the calling thread. What a factor fills in
+/// For as long as it lives, denormal numbers are 0 on the calling thread, as operands and as
+/// results. What a factor fills in
 /// far from a coupling decays until floats, whose range is short, hold it in denormals, and those
 /// take processors a hundred times as long: the factorization of `blade.off` three times.
 class FlushedDenormals {
@@ -17,7 +18,7 @@ class FlushedDenormals {
 #if defined(__x86_64__)
   FlushedDenormals() : state_(_mm_getcsr()) {
     _mm_setcsr(state_ | 0x8040U);
-  }  // both ways
+  }
   ~FlushedDenormals() {
     _mm_setcsr(state_);
   }
