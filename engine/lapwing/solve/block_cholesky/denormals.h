@@ -10,9 +10,9 @@
 namespace lapwing::cholesky {
 
 /// For as long as it lives, denormal numbers are 0 on the calling thread, as operands and as
-/// results. What a factor fills in
-/// far from a coupling decays until floats, whose range is short, hold it in denormals, and those
-/// take processors a hundred times as long: the factorization of `blade.off` three times.
+/// results. What a factor fills in far from a coupling decays until floats, whose range is short,
+/// hold it in denormals, and those take processors a hundred times as long: the factorization of
+/// `blade.off` took three times as long with them.
 class FlushedDenormals {
  public:
 #if defined(__x86_64__)
