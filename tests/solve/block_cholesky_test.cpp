@@ -27,12 +27,6 @@ BlockCholeskyOptions with(unsigned threads, InstructionSet set = InstructionSet:
   return options;
 }
 
-BlockCholeskyOptions in(FactorPrecision precision) {
-  BlockCholeskyOptions options;
-  options.precision = precision;
-  return options;
-}
-
 // ---- Every instruction set with every number of threads, in either precision.
 
 using KernelChoice = std::tuple<InstructionSet, unsigned, FactorPrecision>;
@@ -369,79 +363,6 @@ TEST(BlockCholesky, RefusesTheAnalysisOfAnotherThatTakesMoreThanItsLimit) {
   BlockCholesky limited(options);
   EXPECT_THROW(limited.analyze_as(unlimited.analysis()), SolverError);
   EXPECT_EQ(limited.analysis(), nullptr);
-}
-
-// ---- In floats.
-
-TEST(BlockCholeskyInFloats, IsSharedByAnAnalysisInDoublesAndHoldsHalf) {
-  const OwnedMatrix A = rsi_matrix(icosphere(4), 1.0, 10);
-  const auto b = random_vector(A.matrix.scalar_size(), 2);
-  BlockCholesky doubles;
-  const auto expected = solve_with(doubles, A.matrix, b, 1);
-  BlockCholesky floats(in(FactorPrecision::float32));
-  floats.analyze_as(doubles.analysis());
-  EXPECT_EQ(floats.statistics().flops, doubles.statistics().flops);
-  const double share = static_cast<double>(floats.statistics().factor_bytes) /
-                       static_cast<double>(doubles.statistics().factor_bytes);
-  EXPECT_NEAR(share, 0.5, 0.1);
-  EXPECT_LT(floats.statistics().peak_bytes, doubles.statistics().peak_bytes);
-  floats.factor(A.matrix);
-  std::vector<double> x(b.size());
-  floats.solve(b, x, 1);
-  EXPECT_NE(x, expected);
-  EXPECT_THAT(backward_error(A.matrix, x, b), Lt(kBackwardErrorOfFloats));
-}
-
-// Far beyond what floats themselves hold.
-TEST(BlockCholeskyInFloats, SolvesForRightHandSidesOfAnySize) {
-  const OwnedMatrix A = laplacian_matrix(icosphere(3), 1.0, 10);
-  const std::size_t n = A.matrix.scalar_size();
-  const auto b = random_vector(2 * n, 2);
-  BlockCholesky solver(in(FactorPrecision::float32));
-  const auto x = solve_with(solver, A.matrix, b, 2);
-  for (const int exponent : {-900, -200, 200, 900}) {
-    SCOPED_TRACE(exponent);
-    auto scaled = b;
-    for (std::size_t i = 0; i < n; ++i) scaled[i] = std::ldexp(b[i], exponent);
-    solver.solve(scaled, scaled, 2);
-    for (std::size_t i = 0; i < n; ++i) ASSERT_EQ(scaled[i], std::ldexp(x[i], exponent));
-    EXPECT_TRUE(std::equal(x.begin() + static_cast<std::ptrdiff_t>(n), x.end(),
-                           scaled.begin() + static_cast<std::ptrdiff_t>(n)));
-  }
-  std::vector<double> zero(n, 0.0);
-  solver.solve(zero, zero, 1);
-  EXPECT_EQ(zero, std::vector<double>(n, 0.0));
-}
-
-TEST(BlockCholeskyInFloats, RefusesWhatOnlyDoublesCanTell) {
-  const OwnedMatrix A = laplacian_matrix(icosphere(3), 1e-9, 40);
-  const auto b = random_vector(A.matrix.scalar_size(), 2);
-  BlockCholesky floats(in(FactorPrecision::float32));
-  EXPECT_THROW(solve_with(floats, A.matrix, b), NotPositiveDefinite);
-  BlockCholesky doubles;
-  EXPECT_THAT(backward_error(A.matrix, solve_with(doubles, A.matrix, b), b), Lt(kBackwardError));
-}
-
-TEST(BlockCholeskyInFloats, RefusesWhatFloatsDoNotHold) {
-  OwnedMatrix A = laplacian_matrix(icosphere(1), 1.0, 5);
-  for (double& value : A.matrix.values) value *= 1e40;
-  BlockCholesky solver(in(FactorPrecision::float32));
-  EXPECT_THROW(solve_with(solver, A.matrix, random_vector(A.matrix.scalar_size(), 1)),
-               NotPositiveDefinite);
-}
-
-TEST(BlockCholeskyInFloats, RefactorsToTheSameBits) {
-  OwnedMatrix A = rsi_matrix(icosphere(4), 1.0, 10);
-  const auto b = random_vector(A.matrix.scalar_size(), 2);
-  BlockCholesky solver(in(FactorPrecision::float32));
-  solve_with(solver, A.matrix, b);
-  add_to_diagonal(A.matrix, 17, 2.0);
-  const std::vector<Index> changed{17};
-  solver.refactor_diagonal(A.matrix, changed);
-  std::vector<double> x(b.size());
-  solver.solve(b, x, 1);
-  BlockCholesky anew(in(FactorPrecision::float32));
-  EXPECT_EQ(x, solve_with(anew, A.matrix, b));
 }
 
 // ---- Memory taken ahead.

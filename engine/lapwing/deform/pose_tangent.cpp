@@ -153,25 +153,27 @@ bool PoseTangent::turn(std::span<const Matrix3d> transforms,
     }
   });
   factor_->set_matrix(tangent_matrix(pattern_, laplacian_, turned_, factor_->take_memory()));
-  return factor_turned() || (take_doubles() && factor_turned());
+  return is_factored(*factor_) || take_doubles();
 }
 
-bool PoseTangent::factor_turned() {
+bool PoseTangent::is_factored(HeldFactor& factor) const {
   try {
-    factor_->factor(laplacian_.constraints().W);
+    factor.factor(laplacian_.constraints().W);
   } catch (const NotPositiveDefinite&) {
     return false;
   }
   return true;
 }
 
-// For the matrix at hand and all to come; false where they are in use, or there is not the memory.
+// For the matrix at hand and all to come. False, and all as it was, where they are in use, there is
+// not the memory, or they cannot be factored either.
 bool PoseTangent::take_doubles() {
   if (is_in_doubles_) return false;
   auto doubles = std::make_unique<HeldFactor>(pattern_, 3);
   doubles->analyze_as(*factor_);
   if (!fits(*doubles)) return false;
   doubles->set_matrix(factor_->unheld_matrix());
+  if (!is_factored(*doubles)) return false;
   factor_ = std::move(doubles);
   is_in_doubles_ = true;
   return true;
@@ -219,9 +221,7 @@ void PoseTangent::solve_well_in_place(std::span<double> b) {
   read(b);
   x_.resize(b_.size());
   factor_->solver().solve(b_, x_, 1);
-  if (!is_in_doubles_ && !refine() && take_doubles() && factor_turned()) {
-    factor_->solver().solve(b_, x_, 1);
-  }
+  if (!is_in_doubles_ && !refine() && take_doubles()) factor_->solver().solve(b_, x_, 1);
   std::swap(b_, x_);
   write(b);
 }

@@ -48,7 +48,7 @@ class PoseTangent final : public TurnedTangent {
   bool fits(const HeldFactor& factor) const;
   bool take_memory();
   std::shared_ptr<const BlockRows> rows_at_rest() const;
-  bool factor_turned();
+  bool is_factored(HeldFactor& factor) const;
   bool take_doubles();
   void read(std::span<const double> b);
   void write(std::span<double> b) const;

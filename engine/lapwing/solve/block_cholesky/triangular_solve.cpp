@@ -23,7 +23,7 @@ double scale_of(std::span<const double> column) {
   double largest = 0.0;
   for (const double number : column) largest = std::max(largest, std::abs(number));
   if (!(largest >= std::numeric_limits<double>::min()) || !std::isfinite(largest)) return 1.0;
-  return std::ldexp(1.0, -std::ilogb(largest));
+  return std::ldexp(1.0, -std::min(std::ilogb(largest), 1000));  // not denormal, which is 0 here
 }
 
 struct Sizes {
@@ -265,8 +265,9 @@ void TriangularSolve<Real>::solve_columns(Columns columns) {
   solve_ = &kernels_.solve[width - std::begin(kSolveWidths)];
   if constexpr (kIsScaled<Real>) {
     const std::size_t size = static_cast<std::size_t>(symbolic_.blocks) * symbolic_.block_size;
-    for (int r = 0; r < columns.count; ++r)
+    for (int r = 0; r < columns.count; ++r) {
       columns.scales[r] = scale_of({columns.B + r * size, size});
+    }
   }
   columns_ = columns;
   Forward forward(*this);
@@ -342,11 +343,9 @@ void TriangularSolve<Real>::store_pivots(const Front& front, const Real* y) cons
   for_pivot_blocks(front, [&](std::size_t row, std::size_t place, auto size) {
     for (int r = 0; r < columns_.count; ++r) {
       double* to = columns_.X + r * column + place;
-      double back = 1.0;
-      if constexpr (kIsScaled<Real>) back = 1.0 / columns_.scales[r];
       for (std::size_t z = 0; z < size; ++z) {
         to[z] = y[(row + z) * width + r];
-        if constexpr (kIsScaled<Real>) to[z] *= back;
+        if constexpr (kIsScaled<Real>) to[z] /= columns_.scales[r];
       }
     }
   });
