@@ -11,6 +11,7 @@
 #include "support/cancel_everywhere.h"
 #include "support/environment.h"
 #include "support/error_message.h"
+#include "support/linear_options.h"
 
 // Deformations that are cancelled, and those for which there is no memory.
 namespace lapwing::test {
@@ -82,7 +83,8 @@ TEST_F(CancelDeform, WhileColumnsAreMadeLeavesADeformerThatMakesThem) {
 }
 
 TEST_F(CancelDeform, WithoutTheMemoryForColumnsOrSettlingIsRefusedByNumber) {
-  const Deformer deformer(mesh_.positions, mesh_.topology(), foot_and_head(mesh_), {}, kernels_);
+  const Deformer deformer(mesh_.positions, mesh_.topology(), foot_and_head(mesh_), linear_options(),
+                          kernels_);
   {
     const Environment little(kMemoryVariable, "20000");
     EXPECT_THAT(error_message<SolverError>([&] { deformer.response(); }),

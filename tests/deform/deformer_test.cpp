@@ -384,9 +384,11 @@ TEST(Deformer, WithoutMemoryForTheExactSystemItSettlesFromThePreview) {
   options.settle.emplace().tolerance = 1e-8;
   options.settle->max_iterations = 1000;
   const Deformer exact(mesh.positions, topology, region, options, kernels);
+  exact.response();
   EXPECT_TRUE(exact.is_exact());
   options.memory_limit_bytes = 1000;
   const Deformer deformer(mesh.positions, topology, region, options, kernels);
+  deformer.response();
   EXPECT_FALSE(deformer.is_exact());
   const std::string why(deformer.why_not_exact());
   EXPECT_THAT(why, ::testing::AllOf(::testing::HasSubstr("240 vertices needs"),
@@ -398,12 +400,16 @@ TEST(Deformer, WithoutMemoryForTheExactSystemItSettlesFromThePreview) {
       largest_distance(dragged(deformer.response(), motions), dragged(preview.response(), motions)),
       1e-12);
 
-  const DeformResult result = deformer.solve(motions);
-  EXPECT_TRUE(result.certificate.settled);
-  EXPECT_EQ(result.certificate.why_not_exact, why);
-  const DeformResult expected = exact.solve(motions);
-  EXPECT_EQ(expected.certificate.why_not_exact, "");
-  EXPECT_LT(largest_distance(result.positions, expected.positions), 1e-6);
+  // Pushed to the side it bends as a whole, which the system would have told at once.
+  const std::array pushed{Affine3d(Eigen::Translation3d(0.6, 0.0, 0.0))};
+  for (const auto& [moved, needs] : {std::pair(motions, ""), std::pair(pushed, why.c_str())}) {
+    const DeformResult result = deformer.solve(moved);
+    EXPECT_TRUE(result.certificate.settled);
+    EXPECT_EQ(result.certificate.why_not_exact, needs);
+    const DeformResult expected = exact.solve(moved);
+    EXPECT_EQ(expected.certificate.why_not_exact, "");
+    EXPECT_LT(largest_distance(result.positions, expected.positions), 1e-6);
+  }
   const DeformResult still = deformer.solve(std::array{Affine3d::Identity()});
   EXPECT_EQ(still.positions, mesh.positions);
 }
@@ -431,15 +437,26 @@ TEST(Deformer, ProgressCanCancelAtEveryStage) {
     if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
     return true;
   };
-  const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels, record);
-  EXPECT_THAT(stages, ::testing::ElementsAre("pattern", "order", "laplacian", "assemble", "analyze",
-                                             "normal_matrix", "factor", "shares", "upload"));
-  for (const std::string& stop : stages) {
-    EXPECT_THROW(Deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels,
-                          [&](std::string_view stage, double) { return stage != stop; }),
-                 Cancelled)
-        << stop;
-  }
+  const auto cancelled_at = [&](const auto& work) {
+    for (const std::string& stop : std::exchange(stages, {})) {
+      EXPECT_THROW(work([&](std::string_view stage, double) { return stage != stop; }), Cancelled)
+          << stop;
+    }
+  };
+  const auto prepare = [&](const DeformOptions& options, const Progress& progress) {
+    return Deformer(mesh.positions, topology, foot_and_head(mesh), options, kernels, progress);
+  };
+  prepare(test::linear_options(), record);
+  EXPECT_THAT(stages, ::testing::ElementsAre("pattern", "order", "assemble", "analyze",
+                                             "normal_matrix", "factor", "upload"));
+  cancelled_at([&](const Progress& stop) { prepare(test::linear_options(), stop); });
+  const Deformer deformer = prepare({}, record);
+  EXPECT_THAT(stages, ::testing::ElementsAre("pattern", "order", "laplacian", "shares", "upload"));
+  cancelled_at([&](const Progress& stop) { prepare({}, stop); });
+  prepare({}, {}).response(record);
+  EXPECT_THAT(stages,
+              ::testing::ElementsAre("assemble", "analyze", "normal_matrix", "factor", "response"));
+  cancelled_at([&](const Progress& stop) { prepare({}, {}).response(stop); });
 }
 
 // Without settling only handles that scale need the n x n factor; and what they ask for then is

@@ -115,7 +115,9 @@ TEST_F(ALoosePart, FollowsADragToFirstOrder) {
   CpuKernels kernels;
   const EditRegion region = resolve_edit_region(
       request_.roi, request_.belt, std::array{HandleSpec{request_.handles[0].region}}, mesh_);
-  const Deformer deformer(mesh_.positions, mesh_.topology(), region, {}, kernels);
+  DeformOptions options;
+  options.settle.emplace().tolerance = 1e-9;
+  const Deformer deformer(mesh_.positions, mesh_.topology(), region, options, kernels);
   Drag drag(deformer.response());
   const double step = 1e-5;
   const Affine3d motion = Eigen::Translation3d(0.3 * step, -step, 0.2 * step) *

@@ -45,8 +45,8 @@ TEST(PoseTangent, SolvesTheSameSystemWhenItIsPrepared) {
     displacement.emplace_back(sheet.positions[v].x() * Vector3d(0, 0.1, 0.5));
   }
   const auto solution = [&](bool is_prepared) {
-    PoseTangent tangent(sheet.topology(), region.roi, edit.systems->pattern(), system,
-                        sheet.positions, options, kernels);
+    PoseTangent tangent(sheet.topology(), region.roi, edit.systems->pattern(), system, options,
+                        [&] { return edit.tangent_rows(kernels); });
     if (is_prepared) {
       tangent.prepare();
       tangent.wait_until_prepared();
@@ -86,8 +86,8 @@ TEST(PoseTangent, IsFactoredInDoublesWhereRefinementDoesNotHelp) {
     const EditSystem edit(prepared, sheet.positions, region, options, Progress{});
     const LaplacianSystem& system = edit.systems->laplacian_with_rings();
     const std::size_t n = system.size();
-    PoseTangent tangent(sheet.topology(), region.roi, edit.systems->pattern(), system,
-                        sheet.positions, options, kernels);
+    PoseTangent tangent(sheet.topology(), region.roi, edit.systems->pattern(), system, options,
+                        [&] { return edit.tangent_rows(kernels); });
     const std::vector<Matrix3d> transforms(n, Matrix3d::Identity());
     const std::vector<Vector3d> displacement(n, Vector3d::Zero());
     ASSERT_TRUE(tangent.turn(transforms, displacement));

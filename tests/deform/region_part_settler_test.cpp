@@ -147,8 +147,8 @@ TEST(PartsOfAnEdit, SaveIterationsAndChangeNothing) {
   const std::vector<double> scales(sheet.vertex_count(), 1.0);
   const std::vector<Vector3d> wanted = edit.asked_displacement({});
   const LaplacianSystem& system = edit.systems->laplacian_with_rings();
-  PoseTangent tangent(sheet.topology(), region.roi, edit.systems->pattern(), system,
-                      sheet.positions, options, kernels);
+  PoseTangent tangent(sheet.topology(), region.roi, edit.systems->pattern(), system, options,
+                      [&] { return edit.tangent_rows(kernels); });
   RegionPartSettler parts(edit);
 
   const auto settle = [&](PartSettler* with) {

@@ -186,7 +186,7 @@ TEST_F(RunRecipe, ComponentWithoutAnchorIsCarriedOrRefused) {
 }
 
 TEST_F(RunRecipe, CancellingLeavesNoResult) {
-  EXPECT_THROW(run(kLift, [](std::string_view stage, double) { return stage != "factor"; }),
+  EXPECT_THROW(run(kLift, [](std::string_view stage, double) { return stage != "shares"; }),
                Cancelled);
 }
 

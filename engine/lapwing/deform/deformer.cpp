@@ -37,6 +37,13 @@ bool all_keep_size(std::span<const Eigen::Affine3d> motions) {
   });
 }
 
+// Whether nothing asks the surface to leave its rest.
+bool rests(const EditSystem& edit, std::span<const Vector3d> wanted) {
+  return std::ranges::all_of(wanted, [](const Vector3d& d) { return d.isZero(0.0); }) &&
+         std::ranges::all_of(edit.systems->laplacian().springs(),
+                             [](const Spring& spring) { return spring.wanted.isZero(0.0); });
+}
+
 // A result is in double precision whatever the device; and a device that is the processor in
 // disguise takes about three times as long as the CPU twins (measured on lavapipe).
 bool settles_on(const DeviceInfo& device) {
@@ -46,9 +53,9 @@ bool settles_on(const DeviceInfo& device) {
 }  // namespace
 
 // False where it does not fit and settling can do without.
-bool Deformer::State::hold_response(const Progress& progress) {
+bool Deformer::State::hold_response(const Progress& progress, StageTimings& stages) {
   try {
-    system->hold_response(*kernels, progress, timings);
+    system->hold_response(*kernels, progress, stages);
   } catch (const DoesNotFit& reason) {
     if (!system->options.settle) throw;
     why_not_exact = reason.need();
@@ -81,8 +88,8 @@ void Deformer::State::make_settler(Kernels& on) {
   if (!system->options.settle) return;
   const LaplacianSystem& laplacian = system->systems->laplacian_with_rings();
   tangent = std::make_unique<PoseTangent>(
-      system->topology, system->region.roi, system->systems->pattern(), laplacian, *system->rest,
-      system->options, *kernels, why_not_exact.empty() ? system->systems->tangent_rows() : nullptr);
+      system->topology, system->region.roi, system->systems->pattern(), laplacian, system->options,
+      [edit = system.get(), on_kernels = kernels] { return edit->tangent_rows(*on_kernels); });
   parts = std::make_unique<RegionPartSettler>(*system);
   settler =
       std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get(), parts.get());
@@ -114,27 +121,21 @@ Numbers Deformer::State::forces_of(std::span<const double> q) const {
   return of_scales;
 }
 
-// Of one motion, by one right-hand side and without columns.
-std::vector<Vector3d> Deformer::State::linear_displacement(std::span<const Vector3d> wanted,
-                                                           std::span<const double> forces) const {
-  if (why_not_exact.empty()) return lapwing::linear_displacement(*system, wanted, forces);
-  return axis_displacement(*system, wanted);
-}
-
 Deformer::Deformer(std::span<const Vector3d> rest, const Topology& topology, EditRegion region,
                    const DeformOptions& options, Kernels& kernels, const Progress& progress)
-    : Deformer(edit_of(topology, rest, std::move(region), options, progress), kernels, progress) {}
+    : Deformer(edit_of(topology, rest, std::move(region), options, progress), kernels, false,
+               progress) {}
 
 Deformer::Deformer(PreparedRegion& prepared, std::span<const Vector3d> rest, EditRegion region,
                    const DeformOptions& options, Kernels& kernels, const Progress& progress)
     : Deformer(
           std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress),
-          kernels, progress) {}
+          kernels, false, progress) {}
 
 Deformer::Deformer(const DragPreview& preview, Kernels& kernels, const Progress& progress)
-    : Deformer(preview.system(), kernels, progress) {}
+    : Deformer(preview.system(), kernels, true, progress) {}
 
-Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
+Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, bool is_dragged,
                    const Progress& progress)
     : state_(std::make_unique<State>()) {
   const ProgressScope scope(progress);
@@ -144,7 +145,7 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
   const EditSystem& edit = *s.system;
   s.timings = edit.timings;
   const auto lock = edit.systems->lock();
-  s.hold_response(progress);
+  if (is_dragged || !edit.options.settle) s.hold_response(progress, s.timings);
   edit.assemble_laplacian();
   s.weights = edit.systems->laplacian().shared_weights();
   Stopwatch watch;
@@ -163,13 +164,12 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
 
 // The systems may be another edit's meanwhile.
 void Deformer::hold(const Progress& progress) const {
-  const State& s = *state_;
   StageTimings untold;
-  if (is_exact()) s.system->hold_response(*s.kernels, progress, untold);
-  if (s.settler != nullptr) {
+  if (is_exact()) state_->hold_response(progress, untold);
+  if (state_->settler != nullptr) {
     hold_for_settling();
   } else {
-    s.system->assemble_laplacian();
+    state_->system->assemble_laplacian();
   }
 }
 
@@ -189,10 +189,9 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   return solve(motions, turns, progress);
 }
 
-// u is where the linear response ends; becomes where to settle from.
-void Deformer::choose_start(std::span<const Eigen::Affine3d> motions,
-                            std::span<const Eigen::AngleAxisd> turns, const SettleTarget& target,
-                            std::vector<Vector3d>& u) const {
+// Where the handles' shares take the surface, and targets draw it by the n x n system.
+std::vector<Vector3d> Deformer::turned_start(std::span<const Eigen::Affine3d> motions,
+                                             std::span<const Eigen::AngleAxisd> turns) const {
   const State& s = *state_;
   std::vector<Vector3d> turned = s.held_shares().turned(motions, turns);
   if (!s.system->region.targets.empty()) {
@@ -201,9 +200,35 @@ void Deformer::choose_start(std::span<const Eigen::Affine3d> motions,
         axis_displacement(*s.system, s.system->asked_displacement(still));
     for (const Index v : s.system->moving) turned[v] += drawn[v];
   }
-  if (any_far(turns) || s.settler->energy(target, turned) < s.settler->energy(target, u)) {
-    u = std::move(turned);
-  }
+  return turned;
+}
+
+// Settles from where shares take the surface. The linear response, whose factor takes longer than
+// many an edit settles in, is asked where that is too far off. Turns that are far say which way
+// round, which it does not know.
+std::vector<Vector3d> Deformer::settled(std::span<const Eigen::Affine3d> motions,
+                                        std::span<const Eigen::AngleAxisd> turns,
+                                        std::span<const double> q, const SettleTarget& target,
+                                        Certificate& certificate, const Progress& progress) const {
+  State& s = *state_;
+  std::vector<Vector3d> u = turned_start(motions, turns);
+  const auto linear = [&](std::span<Vector3d> start) {
+    StageTimings untold;
+    if (!s.hold_response(progress, untold)) {
+      certificate.why_not_exact = s.why_not_exact;
+      return false;
+    }
+    hold_for_settling();
+    std::ranges::copy(linear_displacement(*s.system, target.wanted, s.forces_of(q)), start.begin());
+    return true;
+  };
+  const SettleResult result =
+      s.settler->settle(target, u, progress, any_far(turns) ? BetterStart() : linear);
+  certificate.settle_iterations = result.iterations;
+  certificate.settled = result.settled;
+  certificate.settle_last_step = result.last_step;
+  certificate.relative_gradient = result.relative_gradient;
+  return u;
 }
 
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
@@ -213,31 +238,30 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   const State& s = *state_;
   const EditSystem& edit = *s.system;
   const auto lock = edit.systems->lock();
-  hold(progress);
+  const bool settles = s.settler != nullptr;
+  if (settles) {
+    hold_for_settling();
+  } else {
+    hold(progress);
+  }
   std::vector<double> q(edit.column_count());
   edit.set_parameters(motions, q);
   std::vector<Vector3d>& wanted = s.asked[0];
   edit.asked_displacement(q, wanted);
-  const Numbers forces = s.forces_of(q);
-  std::vector<Vector3d> u = s.linear_displacement(wanted, forces);
   std::vector<double> scales;
   if (s.has_shares()) scales = s.asked_scales(motions);
 
   DeformResult result;
   Certificate& certificate = result.certificate;
-  certificate.why_not_exact = s.why_not_exact;
-  const bool still =
-      std::all_of(u.begin(), u.end(), [](const Vector3d& v) { return v.isZero(0.0); });
-  if (s.settler == nullptr) {
+  std::vector<Vector3d> u;
+  if (!settles) {
+    const Numbers forces = s.forces_of(q);
+    u = linear_displacement(edit, wanted, forces);
     certificate.relative_residual = edit.systems->response().refine(wanted, forces, u);
-  } else if (!still || any_far(turns)) {
-    const SettleTarget target{wanted, scales};
-    choose_start(motions, turns, target, u);
-    const SettleResult settled = s.settler->settle(target, u, progress);
-    certificate.settle_iterations = settled.iterations;
-    certificate.settled = settled.settled;
-    certificate.settle_last_step = settled.last_step;
-    certificate.relative_gradient = settled.relative_gradient;
+  } else if (any_far(turns) || !rests(edit, wanted)) {
+    u = settled(motions, turns, q, {wanted, scales}, certificate, progress);
+  } else {
+    u.assign(edit.rest->size(), Vector3d::Zero());
   }
   edit.loose.carry(wanted, scales, u);
   result.positions = *edit.rest;
@@ -299,7 +323,8 @@ const StageTimings& Deformer::timings() const {
 }
 std::string_view Deformer::solver_name() const {
   const RegionSystem& systems = *state_->system->systems;
-  return is_exact() ? systems.response().solver_name() : systems.laplacian().solver_name();
+  return state_->settler == nullptr ? systems.response().solver_name()
+                                    : systems.laplacian().solver_name();
 }
 std::size_t Deformer::unknown_count() const {
   return state_->system->constraints.unknowns.size();

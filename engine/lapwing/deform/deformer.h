@@ -31,9 +31,10 @@ struct DeformResult {
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
-/// and 4; DESIGN section 3). Construction prepares: it assembles the tangent of the energy over the
-/// region (or the RSI system, see LinearResponse) and factors it. After that a motion is one
-/// right-hand side, and what it leaves is settled:
+/// and 4; DESIGN section 3). Construction prepares: for a linear response it assembles the tangent
+/// of the energy over the region (or the RSI system, see LinearResponse) and factors it, and a
+/// motion is one right-hand side after that; with settling it factors the n x n system, by which
+/// most motions settle:
 ///
 ///     Deformer deformer(mesh.positions, topology, region, {}, kernels);
 ///     mesh.positions = deformer.solve(motions).positions;
@@ -45,17 +46,18 @@ struct DeformResult {
 ///     drag.move(motions, mesh.positions);  // every frame
 ///
 /// `topology` and `kernels` must outlive the deformer; positions are copied. Memory is dominated by
-/// the factor (about 8 kB a vertex, more in large regions) and, once asked for, the response (300
-/// bytes a vertex and handle). Where the options' memory limit does not allow for that factor, a
-/// deformer that settles does without: `is_exact`.
+/// that factor (about 8 kB a vertex, more in large regions; with settling half of that, and the
+/// whole from the first drag on, or the first motion that bends long parts) and, once asked for,
+/// the response (300 bytes a vertex and handle). Where the options' memory limit does not allow for
+/// the factor, a deformer that settles does without: `is_exact`.
 class Deformer {
  public:
-  /// Prepares. Stages reported and timed: "pattern", "order" (with settling the symbolic
-  /// factorizations, too), with settling "laplacian", "assemble", "analyze" (what was left of it),
-  /// "normal_matrix", "factor", with settling "shares", "upload" (of what settling needs). Throws
-  /// InputError for a region that does not fit the mesh, SolverError when a component of the region
-  /// is not anchored or its exact system exceeds the memory limit and nothing settles, GpuError
-  /// when the device fails, Cancelled when `progress` asks for it.
+  /// Prepares. Stages reported and timed: "pattern", "order"; without settling "assemble",
+  /// "analyze" (what was left of it), "normal_matrix", "factor"; with settling, whose "order" has
+  /// the symbolic factorizations, too, "laplacian", "shares", "upload" (of what settling needs).
+  /// Throws InputError for a region that does not fit the mesh, SolverError when a component of the
+  /// region is not anchored or its exact system exceeds the memory limit and nothing settles,
+  /// GpuError when the device fails, Cancelled when `progress` asks for it.
   Deformer(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
@@ -65,17 +67,18 @@ class Deformer {
   Deformer(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// Prepares what `preview` has not, from "assemble" on; timings include those of the preview's
-  /// stages that it shares. May run on a thread of its own while `preview` is dragged, if `kernels`
-  /// are not those that the preview uses (VulkanKernels may share a context).
+  /// Prepares what `preview` has not, of a drag, from "assemble" to "factor" whether it settles or
+  /// not; timings include those of the preview's stages that it shares. May run on a thread of its
+  /// own while `preview` is dragged, if `kernels` are not those that the preview uses
+  /// (VulkanKernels may share a context).
   Deformer(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
   ~Deformer();
   Deformer(Deformer&&) noexcept;
   Deformer& operator=(Deformer&&) noexcept;
 
   /// How the surface follows the handles linearly, which is what a Drag goes by. Solved for when
-  /// first asked for, stage "response", which is timed, reported and cancelled there; from then on
-  /// it returns at once, on any thread.
+  /// first asked for, stage "response", which is timed, reported and cancelled there, with what
+  /// construction has left of the factor; from then on it returns at once, on any thread.
   const std::shared_ptr<const DragResponse>& response(const Progress& progress = {}) const;
 
   /// The same for a drag that moves `handles` alone, of any number that the edit has: 12 right-hand
@@ -97,11 +100,12 @@ class Deformer {
   /// One settled frame of a drag: moves `pose` on to where the handles' motions take it. It begins
   /// where the last frames lead as far as the handles go on as they did, and goes the rest of the
   /// way by the linear response: that of `response` or `response_of`, which was asked for last, as
-  /// long as the other handles rest. Every frame is a better surface than that, and as good as
-  /// `go_on` (Settler::follow) leaves time for. Where that was too little for a frame, a region of
-  /// 6,500 vertices or more is taken along by one of 3,500 instead (CoarseDrag), which takes little
-  /// time at any size and asks `go_on`, too, until the handles rest; then the surface itself is
-  /// settled. Which frames have that surface depends on when it is made (`begin_to_follow`); after
+  /// long as the other handles rest, or a DragPreview's where none was asked for, which does as
+  /// well (tools/bench/measured). Every frame is a better surface than that, and as good as `go_on`
+  /// (Settler::follow) leaves time for. Where that was too little for a frame, a region of 6,500
+  /// vertices or more is taken along by one of 3,500 instead (CoarseDrag), which takes little time
+  /// at any size and asks `go_on`, too, until the handles rest; then the surface itself is settled.
+  /// Which frames have that surface depends on when it is made (`begin_to_follow`); after
   /// `prepare_to_follow` all do. With the same motions again it goes on, and once settled nothing
   /// moves. `turns` are those of `solve`. From an empty pose it begins where `solve` does, and so
   /// does a frame in which a handle has turned by more than 90 degrees since the last, for which
@@ -137,11 +141,11 @@ class Deformer {
   bool is_of(std::span<const Eigen::Vector3d> rest, const Topology& topology,
              const EditRegion& region, const DeformOptions& options, const Kernels& kernels) const;
 
-  /// Whether the 3n x 3n system is there. Without it (the region was too large for the memory
-  /// limit) the response is a DragPreview's, which is where settling then starts; what it settles
-  /// to is the same within its tolerance.
+  /// Whether the 3n x 3n system is there, or was not needed so far. Without it (the region was too
+  /// large for the memory limit) the response is a DragPreview's, and settling starts without; what
+  /// it settles to is the same within its tolerance.
   bool is_exact() const;
-  /// What the system would need, and may take, in words; empty where it is there.
+  /// What the system would need, and may take, in words; empty where `is_exact`.
   std::string_view why_not_exact() const;
 
   const EditRegion& region() const;
@@ -152,15 +156,19 @@ class Deformer {
 
  private:
   struct State;
-  Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, const Progress& progress);
+  Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, bool is_dragged,
+           const Progress& progress);
   void hold(const Progress& progress) const;
   void make_response(const Progress& progress) const;
   std::shared_ptr<const DragResponse> columns_of(std::vector<std::size_t> handles,
                                                  const Progress& progress) const;
   void hold_for_settling() const;
-  void choose_start(std::span<const Eigen::Affine3d> motions,
-                    std::span<const Eigen::AngleAxisd> turns, const SettleTarget& target,
-                    std::vector<Eigen::Vector3d>& u) const;
+  std::vector<Eigen::Vector3d> turned_start(std::span<const Eigen::Affine3d> motions,
+                                            std::span<const Eigen::AngleAxisd> turns) const;
+  std::vector<Eigen::Vector3d> settled(std::span<const Eigen::Affine3d> motions,
+                                       std::span<const Eigen::AngleAxisd> turns,
+                                       std::span<const double> q, const SettleTarget& target,
+                                       Certificate& certificate, const Progress& progress) const;
 
   std::unique_ptr<State> state_;
 };

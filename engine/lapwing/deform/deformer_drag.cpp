@@ -53,6 +53,13 @@ std::uint64_t next_frame() {
 
 }  // namespace
 
+// Frames that settle need no more. Under the lock, the n x n factor being held.
+void Deformer::State::make_columns_along_axes() {
+  std::vector<std::size_t> all = system->all_handles();
+  Numbers columns = axis_response(*system, all);
+  latest = std::make_shared<const DragResponse>(system, std::move(all), std::move(columns), true);
+}
+
 bool Deformer::State::has_columns_for(std::span<const double> q) const {
   if (latest == nullptr) return false;
   std::size_t covered = 0;
@@ -97,7 +104,7 @@ Positions Deformer::State::displacement_by(std::span<const double> q) const {
     return u;
   }
   const std::vector<Vector3d> wanted = system->wanted_displacement(q);
-  if (why_not_exact.empty()) {
+  if (has_system) {
     StageTimings untold;
     system->hold_response(*kernels, {}, untold);
     return lapwing::linear_displacement(*system, wanted, forces_of_scales(q));
@@ -245,6 +252,7 @@ std::shared_ptr<const DragResponse> Deformer::columns_of(std::vector<std::size_t
                                                          const Progress& progress) const {
   State& s = *state_;
   hold(progress);
+  s.has_system = is_exact();
   report_progress(progress, "response", 0.0);
   const HandleShares* shares = s.has_scale_forces() ? &s.held_shares() : nullptr;
   Numbers columns = is_exact() ? response_basis(*s.system, handles, shares, progress)
@@ -280,8 +288,8 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   edit.set_parameters(motions, next.parameters);
   if (pose.settled.settled && next.parameters == pose.parameters) return;
   const auto lock = edit.systems->lock();
-  if (s.latest == nullptr) make_response(progress);
   hold_for_settling();
+  if (s.latest == nullptr) state_->make_columns_along_axes();
   std::vector<Vector3d>& wanted = s.asked[0];
   edit.asked_displacement(next.parameters, wanted);
   const std::vector<double> scales = s.asked_scales(motions);
@@ -297,7 +305,11 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
     s.settler->begin_drag();
     next.displacement = edit.region.targets.empty() ? s.displacement_by(next.parameters)
                                                     : axis_displacement(edit, wanted);
-    choose_start(motions, turns, target, next.displacement);
+    Positions turned = turned_start(motions, turns);
+    if (any_far(turns) ||
+        s.settler->energy(target, turned) < s.settler->energy(target, next.displacement)) {
+      next.displacement = std::move(turned);
+    }
   } else if (at_rest) {
     by_coarse = coarse_was_there && on.go_on_at_rest(pose, target, next);
     if (!by_coarse) next.displacement = s.moved_as(pose.displacement);

@@ -36,6 +36,7 @@ struct Deformer::State {
   std::atomic<bool> has_response = false;      ///< `response` does not change from then on
   std::shared_ptr<const DragResponse> latest;  ///< asked for last
   std::string why_not_exact;
+  bool has_system = false;  ///< whether drags go by the 3n x 3n system
 
   // Fields over the mesh that frames write again and again, so that none of them takes a time that
   // is that of the mesh: what handles ask for, now and of the pose before; what pulls; and a
@@ -53,15 +54,14 @@ struct Deformer::State {
   double smoothing_ms = 0.0;           ///< what the fine level takes at least
   MadeAside<std::unique_ptr<CoarseDrag>> coarse_aside;  // last: it uses the system
 
-  bool hold_response(const Progress& progress);
+  bool hold_response(const Progress& progress, StageTimings& stages);
   void make_settler(Kernels& on);
   bool has_shares() const;
   const HandleShares& held_shares() const;
   bool has_scale_forces() const;
   Numbers forces_of_scales(std::span<const double> q) const;
   Numbers forces_of(std::span<const double> q) const;
-  std::vector<Eigen::Vector3d> linear_displacement(std::span<const Eigen::Vector3d> wanted,
-                                                   std::span<const double> forces) const;
+  void make_columns_along_axes();
   bool has_columns_for(std::span<const double> q) const;
   Positions still() const;
   Positions moved_as(const Positions& displacement) const;

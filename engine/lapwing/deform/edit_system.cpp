@@ -155,6 +155,10 @@ void EditSystem::hold_laplacian() const {
   systems->hold_laplacian(terms(), constraints.W);
 }
 
+std::shared_ptr<const BlockRows> EditSystem::tangent_rows(Kernels& kernels) const {
+  return systems->tangent_rows(terms(), kernels);
+}
+
 void EditSystem::hold_response(Kernels& kernels, const Progress& progress,
                                StageTimings& stages) const {
   systems->hold_response(terms(), constraints.W, options, kernels, progress, stages);

@@ -52,6 +52,8 @@ struct EditSystem {
   void assemble_laplacian() const;
   /// With its factor: for previews, settling and the shares of handles.
   void hold_laplacian() const;
+  /// Its G at rest (RegionSystem::tangent_rows).
+  std::shared_ptr<const BlockRows> tangent_rows(Kernels& kernels) const;
   /// Makes the 3n x 3n one that of this edit.
   void hold_response(Kernels& kernels, const Progress& progress, StageTimings& stages) const;
 

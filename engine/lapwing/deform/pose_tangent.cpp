@@ -51,8 +51,9 @@ Matrix3d softening(const RegionRings& rings, std::size_t r, const Matrix3d& T, d
   C += rings.row_weights[r] * moved * delta.transpose();
   const Matrix3d S = T.transpose() * C / (scale * scale);
   const Matrix3d inverse_F = inverse_cholesky_factor(rotation_stiffness(at_rest));
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> ratio(
-      inverse_F * rotation_stiffness(0.5 * (S + S.transpose())) * inverse_F.transpose());
+  Eigen::SelfAdjointEigenSolver<Matrix3d> ratio;  // to a few digits, which are enough here
+  ratio.computeDirect(inverse_F * rotation_stiffness(0.5 * (S + S.transpose())) *
+                      inverse_F.transpose());
   const Vector3d inverse_roots = ratio.eigenvalues().cwiseMax(1.0).cwiseSqrt().cwiseInverse();
   return ratio.eigenvectors() * inverse_roots.asDiagonal() * ratio.eigenvectors().transpose();
 }
@@ -61,17 +62,15 @@ Matrix3d softening(const RegionRings& rings, std::size_t r, const Matrix3d& T, d
 
 PoseTangent::PoseTangent(const Topology& topology, std::span<const Index> roi,
                          const SystemPattern& pattern, const LaplacianSystem& laplacian,
-                         std::span<const Vector3d> rest, const DeformOptions& options,
-                         Kernels& kernels, std::shared_ptr<const BlockRows> at_rest)
+                         const DeformOptions& options, AtRest at_rest)
     : topology_(topology),
       pattern_(pattern),
       laplacian_(laplacian),
-      rest_(rest),
-      kernels_(kernels),
+      make_at_rest_(std::move(at_rest)),
       memory_limit_(options.memory_limit_bytes),
       roi_(roi.begin(), roi.end()),
-      at_rest_(std::move(at_rest)),
-      b_(3 * laplacian.size()) {}
+      b_(3 * laplacian.size()),
+      x_(b_.size()) {}
 
 void PoseTangent::prepare() {
   if (factor_ != nullptr) return;
@@ -103,8 +102,7 @@ std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor(bool has_time) const {
 
 bool PoseTangent::fits(const HeldFactor& factor) const {
   std::size_t blocks = pattern_.blocks().rows.size();  // of the matrix, and of G at rest and turned
-  const std::size_t rows = at_rest_ == nullptr ? 2 : 1;
-  for (const Index v : roi_) blocks += rows * (1 + topology_.rings.size(v));
+  for (const Index v : roi_) blocks += 2 * (1 + topology_.rings.size(v));
   const std::size_t bytes = 9 * sizeof(double) * blocks + factor.solver().statistics().peak_bytes;
   return bytes <= allowed_memory(memory_limit_);
 }
@@ -116,22 +114,13 @@ bool PoseTangent::take_memory() {
   if (factor == nullptr) return false;
   const RegionRings& rings = laplacian_.rings();
   const std::vector<Index> row_of_vertex =
-      places_in(std::span(rings.vertices).first(rings.row_count()), rest_.size());
+      places_in(std::span(rings.vertices).first(rings.row_count()), topology_.rings.row_count());
   row_of_.clear();
   for (const Index v : roi_) row_of_.push_back(row_of_vertex[v]);
-  if (at_rest_ == nullptr) at_rest_ = rows_at_rest();
+  at_rest_ = make_at_rest_();
   turned_ = rsi_rows(topology_.rings, roi_);
   factor_ = std::move(factor);
   return true;
-}
-
-std::shared_ptr<const BlockRows> PoseTangent::rows_at_rest() const {
-  auto rows = std::make_shared<BlockRows>(rsi_rows(topology_.rings, roi_));
-  const EnergyWeights& weights = laplacian_.weights();
-  kernels_.assemble_tangent(
-      {{rest_, topology_.rings, weights.laplacian, roi_}, weights.rows, weights.stiffness},
-      rows->values);
-  return rows;
 }
 
 bool PoseTangent::turn(std::span<const Matrix3d> transforms,
@@ -152,6 +141,7 @@ bool PoseTangent::turn(std::span<const Matrix3d> transforms,
       }
     }
   });
+  is_solved_ = false;
   factor_->set_matrix(tangent_matrix(pattern_, laplacian_, turned_, factor_->take_memory()));
   return is_factored(*factor_) || take_doubles();
 }
@@ -191,14 +181,19 @@ double PoseTangent::turn_cost() const {
          (kPerByteOfSolve * static_cast<double>(statistics.factor_bytes) + kPerIteratedVertex * n);
 }
 
-void PoseTangent::read(std::span<const double> b) {
+// Whether it is what was read last.
+bool PoseTangent::read(std::span<const double> b) {
   const std::vector<int>& order = laplacian_.elimination_order();
   const std::size_t n = order.size();
+  bool is_same = true;
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      b_[3 * static_cast<std::size_t>(order[k]) + axis] = b[axis * n + k];
+      double& number = b_[3 * static_cast<std::size_t>(order[k]) + axis];
+      is_same = is_same && number == b[axis * n + k];
+      number = b[axis * n + k];
     }
   }
+  return is_same;
 }
 
 void PoseTangent::write(std::span<double> b) const {
@@ -206,23 +201,22 @@ void PoseTangent::write(std::span<double> b) const {
   const std::size_t n = order.size();
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      b[axis * n + k] = b_[3 * static_cast<std::size_t>(order[k]) + axis];
+      b[axis * n + k] = x_[3 * static_cast<std::size_t>(order[k]) + axis];
     }
   }
 }
 
 void PoseTangent::solve_in_place(std::span<double> b) {
   read(b);
-  factor_->solver().solve(b_, b_, 1);
+  factor_->solver().solve(b_, x_, 1);
+  is_solved_ = true;
   write(b);
 }
 
 void PoseTangent::solve_well_in_place(std::span<double> b) {
-  read(b);
-  x_.resize(b_.size());
-  factor_->solver().solve(b_, x_, 1);
+  if (!read(b) || !is_solved_) factor_->solver().solve(b_, x_, 1);
   if (!is_in_doubles_ && !refine() && take_doubles()) factor_->solver().solve(b_, x_, 1);
-  std::swap(b_, x_);
+  is_solved_ = false;
   write(b);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 
 #include "lapwing/deform/deform_options.h"
 #include "lapwing/deform/made_aside.h"
-#include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/held_factor.h"
 #include "lapwing/laplacian/laplacian_system.h"
 #include "lapwing/settle/settle.h"
@@ -23,13 +23,13 @@ namespace lapwing {
 /// that of another 3n x 3n factor, when it is first turned, or before.
 class PoseTangent final : public TurnedTangent {
  public:
-  /// `topology`, `pattern`, `laplacian` and `kernels` must outlive the object; `laplacian` is the
-  /// n x n system with its rings, in whose order transforms come. `at_rest` is G over the rings of
-  /// `roi` where the caller has it, null for what is made here.
+  /// Makes, or finds, G at rest over the rings of a region (tangent_rows).
+  using AtRest = std::function<std::shared_ptr<const BlockRows>()>;
+
+  /// `topology`, `pattern` and `laplacian` must outlive the object; `laplacian` is the n x n system
+  /// with its rings, in whose order transforms come. `at_rest` is asked when it is first turned.
   PoseTangent(const Topology& topology, std::span<const Index> roi, const SystemPattern& pattern,
-              const LaplacianSystem& laplacian, std::span<const Eigen::Vector3d> rest,
-              const DeformOptions& options, Kernels& kernels,
-              std::shared_ptr<const BlockRows> at_rest = nullptr);
+              const LaplacianSystem& laplacian, const DeformOptions& options, AtRest at_rest);
 
   /// Begins to take that memory on a thread of its own, for which the first turn waits; an order of
   /// fewer operations is looked for there, too, since many turns will be factored in it.
@@ -47,18 +47,16 @@ class PoseTangent final : public TurnedTangent {
   std::unique_ptr<HeldFactor> analyzed_factor(bool has_time) const;
   bool fits(const HeldFactor& factor) const;
   bool take_memory();
-  std::shared_ptr<const BlockRows> rows_at_rest() const;
   bool is_factored(HeldFactor& factor) const;
   bool take_doubles();
-  void read(std::span<const double> b);
+  bool read(std::span<const double> b);
   void write(std::span<double> b) const;
   bool refine();
 
   const Topology& topology_;
   const SystemPattern& pattern_;
   const LaplacianSystem& laplacian_;
-  std::span<const Eigen::Vector3d> rest_;
-  Kernels& kernels_;
+  AtRest make_at_rest_;
   std::size_t memory_limit_;
   std::vector<Index> roi_;
   std::vector<Index> row_of_;  ///< place in roi_ -> row of the rings
@@ -68,6 +66,7 @@ class PoseTangent final : public TurnedTangent {
   bool is_in_doubles_ = false;
   std::vector<double> b_;  ///< in the order of the unknowns, x, y and z of each together
   std::vector<double> x_;
+  bool is_solved_ = false;  ///< x_ is the factor's solution for b_
   std::vector<double> residual_;
   MadeAside<std::unique_ptr<HeldFactor>> prepared_;  // last: it uses all the others
 };

@@ -183,6 +183,7 @@ SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
                  "ask for fewer handles at a time");
   const auto drag = deformer.response_of(moved, progress);
   response.vertex_count = n;
+  response.why_not_exact = deformer.why_not_exact();
   response.columns.assign(kMotionParameters * handles.size() * n, Vector3d::Zero());
   const double length = bounds_of(mesh_.positions).diagonal();
   std::vector<double> parameters(drag->columns().count);

@@ -24,6 +24,8 @@ struct SurfaceResponse {
   /// For each handle its 12 columns, (0, 0), (0, 1), ... (2, 3), each of vertex_count
   /// displacements; those of (a, 3) are per length, the others lengths.
   std::vector<Eigen::Vector3d> columns;
+  /// Why details do not turn (Deformer::why_not_exact); empty where they do.
+  std::string why_not_exact;
 
   std::span<const Eigen::Vector3d> column(std::size_t handle, std::size_t a, std::size_t b) const {
     return std::span(columns).subspan((12 * handle + 4 * a + b) * vertex_count, vertex_count);

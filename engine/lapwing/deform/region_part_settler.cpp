@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapwing/deform/pose_tangent.h"
+#include "lapwing/deform/response_system.h"
 #include "lapwing/kernels/cpu_kernels.h"
 
 namespace lapwing {
@@ -79,7 +80,8 @@ void RegionPartSettler::settle_part(std::span<const Index> vertices, const Settl
   part.make_rings(*edit_.rest);
 
   CpuKernels kernels;
-  PoseTangent tangent(topology, rows, pattern, part, *edit_.rest, edit_.options, kernels);
+  PoseTangent tangent(topology, rows, pattern, part, edit_.options,
+                      [&] { return tangent_rows(topology, rows, part, *edit_.rest, kernels); });
   SettleOptions options = *edit_.options.settle;
   options.max_iterations = std::min(options.max_iterations, kMostIterations);
   Settler(kernels, part, options, &tangent)

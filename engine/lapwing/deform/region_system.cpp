@@ -68,7 +68,8 @@ void RegionSystem::hold_response(const SystemTerms& terms, std::span<const doubl
   if (terms != response_terms_) {
     response_terms_ = {};
     assemble_laplacian(terms);
-    response_->assemble(*terms.rest, terms.turns_freely, kernels, progress, timings);
+    response_->assemble(*terms.rest, terms.turns_freely, held_tangent_rows(terms), kernels,
+                        progress, timings);
     analysis_ahead_.reset();
     response_terms_ = terms;
   }
@@ -77,9 +78,23 @@ void RegionSystem::hold_response(const SystemTerms& terms, std::span<const doubl
   response_->factor(W, progress, timings);
 }
 
-std::shared_ptr<const BlockRows> RegionSystem::tangent_rows() const {
-  const bool is_of_tangent = response_ != nullptr && response_kind_ == LinearResponse::tangent;
-  return is_of_tangent ? response_->rows() : nullptr;
+// Null where nobody does.
+std::shared_ptr<const BlockRows> RegionSystem::held_tangent_rows(const SystemTerms& terms) const {
+  const bool response_has =
+      response_ != nullptr && response_kind_ == LinearResponse::tangent && terms == response_terms_;
+  if (response_has) return response_->rows();
+  return terms == rows_terms_ ? rows_.lock() : nullptr;
+}
+
+std::shared_ptr<const BlockRows> RegionSystem::tangent_rows(const SystemTerms& terms,
+                                                            Kernels& kernels) {
+  std::shared_ptr<const BlockRows> rows = held_tangent_rows(terms);
+  if (rows != nullptr) return rows;
+  assemble_laplacian(terms);
+  rows = lapwing::tangent_rows(topology_, roi_, laplacian_, *terms.rest, kernels);
+  rows_ = rows;
+  rows_terms_ = terms;
+  return rows;
 }
 
 // Of a system that has its memory none is required.

@@ -78,12 +78,13 @@ class RegionSystem {
                      StageTimings& timings);
   /// As held last.
   const ResponseSystem& response() const { return *response_; }
-  /// G at rest of what is held, of which settling makes the tangent of a pose; null where the
-  /// response is not the tangent's, or not held.
-  std::shared_ptr<const BlockRows> tangent_rows() const;
+  /// G at rest, of which settling makes the tangent of a pose; one for all who hold it, the
+  /// response among them. The n x n system is assembled for it.
+  std::shared_ptr<const BlockRows> tangent_rows(const SystemTerms& terms, Kernels& kernels);
 
  private:
   void require_memory(std::size_t limit_bytes);
+  std::shared_ptr<const BlockRows> held_tangent_rows(const SystemTerms& terms) const;
 
   const Topology& topology_;
   const VertexSet roi_;
@@ -96,6 +97,8 @@ class RegionSystem {
   std::unique_ptr<ResponseSystem> response_;
   LinearResponse response_kind_ = LinearResponse::tangent;
   SystemTerms response_terms_;
+  std::weak_ptr<const BlockRows> rows_;  ///< G at rest, where somebody holds it
+  SystemTerms rows_terms_;
   bool response_has_memory_ = false;
   std::size_t response_bytes_ = 0;  ///< that it needs, once known
 };

@@ -59,6 +59,17 @@ BlockMatrix tangent_matrix(const SystemPattern& pattern, const LaplacianSystem& 
   return N;
 }
 
+std::shared_ptr<BlockRows> tangent_rows(const Topology& topology, std::span<const Index> roi,
+                                        const LaplacianSystem& laplacian,
+                                        std::span<const Vector3d> rest, Kernels& kernels) {
+  auto rows = std::make_shared<BlockRows>(rsi_rows(topology.rings, roi));
+  const EnergyWeights& weights = laplacian.weights();
+  kernels.assemble_tangent(
+      {{rest, topology.rings, weights.laplacian, roi}, weights.rows, weights.stiffness},
+      rows->values);
+  return rows;
+}
+
 ResponseSystem::ResponseSystem(const Topology& topology, std::span<const Index> roi,
                                const Unknowns& unknowns, const SystemPattern& pattern,
                                const LaplacianSystem& laplacian, LinearResponse kind)
@@ -84,7 +95,8 @@ std::size_t ResponseSystem::memory_bytes() const {
   return 9 * sizeof(double) * blocks + factor_.solver().statistics().peak_bytes;
 }
 
-void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely, Kernels& kernels,
+void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
+                              std::shared_ptr<const BlockRows> rows, Kernels& kernels,
                               const Progress& progress, StageTimings& timings) {
   Stopwatch watch;
   const auto stage_is_done = [&](const char* stage) {
@@ -94,18 +106,7 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   const auto make_rows = [&] {
     report_progress(progress, "assemble", 0.0);
     rows_.reset();  // of the last rest, which a tangent may hold
-    auto rows = std::make_shared<BlockRows>(rsi_rows(topology_.rings, roi_));
-    const EnergyWeights& weights = laplacian_.weights();
-    const RingProblem rings{rest, topology_.rings, weights.laplacian, roi_};
-    if (kind_ == LinearResponse::tangent) {
-      kernels.assemble_tangent({rings, weights.rows, weights.stiffness}, rows->values);
-      if (turns_freely) {
-        for (double& value : rows->values) value *= kRootOfTurningShare;
-      }
-    } else {
-      kernels.assemble_rsi(rings, rows->values);
-    }
-    rows_ = std::move(rows);
+    rows_ = made_rows(rest, turns_freely, std::move(rows), kernels);
     stage_is_done("assemble");
   };
   if (is_analyzed()) {
@@ -142,6 +143,24 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
     factor_.set_matrix(std::move(N));
   }
   stage_is_done("normal_matrix");
+}
+
+std::shared_ptr<const BlockRows> ResponseSystem::made_rows(std::span<const Vector3d> rest,
+                                                           bool turns_freely,
+                                                           std::shared_ptr<const BlockRows> rows,
+                                                           Kernels& kernels) const {
+  if (kind_ == LinearResponse::rsi) {
+    auto made = std::make_shared<BlockRows>(rsi_rows(topology_.rings, roi_));
+    kernels.assemble_rsi({rest, topology_.rings, laplacian_.weights().laplacian, roi_},
+                         made->values);
+    return made;
+  }
+  if (!turns_freely && rows != nullptr) return rows;
+  auto made = tangent_rows(topology_, roi_, laplacian_, rest, kernels);
+  if (turns_freely) {
+    for (double& value : made->values) value *= kRootOfTurningShare;
+  }
+  return made;
 }
 
 void ResponseSystem::factor(std::span<const double> W, const Progress& progress,

@@ -20,6 +20,11 @@ namespace lapwing {
 BlockMatrix tangent_matrix(const SystemPattern& pattern, const LaplacianSystem& laplacian,
                            const BlockRows& G, Numbers memory = {});
 
+/// G at rest, over the region's rows.
+std::shared_ptr<BlockRows> tangent_rows(const Topology& topology, std::span<const Index> roi,
+                                        const LaplacianSystem& laplacian,
+                                        std::span<const Eigen::Vector3d> rest, Kernels& kernels);
+
 /// The factored 3n x 3n system N of one region from which drags take their response: the energy's
 /// tangent at rest, A x I - G'G with A = L'Om L + K (DESIGN section 3), or the paper's M'M. Soft
 /// constraints: (N + W) u = W d + f over the region's vertices, f forces on them. Hard ones:
@@ -42,10 +47,11 @@ class ResponseSystem {
   /// The rows and N, with the weights of the n x n system, which is assembled; beside it the
   /// symbolic factorization where that is still to be done. A tangent that `turns_freely` has
   /// components that may turn about a line: a little of A stays in it, by which they turn as little
-  /// as they can. Stages "assemble", "analyze" (what was
-  /// left of that) and "normal_matrix".
-  void assemble(std::span<const Eigen::Vector3d> rest, bool turns_freely, Kernels& kernels,
-                const Progress& progress, StageTimings& timings);
+  /// as they can. `rows` are those of tangent_rows where they are there, else null. Stages
+  /// "assemble", "analyze" (what was left of that) and "normal_matrix".
+  void assemble(std::span<const Eigen::Vector3d> rest, bool turns_freely,
+                std::shared_ptr<const BlockRows> rows, Kernels& kernels, const Progress& progress,
+                StageTimings& timings);
 
   /// The factor under `W`, one number per unknown, after `assemble`; redoes what has changed since
   /// the last time. Stage "factor". Throws SolverError, naming the vertex and its component, when
@@ -71,6 +77,10 @@ class ResponseSystem {
                 std::vector<Eigen::Vector3d>& u) const;
 
  private:
+  std::shared_ptr<const BlockRows> made_rows(std::span<const Eigen::Vector3d> rest,
+                                             bool turns_freely,
+                                             std::shared_ptr<const BlockRows> rows,
+                                             Kernels& kernels) const;
   void multiply(std::span<const Eigen::Vector3d> u, std::span<double> y) const;
 
   const Topology& topology_;

@@ -26,7 +26,13 @@ using Eigen::Vector3d;
 constexpr int kWindow = 10;
 
 // Chosen on ten scans.
-constexpr SettlePace kPace{10, 5, 5};
+constexpr SettlePace kPace{.plain = 7, .tangent = 5, .before_parts = 5, .ends_plain = false};
+// Plain iterations after which a surface that bends slowly is known, and what its last one leaves
+// of E then: E falls by so much, and is far from its least, where long parts bend.
+constexpr int kIterationsToTell = 2;
+constexpr double kSlowlyLeft = 0.75;
+// And plain ones from a better start.
+constexpr int kPlainFromBetter = 3;
 // Of a frame, whose history already tells of the pose.
 constexpr SettlePace kPaceOfFrame{50, 5, 25};
 // Of all frames together in which the target rests. To settle a larger part takes as long as some
@@ -131,6 +137,7 @@ void Settler::State::turn_tangent() {
 // Where the surface is crushed the tangent promises what does not hold.
 void Settler::State::leave_tangent() {
   by_tangent = false;
+  pace.ends_plain = true;
   trend.begin();
   next_turn = taken + std::max(pace.plain, pace.tangent);
   history.forget();
@@ -184,6 +191,36 @@ void Settler::State::take_next() {
   is_placed = true;
 }
 
+// After so many plain iterations, `next` being where the last one began.
+bool Settler::State::bends_slowly() const {
+  return taken == kIterationsToTell && !by_tangent && last_step > kLongStep &&
+         at.energy < kSlowlyLeft * next.energy;
+}
+
+// Settling goes on from there where E is less than where it began.
+void Settler::State::take_start(const BetterStart& better, const SettleTarget& target,
+                                std::span<Vector3d> u) {
+  finish(u);
+  const std::vector<Vector3d> here(u.begin(), u.end());
+  if (!better(u)) return;
+  place(target, u);
+  if (at.energy < start_energy) {
+    history.forget();
+    next_turn = taken + kPlainFromBetter;
+    trend.begin();
+  } else {
+    place(target, here);
+  }
+}
+
+// By a plain step, which is far shorter than the way that long parts have left to bend, unless it
+// is next to nothing.
+bool Settler::State::must_turn_to_end() const {
+  constexpr double kNextToNothing = 1e-4;
+  return !pace.ends_plain && !by_tangent && tangent != nullptr &&
+         last_step > kNextToNothing * options.tolerance;
+}
+
 // Goes from `at` to `next` by settling what still moves while all else stays; false where that is
 // more than a part, or lowers E by no more than rounding.
 bool Settler::State::settle_part(const SettleTarget& target, double largest, std::span<Vector3d> u,
@@ -218,11 +255,12 @@ double Settler::energy(const SettleTarget& target, std::span<const Vector3d> u) 
 }
 
 SettleResult Settler::settle(const SettleTarget& target, std::span<Vector3d> u,
-                             const Progress& progress) {
+                             const Progress& progress, const BetterStart& better_start) {
   state_->begin_anew();
   state_->begin_pace(kPace);
   state_->place(target, u);
-  return iterate(target, u, {}, progress);
+  state_->start_energy = state_->at.energy;
+  return iterate(target, u, {}, progress, better_start);
 }
 
 SettleResult Settler::settle_small(const SettleTarget& target, std::span<Vector3d> u,
@@ -272,12 +310,13 @@ bool Settler::goes_by_tangent() const {
 
 // From where `place` has put the unknowns.
 SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u, const GoOn& go_on,
-                              const Progress& progress) {
+                              const Progress& progress, const BetterStart& better_start) {
   const ProgressScope scope(progress);
   State& s = *state_;
   Lbfgs& history = s.history;
   SettleResult result;
   result.settled = s.system.size() == 0;
+  bool may_start_better = static_cast<bool>(better_start);
   Stopwatch watch;
   const auto may_go_on = [&] {
     if (result.iterations > 0) s.iteration_ms = watch.elapsed_ms();
@@ -288,6 +327,10 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
     while (!result.settled && may_go_on()) {
       report_progress(progress, "settle",
                       static_cast<double>(result.iterations) / s.options.max_iterations);
+      if (may_start_better && s.bends_slowly()) {
+        may_start_better = false;
+        s.take_start(better_start, target, u);
+      }
       if (s.is_turn_due()) {
         // That takes longer than a frame has; the next one begins with it.
         if (s.at_rest && go_on && result.iterations > 0) break;
@@ -305,6 +348,11 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
       s.trend.add(sums.step);
       result.relative_gradient = s.at.force > 0.0 ? sums.gradient / s.at.force : 0.0;
       result.settled = sums.step <= s.options.tolerance;
+      if (result.settled && s.must_turn_to_end()) {
+        s.turn_tangent();
+        result.settled = false;
+        continue;
+      }
       if (result.settled || result.iterations == s.options.max_iterations) break;
 
       if (s.parts != nullptr && s.taken >= s.next_part) {

@@ -37,6 +37,10 @@ struct SettleTarget {
 /// cannot do without): whether there is time to go on.
 using GoOn = std::function<bool(double ms)>;
 
+/// Where to settle from that takes long to find: puts displacements of the whole mesh to `u` and
+/// returns true, or returns false, `u` as it was.
+using BetterStart = std::function<bool(std::span<Eigen::Vector3d> u)>;
+
 /// The second derivatives of the energy where its rings have turned: a solver that knows how limbs
 /// bend, where the n x n factor holds every ring in its turn. Costs a factorization of the 3n x 3n
 /// system for every pose, and saves most of the iterations where these are many.
@@ -107,11 +111,13 @@ class Settler {
   /// E of `u` for `target`, without moving it.
   double energy(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
 
-  /// Settles `u`, displacements of the whole mesh, from where they are. Allocates nothing per
-  /// iteration but for parts, each of which counts as one. Throws Cancelled, with `u` as far as it
-  /// got, when `progress` (stage "settle") asks for it.
+  /// Settles `u`, displacements of the whole mesh, from where they are. Where the first iterations
+  /// show that the n x n factor would take many to bend it, `better_start`, if given, is asked, and
+  /// the surface settled from there if E is less than at `u`. Allocates nothing per
+  /// iteration but for that and for parts, each of which counts as one. Throws Cancelled, with `u`
+  /// as far as it got, when `progress` (stage "settle") asks for it.
   SettleResult settle(const SettleTarget& target, std::span<Eigen::Vector3d> u,
-                      const Progress& progress = {});
+                      const Progress& progress = {}, const BetterStart& better_start = {});
 
   /// The same for a region so small that a factorization costs no more than an iteration does: by
   /// its tangent from the start, renewed every other time.
@@ -150,7 +156,7 @@ class Settler {
  private:
   struct State;
   SettleResult iterate(const SettleTarget& target, std::span<Eigen::Vector3d> u, const GoOn& go_on,
-                       const Progress& progress);
+                       const Progress& progress, const BetterStart& better_start = {});
 
   std::unique_ptr<State> state_;
 };

@@ -22,6 +22,7 @@ struct SettlePace {
   /// Plain ones at most as long as steps are long, where a tangent would soon be of another pose.
   int most_plain = 0;
   double largest_part = 1.0;  ///< of the unknowns, of what is settled by itself
+  bool ends_plain = true;     ///< whether a plain step may be what settling ends by
 };
 
 /// What a Settler holds. Its iterations are in settle.cpp, the surface it moves, whose energy and
@@ -44,6 +45,7 @@ struct Settler::State {
   double iteration_ms = 0.0;  ///< of the last one, without the tangent's factorization
   double last_step = 0.0;     ///< in mean edge lengths
   StepTrend trend;
+  double start_energy = 0.0;
   bool is_placed = false;  ///< whether what was evaluated last is `at`
   Lbfgs history;
 
@@ -103,6 +105,10 @@ struct Settler::State {
   void leave_tangent();
   Sums find_direction(bool well = false);
   bool step(double slope);
+  bool bends_slowly() const;
+  bool must_turn_to_end() const;
+  void take_start(const BetterStart& better, const SettleTarget& target,
+                  std::span<Eigen::Vector3d> u);
   void take_next();
   bool settle_part(const SettleTarget& target, double largest, std::span<Eigen::Vector3d> u,
                    const GoOn& go_on, const Progress& progress);

@@ -236,6 +236,7 @@ void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& dev
         again.reset();
         first = std::make_unique<Deformer>(prepared, subject.mesh.positions, subject.region,
                                            deform_options(run), *device.kernels);
+        first->response();
       });
 }
 

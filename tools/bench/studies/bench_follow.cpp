@@ -115,7 +115,6 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
       settings.budget_ms > 0.0 ? settings.budget_ms : frame_budget_ms(mesh.vertex_count());
   Samples frames;
   SettledPose pose;
-  edit.deformer().response();
   const Stopwatch preparing;
   edit.deformer().prepare_to_follow();
   const double ready_ms = preparing.elapsed_ms();

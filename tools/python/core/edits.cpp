@@ -115,7 +115,7 @@ class Edit {
     return py::make_tuple(std::move(vertices), std::move(certificates));
   }
 
-  // (columns of shape (k, 3, 4, n, 3), centers of shape (k, 3)).
+  // (columns of shape (k, 3, 4, n, 3), centers of shape (k, 3), why the system is not exact).
   py::tuple response(const std::vector<std::size_t>& handles, const py::object& heard) {
     const SurfaceResponse response = Interruptible(heard).call([&](const Progress& progress) {
       const std::lock_guard lock(mutex_);
@@ -129,7 +129,7 @@ class Edit {
       const py::gil_scoped_release unlocked;  // it is much
       for (const Eigen::Vector3d& v : response.columns) to = std::copy(v.data(), v.data() + 3, to);
     }
-    return py::make_tuple(std::move(columns), array_of(response.centers));
+    return py::make_tuple(std::move(columns), array_of(response.centers), response.why_not_exact);
   }
 
   const PreparedDeform& prepared() const { return *prepared_; }

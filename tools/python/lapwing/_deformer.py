@@ -30,6 +30,8 @@ class Response(NamedTuple):
     columns: Array
     #: (k, 3), in the mesh's coordinates: the centroid of each handle's vertices.
     centers: Array
+    #: Why details do not turn: what the exact system would need, and may take. Empty where they do.
+    why_not_exact: str = ""
 
     def displacements(self, motions: Any) -> Array:
         """(n, 3), what is to be added to the vertices at rest, for one motion for each of the k
@@ -158,8 +160,9 @@ class Deformer:
         `handles` are numbers from 0. The columns come from what is prepared, by 12 right-hand sides
         a handle, and take 288 bytes a vertex and handle. What a Deformer with `settle=False` solves
         is V + `displacements` to 1e-6 of the diagonal, but for loose parts, which turn here to first
-        order alone; targets are left out, and images of mirrored handles go along. A region that is too large for the exact system (a warning of `solve` says
-        so) follows with its details unturned. Raises InputError for a handle that there is not,
+        order alone; targets are left out, and images of mirrored handles go along. A region that is
+        too large for the exact system (`why_not_exact` says so) follows with its details unturned.
+        The first call with settling factors that system. Raises InputError for a handle that there is not,
         SolverError where there is not the memory, and what `progress` raises.
         """
         count = self._edit.handle_count
