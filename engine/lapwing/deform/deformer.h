@@ -100,18 +100,19 @@ class Deformer {
   /// One settled frame of a drag: moves `pose` on to where the handles' motions take it. It begins
   /// where the last frames lead as far as the handles go on as they did, and goes the rest of the
   /// way by the linear response: that of `response` or `response_of`, which was asked for last, as
-  /// long as the other handles rest, or a DragPreview's where none was asked for, which does as
-  /// well (tools/bench/measured). Every frame is a better surface than that, and as good as `go_on`
-  /// (Settler::follow) leaves time for. Where that was too little for a frame, a region of 6,500
-  /// vertices or more is taken along by one of 3,500 instead (CoarseDrag), which takes little time
-  /// at any size and asks `go_on`, too, until the handles rest; then the surface itself is settled.
-  /// Which frames have that surface depends on when it is made (`begin_to_follow`); after
-  /// `prepare_to_follow` all do. With the same motions again it goes on, and once settled nothing
-  /// moves. `turns` are those of `solve`. From an empty pose it begins where `solve` does, and so
-  /// does a frame in which a handle has turned by more than 90 degrees since the last, for which
-  /// the old pose tells too little. One drag at a time; another one begins with `begin_drag`.
-  /// Throws InputError without settling in the options, SolverError when the result is not finite,
-  /// Cancelled when `progress` asks for it, each time with `pose` as it was.
+  /// long as the other handles rest. Where none was asked for it is a DragPreview's, which does as
+  /// well where the coarse surface leads (below), and that of `response` elsewhere. Every frame is
+  /// a better surface than that, and as good as `go_on` (Settler::follow) leaves time for. Where
+  /// that was too little for a frame, a region of 6,500 vertices or more is taken along by one of
+  /// 3,500 instead (CoarseDrag), which takes little time at any size and asks `go_on`, too, until
+  /// the handles rest; then the surface itself is settled. Which frames have that surface depends
+  /// on when it is made (`begin_to_follow`); after `prepare_to_follow` all do. With the same
+  /// motions again it goes on, and once settled nothing moves. `turns` are those of `solve`. From
+  /// an empty pose it begins where `solve` does, and so does a frame in which a handle has turned
+  /// by more than 90 degrees since the last, for which the old pose tells too little. One drag at a
+  /// time; another one begins with `begin_drag`. Throws InputError without settling in the options,
+  /// SolverError when the result is not finite, Cancelled when `progress` asks for it, each time
+  /// with `pose` as it was.
   void follow(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
               SettledPose& pose, const GoOn& go_on = {}, const Progress& progress = {}) const;
 
@@ -126,7 +127,8 @@ class Deformer {
   /// within their frames.
   void begin_to_follow() const;
 
-  /// The same, and waits until all is there, so that no drag depends on how long it takes to make.
+  /// The same, with the linear response that frames go by, and waits until all is there, so that no
+  /// drag depends on how long it takes to make.
   /// Throws Cancelled when `progress` asks for it.
   void prepare_to_follow(const Progress& progress = {}) const;
 
@@ -160,6 +162,7 @@ class Deformer {
            const Progress& progress);
   void hold(const Progress& progress) const;
   void make_response(const Progress& progress) const;
+  void make_columns_to_follow(const Progress& progress) const;
   std::shared_ptr<const DragResponse> columns_of(std::vector<std::size_t> handles,
                                                  const Progress& progress) const;
   void hold_for_settling() const;

@@ -53,13 +53,6 @@ std::uint64_t next_frame() {
 
 }  // namespace
 
-// Frames that settle need no more. Under the lock, the n x n factor being held.
-void Deformer::State::make_columns_along_axes() {
-  std::vector<std::size_t> all = system->all_handles();
-  Numbers columns = axis_response(*system, all);
-  latest = std::make_shared<const DragResponse>(system, std::move(all), std::move(columns), true);
-}
-
 bool Deformer::State::has_columns_for(std::span<const double> q) const {
   if (latest == nullptr) return false;
   std::size_t covered = 0;
@@ -240,6 +233,18 @@ void Deformer::make_response(const Progress& progress) const {
   s.has_response = true;
 }
 
+// Where a coarse surface leads, frames need no more than columns along axes. Where it does not, the
+// response saves iterations, and is made soon. Under the lock.
+void Deformer::make_columns_to_follow(const Progress& progress) const {
+  State& s = *state_;
+  if (!CoarseDrag::is_of_use(*s.system)) return make_response(progress);
+  hold_for_settling();
+  std::vector<std::size_t> all = s.system->all_handles();
+  Numbers columns = axis_response(*s.system, all);
+  s.latest =
+      std::make_shared<const DragResponse>(s.system, std::move(all), std::move(columns), true);
+}
+
 std::shared_ptr<const DragResponse> Deformer::response_of(std::span<const std::size_t> handles,
                                                           const Progress& progress) const {
   const ProgressScope scope(progress);
@@ -288,8 +293,8 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   edit.set_parameters(motions, next.parameters);
   if (pose.settled.settled && next.parameters == pose.parameters) return;
   const auto lock = edit.systems->lock();
+  if (s.latest == nullptr) make_columns_to_follow(progress);
   hold_for_settling();
-  if (s.latest == nullptr) state_->make_columns_along_axes();
   std::vector<Vector3d>& wanted = s.asked[0];
   edit.asked_displacement(next.parameters, wanted);
   const std::vector<double> scales = s.asked_scales(motions);
@@ -362,6 +367,8 @@ void Deformer::prepare_to_follow(const Progress& progress) const {
   if (s.coarse_aside.is_at_work()) s.coarse = s.coarse_aside.take();
   report_progress(progress, "coarse surface", 1.0);
   if (s.tangent != nullptr) s.tangent->wait_until_prepared();
+  const auto lock = s.system->systems->lock();
+  if (s.settler != nullptr && s.latest == nullptr) make_columns_to_follow(progress);
 }
 
 void Deformer::begin_drag() const {

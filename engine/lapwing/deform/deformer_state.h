@@ -61,7 +61,6 @@ struct Deformer::State {
   bool has_scale_forces() const;
   Numbers forces_of_scales(std::span<const double> q) const;
   Numbers forces_of(std::span<const double> q) const;
-  void make_columns_along_axes();
   bool has_columns_for(std::span<const double> q) const;
   Positions still() const;
   Positions moved_as(const Positions& displacement) const;
