@@ -56,7 +56,7 @@ class Deformer:
 
     `handles` are regions (or dicts with "region" and how firmly it holds: "weight", "falloff");
     everything else is as in `lapwing.deform`, and so are the results, bit for bit. Preparing takes
-    tens of milliseconds for ten thousand vertices and 4 to 12 kB of memory a vertex. Threads may
+    tens of milliseconds for ten thousand vertices and about 8 kB of memory a vertex. Threads may
     share one: their calls take turns. It can be pickled; whoever unpickles it prepares anew, so
     that a cluster's workers get one each.
     """
