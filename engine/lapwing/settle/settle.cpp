@@ -27,11 +27,11 @@ constexpr int kWindow = 10;
 
 // Chosen on ten scans.
 constexpr SettlePace kPace{.plain = 7, .tangent = 5, .before_parts = 5, .ends_plain = false};
-// Plain iterations after which a surface that bends slowly is known, and what its last one leaves
-// of E then: E falls by so much, and is far from its least, where long parts bend.
+// Plain iterations that show whether a surface bends slowly. Where the last of them leaves less
+// than this share of E, E is still far from its least: long parts bend.
 constexpr int kIterationsToTell = 2;
 constexpr double kSlowlyLeft = 0.75;
-// And plain ones from a better start.
+// Plain iterations from a better start.
 constexpr int kPlainFromBetter = 3;
 // Of a frame, whose history already tells of the pose.
 constexpr SettlePace kPaceOfFrame{50, 5, 25};
@@ -191,13 +191,13 @@ void Settler::State::take_next() {
   is_placed = true;
 }
 
-// After so many plain iterations, `next` being where the last one began.
+// Asked after those iterations, when `next` is where the last one began.
 bool Settler::State::bends_slowly() const {
   return taken == kIterationsToTell && !by_tangent && last_step > kLongStep &&
          at.energy < kSlowlyLeft * next.energy;
 }
 
-// Settling goes on from there where E is less than where it began.
+// Goes on from a better start, where E is less than where settling began.
 void Settler::State::take_start(const BetterStart& better, const SettleTarget& target,
                                 std::span<Vector3d> u) {
   finish(u);
@@ -213,8 +213,8 @@ void Settler::State::take_start(const BetterStart& better, const SettleTarget& t
   }
 }
 
-// By a plain step, which is far shorter than the way that long parts have left to bend, unless it
-// is next to nothing.
+// Whether settling would end by a plain step, which may be far shorter than the way that long parts
+// have left to bend. A step that is next to nothing may be what it ends by.
 bool Settler::State::must_turn_to_end() const {
   constexpr double kNextToNothing = 1e-4;
   return !pace.ends_plain && !by_tangent && tangent != nullptr &&
