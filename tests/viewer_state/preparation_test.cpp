@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/mesh/shapes.h"
 #include "support/dragged.h"
 #include "viewer_state/tube_edit.h"
 
@@ -145,6 +146,35 @@ TEST(Preparation, AnotherHandleTakenInHandGetsColumnsOfItsOwn) {
   const auto motions = motions_of(state);
   EXPECT_EQ(lapwing::test::dragged(preparation.drag_response().response, motions),
             lapwing::test::dragged(exact->response(), motions));
+}
+
+// A tube of 7,260 vertices along z from 0 to 6, which a coarse surface leads.
+AppState chosen_large_tube() {
+  AppState state = open_state(rippled_cylinder(60, 121));
+  state = apply(std::move(state), Choose{kRoi, box(0.3, 7.0)});
+  return apply(std::move(state), Choose{kHandle, box(5.6, 7.0)});
+}
+
+TEST(Preparation, WhereACoarseSurfaceLeadsDragsGoByThePreviewAndComeToTheSame) {
+  AppState state = chosen_large_tube();
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  wait_for(preparation, Phase::ready);
+  EXPECT_FALSE(preparation.drag_response().is_exact);
+  EXPECT_TRUE(preparation.exact()->is_exact()) << "as far as was asked";
+  EXPECT_EQ(preparation.drag_response().response, preparation.preview()->response());
+  state = apply(std::move(state), MoveHandle{0, bent()});
+  const Pose pose = follow_to_the_end(preparation, state);
+  EXPECT_LT(largest_distance(positions_at(state, *pose), solved(state)), kSettled);
+}
+
+TEST(Preparation, WithoutSettlingALargeRegionIsDraggedByTheExactResponse) {
+  AppState state = chosen_large_tube();
+  state.parameters.settle.reset();
+  Preparation preparation(cpu_kernels);
+  preparation.follow(state);
+  wait_for(preparation, Phase::ready);
+  EXPECT_TRUE(preparation.drag_response().is_exact);
 }
 
 TEST(Preparation, SettlesAsADeformerMadeAtOnceDoes) {

@@ -11,16 +11,23 @@ namespace {
 
 using Phase = PreparationStatus::Phase;
 
-const char* words(Phase phase, bool is_exact, bool has_handle) {
+const char* words_of_ready(const Preparation& preparation) {
+  const auto exact = preparation.exact();
+  if (exact == nullptr || preparation.drag_response().is_exact) return "exact response ready";
+  return exact->is_exact() ? "ready: settles as it is dragged"
+                           : "preview ready; too large for the exact response";
+}
+
+const char* words(Phase phase, const Preparation& preparation, bool has_handle) {
   switch (phase) {
     case Phase::idle:
       return has_handle ? "not prepared" : "choose an ROI and a handle";
     case Phase::previewing:
       return "preparing the preview";
     case Phase::solving:
-      return "preview ready; preparing the exact response";
+      return "preview ready; preparing the rest";
     case Phase::ready:
-      return is_exact ? "exact response ready" : "preview ready; too large for the exact response";
+      return words_of_ready(preparation);
     case Phase::settling:
       return "settling";
     case Phase::failed:
@@ -47,9 +54,8 @@ void draw_progress(Editor& editor) {
   PreparationStatus status = session.preparation().status();
   // What settles as it is dragged comes and goes with every frame.
   if (status.phase == Phase::settling && editor.is_dragging()) status.phase = Phase::ready;
-  const auto exact = session.preparation().exact();
-  ImGui::TextWrapped("%s", words(status.phase, exact == nullptr || exact->is_exact(),
-                                 !editor.state().selection.handles.empty()));
+  ImGui::TextWrapped(
+      "%s", words(status.phase, session.preparation(), !editor.state().selection.handles.empty()));
   if (!status.message.empty()) ImGui::TextWrapped("%s", status.message.c_str());
   if (editor.handles_leave_roi() && ImGui::Button("Enlarge the ROI")) editor.enlarge_roi();
   const bool prepares = status.phase == Phase::previewing || status.phase == Phase::solving;

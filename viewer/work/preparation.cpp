@@ -256,6 +256,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
                         dragged(), progress),
         [topology = surface_of(state)->shared_topology()](DragPreview* p) { delete p; });
     ready.drag_by = {ready.preview->response(), upload(*ready.preview->response()), false};
+    const bool follows = state.parameters.settle && !state.parameters.commit_every;
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
@@ -263,10 +264,11 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
         new Deformer(*ready.preview, *ready.exact_kernels, progress),
         [kernels = ready.exact_kernels,
          topology = surface_of(state)->shared_topology()](Deformer* d) { delete d; });
-    ready.drag_by = exact_response(*ready.exact, dragged(), progress);
+    ready.by_preview = follows && !ready.exact->response_helps_to_follow();
+    if (!ready.by_preview) ready.drag_by = response_of(ready, dragged(), progress);
     if (!publish(ticket, ready, Phase::ready)) return;
     // So that it is there when a hand takes hold of something.
-    if (state.parameters.settle && !state.parameters.commit_every) ready.exact->begin_to_follow();
+    if (follows) ready.exact->begin_to_follow();
   } catch (const Cancelled&) {
     // Whoever cancelled has set the status.
   } catch (const std::exception& error) {
@@ -274,12 +276,14 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
   }
 }
 
-Preparation::ToDragBy Preparation::exact_response(const Deformer& exact,
-                                                  std::span<const std::size_t> handles,
-                                                  const Progress& progress) const {
-  std::shared_ptr<const DragResponse> response = exact.response_of(handles, progress);
+Preparation::ToDragBy Preparation::response_of(const Ready& ready,
+                                               std::span<const std::size_t> handles,
+                                               const Progress& progress) const {
+  std::shared_ptr<const DragResponse> response = ready.by_preview
+                                                     ? ready.preview->response_of(handles)
+                                                     : ready.exact->response_of(handles, progress);
   std::shared_ptr<BlendResponse> on_device = upload(*response);
-  return {std::move(response), std::move(on_device), exact.is_exact()};
+  return {std::move(response), std::move(on_device), !ready.by_preview && ready.exact->is_exact()};
 }
 
 // Columns for the handles that are dragged now.
@@ -292,7 +296,7 @@ void Preparation::respond(const Ready& ready, std::uint64_t ticket) {
       const std::lock_guard lock(worker_.mutex());
       handles = dragged_of(ready.exact->region().handles.size());
     }
-    ToDragBy drag_by = exact_response(*ready.exact, handles, progress);
+    ToDragBy drag_by = response_of(ready, handles, progress);
     const std::lock_guard lock(worker_.mutex());
     if (ticket_ == ticket) ready_.drag_by = std::move(drag_by);
   } catch (const Cancelled&) {

@@ -142,6 +142,7 @@ class Preparation {
     std::shared_ptr<const DragPreview> preview;
     std::shared_ptr<const Deformer> exact;
     std::shared_ptr<Kernels> exact_kernels;
+    bool by_preview = false;  ///< drags settle, and need no exact response
     ToDragBy drag_by;
   };
 
@@ -165,8 +166,8 @@ class Preparation {
   void prepare(const AppState& state, std::uint64_t ticket);
   bool has_columns() const;
   std::vector<std::size_t> dragged_of(std::size_t handle_count) const;
-  ToDragBy exact_response(const Deformer& exact, std::span<const std::size_t> handles,
-                          const Progress& progress) const;
+  ToDragBy response_of(const Ready& ready, std::span<const std::size_t> handles,
+                       const Progress& progress) const;
   void respond(const Ready& ready, std::uint64_t ticket);
   void settle_now(const Request& request, const Ready& ready);
   LiveResult live_result(const Request& request, const Ready& ready, const Progress& progress);

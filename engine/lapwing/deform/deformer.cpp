@@ -123,19 +123,18 @@ Numbers Deformer::State::forces_of(std::span<const double> q) const {
 
 Deformer::Deformer(std::span<const Vector3d> rest, const Topology& topology, EditRegion region,
                    const DeformOptions& options, Kernels& kernels, const Progress& progress)
-    : Deformer(edit_of(topology, rest, std::move(region), options, progress), kernels, false,
-               progress) {}
+    : Deformer(edit_of(topology, rest, std::move(region), options, progress), kernels, progress) {}
 
 Deformer::Deformer(PreparedRegion& prepared, std::span<const Vector3d> rest, EditRegion region,
                    const DeformOptions& options, Kernels& kernels, const Progress& progress)
     : Deformer(
           std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress),
-          kernels, false, progress) {}
+          kernels, progress) {}
 
 Deformer::Deformer(const DragPreview& preview, Kernels& kernels, const Progress& progress)
-    : Deformer(preview.system(), kernels, true, progress) {}
+    : Deformer(preview.system(), kernels, progress) {}
 
-Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, bool is_dragged,
+Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
                    const Progress& progress)
     : state_(std::make_unique<State>()) {
   const ProgressScope scope(progress);
@@ -145,7 +144,7 @@ Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, b
   const EditSystem& edit = *s.system;
   s.timings = edit.timings;
   const auto lock = edit.systems->lock();
-  if (is_dragged || !edit.options.settle) s.hold_response(progress, s.timings);
+  if (!edit.options.settle) s.hold_response(progress, s.timings);
   edit.assemble_laplacian();
   s.weights = edit.systems->laplacian().shared_weights();
   Stopwatch watch;

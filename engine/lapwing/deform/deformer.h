@@ -67,10 +67,9 @@ class Deformer {
   Deformer(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
            const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// Prepares what `preview` has not, of a drag, from "assemble" to "factor" whether it settles or
-  /// not; timings include those of the preview's stages that it shares. May run on a thread of its
-  /// own while `preview` is dragged, if `kernels` are not those that the preview uses
-  /// (VulkanKernels may share a context).
+  /// Prepares what `preview` has not, without settling from "assemble" on; timings include those of
+  /// the preview's stages that it shares. May run on a thread of its own while `preview` is
+  /// dragged, if `kernels` are not those that the preview uses (VulkanKernels may share a context).
   Deformer(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
   ~Deformer();
   Deformer(Deformer&&) noexcept;
@@ -120,6 +119,10 @@ class Deformer {
   void follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose, const GoOn& go_on = {},
               const Progress& progress = {}) const;
 
+  /// Whether frames that `follow` settles are the better for `response`: smaller regions', and none
+  /// where nothing settles.
+  bool response_helps_to_follow() const;
+
   /// Begins to make what `follow` needs where frames have too little time: the coarse surface, and
   /// the memory for the tangent of a pose, which is as large as the 3n x 3n factor. Threads of its
   /// own do, in a third of a second at 26,000 vertices and some seconds at a million; returns at
@@ -158,8 +161,7 @@ class Deformer {
 
  private:
   struct State;
-  Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, bool is_dragged,
-           const Progress& progress);
+  Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels, const Progress& progress);
   void hold(const Progress& progress) const;
   void make_response(const Progress& progress) const;
   void make_columns_to_follow(const Progress& progress) const;

@@ -237,7 +237,7 @@ void Deformer::make_response(const Progress& progress) const {
 // response saves iterations, and is made soon. Under the lock.
 void Deformer::make_columns_to_follow(const Progress& progress) const {
   State& s = *state_;
-  if (!CoarseDrag::is_of_use(*s.system)) return make_response(progress);
+  if (response_helps_to_follow()) return make_response(progress);
   hold_for_settling();
   std::vector<std::size_t> all = s.system->all_handles();
   Numbers columns = axis_response(*s.system, all);
@@ -350,6 +350,10 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   next.frame = on.last_frame = next_frame();
   on.coarse_is_there = by_coarse;
   pose = std::move(next);
+}
+
+bool Deformer::response_helps_to_follow() const {
+  return state_->settler != nullptr && !CoarseDrag::is_of_use(*state_->system);
 }
 
 void Deformer::begin_to_follow() const {
