@@ -58,7 +58,7 @@ class ModuleEngine:
         progress: Progress,
     ) -> Tuple[np.ndarray, "PreparedEdit"]:
         """The linear response to each number of each of `frames`, those of the first handles, as
-        displacements (12 k, n, 3), and the edit that settles, both by one factorization."""
+        displacements (12 k, n, 3), and the edit that settles, both of one preparation."""
         keys = {key: value for key, value in step.items() if key not in ("op", "handles")}
         with self.heard(progress) as hear:
             edit = self._module.Deformer(
