@@ -307,6 +307,19 @@ TEST_F(PreparedTube, RegionThatDidNotFitIsExactOnceItMayBe) {
   EXPECT_LT((solved(without, edit)[500] - solved(exact, edit)[500]).norm(), 1e-2);
 }
 
+TEST_F(PreparedTube, ResponseAskedForBeforeChangesNoBitOfWhatSettles) {
+  const std::array far{
+      Affine3d(Eigen::Translation3d(1.8, 0.0, 0.0) * Eigen::AngleAxisd(0.5, Vector3d::UnitY()))};
+  for (const bool turns_freely : {false, true}) {
+    Edit edit = first_edit(mesh_);
+    edit.region.turns_freely = turns_freely;
+    const Deformer asked(mesh_.positions, topology_, edit.region, edit.options, kernels_);
+    asked.response();
+    const Deformer alone(mesh_.positions, topology_, edit.region, edit.options, kernels_);
+    EXPECT_TRUE(same_bits(asked.solve(far).positions, alone.solve(far).positions)) << turns_freely;
+  }
+}
+
 TEST_F(PreparedTube, EarlierDeformerIsDraggedWhileTheNextIsPrepared) {
   const Edit first = first_edit(mesh_);
   Edit other = first;

@@ -12,21 +12,21 @@ namespace fs = std::filesystem;
 
 TEST(TypedPath, ATildeIsTheHomeFolder) {
   const test::Environment home("HOME", "/home/ann");
-  EXPECT_EQ(path_of("~", "/work"), "/home/ann");
-  EXPECT_EQ(path_of("~/hand.ply", "/work"), "/home/ann/hand.ply");
-  EXPECT_EQ(path_of("~bob/hand.ply", "/work"), "/work/~bob/hand.ply") << "a file may be called so";
+  EXPECT_EQ(path_of("~", "/shown"), "/home/ann");
+  EXPECT_EQ(path_of("~/hand.ply", "/shown"), "/home/ann/hand.ply");
+  EXPECT_EQ(path_of("~bob/hand.ply", "/shown"), "/shown/~bob/hand.ply") << "a file may be called so";
   EXPECT_EQ(with_tilde("/home/ann/a/hand.ply"), "~/a/hand.ply");
   EXPECT_EQ(with_tilde("/home/ann"), "~");
   EXPECT_EQ(with_tilde("/home/anna/hand.ply"), "/home/anna/hand.ply");
 }
 
 TEST(TypedPath, WhatIsNotAbsoluteIsInTheFolderThatIsShown) {
-  EXPECT_EQ(path_of("hand.ply", "/work"), "/work/hand.ply");
-  EXPECT_EQ(path_of("  a/../b/hand.ply ", "/work"), "/work/b/hand.ply");
-  EXPECT_EQ(path_of("../hand.ply", "/work/a"), "/work/hand.ply");
-  EXPECT_EQ(path_of("models/", "/work"), "/work/models");
-  EXPECT_EQ(path_of("/tmp//x", "/work"), "/tmp/x");
-  EXPECT_EQ(path_of("/", "/work"), "/");
+  EXPECT_EQ(path_of("hand.ply", "/shown"), "/shown/hand.ply");
+  EXPECT_EQ(path_of("  a/../b/hand.ply ", "/shown"), "/shown/b/hand.ply");
+  EXPECT_EQ(path_of("../hand.ply", "/shown/a"), "/shown/hand.ply");
+  EXPECT_EQ(path_of("models/", "/shown"), "/shown/models");
+  EXPECT_EQ(path_of("/tmp//x", "/shown"), "/tmp/x");
+  EXPECT_EQ(path_of("/", "/shown"), "/");
 }
 
 class Completion : public ::testing::Test {

@@ -112,6 +112,22 @@ TEST(Preparation, PreviewComesFirstThenTheExactOne) {
   EXPECT_NE(preparation.exact(), nullptr);
 }
 
+TEST(Preparation, ItsProgressDoesNotGoBack) {
+  for (const bool settles : {true, false}) {
+    AppState state = chosen_tube();
+    if (!settles) state.parameters.settle.reset();
+    Preparation preparation(cpu_kernels);
+    preparation.follow(state);
+    double last = 0.0;
+    for (PreparationStatus status; status.phase != Phase::ready;) {
+      status = preparation.status();
+      ASSERT_GE(status.fraction, last) << status.stage;
+      last = status.fraction;
+    }
+    EXPECT_EQ(last, 1.0);
+  }
+}
+
 TEST(Preparation, PreviewIsDraggedWhileTheExactOneIsMade) {
   Preparation preparation(cpu_kernels);
   const AppState state = apply(chosen_tube(), MoveHandle{0, bent()});

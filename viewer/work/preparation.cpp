@@ -12,15 +12,21 @@ namespace {
 
 using Phase = PreparationStatus::Phase;
 
+// Where nothing settles "upload" comes after "factor".
 constexpr std::array<std::string_view, 12> kStages{
-    "pattern", "constraints",   "order",  "laplacian", "preview", "assemble",
-    "analyze", "normal_matrix", "factor", "shares",    "upload",  "response"};
+    "pattern", "constraints", "order",   "laplacian",     "preview", "shares",
+    "upload",  "assemble",    "analyze", "normal_matrix", "factor",  "response"};
 
 // By stages, not by time, which depends on the mesh and the device.
 double fraction_of_preparation(std::string_view stage, double fraction) {
   const auto found = std::find(kStages.begin(), kStages.end(), stage);
   if (found == kStages.end()) return 1.0;
   return (static_cast<double>(found - kStages.begin()) + fraction) / kStages.size();
+}
+
+// Whether drags are followed settled, frame by frame.
+bool settles_frames(const AppState& state) {
+  return state.parameters.settle && !state.parameters.commit_every;
 }
 
 bool can_be_prepared(const AppState& state) {
@@ -240,7 +246,7 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
   const Progress progress =
       worker_.progress(ticket_, ticket, [this](std::string_view stage, double fraction) {
         status_.stage = stage;
-        status_.fraction = fraction_of_preparation(stage, fraction);
+        status_.fraction = std::max(status_.fraction, fraction_of_preparation(stage, fraction));
       });
   last_live_.reset();
   try {
@@ -256,7 +262,6 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
                         dragged(), progress),
         [topology = surface_of(state)->shared_topology()](DragPreview* p) { delete p; });
     ready.drag_by = {ready.preview->response(), upload(*ready.preview->response()), false};
-    const bool follows = state.parameters.settle && !state.parameters.commit_every;
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
@@ -264,11 +269,11 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
         new Deformer(*ready.preview, *ready.exact_kernels, progress),
         [kernels = ready.exact_kernels,
          topology = surface_of(state)->shared_topology()](Deformer* d) { delete d; });
-    ready.by_preview = follows && !ready.exact->response_helps_to_follow();
+    ready.by_preview = settles_frames(state) && !ready.exact->response_helps_to_follow();
     if (!ready.by_preview) ready.drag_by = response_of(ready, dragged(), progress);
     if (!publish(ticket, ready, Phase::ready)) return;
     // So that it is there when a hand takes hold of something.
-    if (follows) ready.exact->begin_to_follow();
+    if (settles_frames(state)) ready.exact->begin_to_follow();
   } catch (const Cancelled&) {
     // Whoever cancelled has set the status.
   } catch (const std::exception& error) {
@@ -383,7 +388,7 @@ LiveResult Preparation::live_result(const Request& request, const Ready& ready,
   AppState state = request.state;
   // What it carries is shown beside the window.
   state.carried.clear();
-  if (state.parameters.settle && !state.parameters.commit_every) {
+  if (settles_frames(state)) {
     return follow_drag(request, *ready.exact, progress);
   }
   state.settled =

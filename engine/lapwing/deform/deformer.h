@@ -92,7 +92,9 @@ class Deformer {
 
   /// The same for motions whose rotations came about by `turns`, one per handle, which may be more
   /// than half a turn (TurnTracker follows them): the surface is wound that way, as far as it can
-  /// hold it. What was solved or dragged before makes no difference to the bits.
+  /// hold it. What was solved or asked for before makes no difference to the bits. A drag may have
+  /// found a better order for the tangent of a pose (`begin_to_follow`), which rounds otherwise:
+  /// that makes one of some 1e-7 of the region.
   DeformResult solve(std::span<const Eigen::Affine3d> motions,
                      std::span<const Eigen::AngleAxisd> turns, const Progress& progress = {}) const;
 

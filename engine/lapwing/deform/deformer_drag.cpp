@@ -97,7 +97,7 @@ Positions Deformer::State::displacement_by(std::span<const double> q) const {
     return u;
   }
   const std::vector<Vector3d> wanted = system->wanted_displacement(q);
-  if (has_system) {
+  if (latest != nullptr && !latest->columns().along_axes) {
     StageTimings untold;
     system->hold_response(*kernels, {}, untold);
     return lapwing::linear_displacement(*system, wanted, forces_of_scales(q));
@@ -257,7 +257,6 @@ std::shared_ptr<const DragResponse> Deformer::columns_of(std::vector<std::size_t
                                                          const Progress& progress) const {
   State& s = *state_;
   hold(progress);
-  s.has_system = is_exact();
   report_progress(progress, "response", 0.0);
   const HandleShares* shares = s.has_scale_forces() ? &s.held_shares() : nullptr;
   Numbers columns = is_exact() ? response_basis(*s.system, handles, shares, progress)

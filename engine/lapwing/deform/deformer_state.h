@@ -36,7 +36,6 @@ struct Deformer::State {
   std::atomic<bool> has_response = false;      ///< `response` does not change from then on
   std::shared_ptr<const DragResponse> latest;  ///< asked for last
   std::string why_not_exact;
-  bool has_system = false;  ///< whether drags go by the 3n x 3n system
 
   // Fields over the mesh that frames write again and again, so that none of them takes a time that
   // is that of the mesh: what handles ask for, now and of the pose before; what pulls; and a

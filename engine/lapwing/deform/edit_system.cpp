@@ -103,7 +103,7 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
           systems->find_order();
         }
       });
-  // What no preview waits for is made exact next.
+  // What no preview waits for comes to a 3n x 3n system next, the response's or a tangent's.
   if (needs_laplacian && !is_previewed) systems->analyze_both();
   timings.add(stage, watch.elapsed_ms());
   watch.restart();

@@ -78,10 +78,10 @@ void RegionSystem::hold_response(const SystemTerms& terms, std::span<const doubl
   response_->factor(W, progress, timings);
 }
 
-// Null where nobody does.
+// Null where nobody does. Of what turns freely the response has other rows.
 std::shared_ptr<const BlockRows> RegionSystem::held_tangent_rows(const SystemTerms& terms) const {
-  const bool response_has =
-      response_ != nullptr && response_kind_ == LinearResponse::tangent && terms == response_terms_;
+  const bool response_has = response_ != nullptr && response_kind_ == LinearResponse::tangent &&
+                            terms == response_terms_ && !terms.turns_freely;
   if (response_has) return response_->rows();
   return terms == rows_terms_ ? rows_.lock() : nullptr;
 }

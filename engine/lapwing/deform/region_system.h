@@ -93,7 +93,8 @@ class RegionSystem {
   std::mutex mutex_;
   LaplacianSystem laplacian_;
   SystemTerms laplacian_terms_;  ///< no positions where it is not assembled
-  std::shared_ptr<const SolverAnalysis> analysis_ahead_;  ///< for `response_`; null elsewhere
+  /// For whoever factors a 3n x 3n system first; null where it was not made ahead.
+  std::shared_ptr<const SolverAnalysis> analysis_ahead_;
   std::unique_ptr<ResponseSystem> response_;
   LinearResponse response_kind_ = LinearResponse::tangent;
   SystemTerms response_terms_;
