@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numbers>
+#include <numeric>
 #include <set>
 
 #include <Eigen/Geometry>
@@ -127,6 +130,71 @@ TEST(Decimate, VerticesWithoutTrianglesHaveNoOwner) {
   Mesh mesh = icosphere(1);
   mesh.positions.emplace_back(9.0, 9.0, 9.0);
   EXPECT_EQ(decimated(mesh, 20).owners.back(), kNoIndex);
+}
+
+// A cone of 40 triangles around its tip, and a brim: many more than any vertex has in the end. The
+// tip itself may neither go nor be gone into.
+TEST(Decimate, CrowdedVertexLosesItsNeighboursFirst) {
+  constexpr Index kAround = 40;
+  Mesh cone;
+  cone.positions.emplace_back(0.0, 0.0, 1.0);
+  for (const double radius : {1.0, 1.5}) {
+    for (Index k = 0; k < kAround; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kAround;
+      cone.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    }
+  }
+  for (Index k = 0; k < kAround; ++k) {
+    const Index next = (k + 1) % kAround;
+    cone.add_face(Triangle{0, 1 + k, 1 + next});
+    cone.add_face(Triangle{1 + k, 1 + kAround + k, 1 + kAround + next});
+    cone.add_face(Triangle{1 + k, 1 + kAround + next, 1 + next});
+  }
+  const Decimated d = decimated(cone, 60);
+  EXPECT_LE(d.kept.size(), 60U);
+  EXPECT_EQ(characteristic(d), 1);
+}
+
+// Where triangles are turned over, neighbours are not next and last any more.
+TEST(Decimate, TriangleTurnedOverStaysOnItsSurface) {
+  const Mesh sphere = icosphere(4);
+  Mesh turned;
+  turned.positions = sphere.positions;
+  Index number = 0;
+  for (Triangle t : sphere.topology().triangles) {
+    if (++number % 50 == 0) std::swap(t[1], t[2]);
+    turned.add_face(t);
+  }
+  const Decimated d = decimated(turned, 300);
+  EXPECT_LE(d.kept.size(), 300U);
+  EXPECT_EQ(characteristic(d), 2);
+}
+
+// But for costs that are the same up to rounding.
+TEST(Decimate, HowVerticesAreNumberedHardlyMatters) {
+  Mesh given = icosphere(4);
+  for (Vector3d& p : given.positions) {
+    p *= 1.0 + 0.1 * std::sin(7.0 * p.x() + 1.0) * std::cos(5.0 * p.y() + 2.0 * p.z());
+  }
+  const auto n = static_cast<Index>(given.vertex_count());
+  constexpr Index kStep = 1003;  // no factor in common with n
+  ASSERT_EQ(std::gcd(n, kStep), 1U);
+  const auto other = [&](Index v) { return (v * kStep + 17) % n; };
+  Mesh shuffled;
+  shuffled.positions.resize(n);
+  for (Index v = 0; v < n; ++v) shuffled.positions[other(v)] = given.positions[v];
+  for (const auto& [a, b, c] : given.topology().triangles) {
+    shuffled.add_face(Triangle{other(b), other(c), other(a)});
+  }
+  std::vector<Index> expected;
+  for (const Index v : decimated(given, 300).kept) expected.push_back(other(v));
+  std::sort(expected.begin(), expected.end());
+  const std::vector<Index> actual = decimated(shuffled, 300).kept;
+  ASSERT_EQ(actual.size(), expected.size());
+  std::vector<Index> both;
+  std::set_intersection(actual.begin(), actual.end(), expected.begin(), expected.end(),
+                        std::back_inserter(both));
+  EXPECT_GE(both.size(), 290U);
 }
 
 TEST(Decimate, FarFromTheOriginIsTheSame) {

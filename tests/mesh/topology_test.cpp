@@ -106,6 +106,12 @@ TEST(Triangulation, ConvexPolygonIsTheFanOfItsFirstCorner) {
   EXPECT_THAT(triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
 }
 
+TEST(AllPlacesIn, ListsEachPlaceAscending) {
+  const Adjacency places = all_places_in(std::vector<Index>{2, 0, kNoIndex, 2, 3, 2}, 5);
+  EXPECT_EQ(places.starts, (std::vector<Index>{0, 1, 1, 4, 5, 5}));
+  EXPECT_EQ(places.values, (std::vector<Index>{1, 0, 3, 5, 4}));
+}
+
 TEST(WithRingNeighbours, ListsEachVertexOnce) {
   const Topology topology = build_topology(grid(2, 2));
   const std::vector<Index> corners{0, 1};

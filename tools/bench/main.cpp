@@ -122,6 +122,8 @@ void add_studies(CLI::App& app, Studies& studies) {
       ->check(CLI::Range(0, 4));
   follow->add_option("--budget", studies.follow.budget_ms, "milliseconds of a frame")
       ->check(CLI::PositiveNumber);
+  follow->add_flag("--at-once", studies.follow.at_once,
+                   "drags begin when they can, not a second later");
   follow->callback([&] { bench_follow(studies.follow); });
 
   auto* edits =

@@ -1,7 +1,8 @@
 #include "lapwing/deform/coarse_region.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <cmath>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -17,6 +18,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kCarriedPerTask = 1024;
+constexpr std::size_t kBoundPerTask = 128;
 
 // Of a handle of fewer vertices each counts.
 constexpr std::size_t kSmallHandle = 16;
@@ -84,18 +86,26 @@ EditRegion kept_of(const EditRegion& region, std::span<const Index> own) {
 
 std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t count) {
   const Positions& rest = *fine.rest;
-  std::vector<Triangle> triangles = triangles_of(fine.region, fine.topology);
   const std::vector<Index> groups = groups_of(fine.region, rest.size());
-  const std::vector<Index> all = numbered(triangles).vertices;
-  const auto outside = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](Index v) {
-    return !std::binary_search(fine.region.roi.begin(), fine.region.roi.end(), v);
-  }));
-  Decimated left = decimate(rest, std::move(triangles), groups, count + outside);
+  // In numbers of their own, so that decimating a part of a mesh costs no more than that part.
+  NumberedTriangles near = numbered(triangles_of(fine.region, fine.topology));
+  Positions near_rest;
+  std::vector<Index> near_groups;
+  std::size_t outside = 0;
+  for (const Index v : near.vertices) {
+    near_rest.push_back(rest[v]);
+    near_groups.push_back(groups[v]);
+    if (!std::binary_search(fine.region.roi.begin(), fine.region.roi.end(), v)) ++outside;
+  }
+  Decimated left = decimate(near_rest, std::move(near.triangles), near_groups, count + outside);
   if (left.kept.size() > outside + fine.region.roi.size() / 2) return nullptr;
 
   auto coarse = std::make_unique<CoarseRegion>();
-  coarse->kept = std::move(left.kept);
-  coarse->owners = std::move(left.owners);
+  coarse->owners.assign(rest.size(), kNoIndex);
+  for (std::size_t k = 0; k < near.vertices.size(); ++k) {
+    coarse->owners[near.vertices[k]] = left.owners[k];
+  }
+  for (const Index k : left.kept) coarse->kept.push_back(near.vertices[k]);
   Positions own_rest;
   for (const Index v : coarse->kept) own_rest.push_back(rest[v]);
   coarse->topology.triangles = std::move(left.triangles);
@@ -123,34 +133,29 @@ CoarseEmbedding::CoarseEmbedding(const EditSystem& fine, const CoarseRegion& coa
   }
   bounds_.resize(vertices_.size());
   origin_ = vertices_.empty() ? Vector3d::Zero() : (*fine.rest)[vertices_.front()];
-  parallel_for(vertices_.size(), kCarriedPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) bounds_[k] = bind(vertices_[k]);
+  std::vector<Index> owners;
+  for (const Index v : vertices_) owners.push_back(coarse.owners[v]);
+  const Adjacency owned = all_places_in(owners, coarse.kept.size());
+  parallel_for(coarse.kept.size(), kBoundPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) bind(static_cast<Index>(c), owned[c]);
   });
 
   // Which nodes each coarse vertex is, so that forces are gathered without two threads at one.
-  std::vector<Index>& starts = bound_to_.starts;
-  starts.assign(coarse.kept.size() + 1, 0);
-  const auto each_node = [&](const auto& act) {
-    for (std::size_t k = 0; k < bounds_.size(); ++k) {
-      for (std::size_t node = 0; node < kNodes; ++node) {
-        if (bounds_[k].weights[node] > 0.0) {
-          act(bounds_[k].nodes[node], static_cast<Index>(k * kNodes + node));
-        }
-      }
+  std::vector<Index> nodes;
+  for (const Bound& bound : bounds_) {
+    for (std::size_t node = 0; node < kNodes; ++node) {
+      nodes.push_back(bound.weights[node] > 0.0 ? bound.nodes[node] : kNoIndex);
     }
-  };
-  each_node([&](Index c, Index) { ++starts[c + 1]; });
-  for (std::size_t c = 1; c < starts.size(); ++c) starts[c] += starts[c - 1];
-  bound_to_.values.resize(starts.back());
-  std::vector<Index> at(starts.begin(), starts.end() - 1);
-  each_node([&](Index c, Index entry) { bound_to_.values[at[c]++] = entry; });
+  }
+  bound_to_ = all_places_in(nodes, coarse.kept.size());
 }
 
-// To the nearest of the two rings around its owner, by (1 - d / D)^2, D how far the next one is: as
-// a vertex takes another's place it has no weight.
-CoarseEmbedding::Bound CoarseEmbedding::bind(Index vertex) const {
+// To the nearest of the two rings around their owner, by (1 - d / D)^2, D how far the next one is:
+// as a vertex takes another's place it has no weight.
+void CoarseEmbedding::bind(Index owner, std::span<const Index> owned) {
+  if (owned.empty()) return;
   const Adjacency& rings = coarse_.topology.rings;
-  const Index owner = coarse_.owners[vertex];
+  const Positions& rest = *coarse_.edit->rest;
   std::vector<Index> near{owner};
   for (const Index j : rings[owner]) {
     near.push_back(j);
@@ -158,30 +163,34 @@ CoarseEmbedding::Bound CoarseEmbedding::bind(Index vertex) const {
   }
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
-  const Vector3d& here = (*fine_.rest)[vertex];
-  std::vector<std::pair<double, Index>> by_distance;
-  for (const Index c : near) {
-    by_distance.emplace_back((here - (*coarse_.edit->rest)[c]).norm(), c);
+  // The nearest by their squared distances, and the next one.
+  std::array<std::pair<double, Index>, kNodes + 1> by_square;
+  const std::size_t count = std::min(kNodes, near.size() - 1);
+  for (const Index k : owned) {
+    const Vector3d& here = (*fine_.rest)[vertices_[k]];
+    std::size_t listed = 0;
+    for (const Index c : near) {
+      const double square = (here - rest[c]).squaredNorm();
+      if (listed > count && !(square < by_square[count].first)) continue;
+      std::size_t at = listed > count ? count : listed++;
+      for (; at > 0 && square < by_square[at - 1].first; --at) by_square[at] = by_square[at - 1];
+      by_square[at] = {square, c};
+    }
+    Bound& bound = bounds_[k];
+    double sum = 0.0;
+    for (std::size_t node = 0; node < count; ++node) {
+      const double share = 1.0 - std::sqrt(by_square[node].first / by_square[count].first);
+      bound.nodes[node] = by_square[node].second;
+      bound.weights[node] = share > 0.0 ? share * share : 0.0;
+      sum += bound.weights[node];
+    }
+    if (!(sum > 0.0)) {
+      bound = {};
+      bound.nodes[0] = by_square[0].second;
+      bound.weights[0] = sum = 1.0;
+    }
+    for (double& weight : bound.weights) weight /= sum;
   }
-  const std::size_t count = std::min(kNodes, by_distance.size() - 1);
-  std::partial_sort(by_distance.begin(),
-                    by_distance.begin() + static_cast<std::ptrdiff_t>(count) + 1,
-                    by_distance.end());
-  Bound bound;
-  double sum = 0.0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double share = 1.0 - by_distance[k].first / by_distance[count].first;
-    bound.nodes[k] = by_distance[k].second;
-    bound.weights[k] = share > 0.0 ? share * share : 0.0;
-    sum += bound.weights[k];
-  }
-  if (!(sum > 0.0)) {
-    bound = {};
-    bound.nodes[0] = by_distance.front().second;
-    bound.weights[0] = sum = 1.0;
-  }
-  for (double& weight : bound.weights) weight /= sum;
-  return bound;
 }
 
 void CoarseEmbedding::carry(const Pose& from, const Pose& to, std::span<Vector3d> u) const {

@@ -53,7 +53,7 @@ class CoarseEmbedding {
     std::array<Index, kNodes> nodes{};
     std::array<double, kNodes> weights{};  ///< 0 for those that are not there
   };
-  Bound bind(Index vertex) const;
+  void bind(Index owner, std::span<const Index> owned);
 
   const EditSystem& fine_;
   const CoarseRegion& coarse_;

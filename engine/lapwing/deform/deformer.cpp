@@ -132,7 +132,11 @@ Deformer::Deformer(PreparedRegion& prepared, std::span<const Vector3d> rest, Edi
           kernels, progress) {}
 
 Deformer::Deformer(const DragPreview& preview, Kernels& kernels, const Progress& progress)
-    : Deformer(preview.system(), kernels, progress) {}
+    : Deformer(preview.system(), kernels, progress) {
+  const DragResponse& columns = *preview.response();
+  const bool has_all = columns.handles().size() == state_->system->frames.size();
+  if (has_all && !response_helps_to_follow()) state_->latest = preview.response();
+}
 
 Deformer::Deformer(std::shared_ptr<const EditSystem> system, Kernels& kernels,
                    const Progress& progress)

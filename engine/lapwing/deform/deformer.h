@@ -70,6 +70,8 @@ class Deformer {
   /// Prepares what `preview` has not, without settling from "assemble" on; timings include those of
   /// the preview's stages that it shares. May run on a thread of its own while `preview` is
   /// dragged, if `kernels` are not those that the preview uses (VulkanKernels may share a context).
+  /// What is to be dragged settled is there soonest so: neither order nor symbolic factorization of
+  /// the 3n x 3n system are made before the surface settles for the first time.
   Deformer(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
   ~Deformer();
   Deformer(Deformer&&) noexcept;
@@ -126,15 +128,15 @@ class Deformer {
   bool response_helps_to_follow() const;
 
   /// Begins to make what `follow` needs where frames have too little time: the coarse surface, and
-  /// the memory for the tangent of a pose, which is as large as the 3n x 3n factor. Threads of its
-  /// own do, in a third of a second at 26,000 vertices and some seconds at a million; returns at
-  /// once. Without it the first such frame of a drag begins it. Nothing for regions that settle
-  /// within their frames.
+  /// then the memory for the tangent of a pose, half that of the 3n x 3n factor, by which the
+  /// surface settles when the handles rest. A thread of its own makes each, in a third of a second
+  /// at 26,000 vertices and some seconds at a million; returns at once. Without it the first such
+  /// frame of a drag begins it. Nothing for regions that settle within their frames.
   void begin_to_follow() const;
 
-  /// The same, with the linear response that frames go by, and waits until all is there, so that no
-  /// drag depends on how long it takes to make.
-  /// Throws Cancelled when `progress` asks for it.
+  /// The same, with the linear response that frames go by, and waits for that and for the coarse
+  /// surface, so that no frame of a drag depends on how long they take to make. The first rest may
+  /// wait for the tangent's memory. Throws Cancelled when `progress` asks for it.
   void prepare_to_follow(const Progress& progress = {}) const;
 
   /// The scales that handles so moved ask for, as DeformResult has them; none where no handle

@@ -148,10 +148,14 @@ Positions Deformer::State::gone_on(const SettledPose& pose,
 }
 
 // Begins to make one, which takes from a tenth of a second at 26,000 vertices to some seconds at a
-// million.
+// million. Then comes the tangent's memory, which no frame needs before the handles rest.
 void Deformer::State::begin_coarse() {
-  if (!CoarseDrag::is_of_use(*system)) return;
-  coarse_aside.begin([this] { return CoarseDrag::make(*system); });
+  if (!CoarseDrag::is_of_use(*system)) return tangent->prepare();
+  coarse_aside.begin([this] {
+    std::unique_ptr<CoarseDrag> made = CoarseDrag::make(*system);
+    tangent->prepare();
+    return made;
+  });
 }
 
 // Whether there is one by now.
@@ -329,7 +333,6 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   const bool must = at_rest || (!by_coarse && !(go_on && on.coarse_aside.is_at_work()));
   const bool is_smooth = on.smooth(target, at_rest, must, go_on, progress, next);
   if (!begins && !at_rest && !next.settled.settled && !std::exchange(on.lacks_time, true)) {
-    on.tangent->prepare();
     on.begin_coarse();
   }
   // What pulls on the surface before it is smooth tells the coarse one nothing.
@@ -356,22 +359,20 @@ bool Deformer::response_helps_to_follow() const {
 }
 
 void Deformer::begin_to_follow() const {
-  State& s = *state_;
-  if (!CoarseDrag::is_of_use(*s.system)) return;
-  s.begin_coarse();
-  s.tangent->prepare();
+  if (CoarseDrag::is_of_use(*state_->system)) state_->begin_coarse();
 }
 
 void Deformer::prepare_to_follow(const Progress& progress) const {
   const ProgressScope scope(progress);
   State& s = *state_;
   begin_to_follow();
+  {
+    const auto lock = s.system->systems->lock();
+    if (s.settler != nullptr && s.latest == nullptr) make_columns_to_follow(progress);
+  }
   report_progress(progress, "coarse surface", 0.0);
   if (s.coarse_aside.is_at_work()) s.coarse = s.coarse_aside.take();
   report_progress(progress, "coarse surface", 1.0);
-  if (s.tangent != nullptr) s.tangent->wait_until_prepared();
-  const auto lock = s.system->systems->lock();
-  if (s.settler != nullptr && s.latest == nullptr) make_columns_to_follow(progress);
 }
 
 void Deformer::begin_drag() const {

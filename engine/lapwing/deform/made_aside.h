@@ -44,13 +44,10 @@ class MadeAside {
   bool is_made() const {
     return is_at_work() && made_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
   }
-  /// While it is at work. Waits for what is made. Throws Cancelled.
-  void wait() const {
-    while (made_.wait_for(kAskEvery) == std::future_status::timeout) check_cancelled();
-  }
-  /// The same, and rethrows what making it threw.
+  /// While it is at work. Waits for what is made, and rethrows what making it threw. Throws
+  /// Cancelled.
   T take() {
-    wait();
+    while (made_.wait_for(kAskEvery) == std::future_status::timeout) check_cancelled();
     return made_.get();
   }
 

@@ -73,6 +73,7 @@ PoseTangent::PoseTangent(const Topology& topology, std::span<const Index> roi,
       x_(b_.size()) {}
 
 void PoseTangent::prepare() {
+  const std::scoped_lock lock(taking_);
   if (factor_ != nullptr) return;
   prepared_.begin([this] {
     const WorkAlone alone;  // the other threads are the frames'
@@ -80,10 +81,6 @@ void PoseTangent::prepare() {
     if (factor != nullptr) factor->solver().prepare_memory();
     return factor;
   });
-}
-
-void PoseTangent::wait_until_prepared() const {
-  if (prepared_.is_at_work()) prepared_.wait();
 }
 
 // Null where there is not the memory.
@@ -109,6 +106,7 @@ bool PoseTangent::fits(const HeldFactor& factor) const {
 
 bool PoseTangent::take_memory() {
   if (factor_ != nullptr) return true;
+  const std::scoped_lock lock(taking_);
   std::unique_ptr<HeldFactor> factor =
       prepared_.is_at_work() ? prepared_.take() : analyzed_factor(false);
   if (factor == nullptr) return false;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <span>
 
 #include "lapwing/deform/deform_options.h"
@@ -32,10 +33,9 @@ class PoseTangent final : public TurnedTangent {
               const LaplacianSystem& laplacian, const DeformOptions& options, AtRest at_rest);
 
   /// Begins to take that memory on a thread of its own, for which the first turn waits; an order of
-  /// fewer operations is looked for there, too, since many turns will be factored in it.
+  /// fewer operations is looked for there, too, since many turns will be factored in it. May be
+  /// called while another thread turns; nothing where that has taken it.
   void prepare();
-  /// Waits for that. Throws Cancelled.
-  void wait_until_prepared() const;
 
   bool turn(std::span<const Eigen::Matrix3d> transforms,
             std::span<const Eigen::Vector3d> displacement) override;
@@ -68,6 +68,7 @@ class PoseTangent final : public TurnedTangent {
   std::vector<double> x_;
   bool is_solved_ = false;  ///< x_ is the factor's solution for b_
   std::vector<double> residual_;
+  std::mutex taking_;  ///< held until factor_ is there, or prepared_ has begun
   MadeAside<std::unique_ptr<HeldFactor>> prepared_;  // last: it uses all the others
 };
 

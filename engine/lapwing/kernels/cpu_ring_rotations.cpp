@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "lapwing/base/cancellation.h"
 #include "lapwing/base/instruction_set.h"
+#include "lapwing/base/parallel.h"
 
 namespace lapwing {
 
@@ -31,30 +31,39 @@ CpuRingRotations::CpuRingRotations(const RegionRings& rings)
       displacement_(std::max(rings.vertices.size(), rest_.size() * kFitLanes)),
       turns_(rings.vertices.size()),
       residuals_(rings.vertices.size()) {
+  constexpr std::size_t kBatchesPerTask = 64;
+  entry_starts_.reserve(rest_.size() + 1);
   entry_starts_.push_back(0);
-  CancelCheck cancel_check;
   for (std::size_t batch = 0; batch < rest_.size(); ++batch) {
-    cancel_check();
-    pack_batch(batch);
+    const std::size_t first = batch * kFitLanes;
+    const std::size_t last = std::min(first + kFitLanes, rings.row_count());
+    std::size_t longest = 0;
+    for (std::size_t r = first; r < last; ++r) {
+      longest = std::max<std::size_t>(longest, rings.starts[r + 1] - rings.starts[r]);
+    }
+    entry_starts_.push_back(entry_starts_.back() + longest);
   }
+  entries_.resize(entry_starts_.back());
+  parallel_for(rest_.size(), kBatchesPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t batch = begin; batch < end; ++batch) pack_batch(batch);
+  });
 }
 
 void CpuRingRotations::pack_batch(std::size_t batch) {
   const std::size_t first = batch * kFitLanes;
   const std::size_t last = std::min(first + kFitLanes, rings_.row_count());
-  const std::size_t begin = entries_.size();
+  FitEntries* const entries = entries_.data() + entry_starts_[batch];
   FitEntries none{};
   for (std::size_t lane = 0; lane < kFitLanes; ++lane) {
     none.neighbour[lane] = static_cast<Index>(first + lane);
   }
+  std::fill(entries, entries_.data() + entry_starts_[batch + 1], none);
   FitRest& rest = rest_[batch];
   for (std::size_t r = first; r < last; ++r) {
     const std::size_t lane = r - first;
     Vector3d delta = Vector3d::Zero();
     for (std::size_t e = rings_.starts[r]; e < rings_.starts[r + 1]; ++e) {
-      const std::size_t at = begin + e - rings_.starts[r];
-      if (at == entries_.size()) entries_.push_back(none);
-      FitEntries& entry = entries_[at];
+      FitEntries& entry = entries[e - rings_.starts[r]];
       for (Eigen::Index a = 0; a < 3; ++a) entry.edge[a][lane] = rings_.edges[e][a];
       entry.weight[lane] = rings_.weights[e];
       if (!rings_.stiffness.empty()) entry.stiffness[lane] = rings_.stiffness[e];
@@ -65,7 +74,6 @@ void CpuRingRotations::pack_batch(std::size_t batch) {
     rest.weight[lane] = rings_.row_weights[r];
     rest.scale[lane] = 1.0;
   }
-  entry_starts_.push_back(entries_.size());
 }
 
 std::vector<Eigen::Matrix3d> CpuRingRotations::transforms() const {

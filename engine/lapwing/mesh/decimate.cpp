@@ -10,6 +10,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/mesh/space_order.h"
 
 namespace lapwing {
 namespace {
@@ -24,25 +25,38 @@ constexpr double kLeastHeight = 0.15;
 constexpr double kLeastCosine = 0.7;
 // Around what is left of two vertices: more make needles later.
 constexpr std::size_t kMostNeighbours = 14;
+// Around one of them: inside a surface that are as many neighbours, of which the other takes two.
+constexpr std::size_t kMostAroundOne = kMostNeighbours + 2;
 // Of the candidates of a pass, the cheapest; the others are more expensive by then.
 constexpr std::size_t kCandidatesPerPass = 3;  // one in
 constexpr std::size_t kSmallPass = 100;        // merges less than one in so many
-constexpr std::size_t kVerticesPerTask = 2048;
+constexpr std::size_t kVerticesPerTask = 256;
 
 // sum_t area_t (squared distance from the plane of t), as a polynomial about a vertex of its own,
 // which keeps the numbers small far from the origin.
 struct Quadric {
-  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  Vector3d diagonal = Vector3d::Zero();  // of a symmetric matrix A
+  Vector3d beside = Vector3d::Zero();    // its yz, xz and xy
   Vector3d g = Vector3d::Zero();
   double c = 0.0;
 
   // A plane through the vertex.
-  void add_plane(const Vector3d& normal, double area) { A += area * normal * normal.transpose(); }
-  double at(const Vector3d& offset) const { return offset.dot(A * offset + 2.0 * g) + c; }
+  void add_plane(const Vector3d& normal, double area) {
+    const Vector3d n = area * normal;
+    diagonal += n.cwiseProduct(normal);
+    beside += Vector3d(n.y() * normal.z(), n.x() * normal.z(), n.x() * normal.y());
+  }
+  Vector3d times(const Vector3d& x) const {
+    return {diagonal.x() * x.x() + beside.z() * x.y() + beside.y() * x.z(),
+            beside.z() * x.x() + diagonal.y() * x.y() + beside.x() * x.z(),
+            beside.y() * x.x() + beside.x() * x.y() + diagonal.z() * x.z()};
+  }
+  double at(const Vector3d& offset) const { return offset.dot(times(offset) + 2.0 * g) + c; }
   // `other` about a vertex that lies at -offset from this one's.
   void add(const Quadric& other, const Vector3d& offset) {
-    A += other.A;
-    g += other.g + other.A * offset;
+    diagonal += other.diagonal;
+    beside += other.beside;
+    g += other.g + other.times(offset);
     c += other.at(offset);
   }
 };
@@ -51,10 +65,35 @@ bool has(const Triangle& triangle, Index v) {
   return triangle[0] == v || triangle[1] == v || triangle[2] == v;
 }
 
+Index next_corner(const Triangle& triangle, Index v) {
+  if (triangle[0] == v) return triangle[1];
+  return triangle[1] == v ? triangle[2] : triangle[0];
+}
+
+Index last_corner(const Triangle& triangle, Index v) {
+  if (triangle[0] == v) return triangle[2];
+  return triangle[1] == v ? triangle[0] : triangle[1];
+}
+
+// An edge at a vertex, and how often a triangle there comes to its other end next after the vertex,
+// and last before it.
+struct Spoke {
+  Index to;
+  std::size_t as_next = 0;
+  std::size_t as_last = 0;
+
+  std::size_t triangles() const { return as_next + as_last; }
+  bool is_plain() const { return as_next == 1 && as_last == 1; }
+};
+
 struct Merge {
-  double cost = std::numeric_limits<double>::infinity();
+  double cost = std::numeric_limits<double>::max();
   Index from = kNoIndex;
   Index into = kNoIndex;
+
+  bool operator<(const Merge& other) const {
+    return cost < other.cost || (cost == other.cost && from < other.from);
+  }
 };
 
 class Decimation {
@@ -64,54 +103,109 @@ class Decimation {
       : positions_(positions),
         groups_(groups),
         triangles_(std::move(triangles)),
+        left_(positions.size()),
         owners_(positions.size()),
+        has_changed_(positions.size(), 1),
+        cheapest_(positions.size()),
+        is_plain_(positions.size()),
         quadrics_(positions.size()) {
     std::iota(owners_.begin(), owners_.end(), 0U);
+    left_ = owners_;
     find_around();
-    CancelCheck check;
-    for (const Triangle& t : triangles_) {
-      check();
-      add_planes(t);
-    }
+    for_each(left_, [&](std::size_t, Index v) {
+      is_plain_[v] = is_plain(v);
+      find_quadric(v);
+    });
   }
 
   Decimated run(std::size_t count) {
-    std::size_t left = used_count();
-    while (left > count) {
-      const std::size_t merged = pass(left - count);
-      left -= merged;
-      find_around();
+    while (left_.size() > count) {
+      const std::size_t merged = pass(left_.size() - count);
       // What is left may hardly be merged: each pass costs as much as a large one.
-      if (kSmallPass * merged < left) break;
+      if (kSmallPass * merged < left_.size()) break;
     }
     return result();
   }
 
  private:
+  // act(place in list, entry), by several threads.
+  template <typename T, typename Act>
+  static void for_each(std::span<const T> list, const Act& act) {
+    parallel_for(list.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) act(k, list[k]);
+    });
+  }
+  template <typename T, typename Act>
+  static void for_each(const std::vector<T>& list, const Act& act) {
+    for_each(std::span<const T>(list), act);
+  }
+
   // What changes from pass to pass.
   void find_around() {
     around_ = triangles_around_vertices(positions_.size(), triangles_);
-    rings_ = rings_by_triangles(around_, triangles_);
+    std::erase_if(left_, [&](Index v) { return around_.size(v) == 0; });
   }
-  // That of a triangle, and across its sides on a boundary, which keep that where it is.
-  void add_planes(const Triangle& t) {
-    const Vector3d n = normal_of(t, kNoIndex, kNoIndex);
-    const double length = n.norm();
-    if (!(length > 0.0)) return;
-    for (const Index v : t) quadrics_[v].add_plane(n / length, length / 6.0);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Index a = t[c];
-      const Index b = t[(c + 1) % 3];
-      if (triangles_on(a, b) != 1) continue;
-      const Vector3d edge = positions_[b] - positions_[a];
-      const Vector3d across = edge.cross(n).normalized();
-      for (const Index v : {a, b}) quadrics_[v].add_plane(across, edge.squaredNorm());
+
+  // Each neighbour of v is next in one triangle there, and last in another.
+  bool is_plain(Index v) const {
+    const auto around = around_[v];
+    if (around.size() > kMostAroundOne) return false;
+    std::array<Index, kMostAroundOne> next;
+    std::array<Index, kMostAroundOne> last;
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      next[k] = next_corner(triangles_[around[k]], v);
+      last[k] = last_corner(triangles_[around[k]], v);
     }
+    const auto count = [&](const auto& list, Index w) {
+      return std::count(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(around.size()), w);
+    };
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      if (count(next, next[k]) != 1 || count(last, next[k]) != 1) return false;
+    }
+    return true;
   }
-  std::size_t used_count() const {
-    std::size_t used = 0;
-    for (std::size_t v = 0; v < positions_.size(); ++v) used += around_.size(v) > 0 ? 1 : 0;
-    return used;
+
+  // By other ends, ascending.
+  std::vector<Spoke> spokes_of(Index v) const {
+    std::vector<Spoke> ends;
+    ends.reserve(2 * around_.size(v));
+    for (const Index t : around_[v]) {
+      ends.push_back({next_corner(triangles_[t], v), 1, 0});
+      ends.push_back({last_corner(triangles_[t], v), 0, 1});
+    }
+    std::sort(ends.begin(), ends.end(), [](const Spoke& a, const Spoke& b) { return a.to < b.to; });
+    std::vector<Spoke> spokes;
+    spokes.reserve(ends.size());
+    for (const Spoke& end : ends) {
+      if (spokes.empty() || spokes.back().to != end.to) spokes.push_back({end.to});
+      spokes.back().as_next += end.as_next;
+      spokes.back().as_last += end.as_last;
+    }
+    return spokes;
+  }
+
+  // That of the triangles at a vertex, and across sides on a boundary, which keep that where it is.
+  void find_quadric(Index v) {
+    std::vector<Spoke> spokes;
+    if (is_plain_[v] == 0) spokes = spokes_of(v);
+    const auto is_on_boundary = [&](Index w) {
+      const auto at = std::lower_bound(spokes.begin(), spokes.end(), w,
+                                       [](const Spoke& s, Index to) { return s.to < to; });
+      return at->triangles() == 1;
+    };
+    for (const Index t : around_[v]) {
+      const Triangle& triangle = triangles_[t];
+      const Vector3d n = normal_of(triangle, kNoIndex, kNoIndex);
+      const double length = n.norm();
+      if (!(length > 0.0)) continue;
+      quadrics_[v].add_plane(n / length, length / 6.0);
+      if (is_plain_[v] != 0) continue;
+      for (const Index w : {next_corner(triangle, v), last_corner(triangle, v)}) {
+        if (!is_on_boundary(w)) continue;
+        const Vector3d edge = positions_[w] - positions_[v];
+        quadrics_[v].add_plane(edge.cross(n).normalized(), edge.squaredNorm());
+      }
+    }
   }
 
   // With `from` where `to` is; twice the area long.
@@ -121,52 +215,76 @@ class Decimation {
     return (p[1] - p[0]).cross(p[2] - p[0]);
   }
 
-  std::size_t triangles_on(Index a, Index b) const {
-    const auto around = around_[a];
-    return static_cast<std::size_t>(std::count_if(around.begin(), around.end(),
-                                                  [&](Index t) { return has(triangles_[t], b); }));
-  }
-
   // Edges with one triangle at v; many where v is to be kept: on an edge of more than two
   // triangles, or where fans meet.
-  std::size_t boundary_edges(Index v) const {
+  std::size_t boundary_edges(Index v, std::span<const Spoke> spokes) const {
     constexpr std::size_t kMany = 3;
     std::size_t open = 0;
-    for (const Index j : rings_[v]) {
-      const std::size_t on = triangles_on(v, j);
-      if (on > 2) return kMany;
-      if (on == 1) ++open;
+    for (const Spoke& spoke : spokes) {
+      if (spoke.triangles() > 2) return kMany;
+      if (spoke.triangles() == 1) ++open;
     }
     // One fan has as many edges as triangles, or one more with a boundary.
     const std::size_t of_one_fan = around_.size(v) + (open > 0 ? 1 : 0);
-    return rings_.size(v) == of_one_fan ? open : kMany;
+    return spokes.size() == of_one_fan ? open : kMany;
   }
 
   Merge cheapest(Index v) const {
     Merge best;
-    if (groups_[v] == kKeptGroup || around_.size(v) == 0) return best;
-    const std::size_t open = boundary_edges(v);
-    if (open > 2) return best;
-    for (const Index j : rings_[v]) {
-      if (groups_[j] != groups_[v] || (open > 0 && triangles_on(v, j) != 1)) continue;
+    if (groups_[v] == kKeptGroup) return best;
+    const auto look_at = [&](Index j) {
+      if (groups_[j] != groups_[v]) return;
       const Vector3d edge = positions_[j] - positions_[v];
       const double square = edge.squaredNorm();
       const double cost = quadrics_[v].at(edge) + quadrics_[j].c + kEdgeShare * square * square;
-      if (cost < best.cost) best = {cost, v, j};
+      if (cost < best.cost || (cost == best.cost && j < best.into)) best = {cost, v, j};
+    };
+    if (is_plain_[v] != 0) {
+      for (const Index t : around_[v]) look_at(next_corner(triangles_[t], v));
+      return best;
+    }
+    const std::vector<Spoke> spokes = spokes_of(v);
+    const std::size_t open = boundary_edges(v, spokes);
+    if (open > 2) return best;
+    for (const Spoke& spoke : spokes) {
+      if (open == 0 || spoke.triangles() == 1) look_at(spoke.to);
     }
     return best;
   }
 
+  // The neighbours of one of at most kMostAroundOne.
+  struct Neighbours {
+    std::array<Index, 2 * kMostAroundOne> list;
+    std::size_t size = 0;
+
+    auto begin() const { return list.begin(); }
+    auto end() const { return list.begin() + static_cast<std::ptrdiff_t>(size); }
+    bool has(Index v) const { return std::find(begin(), end(), v) != end(); }
+  };
+  Neighbours neighbours_of(Index v) const {
+    Neighbours found;
+    for (const Index t : around_[v]) {
+      const Index next = next_corner(triangles_[t], v);
+      const Index last = last_corner(triangles_[t], v);
+      if (is_plain_[v] != 0 || !found.has(next)) found.list[found.size++] = next;
+      if (is_plain_[v] == 0 && !found.has(last)) found.list[found.size++] = last;
+    }
+    return found;
+  }
+
   // Whether the surface stays one, and no triangle folds or becomes a needle.
   bool may_merge(Index from, Index into) const {
-    const auto a = rings_[from];
-    const auto b = rings_[into];
-    std::size_t common = 0;
-    for (const Index j : a) common += std::binary_search(b.begin(), b.end(), j) ? 1 : 0;
-    const std::size_t on = triangles_on(from, into);
-    if (common != on || around_.size(from) + around_.size(into) == 2 * on) return false;
-    if (a.size() + b.size() - 2 - common > kMostNeighbours) return false;
-    return std::all_of(around_[from].begin(), around_[from].end(), [&](Index t) {
+    if (std::max(around_.size(from), around_.size(into)) > kMostAroundOne) return false;
+    const Neighbours a = neighbours_of(from);
+    const Neighbours b = neighbours_of(into);
+    const auto common = static_cast<std::size_t>(
+        std::count_if(a.begin(), a.end(), [&](Index v) { return b.has(v); }));
+    if (a.size + b.size - 2 - common > kMostNeighbours) return false;
+    const auto around = around_[from];
+    const auto on = static_cast<std::size_t>(std::count_if(
+        around.begin(), around.end(), [&](Index t) { return has(triangles_[t], into); }));
+    if (common != on || around.size() + around_.size(into) == 2 * on) return false;
+    return std::all_of(around.begin(), around.end(), [&](Index t) {
       const Triangle& triangle = triangles_[t];
       return has(triangle, into) || keeps_shape(triangle, from, into);
     });
@@ -180,9 +298,10 @@ class Decimation {
       const Index q = t[(c + 1) % 3] == from ? into : t[(c + 1) % 3];
       longest = std::max(longest, (positions_[p] - positions_[q]).squaredNorm());
     }
-    const double length = after.norm();
-    return length >= kLeastHeight * longest &&
-           before.dot(after) >= kLeastCosine * before.norm() * length;
+    const double square = after.squaredNorm();
+    const double cosine = before.dot(after);
+    return square >= kLeastHeight * kLeastHeight * longest * longest && cosine >= 0.0 &&
+           cosine * cosine >= kLeastCosine * kLeastCosine * before.squaredNorm() * square;
   }
 
   // The third corners of the triangles on an edge, of which there are at most two.
@@ -199,29 +318,36 @@ class Decimation {
     return beside;
   }
 
-  // Merges at most `most` vertices, none next to another; returns how many.
-  std::size_t pass(std::size_t most) {
-    std::vector<Merge> merges(positions_.size());
-    parallel_for(merges.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) merges[v] = cheapest(static_cast<Index>(v));
-    });
-    std::erase_if(merges, [](const Merge& merge) { return merge.from == kNoIndex; });
-    std::sort(merges.begin(), merges.end(), [](const Merge& a, const Merge& b) {
-      return a.cost < b.cost || (a.cost == b.cost && a.from < b.from);
-    });
-    const std::size_t tried = std::max<std::size_t>(merges.size() / kCandidatesPerPass, 1);
+  // Which of `merges`, the cheapest first, can all be made at once: at most `most`, and none next
+  // to another.
+  std::vector<Merge> compatible(std::vector<Merge> merges, std::size_t most) const {
+    const std::size_t tried =
+        std::min(std::max<std::size_t>(merges.size() / kCandidatesPerPass, 1), merges.size());
+    const auto end_of_tried = merges.begin() + static_cast<std::ptrdiff_t>(tried);
+    std::vector<char> may(merges.size(), 0);
+    const auto ask = [&](std::size_t begin, std::size_t end) {
+      for_each(std::span<const Merge>(merges).subspan(begin, end - begin),
+               [&](std::size_t k, const Merge& m) { may[begin + k] = may_merge(m.from, m.into); });
+    };
+    std::nth_element(merges.begin(), end_of_tried, merges.end());
+    std::sort(merges.begin(), end_of_tried);
+    ask(0, tried);
     std::vector<char> is_taken(positions_.size(), 0);
-    std::vector<char> loses(positions_.size(), 0);  // a triangle, in this pass
-    std::size_t merged = 0;
+    std::vector<char> loses(positions_.size(), 0);  // a triangle
+    std::vector<Merge> made;
     // Of the others only where few of the cheapest may.
     const auto goes_on = [&](std::size_t k) {
-      return merged < most && (k < tried || kSmallPass / 2 * merged < merges.size());
+      return made.size() < most && (k < tried || kSmallPass / 2 * made.size() < merges.size());
     };
     CancelCheck check;
     for (std::size_t k = 0; k < merges.size() && goes_on(k); ++k) {
       check();
+      if (k == tried) {
+        std::sort(end_of_tried, merges.end());
+        ask(tried, merges.size());
+      }
       const auto [cost, from, into] = merges[k];
-      if (is_taken[from] != 0 || !may_merge(from, into)) continue;
+      if (is_taken[from] != 0 || may[k] == 0) continue;
       const auto beside = corners_beside(from, into);
       if (std::any_of(beside.begin(), beside.end(), [&](Index v) {
             return v != kNoIndex && (loses[v] != 0 || around_.size(v) < 2);
@@ -231,13 +357,30 @@ class Decimation {
       for (const Index v : beside) {
         if (v != kNoIndex) loses[v] = 1;
       }
-      for (const Index j : rings_[from]) is_taken[j] = 1;
-      merge(from, into);
-      ++merged;
+      for (const Index t : around_[from]) {
+        for (const Index v : triangles_[t]) is_taken[v] = 1;
+      }
+      made.push_back(merges[k]);
     }
+    return made;
+  }
+
+  // Merges at most `most` vertices, none next to another; returns how many.
+  std::size_t pass(std::size_t most) {
+    std::vector<Merge> merges(left_.size());
+    for_each(left_, [&](std::size_t k, Index v) {
+      if (has_changed_[v] != 0) cheapest_[v] = cheapest(v);
+      merges[k] = cheapest_[v];
+    });
+    std::erase_if(merges, [](const Merge& merge) { return merge.from == kNoIndex; });
+    merges = compatible(std::move(merges), most);
+    for (const auto& [cost, from, into] : merges) merge(from, into);
     std::erase_if(triangles_,
                   [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
-    return merged;
+    find_around();
+    find_plain_around(merges);
+    find_changed(merges);
+    return merges.size();
   }
 
   void merge(Index from, Index into) {
@@ -250,21 +393,42 @@ class Decimation {
     }
   }
 
+  // What a vertex costs changes with the quadrics of its neighbours, and which these are.
+  void find_changed(std::span<const Merge> merges) {
+    std::fill(has_changed_.begin(), has_changed_.end(), char{0});
+    for (const Merge& merge : merges) {
+      for (const Index t : around_[merge.into]) {
+        for (const Index v : triangles_[t]) has_changed_[v] = 1;
+      }
+    }
+  }
+
+  // Two merges may have pinched the surface at an edge of what they went into.
+  void find_plain_around(std::span<const Merge> merges) {
+    std::vector<char> is_still(merges.size());
+    for_each(merges, [&](std::size_t k, const Merge& merge) {
+      is_still[k] = is_plain_[merge.into] != 0 && is_plain(merge.into);
+    });
+    for (std::size_t k = 0; k < merges.size(); ++k) {
+      if (is_still[k] != 0) continue;
+      for (const Spoke& spoke : spokes_of(merges[k].into)) {
+        if (!spoke.is_plain()) is_plain_[spoke.to] = is_plain_[merges[k].into] = 0;
+      }
+    }
+  }
+
   Decimated result() {
     Decimated result;
     const std::size_t n = positions_.size();
     std::vector<Index> own(n, kNoIndex);
-    for (Index v = 0; v < n; ++v) {
-      if (around_.size(v) == 0) continue;
-      own[v] = static_cast<Index>(result.kept.size());
-      result.kept.push_back(v);
-    }
+    for (std::size_t k = 0; k < left_.size(); ++k) own[left_[k]] = static_cast<Index>(k);
     result.owners.resize(n);
     for (Index v = 0; v < n; ++v) {
       Index last = v;
       while (owners_[last] != last) last = owners_[last];
       result.owners[v] = own[last];
     }
+    result.kept = std::move(left_);
     result.triangles = std::move(triangles_);
     for (Triangle& t : result.triangles) {
       for (Index& corner : t) corner = own[corner];
@@ -275,17 +439,72 @@ class Decimation {
   std::span<const Vector3d> positions_;
   std::span<const Index> groups_;
   std::vector<Triangle> triangles_;
-  std::vector<Index> owners_;  ///< per vertex: what it went into, itself where it is left
+  std::vector<Index> left_;        ///< vertices that have triangles, ascending
+  std::vector<Index> owners_;      ///< per vertex: what it went into, itself where it is left
+  std::vector<char> has_changed_;  ///< per vertex: whether its cheapest_ may be another
+  std::vector<Merge> cheapest_;    ///< per vertex
+  /// Per vertex: `is_plain`, as inside a surface with one orientation; or not, though it may be so
+  /// again, and where there are more than kMostAroundOne.
+  std::vector<char> is_plain_;
   std::vector<Quadric> quadrics_;
   Adjacency around_;
-  Adjacency rings_;
 };
+
+// The surface renumbered so that neighbours are close in memory, where most of the time goes.
+struct Renumbered {
+  std::vector<Index> vertices;  // own number -> that given
+  std::vector<Vector3d> positions;
+  std::vector<Triangle> triangles;
+  std::vector<Index> groups;
+};
+
+Renumbered renumbered(std::span<const Vector3d> positions, std::vector<Triangle> triangles,
+                      std::span<const Index> groups) {
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(positions.size());
+  for (const Vector3d& p : positions) points.emplace_back((p - positions[0]).cast<float>());
+  Renumbered result;
+  result.vertices = order_in_space(points);
+  for (const Index v : result.vertices) {
+    result.positions.push_back(positions[v]);
+    result.groups.push_back(groups[v]);
+  }
+  const std::vector<Index> own = places_in(result.vertices, positions.size());
+  std::vector<Index> firsts;
+  for (Triangle& t : triangles) {
+    for (Index& corner : t) corner = own[corner];
+    firsts.push_back(*std::min_element(t.begin(), t.end()));
+  }
+  for (const Index t : all_places_in(firsts, positions.size()).values) {
+    result.triangles.push_back(triangles[t]);
+  }
+  return result;
+}
+
+// In the numbers given: those of the vertices left, ascending.
+Decimated numbered_as_given(const Decimated& own, std::span<const Index> vertices) {
+  Decimated result;
+  for (const Index k : own.kept) result.kept.push_back(vertices[k]);
+  std::sort(result.kept.begin(), result.kept.end());
+  const std::vector<Index> places = places_in(result.kept, vertices.size());
+  const auto place = [&](Index k) { return places[vertices[own.kept[k]]]; };
+  for (const auto& [a, b, c] : own.triangles) {
+    result.triangles.push_back({place(a), place(b), place(c)});
+  }
+  result.owners.resize(vertices.size(), kNoIndex);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (own.owners[k] != kNoIndex) result.owners[vertices[k]] = place(own.owners[k]);
+  }
+  return result;
+}
 
 }  // namespace
 
 Decimated decimate(std::span<const Vector3d> positions, std::vector<Triangle> triangles,
                    std::span<const Index> groups, std::size_t count) {
-  return Decimation(positions, std::move(triangles), groups).run(count);
+  Renumbered own = renumbered(positions, std::move(triangles), groups);
+  return numbered_as_given(
+      Decimation(own.positions, std::move(own.triangles), own.groups).run(count), own.vertices);
 }
 
 }  // namespace lapwing

@@ -108,6 +108,21 @@ std::vector<Index> places_in(std::span<const Index> list, std::size_t count) {
   return places;
 }
 
+Adjacency all_places_in(std::span<const Index> list, std::size_t count) {
+  Adjacency places;
+  places.starts.assign(count + 1, 0);
+  for (const Index entry : list) {
+    if (entry != kNoIndex) ++places.starts[entry + 1];
+  }
+  accumulate_starts(places.starts);
+  places.values.resize(places.starts.back());
+  std::vector<Index> next(places.starts.begin(), places.starts.end() - 1);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (list[k] != kNoIndex) places.values[next[list[k]]++] = static_cast<Index>(k);
+  }
+  return places;
+}
+
 NumberedTriangles numbered(std::span<const Triangle> triangles) {
   Index end = 0;
   for (const Triangle& t : triangles) end = std::max(end, std::ranges::max(t) + 1);

@@ -65,6 +65,10 @@ Components connected_components(const Adjacency& rings);
 /// Entries that are kNoIndex are passed over.
 std::vector<Index> places_in(std::span<const Index> list, std::size_t count);
 
+/// Every place in `list` of each of 0 .. count - 1, ascending. Entries that are kNoIndex are passed
+/// over. Linear time.
+Adjacency all_places_in(std::span<const Index> list, std::size_t count);
+
 /// Triangles in numbers of their own.
 struct NumberedTriangles {
   std::vector<Index> vertices;      ///< own number -> the vertex it was, ascending

@@ -1,13 +1,12 @@
 #include "lapwing/render/draw_order.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "lapwing/base/parallel.h"
+#include "lapwing/mesh/space_order.h"
 
 namespace lapwing {
 namespace {
@@ -21,18 +20,8 @@ constexpr std::size_t kRun = 4096;
 // the vertex's is the corner's.
 constexpr float kCosSmooth = 0.87F;
 
-constexpr unsigned kBitsPerAxis = 10;
-
 Eigen::Map<const Vector4f, Eigen::Aligned16> lanes(const Vec4& v) {
   return Eigen::Map<const Vector4f, Eigen::Aligned16>(v.data());
-}
-
-// Moves bit b of a number of kBitsPerAxis bits to bit 3 b.
-std::uint32_t spread(std::uint32_t bits) {
-  bits = (bits | bits << 16U) & 0x030000FFU;
-  bits = (bits | bits << 8U) & 0x0300F00FU;
-  bits = (bits | bits << 4U) & 0x030C30C3U;
-  return (bits | bits << 2U) & 0x09249249U;
 }
 
 // Not so where a normal or a position is not a number.
@@ -51,38 +40,15 @@ bool is_smooth(const Triangle& triangle, std::span<const Vec4> positions,
 
 std::vector<Index> order_in_space(std::span<const Vec4> positions,
                                   std::span<const Triangle> triangles) {
-  const auto middle = [&](const Triangle& t, std::size_t axis) {
-    return (positions[t[0]][axis] + positions[t[1]][axis] + positions[t[2]][axis]) / 3.0F;
-  };
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  std::array<float, 3> low{kInfinity, kInfinity, kInfinity};
-  float size = 0.0F;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    float high = -kInfinity;
-    // Passes over what is not a number, as do all comparisons here.
-    for (const Triangle& t : triangles) {
-      low[axis] = std::min(low[axis], middle(t, axis));
-      high = std::max(high, middle(t, axis));
-    }
-    size = std::max(size, high - low[axis]);
+  std::vector<Eigen::Vector3f> middles;
+  middles.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    const auto middle = [&](std::size_t axis) {
+      return (positions[t[0]][axis] + positions[t[1]][axis] + positions[t[2]][axis]) / 3.0F;
+    };
+    middles.emplace_back(middle(0), middle(1), middle(2));
   }
-  constexpr float kLast = (1U << kBitsPerAxis) - 1U;
-  const float scale = size > 0.0F ? kLast / size : 0.0F;
-  std::vector<std::pair<std::uint32_t, Index>> places(triangles.size());
-  for (Index t = 0; t < triangles.size(); ++t) {
-    std::uint32_t place = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float at =
-          std::min(kLast, std::max(0.0F, (middle(triangles[t], axis) - low[axis]) * scale));
-      place |= spread(static_cast<std::uint32_t>(at)) << axis;
-    }
-    places[t] = {place, t};
-  }
-  std::sort(places.begin(), places.end());
-  std::vector<Index> numbers(triangles.size());
-  std::transform(places.begin(), places.end(), numbers.begin(),
-                 [](const auto& place) { return place.second; });
-  return numbers;
+  return order_in_space(middles);
 }
 
 DrawOrder::DrawOrder(const gpu::Context& context, std::span<const Vec4> positions,

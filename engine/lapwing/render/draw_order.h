@@ -46,8 +46,7 @@ class DrawOrder {
   gpu::Buffer indices_;
 };
 
-/// The numbers of the triangles along a curve that fills the space around them (Morton 1966): most
-/// neighbours on a surface are close in it. O(n log n).
+/// The numbers of the triangles by their middles (mesh/space_order.h).
 std::vector<Index> order_in_space(std::span<const Vec4> positions,
                                   std::span<const Triangle> triangles);
 

@@ -192,6 +192,23 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
   measure_frame_in_time(run, subject, device, *deformer);
 }
 
+// All that a settled drag needs from its first frame on. Several threads allocate: no count.
+void measure_settled_preparation(BenchRun& run, const Subject& subject, const BenchDevice& device) {
+  if (run.settings().only_counts) return;
+  if (!run.wants("settled preparation", kLapwing, device.name, subject)) return;
+  const DeformOptions options = deform_options(run);
+  std::unique_ptr<Deformer> deformer;
+  run.measure(
+      "settled preparation", kLapwing, device, subject,
+      [&] {
+        const DragPreview preview(subject.mesh.positions, subject.mesh.topology(), subject.region,
+                                  options);
+        deformer = std::make_unique<Deformer>(preview, *device.kernels);
+        deformer->prepare_to_follow();
+      },
+      [&] { deformer.reset(); });
+}
+
 // The region of the subject with another handle, the same number of vertices below its own.
 EditRegion with_other_handle(const Subject& subject) {
   EditRegion region = subject.region;
@@ -287,6 +304,7 @@ void measure_edit_stages(BenchRun& run, const Subject& subject) {
   for (const BenchDevice& device : run.devices()) measure_settle_iteration(run, subject, device);
   for (const BenchDevice& device : run.devices()) measure_shader_frame(run, subject, device);
   for (const BenchDevice& device : run.devices()) {
+    measure_settled_preparation(run, subject, device);
     measure_exact(run, subject, device);
     measure_all_again(run, subject, device);
   }

@@ -38,6 +38,7 @@ struct RatioTarget {
 };
 constexpr std::array kRatios{
     RatioTarget{"preparation", "preparation", kArap, 1.0},
+    RatioTarget{"settled preparation", "preparation", kArap, 1.0},
     RatioTarget{"first drag", "preparation", kArap, 0.25},
     RatioTarget{"order", "preparation", kLapwing, 0.2},
     RatioTarget{"again, other handle", "preparation", kLapwing, 0.3},
