@@ -10,7 +10,9 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/mesh/error_quadric.h"
 #include "lapwing/mesh/space_order.h"
+#include "lapwing/mesh/spokes.h"
 
 namespace lapwing {
 namespace {
@@ -32,59 +34,9 @@ constexpr std::size_t kCandidatesPerPass = 3;  // one in
 constexpr std::size_t kSmallPass = 100;        // merges less than one in so many
 constexpr std::size_t kVerticesPerTask = 256;
 
-// sum_t area_t (squared distance from the plane of t), as a polynomial about a vertex of its own,
-// which keeps the numbers small far from the origin.
-struct Quadric {
-  Vector3d diagonal = Vector3d::Zero();  // of a symmetric matrix A
-  Vector3d beside = Vector3d::Zero();    // its yz, xz and xy
-  Vector3d g = Vector3d::Zero();
-  double c = 0.0;
-
-  // A plane through the vertex.
-  void add_plane(const Vector3d& normal, double area) {
-    const Vector3d n = area * normal;
-    diagonal += n.cwiseProduct(normal);
-    beside += Vector3d(n.y() * normal.z(), n.x() * normal.z(), n.x() * normal.y());
-  }
-  Vector3d times(const Vector3d& x) const {
-    return {diagonal.x() * x.x() + beside.z() * x.y() + beside.y() * x.z(),
-            beside.z() * x.x() + diagonal.y() * x.y() + beside.x() * x.z(),
-            beside.y() * x.x() + beside.x() * x.y() + diagonal.z() * x.z()};
-  }
-  double at(const Vector3d& offset) const { return offset.dot(times(offset) + 2.0 * g) + c; }
-  // `other` about a vertex that lies at -offset from this one's.
-  void add(const Quadric& other, const Vector3d& offset) {
-    diagonal += other.diagonal;
-    beside += other.beside;
-    g += other.g + other.times(offset);
-    c += other.at(offset);
-  }
-};
-
 bool has(const Triangle& triangle, Index v) {
   return triangle[0] == v || triangle[1] == v || triangle[2] == v;
 }
-
-Index next_corner(const Triangle& triangle, Index v) {
-  if (triangle[0] == v) return triangle[1];
-  return triangle[1] == v ? triangle[2] : triangle[0];
-}
-
-Index last_corner(const Triangle& triangle, Index v) {
-  if (triangle[0] == v) return triangle[2];
-  return triangle[1] == v ? triangle[0] : triangle[1];
-}
-
-// An edge at a vertex, and how often a triangle there comes to its other end next after the vertex,
-// and last before it.
-struct Spoke {
-  Index to;
-  std::size_t as_next = 0;
-  std::size_t as_last = 0;
-
-  std::size_t triangles() const { return as_next + as_last; }
-  bool is_plain() const { return as_next == 1 && as_last == 1; }
-};
 
 struct Merge {
   double cost = std::numeric_limits<double>::max();
@@ -103,7 +55,6 @@ class Decimation {
       : positions_(positions),
         groups_(groups),
         triangles_(std::move(triangles)),
-        left_(positions.size()),
         owners_(positions.size()),
         has_changed_(positions.size(), 1),
         cheapest_(positions.size()),
@@ -113,7 +64,7 @@ class Decimation {
     left_ = owners_;
     find_around();
     for_each(left_, [&](std::size_t, Index v) {
-      is_plain_[v] = is_plain(v);
+      is_plain_[v] = has_plain_spokes(v, around_[v], triangles_);
       find_quadric(v);
     });
   }
@@ -146,48 +97,10 @@ class Decimation {
     std::erase_if(left_, [&](Index v) { return around_.size(v) == 0; });
   }
 
-  // Each neighbour of v is next in one triangle there, and last in another.
-  bool is_plain(Index v) const {
-    const auto around = around_[v];
-    if (around.size() > kMostAroundOne) return false;
-    std::array<Index, kMostAroundOne> next;
-    std::array<Index, kMostAroundOne> last;
-    for (std::size_t k = 0; k < around.size(); ++k) {
-      next[k] = next_corner(triangles_[around[k]], v);
-      last[k] = last_corner(triangles_[around[k]], v);
-    }
-    const auto count = [&](const auto& list, Index w) {
-      return std::count(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(around.size()), w);
-    };
-    for (std::size_t k = 0; k < around.size(); ++k) {
-      if (count(next, next[k]) != 1 || count(last, next[k]) != 1) return false;
-    }
-    return true;
-  }
-
-  // By other ends, ascending.
-  std::vector<Spoke> spokes_of(Index v) const {
-    std::vector<Spoke> ends;
-    ends.reserve(2 * around_.size(v));
-    for (const Index t : around_[v]) {
-      ends.push_back({next_corner(triangles_[t], v), 1, 0});
-      ends.push_back({last_corner(triangles_[t], v), 0, 1});
-    }
-    std::sort(ends.begin(), ends.end(), [](const Spoke& a, const Spoke& b) { return a.to < b.to; });
-    std::vector<Spoke> spokes;
-    spokes.reserve(ends.size());
-    for (const Spoke& end : ends) {
-      if (spokes.empty() || spokes.back().to != end.to) spokes.push_back({end.to});
-      spokes.back().as_next += end.as_next;
-      spokes.back().as_last += end.as_last;
-    }
-    return spokes;
-  }
-
   // That of the triangles at a vertex, and across sides on a boundary, which keep that where it is.
   void find_quadric(Index v) {
     std::vector<Spoke> spokes;
-    if (is_plain_[v] == 0) spokes = spokes_of(v);
+    if (is_plain_[v] == 0) spokes = spokes_of(v, around_[v], triangles_);
     const auto is_on_boundary = [&](Index w) {
       const auto at = std::lower_bound(spokes.begin(), spokes.end(), w,
                                        [](const Spoke& s, Index to) { return s.to < to; });
@@ -243,7 +156,7 @@ class Decimation {
       for (const Index t : around_[v]) look_at(next_corner(triangles_[t], v));
       return best;
     }
-    const std::vector<Spoke> spokes = spokes_of(v);
+    const std::vector<Spoke> spokes = spokes_of(v, around_[v], triangles_);
     const std::size_t open = boundary_edges(v, spokes);
     if (open > 2) return best;
     for (const Spoke& spoke : spokes) {
@@ -298,10 +211,9 @@ class Decimation {
       const Index q = t[(c + 1) % 3] == from ? into : t[(c + 1) % 3];
       longest = std::max(longest, (positions_[p] - positions_[q]).squaredNorm());
     }
-    const double square = after.squaredNorm();
-    const double cosine = before.dot(after);
-    return square >= kLeastHeight * kLeastHeight * longest * longest && cosine >= 0.0 &&
-           cosine * cosine >= kLeastCosine * kLeastCosine * before.squaredNorm() * square;
+    const double length = after.norm();
+    return length >= kLeastHeight * longest &&
+           before.dot(after) >= kLeastCosine * before.norm() * length;
   }
 
   // The third corners of the triangles on an edge, of which there are at most two.
@@ -407,12 +319,14 @@ class Decimation {
   void find_plain_around(std::span<const Merge> merges) {
     std::vector<char> is_still(merges.size());
     for_each(merges, [&](std::size_t k, const Merge& merge) {
-      is_still[k] = is_plain_[merge.into] != 0 && is_plain(merge.into);
+      is_still[k] = is_plain_[merge.into] != 0 &&
+                    has_plain_spokes(merge.into, around_[merge.into], triangles_);
     });
     for (std::size_t k = 0; k < merges.size(); ++k) {
       if (is_still[k] != 0) continue;
-      for (const Spoke& spoke : spokes_of(merges[k].into)) {
-        if (!spoke.is_plain()) is_plain_[spoke.to] = is_plain_[merges[k].into] = 0;
+      const Index into = merges[k].into;
+      for (const Spoke& spoke : spokes_of(into, around_[into], triangles_)) {
+        if (!spoke.is_plain()) is_plain_[spoke.to] = is_plain_[into] = 0;
       }
     }
   }
@@ -443,10 +357,10 @@ class Decimation {
   std::vector<Index> owners_;      ///< per vertex: what it went into, itself where it is left
   std::vector<char> has_changed_;  ///< per vertex: whether its cheapest_ may be another
   std::vector<Merge> cheapest_;    ///< per vertex
-  /// Per vertex: `is_plain`, as inside a surface with one orientation; or not, though it may be so
-  /// again, and where there are more than kMostAroundOne.
+  /// Per vertex: `has_plain_spokes`, as inside a surface with one orientation; or not, though it
+  /// may be so again.
   std::vector<char> is_plain_;
-  std::vector<Quadric> quadrics_;
+  std::vector<ErrorQuadric> quadrics_;
   Adjacency around_;
 };
 
