@@ -70,8 +70,8 @@ class Deformer {
   /// Prepares what `preview` has not, without settling from "assemble" on; timings include those of
   /// the preview's stages that it shares. May run on a thread of its own while `preview` is
   /// dragged, if `kernels` are not those that the preview uses (VulkanKernels may share a context).
-  /// What is to be dragged settled is there soonest so: neither order nor symbolic factorization of
-  /// the 3n x 3n system are made before the surface settles for the first time.
+  /// What is to be dragged settled is there soonest so: it waits for no symbolic factorization of
+  /// the 3n x 3n system.
   Deformer(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
   ~Deformer();
   Deformer(Deformer&&) noexcept;

@@ -175,7 +175,7 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
 
 void bench_follow(const FollowBench& settings) {
   std::printf(
-      "A drag of half a second, %s what frames without time need is there (ready),\n"
+      "A drag of half a second, begun %s what frames without time need is there (ready),\n"
       "each frame in a given time: how far a vertex is at most from what the frame would settle "
       "to,\n"
       "in percent of the diagonal, beside the linear response; and so half a second after the "
