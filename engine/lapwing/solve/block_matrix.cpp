@@ -42,7 +42,11 @@ void multiply(const BlockMatrix& A, std::span<const double> x, std::span<double>
   for (std::size_t k = 0; k < columns; ++k) {
     const double* in = x.data() + k * n;
     double* out = y.data() + k * n;
-    A.block_size == 1 ? add_product<1>(A, in, out) : add_product<3>(A, in, out);
+    if (A.block_size == 1) {
+      add_product<1>(A, in, out);
+    } else {
+      add_product<3>(A, in, out);
+    }
   }
 }
 
