@@ -149,6 +149,13 @@ INSTANTIATE_TEST_SUITE_P(
                kFactored},
         Change{"Weight", [](Edit& edit, const Mesh&) { edit.options.constraint_weight = 3.0; },
                kFactored},
+        Change{"Target",
+               [](Edit& edit, const Mesh& mesh) {
+                 const Index v = slab(mesh, 3.0, 3.5).front();
+                 edit.region.targets.push_back(
+                     {{v, v, v}, {1.0, 0.0, 0.0}, mesh.positions[v] + Vector3d(0.1, 0.2, 0.0)});
+               },
+               kAssembled},
         Change{"LaplacianWeights",
                [](Edit& edit, const Mesh&) { edit.options.weights = LaplacianWeights::uniform; },
                kAssembled},

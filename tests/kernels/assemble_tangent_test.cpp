@@ -178,7 +178,7 @@ TEST_F(TangentOfASphere, IsPositiveSemidefiniteAndKnowsRigidMotionsAlone) {
 // Rotations follow: what settling sees of a small displacement is what the tangent says of it.
 TEST_F(TangentOfASphere, IsTheEnergyToSecondOrder) {
   CpuKernels kernels;
-  const auto rotations = kernels.make_ring_rotations(rings_);
+  const auto rotations = kernels.make_ring_rotations(std::make_shared<RegionRings>(rings_));
   std::vector<double> energies(rings_.row_count());
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);

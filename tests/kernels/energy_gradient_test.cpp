@@ -24,7 +24,7 @@ struct Gradient {
 class EnergyGradient : public test::KernelTest {
  protected:
   static Gradient gradient(Kernels& on, const TurnedRings& turned) {
-    const auto rotations = on.make_ring_rotations(turned.rings);
+    const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
     std::vector<double> scales(turned.rings.row_count());
     for (std::size_t r = 0; r < scales.size(); ++r)
       scales[r] = 1.0 + 0.1 * static_cast<double>(r % 3);
@@ -91,7 +91,7 @@ TEST(EnergyGradientOnTheCpu, IsHalfOfTheChangeOfTheEnergy) {
   CpuKernels kernels;
   const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 15));
   TurnedRings turned = test::turned_rings(sample, 40, 0.3, 0.3, 16);
-  const auto rotations = kernels.make_ring_rotations(turned.rings);
+  const auto rotations = kernels.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
   std::vector<double> energies(turned.rings.row_count());
   const auto energy = [&] {
     rotations->fit_rotations(turned.displacement, energies);
@@ -121,7 +121,8 @@ TEST_P(EnergyGradient, IsNothingAtRest) {
   for (const Sample& sample : test::awkward_meshes()) {
     TurnedRings turned = test::turned_rings(sample, 0, 0.0, 0.5, 12);
     for (Vector3d& u : turned.displacement) u.setZero();
-    const auto rotations = kernels->make_ring_rotations(turned.rings);
+    const auto rotations =
+        kernels->make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
     std::vector<double> energies(turned.rings.row_count());
     rotations->fit_rotations(turned.displacement, energies);
     std::vector<double> gradient(3 * turned.rings.unknown_rows.size());
@@ -146,7 +147,8 @@ TEST_P(EnergyGradient, IsNothingWithTheEnergyForRigidMotionsAndSimilaritiesOfTha
         const Vector3d arm = sample.mesh.positions[turned.rings.vertices[v]] - center;
         turned.displacement[v] = T * arm - arm + size * Vector3d(2, -1, 3);
       }
-      const auto rotations = kernels->make_ring_rotations(turned.rings);
+      const auto rotations =
+          kernels->make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
       rotations->set_scales(std::vector<double>(turned.rings.row_count(), scale));
       std::vector<double> energies(turned.rings.row_count());
       rotations->fit_rotations(turned.displacement, energies);

@@ -24,8 +24,8 @@ struct Life {
 
 class MortalRotations final : public RingRotations {
  public:
-  MortalRotations(const RegionRings& rings, std::shared_ptr<Life> life)
-      : twin_(CpuKernels().make_ring_rotations(rings)), life_(std::move(life)) {}
+  MortalRotations(std::shared_ptr<const RegionRings> rings, std::shared_ptr<Life> life)
+      : twin_(CpuKernels().make_ring_rotations(std::move(rings))), life_(std::move(life)) {}
 
   void set_scales(std::span<const double> scales) override {
     life_->call();
@@ -77,9 +77,10 @@ class MortalKernels final : public Kernels {
     life_->call();
     twin_.rotate_frames(rings, source, target, transforms);
   }
-  std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings) override {
+  std::unique_ptr<RingRotations> make_ring_rotations(
+      std::shared_ptr<const RegionRings> rings) override {
     life_->call();
-    return std::make_unique<MortalRotations>(rings, life_);
+    return std::make_unique<MortalRotations>(std::move(rings), life_);
   }
 
  private:
@@ -95,7 +96,7 @@ FallbackKernels lives_for(long calls) {
 // What settling asks for, twice over: energies, gradients and transforms.
 std::vector<double> turn(Kernels& on, const test::TurnedRings& turned) {
   const std::size_t rows = turned.rings.row_count();
-  const auto rotations = on.make_ring_rotations(turned.rings);
+  const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
   rotations->set_scales(std::vector<double>(rows, 1.25));
   std::vector<double> numbers;
   for (const double share : {0.5, 1.0}) {

@@ -27,7 +27,7 @@ struct Fitted {
 class FitRotations : public test::KernelTest {
  protected:
   static Fitted fit(Kernels& on, const TurnedRings& turned, std::span<const double> scales = {}) {
-    const auto rotations = on.make_ring_rotations(turned.rings);
+    const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
     if (!scales.empty()) rotations->set_scales(scales);
     Fitted fitted;
     fitted.energies.resize(turned.rings.row_count());

@@ -123,6 +123,25 @@ TEST(EnergyWeights, WithoutADetailLengthTheyAreLaplaciansAlone) {
                                      topology, mesh.positions, LaplacianWeights::uniform)));
 }
 
+TEST(EnergyWeights, WithOtherLaplaciansTheRestStaysToTheBit) {
+  Mesh mesh = icosphere(2);
+  for (Vector3d& p : mesh.positions) p += 0.1 * wave(3.0 * p);
+  const std::vector<Index> roi = all_vertices(mesh);
+  const auto weights = [&](LaplacianWeights scheme) {
+    return energy_weights(mesh.topology(), mesh.positions, roi, {scheme, kTerms.detail_length});
+  };
+  for (const auto scheme : {LaplacianWeights::cotangent, LaplacianWeights::uniform}) {
+    for (const auto before : {LaplacianWeights::cotangent, LaplacianWeights::uniform}) {
+      const EnergyWeights now =
+          with_laplacian(weights(before), mesh.topology(), mesh.positions, roi, scheme);
+      const EnergyWeights expected = weights(scheme);
+      EXPECT_THAT(now.laplacian, ::testing::ElementsAreArray(expected.laplacian));
+      EXPECT_THAT(now.rows, ::testing::ElementsAreArray(expected.rows));
+      EXPECT_THAT(now.stiffness, ::testing::ElementsAreArray(expected.stiffness));
+    }
+  }
+}
+
 TEST(EnergyWeights, OfTrianglesWithoutAreaAreFinite) {
   Mesh mesh = grid(4, 4);
   for (Vector3d& p : mesh.positions) p.y() = 0.0;

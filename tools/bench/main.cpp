@@ -124,6 +124,8 @@ void add_studies(CLI::App& app, Studies& studies) {
       ->check(CLI::PositiveNumber);
   follow->add_flag("--at-once", studies.follow.at_once,
                    "drags begin when they can, not a second later");
+  follow->add_flag("--again", studies.follow.again,
+                   "each is made ready after one with another handle and another belt");
   follow->callback([&] { bench_follow(studies.follow); });
 
   auto* edits =

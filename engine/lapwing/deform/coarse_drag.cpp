@@ -39,11 +39,10 @@ std::unique_ptr<CoarseDrag> CoarseDrag::make(const EditSystem& fine) {
 
 CoarseDrag::CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse)
     : coarse_(std::move(coarse)),
-      embedding_(fine, *coarse_),
       settler_(kernels_, coarse_->edit->systems->laplacian_with_rings(), *fine.options.settle),
       energy_ratio_(static_cast<double>(coarse_->edit->region.roi.size()) /
                     static_cast<double>(fine.region.roi.size())),
-      is_held_(coarse_->kept.size(), 1) {
+      is_held_(surface().kept.size(), 1) {
   for (const Index c : coarse_->edit->region.roi) is_held_[c] = 0;
   for (const Index c : coarse_->edit->region.belt) is_held_[c] = 1;
   for (const VertexSet& handle : coarse_->edit->region.handles) {
@@ -53,8 +52,8 @@ CoarseDrag::CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coa
 
 std::vector<Vector3d> CoarseDrag::of_kept(std::span<const Vector3d> of_fine) const {
   std::vector<Vector3d> own;
-  own.reserve(coarse_->kept.size());
-  for (const Index v : coarse_->kept) own.push_back(of_fine[v]);
+  own.reserve(surface().kept.size());
+  for (const Index v : surface().kept) own.push_back(of_fine[v]);
   return own;
 }
 
@@ -62,7 +61,7 @@ SettleTarget CoarseDrag::target_of(const SettleTarget& fine) {
   next_wanted_ = of_kept(fine.wanted);
   scales_.clear();
   if (!fine.scales.empty()) {
-    for (const Index v : coarse_->kept) scales_.push_back(fine.scales[v]);
+    for (const Index v : surface().kept) scales_.push_back(fine.scales[v]);
   }
   return {next_wanted_, scales_, forces_};
 }
@@ -71,7 +70,7 @@ SettleTarget CoarseDrag::target_of(const SettleTarget& fine) {
 CoarseEmbedding::Pose CoarseDrag::pose_at(std::vector<Vector3d> displacement) {
   const RegionRings& rings = coarse_->edit->systems->laplacian().rings();
   CoarseEmbedding::Pose pose{std::move(displacement),
-                             std::vector<Matrix3d>(coarse_->kept.size(), Matrix3d::Identity())};
+                             std::vector<Matrix3d>(surface().kept.size(), Matrix3d::Identity())};
   const std::vector<Matrix3d> transforms = settler_.transforms();
   for (std::size_t r = 0; r < rings.row_count(); ++r) {
     pose.transforms[rings.vertices[r]] = transforms[r];
@@ -80,7 +79,7 @@ CoarseEmbedding::Pose CoarseDrag::pose_at(std::vector<Vector3d> displacement) {
 }
 
 void CoarseDrag::begin(const SettleTarget& target, std::span<const Vector3d> u) {
-  forces_.assign(coarse_->kept.size(), Vector3d::Zero());
+  forces_.assign(surface().kept.size(), Vector3d::Zero());
   recent_wanted_.clear();
   recent_displacement_.clear();
   settler_.begin_drag();
@@ -128,7 +127,7 @@ void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, double next
   const Stopwatch carrying;
   settler_.energy(own, displacement);
   CoarseEmbedding::Pose next = pose_at(std::move(displacement));
-  embedding_.carry(pose_, next, u);
+  coarse_->level->embedding.carry(pose_, next, u);
   if (wanted_ != next_wanted_) {
     add_change(recent_wanted_, wanted_, next_wanted_);
     add_change(recent_displacement_, pose_.displacement, next.displacement);
@@ -139,7 +138,7 @@ void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, double next
 }
 
 void CoarseDrag::learn(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {
-  const std::vector<Vector3d> gathered = embedding_.gather(gradient, u, pose_);
+  const std::vector<Vector3d> gathered = coarse_->level->embedding.gather(gradient, u, pose_);
   for (std::size_t c = 0; c < gathered.size(); ++c) {
     if (is_held_[c] == 0) forces_[c] -= kTrustInForces * energy_ratio_ * gathered[c];
   }

@@ -44,13 +44,13 @@ class CoarseDrag {
   static constexpr int kMostIterations = 8;
 
   CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse);
+  const CoarseSurface& surface() const { return coarse_->level->surface; }
   std::vector<Eigen::Vector3d> of_kept(std::span<const Eigen::Vector3d> of_fine) const;
   SettleTarget target_of(const SettleTarget& fine);
   std::vector<Eigen::Vector3d> gone_on() const;
   CoarseEmbedding::Pose pose_at(std::vector<Eigen::Vector3d> displacement);
 
   std::unique_ptr<CoarseRegion> coarse_;
-  CoarseEmbedding embedding_;
   CpuKernels kernels_;
   Settler settler_;
   double energy_ratio_;        ///< of the coarse energy to the fine one: both sum over vertices

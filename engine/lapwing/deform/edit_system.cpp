@@ -90,19 +90,25 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   }
   const bool needs_laplacian = is_previewed || options.settle.has_value();
   const auto lock = systems->lock();
-  const char* const stage = begin(systems->is_ordered() ? "constraints" : "order");
-  parallel_invoke(
-      [&] {
-        check_and_frame();
-        systems->assemble_laplacian(terms());
-      },
-      [&] {
-        if (is_previewed) {
-          systems->analyze_laplacian();
-        } else {
-          systems->find_order();
-        }
-      });
+  const bool finds_order = !systems->is_ordered();
+  const char* const stage = begin(finds_order ? "order" : "constraints");
+  const auto assemble = [&] {
+    check_and_frame();
+    systems->assemble_laplacian(terms());
+  };
+  const auto order = [&] {
+    if (is_previewed) {
+      systems->analyze_laplacian();
+    } else {
+      systems->find_order();
+    }
+  };
+  if (finds_order) {
+    parallel_invoke(assemble, order);
+  } else {
+    order();
+    assemble();  // on all threads
+  }
   // What no preview waits for comes to a 3n x 3n system next, the response's or a tangent's.
   if (needs_laplacian && !is_previewed) systems->analyze_both();
   timings.add(stage, watch.elapsed_ms());

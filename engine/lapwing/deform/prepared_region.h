@@ -24,7 +24,10 @@ bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector
 ///
 /// Kept are the pattern, the order, both symbolic factorizations and their memory; with the same
 /// positions and Laplacian weights the rows of M and M'M; of the factor what the change does not
-/// reach. Results are those of a full preparation bit for bit. With other positions (after a
+/// reach; with the same positions the coarse surface of followed drags, of which another handle or
+/// belt changes what is near. Results are those of a full preparation bit for bit; frames of a
+/// followed drag that a coarse surface leads, which depend on the time they have, go by the coarse
+/// surface that is kept. With other positions (after a
 /// commit, say) the numbers are computed anew. An edit with another ROI, or other unknowns (hard
 /// constraints solve for the free vertices alone, which move with the handle; a loose vertex counts
 /// while it is held), is prepared in full, and what is kept is then that. A preparation that is

@@ -1,6 +1,7 @@
 #include "lapwing/deform/region_system.h"
 
 #include <string>
+#include <utility>
 
 #include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
@@ -21,9 +22,19 @@ bool RegionSystem::serves(const VertexSet& roi, const Unknowns& unknowns) const 
 
 void RegionSystem::assemble_laplacian(const SystemTerms& terms) {
   if (terms == laplacian_terms_) return;
-  laplacian_terms_ = {};
-  laplacian_.assemble(*terms.rest, terms.energy,
-                      terms.springs ? *terms.springs : std::vector<Spring>());
+  const SystemTerms before = std::exchange(laplacian_terms_, {});
+  const auto springs = terms.springs ? std::span(*terms.springs) : std::span<const Spring>();
+  if (before.rest == terms.rest && before.energy == terms.energy) {
+    laplacian_.assemble(laplacian_.shared_weights(), springs);
+  } else if (before.rest == terms.rest &&
+             before.energy.detail_length == terms.energy.detail_length) {
+    laplacian_.assemble(
+        std::make_shared<const EnergyWeights>(with_laplacian(
+            *laplacian_.shared_weights(), topology_, *terms.rest, roi_, terms.energy.weights)),
+        springs);
+  } else {
+    laplacian_.assemble(*terms.rest, terms.energy, springs);
+  }
   laplacian_terms_ = terms;
 }
 

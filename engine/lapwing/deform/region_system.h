@@ -9,6 +9,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/coarse_surfaces.h"
 #include "lapwing/deform/deform_options.h"
 #include "lapwing/deform/response_system.h"
 #include "lapwing/kernels/kernels.h"
@@ -82,6 +83,9 @@ class RegionSystem {
   /// response among them. The n x n system is assembled for it.
   std::shared_ptr<const BlockRows> tangent_rows(const SystemTerms& terms, Kernels& kernels);
 
+  /// Without the lock.
+  CoarseSurfaces& coarse_surfaces() { return coarse_surfaces_; }
+
  private:
   void require_memory(std::size_t limit_bytes);
   std::shared_ptr<const BlockRows> held_tangent_rows(const SystemTerms& terms) const;
@@ -102,6 +106,7 @@ class RegionSystem {
   SystemTerms rows_terms_;
   bool response_has_memory_ = false;
   std::size_t response_bytes_ = 0;  ///< that it needs, once known
+  CoarseSurfaces coarse_surfaces_;
 };
 
 }  // namespace lapwing

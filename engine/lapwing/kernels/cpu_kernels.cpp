@@ -9,8 +9,9 @@ CpuKernels::CpuKernels() {
   device_.type = "cpu";
 }
 
-std::unique_ptr<RingRotations> CpuKernels::make_ring_rotations(const RegionRings& rings) {
-  return std::make_unique<CpuRingRotations>(rings);
+std::unique_ptr<RingRotations> CpuKernels::make_ring_rotations(
+    std::shared_ptr<const RegionRings> rings) {
+  return std::make_unique<CpuRingRotations>(std::move(rings));
 }
 
 }  // namespace lapwing

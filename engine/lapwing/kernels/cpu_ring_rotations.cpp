@@ -1,6 +1,7 @@
 #include "lapwing/kernels/cpu_ring_rotations.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "lapwing/base/instruction_set.h"
 #include "lapwing/base/parallel.h"
@@ -24,22 +25,22 @@ const RingLoops& ring_loops() {
   return kRingLoopsBaseline;
 }
 
-CpuRingRotations::CpuRingRotations(const RegionRings& rings)
-    : rings_(rings),
+CpuRingRotations::CpuRingRotations(std::shared_ptr<const RegionRings> rings)
+    : shared_rings_(std::move(rings)),
       loops_(ring_loops()),
-      rest_((rings.row_count() + kFitLanes - 1) / kFitLanes),
-      displacement_(std::max(rings.vertices.size(), rest_.size() * kFitLanes)),
-      turns_(rings.vertices.size()),
-      residuals_(rings.vertices.size()) {
+      rest_((rings_.row_count() + kFitLanes - 1) / kFitLanes),
+      displacement_(std::max(rings_.vertices.size(), rest_.size() * kFitLanes)),
+      turns_(rings_.vertices.size()),
+      residuals_(rings_.vertices.size()) {
   constexpr std::size_t kBatchesPerTask = 64;
   entry_starts_.reserve(rest_.size() + 1);
   entry_starts_.push_back(0);
   for (std::size_t batch = 0; batch < rest_.size(); ++batch) {
     const std::size_t first = batch * kFitLanes;
-    const std::size_t last = std::min(first + kFitLanes, rings.row_count());
+    const std::size_t last = std::min(first + kFitLanes, rings_.row_count());
     std::size_t longest = 0;
     for (std::size_t r = first; r < last; ++r) {
-      longest = std::max<std::size_t>(longest, rings.starts[r + 1] - rings.starts[r]);
+      longest = std::max<std::size_t>(longest, rings_.starts[r + 1] - rings_.starts[r]);
     }
     entry_starts_.push_back(entry_starts_.back() + longest);
   }

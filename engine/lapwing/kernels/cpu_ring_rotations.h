@@ -1,17 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "lapwing/kernels/ring_loops.h"
 #include "lapwing/kernels/kernels.h"
+#include "lapwing/kernels/ring_loops.h"
 
 namespace lapwing {
 
 /// RingRotations in double precision, on all threads. Allocates nothing after construction.
 class CpuRingRotations final : public RingRotations {
  public:
-  explicit CpuRingRotations(const RegionRings& rings);
+  explicit CpuRingRotations(std::shared_ptr<const RegionRings> rings);
 
   void set_scales(std::span<const double> scales) override;
   void fit_rotations(std::span<const Eigen::Vector3d> displacement,
@@ -23,7 +24,8 @@ class CpuRingRotations final : public RingRotations {
   void pack_batch(std::size_t batch);
   void fit(std::size_t batch_number, FitBatch& batch) const;
 
-  RegionRings rings_;
+  const std::shared_ptr<const RegionRings> shared_rings_;
+  const RegionRings& rings_ = *shared_rings_;
   const RingLoops& loops_;
   std::vector<FitRest> rest_;              ///< per batch of kFitLanes rows
   std::vector<std::size_t> entry_starts_;  ///< per batch, in entries_

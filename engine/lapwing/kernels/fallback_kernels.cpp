@@ -52,8 +52,8 @@ class FallbackKernels::Devices {
 
 class FallbackKernels::Rotations final : public RingRotations {
  public:
-  Rotations(std::shared_ptr<Devices> devices, const RegionRings& rings)
-      : state_(std::make_unique<State>(std::move(devices), rings)) {
+  Rotations(std::shared_ptr<Devices> devices, std::shared_ptr<const RegionRings> rings)
+      : state_(std::make_unique<State>(std::move(devices), std::move(rings))) {
     state_->make();
   }
 
@@ -77,12 +77,13 @@ class FallbackKernels::Rotations final : public RingRotations {
 
  private:
   struct State {
-    State(std::shared_ptr<Devices> on, const RegionRings& of) : devices(std::move(on)), rings(of) {}
+    State(std::shared_ptr<Devices> on, std::shared_ptr<const RegionRings> of)
+        : devices(std::move(on)), rings(std::move(of)) {}
 
     void make() {
       rotations = devices->run([&](Kernels& on) { return on.make_ring_rotations(rings); });
       is_on_device = devices->device_works();
-      if (!is_on_device) rings = {};
+      if (!is_on_device) rings.reset();
     }
 
     // Where the last calls left those of the device.
@@ -110,8 +111,8 @@ class FallbackKernels::Rotations final : public RingRotations {
     }
 
     std::shared_ptr<Devices> devices;
-    RegionRings rings;  ///< as long as they are on the device, as `fitted`
-    std::size_t row_count = rings.row_count();
+    std::shared_ptr<const RegionRings> rings;  ///< as long as they are on the device, as `fitted`
+    std::size_t row_count = rings->row_count();
     std::vector<double> scales;
     std::vector<Eigen::Vector3d> fitted;  ///< the displacement of the last fit
     std::unique_ptr<RingRotations> rotations;
@@ -153,8 +154,9 @@ void FallbackKernels::rotate_frames(const MappedRings& rings, const FramedSurfac
   devices_->run([&](Kernels& on) { on.rotate_frames(rings, source, target, transforms); });
 }
 
-std::unique_ptr<RingRotations> FallbackKernels::make_ring_rotations(const RegionRings& rings) {
-  return std::make_unique<Rotations>(devices_, rings);
+std::unique_ptr<RingRotations> FallbackKernels::make_ring_rotations(
+    std::shared_ptr<const RegionRings> rings) {
+  return std::make_unique<Rotations>(devices_, std::move(rings));
 }
 
 }  // namespace lapwing

@@ -29,7 +29,8 @@ class FallbackKernels final : public Kernels {
                                 std::span<Eigen::Vector3d> laplacians) override;
   void rotate_frames(const MappedRings& rings, const FramedSurface& source,
                      const FramedSurface& target, std::span<Eigen::Matrix3d> transforms) override;
-  std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings) override;
+  std::unique_ptr<RingRotations> make_ring_rotations(
+      std::shared_ptr<const RegionRings> rings) override;
 
  private:
   class Devices;

@@ -141,8 +141,9 @@ class Kernels {
                              const FramedSurface& target,
                              std::span<Eigen::Matrix3d> transforms) = 0;
 
-  /// The rings of a region, not turned yet. `rings` need not outlive it.
-  virtual std::unique_ptr<RingRotations> make_ring_rotations(const RegionRings& rings) = 0;
+  /// The rings of a region, not turned yet.
+  virtual std::unique_ptr<RingRotations> make_ring_rotations(
+      std::shared_ptr<const RegionRings> rings) = 0;
 };
 
 /// M for `problem.rows`, assembled on the device. The cost is one kernel and one copy.

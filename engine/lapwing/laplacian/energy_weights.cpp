@@ -121,4 +121,11 @@ EnergyWeights energy_weights(const Topology& topology, std::span<const Vector3d>
   return weights;
 }
 
+EnergyWeights with_laplacian(EnergyWeights weights, const Topology& topology,
+                             std::span<const Vector3d> rest, std::span<const Index> roi,
+                             LaplacianWeights scheme) {
+  weights.laplacian = laplacian_weights(topology, rest, scheme, roi);
+  return weights;
+}
+
 }  // namespace lapwing

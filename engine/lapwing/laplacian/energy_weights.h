@@ -44,4 +44,9 @@ struct EnergyWeights {
 EnergyWeights energy_weights(const Topology& topology, std::span<const Eigen::Vector3d> rest,
                              std::span<const Index> roi, const EnergyTerms& terms);
 
+/// The same for other Laplacians alone: om and k are those of the surface.
+EnergyWeights with_laplacian(EnergyWeights weights, const Topology& topology,
+                             std::span<const Eigen::Vector3d> rest, std::span<const Index> roi,
+                             LaplacianWeights scheme);
+
 }  // namespace lapwing

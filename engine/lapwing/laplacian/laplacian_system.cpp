@@ -48,7 +48,7 @@ void LaplacianSystem::assemble(std::span<const Vector3d> rest, const EnergyTerms
 
 void LaplacianSystem::assemble(std::shared_ptr<const EnergyWeights> weights,
                                std::span<const Spring> springs) {
-  has_rings_ = false;
+  has_rings_ = has_rings_ && weights == weights_;
   weights_ = std::move(weights);
   L_ = laplacian_rows(topology_.rings, weights_->laplacian, roi_);
   if (!weights_->rows.empty()) {
@@ -84,7 +84,8 @@ void LaplacianSystem::factor(std::span<const double> W) {
 void LaplacianSystem::make_rings(std::span<const Vector3d> rest) {
   if (has_rings_) return;
   const std::vector<Index> rows = rows_by_elimination();
-  rings_ = region_rings(topology_, rest, *weights_, rows, std::span(rows).first(size()));
+  rings_ = std::make_shared<const RegionRings>(
+      region_rings(topology_, rest, *weights_, rows, std::span(rows).first(size())));
   has_rings_ = true;
 }
 
@@ -106,9 +107,10 @@ std::vector<Index> LaplacianSystem::rows_by_elimination() {
 
 // An edge between two rows counts from both ends.
 void LaplacianSystem::add_edge_terms(BlockMatrix& A) const {
+  constexpr std::size_t kUnknownsPerTask = 2048;
   const BlockPattern& blocks = *A.pattern;
   const Adjacency& rings = topology_.rings;
-  for (std::size_t c = 0; c < size(); ++c) {
+  const auto add_to_column = [&](std::size_t c) {
     const Index v = constraints_.unknowns.vertices[c];
     for (std::size_t e = rings.starts[v]; e < rings.starts[v + 1]; ++e) {
       const Index j = rings.values[e];
@@ -120,7 +122,10 @@ void LaplacianSystem::add_edge_terms(BlockMatrix& A) const {
       const auto at = std::lower_bound(column.begin(), column.end(), r) - column.begin();
       A.values[blocks.starts[c] + static_cast<std::size_t>(at)] -= k;
     }
-  }
+  };
+  parallel_for(size(), kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) add_to_column(c);
+  });
 }
 
 void LaplacianSystem::multiply(std::span<const Vector3d> u, std::span<double> y) const {

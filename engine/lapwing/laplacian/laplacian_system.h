@@ -37,7 +37,8 @@ class LaplacianSystem {
   /// L and L'Om L + K, for which neither order nor constraints are needed.
   void assemble(std::span<const Eigen::Vector3d> rest, const EnergyTerms& terms,
                 std::span<const Spring> springs = {});
-  /// The same with weights that are known, as a part of a region has them.
+  /// The same with weights that are known, as a part of a region has them; with those last
+  /// assembled its rings are those it has.
   void assemble(std::shared_ptr<const EnergyWeights> weights, std::span<const Spring> springs);
   /// As last assembled.
   const EnergyWeights& weights() const { return *weights_; }
@@ -61,7 +62,9 @@ class LaplacianSystem {
 
   /// Unknowns and their rows come in the order of elimination, so that neighbours in space are
   /// neighbours in memory: unknown k of these is unknown `elimination_order()[k]`.
-  const RegionRings& rings() const { return rings_; }
+  const RegionRings& rings() const { return *rings_; }
+  /// The same, which stay what they are when others are made.
+  const std::shared_ptr<const RegionRings>& shared_rings() const { return rings_; }
   const std::vector<int>& elimination_order() const { return pattern_.order(); }
   const Constraints& constraints() const { return constraints_; }
   std::string_view solver_name() const { return factor_.solver().name(); }
@@ -96,7 +99,7 @@ class LaplacianSystem {
   std::shared_ptr<const EnergyWeights> weights_ = std::make_shared<const EnergyWeights>();
   std::vector<Spring> springs_;
   bool has_rings_ = false;
-  RegionRings rings_;
+  std::shared_ptr<const RegionRings> rings_ = std::make_shared<const RegionRings>();
   std::vector<Index> places_;  ///< unknown -> where it stands in the order of elimination
   HeldFactor factor_;
 };

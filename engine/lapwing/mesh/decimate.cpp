@@ -296,6 +296,7 @@ class Decimation {
   }
 
   void merge(Index from, Index into) {
+    remember(from, into);
     owners_[from] = into;
     quadrics_[into].add(quadrics_[from], positions_[into] - positions_[from]);
     for (const Index t : around_[from]) {
@@ -303,6 +304,16 @@ class Decimation {
         if (corner == from) corner = into;
       }
     }
+  }
+
+  void remember(Index from, Index into) {
+    history_.merges.push_back({from, into});
+    std::vector<Index>& beside = history_.beside.values;
+    for (const Index t : around_[from]) {
+      beside.push_back(next_corner(triangles_[t], from));
+      if (is_plain_[from] == 0) beside.push_back(last_corner(triangles_[t], from));
+    }
+    history_.beside.starts.push_back(static_cast<Index>(beside.size()));
   }
 
   // What a vertex costs changes with the quadrics of its neighbours, and which these are.
@@ -343,6 +354,7 @@ class Decimation {
       result.owners[v] = own[last];
     }
     result.kept = std::move(left_);
+    result.history = std::move(history_);
     result.triangles = std::move(triangles_);
     for (Triangle& t : result.triangles) {
       for (Index& corner : t) corner = own[corner];
@@ -362,6 +374,7 @@ class Decimation {
   std::vector<char> is_plain_;
   std::vector<ErrorQuadric> quadrics_;
   Adjacency around_;
+  MergeHistory history_;
 };
 
 // The surface renumbered so that neighbours are close in memory, where most of the time goes.
@@ -396,8 +409,14 @@ Renumbered renumbered(std::span<const Vector3d> positions, std::vector<Triangle>
 }
 
 // In the numbers given: those of the vertices left, ascending.
-Decimated numbered_as_given(const Decimated& own, std::span<const Index> vertices) {
+Decimated numbered_as_given(Decimated own, std::span<const Index> vertices) {
   Decimated result;
+  result.history = std::move(own.history);
+  for (auto& [from, into] : result.history.merges) {
+    from = vertices[from];
+    into = vertices[into];
+  }
+  for (Index& v : result.history.beside.values) v = vertices[v];
   for (const Index k : own.kept) result.kept.push_back(vertices[k]);
   std::sort(result.kept.begin(), result.kept.end());
   const std::vector<Index> places = places_in(result.kept, vertices.size());

@@ -75,10 +75,10 @@ double mean_length(std::span<const Vector3d> edges) {
 Settler::State::State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
                       TurnedTangent* turned, PartSettler* part_settler)
     : system(laplacian),
-      rings(laplacian.rings()),
+      shared_rings(laplacian.shared_rings()),
       options(o),
       mean_edge(mean_length(rings.edges)),
-      rotations(kernels.make_ring_rotations(rings)),
+      rotations(kernels.make_ring_rotations(shared_rings)),
       given_tangent(turned),
       parts(part_settler),
       history(3 * laplacian.size(), kWindow, mean_edge),

@@ -29,7 +29,8 @@ struct SettlePace {
 /// gradient they go by, in settler_surface.cpp.
 struct Settler::State {
   const LaplacianSystem& system;
-  const RegionRings& rings;
+  const std::shared_ptr<const RegionRings> shared_rings;
+  const RegionRings& rings = *shared_rings;
   SettleOptions options;
   double mean_edge;
   std::unique_ptr<RingRotations> rotations;

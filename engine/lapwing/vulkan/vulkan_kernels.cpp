@@ -98,8 +98,9 @@ VulkanKernels::VulkanKernels(std::shared_ptr<gpu::Context> context, Precision pr
 
 VulkanKernels::~VulkanKernels() = default;
 
-std::unique_ptr<RingRotations> VulkanKernels::make_ring_rotations(const RegionRings& rings) {
-  return std::make_unique<VulkanRingRotations>(state_, rings);
+std::unique_ptr<RingRotations> VulkanKernels::make_ring_rotations(
+    std::shared_ptr<const RegionRings> rings) {
+  return std::make_unique<VulkanRingRotations>(state_, *rings);
 }
 
 const std::shared_ptr<gpu::Context>& VulkanKernels::context() const {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -192,19 +193,26 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
   measure_frame_in_time(run, subject, device, *deformer);
 }
 
-// All that a settled drag needs from its first frame on. Several threads allocate: no count.
+// All that a settled drag needs from its first frame on.
+std::unique_ptr<Deformer> settled_drag(PreparedRegion& prepared, const Subject& subject,
+                                       const EditRegion& region, const DeformOptions& options,
+                                       const BenchDevice& device) {
+  const DragPreview preview(prepared, subject.mesh.positions, region, options);
+  auto deformer = std::make_unique<Deformer>(preview, *device.kernels);
+  deformer->prepare_to_follow();
+  return deformer;
+}
+
+// Several threads allocate: no count.
 void measure_settled_preparation(BenchRun& run, const Subject& subject, const BenchDevice& device) {
   if (run.settings().only_counts) return;
   if (!run.wants("settled preparation", kLapwing, device.name, subject)) return;
-  const DeformOptions options = deform_options(run);
   std::unique_ptr<Deformer> deformer;
   run.measure(
       "settled preparation", kLapwing, device, subject,
       [&] {
-        const DragPreview preview(subject.mesh.positions, subject.mesh.topology(), subject.region,
-                                  options);
-        deformer = std::make_unique<Deformer>(preview, *device.kernels);
-        deformer->prepare_to_follow();
+        PreparedRegion prepared(subject.mesh.topology());
+        deformer = settled_drag(prepared, subject, subject.region, deform_options(run), device);
       },
       [&] { deformer.reset(); });
 }
@@ -231,42 +239,62 @@ EditRegion with_other_belt(const Subject& subject) {
   return region;
 }
 
-// A preparation that follows another one of the same region.
+// Prepares an edit, and makes all that a drag of it needs.
+using Prepare = std::function<std::unique_ptr<Deformer>(PreparedRegion&, const EditRegion&,
+                                                        const DeformOptions&)>;
+
+// A preparation that follows another one of the same region, of which the first is gone by then,
+// and what it made on threads of its own.
 void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                   const std::string& stage, const EditRegion& region,
-                   const DeformOptions& options) {
+                   const std::string& stage, const EditRegion& region, const DeformOptions& options,
+                   const Prepare& prepare) {
   // Every run needs a preparation before it.
   constexpr std::size_t kMostForAgain = 120'000;
   if (subject.vertices() > kMostForAgain) return;
   if (!run.wants(stage, kLapwing, device.name, subject)) return;
   PreparedRegion prepared(subject.mesh.topology());
-  std::unique_ptr<Deformer> first;
   std::unique_ptr<Deformer> again;
   run.measure(
-      stage, kLapwing, device, subject,
-      [&] {
-        again = std::make_unique<Deformer>(prepared, subject.mesh.positions, region, options,
-                                           *device.kernels);
-        uploaded(*again->response(), subject, device);
-      },
+      stage, kLapwing, device, subject, [&] { again = prepare(prepared, region, options); },
       [&] {
         again.reset();
-        first = std::make_unique<Deformer>(prepared, subject.mesh.positions, subject.region,
-                                           deform_options(run), *device.kernels);
-        first->response();
+        prepare(prepared, subject.region, deform_options(run));
       });
 }
 
-void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice& device) {
+void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice& device,
+                       const std::string& stage, const Prepare& prepare) {
   const DeformOptions options = deform_options(run);
   DeformOptions other_weight = options;
   other_weight.constraint_weight = 10.0;
   DeformOptions other_laplacians = options;
   other_laplacians.weights = LaplacianWeights::uniform;
-  measure_again(run, subject, device, "again, other handle", with_other_handle(subject), options);
-  measure_again(run, subject, device, "again, other belt", with_other_belt(subject), options);
-  measure_again(run, subject, device, "again, other weight", subject.region, other_weight);
-  measure_again(run, subject, device, "again, other Laplacians", subject.region, other_laplacians);
+  const auto measure = [&](const char* change, const EditRegion& region,
+                           const DeformOptions& changed) {
+    measure_again(run, subject, device, stage + ", other " + change, region, changed, prepare);
+  };
+  measure("handle", with_other_handle(subject), options);
+  measure("belt", with_other_belt(subject), options);
+  measure("weight", subject.region, other_weight);
+  measure("Laplacians", subject.region, other_laplacians);
+}
+
+void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice& device) {
+  measure_all_again(
+      run, subject, device, "again",
+      [&](PreparedRegion& prepared, const EditRegion& region, const DeformOptions& options) {
+        auto deformer = std::make_unique<Deformer>(prepared, subject.mesh.positions, region,
+                                                   options, *device.kernels);
+        uploaded(*deformer->response(), subject, device);
+        return deformer;
+      });
+  // Several threads allocate: no count.
+  if (run.settings().only_counts) return;
+  measure_all_again(
+      run, subject, device, "settled again",
+      [&](PreparedRegion& prepared, const EditRegion& region, const DeformOptions& options) {
+        return settled_drag(prepared, subject, region, options, device);
+      });
 }
 
 // The mean of many iterations from rest, on what a Deformer would run them on.

@@ -95,6 +95,7 @@ struct FollowBench {
   int subdivisions = 0;    ///< of every mesh, each into four times the triangles
   double budget_ms = 0.0;  ///< of a frame; 0: frame_budget_ms
   bool at_once = false;    ///< drags begin before what is made for the first rest is there
+  bool again = false;      ///< each is made ready after one with another handle and belt
 };
 
 /// Drags one end of each mesh in two ways (`studies/real/ends_motion.h`), settled frame by frame in

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "lapwing/deform/coarse_embedding.h"
+#include "lapwing/mesh/decimate.h"
+#include "lapwing/region/edit_region.h"
+
+namespace lapwing {
+
+/// A coarse surface, and how a region goes along with it.
+struct CoarseLevel {
+  CoarseLevel(CoarseSurface of, std::shared_ptr<const Positions> rest, const VertexSet& roi)
+      : surface(std::move(of)), embedding(std::move(rest), roi, surface) {}
+  CoarseLevel(const CoarseLevel&) = delete;
+  CoarseLevel& operator=(const CoarseLevel&) = delete;
+
+  const CoarseSurface surface;
+  const CoarseEmbedding embedding;
+};
+
+/// The coarse surfaces of all edits with one ROI of one mesh. Where handles, belt and targets are
+/// those of the last edit, its surface serves the next one, whatever the weights; where they are
+/// others, merges of the first edit are made again but for those near new borders
+/// (decimate_again), unless many vertices that it kept one by one are free to go. So a surface
+/// depends on the first edit, too. May be used from several threads.
+class CoarseSurfaces {
+ public:
+  /// With about `count` vertices in the region; `rest` is the same pointer for the same positions.
+  /// Null where that would leave more than half of them, since too many are held one by one.
+  std::shared_ptr<const CoarseLevel> of(const EditRegion& region, const Topology& topology,
+                                        const std::shared_ptr<const Positions>& rest,
+                                        std::size_t count);
+
+ private:
+  // What a surface depends on, and that.
+  struct Last {
+    std::shared_ptr<const Positions> rest;
+    std::size_t count = 0;
+    std::vector<Index> groups;  // per vertex of the mesh: what it may be merged with
+    std::shared_ptr<const CoarseLevel> level;
+  };
+  struct First {
+    std::shared_ptr<const Positions> rest;
+    std::vector<Index> groups;
+    std::shared_ptr<const MergeHistory> merges;
+  };
+  std::mutex mutex_;  // not held while a surface is made
+  Last last_;
+  First first_;
+};
+
+}  // namespace lapwing
