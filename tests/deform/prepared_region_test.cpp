@@ -11,6 +11,7 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag_preview.h"
+#include "lapwing/deform/edit_system.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/dragged.h"
@@ -376,6 +377,23 @@ TEST_F(PreparedTube, EarlierDeformerFollowsADragOnThroughAnotherPreparation) {
     EXPECT_TRUE(same_bits(pose.displacement, expected.displacement)) << "frame " << frame;
     next.emplace(prepare(other));
   }
+}
+
+// Both at the same time, each with its own numbers.
+TEST_F(PreparedTube, BeginsLikeAnotherThatGoesOn) {
+  const Edit edit = first_edit(mesh_);
+  const DragPreview first(prepared_, mesh_.positions, edit.region, edit.options);
+  PreparedRegion beside(topology_, first.system()->systems);
+  Edit other = edit;
+  other.options.constraint_weight = 3.0;
+  const DragPreview second(beside, mesh_.positions, other.region, other.options);
+  EXPECT_EQ(stages_of(second.timings()),
+            (std::vector<std::string>{"constraints", "laplacian", "preview"}));
+  const Deformer of_second(second, kernels_);
+  const Deformer of_first(first, kernels_);
+  EXPECT_TRUE(same_bits(solved(of_second, other), expected(other)));
+  EXPECT_TRUE(same_bits(solved(of_first, edit), expected(edit)));
+  EXPECT_NE(first.system()->systems, second.system()->systems);
 }
 
 TEST_F(PreparedTube, DeformersOutliveIt) {

@@ -40,11 +40,12 @@ std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t 
   if (coarse->level == nullptr) return nullptr;
   const CoarseSurface& surface = coarse->level->surface;
   try {
-    coarse->prepared = std::make_unique<PreparedRegion>(surface.topology);
+    coarse->prepared = std::make_unique<PreparedRegion>(surface.topology, coarse->level->system());
     coarse->edit = std::make_unique<const EditSystem>(
         *coarse->prepared, surface.rest,
         kept_of(fine.region, places_in(surface.kept, fine.rest->size())), fine.options, Progress(),
         true);
+    coarse->level->keep(coarse->edit->systems);
   } catch (const InputError&) {
     return nullptr;
   } catch (const SolverError&) {

@@ -92,6 +92,16 @@ std::shared_ptr<const CoarseLevel> level_of(const Near& near, Decimated left, co
 
 }  // namespace
 
+std::shared_ptr<const RegionSystem> CoarseLevel::system() const {
+  const std::scoped_lock lock(mutex_);
+  return system_;
+}
+
+void CoarseLevel::keep(std::shared_ptr<const RegionSystem> system) const {
+  const std::scoped_lock lock(mutex_);
+  system_ = std::move(system);
+}
+
 std::shared_ptr<const CoarseLevel> CoarseSurfaces::of(const EditRegion& region,
                                                       const Topology& topology,
                                                       const std::shared_ptr<const Positions>& rest,

@@ -10,7 +10,9 @@
 
 namespace lapwing {
 
-/// A coarse surface, and how a region goes along with it.
+class RegionSystem;
+
+/// A coarse surface, how a region goes along with it, and the system of an edit on it.
 struct CoarseLevel {
   CoarseLevel(CoarseSurface of, std::shared_ptr<const Positions> rest, const VertexSet& roi)
       : surface(std::move(of)), embedding(std::move(rest), roi, surface) {}
@@ -19,6 +21,15 @@ struct CoarseLevel {
 
   const CoarseSurface surface;
   const CoarseEmbedding embedding;
+
+  /// An ordered system over the surface, which others begin like (PreparedRegion); null until one
+  /// is kept. By several threads.
+  std::shared_ptr<const RegionSystem> system() const;
+  void keep(std::shared_ptr<const RegionSystem> system) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const RegionSystem> system_;
 };
 
 /// The coarse surfaces of all edits with one ROI of one mesh. Where handles, belt and targets are

@@ -90,8 +90,8 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   }
   const bool needs_laplacian = is_previewed || options.settle.has_value();
   const auto lock = systems->lock();
-  const bool finds_order = !systems->is_ordered();
-  const char* const stage = begin(finds_order ? "order" : "constraints");
+  const char* const stage = begin(systems->is_ordered() ? "constraints" : "order");
+  const bool is_known = is_previewed ? systems->laplacian().is_analyzed() : systems->is_ordered();
   const auto assemble = [&] {
     check_and_frame();
     systems->assemble_laplacian(terms());
@@ -103,11 +103,10 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
       systems->find_order();
     }
   };
-  if (finds_order) {
-    parallel_invoke(assemble, order);
-  } else {
-    order();
+  if (is_known) {
     assemble();  // on all threads
+  } else {
+    parallel_invoke(assemble, order);
   }
   // What no preview waits for comes to a 3n x 3n system next, the response's or a tangent's.
   if (needs_laplacian && !is_previewed) systems->analyze_both();

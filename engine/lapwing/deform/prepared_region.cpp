@@ -11,15 +11,18 @@ bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector
 }
 
 bool PreparedRegion::serves(const VertexSet& roi, const Unknowns& unknowns) const {
-  return system_ != nullptr && system_->serves(roi, unknowns);
+  const auto serves = [&](const auto& system) {
+    return system != nullptr && system->serves(roi, unknowns);
+  };
+  return serves(system_) || serves(like_);
 }
 
 std::shared_ptr<RegionSystem> PreparedRegion::system_of(const VertexSet& roi,
                                                         const Unknowns& unknowns) {
-  if (!serves(roi, unknowns)) {
-    system_.reset();  // factors are large: the ones before go first
-    system_ = std::make_shared<RegionSystem>(topology_, roi, unknowns);
-  }
+  if (system_ != nullptr && system_->serves(roi, unknowns)) return system_;
+  system_.reset();  // factors are large: the ones before go first
+  system_ = serves(roi, unknowns) ? like_->beside()
+                                  : std::make_shared<RegionSystem>(topology_, roi, unknowns);
   return system_;
 }
 

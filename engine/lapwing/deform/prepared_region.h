@@ -43,6 +43,10 @@ class PreparedRegion {
  public:
   /// Nothing is kept yet. `topology` must outlive the object and what is prepared with it.
   explicit PreparedRegion(const Topology& topology) : topology_(topology) {}
+  /// Kept are pattern and order of `like`, which is ordered and of the same topology, while it goes
+  /// on to serve others.
+  PreparedRegion(const Topology& topology, std::shared_ptr<const RegionSystem> like)
+      : topology_(topology), like_(std::move(like)) {}
 
   const Topology& topology() const { return topology_; }
 
@@ -55,6 +59,7 @@ class PreparedRegion {
 
  private:
   const Topology& topology_;
+  std::shared_ptr<const RegionSystem> like_;  ///< or null
   std::shared_ptr<RegionSystem> system_;
   std::shared_ptr<const Positions> rest_;
 };

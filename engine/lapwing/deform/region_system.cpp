@@ -10,11 +10,20 @@
 namespace lapwing {
 
 RegionSystem::RegionSystem(const Topology& topology, const VertexSet& roi, const Unknowns& unknowns)
+    : RegionSystem(topology, roi, unknowns,
+                   std::make_shared<const SystemPattern>(topology, roi, unknowns)) {}
+
+RegionSystem::RegionSystem(const Topology& topology, const VertexSet& roi, const Unknowns& unknowns,
+                           std::shared_ptr<const SystemPattern> pattern)
     : topology_(topology),
       roi_(roi),
       unknowns_(unknowns),
-      pattern_(topology, roi, unknowns),
-      laplacian_(topology, roi, unknowns, pattern_) {}
+      pattern_(std::move(pattern)),
+      laplacian_(topology, roi, unknowns, *pattern_) {}
+
+std::shared_ptr<RegionSystem> RegionSystem::beside() const {
+  return std::shared_ptr<RegionSystem>(new RegionSystem(topology_, roi_, unknowns_, pattern_));
+}
 
 bool RegionSystem::serves(const VertexSet& roi, const Unknowns& unknowns) const {
   return roi == roi_ && unknowns.vertices == unknowns_.vertices;
@@ -41,8 +50,8 @@ void RegionSystem::assemble_laplacian(const SystemTerms& terms) {
 void RegionSystem::analyze_both() {
   const bool is_known = response_ != nullptr || response_bytes_ > 0;
   if (is_known || unknowns_.size() > kMinimumDegreeLimit) return laplacian_.analyze();
-  pattern_.thorough_order();  // on all threads
-  parallel_invoke([&] { laplacian_.analyze(); }, [&] { analysis_ahead_ = pattern_.analysis(); });
+  pattern_->thorough_order();  // on all threads
+  parallel_invoke([&] { laplacian_.analyze(); }, [&] { analysis_ahead_ = pattern_->analysis(); });
 }
 
 void RegionSystem::hold_laplacian(const SystemTerms& terms, std::span<const double> W) {
@@ -66,7 +75,7 @@ void RegionSystem::hold_response(const SystemTerms& terms, std::span<const doubl
   }
   if (response_bytes_ > 0) require_memory(options.memory_limit_bytes);
   if (response_ == nullptr) {
-    response_ = std::make_unique<ResponseSystem>(topology_, roi_, unknowns_, pattern_, laplacian_,
+    response_ = std::make_unique<ResponseSystem>(topology_, roi_, unknowns_, *pattern_, laplacian_,
                                                  response_kind_);
     response_terms_ = {};
     response_has_memory_ = false;

@@ -47,6 +47,9 @@ class RegionSystem {
  public:
   /// Finds the pattern, and nothing else yet.
   RegionSystem(const Topology& topology, const VertexSet& roi, const Unknowns& unknowns);
+  /// For edits at the same time as those of this one, whose pattern and order, once it is ordered,
+  /// the other one shares.
+  std::shared_ptr<RegionSystem> beside() const;
 
   bool serves(const VertexSet& roi, const Unknowns& unknowns) const;
 
@@ -55,9 +58,9 @@ class RegionSystem {
   /// L and L'Om L + K, for which neither order nor constraints are needed.
   void assemble_laplacian(const SystemTerms& terms);
   /// The order; once.
-  void find_order() { pattern_.order(); }
-  const SystemPattern& pattern() const { return pattern_; }
-  bool is_ordered() const { return pattern_.is_ordered(); }
+  void find_order() { pattern_->order(); }
+  const SystemPattern& pattern() const { return *pattern_; }
+  bool is_ordered() const { return pattern_->is_ordered(); }
   /// The order and the symbolic factorization of the n x n system; once. May run beside
   /// `assemble_laplacian`.
   void analyze_laplacian() { laplacian_.analyze(); }
@@ -87,13 +90,15 @@ class RegionSystem {
   CoarseSurfaces& coarse_surfaces() { return coarse_surfaces_; }
 
  private:
+  RegionSystem(const Topology& topology, const VertexSet& roi, const Unknowns& unknowns,
+               std::shared_ptr<const SystemPattern> pattern);
   void require_memory(std::size_t limit_bytes);
   std::shared_ptr<const BlockRows> held_tangent_rows(const SystemTerms& terms) const;
 
   const Topology& topology_;
   const VertexSet roi_;
   const Unknowns unknowns_;
-  const SystemPattern pattern_;
+  const std::shared_ptr<const SystemPattern> pattern_;
   std::mutex mutex_;
   LaplacianSystem laplacian_;
   SystemTerms laplacian_terms_;  ///< no positions where it is not assembled
