@@ -9,24 +9,19 @@
 
 #include "lapwing/mesh/decimate.h"
 #include "lapwing/mesh/shapes.h"
+#include "mesh/decimated_surfaces.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
+using test::characteristic;
 
-// A bumpy sphere of 2,562 vertices, whose merges do not tie, decimated to 300.
+// A bumpy sphere decimated to 300 vertices.
 class DecimateAgain : public ::testing::Test {
  protected:
   static constexpr std::size_t kCount = 300;
 
-  static Mesh bumpy_sphere() {
-    Mesh mesh = icosphere(4);
-    for (Vector3d& p : mesh.positions) {
-      p *= 1.0 + 0.1 * std::sin(7.0 * p.x() + 1.0) * std::cos(5.0 * p.y() + 2.0 * p.z());
-    }
-    return mesh;
-  }
   // 1 above a height, and 0 below.
   std::vector<Index> groups_above(double z) const {
     std::vector<Index> groups;
@@ -38,38 +33,19 @@ class DecimateAgain : public ::testing::Test {
                           kCount);
   }
 
-  const Mesh mesh_ = bumpy_sphere();
+  const Mesh mesh_ = test::bumpy_sphere();
   const Decimated first_ = decimate(mesh_.positions, mesh_.topology().triangles,
                                     std::vector<Index>(mesh_.vertex_count(), 0), kCount);
 };
 
-std::multiset<std::pair<Index, Index>> sides_of(const std::vector<Triangle>& triangles) {
-  std::multiset<std::pair<Index, Index>> sides;
-  for (const Triangle& t : triangles) {
-    for (std::size_t c = 0; c < 3; ++c) sides.emplace(t[c], t[(c + 1) % 3]);
-  }
-  return sides;
-}
-
-// Vertices - edges + triangles.
-long characteristic(const std::vector<Triangle>& triangles) {
-  const auto sides = sides_of(triangles);
-  std::set<Index> vertices;
-  long edges = 0;
-  for (const auto& [a, b] : sides) {
-    vertices.insert(a);
-    if (a < b || sides.count({b, a}) == 0) ++edges;
-  }
-  return static_cast<long>(vertices.size()) - edges + static_cast<long>(triangles.size());
-}
-
 // Each edge with two triangles, and all of them facing outward.
 void expect_is_a_sphere(const Decimated& d, const Positions& positions) {
+  std::multiset<std::pair<Index, Index>> sides;
   for (const Triangle& t : d.triangles) {
+    for (std::size_t c = 0; c < 3; ++c) sides.emplace(t[c], t[(c + 1) % 3]);
     const auto at = [&](std::size_t c) { return positions[d.kept[t[c]]]; };
     EXPECT_GT((at(1) - at(0)).cross(at(2) - at(0)).dot(at(0)), 0.0);
   }
-  const auto sides = sides_of(d.triangles);
   for (const auto& [from, to] : sides) {
     EXPECT_EQ(sides.count({from, to}), 1U);
     EXPECT_EQ(sides.count({to, from}), 1U);

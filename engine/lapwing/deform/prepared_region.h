@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/mesh/topology.h"
@@ -43,8 +44,8 @@ class PreparedRegion {
  public:
   /// Nothing is kept yet. `topology` must outlive the object and what is prepared with it.
   explicit PreparedRegion(const Topology& topology) : topology_(topology) {}
-  /// Kept are pattern and order of `like`, which is ordered and of the same topology, while it goes
-  /// on to serve others.
+  /// Kept are pattern and order of `like`, ordered and of the same topology, while it goes on to
+  /// serve others; nothing where it is null.
   PreparedRegion(const Topology& topology, std::shared_ptr<const RegionSystem> like)
       : topology_(topology), like_(std::move(like)) {}
 

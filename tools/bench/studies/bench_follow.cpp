@@ -190,7 +190,7 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
 
 void bench_follow(const FollowBench& settings) {
   std::printf(
-      "A drag of half a second, begun %s what frames without time need is there (ready),\n"
+      "A drag of half a second, begun %s what frames without time need is there (ready),%s\n"
       "each frame in a given time: how far a vertex is at most from what the frame would settle "
       "to,\n"
       "in percent of the diagonal, beside the linear response; and so half a second after the "
@@ -200,7 +200,8 @@ void bench_follow(const FollowBench& settings) {
       "| its.  | off    | linear | rest     | settled | longest |\n"
       "|----------------------|------|----------:|--------:|--------:|-------:|-------:|-------:"
       "|------:|-------:|-------:|---------:|--------:|--------:|\n",
-      settings.at_once ? "when" : "a second after");
+      settings.at_once ? "when" : "a second after",
+      settings.again ? "\nmade ready after one with another handle and another belt," : "");
   for (const std::string& file : settings.meshes) {
     const std::string name = std::filesystem::path(file).stem().string();
     try {
