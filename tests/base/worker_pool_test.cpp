@@ -1,6 +1,8 @@
 #include "lapwing/base/worker_pool.h"
 
+#include <atomic>
 #include <chrono>
+#include <sched.h>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -42,6 +44,40 @@ TEST(WorkerPool, HelpersThatSleepAreWoken) {
     });
     EXPECT_EQ(calls, 3);
   }
+}
+
+// Where the system would put them there, which it does in some virtual machines, they would wait
+// for the caller to end.
+TEST(WorkerPool, HelpersThatSleepAreWokenOnOtherProcessorsThanTheCallers) {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  ASSERT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
+  if (CPU_COUNT(&allowed) < 2) GTEST_SKIP() << "one processor";
+  WorkerPool pool(2);
+  for (int processor = 0; processor < CPU_SETSIZE; ++processor) {
+    if (!CPU_ISSET(processor, &allowed)) continue;
+    cpu_set_t own;
+    CPU_ZERO(&own);
+    CPU_SET(processor, &own);
+    ASSERT_EQ(sched_setaffinity(0, sizeof own, &own), 0);
+    bool may_run_there = true;
+    for (int round = 0; round < 2000 && may_run_there; ++round) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      std::atomic<bool> helped{false};
+      pool.run([&](int thread) {
+        if (thread != 0) {
+          cpu_set_t of_helper;
+          CPU_ZERO(&of_helper);
+          sched_getaffinity(0, sizeof of_helper, &of_helper);
+          may_run_there = CPU_ISSET(processor, &of_helper);
+          helped = true;
+        }
+        while (!helped) std::this_thread::yield();
+      });
+    }
+    EXPECT_FALSE(may_run_there) << "processor " << processor;
+  }
+  EXPECT_EQ(sched_setaffinity(0, sizeof allowed, &allowed), 0);
 }
 
 TEST(WorkerPool, WaitsForAHelperThatTakesLong) {

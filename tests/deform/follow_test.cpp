@@ -242,12 +242,13 @@ class FollowedFineCylinder : public ::testing::Test {
       mesh_.positions, mesh_.topology(), test::ends_of_cylinder(mesh_), {}, kernels_};
 };
 
-// Of one frame at rest before, and of frames that have time for the coarse surface alone.
+// Of one frame at rest before, whose iteration tells how long one takes, and of frames that have
+// time for the coarse surface alone, from the first that moves.
 TEST_F(FollowedFineCylinder, FramesThatOnlyTakeItAlongStayNearTheSolution) {
   SettledPose pose;
   for (int degrees = 0; degrees <= 60; degrees += 3) {
     deformer_.follow(twist(degrees), pose, [](double ms) { return ms == 0.0; });
-    EXPECT_LE(pose.settled.iterations, 1);
+    EXPECT_LE(pose.settled.iterations, degrees == 0 ? 1 : 0);
   }
   EXPECT_LT(off(pose, 60.0), 2e-3);
 }

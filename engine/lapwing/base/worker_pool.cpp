@@ -1,6 +1,8 @@
 #include "lapwing/base/worker_pool.h"
 
 #include <chrono>
+#include <pthread.h>
+#include <sched.h>
 #include <system_error>
 
 #include "lapwing/base/cancellation.h"
@@ -56,6 +58,8 @@ bool look_for(std::chrono::microseconds time, const Condition& holds) {
 }  // namespace
 
 WorkerPool::WorkerPool(unsigned threads) {
+  CPU_ZERO(&allowed_);
+  if (sched_getaffinity(0, sizeof allowed_, &allowed_) != 0) CPU_ZERO(&allowed_);
   helpers_.reserve(threads > 0 ? threads - 1 : 0);
   try {
     for (unsigned t = 1; t < threads; ++t) {
@@ -85,6 +89,7 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   round_ += kNextRound + kOpen;
   // Whoever goes to sleep from here on has seen the round.
   if (sleepers_ > 0) {
+    keep_helpers_off(sched_getcpu());
     { const std::scoped_lock lock(mutex_); }
     wake_.notify_all();
   }
@@ -92,6 +97,20 @@ void WorkerPool::run(const std::function<void(int)>& job) {
   round_ &= ~kOpen;
   wait_for_helpers();
   taken_ = false;
+}
+
+// The caller's processor. Where the system knows of no cache that processors share, as in many
+// virtual machines, it would put a thread that the caller wakes there, to wait for as long as the
+// caller works.
+void WorkerPool::keep_helpers_off(int processor) {
+  if (processor == kept_off_ || processor < 0 || processor >= CPU_SETSIZE) return;
+  kept_off_ = processor;
+  cpu_set_t others = allowed_;
+  CPU_CLR(processor, &others);
+  if (CPU_COUNT(&others) == 0) return;
+  for (std::thread& helper : helpers_) {
+    pthread_setaffinity_np(helper.native_handle(), sizeof others, &others);
+  }
 }
 
 // Meanwhile the caller is asked whether to go on: what the helpers are at may take long.

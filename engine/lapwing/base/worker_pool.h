@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <sched.h>
 #include <thread>
 #include <vector>
 
@@ -26,7 +27,7 @@ class WorkerPool {
 
   /// Calls job(t) on the caller with t = 0 and, as they wake, on helpers with t = 1, 2, ...
   /// Returns when the caller's call and all calls that were begun have returned. The job must not
-  /// throw. Allocates nothing.
+  /// throw. Helpers that sleep are woken on other processors than the caller's. Allocates nothing.
   void run(const std::function<void(int thread)>& job);
 
  private:
@@ -34,6 +35,7 @@ class WorkerPool {
   bool join(std::uint64_t& last);
   void leave();
   void wait_for_helpers();
+  void keep_helpers_off(int processor);
 
   std::atomic<bool> taken_ = false;
   const std::function<void(int)>* job_ = nullptr;
@@ -47,6 +49,9 @@ class WorkerPool {
   std::atomic<int> sleepers_ = 0;
   std::atomic<bool> caller_sleeps_ = false;
   std::vector<std::thread> helpers_;
+
+  cpu_set_t allowed_;  ///< the processors that the program may use
+  int kept_off_ = -1;  ///< the one that helpers may not
 };
 
 /// As long as one lives, its thread uses no helpers of any pool: for threads that share the

@@ -125,7 +125,6 @@ void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, double next
     return iterations < kMostIterations && has_time(ms) && ++iterations > 0;
   });
   const Stopwatch carrying;
-  settler_.energy(own, displacement);
   CoarseEmbedding::Pose next = pose_at(std::move(displacement));
   coarse_->level->embedding.carry(pose_, next, u);
   if (wanted_ != next_wanted_) {

@@ -10,11 +10,19 @@
 #include "lapwing/base/parallel.h"
 
 namespace lapwing {
+
+extern const EmbeddingLoops kEmbeddingLoopsBaseline;
+#ifdef __x86_64__
+extern const EmbeddingLoops kEmbeddingLoopsAvx2;
+extern const EmbeddingLoops kEmbeddingLoopsAvx512;
+#endif
+
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr std::size_t kMotionsPerTask = 256;
 constexpr std::size_t kCarriedPerTask = 1024;
 constexpr std::size_t kBoundPerTask = 128;
 
@@ -37,13 +45,23 @@ std::vector<Index> two_rings_around(Index v, const Adjacency& rings) {
 
 }  // namespace
 
+const EmbeddingLoops& embedding_loops([[maybe_unused]] InstructionSet set) {
+#ifdef __x86_64__
+  if (set == InstructionSet::avx512) return kEmbeddingLoopsAvx512;
+  if (set == InstructionSet::avx2) return kEmbeddingLoopsAvx2;
+#endif
+  return kEmbeddingLoopsBaseline;
+}
+
 CoarseEmbedding::CoarseEmbedding(std::shared_ptr<const Positions> rest, const VertexSet& roi,
                                  const CoarseSurface& coarse)
-    : rest_(std::move(rest)), coarse_(coarse) {
+    : rest_(std::move(rest)),
+      coarse_(coarse),
+      loops_(embedding_loops(available_instruction_sets().front())) {
   for (const Index v : roi) {
     if (coarse.owners[v] != kNoIndex) vertices_.push_back(v);
   }
-  bounds_.resize(vertices_.size());
+  embedded_.resize(vertices_.size());
   origin_ = vertices_.empty() ? Vector3d::Zero() : (*rest_)[vertices_.front()];
   std::vector<Index> owners;
   for (const Index v : vertices_) owners.push_back(coarse.owners[v]);
@@ -54,10 +72,10 @@ CoarseEmbedding::CoarseEmbedding(std::shared_ptr<const Positions> rest, const Ve
 
   // Which nodes each coarse vertex is, so that forces are gathered without two threads at one.
   std::vector<Index> nodes;
-  nodes.reserve(kNodes * bounds_.size());
-  for (const Bound& bound : bounds_) {
-    for (std::size_t node = 0; node < kNodes; ++node) {
-      nodes.push_back(bound.weights[node] > 0.0 ? bound.nodes[node] : kNoIndex);
+  nodes.reserve(kEmbeddingNodes * embedded_.size());
+  for (const EmbeddedVertex& embedded : embedded_) {
+    for (std::size_t node = 0; node < kEmbeddingNodes; ++node) {
+      nodes.push_back(embedded.weights[node] > 0.0 ? embedded.nodes[node] : kNoIndex);
     }
   }
   bound_to_ = all_places_in(nodes, coarse.kept.size());
@@ -77,8 +95,8 @@ void CoarseEmbedding::bind(Index owner, std::span<const Index> owned) {
     double square;
     Index node;
   };
-  std::array<Candidate, kNodes + 1> nearest;
-  const std::size_t count = std::min(kNodes, near.size() - 1);
+  std::array<Candidate, kEmbeddingNodes + 1> nearest;
+  const std::size_t count = std::min(kEmbeddingNodes, near.size() - 1);
   for (const Index k : owned) {
     const Vector3d& here = (*rest_)[vertices_[k]];
     for (std::size_t j = 0; j < near.size(); ++j) squares[j] = (here - places[j]).squaredNorm();
@@ -89,43 +107,40 @@ void CoarseEmbedding::bind(Index owner, std::span<const Index> owned) {
       for (; at > 0 && squares[j] < nearest[at - 1].square; --at) nearest[at] = nearest[at - 1];
       nearest[at] = {squares[j], near[j]};
     }
-    Bound& bound = bounds_[k];
+    EmbeddedVertex& embedded = embedded_[k];
     double sum = 0.0;
     for (std::size_t node = 0; node < count; ++node) {
       const double share = 1.0 - std::sqrt(nearest[node].square / nearest[count].square);
-      bound.nodes[node] = nearest[node].node;
-      bound.weights[node] = share > 0.0 ? share * share : 0.0;
-      sum += bound.weights[node];
+      embedded.nodes[node] = nearest[node].node;
+      embedded.weights[node] = share > 0.0 ? share * share : 0.0;
+      sum += embedded.weights[node];
     }
     if (!(sum > 0.0)) {
-      bound = {};
-      bound.nodes[0] = nearest[0].node;
-      bound.weights[0] = sum = 1.0;
+      embedded = {};
+      embedded.nodes[0] = nearest[0].node;
+      embedded.weights[0] = sum = 1.0;
     }
-    for (double& weight : bound.weights) weight /= sum;
+    for (double& weight : embedded.weights) weight /= sum;
   }
 }
 
 void CoarseEmbedding::carry(const Pose& from, const Pose& to, std::span<Vector3d> u) const {
-  // x -> A x + t about the origin.
-  using Affine = Eigen::Matrix<double, 3, 4>;
-  std::vector<Affine> motions(coarse_.kept.size());
-  for (std::size_t c = 0; c < motions.size(); ++c) {
-    const Vector3d at = coarse_.rest[c] - origin_ + from.displacement[c];
-    const Matrix3d turn = to.transforms[c] * from.transforms[c].inverse() - Matrix3d::Identity();
-    motions[c] << turn, to.displacement[c] - from.displacement[c] - turn * at;
-  }
-  parallel_for(vertices_.size(), kCarriedPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const Bound& bound = bounds_[k];
-      Affine motion = bound.weights[0] * motions[bound.nodes[0]];
-      for (std::size_t node = 1; node < kNodes; ++node) {
-        motion += bound.weights[node] * motions[bound.nodes[node]];
-      }
-      const Index v = vertices_[k];
-      const Vector3d at = (*rest_)[v] - origin_ + u[v];
-      u[v] += motion.leftCols<3>() * at + motion.col(3);
+  std::vector<RowsOfMotion> motions(coarse_.kept.size());
+  parallel_for(motions.size(), kMotionsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      const Vector3d at = coarse_.rest[c] - origin_ + from.displacement[c];
+      const Matrix3d turn = to.transforms[c] * from.transforms[c].inverse() - Matrix3d::Identity();
+      Eigen::Map<Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(motions[c].row[0]) << turn,
+          to.displacement[c] - from.displacement[c] - turn * at;
     }
+  });
+  const CarriedVertices carried{vertices_.data(),
+                                embedded_.data(),
+                                motions.data(),
+                                rest_->front().data(),
+                                {origin_.x(), origin_.y(), origin_.z()}};
+  parallel_for(vertices_.size(), kCarriedPerTask, [&](std::size_t begin, std::size_t end) {
+    loops_.carry(carried, begin, end, u.front().data());
   });
 }
 
@@ -145,9 +160,9 @@ std::vector<Vector3d> CoarseEmbedding::gather(std::span<const Vector3d> forces,
     for (std::size_t c = begin; c < end; ++c) {
       Vector3d moment = Vector3d::Zero();
       for (const Index entry : bound_to_[c]) {
-        const std::size_t k = entry / kNodes;
+        const std::size_t k = entry / kEmbeddingNodes;
         const Index v = vertices_[k];
-        const Vector3d force = bounds_[k].weights[entry % kNodes] * forces[v];
+        const Vector3d force = embedded_[k].weights[entry % kEmbeddingNodes] * forces[v];
         pulls[c] += force;
         moment += (fine_rest[v] - rest[c] + u[v] - pose.displacement[c]).cross(force);
       }

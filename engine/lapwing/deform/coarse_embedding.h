@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "lapwing/deform/embedding_loops.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/vertex_set.h"
 
@@ -45,18 +45,15 @@ class CoarseEmbedding {
                                       std::span<const Eigen::Vector3d> u, const Pose& pose) const;
 
  private:
-  static constexpr std::size_t kNodes = 8;
-  struct Bound {
-    std::array<Index, kNodes> nodes{};
-    std::array<double, kNodes> weights{};  ///< 0 for those that are not there
-  };
   void bind(Index owner, std::span<const Index> owned);
 
   const std::shared_ptr<const Positions> rest_;
   const CoarseSurface& coarse_;
-  std::vector<Index> vertices_;  ///< those that move, but for loose parts
-  std::vector<Bound> bounds_;    ///< of each
-  Adjacency bound_to_;      ///< coarse vertex -> kNodes * place in bounds_ + which of its nodes
+  const EmbeddingLoops& loops_;
+  std::vector<Index> vertices_;           ///< those that move, but for loose parts
+  std::vector<EmbeddedVertex> embedded_;  ///< of each
+  /// Coarse vertex -> kEmbeddingNodes * place in embedded_ + which of its nodes.
+  Adjacency bound_to_;
   Eigen::Vector3d origin_;  ///< near the surface
 };
 

@@ -4,6 +4,7 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
 #include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/deformer_state.h"
 #include "lapwing/deform/drag.h"
@@ -23,6 +24,9 @@ namespace {
 // takes out what carrying left, goes 0.01 to 0.1 of them, and 0.6 where details are steep: what
 // pulls on that surface would have the coarse one crumple.
 constexpr double kSmoothStep = 0.05;
+// What a frame takes that the coarse surface does not lead, in iterations: where it begins is a
+// solve, too.
+constexpr double kLeastWithoutCoarse = 2.0;
 // Frames at rest in which the coarse surface may still help.
 constexpr int kCoarseMovesAtRest = 20;
 
@@ -65,17 +69,26 @@ bool Deformer::State::has_columns_for(std::span<const double> q) const {
                         std::count_if(q.begin(), q.end(), [](double n) { return n != 0.0; }));
 }
 
-// A displacement of nothing, for what moves to be written into.
-Positions Deformer::State::still() const {
+// A displacement for what moves to be written into; nothing else does.
+Positions Deformer::State::unwritten() const {
   Positions u = std::exchange(spare, {});
-  if (u.empty()) return Positions(system->rest->size(), Vector3d::Zero());
+  if (u.empty()) u.assign(system->rest->size(), Vector3d::Zero());
+  return u;
+}
+
+Positions Deformer::State::still() const {
+  Positions u = unwritten();
   for (const Index v : system->moving) u[v].setZero();
   return u;
 }
 
 Positions Deformer::State::moved_as(const Positions& displacement) const {
-  Positions u = still();
-  for (const Index v : system->moving) u[v] = displacement[v];
+  constexpr std::size_t kMovingPerTask = 4096;
+  Positions u = unwritten();
+  const std::vector<Index>& moving = system->moving;
+  parallel_for(moving.size(), kMovingPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) u[moving[k]] = displacement[moving[k]];
+  });
   return u;
 }
 
@@ -169,13 +182,17 @@ bool Deformer::State::find_coarse() {
 void Deformer::State::take_along(const SettledPose& pose, std::span<const Vector3d> wanted,
                                  const SettleTarget& target, const GoOn& go_on, SettledPose& next) {
   next.displacement = moved_as(pose.displacement);
-  coarse->move(target, go_on, smoothing_ms, next.displacement);
+  // In the time that is left to it.
+  const auto ask = [&](double ms) { return go_on(ms + ending_ms); };
+  coarse->move(target, go_on ? GoOn(ask) : GoOn(), smoothing_ms, next.displacement);
+  const Stopwatch ending;
   for (const Index v : system->region.belt) next.displacement[v] = pose.displacement[v];
   for (const auto& handle : system->region.handles) {
     for (const Index v : handle) {
       next.displacement[v] = pose.displacement[v] + (target.wanted[v] - wanted[v]);
     }
   }
+  ending_ms = ending.elapsed_ms();
 }
 
 void Deformer::State::follow_by_coarse(const SettledPose& pose, const SettleTarget& target,
@@ -322,7 +339,8 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
     by_coarse = coarse_was_there && on.go_on_at_rest(pose, target, next);
     if (!by_coarse) next.displacement = s.moved_as(pose.displacement);
   } else {
-    by_coarse = s.lacks_time && go_on && on.find_coarse();
+    by_coarse =
+        go_on && (s.lacks_time || !go_on(kLeastWithoutCoarse * s.smoothing_ms)) && on.find_coarse();
     if (by_coarse) {
       on.follow_by_coarse(pose, target, coarse_was_there, go_on, next);
     } else {
@@ -341,6 +359,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
     s.settler->gradient(on.pull);
     on.coarse->learn(next.displacement, on.pull);
   }
+  const Stopwatch ending;
   edit.loose.carry(wanted, scales, next.displacement);
   Certificate certificate;
   certificate.all_finite = std::all_of(edit.moving.begin(), edit.moving.end(),
@@ -352,6 +371,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   next.frame = on.last_frame = next_frame();
   on.coarse_is_there = by_coarse;
   pose = std::move(next);
+  if (by_coarse) on.ending_ms += ending.elapsed_ms();
 }
 
 bool Deformer::response_helps_to_follow() const {

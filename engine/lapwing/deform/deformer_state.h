@@ -51,6 +51,7 @@ struct Deformer::State {
   bool lacks_time = false;             ///< whether a frame of this drag has not settled in its time
   int coarse_moves_at_rest = 0;        ///< since the handles moved last
   double smoothing_ms = 0.0;           ///< what the fine level takes at least
+  double ending_ms = 0.0;              ///< what a frame takes after both levels
   MadeAside<std::unique_ptr<CoarseDrag>> coarse_aside;  // last: it uses the system
 
   bool hold_response(const Progress& progress, StageTimings& stages);
@@ -61,6 +62,7 @@ struct Deformer::State {
   Numbers forces_of_scales(std::span<const double> q) const;
   Numbers forces_of(std::span<const double> q) const;
   bool has_columns_for(std::span<const double> q) const;
+  Positions unwritten() const;
   Positions still() const;
   Positions moved_as(const Positions& displacement) const;
   Positions displacement_by(std::span<const double> q) const;

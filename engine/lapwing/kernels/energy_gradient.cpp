@@ -4,7 +4,7 @@
 namespace lapwing {
 
 void CpuRingRotations::energy_gradient(std::span<double> g) {
-  constexpr std::size_t kUnknownsPerTask = 1024;
+  constexpr std::size_t kUnknownsPerTask = 256;
   const GradientRings rings{rings_.starts.data(),
                             rings_.neighbours.data(),
                             rings_.edges.empty() ? nullptr : rings_.edges.front().data(),

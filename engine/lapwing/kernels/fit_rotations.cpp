@@ -11,7 +11,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kBatchesPerTask = 128;
+constexpr std::size_t kBatchesPerTask = 32;
 
 Matrix3d matrix_of(const double (&entries)[9][kFitLanes], int lane) {
   Matrix3d m;

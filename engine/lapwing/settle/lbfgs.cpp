@@ -27,7 +27,7 @@ constexpr std::size_t kChunk = 1024;
 
 template <typename Body>
 void for_chunks(std::size_t size, const Body& body) {
-  constexpr std::size_t kChunksPerTask = 8;
+  constexpr std::size_t kChunksPerTask = 2;
   parallel_for((size + kChunk - 1) / kChunk, kChunksPerTask,
                [&](std::size_t begin, std::size_t end) {
                  for (std::size_t c = begin; c < end; ++c) {

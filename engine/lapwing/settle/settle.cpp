@@ -234,8 +234,7 @@ bool Settler::State::settle_part(const SettleTarget& target, double largest, std
   read_unknowns(u, next.x);
   evaluate(next);
   if (next.energy < at.energy) return true;
-  evaluate(at);
-  is_placed = true;
+  place_again();
   return false;
 }
 
@@ -300,8 +299,10 @@ void Settler::gradient(std::span<Vector3d> gradient) const {
   }
 }
 
-std::vector<Eigen::Matrix3d> Settler::transforms() const {
-  return state_->rotations->transforms();
+std::vector<Eigen::Matrix3d> Settler::transforms() {
+  State& s = *state_;
+  if (!s.is_placed) s.place_again();
+  return s.rotations->transforms();
 }
 
 bool Settler::goes_by_tangent() const {

@@ -151,7 +151,7 @@ class Settler {
   /// Half of the gradient of E, and T_i per row of the rings, where the last call of any of these
   /// ended. `gradient` is per vertex of the mesh and gets those of the unknowns.
   void gradient(std::span<Eigen::Vector3d> gradient) const;
-  std::vector<Eigen::Matrix3d> transforms() const;
+  std::vector<Eigen::Matrix3d> transforms();
 
  private:
   struct State;

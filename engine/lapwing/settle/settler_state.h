@@ -55,6 +55,7 @@ struct Settler::State {
   std::vector<Eigen::Vector3d> displacement;  ///< of RegionRings::vertices
   std::vector<double> energies;               ///< per row
   std::vector<double> scales;                 ///< per row
+  bool has_scales = false;                    ///< whether those are of a target
   std::vector<double> weights;                ///< W of each unknown
   std::vector<Eigen::Vector3d> wanted;        ///< of RegionRings::vertices
   std::vector<double> forces;                 ///< none where empty
@@ -95,6 +96,7 @@ struct Settler::State {
   double scale_in(const SettleTarget& target, std::size_t row) const;
   bool is_at(const SettleTarget& target, std::span<const Eigen::Vector3d> u) const;
   void place(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
+  void place_again();
   void read_unknowns(std::span<const Eigen::Vector3d> u, std::vector<double>& x) const;
   void finish(std::span<Eigen::Vector3d> u) const;
   void place_springs();
@@ -119,16 +121,17 @@ struct Settler::State {
     const std::size_t n = system.size();
     return {numbers[k], numbers[n + k], numbers[2 * n + k]};
   }
-  static constexpr std::size_t kUnknownsPerTask = 4096;
+  static constexpr std::size_t kUnknownsPerTask = 1024;
   // Adds up `add(k, sums)` of every unknown; task by task, so that the result does not depend on
   // the number of threads.
   template <typename Add>
   Sums sum_over_unknowns(const Add& add) {
     parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t task = begin; task < end; ++task) {
-        Sums& sum = partial[task] = {};
+        Sums sum;  // not in place: tasks beside each other would write to one line of the caches
         const std::size_t last = std::min((task + 1) * kUnknownsPerTask, system.size());
         for (std::size_t k = task * kUnknownsPerTask; k < last; ++k) add(k, sum);
+        partial[task] = sum;
       }
     });
     Sums all;

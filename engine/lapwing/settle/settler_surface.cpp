@@ -1,5 +1,6 @@
 // The surface that a Settler moves: its energy (settle.h) and what pulls on its unknowns.
 #include <cmath>
+#include <utility>
 
 #include "lapwing/settle/settler_state.h"
 
@@ -15,15 +16,16 @@ double Settler::State::scale_in(const SettleTarget& target, std::size_t row) con
 // then.
 bool Settler::State::is_at(const SettleTarget& target, std::span<const Vector3d> u) const {
   if (!is_placed || forces.empty() != target.forces.empty()) return false;
+  // First what differs from one frame to the next nearly everywhere.
+  for (std::size_t k = 0; k < system.size(); ++k) {
+    if (u[vertex(k)] != of_unknown(at.x, k)) return false;
+    if (!forces.empty() && target.forces[vertex(k)] != of_unknown(forces, k)) return false;
+  }
   for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
     if (target.wanted[rings.vertices[r]] != wanted[r]) return false;
   }
   for (std::size_t r = 0; r < rings.row_count(); ++r) {
     if (scale_in(target, r) != scales[r]) return false;
-  }
-  for (std::size_t k = 0; k < system.size(); ++k) {
-    if (u[vertex(k)] != of_unknown(at.x, k)) return false;
-    if (!forces.empty() && target.forces[vertex(k)] != of_unknown(forces, k)) return false;
   }
   return true;
 }
@@ -33,33 +35,46 @@ void Settler::State::place(const SettleTarget& target, std::span<const Vector3d>
   if (is_at(target, u)) return;
   const std::vector<int>& order = system.elimination_order();
   const std::size_t n = system.size();
-  weights.clear();
-  for (const int k : order) {
-    weights.push_back(system.constraints().W[static_cast<std::size_t>(k)]);
+  weights.resize(n);
+  parallel_for(n, kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      weights[k] = system.constraints().W[static_cast<std::size_t>(order[k])];
+    }
+  });
+  parallel_for(wanted.size(), kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      wanted[r] = displacement[r] = target.wanted[rings.vertices[r]];
+    }
+  });
+  // Most targets have no scales, now or before.
+  if (const bool scales_now = !target.scales.empty();
+      std::exchange(has_scales, scales_now) || scales_now) {
+    for (std::size_t r = 0; r < rings.row_count(); ++r) scales[r] = scale_in(target, r);
+    rotations->set_scales(scales);
   }
-  for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
-    wanted[r] = target.wanted[rings.vertices[r]];
-  }
-  displacement = wanted;
-  for (std::size_t r = 0; r < rings.row_count(); ++r) {
-    scales[r] = scale_in(target, r);
-  }
-  rotations->set_scales(scales);
   place_springs();
   forces.resize(target.forces.empty() ? 0 : 3 * n);
   if (!forces.empty()) read_unknowns(target.forces, forces);
   read_unknowns(u, at.x);
+  place_again();
+}
+
+// After another surface than `at` was evaluated.
+void Settler::State::place_again() {
   evaluate(at);
   is_placed = true;
 }
 
 void Settler::State::read_unknowns(std::span<const Vector3d> u, std::vector<double>& x) const {
   const std::size_t n = system.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      x[axis * n + k] = u[vertex(k)][static_cast<Eigen::Index>(axis)];
+  parallel_for(n, kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Vector3d& of = u[vertex(k)];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        x[axis * n + k] = of[static_cast<Eigen::Index>(axis)];
+      }
     }
-  }
+  });
 }
 
 void Settler::State::place_springs() {
