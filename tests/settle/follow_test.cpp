@@ -8,6 +8,7 @@
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
 #include "support/bent_tube.h"
+#include "support/cancel_everywhere.h"
 #include "support/failing_new.h"
 #include "support/linear_options.h"
 #include "support/rippled_cylinder.h"
@@ -234,6 +235,26 @@ TEST(Follow, TheEnergyIsThatOfTheTargetAsked) {
     EXPECT_NE(drag.settler().energy({wanted, same}, moved),
               drag.settler().energy({wanted, same}, u));
   }
+}
+
+TEST(Follow, TheEnergyIsThatOfTheTargetAskedAfterACancelledOne) {
+  Drag drag(bent_tube(), settling());
+  drag.follow_all();
+  const std::vector<Vector3d> u = drag.displacement();
+  const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
+  const std::vector<Vector3d> elsewhere = drag.wanted(drag.edit().part(0.9));
+  const double expected = Drag(bent_tube(), settling()).settler().energy({elsewhere, {}}, u);
+  const std::size_t points = test::cancel_everywhere([&](const Progress& progress) {
+    drag.settler().energy({wanted, {}}, u);
+    try {
+      const ProgressScope scope(progress);
+      drag.settler().energy({elsewhere, {}}, u);
+    } catch (const Cancelled&) {
+      EXPECT_EQ(drag.settler().energy({elsewhere, {}}, u), expected);
+      throw;
+    }
+  });
+  EXPECT_GT(points, 5U);
 }
 
 // Settles nothing, and says what it was asked to.

@@ -33,6 +33,7 @@ bool Settler::State::is_at(const SettleTarget& target, std::span<const Vector3d>
 // `at` becomes the surface `u`, which costs nothing where it is that already.
 void Settler::State::place(const SettleTarget& target, std::span<const Vector3d> u) {
   if (is_at(target, u)) return;
+  is_placed = false;  // also where what follows is cancelled
   const std::vector<int>& order = system.elimination_order();
   const std::size_t n = system.size();
   weights.resize(n);
