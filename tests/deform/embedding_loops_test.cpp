@@ -10,7 +10,6 @@
 namespace lapwing {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 double number(std::size_t k) {

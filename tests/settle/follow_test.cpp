@@ -235,6 +235,10 @@ TEST(Follow, TheEnergyIsThatOfTheTargetAsked) {
     EXPECT_NE(drag.settler().energy({wanted, same}, moved),
               drag.settler().energy({wanted, same}, u));
   }
+  drag.settler().energy({wanted, larger}, u);
+  EXPECT_EQ(drag.settler().energy({wanted, {}}, u),
+            Drag(bent_tube(), settling()).settler().energy({wanted, same}, u))
+      << "without scales after a target that has them";
 }
 
 TEST(Follow, TheEnergyIsThatOfTheTargetAskedAfterACancelledOne) {

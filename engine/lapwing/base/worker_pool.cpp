@@ -58,7 +58,6 @@ bool look_for(std::chrono::microseconds time, const Condition& holds) {
 }  // namespace
 
 WorkerPool::WorkerPool(unsigned threads) {
-  CPU_ZERO(&allowed_);
   if (sched_getaffinity(0, sizeof allowed_, &allowed_) != 0) CPU_ZERO(&allowed_);
   helpers_.reserve(threads > 0 ? threads - 1 : 0);
   try {
