@@ -19,6 +19,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using Eigen::VectorXd;
 
 // beta: at least this share of A stays, so that no direction asks for a step of more than its
 // inverse times that of the n x n factor. What is crushed has rings that resist next to nothing.
@@ -56,6 +57,10 @@ Matrix3d softening(const RegionRings& rings, std::size_t r, const Matrix3d& T, d
                       inverse_F.transpose());
   const Vector3d inverse_roots = ratio.eigenvalues().cwiseMax(1.0).cwiseSqrt().cwiseInverse();
   return ratio.eigenvectors() * inverse_roots.asDiagonal() * ratio.eigenvectors().transpose();
+}
+
+std::span<double> numbers(VectorXd& vector) {
+  return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
 }  // namespace
@@ -213,29 +218,42 @@ void PoseTangent::solve_in_place(std::span<double> b) {
 
 void PoseTangent::solve_well_in_place(std::span<double> b) {
   if (!read(b) || !is_solved_) factor_->solver().solve(b_, x_, 1);
-  if (!is_in_doubles_ && !refine() && take_doubles()) factor_->solver().solve(b_, x_, 1);
+  if (!is_in_doubles_) refine();
   is_solved_ = false;
   write(b);
 }
 
-// Brings x_ nearer to the solution for b_; false where it stays too far.
-bool PoseTangent::refine() {
-  constexpr int kMostRefinements = 3;
-  constexpr double kGoodChange = 0.1;
-  const auto largest = [](std::span<const double> numbers) {
-    double size = 0.0;
-    for (const double number : numbers) size = std::max(size, std::abs(number));
-    return size;
-  };
-  residual_.resize(b_.size());
-  for (int k = 0; k < kMostRefinements; ++k) {
-    multiply(factor_->matrix(), x_, residual_, 1);
-    for (std::size_t i = 0; i < b_.size(); ++i) residual_[i] = b_[i] - residual_[i];
-    factor_->solver().solve(residual_, residual_, 1);
-    for (std::size_t i = 0; i < b_.size(); ++i) x_[i] += residual_[i];
-    if (!(largest(residual_) > kGoodChange * largest(x_))) return true;
+// Brings x_, the factor's solution for b_, nearer to that of the matrix, by conjugate gradients
+// that the factor preconditions: what floats get wrong are a few soft directions.
+void PoseTangent::refine() {
+  constexpr int kMostSteps = 8;
+  constexpr double kGood = 0.1;  // error, of the largest number of x
+  const auto n = static_cast<Eigen::Index>(b_.size());
+  Eigen::Map<VectorXd> x(x_.data(), n);
+  VectorXd residual = Eigen::Map<const VectorXd>(b_.data(), n);
+  VectorXd preconditioned = x;
+  VectorXd direction = x;
+  VectorXd product(n);
+  x.setZero();
+  double slope = residual.dot(preconditioned);
+  double last_change = 0.0;
+  for (int k = 0; k < kMostSteps; ++k) {
+    if (k > 0) {
+      factor_->solver().solve(numbers(residual), numbers(preconditioned), 1);
+      const double last_slope = std::exchange(slope, residual.dot(preconditioned));
+      direction = preconditioned + slope / last_slope * direction;
+    }
+    multiply(factor_->matrix(), numbers(direction), numbers(product), 1);
+    const double curvature = direction.dot(product);
+    if (!(curvature > 0.0)) return;  // there is nothing left to solve
+    const double length = slope / curvature;
+    x += length * direction;
+    residual -= length * product;
+    const double change = length * direction.lpNorm<Eigen::Infinity>();
+    // Were each as much shorter than the one before.
+    if (k > 0 && change * change <= kGood * last_change * x.lpNorm<Eigen::Infinity>()) return;
+    last_change = change;
   }
-  return false;
 }
 
 }  // namespace lapwing

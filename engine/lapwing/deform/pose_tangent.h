@@ -19,9 +19,9 @@ namespace lapwing {
 /// larger than at rest, C_i = R_i S: its rotation follows the surface less, and what is under
 /// tension resists bending. Directions in which a ring has been crushed keep the K_i of rest, so
 /// that the matrix stays positive semidefinite in every pose. Its factor is held in floats, which
-/// do for a first Hessian (settle/README.md), and in doubles from where they do not: rounding has
-/// left it indefinite, or refinement does not bring its solutions nearer. Takes its memory, half
-/// that of another 3n x 3n factor, when it is first turned, or before.
+/// do for a first Hessian (settle/README.md), and in doubles from where rounding has left it
+/// indefinite. Takes its memory, half that of another 3n x 3n factor, when it is first turned, or
+/// before.
 class PoseTangent final : public TurnedTangent {
  public:
   /// Makes, or finds, G at rest over the rings of a region (tangent_rows).
@@ -51,7 +51,7 @@ class PoseTangent final : public TurnedTangent {
   bool take_doubles();
   bool read(std::span<const double> b);
   void write(std::span<double> b) const;
-  bool refine();
+  void refine();
 
   const Topology& topology_;
   const SystemPattern& pattern_;
@@ -67,8 +67,7 @@ class PoseTangent final : public TurnedTangent {
   std::vector<double> b_;  ///< in the order of the unknowns, x, y and z of each together
   std::vector<double> x_;
   bool is_solved_ = false;  ///< x_ is the factor's solution for b_
-  std::vector<double> residual_;
-  std::mutex taking_;  ///< held until factor_ is there, or prepared_ has begun
+  std::mutex taking_;       ///< held until factor_ is there, or prepared_ has begun
   MadeAside<std::unique_ptr<HeldFactor>> prepared_;  // last: it uses all the others
 };
 

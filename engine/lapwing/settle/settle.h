@@ -63,7 +63,7 @@ class TurnedTangent {
   /// of all unknowns, then y, then z.
   virtual void solve_in_place(std::span<double> b) = 0;
 
-  /// As well as its factor can by iterative refinement: what settling ends by.
+  /// To about a tenth, where a factor alone may be too stiff: what settling ends by.
   virtual void solve_well_in_place(std::span<double> b) { solve_in_place(b); }
 };
 
