@@ -24,6 +24,11 @@ struct Outcome {
 /// The program in a temporary folder with a tube in it.
 class CommandLine : public ::testing::Test {
  protected:
+  /// Lifts the tube's head.
+  static inline const std::string kLiftFlags =
+      "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --handle box:-1,-1,2.8,1,1,4 "
+      "--translate 0,0,0.5 ";
+
   void SetUp() override { write_mesh(cylinder(12, 20, 0.5, 3.0), file("tube.obj")); }
 
   std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +10,6 @@
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
-#include "lapwing/mesh/subdivide.h"
 #include "support/bent_tube.h"
 #include "support/dragged.h"
 #include "support/linear_options.h"
@@ -148,153 +146,6 @@ TEST(Deformer, SettlingKeepsDetailThroughALargeTurn) {
   EXPECT_GT(settled.settle_iterations, 1);
   EXPECT_LE(settled.settle_last_step, options.settle->tolerance);
   EXPECT_EQ(linear.settle_iterations, 0);
-}
-
-// Equation 10 written out: T_i of every ring by the pseudo-inverse of its 7 columns, and dense
-// least squares over what follows.
-TEST(Deformer, TheRsiResponseIsThePapersSystem) {
-  Mesh mesh = icosphere(1);
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    mesh.positions[i] *= 1.0 + 0.2 * std::sin(3.0 * static_cast<double>(i));
-  }
-  const Topology& topology = mesh.topology();
-  const std::size_t n = mesh.vertex_count();
-  EditRegion region;
-  region.handles.resize(1);
-  for (Index v = 0; v < n; ++v) {
-    region.roi.push_back(v);
-    if (mesh.positions[v].z() < -0.6) region.belt.push_back(v);
-    if (mesh.positions[v].z() > 0.6) region.handles[0].push_back(v);
-  }
-  const Affine3d motion =
-      Eigen::Translation3d(0.1, 0.3, 0.2) * Eigen::AngleAxisd(0.4, Vector3d(1, 2, 0).normalized());
-  std::vector<Eigen::VectorXd> rows;
-  std::vector<double> right;
-  for (Index i = 0; i < n; ++i) {
-    std::vector<Index> ring{i};
-    for (const Index j : topology.rings[i]) ring.push_back(j);
-    const auto size = static_cast<Eigen::Index>(ring.size());
-    Eigen::MatrixXd A(3 * size, 7);
-    Vector3d delta = mesh.positions[i];
-    for (Eigen::Index k = 0; k < size; ++k) {
-      const Vector3d& v = mesh.positions[ring[static_cast<std::size_t>(k)]];
-      if (k > 0) delta -= v / static_cast<double>(size - 1);
-      A.middleRows<3>(3 * k) << v.x(), 0, v.z(), -v.y(), 1, 0, 0,  //
-          v.y(), -v.z(), 0, v.x(), 0, 1, 0,                        //
-          v.z(), v.y(), -v.x(), 0, 0, 0, 1;
-    }
-    const Eigen::MatrixXd fit = A.completeOrthogonalDecomposition().pseudoInverse();
-    Eigen::Matrix<double, 3, 7> D = Eigen::Matrix<double, 3, 7>::Zero();
-    D.leftCols<4>() << delta.x(), 0, delta.z(), -delta.y(),  //
-        delta.y(), -delta.z(), 0, delta.x(),                 //
-        delta.z(), delta.y(), -delta.x(), 0;
-    const Eigen::MatrixXd T_delta = D * fit;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      Eigen::VectorXd row = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * n));
-      for (Eigen::Index k = 0; k < size; ++k) {
-        const auto at = static_cast<Eigen::Index>(3 * ring[static_cast<std::size_t>(k)]);
-        row.segment<3>(at) += T_delta.block<1, 3>(axis, 3 * k).transpose();
-        row[at + axis] -= k == 0 ? 1.0 : -1.0 / static_cast<double>(size - 1);
-      }
-      rows.push_back(row);
-      right.push_back(0.0);
-    }
-  }
-  const auto hold = [&](Index v, const Vector3d& place) {
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      rows.push_back(Eigen::VectorXd::Unit(static_cast<Eigen::Index>(3 * n),
-                                           static_cast<Eigen::Index>(3 * v) + axis));
-      right.push_back(place[axis]);
-    }
-  };
-  for (const Index v : region.belt) hold(v, mesh.positions[v]);
-  for (const Index v : region.handles[0]) hold(v, motion * mesh.positions[v]);
-  Eigen::MatrixXd M(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(3 * n));
-  for (std::size_t r = 0; r < rows.size(); ++r) M.row(static_cast<Eigen::Index>(r)) = rows[r];
-  const Eigen::VectorXd expected = M.colPivHouseholderQr().solve(
-      Eigen::Map<const Eigen::VectorXd>(right.data(), static_cast<Eigen::Index>(right.size())));
-
-  CpuKernels kernels;
-  const Deformer deformer(mesh.positions, topology, region, test::rsi_options(), kernels);
-  const Positions result = deformer.solve(std::array{motion}).positions;
-  for (std::size_t v = 0; v < n; ++v) {
-    EXPECT_LT((result[v] - expected.segment<3>(static_cast<Eigen::Index>(3 * v))).norm(), 1e-9);
-  }
-}
-
-// The triangles `chosen` in four, those beside them in two or three.
-Mesh refined(const Mesh& mesh, std::span<const char> chosen) {
-  std::map<std::pair<Index, Index>, Index> middles;
-  Mesh finer;
-  finer.positions = mesh.positions;
-  const auto edge = [](Index a, Index b) { return std::pair(std::min(a, b), std::max(a, b)); };
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto t = mesh.face(f);
-    for (std::size_t k = 0; chosen[f] != 0 && k < 3; ++k) {
-      const Index a = t[k];
-      const Index b = t[(k + 1) % 3];
-      if (!middles.emplace(edge(a, b), static_cast<Index>(finer.vertex_count())).second) continue;
-      finer.positions.emplace_back(0.5 * (mesh.positions[a] + mesh.positions[b]));
-    }
-  }
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    std::vector<Index> corners;  // those of the triangle and the middles of its edges
-    const auto t = mesh.face(f);
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners.push_back(t[k]);
-      const auto middle = middles.find(edge(t[k], t[(k + 1) % 3]));
-      if (middle != middles.end()) corners.push_back(middle->second);
-    }
-    if (corners.size() == 6) {
-      for (const std::size_t k : {0U, 2U, 4U}) {
-        finer.add_face(std::array{corners[k], corners[k + 1], corners[(k + 5) % 6]});
-      }
-      finer.add_face(std::array{corners[1], corners[3], corners[5]});
-      continue;
-    }
-    // A fan from a middle, or the triangle as it is.
-    const auto first = std::find_if(corners.begin(), corners.end(),
-                                    [&](Index v) { return v >= mesh.vertex_count(); });
-    if (first != corners.end()) std::rotate(corners.begin(), first, corners.end());
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-      finer.add_face(std::array{corners[0], corners[k], corners[k + 1]});
-    }
-  }
-  return finer;
-}
-
-// A finer mesh of the same surface is bent alike, and so is one that is finer on one half.
-// Where the coarse mesh shows what the energy is made of: the detail length spans an edge.
-TEST(Deformer, RefiningTheMeshKeepsTheResult) {
-  const auto result_at = [](const Mesh& mesh, std::size_t count) {
-    EditRegion region;
-    region.handles.resize(1);
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      region.roi.push_back(v);
-      if (mesh.positions[v].z() < 0.31) region.belt.push_back(v);
-      if (mesh.positions[v].z() > 2.69) region.handles[0].push_back(v);
-    }
-    const Topology& topology = mesh.topology();
-    CpuKernels kernels;
-    DeformOptions options;
-    options.detail_length = 0.1;
-    const Deformer deformer(mesh.positions, topology, region, options, kernels);
-    Positions result = deformer.solve(std::array{bend()}).positions;
-    result.resize(count);
-    return result;
-  };
-  const Mesh coarse = cylinder(24, 31, 0.5, 3.0);
-  const double diagonal = bounds_of(coarse.positions).diagonal();
-  const std::size_t count = coarse.vertex_count();
-  const Positions expected = result_at(coarse, count);
-  const Mesh once = subdivide(coarse);
-  EXPECT_LT(largest_distance(expected, result_at(once, count)), 0.01 * diagonal);
-  EXPECT_LT(largest_distance(expected, result_at(subdivide(once), count)), 0.01 * diagonal);
-  std::vector<char> upper(coarse.face_count(), 0);
-  for (std::size_t f = 0; f < upper.size(); ++f) {
-    upper[f] = coarse.positions[coarse.face(f)[0]].z() > 1.5 ? 1 : 0;
-  }
-  EXPECT_LT(largest_distance(expected, result_at(refined(coarse, upper), count)), 0.01 * diagonal);
 }
 
 TEST(Deformer, SettlingThatRunsOutOfIterationsSaysSo) {

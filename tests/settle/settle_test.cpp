@@ -14,124 +14,24 @@
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
-#include "support/bent_tube.h"
+#include "settle/settled_edit.h"
 #include "support/error_message.h"
 #include "support/failing_new.h"
-#include "support/linear_options.h"
-#include "support/rippled_cylinder.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Affine3d;
 using Eigen::Vector3d;
+using test::bumpy_tube_edit;
+using test::free_tube_edit;
+using test::kTerms;
+using test::rippled_cylinder_edit;
+using test::Settled;
+using test::SettledEdit;
+using test::Start;
 using ::testing::HasSubstr;
 using ::testing::Le;
-
-enum class Start { linear, rest };
-
-struct Settled {
-  Positions positions;
-  SettleResult result;
-};
-
-const EnergyTerms kTerms{LaplacianWeights::cotangent, kDefaultDetailLength};
-
-class Edit {
- public:
-  Edit(Mesh mesh, EditRegion region)
-      : mesh_(std::move(mesh)), topology_(mesh_.topology()), region_(std::move(region)) {}
-
-  const Mesh& mesh() const { return mesh_; }
-  const Topology& topology() const { return topology_; }
-  const EditRegion& region() const { return region_; }
-
-  Positions linear(const Affine3d& motion) const {
-    CpuKernels kernels;
-    const Deformer deformer(mesh_.positions, topology_, region_, test::linear_options(), kernels);
-    return deformer.solve(std::vector(region_.handles.size(), motion)).positions;
-  }
-
-  // As a user gets it: from the start that Deformer chooses.
-  DeformResult deform(const Affine3d& motion, const DeformOptions& options = {}) const {
-    CpuKernels kernels;
-    const Deformer deformer(mesh_.positions, topology_, region_, options, kernels);
-    return deformer.solve(std::vector(region_.handles.size(), motion));
-  }
-
-  using TangentOf = std::function<std::unique_ptr<TurnedTangent>(const LaplacianSystem&)>;
-
-  Settled settle(
-      const Affine3d& motion, const SettleOptions& options = {}, Start start = Start::linear,
-      bool hard = false, const EnergyTerms& terms = kTerms,
-      const std::function<void(std::function<void()>)>& run = [](auto settle) { settle(); },
-      const TangentOf& tangent_of = [](const auto&) { return nullptr; }) const {
-    const Constraints constraints = constraints_of(region_, topology_, 1.0, hard);
-    StageTimings timings;
-    const SystemPattern pattern(topology_, region_.roi, constraints.unknowns);
-    const LaplacianSystem system(mesh_.positions, topology_, region_.roi, constraints, pattern,
-                                 terms, timings);
-    CpuKernels kernels;
-    const std::unique_ptr<TurnedTangent> tangent = tangent_of(system);
-    Settler settler(kernels, system, options, tangent.get());
-    std::vector<Vector3d> wanted(mesh_.vertex_count(), Vector3d::Zero());
-    for (const auto& handle : region_.handles) {
-      for (const Index v : handle) wanted[v] = motion * mesh_.positions[v] - mesh_.positions[v];
-    }
-    std::vector<Vector3d> u(mesh_.vertex_count(), Vector3d::Zero());
-    if (start == Start::linear) {
-      const Positions there = linear(motion);
-      for (std::size_t i = 0; i < u.size(); ++i) u[i] = there[i] - mesh_.positions[i];
-    }
-    Settled settled{mesh_.positions, {}};
-    const std::vector<Vector3d> begin = u;
-    const std::vector<double> scales(u.size(), 1.0);
-    run([&] {
-      std::copy(begin.begin(), begin.end(), u.begin());
-      settled.result = settler.settle({wanted, scales}, u);
-    });
-    for (std::size_t i = 0; i < u.size(); ++i) settled.positions[i] += u[i];
-    return settled;
-  }
-
-  std::vector<Index> free_vertices() const {
-    const Constraints constraints = constraints_of(region_, topology_, 1.0, true);
-    return constraints.unknowns.vertices;
-  }
-  double detail_error(const Positions& positions) const {
-    const auto weights = laplacian_weights(topology_, mesh_.positions, LaplacianWeights::uniform);
-    return lapwing::detail_error(free_vertices(), topology_, weights, mesh_.positions, positions);
-  }
-  double stretch(const Positions& positions) const {
-    return edge_stretch(region_.roi, topology_, mesh_.positions, positions);
-  }
-
- private:
-  Mesh mesh_;
-  Topology topology_;
-  EditRegion region_;
-};
-
-Edit rippled_cylinder() {
-  Mesh mesh = test::rippled_cylinder();
-  EditRegion region = test::ends_of_cylinder(mesh);
-  return {std::move(mesh), std::move(region)};
-}
-
-Edit bumpy_tube() {
-  Mesh mesh = test::bumpy_tube();
-  EditRegion region = test::foot_and_head(mesh);
-  return {std::move(mesh), std::move(region)};
-}
-
-// All that is held, on two handles and no belt.
-Edit free_tube() {
-  Mesh mesh = test::bumpy_tube();
-  EditRegion region = test::foot_and_head(mesh);
-  region.handles.push_back(std::move(region.belt));
-  region.belt.clear();
-  return {std::move(mesh), std::move(region)};
-}
 
 // ---- The table of the design notes, section 3.
 
@@ -145,7 +45,7 @@ struct LargeMotion {
 class LargeRotations : public ::testing::TestWithParam<LargeMotion> {};
 
 TEST_P(LargeRotations, KeepDetailWhereTheLinearResponseLosesIt) {
-  const Edit edit = rippled_cylinder();
+  const SettledEdit edit = rippled_cylinder_edit();
   const LargeMotion& expected = GetParam();
   const DeformResult result = edit.deform(expected.motion);
   EXPECT_TRUE(result.certificate.settled);
@@ -157,7 +57,7 @@ TEST_P(LargeRotations, KeepDetailWhereTheLinearResponseLosesIt) {
 }
 
 TEST_P(LargeRotations, ASmallerDetailLengthTradesDetailForLength) {
-  const Edit edit = rippled_cylinder();
+  const SettledEdit edit = rippled_cylinder_edit();
   DeformOptions options;
   const DeformResult usual = edit.deform(GetParam().motion, options);
   options.detail_length *= 0.5;
@@ -181,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
 // ---- One energy.
 
 TEST(Settle, EveryIterationLowersTheEnergy) {
-  const Edit edit = bumpy_tube();
+  const SettledEdit edit = bumpy_tube_edit();
   double last = std::numeric_limits<double>::infinity();
   for (int iterations = 1; iterations <= 12; ++iterations) {
     const SettleResult result =
@@ -197,14 +97,14 @@ TEST(Settle, EveryIterationLowersTheEnergy) {
 TEST(Settle, WhereNoStepLowersTheEnergyItSaysSo) {
   const Affine3d moved(Eigen::Translation3d(1.0 / 3.0, 0.7, -0.1));
   const Settled settled =
-      free_tube().settle(moved, {.tolerance = 1e-300, .max_iterations = 2000}, Start::rest);
+      free_tube_edit().settle(moved, {.tolerance = 1e-300, .max_iterations = 2000}, Start::rest);
   EXPECT_TRUE(settled.result.exhausted);
   EXPECT_FALSE(settled.result.settled);
-  EXPECT_FALSE(free_tube().settle(moved).result.exhausted);
+  EXPECT_FALSE(free_tube_edit().settle(moved).result.exhausted);
 }
 
 TEST(Settle, NoSmallChangeOfASettledSurfaceLowersTheEnergy) {
-  const Edit edit = bumpy_tube();
+  const SettledEdit edit = bumpy_tube_edit();
   const Constraints constraints = constraints_of(edit.region(), edit.topology(), 1.0, false);
   const SystemPattern pattern(edit.topology(), edit.region().roi, constraints.unknowns);
   StageTimings timings;
@@ -231,100 +131,8 @@ TEST(Settle, NoSmallChangeOfASettledSurfaceLowersTheEnergy) {
   }
 }
 
-// A thin rod bends easily, which a factor that holds every ring in its turn does not know.
-TEST(Settle, TheTangentOfThePoseSavesIterations) {
-  Mesh rod = cylinder(8, 160, 0.1, 6.0);
-  EditRegion region = test::ends_of_cylinder(rod);
-  const Edit edit(std::move(rod), std::move(region));
-  const Affine3d bend = test::turn_and_move(60, Vector3d::UnitX(), Vector3d(0, -1, -0.5));
-  const SettleOptions settle{.tolerance = 1e-4, .max_iterations = 5000};
-  DeformOptions options;
-  options.settle = settle;
-  const DeformResult by_tangent = edit.deform(bend, options);
-  const Settled plain = edit.settle(bend, settle);
-  EXPECT_TRUE(by_tangent.certificate.settled);
-  EXPECT_LT(2 * by_tangent.certificate.settle_iterations, plain.result.iterations);
-}
-
-// A tangent that is the n x n system in every pose.
-class CountedTangent final : public TurnedTangent {
- public:
-  CountedTangent(const LaplacianSystem& system, double turn_cost, int& turns)
-      : system_(system), turn_cost_(turn_cost), turns_(turns) {}
-
-  bool turn(std::span<const Eigen::Matrix3d> /*transforms*/,
-            std::span<const Vector3d> /*displacement*/) override {
-    ++turns_;
-    return true;
-  }
-  double turn_cost() const override { return turn_cost_; }
-  void solve_in_place(std::span<double> b) override { system_.solve_in_elimination_order(b, 3); }
-
- private:
-  const LaplacianSystem& system_;
-  double turn_cost_;
-  int& turns_;
-};
-
-TEST(Settle, ATangentIsRenewedOnlyWhereThatTakesLessThanToGoOnByIt) {
-  const auto turns_at = [](double turn_cost) {
-    int turns = 0;
-    const Settled settled = bumpy_tube().settle(
-        test::turn_and_move(90, Vector3d::UnitX(), Vector3d(0, -1.5, -1)), {}, Start::linear, false,
-        kTerms, [](auto run) { run(); },
-        [&](const LaplacianSystem& system) {
-          return std::make_unique<CountedTangent>(system, turn_cost, turns);
-        });
-    EXPECT_GT(settled.result.iterations, 20);
-    return turns;
-  };
-  EXPECT_EQ(turns_at(1e9), 1);
-  EXPECT_GE(turns_at(0.0), 3);
-}
-
-// By far too short a step, as where rounding has made a factor too stiff.
-class StiffTangent final : public TurnedTangent {
- public:
-  explicit StiffTangent(const LaplacianSystem& system) : system_(system) {}
-
-  bool turn(std::span<const Eigen::Matrix3d> /*transforms*/,
-            std::span<const Vector3d> /*displacement*/) override {
-    return true;
-  }
-  double turn_cost() const override { return 1e9; }
-  void solve_in_place(std::span<double> b) override {
-    solve_well_in_place(b);
-    for (double& number : b) number *= 1e-6;
-  }
-  void solve_well_in_place(std::span<double> b) override {
-    system_.solve_in_elimination_order(b, 3);
-  }
-
- private:
-  const LaplacianSystem& system_;
-};
-
-TEST(Settle, DoesNotEndByATangentThatIsTooStiff) {
-  const auto settled_by = [](const Edit::TangentOf& tangent_of) {
-    return bumpy_tube()
-        .settle(
-            test::turn_and_move(90, Vector3d::UnitX(), Vector3d(0, -1.5, -1)), {}, Start::linear,
-            false, kTerms, [](auto run) { run(); }, tangent_of)
-        .result;
-  };
-  int turns = 0;
-  const SettleResult right = settled_by([&](const LaplacianSystem& system) {
-    return std::make_unique<CountedTangent>(system, 1e9, turns);
-  });
-  const SettleResult stiff = settled_by(
-      [](const LaplacianSystem& system) { return std::make_unique<StiffTangent>(system); });
-  ASSERT_TRUE(right.settled);
-  ASSERT_TRUE(stiff.settled);
-  EXPECT_LT(stiff.relative_gradient, 10.0 * right.relative_gradient);
-}
-
 TEST(Settle, TwistOf179DegreesIsWoundTheWayTheHandleWent) {
-  const Edit edit = rippled_cylinder();
+  const SettledEdit edit = rippled_cylinder_edit();
   const Positions result =
       edit.deform(test::turn_and_move(179, Vector3d::UnitZ(), Vector3d::Zero())).positions;
   double wound = 0.0;
@@ -339,7 +147,7 @@ TEST(Settle, TwistOf179DegreesIsWoundTheWayTheHandleWent) {
 // ---- Invariances.
 
 TEST(Settle, ModerateMotionSettlesToTheSameShapeFromAnywhere) {
-  const Edit edit = bumpy_tube();
+  const SettledEdit edit = bumpy_tube_edit();
   const SettleOptions options{.tolerance = 1e-9, .max_iterations = 2000};
   const Settled a = edit.settle(test::bend(), options, Start::linear);
   const Settled b = edit.settle(test::bend(), options, Start::rest);
@@ -349,7 +157,7 @@ TEST(Settle, ModerateMotionSettlesToTheSameShapeFromAnywhere) {
 }
 
 TEST(Settle, StillHandleStaysStill) {
-  const Edit edit = bumpy_tube();
+  const SettledEdit edit = bumpy_tube_edit();
   for (const bool hard : {false, true}) {
     const Settled settled = edit.settle(Affine3d::Identity(), {}, Start::rest, hard);
     EXPECT_EQ(settled.result.iterations, 0);
@@ -360,7 +168,7 @@ TEST(Settle, StillHandleStaysStill) {
 class SimilarityOfAllThatIsHeld : public ::testing::TestWithParam<Affine3d> {};
 
 TEST_P(SimilarityOfAllThatIsHeld, MovesTheSurfaceAlike) {
-  const Edit edit = free_tube();
+  const SettledEdit edit = free_tube_edit();
   const Affine3d& motion = GetParam();
   const DeformResult result = edit.deform(motion);
   Positions expected = edit.mesh().positions;
@@ -383,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // The linear response alone knows growth, too.
 TEST(Settle, TheTangentScalesExactly) {
-  const Edit edit = free_tube();
+  const SettledEdit edit = free_tube_edit();
   const Affine3d grow(Eigen::Scaling(3.0));
   Positions expected = edit.mesh().positions;
   for (Vector3d& p : expected) p = grow * p;
@@ -391,7 +199,7 @@ TEST(Settle, TheTangentScalesExactly) {
 }
 
 TEST(Settle, ResultDoesNotDependOnPlaceUnitOrOrientation) {
-  const Edit edit = bumpy_tube();
+  const SettledEdit edit = bumpy_tube_edit();
   const double diagonal = bounds_of(edit.mesh().positions).diagonal();
   const Positions expected = edit.settle(test::bend()).positions;
   for (const double scale : {1e-3, 1e3}) {
@@ -400,7 +208,7 @@ TEST(Settle, ResultDoesNotDependOnPlaceUnitOrOrientation) {
                            Eigen::Scaling(scale);
     Mesh moved = edit.mesh();
     for (Vector3d& p : moved.positions) p = frame * p;
-    Positions result = Edit(std::move(moved), edit.region())
+    Positions result = SettledEdit(std::move(moved), edit.region())
                            .settle(frame * test::bend() * frame.inverse())
                            .positions;
     for (Vector3d& p : result) p = frame.inverse() * p;
@@ -409,7 +217,7 @@ TEST(Settle, ResultDoesNotDependOnPlaceUnitOrOrientation) {
 }
 
 TEST(Settle, HardConstraintsAreMetExactly) {
-  const Edit edit = bumpy_tube();
+  const SettledEdit edit = bumpy_tube_edit();
   const Settled settled = edit.settle(test::bend(), {}, Start::linear, true);
   for (const Index v : edit.region().handles[0]) {
     EXPECT_LT((settled.positions[v] - test::bend() * edit.mesh().positions[v]).norm(), 1e-14);
@@ -429,7 +237,7 @@ TEST(Settle, FlatRegionsBoundariesAndEarsStayFinite) {
     region.roi.push_back(v);
     if (v % 9 == 8) region.belt.push_back(v);
   }
-  const Edit edit(std::move(sheet), std::move(region));
+  const SettledEdit edit(std::move(sheet), std::move(region));
   for (const double length : {0.005, 0.05, 1.0}) {
     const Settled settled = edit.settle(Affine3d(Eigen::Translation3d(0, 0, 0.4)), {}, Start::rest,
                                         false, {LaplacianWeights::cotangent, length});
@@ -453,7 +261,7 @@ TEST(Settle, RingsOnALineStayFiniteForAllWeights) {
     if (sheet.positions[v].y() == 0.0) region.belt.push_back(v);
     if (sheet.positions[v].y() == 1.0) region.handles[0].push_back(v);
   }
-  const Edit edit(std::move(sheet), std::move(region));
+  const SettledEdit edit(std::move(sheet), std::move(region));
   const Affine3d fold = Eigen::Translation3d(0.1, 0.8, 0.4) *
                         Eigen::AngleAxisd(1.2, Vector3d::UnitX()) *
                         Eigen::Translation3d(0.0, -1.0, 0.0);
@@ -468,7 +276,7 @@ TEST(Settle, RingsOnALineStayFiniteForAllWeights) {
 }
 
 TEST(Settle, SameInputGivesTheSameBits) {
-  const Edit edit = bumpy_tube();
+  const SettledEdit edit = bumpy_tube_edit();
   const Settled a = edit.settle(test::bend());
   const Settled b = edit.settle(test::bend());
   EXPECT_EQ(
@@ -477,7 +285,7 @@ TEST(Settle, SameInputGivesTheSameBits) {
 }
 
 TEST(Settle, IterationsAllocateNothing) {
-  const Edit edit = bumpy_tube();
+  const SettledEdit edit = bumpy_tube_edit();
   const auto allocations = [&](int iterations) {
     const SettleOptions options{.tolerance = 1e-300, .max_iterations = iterations};
     long calls = 0;
@@ -493,7 +301,7 @@ TEST(Settle, IterationsAllocateNothing) {
 }
 
 TEST(Settle, OptionsOutOfRangeAreRefused) {
-  const Edit edit = bumpy_tube();
+  const SettledEdit edit = bumpy_tube_edit();
   const auto message = [&](auto change) {
     SettleOptions options;
     change(options);

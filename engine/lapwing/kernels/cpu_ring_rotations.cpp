@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "lapwing/base/instruction_set.h"
 #include "lapwing/base/parallel.h"
 
 namespace lapwing {
@@ -16,18 +15,17 @@ extern const RingLoops kRingLoopsAvx512;
 
 using Eigen::Vector3d;
 
-const RingLoops& ring_loops() {
+const RingLoops& ring_loops([[maybe_unused]] InstructionSet set) {
 #ifdef __x86_64__
-  const InstructionSet set = available_instruction_sets().front();
   if (set == InstructionSet::avx512) return kRingLoopsAvx512;
   if (set == InstructionSet::avx2) return kRingLoopsAvx2;
 #endif
   return kRingLoopsBaseline;
 }
 
-CpuRingRotations::CpuRingRotations(std::shared_ptr<const RegionRings> rings)
+CpuRingRotations::CpuRingRotations(std::shared_ptr<const RegionRings> rings, InstructionSet set)
     : shared_rings_(std::move(rings)),
-      loops_(ring_loops()),
+      loops_(ring_loops(set)),
       rest_((rings_.row_count() + kFitLanes - 1) / kFitLanes),
       displacement_(std::max(rings_.vertices.size(), rest_.size() * kFitLanes)),
       turns_(rings_.vertices.size()),

@@ -12,7 +12,9 @@ namespace lapwing {
 /// RingRotations in double precision, on all threads. Allocates nothing after construction.
 class CpuRingRotations final : public RingRotations {
  public:
-  explicit CpuRingRotations(std::shared_ptr<const RegionRings> rings);
+  /// By the loops for `set`, one of the available ones.
+  explicit CpuRingRotations(std::shared_ptr<const RegionRings> rings,
+                            InstructionSet set = available_instruction_sets().front());
 
   void set_scales(std::span<const double> scales) override;
   void fit_rotations(std::span<const Eigen::Vector3d> displacement,

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lapwing/base/instruction_set.h"
+
 namespace lapwing {
 
 /// Rows that fit_rotations works on at once, one in each lane.
@@ -79,7 +81,7 @@ struct RingLoops {
   void (*gradient)(const GradientRings& rings, std::size_t first, std::size_t last, double* g);
 };
 
-/// The fastest ones that this processor runs.
-const RingLoops& ring_loops();
+/// `set` is to be among the available ones.
+const RingLoops& ring_loops(InstructionSet set);
 
 }  // namespace lapwing

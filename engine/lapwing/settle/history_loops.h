@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "lapwing/base/instruction_set.h"
+
 namespace lapwing {
 
 /// The loops of Lbfgs over a chunk of its vectors, for one instruction set. Sums are in double
@@ -13,7 +15,7 @@ struct HistoryLoops {
   double (*dot)(const float* a, const float* b, std::size_t count);
 };
 
-/// The fastest ones that this processor runs.
-const HistoryLoops& history_loops();
+/// `set` is to be among the available ones.
+const HistoryLoops& history_loops(InstructionSet set);
 
 }  // namespace lapwing

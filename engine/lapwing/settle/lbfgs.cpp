@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lapwing/base/instruction_set.h"
 #include "lapwing/base/parallel.h"
 
 namespace lapwing {
@@ -38,9 +37,8 @@ void for_chunks(std::size_t size, const Body& body) {
 
 }  // namespace
 
-const HistoryLoops& history_loops() {
+const HistoryLoops& history_loops([[maybe_unused]] InstructionSet set) {
 #ifdef __x86_64__
-  const InstructionSet set = available_instruction_sets().front();
   if (set == InstructionSet::avx512) return kHistoryLoopsAvx512;
   if (set == InstructionSet::avx2) return kHistoryLoopsAvx2;
 #endif
@@ -48,7 +46,7 @@ const HistoryLoops& history_loops() {
 }
 
 Lbfgs::Lbfgs(std::size_t size, int window, double length)
-    : loops_(history_loops()),
+    : loops_(history_loops(available_instruction_sets().front())),
       size_(size),
       window_(std::clamp(window, 1, kLargestWindow)),
       scale_(std::ldexp(1.0, -std::ilogb(length))),
