@@ -224,35 +224,38 @@ void PoseTangent::solve_well_in_place(std::span<double> b) {
 }
 
 // Brings x_, the factor's solution for b_, nearer to that of the matrix, by conjugate gradients
-// that the factor preconditions: what floats get wrong are a few soft directions.
+// that the factor preconditions: what floats get wrong are a few soft directions. Ends by what the
+// factor makes of the residual, as it is, where each change is as much shorter than the one before.
 void PoseTangent::refine() {
   constexpr int kMostSteps = 8;
   constexpr double kGood = 0.1;  // error, of the largest number of x
   const auto n = static_cast<Eigen::Index>(b_.size());
   Eigen::Map<VectorXd> x(x_.data(), n);
-  VectorXd residual = Eigen::Map<const VectorXd>(b_.data(), n);
-  VectorXd preconditioned = x;
-  VectorXd direction = x;
   VectorXd product(n);
-  x.setZero();
-  double slope = residual.dot(preconditioned);
-  double last_change = 0.0;
+  multiply(factor_->matrix(), x_, numbers(product), 1);
+  VectorXd residual = Eigen::Map<const VectorXd>(b_.data(), n) - product;
+  VectorXd preconditioned(n);
+  VectorXd direction(n);
+  double slope = 0.0;
+  double last_change = x.lpNorm<Eigen::Infinity>();
   for (int k = 0; k < kMostSteps; ++k) {
-    if (k > 0) {
-      factor_->solver().solve(numbers(residual), numbers(preconditioned), 1);
-      const double last_slope = std::exchange(slope, residual.dot(preconditioned));
+    factor_->solver().solve(numbers(residual), numbers(preconditioned), 1);
+    const double change = preconditioned.lpNorm<Eigen::Infinity>();
+    if (change * change <= kGood * last_change * x.lpNorm<Eigen::Infinity>()) {
+      x += preconditioned;
+      return;
+    }
+    const double last_slope = std::exchange(slope, residual.dot(preconditioned));
+    if (k == 0) {
+      direction = preconditioned;
+    } else {
       direction = preconditioned + slope / last_slope * direction;
     }
     multiply(factor_->matrix(), numbers(direction), numbers(product), 1);
-    const double curvature = direction.dot(product);
-    if (!(curvature > 0.0)) return;  // there is nothing left to solve
-    const double length = slope / curvature;
+    const double length = slope / direction.dot(product);
     x += length * direction;
     residual -= length * product;
-    const double change = length * direction.lpNorm<Eigen::Infinity>();
-    // Were each as much shorter than the one before.
-    if (k > 0 && change * change <= kGood * last_change * x.lpNorm<Eigen::Infinity>()) return;
-    last_change = change;
+    last_change = length * direction.lpNorm<Eigen::Infinity>();
   }
 }
 
