@@ -13,12 +13,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char* kLift =
-    "deform tube.obj --belt box:-1,-1,-1,1,1,0.4 --handle box:-1,-1,2.8,1,1,4 "
-    "--translate 0,0,0.5 --frames device --save a.obj ";
-
 class DeviceFaultCommands : public CommandLine {
  protected:
+  static inline const std::string kLift = kLiftFlags + "--frames device --save a.obj ";
+
   void SetUp() override {
     LAPWING_NEEDS_GPU();
     CommandLine::SetUp();
@@ -33,7 +31,7 @@ class DeviceFaultCommands : public CommandLine {
 TEST_F(DeviceFaultCommands, AnEditGoesOnOnTheCpuAndTheReportSaysSo) {
   for (const char* fault : {"loss 0", "loss 9", "memory 60"}) {
     const Outcome outcome =
-        with_fault(std::string(kLift) + "--report a.json --render a.png --size 64x48", fault);
+        with_fault(kLift + "--report a.json --render a.png --size 64x48", fault);
     ASSERT_EQ(outcome.exit_code, 0) << fault << ": " << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr("the CPU went on in its place")) << fault;
     EXPECT_THAT(outcome.output, Not(HasSubstr("drew the picture"))) << "said once";
@@ -46,8 +44,8 @@ TEST_F(DeviceFaultCommands, AnEditGoesOnOnTheCpuAndTheReportSaysSo) {
 }
 
 TEST_F(DeviceFaultCommands, APictureThatNoDeviceDrawsDoesNotCostTheEdit) {
-  const Outcome outcome = with_fault(
-      std::string(kLift) + "--report a.json --render a.png --size 64x48", "loss 0 ever after");
+  const Outcome outcome =
+      with_fault(kLift + "--report a.json --render a.png --size 64x48", "loss 0 ever after");
   EXPECT_EQ(outcome.exit_code, 5);
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("no picture was drawn"),
                                     HasSubstr("all else that was asked for is written")));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,7 +9,6 @@
 #include "lapwing/deform/edit_system.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
-#include "support/joined_meshes.h"
 
 namespace lapwing {
 namespace {
@@ -68,31 +66,25 @@ TEST(PoseTangent, SolvesTheSameSystemWhenItIsPrepared) {
   }
 }
 
-// Square sheets of so many quads a side, beside each other, each held at its corners and its middle
-// by `weight`; all that holds them pulls them up by 1, which they give in to.
-void expect_sheets_give_in(std::span<const Index> sides, double weight) {
-  Mesh mesh;
+// A sheet of so many quads a side, held at its corners and its middle by `weight`: all that holds
+// it pulls it up by 1, which it gives in to.
+void expect_sheet_gives_in(Index side, double weight) {
+  SCOPED_TRACE(weight);
+  const Mesh sheet = grid(side, side);
+  const Index row = side + 1;
   EditRegion region;
-  region.handles.resize(1);
-  for (const Index side : sides) {
-    const auto first = static_cast<Index>(mesh.vertex_count());
-    const Index row = side + 1;
-    mesh = test::joined(mesh, grid(side, side));
-    for (const Index corner : {Index{0}, row - 1, row * (row - 1), row * row - 1}) {
-      region.belt.push_back(first + corner);
-    }
-    region.handles[0].push_back(first + row * row / 2);
-  }
-  for (Index v = 0; v < mesh.vertex_count(); ++v) region.roi.push_back(v);
+  region.handles.push_back({row * row / 2});
+  for (Index v = 0; v < sheet.vertex_count(); ++v) region.roi.push_back(v);
+  region.belt = {0, row - 1, row * (row - 1), row * row - 1};
   CpuKernels kernels;
-  PreparedRegion prepared(mesh.topology());
+  PreparedRegion prepared(sheet.topology());
   DeformOptions options;
   options.settle = SettleOptions();
   options.constraint_weight = weight;
-  const EditSystem edit(prepared, mesh.positions, region, options, Progress{});
+  const EditSystem edit(prepared, sheet.positions, region, options, Progress{});
   const LaplacianSystem& system = edit.systems->laplacian_with_rings();
   const std::size_t n = system.size();
-  PoseTangent tangent(mesh.topology(), region.roi, edit.systems->pattern(), system, options,
+  PoseTangent tangent(sheet.topology(), region.roi, edit.systems->pattern(), system, options,
                       [&] { return edit.tangent_rows(kernels); });
   const std::vector<Matrix3d> transforms(n, Matrix3d::Identity());
   const std::vector<Vector3d> displacement(n, Vector3d::Zero());
@@ -102,20 +94,16 @@ void expect_sheets_give_in(std::span<const Index> sides, double weight) {
     x[2 * n + k] = system.constraints().W[static_cast<std::size_t>(system.elimination_order()[k])];
   }
   tangent.solve_well_in_place(x);
-  for (std::size_t k = 0; k < n; ++k) ASSERT_NEAR(x[2 * n + k], 1.0, 0.1) << "unknown " << k;
+  for (std::size_t k = 0; k < n; ++k) ASSERT_NEAR(x[2 * n + k], 1.0, 0.05) << "unknown " << k;
 }
 
 // Where next to nothing holds a sheet floats find its translations far too stiff.
 TEST(PoseTangent, IsRefinedToWhatDoublesSolve) {
-  for (const double weight : {1.0, 1e-3, 1e-4}) {
-    SCOPED_TRACE(weight);
-    expect_sheets_give_in(std::vector<Index>{40}, weight);
-  }
+  for (const double weight : {1.0, 1e-3, 1e-4, 5e-5}) expect_sheet_gives_in(40, weight);
 }
 
-// As many kinds of soft directions as there are sheets: the last pivot of one is lost in floats.
 TEST(PoseTangent, IsFactoredInDoublesWhereFloatsLeaveItIndefinite) {
-  expect_sheets_give_in(std::vector<Index>{6, 9, 13, 18, 24, 31, 40}, 1e-3);
+  expect_sheet_gives_in(6, 1e-4);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/subdivide.h"
 #include "support/bent_tube.h"
+#include "support/rippled_cylinder.h"
 
 namespace lapwing {
 namespace {
@@ -64,13 +65,7 @@ Mesh refined(const Mesh& mesh, std::span<const char> chosen) {
 // Where the coarse mesh shows what the energy is made of: the detail length spans an edge.
 TEST(RefinedMesh, IsBentAsTheCoarseOne) {
   const auto result_at = [](const Mesh& mesh, std::size_t count) {
-    EditRegion region;
-    region.handles.resize(1);
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      region.roi.push_back(v);
-      if (mesh.positions[v].z() < 0.31) region.belt.push_back(v);
-      if (mesh.positions[v].z() > 2.69) region.handles[0].push_back(v);
-    }
+    const EditRegion region = test::ends_of_cylinder(mesh, 0.31, 2.69);
     const Topology& topology = mesh.topology();
     CpuKernels kernels;
     DeformOptions options;

@@ -11,14 +11,14 @@ namespace lapwing::test {
 
 using lapwing::rippled_cylinder;
 
-/// Belt: z < 0.6; handle: z > 5.4.
-inline EditRegion ends_of_cylinder(const Mesh& mesh) {
+/// Belt: z < `low`; handle: z > `high`.
+inline EditRegion ends_of_cylinder(const Mesh& mesh, double low = 0.6, double high = 5.4) {
   EditRegion region;
   region.handles.resize(1);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     region.roi.push_back(v);
-    if (mesh.positions[v].z() < 0.6) region.belt.push_back(v);
-    if (mesh.positions[v].z() > 5.4) region.handles[0].push_back(v);
+    if (mesh.positions[v].z() < low) region.belt.push_back(v);
+    if (mesh.positions[v].z() > high) region.handles[0].push_back(v);
   }
   return region;
 }

@@ -1,6 +1,5 @@
 #include "lapwing/deform/pose_tangent.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -169,6 +168,7 @@ bool PoseTangent::take_doubles() {
   if (!is_factored(*doubles)) return false;
   factor_ = std::move(doubles);
   is_in_doubles_ = true;
+ 
   return true;
 }
 
@@ -223,39 +223,40 @@ void PoseTangent::solve_well_in_place(std::span<double> b) {
   write(b);
 }
 
-// Brings x_, the factor's solution for b_, nearer to that of the matrix, by conjugate gradients
-// that the factor preconditions: what floats get wrong are a few soft directions. Ends by what the
-// factor makes of the residual, as it is, where each change is as much shorter than the one before.
+// Brings x_, the factor's solution for b_, nearer to that of the matrix: what floats get wrong are
+// a few soft directions. One step of the residual where that shows them to be nearly right;
+// elsewhere conjugate gradients, which the factor preconditions, until their steps shorten.
 void PoseTangent::refine() {
   constexpr int kMostSteps = 8;
-  constexpr double kGood = 0.1;  // error, of the largest number of x
+  constexpr double kGood = 0.1;  // error, of the largest number of x, as the changes shorten
   const auto n = static_cast<Eigen::Index>(b_.size());
   Eigen::Map<VectorXd> x(x_.data(), n);
+  const auto is_good = [&](double change, double last_change) {
+    return change * change <= kGood * last_change * x.lpNorm<Eigen::Infinity>();
+  };
   VectorXd product(n);
   multiply(factor_->matrix(), x_, numbers(product), 1);
   VectorXd residual = Eigen::Map<const VectorXd>(b_.data(), n) - product;
   VectorXd preconditioned(n);
-  VectorXd direction(n);
-  double slope = 0.0;
-  double last_change = x.lpNorm<Eigen::Infinity>();
+  factor_->solver().solve(numbers(residual), numbers(preconditioned), 1);
+  if (is_good(preconditioned.lpNorm<Eigen::Infinity>(), x.lpNorm<Eigen::Infinity>())) {
+    x += preconditioned;
+    return;
+  }
+  VectorXd direction = preconditioned;
+  double slope = residual.dot(preconditioned);
+  double last_change = 0.0;
   for (int k = 0; k < kMostSteps; ++k) {
-    factor_->solver().solve(numbers(residual), numbers(preconditioned), 1);
-    const double change = preconditioned.lpNorm<Eigen::Infinity>();
-    if (change * change <= kGood * last_change * x.lpNorm<Eigen::Infinity>()) {
-      x += preconditioned;
-      return;
-    }
-    const double last_slope = std::exchange(slope, residual.dot(preconditioned));
-    if (k == 0) {
-      direction = preconditioned;
-    } else {
-      direction = preconditioned + slope / last_slope * direction;
-    }
     multiply(factor_->matrix(), numbers(direction), numbers(product), 1);
     const double length = slope / direction.dot(product);
     x += length * direction;
     residual -= length * product;
-    last_change = length * direction.lpNorm<Eigen::Infinity>();
+    const double change = length * direction.lpNorm<Eigen::Infinity>();
+    if (is_good(change, last_change)) return;
+    last_change = change;
+    factor_->solver().solve(numbers(residual), numbers(preconditioned), 1);
+    const double last_slope = std::exchange(slope, residual.dot(preconditioned));
+    direction = preconditioned + slope / last_slope * direction;
   }
 }
 
