@@ -15,7 +15,8 @@ using ::testing::Not;
 
 class DeviceFaultCommands : public CommandLine {
  protected:
-  static inline const std::string kLift = kLiftFlags + "--frames device --save a.obj ";
+  // Not static, since a static could be made before the flags are.
+  const std::string lift_ = kLiftFlags + "--frames device --save a.obj ";
 
   void SetUp() override {
     LAPWING_NEEDS_GPU();
@@ -31,7 +32,7 @@ class DeviceFaultCommands : public CommandLine {
 TEST_F(DeviceFaultCommands, AnEditGoesOnOnTheCpuAndTheReportSaysSo) {
   for (const char* fault : {"loss 0", "loss 9", "memory 60"}) {
     const Outcome outcome =
-        with_fault(kLift + "--report a.json --render a.png --size 64x48", fault);
+        with_fault(lift_ + "--report a.json --render a.png --size 64x48", fault);
     ASSERT_EQ(outcome.exit_code, 0) << fault << ": " << outcome.output;
     EXPECT_THAT(outcome.output, HasSubstr("the CPU went on in its place")) << fault;
     EXPECT_THAT(outcome.output, Not(HasSubstr("drew the picture"))) << "said once";
@@ -45,7 +46,7 @@ TEST_F(DeviceFaultCommands, AnEditGoesOnOnTheCpuAndTheReportSaysSo) {
 
 TEST_F(DeviceFaultCommands, APictureThatNoDeviceDrawsDoesNotCostTheEdit) {
   const Outcome outcome =
-      with_fault(kLift + "--report a.json --render a.png --size 64x48", "loss 0 ever after");
+      with_fault(lift_ + "--report a.json --render a.png --size 64x48", "loss 0 ever after");
   EXPECT_EQ(outcome.exit_code, 5);
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("no picture was drawn"),
                                     HasSubstr("all else that was asked for is written")));
@@ -71,7 +72,7 @@ TEST_F(DeviceFaultCommands, APictureThatNoDeviceDrawsIsNotThere) {
 
 // Nothing was begun, and nothing is written.
 TEST_F(DeviceFaultCommands, ADeviceThatDoesNotOpenIsRefusedBeforeTheWork) {
-  const Outcome outcome = with_fault(kLift, "memory 0 ever after");
+  const Outcome outcome = with_fault(lift_, "memory 0 ever after");
   EXPECT_EQ(outcome.exit_code, 5);
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("vkCreateDevice"), HasSubstr("--device cpu")));
   EXPECT_FALSE(std::filesystem::exists(file("a.obj")));
