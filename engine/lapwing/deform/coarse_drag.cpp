@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 
 // Vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
 constexpr std::size_t kCoarseVertices = 3500;
-constexpr std::size_t kSmallRegion = 6500;
 
 // Of what the surface did recently: less than all of it, since recent frames have left something.
 constexpr double kTrustInRecent = 0.9;
@@ -26,12 +25,8 @@ constexpr double kTrustInForces = 0.7;
 
 }  // namespace
 
-bool CoarseDrag::is_of_use(const EditSystem& fine) {
-  return fine.options.settle && fine.region.roi.size() >= kSmallRegion;
-}
-
 std::unique_ptr<CoarseDrag> CoarseDrag::make(const EditSystem& fine) {
-  if (!is_of_use(fine)) return nullptr;
+  if (!fine.needs_coarse_surface()) return nullptr;
   std::unique_ptr<CoarseRegion> coarse = coarse_region(fine, kCoarseVertices);
   if (coarse == nullptr) return nullptr;
   return std::unique_ptr<CoarseDrag>(new CoarseDrag(fine, std::move(coarse)));

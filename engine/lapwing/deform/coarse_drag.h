@@ -19,10 +19,8 @@ namespace lapwing {
 /// problems", 1979).
 class CoarseDrag {
  public:
-  /// Whether the region is settled, and too large for a frame to settle it as it is.
-  static bool is_of_use(const EditSystem& fine);
-  /// Null where it is of no use, or where the region cannot be made smaller. `fine` must outlive
-  /// the object.
+  /// Null where no coarse surface is needed, or where the region cannot be made smaller. `fine`
+  /// must outlive the object.
   static std::unique_ptr<CoarseDrag> make(const EditSystem& fine);
 
   /// The fine surface is at `u` for `target`, both of the fine mesh.

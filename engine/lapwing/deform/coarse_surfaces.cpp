@@ -102,6 +102,47 @@ void CoarseLevel::keep(std::shared_ptr<const RegionSystem> system) const {
   system_ = std::move(system);
 }
 
+struct CoarseSurfaces::Begun {
+  Begun(std::shared_ptr<const Positions> positions, std::vector<Index> group_of_vertex, Near of)
+      : rest(std::move(positions)),
+        groups(std::move(group_of_vertex)),
+        near(std::move(of)),
+        decimator(near.rest, near.surface.triangles, near.groups) {}
+
+  std::shared_ptr<const Positions> rest;
+  std::vector<Index> groups;
+  Near near;
+  Decimator decimator;
+};
+
+CoarseSurfaces::CoarseSurfaces() = default;
+CoarseSurfaces::~CoarseSurfaces() = default;
+
+void CoarseSurfaces::begin(const EditRegion& region, const Topology& topology,
+                           const std::shared_ptr<const Positions>& rest) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (first_.rest != nullptr || begun_ != nullptr) return;
+  }
+  std::vector<Index> groups = groups_of(region, rest->size());
+  Near near = near_of(region.roi, topology, *rest, groups);
+  auto begun = std::make_unique<Begun>(rest, std::move(groups), std::move(near));
+  const std::scoped_lock lock(mutex_);
+  begun_ = std::move(begun);
+}
+
+// Null unless it is for those. What is for others is of no use to anyone then.
+std::unique_ptr<CoarseSurfaces::Begun> CoarseSurfaces::take_begun(
+    const std::shared_ptr<const Positions>& rest, const std::vector<Index>& groups) {
+  std::unique_ptr<Begun> begun;
+  {
+    const std::scoped_lock lock(mutex_);
+    begun = std::move(begun_);
+  }
+  if (begun != nullptr && (begun->rest != rest || begun->groups != groups)) begun.reset();
+  return begun;
+}
+
 std::shared_ptr<const CoarseLevel> CoarseSurfaces::of(const EditRegion& region,
                                                       const Topology& topology,
                                                       const std::shared_ptr<const Positions>& rest,
@@ -113,14 +154,17 @@ std::shared_ptr<const CoarseLevel> CoarseSurfaces::of(const EditRegion& region,
     if (last_.rest == rest && last_.count == count && last_.groups == groups) return last_.level;
     first = first_;
   }
-  const Near near = near_of(region.roi, topology, *rest, groups);
+  const std::unique_ptr<Begun> begun = take_begun(rest, groups);
+  const Near near =
+      begun != nullptr ? std::move(begun->near) : near_of(region.roi, topology, *rest, groups);
+  const std::size_t vertices = count + near.outside;
   std::optional<Decimated> left;
-  if (first.rest == rest && !are_many_released(first.groups, groups, count)) {
-    left = decimate_again(*first.merges, near.rest, near.surface.triangles, near.groups,
-                          count + near.outside);
+  if (begun == nullptr && first.rest == rest && !are_many_released(first.groups, groups, count)) {
+    left = decimate_again(*first.merges, near.rest, near.surface.triangles, near.groups, vertices);
   }
   if (!left) {
-    left = decimate(near.rest, near.surface.triangles, near.groups, count + near.outside);
+    left = begun != nullptr ? begun->decimator.decimate(vertices)
+                            : decimate(near.rest, near.surface.triangles, near.groups, vertices);
     first = {rest, groups, std::make_shared<const MergeHistory>(std::move(left->history))};
   }
   const auto level = level_of(near, *std::move(left), region.roi, rest);

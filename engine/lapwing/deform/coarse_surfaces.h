@@ -41,6 +41,14 @@ struct CoarseLevel {
 /// threads.
 class CoarseSurfaces {
  public:
+  CoarseSurfaces();
+  ~CoarseSurfaces();
+
+  /// Begins the first of them, by what comes before a merge, which about 320 bytes a vertex hold
+  /// until `of` is asked: for this edit it goes on from there. Does nothing after the first.
+  void begin(const EditRegion& region, const Topology& topology,
+             const std::shared_ptr<const Positions>& rest);
+
   /// With about `count` vertices in the region; `rest` is the same pointer for the same positions.
   /// Null where that would leave more than half of them, since too many are held one by one.
   std::shared_ptr<const CoarseLevel> of(const EditRegion& region, const Topology& topology,
@@ -60,7 +68,12 @@ class CoarseSurfaces {
     std::vector<Index> groups;
     std::shared_ptr<const MergeHistory> merges;
   };
+  struct Begun;
+  std::unique_ptr<Begun> take_begun(const std::shared_ptr<const Positions>& rest,
+                                    const std::vector<Index>& groups);
+
   std::mutex mutex_;  // not held while a surface is made
+  std::unique_ptr<Begun> begun_;
   Last last_;
   First first_;
 };

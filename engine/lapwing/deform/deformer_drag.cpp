@@ -163,7 +163,7 @@ Positions Deformer::State::gone_on(const SettledPose& pose,
 // Begins to make one, which takes from a tenth of a second at 26,000 vertices to some seconds at a
 // million. Then comes the tangent's memory, which no frame needs before the handles rest.
 void Deformer::State::begin_coarse() {
-  if (!CoarseDrag::is_of_use(*system)) return tangent->prepare();
+  if (!system->needs_coarse_surface()) return tangent->prepare();
   coarse_aside.begin([this] {
     std::unique_ptr<CoarseDrag> made = CoarseDrag::make(*system);
     tangent->prepare();
@@ -375,11 +375,11 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
 }
 
 bool Deformer::response_helps_to_follow() const {
-  return state_->settler != nullptr && !CoarseDrag::is_of_use(*state_->system);
+  return state_->settler != nullptr && !state_->system->needs_coarse_surface();
 }
 
 void Deformer::begin_to_follow() const {
-  if (CoarseDrag::is_of_use(*state_->system)) state_->begin_coarse();
+  if (state_->system->needs_coarse_surface()) state_->begin_coarse();
 }
 
 void Deformer::prepare_to_follow(const Progress& progress) const {

@@ -21,6 +21,9 @@ using Eigen::Vector3d;
 // and what preparing holds for a while; measured at 0.1 and 0.4 million, beside mesh and factor.
 constexpr std::size_t kBytesToSettle = 3100;
 
+// A frame settles as many vertices as they are.
+constexpr std::size_t kSmallRegion = 6500;
+
 void check(const DeformOptions& options) {
   std::ostringstream text;
   if (!(options.detail_length >= kLeastDetailLength &&
@@ -37,13 +40,10 @@ void check(const DeformOptions& options) {
 }
 
 double extent_of(const VertexSet& roi, const Topology& topology, std::span<const Vector3d> rest) {
-  std::vector<Index> with_rings;
-  for (const Index v : roi) {
-    const auto ring = topology.rings[v];
-    if (!ring.empty()) with_rings.push_back(v);
-    with_rings.insert(with_rings.end(), ring.begin(), ring.end());
-  }
-  return require_extent(with_rings, rest, "region");
+  std::vector<Index> attached;
+  std::copy_if(roi.begin(), roi.end(), std::back_inserter(attached),
+               [&](Index v) { return !topology.rings[v].empty(); });
+  return require_extent(with_ring_neighbours(attached, topology.rings), rest, "region");
 }
 
 std::vector<Index> moving_vertices(const EditRegion& region, const Unknowns& unknowns) {
@@ -106,7 +106,15 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   if (is_known) {
     assemble();  // on all threads
   } else {
-    parallel_invoke(assemble, order);
+    parallel_invoke(
+        [&] {
+          assemble();
+          // While the other thread goes on alone.
+          if (is_previewed && needs_coarse_surface()) {
+            systems->coarse_surfaces().begin(region, topology, rest);
+          }
+        },
+        order);
   }
   // What no preview waits for comes to a 3n x 3n system next, the response's or a tangent's.
   if (needs_laplacian && !is_previewed) systems->analyze_both();
@@ -117,6 +125,10 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   begin("laplacian");
   hold_laplacian();
   timings.add("laplacian", watch.elapsed_ms());
+}
+
+bool EditSystem::needs_coarse_surface() const {
+  return options.settle && region.roi.size() >= kSmallRegion;
 }
 
 // The least that settling takes, without the 3n x 3n system. What is kept of an earlier edit has

@@ -69,6 +69,9 @@ struct EditSystem {
   /// 0, 1, ... to the last.
   std::vector<std::size_t> all_handles() const;
 
+  /// Whether it is settled, and too large for a frame of a drag to settle it as it is.
+  bool needs_coarse_surface() const;
+
   /// What the handles' motions ask for, over the whole mesh; 0 off the handles and the anchors of
   /// loose parts.
   std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;

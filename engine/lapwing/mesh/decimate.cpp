@@ -433,11 +433,28 @@ Decimated numbered_as_given(Decimated own, std::span<const Index> vertices) {
 
 }  // namespace
 
+struct Decimator::State {
+  explicit State(Renumbered renumbered)
+      : own(std::move(renumbered)),
+        decimation(own.positions, std::move(own.triangles), own.groups) {}
+
+  Renumbered own;
+  Decimation decimation;
+};
+
+Decimator::Decimator(std::span<const Vector3d> positions, std::vector<Triangle> triangles,
+                     std::span<const Index> groups)
+    : state_(std::make_unique<State>(renumbered(positions, std::move(triangles), groups))) {}
+
+Decimator::~Decimator() = default;
+
+Decimated Decimator::decimate(std::size_t count) {
+  return numbered_as_given(state_->decimation.run(count), state_->own.vertices);
+}
+
 Decimated decimate(std::span<const Vector3d> positions, std::vector<Triangle> triangles,
                    std::span<const Index> groups, std::size_t count) {
-  Renumbered own = renumbered(positions, std::move(triangles), groups);
-  return numbered_as_given(
-      Decimation(own.positions, std::move(own.triangles), own.groups).run(count), own.vertices);
+  return Decimator(positions, std::move(triangles), groups).decimate(count);
 }
 
 }  // namespace lapwing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -37,6 +38,22 @@ inline constexpr Index kKeptGroup = kNoIndex;
 /// Simplification Using Quadric Error Metrics", 1997. Throws Cancelled.
 Decimated decimate(std::span<const Eigen::Vector3d> positions, std::vector<Triangle> triangles,
                    std::span<const Index> groups, std::size_t count);
+
+/// The same in two steps: what comes before the first merge, about a sixth of the time, and the
+/// rest.
+class Decimator {
+ public:
+  Decimator(std::span<const Eigen::Vector3d> positions, std::vector<Triangle> triangles,
+            std::span<const Index> groups);
+  ~Decimator();
+
+  /// To be called once.
+  Decimated decimate(std::size_t count);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// The same surface decimated for other groups, in a fraction of the time where few borders are
 /// new: the merges of `before` are made again without asking for them, but for those across a

@@ -8,35 +8,47 @@
 namespace lapwing::cholesky {
 namespace {
 
-std::vector<int> inverse_of(std::span<const int> order) {
+std::vector<int> inverse_of(const std::vector<int>& order) {
   std::vector<int> inverse(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) inverse[order[i]] = static_cast<int>(i);
   return inverse;
 }
 
-// Calls visit(neighbour) with the neighbours of node j in the tree's numbering.
-template <typename Visit>
-void for_each_neighbour(const BlockGraph& graph, const EliminationTree& tree, int j, Visit visit) {
-  const int old = tree.order[j];
-  for (int e = graph.starts[old]; e < graph.starts[old + 1]; ++e) {
-    visit(tree.inverse[graph.neighbours[e]]);
+// Whom each column meets of those before it.
+struct EarlierColumns {
+  std::vector<int> starts;
+  std::vector<int> columns;
+};
+
+EarlierColumns earlier_columns(const EliminationGraph& graph) {
+  EarlierColumns earlier;
+  earlier.starts.assign(graph.starts.size(), 0);
+  for (const int k : graph.later) ++earlier.starts[k + 1];
+  for (int j = 0; j < graph.size(); ++j) earlier.starts[j + 1] += earlier.starts[j];
+  earlier.columns.resize(graph.later.size());
+  std::vector<int> next(earlier.starts.begin(), earlier.starts.end() - 1);
+  for (int j = 0; j < graph.size(); ++j) {
+    for (int e = graph.starts[j]; e < graph.starts[j + 1]; ++e) {
+      earlier.columns[next[graph.later[e]]++] = j;
+    }
   }
+  return earlier;
 }
 
-std::vector<int> parents_of(const BlockGraph& graph, const EliminationTree& tree) {
-  const int n = static_cast<int>(tree.order.size());
-  std::vector<int> parent(n, -1);
-  std::vector<int> ancestor(n, -1);  // shortcut towards the root of the tree built so far
+std::vector<int> parents_of(const EliminationGraph& graph) {
+  const EarlierColumns earlier = earlier_columns(graph);
+  std::vector<int> parent(graph.places.size(), -1);
+  std::vector<int> ancestor(graph.places.size(), -1);  // towards the root of the tree built so far
   CancelCheck check;
-  for (int j = 0; j < n; ++j) {
+  for (int j = 0; j < graph.size(); ++j) {
     check();
-    for_each_neighbour(graph, tree, j, [&](int k) {
-      while (k != -1 && k < j) {
+    for (int e = earlier.starts[j]; e < earlier.starts[j + 1]; ++e) {
+      for (int k = earlier.columns[e]; k != -1 && k != j;) {
         const int next = std::exchange(ancestor[k], j);
         if (next == -1) parent[k] = j;
         k = next;
       }
-    });
+    }
   }
   return parent;
 }
@@ -70,20 +82,6 @@ std::vector<int> postorder_of(const std::vector<int>& parent) {
   return postorder;
 }
 
-void renumber(EliminationTree& tree, const std::vector<int>& postorder) {
-  const std::vector<int> place = inverse_of(postorder);
-  std::vector<int> order(postorder.size());
-  std::vector<int> parent(postorder.size());
-  for (std::size_t i = 0; i < postorder.size(); ++i) {
-    order[i] = tree.order[postorder[i]];
-    const int old_parent = tree.parent[postorder[i]];
-    parent[i] = old_parent < 0 ? -1 : place[old_parent];
-  }
-  tree.order = std::move(order);
-  tree.parent = std::move(parent);
-  tree.inverse = inverse_of(tree.order);
-}
-
 // Root of the set of `node`, with path compression.
 int find_root(std::vector<int>& ancestor, int node) {
   int root = node;
@@ -94,8 +92,9 @@ int find_root(std::vector<int>& ancestor, int node) {
 
 // Row i of the factor is a subtree of the elimination tree. Its leaves add one to the counts below
 // the root, the meeting points of neighbouring leaves take one back.
-std::vector<int> column_counts(const BlockGraph& graph, const EliminationTree& tree) {
-  const int n = static_cast<int>(tree.order.size());
+std::vector<int> column_counts(const EliminationGraph& graph, const EliminationTree& tree,
+                               const std::vector<int>& node_of_column) {
+  const int n = graph.size();
   std::vector<int> first(n, -1);  // first descendant
   std::vector<int> counts(n, 0);
   for (int j = 0; j < n; ++j) {
@@ -111,13 +110,15 @@ std::vector<int> column_counts(const BlockGraph& graph, const EliminationTree& t
     check();
     const int parent = tree.parent[j];
     if (parent != -1) --counts[parent];
-    for_each_neighbour(graph, tree, j, [&](int i) {
-      if (i <= j || first[j] <= latest_first[i]) return;
+    const int column = tree.columns[j];
+    for (int e = graph.starts[column]; e < graph.starts[column + 1]; ++e) {
+      const int i = node_of_column[graph.later[e]];
+      if (first[j] <= latest_first[i]) continue;
       latest_first[i] = first[j];
       ++counts[j];
       const int leaf = std::exchange(latest_leaf[i], j);
       if (leaf != -1) --counts[find_root(ancestor, leaf)];
-    });
+    }
     if (parent != -1) ancestor[j] = parent;
   }
   for (int j = 0; j < n; ++j) {
@@ -128,13 +129,16 @@ std::vector<int> column_counts(const BlockGraph& graph, const EliminationTree& t
 
 }  // namespace
 
-EliminationTree build_elimination_tree(const BlockGraph& graph, std::span<const int> order) {
+EliminationTree build_elimination_tree(const EliminationGraph& graph) {
+  const std::vector<int> parent = parents_of(graph);
   EliminationTree tree;
-  tree.order.assign(order.begin(), order.end());
-  tree.inverse = inverse_of(order);
-  tree.parent = parents_of(graph, tree);
-  renumber(tree, postorder_of(tree.parent));
-  tree.counts = column_counts(graph, tree);
+  tree.columns = postorder_of(parent);
+  const std::vector<int> node_of_column = inverse_of(tree.columns);
+  tree.parent.reserve(parent.size());
+  for (const int column : tree.columns) {
+    tree.parent.push_back(parent[column] < 0 ? -1 : node_of_column[parent[column]]);
+  }
+  tree.counts = column_counts(graph, tree, node_of_column);
   return tree;
 }
 

@@ -1,22 +1,20 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "lapwing/solve/block_matrix.h"
+#include "lapwing/solve/block_cholesky/elimination_graph.h"
 
 namespace lapwing::cholesky {
 
 /// Elimination tree of a symmetric pattern. Nodes are numbered in postorder: the descendants of j
 /// are the nodes before it.
 struct EliminationTree {
-  std::vector<int> order;    ///< new to old: the given order, made a postorder
-  std::vector<int> inverse;  ///< old to new
+  std::vector<int> columns;  ///< of the graph, by node: its order, made a postorder
   std::vector<int> parent;   ///< -1 at the root of each component
   std::vector<int> counts;   ///< entries of each column of the factor, diagonal included
 };
 
 /// Tree (Liu 1986) and column counts (Gilbert, Ng, Peyton 1994) in almost linear time.
-EliminationTree build_elimination_tree(const BlockGraph& graph, std::span<const int> order);
+EliminationTree build_elimination_tree(const EliminationGraph& graph);
 
 }  // namespace lapwing::cholesky

@@ -10,15 +10,14 @@ namespace {
 // Fills the parts of a Symbolic front after front.
 class StructureBuilder {
  public:
-  StructureBuilder(const BlockPattern& pattern, const BlockGraph& graph, Symbolic& symbolic)
+  StructureBuilder(const BlockPattern& pattern, const EliminationGraph& graph, Symbolic& symbolic)
       : pattern_(pattern), graph_(graph), symbolic_(symbolic) {}
 
   void run() {
     number_blocks();
     check_cancelled();
     size_fronts();
-    check_cancelled();
-    sort_entries();
+    symbolic_.entries.resize(pattern_.rows.size());
     CancelCheck check;
     for (int f = 0; f < symbolic_.front_count(); ++f) {
       check();
@@ -32,18 +31,21 @@ class StructureBuilder {
  private:
   void number_blocks() {
     const int n = symbolic_.blocks;
-    inverse_.resize(n);
-    for (int i = 0; i < n; ++i) inverse_[symbolic_.order[i]] = i;
-    front_of_new_.resize(n);
+    columns_.resize(n);
+    number_.resize(n);
+    for (int j = 0; j < n; ++j) {
+      columns_[j] = graph_.places[symbolic_.order[j]];
+      number_[columns_[j]] = j;
+    }
     symbolic_.front_of_block.resize(n);
     for (int f = 0; f < symbolic_.front_count(); ++f) {
       const Front& front = symbolic_.fronts[f];
       for (int j = front.first_block; j < front.first_block + front.pivot_blocks; ++j) {
-        front_of_new_[j] = f;
         symbolic_.front_of_block[symbolic_.order[j]] = f;
       }
     }
     mark_.assign(n, -1);
+    found_.resize(n + 1);
     place_.resize(n);
   }
 
@@ -68,48 +70,20 @@ class StructureBuilder {
     symbolic_.factor_size = panel;
   }
 
-  // Counting sort of the matrix's blocks by the front that owns the earlier of row and column.
-  void sort_entries() {
-    std::vector<std::size_t> next(symbolic_.fronts.size() + 1, 0);
-    for_each_block([&](std::size_t, int row, int column) {
-      ++next[front_of_new_[std::min(row, column)] + 1];
-    });
-    for (std::size_t f = 0; f < symbolic_.fronts.size(); ++f) {
-      next[f + 1] += next[f];
-      symbolic_.fronts[f].entries_begin = next[f];
-      symbolic_.fronts[f].entries_end = next[f + 1];
-    }
-    symbolic_.entries.resize(pattern_.rows.size());
-    for_each_block([&](std::size_t source, int row, int column) {
-      symbolic_.entries[next[front_of_new_[std::min(row, column)]]++] = {source, row, column};
-    });
-  }
-
-  template <typename Visit>
-  void for_each_block(Visit visit) {
-    for (std::size_t c = 0; c < pattern_.size(); ++c) {
-      const int column = inverse_[c];
-      for (std::size_t e = pattern_.starts[c]; e < pattern_.starts[c + 1]; ++e) {
-        visit(e, inverse_[pattern_.rows[e]], column);
-      }
-    }
-  }
-
   // The update rows of a front: what its columns and its children reach beyond its pivots.
   void find_rows(int f) {
     const Front& front = symbolic_.fronts[f];
     const int end = front.first_block + front.pivot_blocks;
-    int* rows = symbolic_.rows.data() + front.rows_at;
-    int* next = rows;
+    int* next = found_.data();
+    // Without branches, which would be guessed wrongly half of the time.
     const auto add = [&](int row) {
-      if (row < end || mark_[row] == f) return;
+      *next = row;
+      next += static_cast<int>(row >= end) & static_cast<int>(mark_[row] != f);
       mark_[row] = f;
-      *next++ = row;
     };
     for (int j = front.first_block; j < end; ++j) {
-      const int old = symbolic_.order[j];
-      for (int e = graph_.starts[old]; e < graph_.starts[old + 1]; ++e) {
-        add(inverse_[graph_.neighbours[e]]);
+      for (int e = graph_.starts[columns_[j]]; e < graph_.starts[columns_[j] + 1]; ++e) {
+        add(number_[graph_.later[e]]);
       }
     }
     for (int c = front.children_begin; c < front.children_end; ++c) {
@@ -117,7 +91,8 @@ class StructureBuilder {
       const int* from = symbolic_.rows.data() + child.rows_at;
       std::for_each(from, from + child.update_blocks, add);
     }
-    std::sort(rows, next);
+    std::sort(found_.data(), next);
+    std::copy(found_.data(), next, symbolic_.rows.data() + front.rows_at);
   }
 
   // The padded row of every block of a front.
@@ -166,26 +141,43 @@ class StructureBuilder {
     }
   }
 
-  void place_entries(const Front& front) {
-    for (std::size_t e = front.entries_begin; e < front.entries_end; ++e) {
-      MatrixEntry& entry = symbolic_.entries[e];
-      entry.row = place_[entry.row];
-      entry.column = place_[entry.column];
+  // The blocks of the matrix whose first column is a pivot here.
+  void place_entries(Front& front) {
+    front.entries_begin = placed_;
+    MatrixEntry* next = symbolic_.entries.data() + placed_;
+    for (int j = front.first_block; j < front.first_block + front.pivot_blocks; ++j) {
+      const int column = symbolic_.order[j];
+      const int pivot = place_[j];
+      *next++ = {pattern_.starts[column], pivot, pivot};
+      for (int e = graph_.starts[columns_[j]]; e < graph_.starts[columns_[j] + 1]; ++e) {
+        const int later = number_[graph_.later[e]];
+        // The pattern has it below the diagonal, in the column of the smaller number.
+        const bool is_column = column < symbolic_.order[later];
+        next->source = static_cast<std::size_t>(graph_.blocks[e]);
+        next->row = is_column ? place_[later] : pivot;
+        next->column = is_column ? pivot : place_[later];
+        ++next;
+      }
     }
+    placed_ = static_cast<std::size_t>(next - symbolic_.entries.data());
+    front.entries_end = placed_;
   }
 
   const BlockPattern& pattern_;
-  const BlockGraph& graph_;
+  const EliminationGraph& graph_;
   Symbolic& symbolic_;
-  std::vector<int> inverse_;
-  std::vector<int> front_of_new_;
-  std::vector<int> mark_;   // last front that listed the block as a row
-  std::vector<int> place_;  // padded row of the block in the front at hand
+  std::vector<int> columns_;  // of the graph, by number in the factor
+  std::vector<int> number_;   // the inverse
+  std::vector<int> found_;    // rows of the front at hand, and the one that is looked at
+  std::size_t placed_ = 0;    // entries
+  std::vector<int> mark_;     // last front that listed the block as a row
+  std::vector<int> place_;    // padded row of the block in the front at hand
 };
 
 }  // namespace
 
-void find_structure(const BlockPattern& pattern, const BlockGraph& graph, Symbolic& symbolic) {
+void find_structure(const BlockPattern& pattern, const EliminationGraph& graph,
+                    Symbolic& symbolic) {
   StructureBuilder(pattern, graph, symbolic).run();
 }
 

@@ -22,7 +22,7 @@ struct Merging {
 
 // Column j continues the supernode of j - 1 when j - 1 is its only child and has the same rows.
 Merging fundamental_supernodes(const EliminationTree& tree) {
-  const int n = static_cast<int>(tree.order.size());
+  const int n = static_cast<int>(tree.parent.size());
   std::vector<int> child_counts(n, 0);
   for (int j = 0; j < n; ++j) {
     if (tree.parent[j] >= 0) ++child_counts[tree.parent[j]];

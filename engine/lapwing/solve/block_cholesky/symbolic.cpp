@@ -64,7 +64,7 @@ class FrontNumbering {
     sequence_.reserve(nodes.cost.size());
   }
 
-  void run(const EliminationTree& tree) {
+  void run(const EliminationTree& tree, std::span<const int> order) {
     double task_weight = 0;
     for (const int root : cut_.roots) {
       visit_subtree(root, false);
@@ -82,7 +82,7 @@ class FrontNumbering {
     for (std::size_t q = 0; q < nodes_.cost.size(); ++q) {
       if (nodes_.parent[q] < 0 && cut_.is_top[q]) visit_subtree(static_cast<int>(q), true);
     }
-    make_fronts(tree);
+    make_fronts(tree, order);
   }
 
  private:
@@ -104,7 +104,7 @@ class FrontNumbering {
     }
   }
 
-  void make_fronts(const EliminationTree& tree) {
+  void make_fronts(const EliminationTree& tree, std::span<const int> order) {
     std::vector<int> number(sequence_.size());
     for (std::size_t f = 0; f < sequence_.size(); ++f) number[sequence_[f]] = static_cast<int>(f);
     const double b = symbolic_.block_size;
@@ -123,7 +123,7 @@ class FrontNumbering {
       for (const int c : nodes_.children[q]) symbolic_.children.push_back(number[c]);
       front.children_end = static_cast<int>(symbolic_.children.size());
       for (const int j : nodes_.columns[q]) {
-        symbolic_.order.push_back(tree.order[j]);
+        symbolic_.order.push_back(order[tree.columns[j]]);
         const double entries = b * tree.counts[j];
         for (double k = 0; k < b; ++k) {
           front.flops += (entries - k) * (entries - k);
@@ -214,14 +214,14 @@ Symbolic analyze_pattern(const BlockPattern& pattern, int block_size, std::span<
     throw SolverError("the system has " + std::to_string(pattern.size()) +
                       " blocks, more than the factorization can number; choose a smaller region");
   }
-  const BlockGraph graph = block_graph(pattern);
-  const EliminationTree tree = build_elimination_tree(graph, order);
+  const EliminationGraph graph = elimination_graph(pattern, order);
+  const EliminationTree tree = build_elimination_tree(graph);
   const Supernodes nodes = find_supernodes(tree, block_size);
   const Cut cut = cut_forest(nodes);
   Symbolic symbolic;
   symbolic.block_size = block_size;
   symbolic.blocks = static_cast<int>(pattern.size());
-  FrontNumbering(nodes, cut, symbolic).run(tree);
+  FrontNumbering(nodes, cut, symbolic).run(tree, order);
   find_structure(pattern, graph, symbolic);
   symbolic.updates = plan_hand_over(symbolic, &Front::update_at, [](const Front& front) {
     return triangle_offset(front.update_strips) + kUpdateSlack;
