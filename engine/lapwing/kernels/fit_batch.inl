@@ -125,7 +125,7 @@ LAPWING_INLINE Root largest_root(const Lanes* H) {
   for (int step = 0; step < kMostNewtonSteps; ++step) {
     slope = (4.0 * l * l - 4.0) * l + b;
     const Lanes value = ((l * l - 2.0) * l + b) * l + c;
-    down = moving & (slope > kSmallestGap) ? value / slope : Lanes{};
+    down = (moving & (slope > kSmallestGap)) ? value / slope : Lanes{};
     l -= down;
     if (step < kUncheckedNewtonSteps) continue;
     // What a row comes to must not depend on which others share the register.
