@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 // and what preparing holds for a while; measured at 0.1 and 0.4 million, beside mesh and factor.
 constexpr std::size_t kBytesToSettle = 3100;
 
-// A frame settles as many vertices as they are.
+// Regions of fewer vertices are settled by frames without a coarse surface.
 constexpr std::size_t kSmallRegion = 6500;
 
 void check(const DeformOptions& options) {

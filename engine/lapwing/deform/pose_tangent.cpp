@@ -168,7 +168,6 @@ bool PoseTangent::take_doubles() {
   if (!is_factored(*doubles)) return false;
   factor_ = std::move(doubles);
   is_in_doubles_ = true;
- 
   return true;
 }
 

@@ -21,9 +21,9 @@ inline constexpr std::size_t kMinimumDegreeLimit = 150'000;
 
 /// A permutation of the block columns, new to old, that keeps the Cholesky factor sparse. Works on
 /// the graph of blocks, one node a vertex. The same pattern gives the same order. Throws
-/// SolverError when the ordering library fails (out of memory). For M'M of a mesh
-/// `dissection_order` (dissection/mesh_dissection.h) takes at most 1.04 of the operations that
-/// METIS's order takes, and half the time to find.
+/// SolverError when METIS fails (out of memory) or the graph is too large to be numbered. For M'M
+/// of a mesh `dissection_order` (dissection/mesh_dissection.h) takes at most 1.04 of the operations
+/// that METIS's order takes, and half the time to find.
 std::vector<int> fill_reducing_order(const BlockPattern& pattern,
                                      Ordering ordering = Ordering::automatic);
 
