@@ -49,8 +49,9 @@ class GltfSample {
 
   const std::string& buffer() const { return buffer_; }
 
-  std::string glb(const std::string& rest) const {
-    std::string text = json(rest);
+  /// `before` stands before the document in its chunk.
+  std::string glb(const std::string& rest, const std::string& before = {}) const {
+    std::string text = before + json(rest);
     while (text.size() % 4 != 0) text += ' ';
     std::string data = buffer_;
     while (data.size() % 4 != 0) data += '\0';

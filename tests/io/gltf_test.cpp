@@ -83,6 +83,25 @@ TEST(Gltf, WhatDoesNotMoveComesBackByteForByte) {
   EXPECT_EQ(content_of(folder / "again.glb"), bytes);
 }
 
+TEST(Gltf, AByteOrderMarkIsReadAndKept) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const Square square;
+  const std::string uri = R"(,"uri":"flag.bin")";
+  for (const bool is_binary : {false, true}) {
+    const TemporaryFolder folder;
+    folder.file("flag.bin", square.sample.buffer());
+    const fs::path path =
+        is_binary ? folder.file("flag.glb", square.sample.glb(square.rest(), mark))
+                  : folder.file("flag.gltf", mark + square.sample.json(square.rest(), uri));
+    Mesh mesh = read_mesh(path);
+    mesh.positions[2] += Eigen::Vector3d(0.0, 0.0, 4.0);
+    const fs::path moved = folder / ("moved" + path.extension().string());
+    write_mesh(mesh, moved);
+    EXPECT_THAT(content_of(moved), AllOf(HasSubstr(mark + "{"), HasSubstr(R"("max":[1,1,4])")));
+    EXPECT_EQ(read_mesh(moved).positions, mesh.positions) << path;
+  }
+}
+
 TEST(Gltf, PositionsNormalsTangentsAndBoundsFollow) {
   const TemporaryFolder folder;
   const Square square;

@@ -329,6 +329,27 @@ TEST_F(ASession, SavedRecipeGivesTheMesh) {
   EXPECT_EQ(read_recipe(folder_ / "recipe.json").mesh, "tube.obj");
 }
 
+TEST_F(ASession, ARecipeSavedAfterTheOpenedFileWasReplacedStartsFromACopyOfTheOriginal) {
+  const Positions original = read_mesh(mesh_).positions;
+  drag(bent());
+  session_->save(mesh_);
+  const auto expect_bends_once = [&](const std::string& copy) {
+    EXPECT_EQ(session_->save_recipe(folder_ / "recipe.json"), folder_ / copy);
+    const Recipe recipe = read_recipe(folder_ / "recipe.json");
+    EXPECT_EQ(recipe.mesh, copy);
+    EXPECT_EQ(read_mesh(folder_ / copy).positions, original);
+    CpuKernels kernels;
+    EXPECT_LT(largest_distance(run_recipe(recipe, kernels)->mesh.positions, positions()), 1e-9);
+  };
+  expect_bends_once("tube-original.obj");
+  expect_bends_once("tube-original.obj");
+  crash_and_restore();
+  expect_bends_once("tube-original.obj");
+  replace_file(folder_ / "tube-original.obj", "precious");
+  expect_bends_once("tube-original-2.obj");
+  EXPECT_EQ(std::filesystem::file_size(folder_ / "tube-original.obj"), 8U);
+}
+
 TEST_F(ASession, WithoutAPlaceForItsJournalItGoesOn) {
   EditSession session(History(open_state(bumpy_tube())), stamp_of(mesh_), mesh_ / "inside",
                       [] { return std::make_unique<CpuKernels>(); });

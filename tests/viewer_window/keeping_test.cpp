@@ -16,10 +16,66 @@ TEST_F(Editing, ClosingAsksWhetherToSave) {
   desktop_->settled_picture();
   ASSERT_TRUE(person_->draft()) << "still editing";
   person_->open_dialog("ctrl+q");
+  person_->open_dialog("Return");
   person_->keys("Return");
   EXPECT_EQ(person_->wait(), 0);
-  EXPECT_GT(test::largest_distance(read_mesh(tube()).positions, mesh_.positions), 0.1) << "saved";
+  EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "the opened file stays";
+  EXPECT_GT(test::largest_distance(read_mesh(folder_ / "tube-edited.obj").positions,
+                                   mesh_.positions),
+            0.1)
+      << "saved under the suggested name";
   EXPECT_FALSE(person_->draft()) << "nothing is left to restore";
+}
+
+TEST_F(Editing, TheFirstSaveAsksWhereAndTheNextOnesDoNot) {
+  open_tube();
+  choose_parts();
+  person_->keys("g");
+  person_->type("0.5");
+  person_->keys("Return");
+  ASSERT_TRUE(settles());
+  person_->open_dialog("ctrl+s");
+  keep_picture("first-save");
+  person_->keys("Return");
+  const fs::path edited = folder_ / "tube-edited.obj";
+  ASSERT_TRUE(test::eventually(60.0, [&] { return fs::exists(edited); }));
+  const Positions first = read_mesh(edited).positions;
+  EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "the opened file stays";
+  desktop_->settled_picture();
+  person_->keys("g");
+  person_->type("0.4");
+  person_->keys("Return");
+  ASSERT_TRUE(settles());
+  person_->keys("ctrl+s");
+  EXPECT_TRUE(test::eventually(60.0, [&] { return read_mesh(edited).positions != first; }));
+  desktop_->settled_picture();
+  expect_quits_silently();
+}
+
+TEST_F(Editing, ARecipeExportedAfterReplacingTheOpenedFileBendsOnlyOnce) {
+  open_tube();
+  choose_parts();
+  person_->keys("g");
+  person_->type("0.5");
+  person_->keys("Return");
+  ASSERT_TRUE(settles());
+  person_->open_dialog("ctrl+s");
+  person_->type(tube().string());
+  person_->open_dialog("Return");
+  EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "asks before it replaces";
+  person_->keys("Return");
+  ASSERT_TRUE(
+      test::eventually(60.0, [&] { return read_mesh(tube()).positions != mesh_.positions; }));
+  desktop_->settled_picture();
+  const fs::path recipe = folder_ / "bend.json";
+  ASSERT_TRUE(saves_as("ctrl+e", recipe));
+  keep_picture("recipe-after-replacing");
+  expect_quits_silently();
+  EXPECT_EQ(read_recipe(recipe).mesh, "tube-original.obj");
+  CpuKernels kernels;
+  EXPECT_LT(test::largest_distance(run_recipe(read_recipe(recipe), kernels)->mesh.positions,
+                                   read_mesh(tube()).positions),
+            1e-5 * bounds_of(mesh_.positions).diagonal());
 }
 
 TEST_F(Editing, OpeningAnotherFileAsksWhetherToSave) {

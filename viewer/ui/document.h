@@ -25,8 +25,7 @@ struct Document {
                context, say, wake),
         banner(opened.name, opened.mesh, report, wake),
         desk(opened.up_axis, context, say, wake),
-        transplant(context, std::move(say), std::move(wake)),
-        save_path(file.from_recipe ? std::filesystem::path() : editor.session().file()) {}
+        transplant(context, std::move(say), std::move(wake)) {}
 
   OpenedMesh opened;
   std::string title;  ///< of the window
@@ -37,7 +36,9 @@ struct Document {
   DoctorBanner banner;
   LayerDesk desk;
   TransplantDesk transplant;
-  std::filesystem::path save_path;  ///< empty as long as nobody has said where
+  /// Where Save writes without asking: chosen by the first save, so that the opened file is never
+  /// replaced by accident. Empty until then.
+  std::filesystem::path save_path;
 };
 
 }  // namespace lapwing::viewer

@@ -47,9 +47,7 @@ LoadedFile carried_out(const Recipe& recipe, OpenedMesh opened, Kernels& kernels
   History history = from_recipe(open_state(opened.mesh), recipe, carry_out_with(kernels, progress));
   // The recipe has it.
   history.mark_saved();
-  LoadedFile file = examined(std::move(opened), std::move(history), progress);
-  file.from_recipe = true;
-  return file;
+  return examined(std::move(opened), std::move(history), progress);
 }
 
 void carry_from_here(History& history, const std::vector<fs::path>& files) {

@@ -34,7 +34,6 @@ struct LoadedFile {
   History history;
   bool closed_outward = false;                   ///< as is_closed_outward says
   std::optional<InterruptedEdit> restored = {};  ///< what the history continues
-  bool from_recipe = false;  ///< whose mesh must not be saved over without asking
   /// Of a replay: how many steps the history had that it goes on from.
   std::optional<std::size_t> replayed_from = {};
 };

@@ -152,9 +152,13 @@ void ViewerApp::save_carried() {
 void ViewerApp::save_recipe(const fs::path& path) {
   once_settled([this, path] {
     try {
-      document_->editor.session().save_recipe(path);
+      const fs::path copy = document_->editor.session().save_recipe(path);
       recent_.add(path);
-      say("saved " + path.string());
+      say("Saved " + path.string() + ".");
+      if (!copy.empty()) {
+        say(document_->opened.name + " now holds the result, so the recipe starts from " +
+            copy.string() + ", a copy of the original.");
+      }
     } catch (const Error& error) {
       ask_again(PathPurpose::save_recipe, path, error.what());
     }

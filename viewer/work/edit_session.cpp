@@ -1,9 +1,13 @@
 #include "work/edit_session.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include "lapwing/base/errors.h"
 #include "lapwing/io/atomic_file.h"
+#include "lapwing/io/gltf_layout.h"
+#include "lapwing/io/real_path.h"
+#include "lapwing/io/source_file.h"
 #include "lapwing/step/step_files.h"
 #include "state/draft.h"
 #include "state/step_words.h"
@@ -31,6 +35,30 @@ bool same_surface(const AppState& a, const AppState& b) {
          a.carried == b.carried;
 }
 
+// Whether the file that the mesh was read from is a .gltf with its numbers in other files.
+bool has_external_buffers(const Mesh& mesh) {
+  if (!mesh.source || !mesh.source->gltf) return false;
+  return std::ranges::any_of(mesh.source->gltf->file.buffers(), [](const GltfBuffer& buffer) {
+    return buffer.kind == GltfBuffer::Kind::file;
+  });
+}
+
+// Writes `original` to `folder` as NAME-original.EXT. A file of that name with other content stays,
+// and the copy gets a number.
+fs::path write_copy(std::string_view original, const fs::path& folder, const fs::path& mesh) {
+  for (int number = 1;; ++number) {
+    const std::string suffix = number == 1 ? "-original" : "-original-" + std::to_string(number);
+    const fs::path copy =
+        folder / (mesh.stem().string() + suffix + mesh.extension().string());
+    std::error_code error;
+    if (!fs::exists(copy, error)) {
+      replace_file(copy, original);
+      return copy;
+    }
+    if (FileBytes::read(copy).view() == original) return copy;
+  }
+}
+
 bool same_choice(const AppState& a, const AppState& b) {
   return a.selection == b.selection && a.parameters == b.parameters;
 }
@@ -56,8 +84,11 @@ EditSession::EditSession(const InterruptedEdit& edit, History history, const fs:
       preparation_(make_kernels, wake, std::move(upload)),
       carrying_out_(std::move(make_kernels), std::move(wake)) {
   start_journal(journals, edit.has_copy() ? std::optional(edit.mesh.path) : std::nullopt);
-  // What was saved over the file cannot be told from the history.
-  if (edit.has_copy()) history_.mark_unsaved();
+  if (edit.has_copy()) {
+    original_ = FileBytes::read(edit.mesh.path);
+    // What was saved over the file cannot be told from the history.
+    history_.mark_unsaved();
+  }
   follow();
 }
 
@@ -255,8 +286,7 @@ WriteReport EditSession::save(const fs::path& path) {
   require_settled(state());
   static_cast<void>(format_of(path));
   const std::vector<CarriedFile> carried = carried_for(path);
-  std::error_code error;
-  if (journal_ && fs::equivalent(path, file_->path, error)) journal_->keep_mesh();
+  keep_original_of(path);
   FileReplacements files;
   WriteReport report = write_carried(carried, path, files);
   WriteReport of_mesh = write_mesh(mesh_of(state()), path, files);
@@ -268,6 +298,25 @@ WriteReport EditSession::save(const fs::path& path) {
   return report;
 }
 
+// Call before `path` is written.
+void EditSession::keep_original_of(const fs::path& path) {
+  for (const auto& step : state().steps) {
+    for (const fs::path& read : files_read(*step)) {
+      if (!is_same_file(read, path)) continue;
+      throw InputError(path.string() +
+                       " is read by a step of this edit; save the mesh under another name");
+    }
+  }
+  if (!file_ || original_ || !is_same_file(path, file_->path)) return;
+  if (has_external_buffers(*state().rest)) {
+    throw InputError(path.string() +
+                     " keeps its numbers in other files, which would be replaced as well; save the "
+                     "mesh as .glb or under another name");
+  }
+  original_ = FileBytes::read(file_->path);
+  if (journal_) journal_->keep_mesh();
+}
+
 WriteReport EditSession::save_carried(const fs::path& path) const {
   require_settled(state());
   FileReplacements files;
@@ -276,11 +325,15 @@ WriteReport EditSession::save_carried(const fs::path& path) const {
   return report;
 }
 
-void EditSession::save_recipe(const fs::path& path) const {
+fs::path EditSession::save_recipe(const fs::path& path) const {
   require_settled(state());
   if (!file_) throw InputError("a recipe names a mesh file; save the mesh first, and open that");
   const fs::path folder = fs::absolute(path).parent_path();
-  replace_file(path, to_json(to_recipe(state(), file_->path.lexically_proximate(folder), folder)));
+  const fs::path copy =
+      original_ ? write_copy(original_->view(), folder, file_->path) : fs::path();
+  const fs::path& mesh = original_ ? copy : file_->path;
+  replace_file(path, to_json(to_recipe(state(), mesh.lexically_proximate(folder), folder)));
+  return copy;
 }
 
 void EditSession::close() {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "lapwing/io/file_bytes.h"
 #include "lapwing/io/mesh_file.h"
 #include "state/history.h"
 #include "state/journal.h"
@@ -119,12 +120,17 @@ class EditSession {
   /// Writes the surface as it is, and before it what is carried along, as a run does beside its
   /// result at `path`. Throws what `write_mesh` does, what `require_targets` does before anything
   /// is written, and InputError while a drag waits for its result: half of a step is never saved.
+  /// Also throws InputError if `path` is a file that a step reads, or the opened file is a .gltf
+  /// whose numbers are in other files, which no copy of it would keep.
   WriteReport save(const std::filesystem::path& path);
   /// The same without the surface.
   WriteReport save_carried(const std::filesystem::path& path) const;
-  /// Writes the recipe, which names the mesh from there. Throws IoError; InputError without a file,
-  /// and while a drag waits for its result.
-  void save_recipe(const std::filesystem::path& path) const;
+  /// Writes the recipe, which names the opened mesh relative to `path`. If `save` has replaced the
+  /// opened mesh by the result, the original is first written beside the recipe, and the recipe
+  /// names that copy: otherwise running it would apply the edit twice. Returns the copy's path, or
+  /// an empty path. Throws IoError; InputError without a file, and while a drag waits for its
+  /// result.
+  std::filesystem::path save_recipe(const std::filesystem::path& path) const;
 
   /// Saved or given up: nothing to restore is left.
   void close();
@@ -137,6 +143,7 @@ class EditSession {
                      const std::optional<std::filesystem::path>& copy);
   void follow();
   std::vector<CarriedFile> carried_for(const std::filesystem::path& path) const;
+  void keep_original_of(const std::filesystem::path& path);
   void keep_step_if_wanted();
 
   // What comes of carrying a step out, to be performed.
@@ -150,6 +157,8 @@ class EditSession {
 
   History history_;
   std::optional<MeshStamp> file_;
+  /// The opened file as it was, once `save` has replaced it.
+  std::optional<FileBytes> original_;
   std::optional<Journal> journal_;
   std::string warning_;
   std::optional<AppState> carried_out_on_;

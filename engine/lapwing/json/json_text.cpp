@@ -48,7 +48,9 @@ std::size_t JsonText::skip_value(std::size_t at) const {
 }
 
 JsonPlace JsonText::root() const {
-  const std::size_t begin = skip_blanks(0);
+  // parse_json accepts a byte-order mark before the document, so its place is not the document's.
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  const std::size_t begin = skip_blanks(text_.starts_with(kByteOrderMark) ? 3 : 0);
   return {begin, skip_value(begin)};
 }
 
