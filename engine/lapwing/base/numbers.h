@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -25,6 +27,13 @@ struct Uncleared : std::allocator<T> {
     ::new (static_cast<void*>(place)) T(std::forward<Arguments>(arguments)...);
   }
 };
+
+/// `x`, finite and not negative, rounded to 24 significant bits, which are seven digits. For
+/// comparisons whose outcome must not depend on the last bits of what was computed.
+inline double rounded_to_seven_digits(double x) {
+  constexpr std::uint64_t kDropped = (std::uint64_t{1} << 29) - 1;
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) + (kDropped + 1) / 2) & ~kDropped);
+}
 
 /// A large array of numbers. `resize` leaves the new ones undefined.
 using Numbers = std::vector<double, Uncleared<double>>;

@@ -112,9 +112,9 @@ class Collapser {
     bool fine = true;
     net_.for_neighbours(v, [&](Index w) {
       if (w == other) return;
-      const double now = (patch_.at(w) - place).norm();
+      const double now = rounded_to_seven_digits((patch_.at(w) - place).norm());
       fine = fine && (now <= kTooLong * 0.5 * (length + patch_.lengths[w]) ||
-                      now <= (patch_.at(w) - patch_.at(v)).norm());
+                      now <= rounded_to_seven_digits((patch_.at(w) - patch_.at(v)).norm()));
     });
     return fine;
   }

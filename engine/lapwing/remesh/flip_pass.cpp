@@ -141,7 +141,7 @@ class Flipper {
     compare(Halfedges::previous(h), above, left);
     compare(Halfedges::next(k), below, left);
     compare(Halfedges::previous(k), below, right);
-    return after < std::min(0.0, before);
+    return is_new_fold(before, after);
   }
 
   WorkingPatch& patch_;
@@ -161,7 +161,7 @@ void flip_for_angles(WorkingPatch& patch) {
   Flipper(patch).run([](const Quad& quad) {
     const double before = std::min(smallest_corner(quad.above), smallest_corner(quad.below));
     const double after = std::min(smallest_corner(quad.left), smallest_corner(quad.right));
-    return after > before + 1e-9;
+    return after > before + kSameQuality;
   });
 }
 

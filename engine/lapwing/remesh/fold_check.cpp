@@ -20,8 +20,8 @@ class Motion {
       : patch_(patch), net_(patch.net), place_(place), moved_{v, into} {}
 
   bool folds() const {
-    const double after = sharpest([&](Index e) { return margin_after(e); });
-    return after < 0.0 && after < sharpest([&](Index e) { return margin_before(e); });
+    return is_new_fold(sharpest([&](Index e) { return margin_before(e); }),
+                       sharpest([&](Index e) { return margin_after(e); }));
   }
 
  private:
@@ -90,6 +90,10 @@ class Motion {
 };
 
 }  // namespace
+
+bool is_new_fold(double before, double after) {
+  return after < std::min(0.0, before - kSameQuality);
+}
 
 double fold_margin(const Vector3d& a, const Vector3d& b, bool on_line) {
   const double scale = a.norm() * b.norm();

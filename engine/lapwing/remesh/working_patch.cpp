@@ -145,7 +145,7 @@ void ReplacementCheck::add(const Corners& before, const Corners& after) {
 }
 
 bool ReplacementCheck::passes() const {
-  return !turned_ && worst_after_ >= std::min(kGoodEnough, worst_before_) &&
+  return !turned_ && worst_after_ >= std::min(kGoodEnough, worst_before_ - kSameQuality) &&
          (worst_after_ > kNoQuality || worst_before_ <= kNoQuality);
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lapwing/base/numbers.h"
 #include "lapwing/closest/closest_point.h"
 #include "lapwing/remesh/original_patch.h"
 #include "lapwing/remesh/target_length.h"
@@ -35,6 +36,10 @@ class Reference {
   ClosestPoint lines_;
 };
 
+/// Cosines, angles and qualities that differ by less are equal but for rounding, for example when a
+/// vertex moves within the plane of its triangles. What is equal is no reason to decide otherwise.
+inline constexpr double kSameQuality = 1e-9;
+
 /// The patch while it is remeshed. Vertices of the original keep their own numbers as long as they
 /// are there; new ones follow.
 struct WorkingPatch {
@@ -52,7 +57,11 @@ struct WorkingPatch {
   std::vector<Index> sheet_of;  ///< per triangle
 
   const Eigen::Vector3d& at(Index v) const { return positions[v]; }
-  double edge_length(Index h) const { return (at(net.origin(h)) - at(net.target(h))).norm(); }
+  /// Rounded to seven digits: edges of equal length then compare equal in spite of rounding, and
+  /// the passes choose among them by number, the same on every processor.
+  double edge_length(Index h) const {
+    return rounded_to_seven_digits((at(net.origin(h)) - at(net.target(h))).norm());
+  }
   double wanted_length(Index a, Index b) const { return 0.5 * (lengths[a] + lengths[b]); }
   std::array<Eigen::Vector3d, 3> triangle(Index h) const {
     return {at(net.origin(h)), at(net.target(h)), at(net.apex(h))};

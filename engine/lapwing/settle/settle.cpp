@@ -354,7 +354,14 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
         result.settled = false;
         continue;
       }
-      if (result.settled || result.iterations == s.options.max_iterations) break;
+      if (result.settled) {
+        // The direction is known, so taking it costs one evaluation and leaves an error far below
+        // the tolerance, on which remeshing and other discrete steps may depend. A surface that was
+        // settled before stays where it is.
+        if (result.iterations > 0 && s.step(sums.slope)) s.take_next();
+        break;
+      }
+      if (result.iterations == s.options.max_iterations) break;
 
       if (s.parts != nullptr && s.taken >= s.next_part) {
         s.next_part = s.taken + 1 + kIterationsBetweenParts;

@@ -13,7 +13,7 @@ namespace lapwing {
 
 struct SettleResult {
   int iterations = 0;      ///< steps taken, each by one solve
-  double last_step = 0.0;  ///< how far a vertex would still move, in mean edge lengths
+  double last_step = 0.0;  ///< of the vertex that moved farthest, in mean edge lengths
   bool settled = false;    ///< last_step is within the tolerance
   bool exhausted = false;  ///< no step lowers E by more than rounding
   double energy = 0.0;     ///< E of the result, in squared mesh units
