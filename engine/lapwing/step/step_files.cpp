@@ -12,7 +12,9 @@ class StepFiles final : public KeyVisitor {
  public:
   StepFiles(const Visit& read, const Visit& written) : read_(read), written_(written) {}
 
-  void file(const StepKey&, fs::path& value) override { read_(value); }
+  void file(const StepKey&, fs::path& value) override {
+    if (!value.empty()) read_(value);
+  }
   void targets(const StepKey&, TargetSpec& value) override {
     if (!value.file.empty()) read_(value.file);
   }
@@ -22,7 +24,9 @@ class StepFiles final : public KeyVisitor {
       if (!carry.save.empty()) written_(carry.save);
     }
   }
-  void part(const StepKey&, fs::path& mesh, std::optional<RegionSpec>&) override { read_(mesh); }
+  void part(const StepKey&, fs::path& mesh, std::optional<RegionSpec>&) override {
+    if (!mesh.empty()) read_(mesh);
+  }
 
  private:
   const Visit& read_;
