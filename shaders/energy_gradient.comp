@@ -18,6 +18,8 @@ layout(std430, binding = 5) readonly buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = 6) readonly buffer Edges { real edges[]; };
 layout(std430, binding = 7) readonly buffer ReverseWeights { real reverse_weights[]; };
 layout(std430, binding = 8) readonly buffer Stiffness { real stiffness[]; };
+// Of all rows: S_i - I as xx, yy, zz, yz, xz, xy.
+layout(std430, binding = 10) readonly buffer Stretch { real stretch[]; };
 // x of all unknowns, then y, then z.
 layout(std430, binding = 9) writeonly buffer Result { real result[]; };
 
@@ -51,8 +53,8 @@ void main() {
       const uint j = neighbours[k];
       const real3 e = edge_of(k);
       const real3 shift = difference(here, place_of(j));
-      real3 off = shift - turn_change(own, e);
-      if (j < all_rows) off += shift - turn_change(turn_of(j), e);
+      real3 off = shift - transform_change(row, own, e);
+      if (j < all_rows) off += shift - transform_change(j, turn_of(j), e);
       sum -= stiffness[k] * off;
     }
   }

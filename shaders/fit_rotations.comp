@@ -14,10 +14,10 @@ layout(std430, binding = 2) readonly buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = 3) readonly buffer Edges { real edges[]; };  // x, y, z of v_j - v_i
 layout(std430, binding = 4) readonly buffer Weights { real weights[]; };
 layout(std430, binding = 5) readonly buffer Stiffness { real stiffness[]; };
-// Of all rows: om_i and s_i.
-layout(std430, binding = 6) readonly buffer RowTerms { real row_terms[]; };
-// Of all rows: T_i as a quaternion whose square is its scale, om_i (L(v')_i - T_i delta_i), what
-// the row adds to the energy.
+// Of all rows: om_i, and S_i - I as xx, yy, zz, yz, xz, xy.
+layout(std430, binding = 6) readonly buffer RowWeights { real row_weights[]; };
+layout(std430, binding = 10) readonly buffer Stretch { real stretch[]; };
+// Of all rows: R_i as a quaternion, om_i (L(v')_i - T_i delta_i), what the row adds to the energy.
 layout(std430, binding = 7) writeonly buffer Turns { real turns[]; };
 layout(std430, binding = 8) writeonly buffer Residuals { real residuals[]; };
 layout(std430, binding = 9) writeonly buffer Energies { real energies[]; };
@@ -30,7 +30,7 @@ void main() {
   const uint begin = starts[r];
   const uint end = starts[r + 1];
   const uint row = first_row + r;
-  const real weight = row_terms[2 * row];
+  const real weight = row_weights[row];
   const Place here = place_of(row);
   real3x3 C = real3x3(0);
   real3 delta = real3(0);
@@ -45,13 +45,14 @@ void main() {
   const real3 moved = delta + shift_sum;
   C += outerProduct(weight * moved, delta);
 
-  const real4 q = nearest_rotation(C) * sqrt(row_terms[2 * row + 1]);
-  const real3 off = shift_sum - turn_change(q, delta);
+  if (has(kStretch)) C += C * stretch_of(row);
+  const real4 q = nearest_rotation(C);
+  const real3 off = shift_sum - transform_change(row, q, delta);
   real energy = weight * dot(off, off);
   if (has(kStiffness)) {
     for (uint k = begin; k < end; ++k) {
       const real3 missing =
-          difference(here, place_of(neighbours[k])) - turn_change(q, edge_of(k));
+          difference(here, place_of(neighbours[k])) - transform_change(row, q, edge_of(k));
       energy += stiffness[k] * dot(missing, missing);
     }
   }

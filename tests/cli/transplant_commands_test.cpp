@@ -47,7 +47,8 @@ TEST_F(TransplantCommands, EveryFlagIsInItsRecipe) {
   EXPECT_TRUE(step.part_region.has_value());
   EXPECT_EQ(step.loop, 0U);
   EXPECT_TRUE(step.snap);
-  EXPECT_EQ(std::get<SimilarityMove>(std::get<Move>(step.place)).scale, 0.5);
+  EXPECT_EQ(std::get<SimilarityMove>(std::get<Move>(step.place)).scale,
+            Eigen::Vector3d::Constant(0.5));
   EXPECT_EQ(step.parameters.transition, (Transition{0.1, Transition::Profile::linear}));
   EXPECT_EQ(step.parameters.padding, 0.05);
   EXPECT_EQ(step.parameters.belt, 0.04);

@@ -82,7 +82,7 @@ TEST_F(Carried, PointsMoveRigidlyWithASurfaceThatDoes) {
 TEST_F(Carried, PointsGrowWithTheScaleThatTheHandlesAskFor) {
   const SimilarityMove move{.translate = {1, 0, 0},
                             .rotate = {{0, 1, 0}, 40.0},
-                            .scale = 2.0,
+                            .scale = Vector3d::Constant(2.0),
                             .pivot = Vector3d(0, 0, 1)};
   const Eigen::Affine3d motion = to_affine(move, Vector3d::Zero(), 1.0);
   const Positions points = around();

@@ -87,7 +87,7 @@ TEST(Certificate, WhatTheHandlesAskForIsNoStretch) {
   const Sphere sphere;
   Positions grown = sphere.mesh.positions;
   for (auto& p : grown) p *= 4.0;
-  const std::vector<double> asked(grown.size(), 4.0);
+  const std::vector<Eigen::Matrix3d> asked(grown.size(), 4.0 * Eigen::Matrix3d::Identity());
   Certificate c;
   measure_shape(sphere.all, sphere.topology, sphere.mesh.positions, grown, c, asked);
   EXPECT_LT(c.largest_edge_stretch, 1e-12);

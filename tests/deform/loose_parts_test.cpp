@@ -98,7 +98,7 @@ TEST_F(ALoosePart, GoesByTheMotionThatAllGoesBy) {
   request_.belt = RegionSpec{ListedVertices{}};
   move().translate = {1.0, 2.0, 3.0};
   move().rotate = {Vector3d(1.0, 2.0, -1.0).normalized(), 130.0};
-  move().scale = 2.0;
+  move().scale.setConstant(2.0);
   const Affine3d motion = to_affine(request_.handles[0].move,
                                     handle_frame(ends_.handles[0], mesh_.positions).centroid, 1.0);
   const Deformed deformed = deform(mesh_, request_);
@@ -121,7 +121,7 @@ TEST_F(ALoosePart, FollowsADragToFirstOrder) {
   Drag drag(deformer.response());
   const double step = 1e-5;
   const Affine3d motion = Eigen::Translation3d(0.3 * step, -step, 0.2 * step) *
-                          AngleAxisd(step, Vector3d::UnitY()) * Eigen::Scaling(1.0 + step);
+                          AngleAxisd(step, Vector3d::UnitY());
   Positions dragged = mesh_.positions;
   drag.move(std::array{motion}, dragged);
   const Positions settled = deformer.solve(std::array{motion}).positions;

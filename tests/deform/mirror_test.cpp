@@ -25,7 +25,10 @@ MovedHandle lifted(const MirrorScene& scene, const RegionSpec& region) {
 MovedHandle turned(const MirrorScene& scene, const RegionSpec& region, double scale,
                    std::optional<Vector3d> pivot) {
   return {region,
-          SimilarityMove{scene.way(0.3, 0.2, -0.4), {scene.way(1, 2, 3), 35.0}, scale, pivot}};
+          SimilarityMove{scene.way(0.3, 0.2, -0.4),
+                         {scene.way(1, 2, 3), 35.0},
+                         Vector3d::Constant(scale),
+                         pivot}};
 }
 
 struct MirrorCase {
@@ -353,8 +356,10 @@ TEST(MirrorImageOfAMove, IsTheMoveOfTheImage) {
   MatrixMove matrix;
   matrix.matrix << 1.1, 0.2, 0, 5, -0.1, 1, 0.1, 6, 0, 0.1, 0.9, 7;
   for (const Move& move :
-       {Move(SimilarityMove{{1, 2, 3}, {{3, 1, 2}, 50.0}, 1.5, Vector3d(4, 5, 6)}),
-        Move(SimilarityMove{{1, 2, 3}, {{3, 1, 2}, 50.0}, 0.5, std::nullopt}), Move(matrix)}) {
+       {Move(SimilarityMove{
+            {1, 2, 3}, {{3, 1, 2}, 50.0}, Vector3d::Constant(1.5), Vector3d(4, 5, 6)}),
+        Move(SimilarityMove{{1, 2, 3}, {{3, 1, 2}, 50.0}, Vector3d::Constant(0.5), std::nullopt}),
+        Move(matrix)}) {
     const Affine3d image = to_affine(mirror_image(move, plane), mirror * centroid);
     const Affine3d expected = mirror * to_affine(move, centroid) * mirror;
     EXPECT_LT((image.matrix() - expected.matrix()).norm(), 1e-12);
@@ -363,6 +368,18 @@ TEST(MirrorImageOfAMove, IsTheMoveOfTheImage) {
     const Affine3d along = to_affine(along_mirror(move, plane), in_plane);
     EXPECT_LT((along.matrix() - (mirror * along * mirror).matrix()).norm(), 1e-12);
   }
+}
+
+TEST(MirrorImageOfAMove, ScalesAxesDifferentlyOnlyAcrossAPlaneAlongThem) {
+  const Move move = SimilarityMove{{1, 2, 3}, {{3, 1, 2}, 50.0}, Vector3d(2, 1, 0.5), {}};
+  const Vector3d centroid(0.3, 0.5, -1);
+  const MirrorPlane across_y{{1, 2, 3}, {0, -2, 0}};
+  const Affine3d mirror = reflection(across_y);
+  const Affine3d image = to_affine(mirror_image(move, across_y), mirror * centroid);
+  EXPECT_LT((image.matrix() - (mirror * to_affine(move, centroid) * mirror).matrix()).norm(), 1e-12);
+  const MirrorPlane tilted{{1, 2, 3}, {1, -2, 0.5}};
+  EXPECT_THAT([&] { mirror_image(move, tilted); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("give the move as a \"matrix\"")));
 }
 
 }  // namespace

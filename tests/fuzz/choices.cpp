@@ -48,7 +48,8 @@ Move Choices::move() {
   SimilarityMove move;
   move.translate = vector();
   if (one_in(2)) move.rotate = {vector(), 180.0 * number()};
-  if (one_in(3)) move.scale = above_zero();
+  if (one_in(3)) move.scale.setConstant(above_zero());
+  if (one_in(6)) move.scale.z() = above_zero();
   if (one_in(4)) move.pivot = vector();
   return move;
 }

@@ -127,7 +127,7 @@ void require_measures(const Mesh& mesh, const Deformed& result) {
   if (!joined_surface(mesh).empty()) return;  // measured on the joined surface
   Certificate again;
   measure_shape(result.region.roi, mesh.topology(), mesh.positions, result.mesh.positions, again,
-                result.asked_scales);
+                result.rest_stretch);
   const Certificate& told = result.certificate;
   require(again.all_finite == told.all_finite, "as finite as told");
   require(again.flipped_triangles == told.flipped_triangles, "as many flipped as told");
@@ -239,7 +239,7 @@ void transplant_part(Bytes bytes) {
     SimilarityMove move;
     move.translate =
         Vector3d(choices.between(-1, 1), choices.between(-1, 1), choices.between(-1, 1));
-    move.scale = choices.between(0.2, 2.0);
+    for (double& scale : move.scale) scale = choices.between(0.2, 2.0);
     request.place = move;
     request.snap = choices.one_in(2);
   }

@@ -25,10 +25,7 @@ class EnergyGradient : public test::KernelTest {
  protected:
   static Gradient gradient(Kernels& on, const TurnedRings& turned) {
     const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
-    std::vector<double> scales(turned.rings.row_count());
-    for (std::size_t r = 0; r < scales.size(); ++r)
-      scales[r] = 1.0 + 0.1 * static_cast<double>(r % 3);
-    rotations->set_scales(scales);
+    rotations->set_rest_stretch(test::different_stretches(turned.rings.row_count()));
     std::vector<double> energies(turned.rings.row_count());
     rotations->fit_rotations(turned.displacement, energies);
     Gradient result{rotations->transforms(), std::accumulate(energies.begin(), energies.end(), 0.0),
@@ -92,6 +89,7 @@ TEST(EnergyGradientOnTheCpu, IsHalfOfTheChangeOfTheEnergy) {
   const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 15));
   TurnedRings turned = test::turned_rings(sample, 40, 0.3, 0.3, 16);
   const auto rotations = kernels.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
+  rotations->set_rest_stretch(test::different_stretches(turned.rings.row_count()));
   std::vector<double> energies(turned.rings.row_count());
   const auto energy = [&] {
     rotations->fit_rotations(turned.displacement, energies);
@@ -149,7 +147,8 @@ TEST_P(EnergyGradient, IsNothingWithTheEnergyForRigidMotionsAndSimilaritiesOfTha
       }
       const auto rotations =
           kernels->make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
-      rotations->set_scales(std::vector<double>(turned.rings.row_count(), scale));
+      rotations->set_rest_stretch(std::vector<Matrix3d>(turned.rings.row_count(),
+                                                        scale * Matrix3d::Identity()));
       std::vector<double> energies(turned.rings.row_count());
       rotations->fit_rotations(turned.displacement, energies);
       const double tolerance = 100.0 * GetParam().tolerance * size;

@@ -27,9 +27,9 @@ class MortalRotations final : public RingRotations {
   MortalRotations(std::shared_ptr<const RegionRings> rings, std::shared_ptr<Life> life)
       : twin_(CpuKernels().make_ring_rotations(std::move(rings))), life_(std::move(life)) {}
 
-  void set_scales(std::span<const double> scales) override {
+  void set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) override {
     life_->call();
-    twin_->set_scales(scales);
+    twin_->set_rest_stretch(stretch);
   }
   void fit_rotations(std::span<const Vector3d> displacement, std::span<double> energies) override {
     life_->call();
@@ -97,7 +97,8 @@ FallbackKernels lives_for(long calls) {
 std::vector<double> turn(Kernels& on, const test::TurnedRings& turned) {
   const std::size_t rows = turned.rings.row_count();
   const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
-  rotations->set_scales(std::vector<double>(rows, 1.25));
+  rotations->set_rest_stretch(
+      std::vector<Eigen::Matrix3d>(rows, 1.25 * Eigen::Matrix3d::Identity()));
   std::vector<double> numbers;
   for (const double share : {0.5, 1.0}) {
     std::vector<Vector3d> displacement = turned.displacement;

@@ -26,9 +26,9 @@ struct Fitted {
 
 class FitRotations : public test::KernelTest {
  protected:
-  static Fitted fit(Kernels& on, const TurnedRings& turned, std::span<const double> scales = {}) {
+  static Fitted fit(Kernels& on, const TurnedRings& turned, std::span<const Matrix3d> stretch = {}) {
     const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
-    if (!scales.empty()) rotations->set_scales(scales);
+    rotations->set_rest_stretch(stretch);
     Fitted fitted;
     fitted.energies.resize(turned.rings.row_count());
     rotations->fit_rotations(turned.displacement, fitted.energies);
@@ -69,14 +69,6 @@ double energy_scale(const TurnedRings& turned, std::size_t r, double scale) {
     sum += rings.stiffness[e] * edge * edge;
   }
   return sum;
-}
-
-std::vector<double> different_scales(const TurnedRings& turned) {
-  std::vector<double> scales(turned.rings.row_count());
-  for (std::size_t r = 0; r < scales.size(); ++r) {
-    scales[r] = 0.5 + 0.3 * static_cast<double>(r % 5);
-  }
-  return scales;
 }
 
 // What any motion makes of any ring: a rotation that no other one beats.
@@ -146,15 +138,16 @@ TEST_P(FitRotations, FindTheRotationOfARigidMotionAndLeaveNoEnergy) {
   }
 }
 
-TEST_P(FitRotations, EnergyIsWhatTheScaledRotationLeaves) {
+TEST_P(FitRotations, EnergyIsWhatTheStretchedRotationLeaves) {
   const Sample sample("rough sphere", test::rough_sphere(2, 0.2, 3));
   for (const double mu : {0.0, 0.7}) {
     const TurnedRings turned = test::turned_rings(sample, 70, 0.4, mu, 4);
-    const std::vector<double> scales = different_scales(turned);
-    const Fitted fitted = fit(*kernels, turned, scales);
+    const std::vector<Matrix3d> stretch = test::different_stretches(turned.rings.row_count());
+    const Fitted fitted = fit(*kernels, turned, stretch);
     for (std::size_t r = 0; r < turned.rings.row_count(); ++r) {
       const Matrix3d& T = fitted.transforms[r];
-      EXPECT_NEAR(std::cbrt(T.determinant()), scales[r], 10.0 * tolerance());
+      EXPECT_NEAR((T.transpose() * T - stretch[r] * stretch[r]).norm(), 0.0, 20.0 * tolerance());
+      EXPECT_GT(T.determinant(), 0.0);
       const double energy = energy_of(turned, r, T);
       EXPECT_NEAR(fitted.energies[r], energy, tolerance() * (energy + 1.0));
     }
@@ -165,10 +158,10 @@ TEST_P(FitRotations, SlightlyTurnedOnesLeaveNoLessEnergy) {
   for (const Sample& sample : test::awkward_meshes()) {
     for (const double mu : {0.0, 0.7}) {
       const TurnedRings turned = test::turned_rings(sample, 70, 0.4, mu, 19);
-      const std::vector<double> scales = different_scales(turned);
-      const Fitted fitted = fit(*kernels, turned, scales);
-      for (std::size_t r = 0; r < scales.size(); ++r) {
-        const double rounding = tolerance() * energy_scale(turned, r, scales[r]);
+      const std::vector<Matrix3d> stretch = test::different_stretches(turned.rings.row_count());
+      const Fitted fitted = fit(*kernels, turned, stretch);
+      for (std::size_t r = 0; r < stretch.size(); ++r) {
+        const double rounding = tolerance() * energy_scale(turned, r, stretch[r].norm());
         for (int k = 0; k < 6; ++k) {
           const Vector3d axis = (k < 3 ? 1.0 : -1.0) * Vector3d::Unit(k % 3);
           const Matrix3d other = Eigen::AngleAxisd(0.05, axis) * fitted.transforms[r];
@@ -186,12 +179,12 @@ TEST_P(FitRotations, LeaveTheEnergyThatTheCpuTwinFinds) {
   for (const Sample& sample : test::awkward_meshes()) {
     for (const double mu : {0.0, 0.7}) {
       const TurnedRings turned = test::turned_rings(sample, 130, 0.3, mu, 20);
-      const std::vector<double> scales = different_scales(turned);
-      const Fitted expected = fit(cpu, turned, scales);
-      const Fitted got = fit(*kernels, turned, scales);
-      for (std::size_t r = 0; r < scales.size(); ++r) {
+      const std::vector<Matrix3d> stretch = test::different_stretches(turned.rings.row_count());
+      const Fitted expected = fit(cpu, turned, stretch);
+      const Fitted got = fit(*kernels, turned, stretch);
+      for (std::size_t r = 0; r < stretch.size(); ++r) {
         EXPECT_NEAR(got.energies[r], expected.energies[r],
-                    tolerance() * energy_scale(turned, r, scales[r]))
+                    tolerance() * energy_scale(turned, r, stretch[r].norm()))
             << sample.name << " row " << r << " mu " << mu;
       }
     }
@@ -204,9 +197,9 @@ TEST_P(FitRotations, ASimilarityOfThatScaleLeavesNoEnergy) {
   for (std::size_t v = 0; v < turned.displacement.size(); ++v) {
     turned.displacement[v] = 1.5 * sample.mesh.positions[turned.rings.vertices[v]];
   }
-  const std::vector<double> scales(turned.rings.row_count(), 2.5);
-  const Fitted fitted = fit(*kernels, turned, scales);
-  for (std::size_t r = 0; r < scales.size(); ++r) {
+  const std::vector<Matrix3d> stretch(turned.rings.row_count(), 2.5 * Matrix3d::Identity());
+  const Fitted fitted = fit(*kernels, turned, stretch);
+  for (std::size_t r = 0; r < stretch.size(); ++r) {
     EXPECT_LE((fitted.transforms[r] - 2.5 * Matrix3d::Identity()).norm(), 10.0 * tolerance());
     EXPECT_LE(fitted.energies[r], tolerance() * tolerance());
   }

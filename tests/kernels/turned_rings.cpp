@@ -1,5 +1,6 @@
 #include "kernels/turned_rings.h"
 
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -78,6 +79,19 @@ TurnedRings turned_rings(const Sample& sample, double degrees, double noise, dou
     for (double& coordinate : result.displacement.back()) coordinate += uniform(generator);
   }
   return result;
+}
+
+std::vector<Eigen::Matrix3d> different_stretches(std::size_t count) {
+  std::vector<Eigen::Matrix3d> all;
+  for (std::size_t r = 0; r < count; ++r) {
+    const auto k = static_cast<double>(r);
+    const Eigen::Matrix3d axes =
+        Eigen::AngleAxisd(0.7 * k, Eigen::Vector3d(1.0, std::sin(k), 2.0).normalized())
+            .toRotationMatrix();
+    const Eigen::Vector3d stretches(0.5 + 0.3 * std::fmod(k, 5.0), 1.1, 0.8);
+    all.emplace_back(axes * stretches.asDiagonal() * axes.transpose());
+  }
+  return all;
 }
 
 }  // namespace lapwing::test

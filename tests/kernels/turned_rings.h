@@ -28,6 +28,10 @@ struct TurnedRings {
 TurnedRings turned_rings(const Sample& sample, double degrees, double noise, double mu,
                          unsigned seed);
 
+/// A symmetric positive definite matrix for each of `count` rows, stretching by 0.5 to 1.7 along
+/// axes of no two rows alike.
+std::vector<Eigen::Matrix3d> different_stretches(std::size_t count);
+
 /// The axis that `turned_rings` turns about.
 Eigen::Vector3d turning_axis();
 

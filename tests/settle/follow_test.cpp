@@ -64,8 +64,7 @@ class Drag {
                 {LaplacianWeights::cotangent, kDefaultDetailLength}, timings_),
         settler_(kernels_, system_, options, nullptr, parts),
         linear_(edit_.mesh.positions, topology_, edit_.region, hard_options(hard), kernels_),
-        u_(edit_.mesh.vertex_count(), Vector3d::Zero()),
-        scales_(u_.size(), 1.0) {}
+        u_(edit_.mesh.vertex_count(), Vector3d::Zero()) {}
 
   std::vector<Vector3d> wanted(const Affine3d& motion) const {
     std::vector<Vector3d> wanted(u_.size(), Vector3d::Zero());
@@ -80,7 +79,7 @@ class Drag {
     const std::vector<Vector3d> from = linear(last_);
     for (std::size_t v = 0; v < u_.size(); ++v) u_[v] += to[v] - from[v];
     last_ = motion;
-    return settler_.follow({wanted(motion), scales_}, u_);
+    return settler_.follow({wanted(motion)}, u_);
   }
   // All frames of the edit's motion; their iterations.
   int follow_all() {
@@ -94,7 +93,7 @@ class Drag {
   }
   SettleResult settle_from_linear(const Affine3d& motion) {
     u_ = linear(motion);
-    return settler_.settle({wanted(motion), scales_}, u_);
+    return settler_.settle({wanted(motion)}, u_);
   }
   void put_back() {
     std::fill(u_.begin(), u_.end(), Vector3d::Zero());
@@ -132,7 +131,6 @@ class Drag {
   Settler settler_;
   Deformer linear_;
   std::vector<Vector3d> u_;
-  std::vector<double> scales_;
   Affine3d last_ = Affine3d::Identity();
 };
 
@@ -176,13 +174,12 @@ INSTANTIATE_TEST_SUITE_P(Edits, FollowedDrag, ::testing::Values(bent_tube, twist
 TEST(Follow, AFrameThatMayNotGoOnIsABetterSurfaceAllTheSame) {
   Drag drag(bent_tube(), settling());
   const auto wanted = drag.wanted(drag.edit().motion);
-  const std::vector<double> scales(wanted.size(), 1.0);
-  double last = drag.settler().energy({wanted, scales}, drag.displacement());
+  double last = drag.settler().energy({wanted}, drag.displacement());
   SettleResult frame;
   for (int frames = 0; !frame.settled; ++frames) {
     ASSERT_LT(frames, 200);
     int left = 2;
-    frame = drag.settler().follow({wanted, scales}, drag.displacement(),
+    frame = drag.settler().follow({wanted}, drag.displacement(),
                                   [&left](double) { return left-- > 0; });
     EXPECT_LE(frame.iterations, 2);
     EXPECT_LE(frame.energy, last);
@@ -196,10 +193,9 @@ TEST(Follow, FramesAtRestEndWhereOneOfAllTheirIterationsDoes) {
   const auto at_rest_by = [](int iterations_a_frame) {
     Drag drag(bent_tube(), settling());
     const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
-    const std::vector<double> scales(wanted.size(), 1.0);
     for (int done = 0; done < kIterations; done += iterations_a_frame) {
       int left = iterations_a_frame;
-      const SettleResult frame = drag.settler().rest({wanted, scales}, drag.displacement(),
+      const SettleResult frame = drag.settler().rest({wanted}, drag.displacement(),
                                                      [&left](double) { return left-- > 0; });
       EXPECT_EQ(frame.iterations, iterations_a_frame);
     }
@@ -216,8 +212,8 @@ TEST(Follow, TheEnergyIsThatOfTheTargetAsked) {
   const std::vector<Vector3d> u = drag.displacement();
   const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
   const std::vector<Vector3d> elsewhere = drag.wanted(drag.edit().part(0.9));
-  const std::vector<double> same(u.size(), 1.0);
-  const std::vector<double> larger(u.size(), 1.1);
+  const std::vector<Eigen::Matrix3d> same(u.size(), Eigen::Matrix3d::Identity());
+  const std::vector<Eigen::Matrix3d> larger(u.size(), 1.1 * Eigen::Matrix3d::Identity());
   const std::vector<Vector3d> forces(u.size(), Vector3d(0, 0, 0.1));
   std::vector<Vector3d> moved = u;
   for (Vector3d& v : moved) v *= 1.01;
@@ -238,7 +234,7 @@ TEST(Follow, TheEnergyIsThatOfTheTargetAsked) {
   drag.settler().energy({wanted, larger}, u);
   EXPECT_EQ(drag.settler().energy({wanted, {}}, u),
             Drag(bent_tube(), settling()).settler().energy({wanted, same}, u))
-      << "without scales after a target that has them";
+      << "without stretch after a target that has some";
 }
 
 TEST(Follow, TheEnergyIsThatOfTheTargetAskedAfterACancelledOne) {
@@ -278,11 +274,10 @@ TEST(Follow, OnlySmallPartsAreSettledByThemselvesAtRest) {
     Drag drag(bent_tube(), settling(), false, &parts);
     drag.follow_all();
     const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
-    const std::vector<double> scales(wanted.size(), 1.0);
     const std::vector<Index>& roi = drag.edit().region.roi;
     std::vector<Vector3d> forces(wanted.size(), Vector3d::Zero());
     forces[roi[roi.size() / 2]] = Vector3d::UnitZ();
-    const SettleTarget target{wanted, scales, forces};
+    const SettleTarget target{wanted, {}, forces};
     if (at_rest) {
       drag.settler().rest(target, drag.displacement());
     } else {
@@ -324,9 +319,8 @@ TEST(Follow, IterationsAllocateNothingAfterTheFirstFrame) {
     Drag drag(bent_tube(), options);
     drag.follow(drag.edit().part(0.5));
     const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
-    const std::vector<double> scales(wanted.size(), 1.0);
     const test::FailingNew counting(-1);
-    EXPECT_EQ(drag.settler().follow({wanted, scales}, drag.displacement()).iterations, iterations);
+    EXPECT_EQ(drag.settler().follow({wanted}, drag.displacement()).iterations, iterations);
     return test::FailingNew::calls();
   };
   EXPECT_EQ(allocations(30), allocations(2));

@@ -73,10 +73,9 @@ class SettledEdit {
     }
     Settled settled{mesh_.positions, {}};
     const std::vector<Eigen::Vector3d> begin = u;
-    const std::vector<double> scales(u.size(), 1.0);
     run([&] {
       std::copy(begin.begin(), begin.end(), u.begin());
-      settled.result = settler.settle({wanted, scales}, u);
+      settled.result = settler.settle({wanted}, u);
     });
     for (std::size_t i = 0; i < u.size(); ++i) settled.positions[i] += u[i];
     return settled;

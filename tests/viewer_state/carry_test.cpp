@@ -125,7 +125,7 @@ TEST_F(CarriedInAWindow, StepsGoOnFromWhereTheOneBeforeLeftItAsInARun) {
 TEST_F(CarriedInAWindow, OfAScaledATurnedFarAndAMirroredEditIsWhatARunMakesOfIt) {
   carry({"hat.obj", "points.csv"});
   SimilarityMove grown = std::get<SimilarityMove>(bent());
-  grown.scale = 1.6;
+  grown.scale.setConstant(1.6);
   drag(grown);
   expect_same_as(*run_headless());
   EditParameters in_parts;

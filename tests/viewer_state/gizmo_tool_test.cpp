@@ -91,7 +91,7 @@ TEST_F(AGizmoTool, TypedTurnKeepsWholeTurns) {
 TEST_F(AGizmoTool, ScaleByANumber) {
   send(key('S'));
   type("2");
-  EXPECT_NEAR(std::get<SimilarityMove>(performed(send(key(kEnter)))).scale, 2.0, 1e-12);
+  EXPECT_NEAR(std::get<SimilarityMove>(performed(send(key(kEnter)))).scale.x(), 2.0, 1e-12);
   send(key('S'));
   send(key('X'));
   type("3");
@@ -190,7 +190,7 @@ TEST_F(AGizmoTool, TakenHoldOfAgainTheMoveIsTheSameBitForBit) {
   SimilarityMove before;
   before.translate = {0.1, -1.0 / 3.0, 0.7};
   before.rotate = {Vector3d(1.0, 2.0, 3.0), 400.0};
-  before.scale = 1.1;
+  before.scale.setConstant(1.1);
   state_ = apply(state_, MoveHandle{0, before});
   for (const char mode : {'G', 'R', 'S'}) {
     send(key(mode));

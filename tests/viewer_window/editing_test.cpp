@@ -277,7 +277,7 @@ TEST_F(Editing, EachGizmoModeMovesTheHandle) {
     return std::abs(m.rotate.degrees - 30.0) < 1e-9;
   }));
   EXPECT_TRUE(after("s", "", "1.5",
-                    [](const SimilarityMove& m) { return std::abs(m.scale - 1.5) < 1e-9; }));
+                    [](const SimilarityMove& m) { return std::abs(m.scale.x() - 1.5) < 1e-9; }));
   EXPECT_TRUE(settles());
   EXPECT_EQ(person_->discard_and_quit(), 0);
   EXPECT_THAT(person_->errors(), IsEmpty());

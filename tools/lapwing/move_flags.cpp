@@ -10,7 +10,9 @@ void MoveFlags::add_to(CLI::App& command, const std::string& what,
   command.add_option("--rotate", rotate, "AXIS_X,AXIS_Y,AXIS_Z,DEGREES")
       ->delimiter(',')
       ->expected(4);
-  command.add_option("--scale", scale, "of " + what + " about its pivot");
+  command.add_option("--scale", scale, "S or X,Y,Z; of " + what + " about its pivot")
+      ->delimiter(',')
+      ->expected(1, 3);
   command.add_option("--pivot", pivot, "X,Y,Z; " + default_pivot + " if not given")
       ->delimiter(',')
       ->expected(3);
@@ -20,7 +22,7 @@ void MoveFlags::add_to(CLI::App& command, const std::string& what,
 }
 
 bool MoveFlags::are_given() const {
-  return !translate.empty() || !rotate.empty() || !pivot.empty() || !matrix.empty() || scale != 1.0;
+  return !translate.empty() || !rotate.empty() || !pivot.empty() || !matrix.empty() || !scale.empty();
 }
 
 Json MoveFlags::json() const {
@@ -31,7 +33,8 @@ Json MoveFlags::json() const {
     move["rotate"] = {{"axis", Json::array({rotate[0], rotate[1], rotate[2]})},
                       {"degrees", rotate[3]}};
   }
-  if (scale != 1.0) move["scale"] = scale;
+  if (scale.size() == 1) move["scale"] = scale[0];
+  if (scale.size() > 1) move["scale"] = scale;
   if (!pivot.empty()) move["pivot"] = pivot;
   return move;
 }

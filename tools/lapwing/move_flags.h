@@ -14,7 +14,7 @@ struct MoveFlags {
   std::vector<double> rotate;
   std::vector<double> pivot;
   std::vector<double> matrix;
-  double scale = 1.0;
+  std::vector<double> scale;
 
   /// `what` moves, about `pivot` where none is given: "the handle", "its centroid".
   void add_to(CLI::App& command, const std::string& what, const std::string& default_pivot);

@@ -211,14 +211,21 @@ Move to_move(const Affine3d& motion, const AngleAxisd& turn, const Vector3d& cen
   const Matrix3d A = motion.linear();
   const Matrix3d R = nearest_rotation(A);
   const Matrix3d stretch = R.transpose() * A;
-  const double scale = stretch.trace() / 3.0;
-  const bool similar =
-      scale > 0.0 && (stretch - scale * Matrix3d::Identity()).norm() < kSameMotion * scale;
-  if (!similar) return MatrixMove{motion.matrix().topRows<3>()};
+  const Vector3d scale = stretch.diagonal();
+  const Matrix3d off_axes = stretch - Matrix3d(scale.asDiagonal());
+  const bool along_axes = scale.minCoeff() > 0.0 && off_axes.norm() < kSameMotion * scale.norm();
+  if (!along_axes) return MatrixMove{motion.matrix().topRows<3>()};
   SimilarityMove move;
   move.translate = motion * centroid - centroid;
   move.rotate = written_turn(R, turn);
-  if (std::abs(scale - 1.0) > kSameMotion) move.scale = scale;
+  const auto is_uniform = [&](double number) {
+    return (scale.array() - number).abs().maxCoeff() <= kSameMotion * number;
+  };
+  if (is_uniform(scale.mean())) {
+    if (!is_uniform(1.0)) move.scale.setConstant(scale.mean());
+  } else {
+    move.scale = scale;
+  }
   return move;
 }
 

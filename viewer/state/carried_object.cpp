@@ -43,12 +43,12 @@ CarriedFiles share(std::vector<CarriedFile> files) {
 }
 
 Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRegion& region,
-                     Positions positions, std::vector<double> asked_scales) {
+                     Positions positions, std::vector<Eigen::Matrix3d> rest_stretch) {
   Deformed deformed;
   deformed.mesh = rest;
   deformed.mesh.positions = std::move(positions);
   deformed.region = region;
-  deformed.asked_scales = std::move(asked_scales);
+  deformed.rest_stretch = std::move(rest_stretch);
   if (joined != nullptr) give_back_seams(*joined, rest, "deform", deformed);
   return deformed;
 }

@@ -41,6 +41,6 @@ CarriedFiles share(std::vector<CarriedFile> files);
 /// put the vertices at `positions` and its handles ask for these scales. With `joined` region and
 /// scales are those of the surface that `rest` is with its seams joined.
 Deformed deformed_of(const Mesh& rest, const JoinedSurface* joined, const EditRegion& region,
-                     Positions positions, std::vector<double> asked_scales);
+                     Positions positions, std::vector<Eigen::Matrix3d> rest_stretch);
 
 }  // namespace lapwing::viewer

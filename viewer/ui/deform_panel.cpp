@@ -42,7 +42,7 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   const Move& now = editor.gizmo_tool().move() ? *editor.gizmo_tool().move() : state.moves[handle];
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {
-    ImGui::TextDisabled("stretched along axes: moved by a matrix");
+    ImGui::TextDisabled("scaled along tilted axes: moved by a matrix");
     return;
   }
   SimilarityMove move = drafts.move.value_or(*similarity);
@@ -52,11 +52,11 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   bool changed = draw_vector("move", move.translate, let_go);
   changed |= draw_vector("axis", move.rotate.axis, let_go);
   changed |= draw_number("degrees", move.rotate.degrees, let_go);
-  changed |= draw_number("scale", move.scale, let_go);
+  changed |= draw_vector("scale", move.scale, let_go);
   if (changed) drafts.move = move;
   if (!let_go) return;
   drafts.move.reset();
-  if (move.rotate.axis.norm() > 0.0 && move.scale > 0.0) editor.perform(MoveHandle{handle, move});
+  if (move.rotate.axis.norm() > 0.0 && move.scale.minCoeff() > 0.0) editor.perform(MoveHandle{handle, move});
 }
 
 void draw_parameters(Editor& editor, PanelDrafts& drafts) {

@@ -50,7 +50,7 @@ SettledResult settled_result(const AppState& state, const Deformer& exact, Kerne
   MovedVertices moved = moved_vertices(rest.positions, solved.positions);
   if (any_follows(state.carried)) {
     const Deformed deformed = deformed_of(rest, joined, exact.region(), std::move(solved.positions),
-                                          std::move(solved.asked_scales));
+                                          std::move(solved.rest_stretch));
     moved.carried =
         files_of(state.carried, contacts.carry(state.carried, state.rest, deformed, progress));
   }

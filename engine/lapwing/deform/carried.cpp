@@ -145,15 +145,16 @@ void SurfaceCarrier::carry(const Vector3d& point, std::span<const CarryShare> sh
   Vector3d arm = point;
   Vector3d there = Vector3d::Zero();
   Matrix3d turns = Matrix3d::Zero();
-  double scale = 0.0;
+  Matrix3d stretch = Matrix3d::Zero();
   for (const auto& [v, share] : shares) {
     arm -= share * rest[v];
     there += share * deformed_.mesh.positions[v];
     turns += share * motion_.rotations[v].toRotationMatrix();
-    scale += share * (deformed_.asked_scales.empty() ? 1.0 : deformed_.asked_scales[v]);
+    stretch += share * (deformed_.rest_stretch.empty() ? Matrix3d(Matrix3d::Identity())
+                                                       : deformed_.rest_stretch[v]);
   }
   const Matrix3d R = nearest_rotation(turns);
-  position = there + scale * (R * arm);
+  position = there + R * (stretch * arm);
   rotation = unit_quaternion(R);
 }
 

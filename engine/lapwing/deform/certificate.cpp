@@ -80,7 +80,7 @@ std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_co
 std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topology& topology,
                                          std::span<const Vector3d> rest,
                                          std::span<const Vector3d> current,
-                                         Certificate& certificate, std::span<const double> asked) {
+                                         Certificate& certificate, std::span<const Matrix3d> asked) {
   certificate.rest_diagonal = bounds_of(rest).diagonal();
   for (const Index v : roi) {
     certificate.all_finite = certificate.all_finite && current[v].allFinite();
@@ -96,9 +96,11 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
       const Index i = roi[m];
       const RingSimilarity ring = fit_similarity(i, topology.rings[i], rest, current);
       in_roi[i] = 1;
-      rotations[i] = ring.R;
+      rotations[i] = asked.empty()
+                         ? ring.R
+                         : fit_rotation(i, topology.rings[i], rest, current, asked[i]);
       scales[m] = ring.scale;
-      angles[m] = rotation_angle(ring.R);
+      angles[m] = rotation_angle(rotations[i]);
     }
   });
   double largest_angle = 0.0;
@@ -135,14 +137,14 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
 
 void measure_shape(std::span<const Index> roi, const Topology& topology,
                    std::span<const Vector3d> rest, std::span<const Vector3d> current,
-                   Certificate& certificate, std::span<const double> asked) {
+                   Certificate& certificate, std::span<const Matrix3d> asked) {
   measured_rotations(roi, topology, rest, current, certificate, asked);
 }
 
 void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> weights, std::span<const Vector3d> rest,
                     std::span<const Vector3d> current, Certificate& certificate,
-                    std::span<const double> asked) {
+                    std::span<const Matrix3d> asked) {
   const std::vector<Matrix3d> rotations =
       measured_rotations(region.roi, topology, rest, current, certificate, asked);
   if (!certificate.all_finite) return;

@@ -84,18 +84,18 @@ bool misses_handles(const Certificate& certificate);
 
 /// Fills in what can be measured from the shapes alone: size, scales, rotations, flips, edge
 /// stretch, finiteness; of a pose that is not finite that alone. `roi` are the vertices measured;
-/// triangles count when they touch it. `asked` are the scales that the handles ask for, as in
+/// triangles count when they touch it. `asked` is the rest stretch that the handles ask for, as in
 /// `detail_error`. Linear time.
 void measure_shape(std::span<const Index> roi, const Topology& topology,
                    std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
-                   Certificate& certificate, std::span<const double> asked = {});
+                   Certificate& certificate, std::span<const Eigen::Matrix3d> asked = {});
 
 /// The same for an edit's region, with the detail error over its free vertices (`weights` are those
 /// of the Laplacians).
 void measure_region(const EditRegion& region, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
                     std::span<const Eigen::Vector3d> current, Certificate& certificate,
-                    std::span<const double> asked = {});
+                    std::span<const Eigen::Matrix3d> asked = {});
 
 /// What whoever gets this surface should know, each with its place and what to do: not settled,
 /// handles that miss their places, flipped triangles, an edge longer than kLongEdge times its

@@ -54,11 +54,11 @@ std::vector<Vector3d> CoarseDrag::of_kept(std::span<const Vector3d> of_fine) con
 
 SettleTarget CoarseDrag::target_of(const SettleTarget& fine) {
   next_wanted_ = of_kept(fine.wanted);
-  scales_.clear();
-  if (!fine.scales.empty()) {
-    for (const Index v : surface().kept) scales_.push_back(fine.scales[v]);
+  stretch_.clear();
+  if (!fine.rest_stretch.empty()) {
+    for (const Index v : surface().kept) stretch_.push_back(fine.rest_stretch[v]);
   }
-  return {next_wanted_, scales_, forces_};
+  return {next_wanted_, stretch_, forces_};
 }
 
 // Of the surface that was settled or asked for its energy last.

@@ -64,7 +64,7 @@ class CoarseDrag {
   std::vector<Eigen::Vector3d> forces_;
   // What a target is given by, kept for as long as it is used.
   std::vector<Eigen::Vector3d> next_wanted_;
-  std::vector<double> scales_;
+  std::vector<Eigen::Matrix3d> stretch_;
 };
 
 }  // namespace lapwing

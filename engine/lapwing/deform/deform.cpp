@@ -11,6 +11,7 @@
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/joined_request.h"
 #include "lapwing/deform/mirrored_request.h"
+#include "lapwing/deform/rest_stretch.h"
 #include "lapwing/deform/winding.h"
 #include "lapwing/kernels/cpu_kernels.h"
 
@@ -65,11 +66,15 @@ struct Work {
       DeformResult solved = deformer.solve(motions, bound.turns(from, to), progress);
       result.mesh.positions = std::move(solved.positions);
       certificate = std::move(solved.certificate);
-      if (result.asked_scales.empty()) {
-        result.asked_scales = std::move(solved.asked_scales);
+      if (result.rest_stretch.empty()) {
+        result.rest_stretch = std::move(solved.rest_stretch);
       } else {
-        std::transform(solved.asked_scales.begin(), solved.asked_scales.end(),
-                       result.asked_scales.begin(), result.asked_scales.begin(), std::multiplies());
+        // Parts of a motion stretch one after the other.
+        std::ranges::transform(solved.rest_stretch, result.rest_stretch,
+                               result.rest_stretch.begin(),
+                               [](const Eigen::Matrix3d& next, const Eigen::Matrix3d& last) {
+                                 return polar_stretch(next * last);
+                               });
       }
     });
     result.free = deformer.free_count();

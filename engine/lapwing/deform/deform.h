@@ -41,8 +41,9 @@ struct Deformed : DeformReport {
   std::vector<std::string> notes;
   EditRegion region;     ///< the vertices that the request's regions chose
   std::size_t free = 0;  ///< vertices that are neither handle nor belt
-  /// By how much the handles ask the surface to grow there, per vertex; none for 1 everywhere.
-  std::vector<double> asked_scales;
+  /// The stretch S_i that scaling handles ask of the surface, per vertex: symmetric and positive
+  /// definite, the identity outside the region. Empty if no handle changes its size.
+  std::vector<Eigen::Matrix3d> rest_stretch;
   StageTimings timings;  ///< of all parts together
 };
 

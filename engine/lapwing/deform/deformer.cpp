@@ -11,6 +11,7 @@
 #include "lapwing/deform/deformer_state.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/response_basis.h"
+#include "lapwing/deform/rest_stretch.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -27,14 +28,6 @@ std::shared_ptr<const EditSystem> edit_of(const Topology& topology, std::span<co
                                           const Progress& progress) {
   PreparedRegion prepared(topology);
   return std::make_shared<const EditSystem>(prepared, rest, std::move(region), options, progress);
-}
-
-bool all_keep_size(std::span<const Eigen::Affine3d> motions) {
-  // What a rotation is off from no scale by rounding.
-  constexpr double kSameScale = 1e-12;
-  return std::all_of(motions.begin(), motions.end(), [](const Eigen::Affine3d& motion) {
-    return std::abs(scale_of(motion) - 1.0) < kSameScale;
-  });
 }
 
 // Whether nothing asks the surface to leave its rest.
@@ -77,11 +70,11 @@ const HandleShares& Deformer::State::held_shares() const {
   return *shares;
 }
 
-std::vector<double> Deformer::State::asked_scales(std::span<const Eigen::Affine3d> motions) const {
-  if (all_keep_size(motions)) return {};
-  std::vector<double> scales;
-  for (const Eigen::Affine3d& motion : motions) scales.push_back(scale_of(motion));
-  return held_shares().scales(scales);
+// Under the lock.
+std::vector<Eigen::Matrix3d> Deformer::State::asked_stretch(
+    std::span<const Eigen::Affine3d> motions) const {
+  system->hold_laplacian();
+  return lapwing::rest_stretch(*system, motions);
 }
 
 void Deformer::State::make_settler(Kernels& on) {
@@ -251,8 +244,9 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   edit.set_parameters(motions, q);
   std::vector<Vector3d>& wanted = s.asked[0];
   edit.asked_displacement(q, wanted);
-  std::vector<double> scales;
-  if (s.has_shares()) scales = s.asked_scales(motions);
+  std::vector<Eigen::Matrix3d> stretch;
+  if (s.has_shares()) stretch = s.asked_stretch(motions);
+  const std::vector<double> scales = mean_scales(stretch);
 
   DeformResult result;
   Certificate& certificate = result.certificate;
@@ -262,7 +256,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
     u = linear_displacement(edit, wanted, forces);
     certificate.relative_residual = edit.systems->response().refine(wanted, forces, u);
   } else if (any_far(turns) || !rests(edit, wanted)) {
-    u = settled(motions, turns, q, {wanted, scales}, certificate, progress);
+    u = settled(motions, turns, q, {wanted, stretch}, certificate, progress);
   } else {
     u.assign(edit.rest->size(), Vector3d::Zero());
   }
@@ -291,17 +285,18 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
     certificate.asked_motion = std::max(certificate.asked_motion, way);
   }
   measure_region(edit.region, edit.topology, s.weights->laplacian, *edit.rest, result.positions,
-                 certificate, scales);
+                 certificate, stretch);
   require_valid(certificate);
-  result.asked_scales = std::move(scales);
+  result.rest_stretch = std::move(stretch);
   return result;
 }
 
-std::vector<double> Deformer::asked_scales(std::span<const Eigen::Affine3d> motions) const {
+std::vector<Eigen::Matrix3d> Deformer::rest_stretch(
+    std::span<const Eigen::Affine3d> motions) const {
   const State& s = *state_;
-  if (all_keep_size(motions) || !s.has_shares()) return {};
+  if (!s.has_shares()) return {};
   const auto lock = s.system->systems->lock();
-  return s.asked_scales(motions);
+  return s.asked_stretch(motions);
 }
 
 bool Deformer::is_of(std::span<const Vector3d> rest, const Topology& topology,

@@ -26,8 +26,9 @@ struct EditSystem;
 struct DeformResult {
   Positions positions;  ///< of the whole mesh; vertices that do not move keep their bits
   Certificate certificate;
-  /// The s_i that the handles ask for, per vertex of the mesh; none for 1 everywhere.
-  std::vector<double> asked_scales = {};
+  /// The S_i that the handles ask for (rest_stretch.h), per vertex of the mesh; empty for the
+  /// identity.
+  std::vector<Eigen::Matrix3d> rest_stretch = {};
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
@@ -77,7 +78,8 @@ class Deformer {
   Deformer(Deformer&&) noexcept;
   Deformer& operator=(Deformer&&) noexcept;
 
-  /// How the surface follows the handles linearly, which is what a Drag goes by. Solved for when
+  /// How the surface follows the handles linearly, which is what a Drag goes by. Scaling handles
+  /// count by their mean scale, spread by handle weights, where settling takes a rest stretch. Solved for when
   /// first asked for, stage "response", which is timed, reported and cancelled there, with what
   /// construction has left of the factor; from then on it returns at once, on any thread.
   const std::shared_ptr<const DragResponse>& response(const Progress& progress = {}) const;
@@ -139,9 +141,9 @@ class Deformer {
   /// wait for the tangent's memory. Throws Cancelled when `progress` asks for it.
   void prepare_to_follow(const Progress& progress = {}) const;
 
-  /// The scales that handles so moved ask for, as DeformResult has them; none where no handle
-  /// scales. Waits for what solves on another thread only where one does.
-  std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
+  /// The S_i that handles so moved ask for, as DeformResult has them; empty if no handle scales.
+  /// Waits for what solves on another thread.
+  std::vector<Eigen::Matrix3d> rest_stretch(std::span<const Eigen::Affine3d> motions) const;
 
   /// Forgets what the frames of the last drag have told.
   void begin_drag() const;

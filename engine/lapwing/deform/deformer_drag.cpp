@@ -10,6 +10,7 @@
 #include "lapwing/deform/drag.h"
 #include "lapwing/deform/recent_change.h"
 #include "lapwing/deform/response_basis.h"
+#include "lapwing/deform/rest_stretch.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -199,7 +200,7 @@ void Deformer::State::follow_by_coarse(const SettledPose& pose, const SettleTarg
                                        bool is_there, const GoOn& go_on, SettledPose& next) {
   std::vector<Vector3d>& wanted = asked[1];
   system->asked_displacement(pose.parameters, wanted);
-  if (!is_there) coarse->begin({wanted, target.scales}, pose.displacement);
+  if (!is_there) coarse->begin({wanted, target.rest_stretch}, pose.displacement);
   coarse_moves_at_rest = 0;
   take_along(pose, wanted, target, go_on, next);
 }
@@ -317,8 +318,9 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   hold_for_settling();
   std::vector<Vector3d>& wanted = s.asked[0];
   edit.asked_displacement(next.parameters, wanted);
-  const std::vector<double> scales = s.asked_scales(motions);
-  const SettleTarget target{wanted, scales};
+  const std::vector<Eigen::Matrix3d> stretch = s.asked_stretch(motions);
+  const std::vector<double> scales = mean_scales(stretch);
+  const SettleTarget target{wanted, stretch};
   State& on = *state_;
   const bool begins = pose.parameters.empty() || any_far_since(pose.turns, turns);
   const bool at_rest = next.parameters == pose.parameters;

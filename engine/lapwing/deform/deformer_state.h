@@ -66,7 +66,7 @@ struct Deformer::State {
   Positions still() const;
   Positions moved_as(const Positions& displacement) const;
   Positions displacement_by(std::span<const double> q) const;
-  std::vector<double> asked_scales(std::span<const Eigen::Affine3d> motions) const;
+  std::vector<Eigen::Matrix3d> asked_stretch(std::span<const Eigen::Affine3d> motions) const;
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
   void begin_coarse();

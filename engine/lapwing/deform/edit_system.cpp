@@ -228,6 +228,16 @@ void EditSystem::set_parameters(std::span<const Eigen::Affine3d> motions,
   }
 }
 
+bool EditSystem::is_held_by_handles_alone() const {
+  if (!region.belt.empty() || !region.targets.empty()) return false;
+  std::vector<char> in_roi(rest->size(), 0);
+  for (const Index v : region.roi) in_roi[v] = 1;
+  return std::ranges::all_of(region.roi, [&](Index v) {
+    const auto ring = topology.rings[v];
+    return std::ranges::all_of(ring, [&](Index j) { return in_roi[j] != 0; });
+  });
+}
+
 std::vector<std::size_t> EditSystem::all_handles() const {
   std::vector<std::size_t> all(frames.size());
   std::iota(all.begin(), all.end(), std::size_t{0});

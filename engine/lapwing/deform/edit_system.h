@@ -66,6 +66,9 @@ struct EditSystem {
   void set_parameters(std::span<const Eigen::Affine3d> motions,
                       std::span<const std::size_t> handles, std::span<double> parameters) const;
 
+  /// Whether nothing but handles holds the region: no belt, no target, and no neighbour outside it.
+  bool is_held_by_handles_alone() const;
+
   /// 0, 1, ... to the last.
   std::vector<std::size_t> all_handles() const;
 

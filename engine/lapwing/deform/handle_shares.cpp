@@ -29,23 +29,12 @@ bool is_one_number(std::size_t handles, const auto& value) {
   return most - least <= kRounding * std::max(std::abs(least), std::abs(most));
 }
 
-// Whether the surface is held by handles alone: no belt, and no neighbour outside the region.
-bool handles_hold_all(const EditSystem& system) {
-  if (!system.region.belt.empty() || !system.region.targets.empty()) return false;
-  std::vector<char> in_roi(system.rest->size(), 0);
-  for (const Index v : system.region.roi) in_roi[v] = 1;
-  return std::all_of(system.region.roi.begin(), system.region.roi.end(), [&](Index v) {
-    const auto ring = system.topology.rings[v];
-    return std::all_of(ring.begin(), ring.end(), [&](Index j) { return in_roi[j] != 0; });
-  });
-}
-
 }  // namespace
 
 HandleShares::HandleShares(const EditSystem& system)
     : system_(system), factor_(system.region.roi.size(), 1.0) {
   sum_ = solved_columns({0}, [](std::size_t, std::size_t) { return 1.0; }).front();
-  const bool all = handles_hold_all(system);
+  const bool all = system.is_held_by_handles_alone();
   for (std::size_t r = 0; r < sum_.size(); ++r) {
     const double sum = sum_[r];
     if (sum > 0.0) sum_[r] = all ? 1.0 : std::min(sum, 1.0);
@@ -116,25 +105,6 @@ std::vector<double> HandleShares::of_handle(std::size_t handle) const {
       .front();
 }
 
-std::vector<double> HandleShares::scales(std::span<const double> handle_scales) const {
-  const VertexSet& roi = system_.region.roi;
-  std::vector<double> scales(system_.rest->size(), 1.0);
-  if (handle_scales.empty()) return scales;
-  if (is_one_number(handle_scales.size(), [&](std::size_t h) { return handle_scales[h]; })) {
-    for (std::size_t r = 0; r < roi.size(); ++r) {
-      scales[roi[r]] += sum_[r] * (handle_scales.front() - 1.0);
-    }
-    return scales;
-  }
-  std::vector<double> growth(handle_scales.begin(), handle_scales.end());
-  for (double& number : growth) number -= 1.0;
-  const std::vector<double> of_roi = spread(growth);
-  for (std::size_t r = 0; r < roi.size(); ++r) {
-    scales[roi[r]] = std::max(kLeastScale, 1.0 + of_roi[r]);
-  }
-  return scales;
-}
-
 std::vector<Vector3d> HandleShares::turned(std::span<const Affine3d> motions,
                                            std::span<const AngleAxisd> turns) const {
   const EditSystem& s = system_;
@@ -169,10 +139,6 @@ std::vector<Vector3d> HandleShares::turned(std::span<const Affine3d> motions,
                 (angle > 0.0 ? Vector3d(AngleAxisd(angle, turn / angle) * stretched) : stretched);
   }
   return u;
-}
-
-double scale_of(const Affine3d& motion) {
-  return std::max(kLeastScale, std::cbrt(std::abs(motion.linear().determinant())));
 }
 
 }  // namespace lapwing

@@ -11,8 +11,8 @@
 namespace lapwing {
 
 /// How far every vertex goes along with each handle: 1 on it, 0 on the belt, smoothly between; in
-/// all at most 1, and 1 where nothing but handles holds the region. From these follow the scale s_i
-/// that the handles ask of the surface, and where large rotations settle from. What is spread over
+/// all at most 1, and 1 where nothing but handles holds the region. From these follows where large
+/// rotations settle from. What is spread over
 /// the surface by its shares costs one column of the n x n system, however many handles there are.
 class HandleShares {
  public:
@@ -26,10 +26,6 @@ class HandleShares {
 
   /// Of one handle, per vertex of the region.
   std::vector<double> of_handle(std::size_t handle) const;
-
-  /// s_i, per vertex of the mesh, for handles that scale by `handle_scales`: those by their shares,
-  /// and the rest 1.
-  std::vector<double> scales(std::span<const double> handle_scales) const;
 
   /// The displacement of every vertex where each makes a share of the handles' motions, and with it
   /// of their whole turns, whose rotations came about by `turns`: the surface is wound the way the
@@ -50,12 +46,5 @@ class HandleShares {
   std::vector<double> sum_;     ///< of all handles' shares, per vertex of the region
   std::vector<double> factor_;  ///< by which a solution is to be taken, likewise
 };
-
-/// By how much a handle's motion scales it: the cube root of the determinant of its linear part, of
-/// a motion that mirrors of its size, and kLeastScale at least.
-double scale_of(const Eigen::Affine3d& motion);
-
-/// What is flattened keeps this size in the energy, where 0 would leave its rotations open.
-inline constexpr double kLeastScale = 1e-3;
 
 }  // namespace lapwing

@@ -60,8 +60,8 @@ void give_back_seams(const JoinedSurface& joined, Mesh mesh, const std::string& 
     }
   }
   for (const Index v : joined.followers) {
-    if (!result.asked_scales.empty()) {
-      result.asked_scales[v] = result.asked_scales[joined.leaders[v]];
+    if (!result.rest_stretch.empty()) {
+      result.rest_stretch[v] = result.rest_stretch[joined.leaders[v]];
     }
   }
   mesh.positions = std::move(result.mesh.positions);

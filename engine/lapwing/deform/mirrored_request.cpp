@@ -236,6 +236,25 @@ std::string in_words(const FoundMirror& found, bool automatic) {
 
 }  // namespace
 
+namespace {
+
+// Scales along the axes, seen in the mirror. Only a plane along the axes has them along axes again.
+Vector3d mirrored_scale(const Vector3d& scale, const MirrorPlane& plane) {
+  const Matrix3d F = mirror_matrix(plane);
+  const Matrix3d image = F * scale.asDiagonal() * F;
+  constexpr double kAlongAxes = 1e-6;
+  const Matrix3d off_axes = image - Matrix3d(image.diagonal().asDiagonal());
+  if (scale.maxCoeff() == scale.minCoeff()) return scale;
+  if (off_axes.norm() > kAlongAxes * image.norm()) {
+    throw InputError(
+        "a move that scales its axes differently cannot be mirrored across a plane that is not along "
+        "two of the axes; scale all axes alike, or give the move as a \"matrix\"");
+  }
+  return image.diagonal();
+}
+
+}  // namespace
+
 Move mirror_image(const Move& move, const MirrorPlane& plane) {
   const Affine3d mirror = reflection(plane);
   if (const auto* matrix = std::get_if<MatrixMove>(&move)) {
@@ -246,6 +265,7 @@ Move mirror_image(const Move& move, const MirrorPlane& plane) {
   SimilarityMove image = std::get<SimilarityMove>(move);
   image.translate = mirror.linear() * image.translate;
   image.rotate = {mirror.linear() * image.rotate.axis, -image.rotate.degrees};
+  image.scale = mirrored_scale(image.scale, plane);
   if (image.pivot) image.pivot = mirror * *image.pivot;
   return image;
 }
@@ -259,6 +279,7 @@ Move along_mirror(const Move& move, const MirrorPlane& plane) {
   const Vector3d normal = plane.normal.normalized();
   along.translate = 0.5 * (along.translate + mirror_matrix(plane) * along.translate);
   along.rotate = {normal, along.rotate.degrees * along.rotate.axis.normalized().dot(normal)};
+  along.scale = mirrored_scale(along.scale, plane);
   if (along.pivot) along.pivot = onto(plane, *along.pivot);
   return along;
 }

@@ -25,8 +25,9 @@ Matrix3d rotation_matrix(const AxisRotation& rotation) {
 Affine3d part_of(const SimilarityMove& move, const Vector3d& handle_centroid, double share) {
   const Vector3d pivot = move.pivot.value_or(handle_centroid);
   Affine3d map = Affine3d::Identity();
-  map.linear() = std::pow(move.scale, share) *
-                 rotation_matrix({move.rotate.axis, share * move.rotate.degrees});
+  const Vector3d scale = move.scale.array().pow(share);
+  map.linear() = rotation_matrix({move.rotate.axis, share * move.rotate.degrees});
+  for (Eigen::Index axis = 0; axis < 3; ++axis) map.linear().col(axis) *= scale[axis];
   map.translation() = (pivot - map.linear() * pivot) + share * move.translate;
   return map;
 }

@@ -14,11 +14,11 @@ struct AxisRotation {
   bool operator==(const AxisRotation&) const = default;
 };
 
-/// x -> pivot + scale R (x - pivot) + translate.
+/// x -> pivot + R diag(scale) (x - pivot) + translate: scales along the axes of the mesh, then turns.
 struct SimilarityMove {
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();
   AxisRotation rotate;
-  double scale = 1.0;                         ///< above 0
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< along x, y and z, each above 0
   std::optional<Eigen::Vector3d> pivot = {};  ///< the handle's centroid when not given
   bool operator==(const SimilarityMove&) const = default;
 };
@@ -37,7 +37,7 @@ Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centro
 
 /// The move carried out in part: `share` 0 is the identity, 1 is `to_affine(move, centroid)` bit
 /// for bit. A similarity moves by that share of its translation and of its angle, about the same
-/// axis and pivot, and scales by scale^share. Of a matrix the rotation of its polar decomposition
+/// axis and pivot, and scales by scale^share along each axis. Of a matrix the rotation of its polar decomposition
 /// turns by the share of its angle, its stretch S becomes (1 - share) I + share S, and the centroid
 /// goes straight. Invertible below 1. Throws InputError for a part of a matrix that mirrors.
 Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid, double share);

@@ -5,11 +5,13 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include "lapwing/base/limits.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/worker_pool.h"
 #include "lapwing/deform/response_system.h"
+#include "lapwing/deform/rest_stretch.h"
 #include "lapwing/laplacian/ring_fit.h"
 #include "lapwing/solve/dissection/mesh_dissection.h"
 
@@ -28,11 +30,17 @@ Matrix3d rotation_stiffness(const Matrix3d& S) {
   return S.trace() * Matrix3d::Identity() - S;
 }
 
-// What F_i^-1 of row `r` at rest is multiplied by from the left where T is its transform: the root
-// of the inverse of F^-1 K F^-T, K of the pose seen from the ring, no less than that of rest in any
-// direction.
-Matrix3d softening(const RegionRings& rings, std::size_t r, const Matrix3d& T, double scale,
-                   std::span<const Vector3d> displacement) {
+// By which the blocks of G_i at rest are multiplied to become those of a pose.
+struct BlockFactors {
+  Matrix3d left;
+  Matrix3d right;
+};
+
+// Row `r` of the rings has become T = R S. Its rest edges are S e then, and with
+// [S e]x = det(S) S^-1 [e]x S^-1 the blocks a_i of the pose follow from those of rest. F_i F_i' is
+// K_i of the pose seen from the ring, no less than that of the stretched rest in any direction.
+BlockFactors pose_factors(const RegionRings& rings, std::size_t r, const Matrix3d& T,
+                          std::span<const Vector3d> displacement) {
   Matrix3d at_rest = Matrix3d::Zero();
   Matrix3d C = Matrix3d::Zero();
   Vector3d delta = Vector3d::Zero();
@@ -49,13 +57,29 @@ Matrix3d softening(const RegionRings& rings, std::size_t r, const Matrix3d& T, d
   }
   at_rest += rings.row_weights[r] * delta * delta.transpose();
   C += rings.row_weights[r] * moved * delta.transpose();
-  const Matrix3d S = T.transpose() * C / (scale * scale);
-  const Matrix3d inverse_F = inverse_cholesky_factor(rotation_stiffness(at_rest));
+
+  constexpr double kRigid = 1e-12;
+  const bool is_stretched = (T.transpose() * T - Matrix3d::Identity()).norm() > kRigid;
+  const Matrix3d S = is_stretched ? polar_stretch(T) : Matrix3d(Matrix3d::Identity());
+  const Matrix3d inverse_S = is_stretched ? Matrix3d(S.inverse()) : S;
+  const Matrix3d R = T * inverse_S;
+  const Matrix3d Q = R.transpose() * C * S;
+  const Matrix3d inverse_F = inverse_cholesky_factor(rotation_stiffness(S * at_rest * S));
   Eigen::SelfAdjointEigenSolver<Matrix3d> ratio;  // to a few digits, which are enough here
-  ratio.computeDirect(inverse_F * rotation_stiffness(0.5 * (S + S.transpose())) *
+  ratio.computeDirect(inverse_F * rotation_stiffness(0.5 * (Q + Q.transpose())) *
                       inverse_F.transpose());
   const Vector3d inverse_roots = ratio.eigenvalues().cwiseMax(1.0).cwiseSqrt().cwiseInverse();
-  return ratio.eigenvectors() * inverse_roots.asDiagonal() * ratio.eigenvectors().transpose();
+  BlockFactors factors{
+      ratio.eigenvectors() * inverse_roots.asDiagonal() * ratio.eigenvectors().transpose(),
+      kRootOfShare * inverse_S * R.transpose()};
+  if (is_stretched) {
+    // A direction in which nothing turns is a row of zeros in G_i at rest: any inverse does there.
+    const Matrix3d F = inverse_cholesky_factor(rotation_stiffness(at_rest))
+                           .completeOrthogonalDecomposition()
+                           .pseudoInverse();
+    factors.left *= S.determinant() * inverse_F * inverse_S * F;
+  }
+  return factors;
 }
 
 std::span<double> numbers(VectorXd& vector) {
@@ -133,13 +157,12 @@ bool PoseTangent::turn(std::span<const Matrix3d> transforms,
   const BlockRows& at_rest = *at_rest_;
   parallel_for(roi_.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
-      const Matrix3d& T = transforms[row_of_[r]];
-      const double scale = std::cbrt(T.determinant());
-      const Matrix3d back = kRootOfShare / scale * T.transpose();
-      const Matrix3d soft = softening(rings, row_of_[r], T, scale, displacement);
+      const BlockFactors factors =
+          pose_factors(rings, row_of_[r], transforms[row_of_[r]], displacement);
       for (std::size_t b = at_rest.starts[r]; b < at_rest.starts[r + 1]; ++b) {
         Eigen::Map<Matrix3d>(turned_.values.data() + 9 * b).noalias() =
-            soft * Eigen::Map<const Matrix3d>(at_rest.values.data() + 9 * b) * back;
+            factors.left * Eigen::Map<const Matrix3d>(at_rest.values.data() + 9 * b) *
+            factors.right;
       }
     }
   });

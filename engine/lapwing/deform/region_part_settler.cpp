@@ -85,7 +85,7 @@ void RegionPartSettler::settle_part(std::span<const Index> vertices, const Settl
   SettleOptions options = *edit_.options.settle;
   options.max_iterations = std::min(options.max_iterations, kMostIterations);
   Settler(kernels, part, options, &tangent)
-      .settle_small({wanted, target.scales}, u, go_on, progress);
+      .settle_small({wanted, target.rest_stretch}, u, go_on, progress);
 }
 
 }  // namespace lapwing

@@ -18,14 +18,15 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kRowsPerTask = 256;
 
-double scale_at(std::span<const double> scales, Index i) {
-  return scales.empty() ? 1.0 : scales[i];
+Vector3d stretched(std::span<const Matrix3d> stretch, Index i, const Vector3d& rest) {
+  return stretch.empty() ? rest : Vector3d(stretch[i] * rest);
 }
 
-// |length' / (s length) - 1| of an edge; below 0 for one without length.
+// |length' / length - 1| of an edge; below 0 for one without length.
 double stretch_of(Index i, Index j, std::span<const Vector3d> rest,
-                  std::span<const Vector3d> current, std::span<const double> scales) {
-  const double was = 0.5 * (scale_at(scales, i) + scale_at(scales, j)) * (rest[i] - rest[j]).norm();
+                  std::span<const Vector3d> current, std::span<const Matrix3d> stretch) {
+  const Vector3d edge = rest[i] - rest[j];
+  const double was = 0.5 * (stretched(stretch, i, edge).norm() + stretched(stretch, j, edge).norm());
   return was > 0.0 ? std::abs((current[i] - current[j]).norm() / was - 1.0) : -1.0;
 }
 
@@ -46,14 +47,14 @@ struct RowStretches {
 };
 
 RowStretches stretches_of_row(Index i, const Topology& topology, std::span<const Vector3d> rest,
-                              std::span<const Vector3d> current, std::span<const double> scales) {
+                              std::span<const Vector3d> current, std::span<const Matrix3d> stretch) {
   RowStretches row;
   for (const Index j : topology.rings[i]) {
-    const double stretch = stretch_of(i, j, rest, current, scales);
-    if (stretch < 0.0) continue;
-    row.sum_of_squares += stretch * stretch;
+    const double change = stretch_of(i, j, rest, current, stretch);
+    if (change < 0.0) continue;
+    row.sum_of_squares += change * change;
     ++row.count;
-    if (stretch > row.most.stretch) row.most = {{std::min(i, j), std::max(i, j)}, stretch};
+    if (change > row.most.stretch) row.most = {{std::min(i, j), std::max(i, j)}, change};
   }
   return row;
 }
@@ -79,20 +80,22 @@ Laplacians laplacians_of(Index i, const Topology& topology, std::span<const doub
 
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Vector3d> rest,
-                    std::span<const Vector3d> current, std::span<const double> scales) {
+                    std::span<const Vector3d> current, std::span<const Matrix3d> stretch) {
   std::vector<Matrix3d> rotations(rest.size());
   parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (const Index i : rows.subspan(begin, end - begin)) {
-      rotations[i] = fit_rotation(i, topology.rings[i], rest, current);
+      rotations[i] = stretch.empty()
+                         ? fit_rotation(i, topology.rings[i], rest, current)
+                         : fit_rotation(i, topology.rings[i], rest, current, stretch[i]);
     }
   });
-  return detail_error(rows, topology, weights, rest, current, rotations, scales);
+  return detail_error(rows, topology, weights, rest, current, rotations, stretch);
 }
 
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Vector3d> rest,
                     std::span<const Vector3d> current, std::span<const Matrix3d> rotations,
-                    std::span<const double> scales) {
+                    std::span<const Matrix3d> stretch) {
   struct Row {
     double off = 0.0;
     double size = 0.0;
@@ -102,7 +105,7 @@ double detail_error(std::span<const Index> rows, const Topology& topology,
     for (std::size_t r = begin; r < end; ++r) {
       const Index i = rows[r];
       const Laplacians L = laplacians_of(i, topology, weights, rest, current);
-      const Vector3d wanted = scale_at(scales, i) * L.was;
+      const Vector3d wanted = stretched(stretch, i, L.was);
       of_rows[r] = {(L.is - rotations[i] * wanted).squaredNorm(), wanted.squaredNorm()};
     }
   });
@@ -116,23 +119,23 @@ double detail_error(std::span<const Index> rows, const Topology& topology,
 
 double edge_stretch(std::span<const Index> rows, const Topology& topology,
                     std::span<const Vector3d> rest, std::span<const Vector3d> current,
-                    std::span<const double> scales) {
+                    std::span<const Matrix3d> stretch) {
   RowStretches sum;
   CancelCheck cancel_check;
   for (const Index i : rows) {
     cancel_check();
-    sum.add(stretches_of_row(i, topology, rest, current, scales));
+    sum.add(stretches_of_row(i, topology, rest, current, stretch));
   }
   return sum.root_mean_square();
 }
 
 EdgeStretches edge_stretches(std::span<const Index> rows, const Topology& topology,
                              std::span<const Vector3d> rest, std::span<const Vector3d> current,
-                             std::span<const double> scales) {
+                             std::span<const Matrix3d> stretch) {
   std::vector<RowStretches> of_rows(rows.size());
   parallel_for(rows.size(), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
-      of_rows[r] = stretches_of_row(rows[r], topology, rest, current, scales);
+      of_rows[r] = stretches_of_row(rows[r], topology, rest, current, stretch);
     }
   });
   RowStretches sum;

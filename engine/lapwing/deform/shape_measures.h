@@ -12,30 +12,30 @@ namespace lapwing {
 
 /// How one pose of a mesh differs from its rest pose. `rows` are the vertices measured, each with
 /// its whole ring; `weights` those of the Laplacians, as laplacian_weights gives them; R_i the best
-/// rotation of ring i from rest to current; `scales` the s_i that are asked for, one per vertex of
-/// the mesh, or empty for 1. All in linear time.
+/// rotation of ring i from rest to current; `stretch` the S_i that are asked for, one per vertex of
+/// the mesh, or empty for the identity. All in linear time.
 
 /// How far details are from their rest shapes, turned with their rings:
-/// sqrt(sum |L(v'_i) - s_i R_i delta_i|^2 / sum |s_i delta_i|^2) over `rows`. 0 for a rigid motion,
+/// sqrt(sum |L(v'_i) - R_i S_i delta_i|^2 / sum |S_i delta_i|^2) over `rows`. 0 for a rigid motion,
 /// 1 for details that are lost; 0 where there are none.
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
-                    std::span<const Eigen::Vector3d> current, std::span<const double> scales = {});
+                    std::span<const Eigen::Vector3d> current, std::span<const Eigen::Matrix3d> stretch = {});
 
 /// The same where the R_i are known, by vertex of the mesh.
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
                     std::span<const Eigen::Vector3d> current,
-                    std::span<const Eigen::Matrix3d> rotations, std::span<const double> scales);
+                    std::span<const Eigen::Matrix3d> rotations, std::span<const Eigen::Matrix3d> stretch);
 
-/// Root mean square over the ring edges of `rows` of |length' / (s length) - 1|, s the mean of s_i
-/// over both ends. Edges without length do not count.
+/// Root mean square over the ring edges of `rows` of |length' / length - 1|, where length is the
+/// mean of |S_i e| over both ends i of the edge e. Edges without length do not count.
 double edge_stretch(std::span<const Index> rows, const Topology& topology,
                     std::span<const Eigen::Vector3d> rest, std::span<const Eigen::Vector3d> current,
-                    std::span<const double> scales = {});
+                    std::span<const Eigen::Matrix3d> stretch = {});
 
 /// The edge whose length changes most, relative to itself, the first of equal ones, and its
-/// |length' / (s length) - 1|. No vertices where every edge keeps its length.
+/// |length' / length - 1|. No vertices where every edge keeps its length.
 struct StretchedEdge {
   std::array<Index, 2> vertices{kNoIndex, kNoIndex};  ///< the lower first
   double stretch = 0.0;
@@ -49,7 +49,7 @@ struct EdgeStretches {
 EdgeStretches edge_stretches(std::span<const Index> rows, const Topology& topology,
                              std::span<const Eigen::Vector3d> rest,
                              std::span<const Eigen::Vector3d> current,
-                             std::span<const double> scales = {});
+                             std::span<const Eigen::Matrix3d> stretch = {});
 
 /// What became of each vertex's ring; all lists as long as `vertices`.
 struct VertexMeasures {

@@ -71,7 +71,6 @@ void CpuRingRotations::pack_batch(std::size_t batch) {
     }
     for (Eigen::Index a = 0; a < 3; ++a) rest.delta[a][lane] = delta[a];
     rest.weight[lane] = rings_.row_weights[r];
-    rest.scale[lane] = 1.0;
   }
 }
 
@@ -85,9 +84,15 @@ std::vector<Eigen::Matrix3d> CpuRingRotations::transforms() const {
   return transforms;
 }
 
-void CpuRingRotations::set_scales(std::span<const double> scales) {
-  for (std::size_t r = 0; r < scales.size(); ++r) {
-    rest_[r / kFitLanes].scale[r % kFitLanes] = scales[r];
+void CpuRingRotations::set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) {
+  if (stretch.empty()) return stretch_.clear();
+  FitStretch identity{};
+  for (int k = 0; k < 3; ++k) std::fill_n(identity.S[k], kFitLanes, 1.0);
+  stretch_.resize(rest_.size(), identity);
+  for (std::size_t r = 0; r < stretch.size(); ++r) {
+    const Eigen::Matrix3d& S = stretch[r];
+    const double numbers[] = {S(0, 0), S(1, 1), S(2, 2), S(1, 2), S(0, 2), S(0, 1)};
+    for (int k = 0; k < 6; ++k) stretch_[r / kFitLanes].S[k][r % kFitLanes] = numbers[k];
   }
 }
 

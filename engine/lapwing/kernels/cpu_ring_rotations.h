@@ -9,14 +9,15 @@
 
 namespace lapwing {
 
-/// RingRotations in double precision, on all threads. Allocates nothing after construction.
+/// RingRotations in double precision, on all threads. Allocates nothing after construction, but for
+/// the first rest stretch.
 class CpuRingRotations final : public RingRotations {
  public:
   /// By the loops for `set`, one of the available ones.
   explicit CpuRingRotations(std::shared_ptr<const RegionRings> rings,
                             InstructionSet set = available_instruction_sets().front());
 
-  void set_scales(std::span<const double> scales) override;
+  void set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) override;
   void fit_rotations(std::span<const Eigen::Vector3d> displacement,
                      std::span<double> energies) override;
   void energy_gradient(std::span<double> g) override;
@@ -30,6 +31,7 @@ class CpuRingRotations final : public RingRotations {
   const RegionRings& rings_ = *shared_rings_;
   const RingLoops& loops_;
   std::vector<FitRest> rest_;              ///< per batch of kFitLanes rows
+  std::vector<FitStretch> stretch_;        ///< per batch; empty for the identity
   std::vector<std::size_t> entry_starts_;  ///< per batch, in entries_
   std::vector<FitEntries> entries_;
   std::vector<PaddedVector> displacement_;  ///< per vertex, of the last fit; no fewer than lanes

@@ -57,9 +57,9 @@ class FallbackKernels::Rotations final : public RingRotations {
     state_->make();
   }
 
-  void set_scales(std::span<const double> scales) override {
-    state_->scales.assign(scales.begin(), scales.end());
-    state_->run([&](RingRotations& on) { on.set_scales(scales); });
+  void set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) override {
+    state_->stretch.assign(stretch.begin(), stretch.end());
+    state_->run([&](RingRotations& on) { on.set_rest_stretch(stretch); });
   }
   void fit_rotations(std::span<const Eigen::Vector3d> displacement,
                      std::span<double> energies) override {
@@ -90,7 +90,7 @@ class FallbackKernels::Rotations final : public RingRotations {
     void move_to_cpu() {
       rotations.reset();
       make();
-      if (!scales.empty()) rotations->set_scales(scales);
+      if (!stretch.empty()) rotations->set_rest_stretch(stretch);
       if (fitted.empty()) return;
       std::vector<double> energies(row_count);
       rotations->fit_rotations(fitted, energies);
@@ -113,7 +113,7 @@ class FallbackKernels::Rotations final : public RingRotations {
     std::shared_ptr<Devices> devices;
     std::shared_ptr<const RegionRings> rings;  ///< as long as they are on the device, as `fitted`
     std::size_t row_count = rings->row_count();
-    std::vector<double> scales;
+    std::vector<Eigen::Matrix3d> stretch;
     std::vector<Eigen::Vector3d> fitted;  ///< the displacement of the last fit
     std::unique_ptr<RingRotations> rotations;
     bool is_on_device = false;

@@ -252,15 +252,35 @@ LAPWING_INLINE void finish(const FitRings& rings, int first, FitBatch& batch) {
   lanes_at(batch.energy + first) = energy;
 }
 
+// `m` S in place of `m`, both column after column, S the rest stretch.
+LAPWING_INLINE void stretch_from_right(const FitStretch& stretch, int first, Lanes* m) {
+  constexpr int kEntry[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+  for (int row = 0; row < 3; ++row) {
+    const Lanes old[3] = {m[row], m[3 + row], m[6 + row]};
+    for (int column = 0; column < 3; ++column) {
+      m[3 * column + row] = old[0] * lanes_at(stretch.S[kEntry[0][column]] + first) +
+                            old[1] * lanes_at(stretch.S[kEntry[1][column]] + first) +
+                            old[2] * lanes_at(stretch.S[kEntry[2][column]] + first);
+    }
+  }
+}
+
+LAPWING_INLINE void stretch_moments(const FitStretch& stretch, int first, FitBatch& batch) {
+  Lanes C[9];
+  for (int k = 0; k < 9; ++k) C[k] = lanes_at(batch.C[k] + first);
+  stretch_from_right(stretch, first, C);
+  for (int k = 0; k < 9; ++k) lanes_at(batch.C[k] + first) = C[k];
+}
+
 unsigned fit_batch(const FitRings& rings, FitBatch& batch) {
   unsigned unsure = 0;
   for (int first = 0; first < kFitLanes; first += kLanes) {
     sum_rings(rings, first, batch);
-    Lanes R[9];
-    unsure |= rotate(batch, first, R);
-    for (int k = 0; k < 9; ++k) {
-      lanes_at(batch.T[k] + first) = lanes_at(rings.rest.scale + first) * R[k];
-    }
+    if (rings.stretch != nullptr) stretch_moments(*rings.stretch, first, batch);
+    Lanes T[9];
+    unsure |= rotate(batch, first, T);
+    if (rings.stretch != nullptr) stretch_from_right(*rings.stretch, first, T);
+    for (int k = 0; k < 9; ++k) lanes_at(batch.T[k] + first) = T[k];
     finish(rings, first, batch);
   }
   return unsure;

@@ -19,6 +19,15 @@ Matrix3d matrix_of(const double (&entries)[9][kFitLanes], int lane) {
   return m;
 }
 
+Matrix3d stretch_of(const FitStretch& stretch, int lane) {
+  const auto& S = stretch.S;
+  Matrix3d m;
+  m << S[0][lane], S[5][lane], S[4][lane],  //
+      S[5][lane], S[1][lane], S[3][lane],   //
+      S[4][lane], S[3][lane], S[2][lane];
+  return m;
+}
+
 }  // namespace
 
 void CpuRingRotations::fit_rotations(std::span<const Vector3d> displacement,
@@ -49,14 +58,19 @@ void CpuRingRotations::fit_rotations(std::span<const Vector3d> displacement,
 
 void CpuRingRotations::fit(std::size_t number, FitBatch& batch) const {
   const std::size_t begin = entry_starts_[number];
-  const FitRings rings{rest_[number], entries_.data() + begin, entry_starts_[number + 1] - begin,
-                       static_cast<Index>(number * kFitLanes), displacement_.data()};
+  const FitRings rings{rest_[number],
+                       entries_.data() + begin,
+                       entry_starts_[number + 1] - begin,
+                       static_cast<Index>(number * kFitLanes),
+                       displacement_.data(),
+                       stretch_.empty() ? nullptr : &stretch_[number]};
   const unsigned unsure = loops_.fit(rings, batch);
   if (unsure == 0) return;
   // Rings whose rotation takes the slow way.
   for (int lane = 0; lane < kFitLanes; ++lane) {
     if ((unsure >> static_cast<unsigned>(lane) & 1U) == 0) continue;
-    const Matrix3d T = rings.rest.scale[lane] * nearest_rotation(matrix_of(batch.C, lane));
+    Matrix3d T = nearest_rotation(matrix_of(batch.C, lane));
+    if (rings.stretch != nullptr) T = T * stretch_of(*rings.stretch, lane);
     for (Eigen::Index k = 0; k < 9; ++k) batch.T[k][lane] = T(k % 3, k / 3);
   }
   loops_.finish(rings, batch);

@@ -41,25 +41,26 @@ struct EnergyProblem {
 };
 
 /// The energy of an edit (EnergyWeights) as its rings see it, in the position u of the surface:
-///     E(u) = sum_i min over rotations R_i of om_i |L(v'_i) - s_i R_i delta_i|^2
-///                                        + sum_j k_ij |(v'_i - v'_j) - s_i R_i (v_i - v_j)|^2.
+///     E(u) = sum_i min over rotations R_i of om_i |L(v'_i) - R_i S_i delta_i|^2
+///                                        + sum_j k_ij |(v'_i - v'_j) - R_i S_i (v_i - v_j)|^2.
 class RingRotations {
  public:
   virtual ~RingRotations() = default;
 
-  /// s_i of each row, above 0; all 1 until it is called.
-  virtual void set_scales(std::span<const double> scales) = 0;
+  /// The rest stretch S_i of each row, symmetric and positive definite. The identity until it is
+  /// called, and again if `stretch` is empty.
+  virtual void set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) = 0;
 
-  /// R_i of every row: the nearest rotation to C_i = om_i L(v'_i) delta_i' + sum_j k_ij (v'_i -
-  /// v'_j) (v_i - v_j)', which makes the energy least. `displacement` has one vector for each of
-  /// RegionRings::vertices. `energies` gets what row i adds to E.
+  /// R_i of every row: the nearest rotation to C_i S_i, C_i = om_i L(v'_i) delta_i' + sum_j k_ij
+  /// (v'_i - v'_j) (v_i - v_j)', which makes the energy least. `displacement` has one vector for
+  /// each of RegionRings::vertices. `energies` gets what row i adds to E.
   virtual void fit_rotations(std::span<const Eigen::Vector3d> displacement,
                              std::span<double> energies) = 0;
 
   /// Half of the gradient of E by every unknown k, at the displacement of the last `fit_rotations`,
   /// with the rotations found there (which are the best, so it is that of E): a gather over rings,
   ///     g_k = sum_i L_ik om_i (L(v'_i) - T_i delta_i)
-  ///         + sum_j k_kj (2 (v'_k - v'_j) - (T_k + T_j) (v_k - v_j)),     T_i = s_i R_i,
+  ///         + sum_j k_kj (2 (v'_k - v'_j) - (T_k + T_j) (v_k - v_j)),     T_i = R_i S_i,
   /// T_j left out, and one 1 of the 2, for a neighbour that is no row. x of all unknowns, then y,
   /// then z.
   virtual void energy_gradient(std::span<double> g) = 0;

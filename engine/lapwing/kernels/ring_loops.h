@@ -15,7 +15,7 @@ struct alignas(32) PaddedVector {
   double xyz0[4] = {};
 };
 
-/// How a ring is turned and scaled: T - I, which keeps the digits of small turns; column after
+/// How a ring is stretched and turned: T - I, which keeps the digits of small turns; column after
 /// column.
 struct PaddedTurn {
   PaddedVector column[3];
@@ -25,7 +25,11 @@ struct PaddedTurn {
 struct alignas(64) FitRest {
   double delta[3][kFitLanes];  ///< L(v)_i
   double weight[kFitLanes];    ///< om_i
-  double scale[kFitLanes];     ///< s_i
+};
+
+/// Rest stretch of kFitLanes rows: xx, yy, zz, yz, xz, xy, lane after lane.
+struct alignas(64) FitStretch {
+  double S[6][kFitLanes];
 };
 
 /// One ring entry of each of kFitLanes rows. A row whose ring has no more points to itself, with 0
@@ -44,13 +48,14 @@ struct FitRings {
   std::size_t entry_count;  ///< as many as the longest ring has
   std::uint32_t first_row;
   const PaddedVector* displacement;  ///< per vertex
+  const FitStretch* stretch;         ///< null for the identity
 };
 
 /// kFitLanes rows, lane after lane.
 struct alignas(64) FitBatch {
   double C[9][kFitLanes];         ///< as in RingRotations::fit_rotations, column after column
   double moved[3][kFitLanes];     ///< L(v')_i
-  double T[9][kFitLanes];         ///< s_i R_i; as C
+  double T[9][kFitLanes];         ///< R_i S_i; as C
   double residual[3][kFitLanes];  ///< om_i (moved - T delta)
   double energy[kFitLanes];
 };

@@ -71,17 +71,33 @@ RingFit fit_ring(Index i, std::span<const Index> ring, std::span<const Vector3d>
   return fit;
 }
 
-RingSimilarity fit_similarity(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
-                              std::span<const Vector3d> current) {
+namespace {
+
+// sum_k v'_k x_k' and sum_k |x_k|^2 over K_i.
+struct RingMoments {
+  Matrix3d H = Matrix3d::Zero();
+  double size = 0.0;
+};
+
+RingMoments ring_moments(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
+                         std::span<const Vector3d> current) {
   // The x_k sum to 0 over K_i, so v'_k need not be centred, and relative to v'_i that of i is 0.
   const Vector3d center = ring_center(i, ring, rest);
-  Matrix3d H = Matrix3d::Zero();
-  double size = center.squaredNorm();
+  RingMoments sums;
+  sums.size = center.squaredNorm();
   for (const Index j : ring) {
     const Vector3d x = rest[j] - rest[i] - center;
-    H += (current[j] - current[i]) * x.transpose();
-    size += x.squaredNorm();
+    sums.H += (current[j] - current[i]) * x.transpose();
+    sums.size += x.squaredNorm();
   }
+  return sums;
+}
+
+}  // namespace
+
+RingSimilarity fit_similarity(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
+                              std::span<const Vector3d> current) {
+  const auto [H, size] = ring_moments(i, ring, rest, current);
   RingSimilarity fit{nearest_rotation(H)};
   // The sum of v'_k . R x_k over that of |x_k|^2.
   if (size > 0.0) fit.scale = fit.R.cwiseProduct(H).sum() / size;
@@ -91,6 +107,11 @@ RingSimilarity fit_similarity(Index i, std::span<const Index> ring, std::span<co
 Matrix3d fit_rotation(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
                       std::span<const Vector3d> current) {
   return fit_similarity(i, ring, rest, current).R;
+}
+
+Matrix3d fit_rotation(Index i, std::span<const Index> ring, std::span<const Vector3d> rest,
+                      std::span<const Vector3d> current, const Matrix3d& stretch) {
+  return nearest_rotation(ring_moments(i, ring, rest, current).H * stretch);
 }
 
 }  // namespace lapwing

@@ -33,6 +33,12 @@ Eigen::Matrix3d fit_rotation(Index i, std::span<const Index> ring,
                              std::span<const Eigen::Vector3d> rest,
                              std::span<const Eigen::Vector3d> current);
 
+/// The same from the rest shape stretched by `stretch`, symmetric.
+Eigen::Matrix3d fit_rotation(Index i, std::span<const Index> ring,
+                             std::span<const Eigen::Vector3d> rest,
+                             std::span<const Eigen::Vector3d> current,
+                             const Eigen::Matrix3d& stretch);
+
 /// That rotation, and the factor s for which s R carries the ring best; 1 for a ring without
 /// extent.
 struct RingSimilarity {

@@ -90,6 +90,14 @@ LoopFit read_fit(const JsonNode& node) {
   return fit;
 }
 
+// One number for all axes, or one for each.
+Eigen::Vector3d read_scale(const JsonNode& node) {
+  if (node.if_number()) return Eigen::Vector3d::Constant(node.positive_number());
+  const Eigen::Vector3d scale = node.vector3();
+  for (std::size_t axis = 0; axis < 3; ++axis) node.elements()[axis].positive_number();
+  return scale;
+}
+
 }  // namespace
 
 Move read_move(const JsonNode& node) {
@@ -105,7 +113,7 @@ Move read_move(const JsonNode& node) {
   SimilarityMove move;
   if (const auto translate = node.find("translate")) move.translate = translate->vector3();
   if (const auto rotate = node.find("rotate")) move.rotate = read_rotation(*rotate);
-  if (const auto scale = node.find("scale")) move.scale = scale->positive_number();
+  if (const auto scale = node.find("scale")) move.scale = read_scale(*scale);
   if (const auto pivot = node.find("pivot")) move.pivot = pivot->vector3();
   return move;
 }

@@ -53,7 +53,10 @@ Json json_of(const SimilarityMove& move) {
   if (move.rotate != AxisRotation{}) {
     keys["rotate"] = {{"axis", json_of(move.rotate.axis)}, {"degrees", move.rotate.degrees}};
   }
-  if (move.scale != 1.0) keys["scale"] = move.scale;
+  if (move.scale != Eigen::Vector3d::Ones()) {
+    const bool is_uniform = move.scale.minCoeff() == move.scale.maxCoeff();
+    keys["scale"] = is_uniform ? Json(move.scale[0]) : json_of(move.scale);
+  }
   if (move.pivot) keys["pivot"] = json_of(*move.pivot);
   return keys;
 }

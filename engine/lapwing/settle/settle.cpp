@@ -84,7 +84,6 @@ Settler::State::State(Kernels& kernels, const LaplacianSystem& laplacian, const 
       history(3 * laplacian.size(), kWindow, mean_edge),
       displacement(rings.vertices.size(), Vector3d::Zero()),
       energies(rings.row_count()),
-      scales(rings.row_count(), 1.0),
       wanted(rings.vertices.size(), Vector3d::Zero()),
       partial((laplacian.size() + kUnknownsPerTask - 1) / kUnknownsPerTask) {
   for (auto* vector : {&direction, &at.x, &at.gradient, &next.x, &next.gradient}) {

@@ -27,8 +27,8 @@ struct SettleTarget {
   /// d: per vertex of the mesh; 0 off the handles. A vertex of the region that is not solved for
   /// goes there.
   std::span<const Eigen::Vector3d> wanted;
-  /// s_i: per vertex of the mesh, above 0; all 1 where empty.
-  std::span<const double> scales;
+  /// S_i: per vertex of the mesh, symmetric and positive definite; the identity if empty.
+  std::span<const Eigen::Matrix3d> rest_stretch;
   /// f: per vertex of the mesh, what pulls on the unknowns besides; none where empty.
   std::span<const Eigen::Vector3d> forces = {};
 };
@@ -82,8 +82,8 @@ class PartSettler {
 
 /// Finds displacements u of a region, v' = v + u, that make least, at least in their surroundings,
 ///
-///     E(u) = sum_i min over R_i of om_i |L(v'_i) - s_i R_i delta_i|^2
-///                                + sum_j k_ij |(v'_i - v'_j) - s_i R_i (v_i - v_j)|^2
+///     E(u) = sum_i min over R_i of om_i |L(v'_i) - R_i S_i delta_i|^2
+///                                + sum_j k_ij |(v'_i - v'_j) - R_i S_i (v_i - v_j)|^2
 ///          + sum_held w^2 |u - d|^2 + the springs of the system - 2 sum f . u
 ///
 /// (EnergyWeights, DESIGN section 3), by L-BFGS: each step takes the rotations (kernel

@@ -54,8 +54,7 @@ struct Settler::State {
   // z.
   std::vector<Eigen::Vector3d> displacement;  ///< of RegionRings::vertices
   std::vector<double> energies;               ///< per row
-  std::vector<double> scales;                 ///< per row
-  bool has_scales = false;                    ///< whether those are of a target
+  std::vector<Eigen::Matrix3d> stretch;       ///< per row; empty for the identity
   std::vector<double> weights;                ///< W of each unknown
   std::vector<Eigen::Vector3d> wanted;        ///< of RegionRings::vertices
   std::vector<double> forces;                 ///< none where empty
@@ -93,7 +92,7 @@ struct Settler::State {
 
   void begin_anew();
   void begin_pace(const SettlePace& of);
-  double scale_in(const SettleTarget& target, std::size_t row) const;
+  bool has_stretch_of(const SettleTarget& target) const;
   bool is_at(const SettleTarget& target, std::span<const Eigen::Vector3d> u) const;
   void place(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
   void place_again();

@@ -8,8 +8,13 @@ namespace lapwing {
 
 using Eigen::Vector3d;
 
-double Settler::State::scale_in(const SettleTarget& target, std::size_t row) const {
-  return target.scales.empty() ? 1.0 : target.scales[rings.vertices[row]];
+bool Settler::State::has_stretch_of(const SettleTarget& target) const {
+  if (target.rest_stretch.empty()) return stretch.empty();
+  if (stretch.empty()) return false;
+  for (std::size_t r = 0; r < rings.row_count(); ++r) {
+    if (target.rest_stretch[rings.vertices[r]] != stretch[r]) return false;
+  }
+  return true;
 }
 
 // Whether `at` is the surface `u`, evaluated for the same target; the system is held as it was
@@ -24,10 +29,7 @@ bool Settler::State::is_at(const SettleTarget& target, std::span<const Vector3d>
   for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
     if (target.wanted[rings.vertices[r]] != wanted[r]) return false;
   }
-  for (std::size_t r = 0; r < rings.row_count(); ++r) {
-    if (scale_in(target, r) != scales[r]) return false;
-  }
-  return true;
+  return has_stretch_of(target);
 }
 
 // `at` becomes the surface `u`, which costs nothing where it is that already.
@@ -47,11 +49,12 @@ void Settler::State::place(const SettleTarget& target, std::span<const Vector3d>
       wanted[r] = displacement[r] = target.wanted[rings.vertices[r]];
     }
   });
-  // Most targets have no scales, now or before.
-  if (const bool scales_now = !target.scales.empty();
-      std::exchange(has_scales, scales_now) || scales_now) {
-    for (std::size_t r = 0; r < rings.row_count(); ++r) scales[r] = scale_in(target, r);
-    rotations->set_scales(scales);
+  if (!has_stretch_of(target)) {
+    stretch.clear();
+    for (std::size_t r = 0; r < rings.row_count() && !target.rest_stretch.empty(); ++r) {
+      stretch.push_back(target.rest_stretch[rings.vertices[r]]);
+    }
+    rotations->set_rest_stretch(stretch);
   }
   place_springs();
   forces.resize(target.forces.empty() ? 0 : 3 * n);

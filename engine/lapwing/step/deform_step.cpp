@@ -213,10 +213,10 @@ void require_valid(const Move& move, const DeformParameters& parameters) {
   if (const auto* similarity = std::get_if<SimilarityMove>(&move)) {
     const auto& [translate, rotate, scale, pivot] = *similarity;
     const bool finite = translate.allFinite() && rotate.axis.allFinite() &&
-                        std::isfinite(rotate.degrees) && std::isfinite(scale) &&
+                        std::isfinite(rotate.degrees) && scale.allFinite() &&
                         (!pivot || pivot->allFinite());
     if (!finite) throw InputError("move: a number is not finite; move the handle less");
-    if (!(scale > 0.0)) throw InputError("move: the scale must be above 0; a matrix can mirror");
+    if (!(scale.minCoeff() > 0.0)) throw InputError("move: the scale must be above 0; a matrix can mirror");
     if (!(rotate.axis.norm() > 0.0)) {
       throw InputError("move: the axis has no length; name a direction");
     }

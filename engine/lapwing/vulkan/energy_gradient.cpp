@@ -10,7 +10,7 @@ void VulkanRingRotations::record_energy_gradient() {
     recorder.dispatch(
         state_->energy_gradient, range.push.row_count,
         {displacement_, residuals_, turns_, range.unknowns, range.starts, range.neighbours,
-         range.edges, range.reverse_weights, range.stiffness, result_},
+         range.edges, range.reverse_weights, range.stiffness, result_, stretch_},
         range.push);
   }
   recorder.finish();

@@ -9,7 +9,7 @@ void VulkanRingRotations::record_fit_rotations() {
   for (const Range& range : ranges_) {
     recorder.dispatch(state_->fit_rotations, range.push.row_count,
                       {displacement_, range.starts, range.neighbours, range.edges, range.weights,
-                       range.stiffness, row_terms_, turns_, residuals_, energies_},
+                       range.stiffness, row_weights_, turns_, residuals_, energies_, stretch_},
                       range.push);
   }
   recorder.finish();

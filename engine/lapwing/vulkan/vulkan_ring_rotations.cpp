@@ -11,8 +11,10 @@
 namespace lapwing {
 namespace {
 
-// Flag of shaders/rotations.glsl.
+// Flags of shaders/rotations.glsl.
 constexpr std::uint32_t kStiffness = 1;
+constexpr std::uint32_t kStretch = 2;
+constexpr std::size_t kStretchNumbers = 6;
 
 // The end of the longest range from `first` with at most `most` entries; one row at least.
 std::size_t end_of_range(const RegionRings& rings, std::size_t first, std::size_t most) {
@@ -27,8 +29,8 @@ VulkanRingRotations::VulkanRingRotations(std::shared_ptr<VulkanState> state,
                                          const RegionRings& rings, std::size_t most_entries)
     : state_(std::move(state)),
       row_count_(rings.row_count()),
-      row_terms_(*state_->context, "weights and scales of rows",
-                 real_bytes(*state_, 2 * row_count_)),
+      row_weights_(*state_->context, "weights of rows", real_bytes(*state_, row_count_)),
+      stretch_(*state_->context, "rest stretch", real_bytes(*state_, kStretchNumbers)),
       displacement_(*state_->context, "displacements", place_bytes(rings.vertices.size())),
       turns_(*state_->context, "rotations of rings", real_bytes(*state_, 4 * row_count_)),
       residuals_(*state_->context, "residuals of Laplacians", real_bytes(*state_, 3 * row_count_)),
@@ -46,15 +48,30 @@ VulkanRingRotations::VulkanRingRotations(std::shared_ptr<VulkanState> state,
     add_range(rings, first, last, unknown_of_row, flags);
     first = last;
   }
-  for (const double weight : rings.row_weights) terms_.insert(terms_.end(), {weight, 1.0});
-  if (row_count_ > 0) upload_reals(*state_, row_terms_, terms_);
+  if (row_count_ > 0) upload_reals(*state_, row_weights_, rings.row_weights);
   record_fit_rotations();
   record_energy_gradient();
 }
 
-void VulkanRingRotations::set_scales(std::span<const double> scales) {
-  for (std::size_t r = 0; r < scales.size(); ++r) terms_[2 * r + 1] = scales[r];
-  if (row_count_ > 0) upload_reals(*state_, row_terms_, terms_);
+void VulkanRingRotations::set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) {
+  const bool changes_kind = stretch.empty() != rest_stretch_.empty();
+  rest_stretch_.assign(stretch.begin(), stretch.end());
+  if (changes_kind) {
+    const std::size_t rows = std::max<std::size_t>(stretch.size(), 1);
+    stretch_ = gpu::Buffer(*state_->context, "rest stretch",
+                           real_bytes(*state_, kStretchNumbers * rows));
+    for (Range& range : ranges_) range.push.flags ^= kStretch;
+    record_fit_rotations();
+    record_energy_gradient();
+  }
+  if (stretch.empty()) return;
+  std::vector<double> numbers;
+  numbers.reserve(kStretchNumbers * stretch.size());
+  for (const Eigen::Matrix3d& S : stretch) {
+    numbers.insert(numbers.end(), {S(0, 0) - 1.0, S(1, 1) - 1.0, S(2, 2) - 1.0, S(1, 2), S(0, 2),
+                                   S(0, 1)});
+  }
+  upload_reals(*state_, stretch_, numbers);
 }
 
 void VulkanRingRotations::add_range(const RegionRings& rings, std::size_t first, std::size_t last,
@@ -99,8 +116,8 @@ std::vector<Eigen::Matrix3d> VulkanRingRotations::transforms() const {
   for (std::size_t r = 0; r < row_count_; ++r) {
     const Eigen::Map<const Eigen::Vector4d> q(numbers.data() + 4 * r);
     transforms.emplace_back(
-        q.squaredNorm() *
         Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix());
+    if (!rest_stretch_.empty()) transforms.back() *= rest_stretch_[r];
   }
   return transforms;
 }

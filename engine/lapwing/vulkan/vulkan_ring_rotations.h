@@ -21,7 +21,7 @@ class VulkanRingRotations final : public RingRotations {
   VulkanRingRotations(std::shared_ptr<VulkanState> state, const RegionRings& rings,
                       std::size_t most_entries = 0);
 
-  void set_scales(std::span<const double> scales) override;
+  void set_rest_stretch(std::span<const Eigen::Matrix3d> stretch) override;
   void fit_rotations(std::span<const Eigen::Vector3d> displacement,
                      std::span<double> energies) override;
   void energy_gradient(std::span<double> g) override;
@@ -54,10 +54,11 @@ class VulkanRingRotations final : public RingRotations {
   std::shared_ptr<VulkanState> state_;
   std::size_t row_count_;
   std::vector<Range> ranges_;
-  std::vector<double> terms_;  ///< per row: om_i, s_i
-  gpu::Buffer row_terms_;
+  std::vector<Eigen::Matrix3d> rest_stretch_;  ///< per row; empty for the identity
+  gpu::Buffer row_weights_;
+  gpu::Buffer stretch_;  ///< per row: S_i - I; of one row while it is the identity
   gpu::Buffer displacement_;
-  gpu::Buffer turns_;  ///< T_i as quaternions
+  gpu::Buffer turns_;  ///< R_i as quaternions
   gpu::Buffer residuals_;
   gpu::Buffer energies_;
   gpu::Buffer result_;

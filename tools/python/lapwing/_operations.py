@@ -71,7 +71,8 @@ def deform(
     handles
         What is placed: pairs (region, move), or dicts with both. A move is a matrix of shape
         (4, 4) or (3, 4) that acts on column vectors in the mesh's units, or a dict with
-        "translate", "rotate": {"axis", "degrees"}, "scale" and "pivot".
+        "translate", "rotate": {"axis", "degrees"}, "scale" (a number, or three for x, y and z) and
+        "pivot".
     targets
         Landmarks, beside handles or in their place: an array whose rows are vertex, x, y, z (a
         weight may follow) or px, py, pz, x, y, z; a dict from vertices to places; or {"rows": ROWS,

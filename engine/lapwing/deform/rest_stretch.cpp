@@ -1,0 +1,158 @@
+#include "lapwing/deform/rest_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "lapwing/base/parallel.h"
+#include "lapwing/deform/axis_response.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// By this much the stretch of a rotation differs from the identity through rounding.
+constexpr double kEqualStretches = 1e-12;
+// The tangential moment of a ring on a line is singular, but for this share.
+constexpr double kCollinearRing = 1e-12;
+
+using Tangents = Eigen::Matrix<double, 3, 2>;
+
+bool are_equal(const Matrix3d& a, const Matrix3d& b) {
+  return (a - b).norm() <= kEqualStretches * b.norm();
+}
+
+// What all handles share: with a belt, which stays, nothing; else the stretch nearest to none.
+Matrix3d common_stretch(const EditSystem& system, std::span<const Matrix3d> of_handles) {
+  if (!system.is_held_by_handles_alone()) return Matrix3d::Identity();
+  return *std::min_element(of_handles.begin(), of_handles.end(),
+                           [](const Matrix3d& a, const Matrix3d& b) {
+                             return (a - Matrix3d::Identity()).norm() <
+                                    (b - Matrix3d::Identity()).norm();
+                           });
+}
+
+// The map x -> x + u of the stretches beyond `common`.
+std::vector<Vector3d> smooth_map(const EditSystem& system, std::span<const Matrix3d> of_handles,
+                                 const Matrix3d& common) {
+  std::vector<Eigen::Affine3d> stretching;
+  for (std::size_t h = 0; h < of_handles.size(); ++h) {
+    const Vector3d& centroid = system.frames[h].centroid;
+    Eigen::Affine3d map = Eigen::Affine3d::Identity();
+    map.linear() += of_handles[h] - common;
+    map.translation() = centroid - map.linear() * centroid;
+    stretching.push_back(map);
+  }
+  std::vector<double> parameters(system.column_count());
+  system.set_parameters(stretching, parameters);
+  return axis_displacement(system, system.wanted_displacement(parameters), Springs::rest);
+}
+
+class RingStretch {
+ public:
+  RingStretch(const EditSystem& system, const Matrix3d& common, std::span<const Vector3d> u)
+      : topology_(system.topology),
+        rest_(*system.rest),
+        weights_(system.systems->laplacian().weights().laplacian),
+        common_(common),
+        u_(u) {}
+
+  // S_i; `common` where the ring has no tangent plane.
+  Matrix3d operator()(Index i) const {
+    const Vector3d normal = normal_at(i);
+    if (normal.isZero(0.0)) return common_;
+    Tangents tangents;
+    tangents.col(0) = normal.unitOrthogonal();
+    tangents.col(1) = normal.cross(tangents.col(0));
+    // The slope of u is fitted, and not that of x + u, whose edges leave the tangent plane.
+    Matrix3d change = Matrix3d::Zero();
+    Matrix3d moment = Matrix3d::Zero();
+    for (std::size_t e = topology_.rings.starts[i]; e < topology_.rings.starts[i + 1]; ++e) {
+      const Index j = topology_.rings.values[e];
+      const Vector3d edge = common_ * (rest_[j] - rest_[i]);
+      change += weights_[e] * (u_[j] - u_[i]) * edge.transpose();
+      moment += weights_[e] * edge * edge.transpose();
+    }
+    const Matrix2d in_plane = tangents.transpose() * moment * tangents;
+    if (!(in_plane.determinant() > kCollinearRing * in_plane.trace() * in_plane.trace())) {
+      return common_;
+    }
+    const Tangents images = tangents + change * tangents * in_plane.inverse();
+    Eigen::SelfAdjointEigenSolver<Matrix2d> squares;
+    squares.computeDirect(images.transpose() * images);
+    const Vector2d stretches = squares.eigenvalues()
+                                   .cwiseMax(kLeastStretch * kLeastStretch)
+                                   .cwiseMin(1.0 / (kLeastStretch * kLeastStretch))
+                                   .cwiseSqrt();
+    const Tangents axes = tangents * squares.eigenvectors();
+    const Matrix3d S = axes * stretches.asDiagonal() * axes.transpose() +
+                       std::sqrt(stretches[0] * stretches[1]) * normal * normal.transpose();
+    return common_ == Matrix3d::Identity() ? S : polar_stretch(S * common_);
+  }
+
+ private:
+  // Of the surface stretched by `common`, weighted by area.
+  Vector3d normal_at(Index i) const {
+    Vector3d sum = Vector3d::Zero();
+    for (const Index t : topology_.vertex_triangles[i]) {
+      const auto& [a, b, c] = topology_.triangles[t];
+      sum += (common_ * (rest_[b] - rest_[a])).cross(common_ * (rest_[c] - rest_[a]));
+    }
+    return sum.stableNormalized();
+  }
+
+  const Topology& topology_;
+  const Positions& rest_;
+  std::span<const double> weights_;
+  const Matrix3d& common_;
+  std::span<const Vector3d> u_;
+};
+
+}  // namespace
+
+std::vector<Matrix3d> rest_stretch(const EditSystem& system,
+                                   std::span<const Eigen::Affine3d> motions) {
+  std::vector<Matrix3d> of_handles;
+  for (const Eigen::Affine3d& motion : motions) {
+    of_handles.push_back(polar_stretch(motion.linear()));
+  }
+  const auto all_are = [&](const Matrix3d& P) {
+    return std::ranges::all_of(of_handles, [&](const Matrix3d& of) { return are_equal(of, P); });
+  };
+  if (all_are(Matrix3d::Identity())) return {};
+  const Matrix3d common = common_stretch(system, of_handles);
+  std::vector<Matrix3d> stretch(system.rest->size(), Matrix3d::Identity());
+  const VertexSet& roi = system.region.roi;
+  if (all_are(common)) {
+    for (const Index v : roi) stretch[v] = common;
+    return stretch;
+  }
+  const std::vector<Vector3d> u = smooth_map(system, of_handles, common);
+  const RingStretch stretch_of(system, common, u);
+  constexpr std::size_t kRingsPerTask = 256;
+  parallel_for(roi.size(), kRingsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) stretch[roi[r]] = stretch_of(roi[r]);
+  });
+  return stretch;
+}
+
+Matrix3d polar_stretch(const Matrix3d& A) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> squares(A.transpose() * A);
+  const Vector3d stretches = squares.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseMax(kLeastStretch);
+  return squares.eigenvectors() * stretches.asDiagonal() * squares.eigenvectors().transpose();
+}
+
+std::vector<double> mean_scales(std::span<const Matrix3d> stretches) {
+  std::vector<double> scales;
+  scales.reserve(stretches.size());
+  for (const Matrix3d& S : stretches) scales.push_back(std::cbrt(S.determinant()));
+  return scales;
+}
+
+}  // namespace lapwing
