@@ -19,7 +19,9 @@ layout(std430, binding = 6) readonly buffer Edges { real edges[]; };
 layout(std430, binding = 7) readonly buffer ReverseWeights { real reverse_weights[]; };
 layout(std430, binding = 8) readonly buffer Stiffness { real stiffness[]; };
 // Of all rows: S_i - I as xx, yy, zz, yz, xz, xy.
-layout(std430, binding = 10) readonly buffer Stretch { real stretch[]; };
+layout(std430, binding = 10) readonly buffer Stretch {
+  real stretch[];
+};
 // x of all unknowns, then y, then z.
 layout(std430, binding = 9) writeonly buffer Result { real result[]; };
 

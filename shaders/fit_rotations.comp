@@ -15,8 +15,12 @@ layout(std430, binding = 3) readonly buffer Edges { real edges[]; };  // x, y, z
 layout(std430, binding = 4) readonly buffer Weights { real weights[]; };
 layout(std430, binding = 5) readonly buffer Stiffness { real stiffness[]; };
 // Of all rows: om_i, and S_i - I as xx, yy, zz, yz, xz, xy.
-layout(std430, binding = 6) readonly buffer RowWeights { real row_weights[]; };
-layout(std430, binding = 10) readonly buffer Stretch { real stretch[]; };
+layout(std430, binding = 6) readonly buffer RowWeights {
+  real row_weights[];
+};
+layout(std430, binding = 10) readonly buffer Stretch {
+  real stretch[];
+};
 // Of all rows: R_i as a quaternion, om_i (L(v')_i - T_i delta_i), what the row adds to the energy.
 layout(std430, binding = 7) writeonly buffer Turns { real turns[]; };
 layout(std430, binding = 8) writeonly buffer Residuals { real residuals[]; };

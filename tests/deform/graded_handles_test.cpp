@@ -230,8 +230,8 @@ TEST_F(AGradedHandle, SolvesTheLinearSystemAsADenseSolutionDoes) {
   DeformRequest request;
   request.roi = {AllVertices{}, "roi"};
   request.belt = RegionSpec{ListedVertices{ends.belt}};
-  const SimilarityMove move{{0.3, 0.1, 0.2}, {{1, 1, 0}, 20.0}, Vector3d::Ones(),
-                            Vector3d(0, 0, 3)};
+  const SimilarityMove move{
+      {0.3, 0.1, 0.2}, {{1, 1, 0}, 20.0}, Vector3d::Ones(), Vector3d(0, 0, 3)};
   request.handles = {{{ListedVertices{ends.handles[0]}}, move, {0.7, Transition{0.8}}}};
   request.parameters.response = LinearResponse::rsi;
   request.parameters.constraint_weight = 1.5;

@@ -120,8 +120,8 @@ TEST_F(ALoosePart, FollowsADragToFirstOrder) {
   const Deformer deformer(mesh_.positions, mesh_.topology(), region, options, kernels);
   Drag drag(deformer.response());
   const double step = 1e-5;
-  const Affine3d motion = Eigen::Translation3d(0.3 * step, -step, 0.2 * step) *
-                          AngleAxisd(step, Vector3d::UnitY());
+  const Affine3d motion =
+      Eigen::Translation3d(0.3 * step, -step, 0.2 * step) * AngleAxisd(step, Vector3d::UnitY());
   Positions dragged = mesh_.positions;
   drag.move(std::array{motion}, dragged);
   const Positions settled = deformer.solve(std::array{motion}).positions;

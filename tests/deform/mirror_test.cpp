@@ -24,11 +24,10 @@ MovedHandle lifted(const MirrorScene& scene, const RegionSpec& region) {
 }
 MovedHandle turned(const MirrorScene& scene, const RegionSpec& region, double scale,
                    std::optional<Vector3d> pivot) {
-  return {region,
-          SimilarityMove{scene.way(0.3, 0.2, -0.4),
-                         {scene.way(1, 2, 3), 35.0},
-                         Vector3d::Constant(scale),
-                         pivot}};
+  return {
+      region,
+      SimilarityMove{
+          scene.way(0.3, 0.2, -0.4), {scene.way(1, 2, 3), 35.0}, Vector3d::Constant(scale), pivot}};
 }
 
 struct MirrorCase {
@@ -376,7 +375,8 @@ TEST(MirrorImageOfAMove, ScalesAxesDifferentlyOnlyAcrossAPlaneAlongThem) {
   const MirrorPlane across_y{{1, 2, 3}, {0, -2, 0}};
   const Affine3d mirror = reflection(across_y);
   const Affine3d image = to_affine(mirror_image(move, across_y), mirror * centroid);
-  EXPECT_LT((image.matrix() - (mirror * to_affine(move, centroid) * mirror).matrix()).norm(), 1e-12);
+  EXPECT_LT((image.matrix() - (mirror * to_affine(move, centroid) * mirror).matrix()).norm(),
+            1e-12);
   const MirrorPlane tilted{{1, 2, 3}, {1, -2, 0.5}};
   EXPECT_THAT([&] { mirror_image(move, tilted); },
               ::testing::ThrowsMessage<InputError>(HasSubstr("give the move as a \"matrix\"")));

@@ -20,10 +20,10 @@ const Vector3d kCentroid(1.0, 2.0, 3.0);
 
 TEST(Move, ByNothingIsTheIdentityBitForBit) {
   const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
-  const Move moves[] = {
-      SimilarityMove{}, MatrixMove{},
-      SimilarityMove{
-          .rotate = {Vector3d(-1, -2, 3), 0.0}, .scale = Vector3d::Ones(), .pivot = Vector3d(0.1, -7.3, 1e6)}};
+  const Move moves[] = {SimilarityMove{}, MatrixMove{},
+                        SimilarityMove{.rotate = {Vector3d(-1, -2, 3), 0.0},
+                                       .scale = Vector3d::Ones(),
+                                       .pivot = Vector3d(0.1, -7.3, 1e6)}};
   for (const Move& move : moves) {
     const Affine3d map = to_affine(move, kCentroid);
     EXPECT_EQ(std::memcmp(map.matrix().data(), identity.data(), sizeof(double) * 16), 0);
@@ -41,7 +41,8 @@ TEST(Move, IsPivotPlusScaledTurnPlusTranslation) {
   const Vector3d pivot(0.5, -1.0, 2.0);
   const Vector3d translate(3.0, 1.0, -2.0);
   const Vector3d axis(1.0, -2.0, 0.5);
-  const Affine3d map = to_affine(SimilarityMove{translate, {axis, 40.0}, Vector3d::Constant(0.75), pivot}, kCentroid);
+  const Affine3d map = to_affine(
+      SimilarityMove{translate, {axis, 40.0}, Vector3d::Constant(0.75), pivot}, kCentroid);
   const Affine3d expected = Eigen::Translation3d(translate) * Eigen::Translation3d(pivot) *
                             Eigen::Scaling(0.75) *
                             Eigen::AngleAxisd(40.0 * std::numbers::pi / 180.0, axis.normalized()) *
@@ -68,8 +69,10 @@ MatrixMove matrix_of(const Affine3d& map) {
 
 // One of each kind: turned, stretched, moved.
 std::vector<Move> moves_to_divide() {
-  const SimilarityMove similarity{
-      Vector3d(3, 1, -2), {Vector3d(1, -2, 0.5), 260.0}, Vector3d::Constant(0.75), Vector3d(0.5, -1, 2)};
+  const SimilarityMove similarity{Vector3d(3, 1, -2),
+                                  {Vector3d(1, -2, 0.5), 260.0},
+                                  Vector3d::Constant(0.75),
+                                  Vector3d(0.5, -1, 2)};
   const Affine3d map = Eigen::Translation3d(1, 2, -1) *
                        Eigen::AngleAxisd(2.0, Vector3d(1, 1, 0).normalized()) *
                        Eigen::Scaling(1.5, 0.4, 1.0);
@@ -105,14 +108,15 @@ TEST(Move, ScalesAlongTheAxesOfTheMeshBeforeItTurns) {
   const Eigen::Matrix3d expected = turn.toRotationMatrix() * Vector3d(2, 3, 4).asDiagonal();
   EXPECT_LT((to_affine(move, kCentroid).linear() - expected).norm(), 1e-14);
   const Move still = SimilarityMove{.scale = Vector3d(4, 1, 9)};
-  EXPECT_LT((to_affine(still, kCentroid, 0.5).linear() -
-             Eigen::Matrix3d(Vector3d(2, 1, 3).asDiagonal()))
-                .norm(),
-            1e-14);
+  EXPECT_LT(
+      (to_affine(still, kCentroid, 0.5).linear() - Eigen::Matrix3d(Vector3d(2, 1, 3).asDiagonal()))
+          .norm(),
+      1e-14);
 }
 
 TEST(MovePart, EqualPartsOfATurnAreEqualMotions) {
-  const Move move = SimilarityMove{.rotate = {Vector3d(1, 2, 3), 300.0}, .scale = Vector3d::Constant(8.0)};
+  const Move move =
+      SimilarityMove{.rotate = {Vector3d(1, 2, 3), 300.0}, .scale = Vector3d::Constant(8.0)};
   const Affine3d third = to_affine(move, kCentroid, 1.0 / 3.0);
   EXPECT_LT((to_affine(move, kCentroid, 2.0 / 3.0).matrix() - (third * third).matrix()).norm(),
             1e-12);

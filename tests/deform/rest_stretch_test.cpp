@@ -92,8 +92,8 @@ TEST_F(ScaledTube, StretchesAreSymmetricPositiveAndDoNotDependOnWhereTheHandleGo
     EXPECT_LT((S - S.transpose()).norm(), 1e-12);
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix3d>(S).eigenvalues().minCoeff(), 0.1);
   }
-  const Affine3d elsewhere = Eigen::Translation3d(1.0, -2.0, 0.5) *
-                             Eigen::AngleAxisd(1.0, Vector3d::UnitY()) * grow;
+  const Affine3d elsewhere =
+      Eigen::Translation3d(1.0, -2.0, 0.5) * Eigen::AngleAxisd(1.0, Vector3d::UnitY()) * grow;
   const std::vector<Matrix3d> same = stretch(elsewhere);
   for (std::size_t v = 0; v < all.size(); ++v) EXPECT_LT((all[v] - same[v]).norm(), 1e-9);
 }
@@ -120,8 +120,8 @@ TEST_F(ScaledTube, StaysStraightAndUnfoldedWhenItsEndIsScaled) {
 }
 
 TEST_F(ScaledTube, StaysStraightWhenItsEndIsScaledAlongOneAxis) {
-  for (const Vector3d& by : {Vector3d(2.0, 1.0, 1.0), Vector3d(1.0, 1.0, 2.0),
-                             Vector3d(1.0, 1.0, 0.5)}) {
+  for (const Vector3d& by :
+       {Vector3d(2.0, 1.0, 1.0), Vector3d(1.0, 1.0, 2.0), Vector3d(1.0, 1.0, 0.5)}) {
     const DeformResult result = deformed(scaled(by));
     EXPECT_TRUE(result.certificate.settled) << by.transpose();
     EXPECT_EQ(result.certificate.flipped_triangles, 0U) << by.transpose();

@@ -147,8 +147,8 @@ TEST_P(EnergyGradient, IsNothingWithTheEnergyForRigidMotionsAndSimilaritiesOfTha
       }
       const auto rotations =
           kernels->make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
-      rotations->set_rest_stretch(std::vector<Matrix3d>(turned.rings.row_count(),
-                                                        scale * Matrix3d::Identity()));
+      rotations->set_rest_stretch(
+          std::vector<Matrix3d>(turned.rings.row_count(), scale * Matrix3d::Identity()));
       std::vector<double> energies(turned.rings.row_count());
       rotations->fit_rotations(turned.displacement, energies);
       const double tolerance = 100.0 * GetParam().tolerance * size;

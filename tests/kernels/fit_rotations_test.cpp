@@ -26,7 +26,8 @@ struct Fitted {
 
 class FitRotations : public test::KernelTest {
  protected:
-  static Fitted fit(Kernels& on, const TurnedRings& turned, std::span<const Matrix3d> stretch = {}) {
+  static Fitted fit(Kernels& on, const TurnedRings& turned,
+                    std::span<const Matrix3d> stretch = {}) {
     const auto rotations = on.make_ring_rotations(std::make_shared<RegionRings>(turned.rings));
     rotations->set_rest_stretch(stretch);
     Fitted fitted;

@@ -52,7 +52,8 @@ MixStep full_mix_step() {
   first.amplitude = -1.5;
   step.taken = Taken::shape;
   step.weight = {DomainRamp{0.75, 0.25}, Transition::Profile::linear};
-  step.handles.push_back({{ListedVertices{{2}}}, SimilarityMove{{0, 0, 1}, {}, Eigen::Vector3d::Constant(2.0), {}}});
+  step.handles.push_back(
+      {{ListedVertices{{2}}}, SimilarityMove{{0, 0, 1}, {}, Eigen::Vector3d::Constant(2.0), {}}});
   step.parameters.smooth_target = 1.0 / 3.0;
   step.parameters.weights = LaplacianWeights::uniform;
   step.parameters.domain = Domain::square;

@@ -55,9 +55,10 @@ TEST(Recipe, ReadsTheExample) {
   EXPECT_EQ(std::get<RegionSpec>(step.belt), (RegionSpec{ListedVertices{{0, 1, 2}}}));
   ASSERT_EQ(step.handles.size(), 1U);
   EXPECT_EQ(step.handles[0].region, (RegionSpec{ListedVertices{{7, 8}}}));
-  EXPECT_EQ(
-      step.handles[0].move,
-      Move(SimilarityMove{{0, 10, 0}, {Vector3d::UnitZ(), 30.0}, Vector3d::Constant(1.5), Vector3d(Vector3d::Zero())}));
+  EXPECT_EQ(step.handles[0].move, Move(SimilarityMove{{0, 10, 0},
+                                                      {Vector3d::UnitZ(), 30.0},
+                                                      Vector3d::Constant(1.5),
+                                                      Vector3d(Vector3d::Zero())}));
   EXPECT_EQ(step.parameters.weights, LaplacianWeights::cotangent);
   EXPECT_EQ(step.parameters.constraint_weight, 2.0);
   EXPECT_TRUE(step.parameters.hard);
@@ -207,7 +208,8 @@ Recipe full_recipe() {
   step.handles.push_back({{ListedVertices{many}}, SimilarityMove{}});
   step.handles.push_back(
       {{GeodesicDisk{Index{3}, 0.25}},
-       SimilarityMove{{1, 2.5, -3}, {Vector3d(1, 1, 0), -12.5}, Vector3d(0.3, 1, 2), Vector3d(9, 8, 7)}});
+       SimilarityMove{
+           {1, 2.5, -3}, {Vector3d(1, 1, 0), -12.5}, Vector3d(0.3, 1, 2), Vector3d(9, 8, 7)}});
   MatrixMove matrix;
   matrix.matrix(0, 3) = 0.1 + 0.2;
   step.handles.push_back({{ListedVertices{}}, matrix});

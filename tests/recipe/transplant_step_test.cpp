@@ -38,7 +38,8 @@ TransplantStep full_transplant_step() {
   step.part = "../parts/dragon.ply";
   step.part_region = {GeodesicDisk{Index{7}, 0.25}};
   step.loop = 2;
-  step.place = Move{SimilarityMove{{1, 2, 3}, {{0, 0, 1}, 30.0}, Eigen::Vector3d::Constant(0.5), Eigen::Vector3d(4, 5, 6)}};
+  step.place = Move{SimilarityMove{
+      {1, 2, 3}, {{0, 0, 1}, 30.0}, Eigen::Vector3d::Constant(0.5), Eigen::Vector3d(4, 5, 6)}};
   step.snap = true;
   step.target_region = {Box{{-1, -2, -3}, {4, 5, 6}}};
   TransplantParameters& parameters = step.parameters;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "lapwing/mesh/shapes.h"
@@ -136,6 +137,39 @@ TEST_F(ClosestPointOnTorus, FindsOneAllTheSameWhereAllLookTheOtherWay) {
   const ClosestPoint single(topology.triangles, mesh.positions, {{0, 1}, {only}});
   const Vector3d against = -(c[1] - c[0]).cross(c[2] - c[0]);
   EXPECT_EQ(single.find(0, c[0], against).triangle, only);
+}
+
+// Against every triangle, one after the other.
+TEST_F(ClosestPointOnTorus, ARayLeavesTheSolidWhereATriangleThatLooksAlongItIsFirst) {
+  for (int i = 0; i < 500; ++i) {
+    const Vector3d from = random_point();
+    const Vector3d along = random_point();
+    double nearest = std::numeric_limits<double>::infinity();
+    Index expected = kNoIndex;
+    for (const Index t : right) {
+      const auto [a, b, c] = corners(t);
+      if ((b - a).cross(c - a).dot(along) <= 0.0) continue;
+      Eigen::Matrix3d system;
+      system << b - a, c - a, -along;
+      const Vector3d at = system.inverse() * (from - a);
+      if (at[0] < 0.0 || at[1] < 0.0 || at[0] + at[1] > 1.0 || at[2] <= 0.0) continue;
+      if (at[2] < nearest) expected = t;
+      nearest = std::min(nearest, at[2]);
+    }
+    const TrianglePoint found = tree->first_exit(1, from, along, from);
+    ASSERT_EQ(found.triangle, expected) << "ray " << i;
+    if (expected == kNoIndex) continue;
+    EXPECT_LT((found.position - from - nearest * along).norm(), 1e-9);
+  }
+}
+
+TEST_F(ClosestPointOnTorus, ARayFromAVertexPassesTheTrianglesAroundIt) {
+  const Vector3d from = mesh.positions[0];
+  for (const Vector3d& along : {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 0, 1)}) {
+    const TrianglePoint found = tree->first_exit(1, from, along, from);
+    if (found.triangle == kNoIndex) continue;
+    for (const Vector3d& corner : corners(found.triangle)) EXPECT_NE(corner, from);
+  }
 }
 
 }  // namespace

@@ -181,15 +181,14 @@ TEST_P(SimilarityOfAllThatIsHeld, MovesTheSurfaceAlike) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, SimilarityOfAllThatIsHeld,
-    ::testing::Values(Affine3d(Eigen::Scaling(0.1)), Affine3d(Eigen::Scaling(2.0)),
-                      Affine3d(Eigen::Scaling(10.0)), Affine3d(Eigen::Translation3d(1, 2, 3)),
-                      Affine3d(Eigen::Scaling(1.0, 0.7, 1.6)),
-                      Affine3d(Eigen::AngleAxisd(0.8, Vector3d::UnitX()) *
-                               Eigen::Scaling(1.3, 1.0, 0.5)),
-                      Affine3d(Eigen::AngleAxisd(0.1, Vector3d(1, 1, 0).normalized())),
-                      Affine3d(Eigen::Translation3d(1, 2, 3) *
-                               Eigen::AngleAxisd(2.5, Vector3d(1, 1, 0).normalized()) *
-                               Eigen::Scaling(0.5))));
+    ::testing::Values(
+        Affine3d(Eigen::Scaling(0.1)), Affine3d(Eigen::Scaling(2.0)),
+        Affine3d(Eigen::Scaling(10.0)), Affine3d(Eigen::Translation3d(1, 2, 3)),
+        Affine3d(Eigen::Scaling(1.0, 0.7, 1.6)),
+        Affine3d(Eigen::AngleAxisd(0.8, Vector3d::UnitX()) * Eigen::Scaling(1.3, 1.0, 0.5)),
+        Affine3d(Eigen::AngleAxisd(0.1, Vector3d(1, 1, 0).normalized())),
+        Affine3d(Eigen::Translation3d(1, 2, 3) *
+                 Eigen::AngleAxisd(2.5, Vector3d(1, 1, 0).normalized()) * Eigen::Scaling(0.5))));
 
 // The linear response alone knows growth, too.
 TEST(Settle, TheTangentScalesExactly) {

@@ -75,7 +75,7 @@ TEST_F(CertificateWords, EdgeLongerThanThreeTimesNamesItsEnds) {
   certificate_.largest_edge_stretch_vertices = {4, 3};
   EXPECT_THAT(warnings(), IsEmpty());
   certificate_.largest_edge_stretch = 2.5;
-  EXPECT_THAT(only_warning().text, HasSubstr("3.5 times as long. Widen the ROI"));
+  EXPECT_THAT(only_warning().text, HasSubstr("3.5 times as long. Enlarge the region"));
   EXPECT_THAT(only_warning().vertices, ElementsAre(3, 4));
 }
 

@@ -133,7 +133,8 @@ TEST(Command, MovesThatNoRecipeCouldSayAreRefused) {
   without_axis.rotate.axis.setZero();
   MatrixMove endless;
   endless.matrix(1, 3) = std::numeric_limits<double>::quiet_NaN();
-  for (const Move& move : {Move(without_axis), Move(endless), Move(SimilarityMove{.scale = Eigen::Vector3d::Zero()})}) {
+  for (const Move& move : {Move(without_axis), Move(endless),
+                           Move(SimilarityMove{.scale = Eigen::Vector3d::Zero()})}) {
     EXPECT_THROW(apply(state, MoveHandle{0, move}), InputError);
   }
 }

@@ -95,7 +95,8 @@ TEST_F(AGizmoTool, ScaleByANumber) {
   send(key('S'));
   send(key('X'));
   type("3");
-  EXPECT_TRUE(std::holds_alternative<MatrixMove>(performed(send(key(kEnter)))));
+  const auto scaled = std::get<SimilarityMove>(performed(send(key(kEnter))));
+  EXPECT_LT((scaled.scale - Eigen::Vector3d(6.0, 2.0, 2.0)).norm(), 1e-12);
 }
 
 TEST_F(AGizmoTool, ShiftHoldsToThePlane) {

@@ -20,9 +20,9 @@ TEST_F(Editing, ClosingAsksWhetherToSave) {
   person_->keys("Return");
   EXPECT_EQ(person_->wait(), 0);
   EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "the opened file stays";
-  EXPECT_GT(test::largest_distance(read_mesh(folder_ / "tube-edited.obj").positions,
-                                   mesh_.positions),
-            0.1)
+  EXPECT_GT(
+      test::largest_distance(read_mesh(folder_ / "tube-edited.obj").positions, mesh_.positions),
+      0.1)
       << "saved under the suggested name";
   EXPECT_FALSE(person_->draft()) << "nothing is left to restore";
 }

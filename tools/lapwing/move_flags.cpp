@@ -22,7 +22,8 @@ void MoveFlags::add_to(CLI::App& command, const std::string& what,
 }
 
 bool MoveFlags::are_given() const {
-  return !translate.empty() || !rotate.empty() || !pivot.empty() || !matrix.empty() || !scale.empty();
+  return !translate.empty() || !rotate.empty() || !pivot.empty() || !matrix.empty() ||
+         !scale.empty();
 }
 
 Json MoveFlags::json() const {

@@ -56,7 +56,8 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   if (changed) drafts.move = move;
   if (!let_go) return;
   drafts.move.reset();
-  if (move.rotate.axis.norm() > 0.0 && move.scale.minCoeff() > 0.0) editor.perform(MoveHandle{handle, move});
+  if (move.rotate.axis.norm() > 0.0 && move.scale.minCoeff() > 0.0)
+    editor.perform(MoveHandle{handle, move});
 }
 
 void draw_parameters(Editor& editor, PanelDrafts& drafts) {

@@ -35,8 +35,7 @@ void CarryFollower::follow(const AppState& state, const Preparation& preparation
     Drag(frame.response, frame.pose).move(frame.motions, positions);
     const Deformed deformed =
         deformed_of(*rest, joined.get(), preview->region(), std::move(positions),
-                    exact ? exact->rest_stretch(frame.motions)
-                          : std::vector<Eigen::Matrix3d>());
+                    exact ? exact->rest_stretch(frame.motions) : std::vector<Eigen::Matrix3d>());
     std::vector<Positions> places;
     for (auto& carried : contacts->carry(objects, rest, deformed, progress)) {
       places.push_back(carried ? std::move(carried->positions)

@@ -36,11 +36,24 @@ CertificateWarning not_settled(const Certificate& certificate) {
           {}};
 }
 
+// Of a region that is everything already, nobody can choose a larger one.
+std::string advice(const Certificate& certificate) {
+  return certificate.region_is_whole
+             ? " Move the handle less, or in smaller steps."
+             : " Enlarge the region, or move the handle less, or in smaller steps.";
+}
+
+CertificateWarning inside_out(const Certificate& certificate, const Topology& topology) {
+  return {formatted("%.0f%% of the region is inside out.", 100.0 * certificate.inside_out_share) +
+              advice(certificate),
+          with_ring(certificate.inside_out_vertex, topology)};
+}
+
 CertificateWarning folded(const Certificate& certificate, const Topology& topology) {
   const std::size_t count = certificate.flipped_triangles;
   return {(count == 1 ? std::string("A triangle is folded over.")
                       : std::to_string(count) + " triangles are folded over.") +
-              " Widen the ROI, or move the handle in smaller parts.",
+              advice(certificate),
           corners_of(certificate.first_flipped_triangles, topology)};
 }
 
@@ -64,34 +77,36 @@ std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
                                             const Topology& topology) {
   std::vector<CertificateWarning> warnings;
   if (!certificate.settled) warnings.push_back(not_settled(certificate));
-  if (certificate.flipped_triangles > 0) warnings.push_back(folded(certificate, topology));
+  if (certificate.inside_out_share > kMostInsideOut) {
+    warnings.push_back(inside_out(certificate, topology));
+  } else if (certificate.flipped_triangles > 0) {
+    warnings.push_back(folded(certificate, topology));
+  }
   if (misses_handles(certificate)) warnings.push_back(handle_missed(certificate));
   if (certificate.detail_error > kMostDetailLost) {
-    warnings.push_back(
-        {formatted("%.0f%% of the details are lost. Widen the ROI, or move the handle "
-                   "in smaller parts.",
-                   100.0 * certificate.detail_error),
-         {}});
+    warnings.push_back({formatted("%.0f%% of the details are lost.",
+                                  std::min(100.0 * certificate.detail_error, 100.0)) +
+                            advice(certificate),
+                        {}});
   }
   if (certificate.largest_scale > kMostRingScale) {
-    warnings.push_back(
-        {formatted("The surface grew to %.1f times its size in a place. Widen the ROI.",
-                   certificate.largest_scale),
-         with_ring(certificate.largest_scale_vertex, topology)});
+    warnings.push_back({formatted("The surface grew to %.1f times its size in one spot.",
+                                  certificate.largest_scale) +
+                            advice(certificate),
+                        with_ring(certificate.largest_scale_vertex, topology)});
   }
   if (certificate.smallest_scale < 1.0 / kMostRingScale) {
-    warnings.push_back(
-        {formatted("The surface shrank to %.0f%% of its size in a place. Widen the ROI.",
-                   100.0 * certificate.smallest_scale),
-         with_ring(certificate.smallest_scale_vertex, topology)});
+    warnings.push_back({formatted("The surface shrank to %.0f%% of its size in one spot.",
+                                  100.0 * certificate.smallest_scale) +
+                            advice(certificate),
+                        with_ring(certificate.smallest_scale_vertex, topology)});
   }
   if (1.0 + certificate.largest_edge_stretch > kLongEdge) {
     auto ends = certificate.largest_edge_stretch_vertices;
     std::sort(ends.begin(), ends.end());
     warnings.push_back(
-        {formatted("An edge became %.1f times as long. Widen the ROI, or move the handle in "
-                   "smaller parts.",
-                   1.0 + certificate.largest_edge_stretch),
+        {formatted("An edge became %.1f times as long.", 1.0 + certificate.largest_edge_stretch) +
+             advice(certificate),
          {ends.begin(), ends.end()}});
   }
   if (!certificate.why_not_exact.empty()) warnings.push_back(not_exact(certificate));

@@ -48,8 +48,7 @@ bool has_external_buffers(const Mesh& mesh) {
 fs::path write_copy(std::string_view original, const fs::path& folder, const fs::path& mesh) {
   for (int number = 1;; ++number) {
     const std::string suffix = number == 1 ? "-original" : "-original-" + std::to_string(number);
-    const fs::path copy =
-        folder / (mesh.stem().string() + suffix + mesh.extension().string());
+    const fs::path copy = folder / (mesh.stem().string() + suffix + mesh.extension().string());
     std::error_code error;
     if (!fs::exists(copy, error)) {
       replace_file(copy, original);
@@ -329,8 +328,7 @@ fs::path EditSession::save_recipe(const fs::path& path) const {
   require_settled(state());
   if (!file_) throw InputError("a recipe names a mesh file; save the mesh first, and open that");
   const fs::path folder = fs::absolute(path).parent_path();
-  const fs::path copy =
-      original_ ? write_copy(original_->view(), folder, file_->path) : fs::path();
+  const fs::path copy = original_ ? write_copy(original_->view(), folder, file_->path) : fs::path();
   const fs::path& mesh = original_ ? copy : file_->path;
   replace_file(path, to_json(to_recipe(state(), mesh.lexically_proximate(folder), folder)));
   return copy;

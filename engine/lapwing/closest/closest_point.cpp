@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -31,6 +32,27 @@ Vector3d combine(const std::array<Vector3d, 3>& corners, const std::array<double
 double box_distance2(const Vector3d& min, const Vector3d& max, const Vector3d& point) {
   return (min - point).cwiseMax(point - max).cwiseMax(0.0).squaredNorm();
 }
+
+// A ray with what every box asks of it.
+struct Ray {
+  Vector3d origin;
+  Vector3d direction;
+  Vector3d inverse;
+
+  // Whether it meets the box before `end`.
+  bool meets(const Vector3d& min, const Vector3d& max, double end) const {
+    double begin = 0.0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      double in = (min[axis] - origin[axis]) * inverse[axis];
+      double out = (max[axis] - origin[axis]) * inverse[axis];
+      if (in > out) std::swap(in, out);
+      // Not a number where the origin is on a side of the box that the ray is parallel to.
+      if (in > begin) begin = in;
+      if (out < end) end = out;
+    }
+    return begin <= end;
+  }
+};
 
 }  // namespace
 
@@ -200,6 +222,45 @@ TrianglePoint ClosestPoint::find(Index group, const Vector3d& point, const Vecto
     visit(search);
   }
   return search.best;
+}
+
+// The triangle by Moeller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
+TrianglePoint ClosestPoint::first_exit(Index group, const Vector3d& origin,
+                                       const Vector3d& direction, const Vector3d& corner) const {
+  const Ray ray{origin, direction, direction.cwiseInverse()};
+  TrianglePoint found;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto try_triangle = [&](Index number) {
+    const auto& [a, b, c] = items_[number].corners;
+    if (!(items_[number].normal.dot(direction) > 0.0)) return;
+    if (a == corner || b == corner || c == corner) return;
+    const Vector3d across = direction.cross(c - a);
+    const double determinant = (b - a).dot(across);
+    const Vector3d from = origin - a;
+    const Vector3d along = from.cross(b - a);
+    const double u = from.dot(across) / determinant;
+    const double v = direction.dot(along) / determinant;
+    const double t = (c - a).dot(along) / determinant;
+    if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < nearest)) return;
+    nearest = t;
+    const std::array weights{1.0 - u - v, u, v};
+    found = {items_[number].triangle, weights, combine(items_[number].corners, weights), number};
+  };
+  std::array<Index, 64> stack;  // halving 2^32 items goes 32 deep
+  std::size_t waiting = 0;
+  stack[waiting++] = roots_[group];
+  while (waiting > 0) {
+    const Index number = stack[--waiting];
+    const Node& node = nodes_[number];
+    if (!ray.meets(node.min, node.max, nearest)) continue;
+    if (node.second != kNoIndex) {
+      stack[waiting++] = node.second;
+      stack[waiting++] = number + 1;
+      continue;
+    }
+    for (Index i = node.begin; i < node.end; ++i) try_triangle(i);
+  }
+  return found;
 }
 
 }  // namespace lapwing

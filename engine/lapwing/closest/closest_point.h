@@ -34,6 +34,12 @@ class ClosestPoint {
                      const Eigen::Vector3d& direction = Eigen::Vector3d::Zero(),
                      Index hint = kNoIndex) const;
 
+  /// Where the ray origin + t direction, t > 0, first meets a triangle of group `group` that looks
+  /// along `direction`: where it leaves a solid. No triangle (kNoIndex) if it meets none. Triangles
+  /// with `corner` as a corner are left out. O(log n) mostly.
+  TrianglePoint first_exit(Index group, const Eigen::Vector3d& origin,
+                           const Eigen::Vector3d& direction, const Eigen::Vector3d& corner) const;
+
   /// The closest point of every triangle of group `group` that is at most `distance` away from
   /// `point`, always in the same order.
   std::vector<TrianglePoint> within(Index group, const Eigen::Vector3d& point,

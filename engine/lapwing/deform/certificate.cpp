@@ -12,6 +12,7 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
+#include "lapwing/deform/inversion.h"
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/laplacian/ring_fit.h"
 
@@ -80,7 +81,8 @@ std::vector<Index> free_vertices(const EditRegion& region, std::size_t vertex_co
 std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topology& topology,
                                          std::span<const Vector3d> rest,
                                          std::span<const Vector3d> current,
-                                         Certificate& certificate, std::span<const Matrix3d> asked) {
+                                         Certificate& certificate,
+                                         std::span<const Matrix3d> asked) {
   certificate.rest_diagonal = bounds_of(rest).diagonal();
   for (const Index v : roi) {
     certificate.all_finite = certificate.all_finite && current[v].allFinite();
@@ -96,9 +98,8 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
       const Index i = roi[m];
       const RingSimilarity ring = fit_similarity(i, topology.rings[i], rest, current);
       in_roi[i] = 1;
-      rotations[i] = asked.empty()
-                         ? ring.R
-                         : fit_rotation(i, topology.rings[i], rest, current, asked[i]);
+      rotations[i] =
+          asked.empty() ? ring.R : fit_rotation(i, topology.rings[i], rest, current, asked[i]);
       scales[m] = ring.scale;
       angles[m] = rotation_angle(rotations[i]);
     }
@@ -130,7 +131,24 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
   certificate.flipped_triangles = flipped.size();
   certificate.first_flipped_triangles.assign(
       flipped.begin(), flipped.begin() + std::min(flipped.size(), kListedTriangles));
+  // Only what has turned far can be inside out.
+  constexpr double kFarTurn = 90.0;
+  if (!flipped.empty() || certificate.largest_rotation_degrees > kFarTurn) {
+    const Inversion inversion = measure_inversion(roi, topology, rest, current);
+    certificate.inside_out_share = inversion.share;
+    certificate.inside_out_vertex = inversion.vertex;
+  }
+  certificate.region_is_whole = std::ranges::all_of(roi, [&](Index i) {
+    return std::ranges::all_of(topology.rings[i], [&](Index j) { return in_roi[j] != 0; });
+  });
   return rotations;
+}
+
+// What to try against folds.
+std::string advice(const Certificate& c) {
+  const std::string move =
+      "Move the handle less, rotate it with its motion, or go in several steps";
+  return c.region_is_whole ? move + "." : move + ", or enlarge the region.";
 }
 
 }  // namespace
@@ -175,13 +193,18 @@ std::vector<std::string> warnings_of(const Certificate& c) {
          << ": raise \"constraint_weight\" or the handle's \"weight\", or hold it with \"hard\"";
     warnings.push_back(text.str());
   }
-  if (c.flipped_triangles > 0) {
+  if (c.inside_out_share > kMostInsideOut) {
+    std::ostringstream text;
+    text << std::lround(100.0 * c.inside_out_share)
+         << "% of the region is inside out, around vertex " << c.inside_out_vertex << ". "
+         << advice(c);
+    warnings.push_back(text.str());
+  } else if (c.flipped_triangles > 0) {
     std::ostringstream text;
     text << c.flipped_triangles
          << (c.flipped_triangles == 1 ? " triangle is flipped, "
                                       : " triangles are flipped, the first ")
-         << c.first_flipped_triangles.front()
-         << ": move the handle less, widen the region, or remesh thin triangles there";
+         << c.first_flipped_triangles.front() << ". " << advice(c);
     warnings.push_back(text.str());
   }
   const double ratio = c.largest_edge_stretch + 1.0;
@@ -189,7 +212,8 @@ std::vector<std::string> warnings_of(const Certificate& c) {
     std::ostringstream text;
     text << "the edge from vertex " << c.largest_edge_stretch_vertices[0] << " to "
          << c.largest_edge_stretch_vertices[1] << " became " << ratio
-         << " times as long: move the handle less, or widen the region";
+         << " times as long. Move the handle less"
+         << (c.region_is_whole ? "." : ", or enlarge the region.");
     warnings.push_back(text.str());
   }
   return warnings;

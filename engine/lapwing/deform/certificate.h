@@ -43,6 +43,12 @@ struct Certificate {
   /// kThinnestTriangle at rest have no side to face to. First few by number.
   std::size_t flipped_triangles = 0;
   std::vector<Index> first_flipped_triangles;
+  /// What of the region is inside out, by area (`measure_inversion`), looked for if triangles are
+  /// flipped or a ring has turned by more than 90 degrees: 0 to 1, and a vertex there.
+  double inside_out_share = 0.0;
+  Index inside_out_vertex = kNoIndex;
+  /// Whether the region is all of the mesh that is connected to it.
+  bool region_is_whole = false;
   /// How far details are from their rest shapes turned with their rings and scaled as the handles
   /// ask, relative to their size, over the free vertices (`detail_error`); 0 is none lost, 1 all.
   double detail_error = 0.0;
@@ -66,6 +72,9 @@ inline constexpr double kThinnestTriangle = 1e-3;
 
 /// At this many flipped triangles the list stops.
 inline constexpr std::size_t kListedTriangles = 8;
+
+/// A surface of which more than this is inside out is worth a warning of its own.
+inline constexpr double kMostInsideOut = 0.01;
 
 /// An edge that became longer than this, times what the handles ask for, is worth a warning.
 inline constexpr double kLongEdge = 3.0;

@@ -33,7 +33,8 @@ std::size_t commit_count(const DeformRequest& request) {
 }
 
 Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
-                    std::span<const Vector3d> end, std::span<const Certificate> parts) {
+                    std::span<const Vector3d> end, std::span<const Certificate> parts,
+                    std::span<const Eigen::Matrix3d> stretch) {
   Certificate certificate;
   for (const Certificate& part : parts) {
     certificate.relative_residual = std::max(certificate.relative_residual, part.relative_residual);
@@ -58,7 +59,7 @@ Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
   }
   const auto weights =
       laplacian_weights(bound.topology, start, bound.request.parameters.weights, region.roi);
-  measure_region(region, bound.topology, weights, start, end, certificate);
+  measure_region(region, bound.topology, weights, start, end, certificate, stretch);
   require_valid(certificate);
   return certificate;
 }

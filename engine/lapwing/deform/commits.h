@@ -15,8 +15,10 @@ std::size_t commit_count(const DeformRequest& request);
 /// One certificate for a request carried out in `parts`, from the surface `start` to `end`. Shape,
 /// details, stretch and handles are measured between the two, since what the parts lose adds up; of
 /// the parts come the worst residual and last step, all iterations, and settled and exact only if
-/// each is. Throws SolverError when it does not hold.
+/// each is. `stretch` is the rest stretch of all parts together. Throws SolverError when it does
+/// not hold.
 Certificate certify(const BoundRequest& bound, std::span<const Eigen::Vector3d> start,
-                    std::span<const Eigen::Vector3d> end, std::span<const Certificate> parts);
+                    std::span<const Eigen::Vector3d> end, std::span<const Certificate> parts,
+                    std::span<const Eigen::Matrix3d> stretch = {});
 
 }  // namespace lapwing

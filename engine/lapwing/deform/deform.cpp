@@ -91,8 +91,9 @@ struct Work {
       parts.push_back(carry_out(share(k), share(k + 1)));
     }
     Certificate certificate;
-    stage("certify", result.timings, progress,
-          [&] { certificate = certify(bound, start, result.mesh.positions, parts); });
+    stage("certify", result.timings, progress, [&] {
+      certificate = certify(bound, start, result.mesh.positions, parts, result.rest_stretch);
+    });
     return certificate;
   }
 };

@@ -79,9 +79,10 @@ class Deformer {
   Deformer& operator=(Deformer&&) noexcept;
 
   /// How the surface follows the handles linearly, which is what a Drag goes by. Scaling handles
-  /// count by their mean scale, spread by handle weights, where settling takes a rest stretch. Solved for when
-  /// first asked for, stage "response", which is timed, reported and cancelled there, with what
-  /// construction has left of the factor; from then on it returns at once, on any thread.
+  /// count by their mean scale, spread by handle weights, where settling takes a rest stretch.
+  /// Solved for when first asked for, stage "response", which is timed, reported and cancelled
+  /// there, with what construction has left of the factor; from then on it returns at once, on any
+  /// thread.
   const std::shared_ptr<const DragResponse>& response(const Progress& progress = {}) const;
 
   /// The same for a drag that moves `handles` alone, of any number that the edit has: 12 right-hand

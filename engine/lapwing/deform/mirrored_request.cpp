@@ -247,7 +247,8 @@ Vector3d mirrored_scale(const Vector3d& scale, const MirrorPlane& plane) {
   if (scale.maxCoeff() == scale.minCoeff()) return scale;
   if (off_axes.norm() > kAlongAxes * image.norm()) {
     throw InputError(
-        "a move that scales its axes differently cannot be mirrored across a plane that is not along "
+        "a move that scales its axes differently cannot be mirrored across a plane that is not "
+        "along "
         "two of the axes; scale all axes alike, or give the move as a \"matrix\"");
   }
   return image.diagonal();

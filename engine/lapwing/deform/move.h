@@ -14,7 +14,8 @@ struct AxisRotation {
   bool operator==(const AxisRotation&) const = default;
 };
 
-/// x -> pivot + R diag(scale) (x - pivot) + translate: scales along the axes of the mesh, then turns.
+/// x -> pivot + R diag(scale) (x - pivot) + translate: scales along the axes of the mesh, then
+/// turns.
 struct SimilarityMove {
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();
   AxisRotation rotate;
@@ -37,9 +38,10 @@ Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centro
 
 /// The move carried out in part: `share` 0 is the identity, 1 is `to_affine(move, centroid)` bit
 /// for bit. A similarity moves by that share of its translation and of its angle, about the same
-/// axis and pivot, and scales by scale^share along each axis. Of a matrix the rotation of its polar decomposition
-/// turns by the share of its angle, its stretch S becomes (1 - share) I + share S, and the centroid
-/// goes straight. Invertible below 1. Throws InputError for a part of a matrix that mirrors.
+/// axis and pivot, and scales by scale^share along each axis. Of a matrix the rotation of its polar
+/// decomposition turns by the share of its angle, its stretch S becomes (1 - share) I + share S,
+/// and the centroid goes straight. Invertible below 1. Throws InputError for a part of a matrix
+/// that mirrors.
 Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid, double share);
 
 /// By what `move` turns, 0 degrees or more about an axis of length 1: as written, so that 260

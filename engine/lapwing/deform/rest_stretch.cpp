@@ -31,11 +31,10 @@ bool are_equal(const Matrix3d& a, const Matrix3d& b) {
 // What all handles share: with a belt, which stays, nothing; else the stretch nearest to none.
 Matrix3d common_stretch(const EditSystem& system, std::span<const Matrix3d> of_handles) {
   if (!system.is_held_by_handles_alone()) return Matrix3d::Identity();
-  return *std::min_element(of_handles.begin(), of_handles.end(),
-                           [](const Matrix3d& a, const Matrix3d& b) {
-                             return (a - Matrix3d::Identity()).norm() <
-                                    (b - Matrix3d::Identity()).norm();
-                           });
+  return *std::min_element(
+      of_handles.begin(), of_handles.end(), [](const Matrix3d& a, const Matrix3d& b) {
+        return (a - Matrix3d::Identity()).norm() < (b - Matrix3d::Identity()).norm();
+      });
 }
 
 // The map x -> x + u of the stretches beyond `common`.
@@ -144,7 +143,8 @@ std::vector<Matrix3d> rest_stretch(const EditSystem& system,
 
 Matrix3d polar_stretch(const Matrix3d& A) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> squares(A.transpose() * A);
-  const Vector3d stretches = squares.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseMax(kLeastStretch);
+  const Vector3d stretches =
+      squares.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseMax(kLeastStretch);
   return squares.eigenvectors() * stretches.asDiagonal() * squares.eigenvectors().transpose();
 }
 

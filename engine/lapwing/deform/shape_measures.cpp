@@ -26,7 +26,8 @@ Vector3d stretched(std::span<const Matrix3d> stretch, Index i, const Vector3d& r
 double stretch_of(Index i, Index j, std::span<const Vector3d> rest,
                   std::span<const Vector3d> current, std::span<const Matrix3d> stretch) {
   const Vector3d edge = rest[i] - rest[j];
-  const double was = 0.5 * (stretched(stretch, i, edge).norm() + stretched(stretch, j, edge).norm());
+  const double was =
+      0.5 * (stretched(stretch, i, edge).norm() + stretched(stretch, j, edge).norm());
   return was > 0.0 ? std::abs((current[i] - current[j]).norm() / was - 1.0) : -1.0;
 }
 
@@ -47,7 +48,8 @@ struct RowStretches {
 };
 
 RowStretches stretches_of_row(Index i, const Topology& topology, std::span<const Vector3d> rest,
-                              std::span<const Vector3d> current, std::span<const Matrix3d> stretch) {
+                              std::span<const Vector3d> current,
+                              std::span<const Matrix3d> stretch) {
   RowStretches row;
   for (const Index j : topology.rings[i]) {
     const double change = stretch_of(i, j, rest, current, stretch);

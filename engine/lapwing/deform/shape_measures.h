@@ -20,13 +20,15 @@ namespace lapwing {
 /// 1 for details that are lost; 0 where there are none.
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
-                    std::span<const Eigen::Vector3d> current, std::span<const Eigen::Matrix3d> stretch = {});
+                    std::span<const Eigen::Vector3d> current,
+                    std::span<const Eigen::Matrix3d> stretch = {});
 
 /// The same where the R_i are known, by vertex of the mesh.
 double detail_error(std::span<const Index> rows, const Topology& topology,
                     std::span<const double> weights, std::span<const Eigen::Vector3d> rest,
                     std::span<const Eigen::Vector3d> current,
-                    std::span<const Eigen::Matrix3d> rotations, std::span<const Eigen::Matrix3d> stretch);
+                    std::span<const Eigen::Matrix3d> rotations,
+                    std::span<const Eigen::Matrix3d> stretch);
 
 /// Root mean square over the ring edges of `rows` of |length' / length - 1|, where length is the
 /// mean of |S_i e| over both ends i of the edge e. Edges without length do not count.

@@ -156,6 +156,7 @@ Json json_of(const Certificate& c) {
           {"largest_rotation_vertex", vertex(c.largest_rotation_vertex)},
           {"flipped_triangles", c.flipped_triangles},
           {"first_flipped_triangles", c.first_flipped_triangles},
+          {"inside_out_share", c.inside_out_share},
           {"detail_error", number(c.detail_error)},
           {"edge_stretch", number(c.edge_stretch)},
           {"largest_edge_stretch", number(c.largest_edge_stretch)},

@@ -216,7 +216,8 @@ void require_valid(const Move& move, const DeformParameters& parameters) {
                         std::isfinite(rotate.degrees) && scale.allFinite() &&
                         (!pivot || pivot->allFinite());
     if (!finite) throw InputError("move: a number is not finite; move the handle less");
-    if (!(scale.minCoeff() > 0.0)) throw InputError("move: the scale must be above 0; a matrix can mirror");
+    if (!(scale.minCoeff() > 0.0))
+      throw InputError("move: the scale must be above 0; a matrix can mirror");
     if (!(rotate.axis.norm() > 0.0)) {
       throw InputError("move: the axis has no length; name a direction");
     }

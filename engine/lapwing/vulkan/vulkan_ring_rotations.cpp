@@ -58,8 +58,8 @@ void VulkanRingRotations::set_rest_stretch(std::span<const Eigen::Matrix3d> stre
   rest_stretch_.assign(stretch.begin(), stretch.end());
   if (changes_kind) {
     const std::size_t rows = std::max<std::size_t>(stretch.size(), 1);
-    stretch_ = gpu::Buffer(*state_->context, "rest stretch",
-                           real_bytes(*state_, kStretchNumbers * rows));
+    stretch_ =
+        gpu::Buffer(*state_->context, "rest stretch", real_bytes(*state_, kStretchNumbers * rows));
     for (Range& range : ranges_) range.push.flags ^= kStretch;
     record_fit_rotations();
     record_energy_gradient();
@@ -68,8 +68,8 @@ void VulkanRingRotations::set_rest_stretch(std::span<const Eigen::Matrix3d> stre
   std::vector<double> numbers;
   numbers.reserve(kStretchNumbers * stretch.size());
   for (const Eigen::Matrix3d& S : stretch) {
-    numbers.insert(numbers.end(), {S(0, 0) - 1.0, S(1, 1) - 1.0, S(2, 2) - 1.0, S(1, 2), S(0, 2),
-                                   S(0, 1)});
+    numbers.insert(numbers.end(),
+                   {S(0, 0) - 1.0, S(1, 1) - 1.0, S(2, 2) - 1.0, S(1, 2), S(0, 2), S(0, 1)});
   }
   upload_reals(*state_, stretch_, numbers);
 }

@@ -313,10 +313,7 @@ void measure_settle_iteration(BenchRun& run, const Subject& subject, const Bench
   }
   Positions u;
   Measurement* const row = run.measure(
-      "settle iteration", kLapwing, device, subject,
-      [&] {
-        settler.settle({wanted}, u);
-      },
+      "settle iteration", kLapwing, device, subject, [&] { settler.settle({wanted}, u); },
       [&] { u.assign(subject.vertices(), Eigen::Vector3d::Zero()); });
   for (auto* const times : {&row->wall_ms, &row->cpu_ms, &row->device_ms}) {
     for (double& ms : *times) ms /= kSettleIterations;

@@ -93,6 +93,8 @@ void add_certificate(py::module_& module) {
                     "By which a ring has turned, 0 to 180.")
       .def_property_readonly("largest_rotation_vertex", &vertex<&C::largest_rotation_vertex>)
       .def_readonly("flipped_triangles", &C::flipped_triangles)
+      .def_readonly("inside_out_share", &C::inside_out_share,
+                    "What of the region is inside out, by area: 0 to 1.")
       .def_property_readonly("first_flipped_triangles",
                              [](const C& c) { return array_of(c.first_flipped_triangles); })
       .def("__repr__", [](const C& c) {

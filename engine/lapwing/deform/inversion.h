@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "lapwing/mesh/topology.h"
+
+namespace lapwing {
+
+/// How much of a surface has been turned inside out.
+struct Inversion {
+  double share = 0.0;       ///< of the region's area that has an opposite side, 0 to 1
+  Index vertex = kNoIndex;  ///< one in the middle of it; kNoIndex if the share is 0
+};
+
+/// At rest a ray from a vertex into the solid meets the opposite side of the surface. Where that
+/// point lies outside of the vertex after the deformation, the surface between is inside out.
+/// Flipped triangles tell a fold; a limb that is inside out has few, at its two ends alone. Looks
+/// at up to 4,096 vertices of `roi` and at the triangles that touch it. O(n log n).
+Inversion measure_inversion(std::span<const Index> roi, const Topology& topology,
+                            std::span<const Eigen::Vector3d> rest,
+                            std::span<const Eigen::Vector3d> current);
+
+}  // namespace lapwing
