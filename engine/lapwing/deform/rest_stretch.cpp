@@ -117,6 +117,10 @@ class RingStretch {
 
 std::vector<Matrix3d> rest_stretch(const EditSystem& system,
                                    std::span<const Eigen::Affine3d> motions) {
+  const bool is_rigid = std::ranges::all_of(motions, [](const Eigen::Affine3d& motion) {
+    return are_equal(motion.linear().transpose() * motion.linear(), Matrix3d::Identity());
+  });
+  if (is_rigid) return {};
   std::vector<Matrix3d> of_handles;
   for (const Eigen::Affine3d& motion : motions) {
     of_handles.push_back(polar_stretch(motion.linear()));
@@ -124,7 +128,6 @@ std::vector<Matrix3d> rest_stretch(const EditSystem& system,
   const auto all_are = [&](const Matrix3d& P) {
     return std::ranges::all_of(of_handles, [&](const Matrix3d& of) { return are_equal(of, P); });
   };
-  if (all_are(Matrix3d::Identity())) return {};
   const Matrix3d common = common_stretch(system, of_handles);
   std::vector<Matrix3d> stretch(system.rest->size(), Matrix3d::Identity());
   const VertexSet& roi = system.region.roi;
