@@ -11,7 +11,6 @@
 #include "lapwing/deform/deformer_state.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/response_basis.h"
-#include "lapwing/deform/rest_stretch.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -71,8 +70,7 @@ const HandleShares& Deformer::State::held_shares() const {
 }
 
 // Under the lock.
-std::vector<Eigen::Matrix3d> Deformer::State::asked_stretch(
-    std::span<const Eigen::Affine3d> motions) const {
+RestStretch Deformer::State::asked_stretch(std::span<const Eigen::Affine3d> motions) const {
   system->hold_laplacian();
   return lapwing::rest_stretch(*system, motions);
 }
@@ -187,9 +185,10 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
 
 // Where the handles' shares take the surface, and targets draw it by the n x n system.
 std::vector<Vector3d> Deformer::turned_start(std::span<const Eigen::Affine3d> motions,
-                                             std::span<const Eigen::AngleAxisd> turns) const {
+                                             std::span<const Eigen::AngleAxisd> turns,
+                                             const RestStretch& stretch) const {
   const State& s = *state_;
-  std::vector<Vector3d> turned = s.held_shares().turned(motions, turns);
+  std::vector<Vector3d> turned = s.held_shares().turned(motions, turns, stretch);
   if (!s.system->region.targets.empty()) {
     const std::vector<double> still(s.system->column_count(), 0.0);
     const std::vector<Vector3d> drawn =
@@ -205,9 +204,10 @@ std::vector<Vector3d> Deformer::turned_start(std::span<const Eigen::Affine3d> mo
 std::vector<Vector3d> Deformer::settled(std::span<const Eigen::Affine3d> motions,
                                         std::span<const Eigen::AngleAxisd> turns,
                                         std::span<const double> q, const SettleTarget& target,
-                                        Certificate& certificate, const Progress& progress) const {
+                                        const RestStretch& stretch, Certificate& certificate,
+                                        const Progress& progress) const {
   State& s = *state_;
-  std::vector<Vector3d> u = turned_start(motions, turns);
+  std::vector<Vector3d> u = turned_start(motions, turns, stretch);
   const auto linear = [&](std::span<Vector3d> start) {
     StageTimings untold;
     if (!s.hold_response(progress, untold)) {
@@ -244,8 +244,9 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
   edit.set_parameters(motions, q);
   std::vector<Vector3d>& wanted = s.asked[0];
   edit.asked_displacement(q, wanted);
-  std::vector<Eigen::Matrix3d> stretch;
-  if (s.has_shares()) stretch = s.asked_stretch(motions);
+  RestStretch asked;
+  if (s.has_shares()) asked = s.asked_stretch(motions);
+  std::vector<Eigen::Matrix3d>& stretch = asked.of_vertices;
   const std::vector<double> scales = mean_scales(stretch);
 
   DeformResult result;
@@ -256,7 +257,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
     u = linear_displacement(edit, wanted, forces);
     certificate.relative_residual = edit.systems->response().refine(wanted, forces, u);
   } else if (any_far(turns) || !rests(edit, wanted)) {
-    u = settled(motions, turns, q, {wanted, stretch}, certificate, progress);
+    u = settled(motions, turns, q, {wanted, stretch}, asked, certificate, progress);
   } else {
     u.assign(edit.rest->size(), Vector3d::Zero());
   }
@@ -296,7 +297,7 @@ std::vector<Eigen::Matrix3d> Deformer::rest_stretch(
   const State& s = *state_;
   if (!s.has_shares()) return {};
   const auto lock = s.system->systems->lock();
-  return s.asked_stretch(motions);
+  return s.asked_stretch(motions).of_vertices;
 }
 
 bool Deformer::is_of(std::span<const Vector3d> rest, const Topology& topology,

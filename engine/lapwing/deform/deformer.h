@@ -22,6 +22,7 @@ namespace lapwing {
 
 class DragPreview;
 struct EditSystem;
+struct RestStretch;
 
 struct DeformResult {
   Positions positions;  ///< of the whole mesh; vertices that do not move keep their bits
@@ -176,11 +177,13 @@ class Deformer {
                                                  const Progress& progress) const;
   void hold_for_settling() const;
   std::vector<Eigen::Vector3d> turned_start(std::span<const Eigen::Affine3d> motions,
-                                            std::span<const Eigen::AngleAxisd> turns) const;
+                                            std::span<const Eigen::AngleAxisd> turns,
+                                            const RestStretch& stretch) const;
   std::vector<Eigen::Vector3d> settled(std::span<const Eigen::Affine3d> motions,
                                        std::span<const Eigen::AngleAxisd> turns,
                                        std::span<const double> q, const SettleTarget& target,
-                                       Certificate& certificate, const Progress& progress) const;
+                                       const RestStretch& stretch, Certificate& certificate,
+                                       const Progress& progress) const;
 
   std::unique_ptr<State> state_;
 };

@@ -10,7 +10,6 @@
 #include "lapwing/deform/drag.h"
 #include "lapwing/deform/recent_change.h"
 #include "lapwing/deform/response_basis.h"
-#include "lapwing/deform/rest_stretch.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -318,9 +317,9 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   hold_for_settling();
   std::vector<Vector3d>& wanted = s.asked[0];
   edit.asked_displacement(next.parameters, wanted);
-  const std::vector<Eigen::Matrix3d> stretch = s.asked_stretch(motions);
-  const std::vector<double> scales = mean_scales(stretch);
-  const SettleTarget target{wanted, stretch};
+  const RestStretch stretch = s.asked_stretch(motions);
+  const std::vector<double> scales = mean_scales(stretch.of_vertices);
+  const SettleTarget target{wanted, stretch.of_vertices};
   State& on = *state_;
   const bool begins = pose.parameters.empty() || any_far_since(pose.turns, turns);
   const bool at_rest = next.parameters == pose.parameters;
@@ -332,7 +331,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
     s.settler->begin_drag();
     next.displacement = edit.region.targets.empty() ? s.displacement_by(next.parameters)
                                                     : axis_displacement(edit, wanted);
-    Positions turned = turned_start(motions, turns);
+    Positions turned = turned_start(motions, turns, stretch);
     if (any_far(turns) ||
         s.settler->energy(target, turned) < s.settler->energy(target, next.displacement)) {
       next.displacement = std::move(turned);

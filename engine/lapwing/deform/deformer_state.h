@@ -18,6 +18,7 @@
 #include "lapwing/deform/made_aside.h"
 #include "lapwing/deform/pose_tangent.h"
 #include "lapwing/deform/region_part_settler.h"
+#include "lapwing/deform/rest_stretch.h"
 
 namespace lapwing {
 
@@ -66,7 +67,7 @@ struct Deformer::State {
   Positions still() const;
   Positions moved_as(const Positions& displacement) const;
   Positions displacement_by(std::span<const double> q) const;
-  std::vector<Eigen::Matrix3d> asked_stretch(std::span<const Eigen::Affine3d> motions) const;
+  RestStretch asked_stretch(std::span<const Eigen::Affine3d> motions) const;
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
   void begin_coarse();

@@ -106,11 +106,12 @@ std::vector<double> HandleShares::of_handle(std::size_t handle) const {
 }
 
 std::vector<Vector3d> HandleShares::turned(std::span<const Affine3d> motions,
-                                           std::span<const AngleAxisd> turns) const {
+                                           std::span<const AngleAxisd> turns,
+                                           const RestStretch& rest_stretch) const {
   const EditSystem& s = system_;
   const VertexSet& roi = s.region.roi;
-  // Of each handle: its turn, its centroid, how that moves, and its stretch less the identity.
-  constexpr std::size_t kNumbers = 18;
+  // Of each handle: its turn, its centroid, and how that moves.
+  constexpr std::size_t kNumbers = 9;
   std::vector<std::array<double, kNumbers>> of_handle(motions.size());
   for (std::size_t h = 0; h < motions.size(); ++h) {
     const Vector3d& centroid = s.frames[h].centroid;
@@ -118,8 +119,6 @@ std::vector<Vector3d> HandleShares::turned(std::span<const Affine3d> motions,
     Eigen::Map<Vector3d>{out} = turns[h].angle() * turns[h].axis();
     Eigen::Map<Vector3d>{out + 3} = centroid;
     Eigen::Map<Vector3d>{out + 6} = motions[h] * centroid - centroid;
-    Eigen::Map<Matrix3d>{out + 9} =
-        turns[h].toRotationMatrix().transpose() * motions[h].linear() - Matrix3d::Identity();
   }
   const std::vector<std::vector<double>> fields =
       spread_columns(kNumbers, [&](std::size_t h, std::size_t k) { return of_handle[h][k]; });
@@ -131,9 +130,9 @@ std::vector<Vector3d> HandleShares::turned(std::span<const Affine3d> motions,
     const Eigen::Map<const Vector3d> turn(at.data());
     const Eigen::Map<const Vector3d> pivot(at.data() + 3);
     const Eigen::Map<const Vector3d> move(at.data() + 6);
-    const Eigen::Map<const Matrix3d> stretch(at.data() + 9);
     const Vector3d arm = (*s.rest)[roi[r]] - pivot / sum_[r];
-    const Vector3d stretched = arm + stretch * arm;
+    Vector3d stretched = rest_stretch.common * arm;
+    if (!rest_stretch.u.empty()) stretched += rest_stretch.u[roi[r]];
     const double angle = turn.norm();
     u[roi[r]] = move - arm +
                 (angle > 0.0 ? Vector3d(AngleAxisd(angle, turn / angle) * stretched) : stretched);

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/deform/edit_system.h"
+#include "lapwing/deform/rest_stretch.h"
 
 namespace lapwing {
 
@@ -30,8 +31,10 @@ class HandleShares {
   /// The displacement of every vertex where each makes a share of the handles' motions, and with it
   /// of their whole turns, whose rotations came about by `turns`: the surface is wound the way the
   /// handles went. A linear response knows a handle's rotation but not its turn.
+  /// The surface is first stretched by the smooth map of `stretch`.
   std::vector<Eigen::Vector3d> turned(std::span<const Eigen::Affine3d> motions,
-                                      std::span<const Eigen::AngleAxisd> turns) const;
+                                      std::span<const Eigen::AngleAxisd> turns,
+                                      const RestStretch& stretch) const;
 
  private:
   // Fields over the region, one for each number of a value: `spread_columns(3, f)[c]` for

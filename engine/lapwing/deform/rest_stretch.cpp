@@ -115,8 +115,7 @@ class RingStretch {
 
 }  // namespace
 
-std::vector<Matrix3d> rest_stretch(const EditSystem& system,
-                                   std::span<const Eigen::Affine3d> motions) {
+RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine3d> motions) {
   const bool is_rigid = std::ranges::all_of(motions, [](const Eigen::Affine3d& motion) {
     return are_equal(motion.linear().transpose() * motion.linear(), Matrix3d::Identity());
   });
@@ -128,20 +127,22 @@ std::vector<Matrix3d> rest_stretch(const EditSystem& system,
   const auto all_are = [&](const Matrix3d& P) {
     return std::ranges::all_of(of_handles, [&](const Matrix3d& of) { return are_equal(of, P); });
   };
-  const Matrix3d common = common_stretch(system, of_handles);
-  std::vector<Matrix3d> stretch(system.rest->size(), Matrix3d::Identity());
+  RestStretch result;
+  result.common = common_stretch(system, of_handles);
+  std::vector<Matrix3d>& stretch = result.of_vertices;
+  stretch.assign(system.rest->size(), Matrix3d::Identity());
   const VertexSet& roi = system.region.roi;
-  if (all_are(common)) {
-    for (const Index v : roi) stretch[v] = common;
-    return stretch;
+  if (all_are(result.common)) {
+    for (const Index v : roi) stretch[v] = result.common;
+    return result;
   }
-  const std::vector<Vector3d> u = smooth_map(system, of_handles, common);
-  const RingStretch stretch_of(system, common, u);
+  result.u = smooth_map(system, of_handles, result.common);
+  const RingStretch stretch_of(system, result.common, result.u);
   constexpr std::size_t kRingsPerTask = 256;
   parallel_for(roi.size(), kRingsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) stretch[roi[r]] = stretch_of(roi[r]);
   });
-  return stretch;
+  return result;
 }
 
 Matrix3d polar_stretch(const Matrix3d& A) {

@@ -9,10 +9,19 @@
 
 namespace lapwing {
 
-/// The rest stretch S_i of every ring that the handles' motions ask for, per vertex of the mesh:
-/// symmetric and positive definite, the identity outside the region. Empty if no handle changes its
-/// size. What is stretched is the shape that a ring keeps, so that a handle that scales widens or
-/// narrows the surface around it without pushing it along.
+/// What the handles' stretches ask of the surface.
+struct RestStretch {
+  /// S_i of every ring, per vertex of the mesh: symmetric and positive definite, the identity
+  /// outside the region. Empty if no handle changes its size.
+  std::vector<Eigen::Matrix3d> of_vertices;
+  /// The smooth map that the S_i are taken from: x -> common x + u, up to a translation.
+  Eigen::Matrix3d common = Eigen::Matrix3d::Identity();
+  std::vector<Eigen::Vector3d> u;  ///< per vertex of the mesh; empty for 0
+};
+
+/// The rest stretch that the handles' motions ask for. What is stretched is the shape that a ring
+/// keeps, so that a handle that scales widens or narrows the surface around it without pushing it
+/// along.
 ///
 /// A smooth map x -> x + u is made from the handles' stretches alone, each about the handle's
 /// centroid and without its rotation and translation; u solves the n x n system. S_i is the stretch
@@ -21,8 +30,7 @@ namespace lapwing {
 /// P, every S_i is P, so that a uniform scaling of all that is held scales the mesh exactly.
 ///
 /// The n x n system of `system` is held. Costs one solve of three right-hand sides.
-std::vector<Eigen::Matrix3d> rest_stretch(const EditSystem& system,
-                                          std::span<const Eigen::Affine3d> motions);
+RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine3d> motions);
 
 /// The stretch P of A = R P, R a rotation: the root of A'A. No direction becomes shorter than
 /// kLeastStretch, which keeps the rotation of what is flattened defined.
