@@ -33,7 +33,7 @@ using test::Start;
 using ::testing::HasSubstr;
 using ::testing::Le;
 
-// ---- The table of the design notes, section 3.
+// ---- Detail against stretch on a rippled tube.
 
 struct LargeMotion {
   const char* name;

@@ -1,5 +1,5 @@
 // Based on: Sorkine, Cohen-Or, Lipman, Alexa, Roessl, Seidel, "Laplacian Surface Editing", SGP
-// 2004, sections 3 and 4, in the displacement form of the project's design notes, section 2.
+// 2004, sections 3 and 4, in the displacement form of ENERGY.md, section 2.
 #include "lapwing/deform/deformer.h"
 
 #include <algorithm>

@@ -33,7 +33,7 @@ struct DeformResult {
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
-/// and 4; DESIGN section 3). Construction prepares: for a linear response it assembles the tangent
+/// and 4; ENERGY.md, section 3). Construction prepares: for a linear response it assembles the tangent
 /// of the energy over the region (or the RSI system, see LinearResponse) and factors it, and a
 /// motion is one right-hand side after that; with settling it factors the n x n system, by which
 /// most motions settle:

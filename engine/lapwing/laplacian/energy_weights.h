@@ -8,7 +8,7 @@
 
 namespace lapwing {
 
-/// What the energy of an edit is made of besides the rest shape (DESIGN section 3).
+/// What the energy of an edit is made of besides the rest shape (ENERGY.md, section 3).
 struct EnergyTerms {
   LaplacianWeights weights = LaplacianWeights::cotangent;
   /// l: features much smaller are carried as they are, shapes much larger bend and stretch as
@@ -21,7 +21,7 @@ struct EnergyTerms {
 };
 
 /// The weights of
-///     sum_i om_i |L(v'_i) - s_i R_i delta_i|^2 + sum_ij k_ij |v'_i - v'_j - s_i R_i (v_i -
+///     sum_i om_i |L(v'_i) - R_i S_i delta_i|^2 + sum_ij k_ij |v'_i - v'_j - R_i S_i (v_i -
 ///     v_j)|^2,
 /// j over the ring of i. Both sums approach integrals over the surface, in the ratio l^2 : 1 of
 /// squared mean curvature vectors and squared gradients, so that neither a finer mesh nor an uneven

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 constexpr int kMaxIterations = 200;
 
-// The project's design notes, section 3: a rippled cylinder, held below z = 0.6, moved above 5.4.
+// A rippled cylinder, held below z = 0.6, moved above 5.4.
 struct Cylinder {
   Mesh mesh = rippled_cylinder();
   Topology topology = mesh.topology();
