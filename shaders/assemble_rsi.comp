@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Rows of the RSI system (ENERGY.md, section 2; twin: kernels/assemble_rsi.cpp, laplacian/ring_fit.cpp):
+// Rows of the RSI system (ENERGY.md section 2; twins: kernels/assemble_rsi.cpp,
+// laplacian/ring_fit.cpp):
 //     B_ik = delta_i x_k' / S - [delta_i]x J^-1 [x_k]x - l_ik I
 // One invocation per row.
 

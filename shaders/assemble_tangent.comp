@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Rows of the energy's tangent at rest (ENERGY.md, section 5; twin: kernels/assemble_tangent.cpp):
+// Rows of the energy's tangent at rest (ENERGY.md section 5; twin: kernels/assemble_tangent.cpp):
 //     G_ij = -F_i^-1 [k_ij e_ij + om_i w_ij delta_i]x,   G_ii = minus their sum,
 //     F_i F_i' = tr(C_i) I - C_i,   C_i = om_i delta_i delta_i' + sum_j k_ij e_ij e_ij'
 // One invocation per row.

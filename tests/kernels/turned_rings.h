@@ -23,8 +23,8 @@ struct TurnedRings {
 
 /// Two thirds of the vertices are rows, most of those unknowns; weights are cotangent ones, so that
 /// w_ij and w_ji differ, rows weigh differently, and edges have mu / 2 times their edge_weights as
-/// stiffness, none where mu is 0. Turned by `degrees` about a tilted axis, moved far, and every vertex moved
-/// at random by up to `noise` of the mean edge.
+/// stiffness, none where mu is 0. Turned by `degrees` about a tilted axis, moved far, and every
+/// vertex moved at random by up to `noise` of the mean edge.
 TurnedRings turned_rings(const Sample& sample, double degrees, double noise, double mu,
                          unsigned seed);
 

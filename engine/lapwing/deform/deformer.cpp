@@ -1,5 +1,5 @@
 // Based on: Sorkine, Cohen-Or, Lipman, Alexa, Roessl, Seidel, "Laplacian Surface Editing", SGP
-// 2004, sections 3 and 4, in the displacement form of ENERGY.md, section 2.
+// 2004, sections 3 and 4, in the displacement form of ENERGY.md section 2.
 #include "lapwing/deform/deformer.h"
 
 #include <algorithm>
@@ -69,8 +69,10 @@ const HandleShares& Deformer::State::held_shares() const {
   return *shares;
 }
 
-// Under the lock.
+// Under the lock. A linear response that scales nothing does without the factor of the n x n
+// system.
 RestStretch Deformer::State::asked_stretch(std::span<const Eigen::Affine3d> motions) const {
+  if (are_rigid(motions)) return {};
   system->hold_laplacian();
   return lapwing::rest_stretch(*system, motions);
 }
@@ -295,7 +297,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
 std::vector<Eigen::Matrix3d> Deformer::rest_stretch(
     std::span<const Eigen::Affine3d> motions) const {
   const State& s = *state_;
-  if (!s.has_shares()) return {};
+  if (are_rigid(motions) || !s.has_shares()) return {};
   const auto lock = s.system->systems->lock();
   return s.asked_stretch(motions).of_vertices;
 }

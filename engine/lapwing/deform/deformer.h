@@ -33,10 +33,10 @@ struct DeformResult {
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
-/// and 4; ENERGY.md, section 3). Construction prepares: for a linear response it assembles the tangent
-/// of the energy over the region (or the RSI system, see LinearResponse) and factors it, and a
-/// motion is one right-hand side after that; with settling it factors the n x n system, by which
-/// most motions settle:
+/// and 4; ENERGY.md section 3). Construction prepares: for a linear response it assembles the
+/// tangent of the energy over the region (or the RSI system, see LinearResponse) and factors it,
+/// and a motion is one right-hand side after that; with settling it factors the n x n system, by
+/// which most motions settle:
 ///
 ///     Deformer deformer(mesh.positions, topology, region, {}, kernels);
 ///     mesh.positions = deformer.solve(motions).positions;
@@ -144,7 +144,7 @@ class Deformer {
   void prepare_to_follow(const Progress& progress = {}) const;
 
   /// The S_i that handles so moved ask for, as DeformResult has them; empty if no handle scales.
-  /// Waits for what solves on another thread.
+  /// Waits for what solves on another thread only if one does.
   std::vector<Eigen::Matrix3d> rest_stretch(std::span<const Eigen::Affine3d> motions) const;
 
   /// Forgets what the frames of the last drag have told.

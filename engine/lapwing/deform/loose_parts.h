@@ -26,12 +26,14 @@ class LooseParts {
   bool empty() const { return parts_.empty(); }
 
   /// Displaces the parts with the surface, which is displaced by `u` over the whole mesh; their
-  /// anchors are asked to go by `wanted`. `scales` are the mean scales of S_i, per vertex of the mesh; none for 1.
+  /// anchors are asked to go by `wanted`. `scales` are the mean scales of the S_i,
+  /// per vertex of the mesh; none for 1.
   /// Where nothing moves the bits are kept.
   void carry(std::span<const Eigen::Vector3d> wanted, std::span<const double> scales,
              std::span<Eigen::Vector3d> u) const;
 
-  /// The same to first order, so that columns of a response can be carried; `growth` is the scale less 1.
+  /// The same to first order, so that columns of a response can be carried; `growth` is the
+  /// scale less 1.
   void carry_linear(std::span<const Eigen::Vector3d> wanted, std::span<const double> growth,
                     std::span<Eigen::Vector3d> u) const;
 

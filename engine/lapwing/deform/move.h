@@ -20,7 +20,7 @@ struct SimilarityMove {
   Eigen::Vector3d translate = Eigen::Vector3d::Zero();
   AxisRotation rotate;
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< along x, y and z, each above 0
-  std::optional<Eigen::Vector3d> pivot = {};  ///< the handle's centroid when not given
+  std::optional<Eigen::Vector3d> pivot = {};        ///< the handle's centroid when not given
   bool operator==(const SimilarityMove&) const = default;
 };
 

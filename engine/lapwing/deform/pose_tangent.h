@@ -14,9 +14,9 @@
 namespace lapwing {
 
 /// The energy's tangent in a pose, as settling uses it: A x I - beta G'G. G_i = F_i^-1 a_i of a
-/// ring that has turned by R_i is that at rest, each block turned back by R_i (ENERGY.md, section 3),
-/// where the ring has kept its shape. Where it has been stretched, F_i F_i' = K_i = tr(S) I - S is
-/// larger than at rest, C_i = R_i S: its rotation follows the surface less, and what is under
+/// ring that has turned by R_i is that at rest, each block turned back by R_i (ENERGY.md section
+/// 3), where the ring has kept its shape. Where it has been stretched, F_i F_i' = K_i = tr(S) I - S
+/// is larger than at rest, C_i = R_i S: its rotation follows the surface less, and what is under
 /// tension resists bending. Directions in which a ring has been crushed keep the K_i of rest, so
 /// that the matrix stays positive semidefinite in every pose. Its factor is held in floats, which
 /// do for a first Hessian (settle/README.md), and in doubles from where rounding has left it

@@ -10,7 +10,7 @@
 namespace lapwing {
 
 /// What pulls at the unknowns at rest where the surface is asked to have another scale, s_i = 1 +
-/// `growth` per vertex of the region, to first order (ENERGY.md, section 3): the forces f of
+/// `growth` per vertex of the region, to first order (ENERGY.md section 3): the forces f of
 /// ResponseSystem for the tangent, 3 numbers per unknown.
 Numbers scale_forces(const EditSystem& system, std::span<const double> growth);
 

@@ -26,7 +26,7 @@ std::shared_ptr<BlockRows> tangent_rows(const Topology& topology, std::span<cons
                                         std::span<const Eigen::Vector3d> rest, Kernels& kernels);
 
 /// The factored 3n x 3n system N of one region from which drags take their response: the energy's
-/// tangent at rest, A x I - G'G with A = L'Om L + K (ENERGY.md, section 3), or the paper's M'M. Soft
+/// tangent at rest, A x I - G'G with A = L'Om L + K (ENERGY.md section 3), or the paper's M'M. Soft
 /// constraints: (N + W) u = W d + f over the region's vertices, f forces on them. Hard ones:
 /// N u = f - N d over the free vertices, d given on handle and belt.
 class ResponseSystem {

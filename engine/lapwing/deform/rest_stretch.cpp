@@ -116,10 +116,7 @@ class RingStretch {
 }  // namespace
 
 RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine3d> motions) {
-  const bool is_rigid = std::ranges::all_of(motions, [](const Eigen::Affine3d& motion) {
-    return are_equal(motion.linear().transpose() * motion.linear(), Matrix3d::Identity());
-  });
-  if (is_rigid) return {};
+  if (are_rigid(motions)) return {};
   std::vector<Matrix3d> of_handles;
   for (const Eigen::Affine3d& motion : motions) {
     of_handles.push_back(polar_stretch(motion.linear()));
@@ -143,6 +140,12 @@ RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine
     for (std::size_t r = begin; r < end; ++r) stretch[roi[r]] = stretch_of(roi[r]);
   });
   return result;
+}
+
+bool are_rigid(std::span<const Eigen::Affine3d> motions) {
+  return std::ranges::all_of(motions, [](const Eigen::Affine3d& motion) {
+    return are_equal(motion.linear().transpose() * motion.linear(), Matrix3d::Identity());
+  });
 }
 
 Matrix3d polar_stretch(const Matrix3d& A) {

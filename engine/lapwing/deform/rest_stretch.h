@@ -32,6 +32,10 @@ struct RestStretch {
 /// The n x n system of `system` is held. Costs one solve of three right-hand sides.
 RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine3d> motions);
 
+/// Whether every motion is a rotation with a translation, but for rounding: no handle changes its
+/// size.
+bool are_rigid(std::span<const Eigen::Affine3d> motions);
+
 /// The stretch P of A = R P, R a rotation: the root of A'A. No direction becomes shorter than
 /// kLeastStretch, which keeps the rotation of what is flattened defined.
 Eigen::Matrix3d polar_stretch(const Eigen::Matrix3d& A);

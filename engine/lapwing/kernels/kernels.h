@@ -99,15 +99,16 @@ class Kernels {
 
   virtual const DeviceInfo& device() const = 0;
 
-  /// The 3 x 3 blocks of the rows of M (ENERGY.md, section 2):
+  /// The 3 x 3 blocks of the rows of M (ENERGY.md section 2):
   ///     B_ik = delta_i x_k' / S - [delta_i]x J^-1 [x_k]x - l_ik I,   l_ii = 1, l_ij = -w_ij.
   /// Row after row; in a row the block of i itself, then those of its ring in order; each block
   /// column after column. `blocks` holds 9 numbers for each of sum_rows (1 + |N_i|) blocks. A
   /// vertex without ring has the block 0.
   virtual void assemble_rsi(const RingProblem& problem, std::span<double> blocks) = 0;
 
-  /// The 3 x 3 blocks of the rows G of the energy's tangent at rest (ENERGY.md, section 5): to second
-  /// order E(u) = sum of the energy with rotations held - |G u|^2, where the rotations follow u:
+  /// The 3 x 3 blocks of the rows G of the energy's tangent at rest (ENERGY.md section 5): to
+  /// second order E(u) = sum of the energy with rotations held - |G u|^2, where the rotations
+  /// follow u:
   ///     a_i(u) = sum_j k_ij [e_ij]x (u_i - u_j) + om_i [delta_i]x L(u)_i,   e_ij = v_i - v_j,
   ///     G_i = F_i^-1 a_i,   F_i F_i' = K_i = tr(C_i) I - C_i,
   ///     C_i = om_i delta_i delta_i' + sum_j k_ij e_ij e_ij',

@@ -8,7 +8,7 @@
 
 namespace lapwing {
 
-/// What the energy of an edit is made of besides the rest shape (ENERGY.md, section 3).
+/// What the energy of an edit is made of besides the rest shape (ENERGY.md section 3).
 struct EnergyTerms {
   LaplacianWeights weights = LaplacianWeights::cotangent;
   /// l: features much smaller are carried as they are, shapes much larger bend and stretch as

@@ -16,8 +16,8 @@
 
 namespace lapwing {
 
-/// The factored n x n system (L'Om L + K + W) u = b of one region, the same for x, y and z (ENERGY.md,
-/// sections 3 and 4). Om are the weights of the rows and K the matrix of the edge energy
+/// The factored n x n system (L'Om L + K + W) u = b of one region, the same for x, y and z
+/// (ENERGY.md sections 3 and 4). Om are the weights of the rows and K the matrix of the edge energy
 /// sum_ij k_ij |u_i - u_j|^2, each row counting the edges of its ring (EnergyWeights); without a
 /// detail length this is L'L + W. Springs, where there are any, are part of K.
 class LaplacianSystem {

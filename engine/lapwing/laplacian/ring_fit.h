@@ -9,7 +9,8 @@
 namespace lapwing {
 
 /// The fixed part of the least-squares fit of eq. 6-12 over K_i = {i} u N_i, in coordinates centred
-/// on the mean c of K_i. There the 7 x 7 system A'A of eq. 12 is block diagonal (ENERGY.md, section 2):
+/// on the mean c of K_i. There the 7 x 7 system A'A of eq. 12 is block diagonal (ENERGY.md section
+/// 2):
 ///     s = sum_k x_k . v'_k / S         S = sum_k |x_k|^2
 ///     h = J^-1 sum_k x_k x v'_k        J = sum_k (|x_k|^2 I - x_k x_k')
 /// Where J is singular (a collinear ring) its pseudo-inverse stands in; where S = 0 both inverses

@@ -86,7 +86,7 @@ class PartSettler {
 ///                                + sum_j k_ij |(v'_i - v'_j) - R_i S_i (v_i - v_j)|^2
 ///          + sum_held w^2 |u - d|^2 + the springs of the system - 2 sum f . u
 ///
-/// (EnergyWeights, ENERGY.md, section 3), by L-BFGS: each step takes the rotations (kernel
+/// (EnergyWeights, ENERGY.md section 3), by L-BFGS: each step takes the rotations (kernel
 /// fit_rotations), the gradient (kernel energy_gradient) and one solve, at first with the one n x n
 /// factor that serves x, y, z and every iteration; where that goes slowly with the tangent of the
 /// pose reached, renewed on the way. Where nearly all of the surface has settled and a few places
