@@ -77,6 +77,13 @@ class Editing : public test::WindowTest {
     person_->drag({corner, 0.5 * (corner + opposite), opposite});
   }
 
+  // Moves the handle in the plane of the view by a typed number.
+  void move_by(const std::string& number) {
+    person_->keys("g");
+    person_->type(number);
+    person_->keys("Return");
+  }
+
   // Until the result of what the person did last is there.
   bool settles() {
     return person_->eventually_is([](const Draft& d) { return d.settled; });

@@ -7,9 +7,7 @@ namespace {
 TEST_F(Editing, ClosingAsksWhetherToSave) {
   open_tube();
   choose_parts();
-  person_->keys("g");
-  person_->type("0.5");
-  person_->keys("Return");
+  move_by("0.5");
   ASSERT_TRUE(settles());
   person_->open_dialog("ctrl+q");
   person_->keys("Escape");
@@ -30,9 +28,7 @@ TEST_F(Editing, ClosingAsksWhetherToSave) {
 TEST_F(Editing, TheFirstSaveAsksWhereAndTheNextOnesDoNot) {
   open_tube();
   choose_parts();
-  person_->keys("g");
-  person_->type("0.5");
-  person_->keys("Return");
+  move_by("0.5");
   ASSERT_TRUE(settles());
   person_->open_dialog("ctrl+s");
   keep_picture("first-save");
@@ -42,9 +38,7 @@ TEST_F(Editing, TheFirstSaveAsksWhereAndTheNextOnesDoNot) {
   const Positions first = read_mesh(edited).positions;
   EXPECT_EQ(read_mesh(tube()).positions, mesh_.positions) << "the opened file stays";
   desktop_->settled_picture();
-  person_->keys("g");
-  person_->type("0.4");
-  person_->keys("Return");
+  move_by("0.4");
   ASSERT_TRUE(settles());
   person_->keys("ctrl+s");
   EXPECT_TRUE(test::eventually(60.0, [&] { return read_mesh(edited).positions != first; }));
@@ -55,9 +49,7 @@ TEST_F(Editing, TheFirstSaveAsksWhereAndTheNextOnesDoNot) {
 TEST_F(Editing, ARecipeExportedAfterReplacingTheOpenedFileBendsOnlyOnce) {
   open_tube();
   choose_parts();
-  person_->keys("g");
-  person_->type("0.5");
-  person_->keys("Return");
+  move_by("0.5");
   ASSERT_TRUE(settles());
   person_->open_dialog("ctrl+s");
   person_->type(tube().string());
@@ -81,9 +73,7 @@ TEST_F(Editing, ARecipeExportedAfterReplacingTheOpenedFileBendsOnlyOnce) {
 TEST_F(Editing, OpeningAnotherFileAsksWhetherToSave) {
   open_tube();
   choose_parts();
-  person_->keys("g");
-  person_->type("0.5");
-  person_->keys("Return");
+  move_by("0.5");
   ASSERT_TRUE(settles());
   const fs::path ball = folder_ / "ball.obj";
   write_mesh(icosphere(2), ball);
@@ -104,9 +94,7 @@ TEST_F(Editing, OpeningAnotherFileAsksWhetherToSave) {
 TEST_F(Editing, SavingAsAFileThatIsThereAsksFirst) {
   open_tube();
   choose_parts();
-  person_->keys("g");
-  person_->type("0.5");
-  person_->keys("Return");
+  move_by("0.5");
   const fs::path there = folder_ / "there.ply";
   replace_file(there, "precious");
   person_->open_dialog("ctrl+shift+s");
