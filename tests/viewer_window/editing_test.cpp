@@ -248,8 +248,11 @@ TEST_F(Editing, EachGizmoModeMovesTheHandle) {
   person_->keys("q");
   drag_part(GizmoMode::scale, GizmoPart::y, {0.0, -20.0});
   ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
-    return d.settled && std::holds_alternative<MatrixMove>(d.open.handles[0].move);
+    const auto* moved = std::get_if<SimilarityMove>(&d.open.handles[0].move);
+    return d.settled && moved != nullptr && moved->scale.y() > 1.05;
   })) << "the arm along y stretches";
+  EXPECT_NEAR(move().scale.x(), 1.0, 1e-9);
+  EXPECT_NEAR(move().scale.z(), 1.0, 1e-9);
 
   // Keys and typed numbers, from rest.
   person_->keys("ctrl+z");
