@@ -32,9 +32,8 @@ std::vector<Index> triangles_at(std::span<const Index> roi, const Topology& topo
     const auto around = topology.vertex_triangles[v];
     triangles.insert(triangles.end(), around.begin(), around.end());
   }
-  std::ranges::sort(triangles);
-  const auto repeated = std::ranges::unique(triangles);
-  triangles.erase(repeated.begin(), repeated.end());
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return triangles;
 }
 
