@@ -99,7 +99,7 @@ constexpr auto kKeyBindings = std::to_array<KeyBinding>(
      {'Z', kControlShift, Action::redo, "redo"},
      {'Y', kControl, Action::redo},
      {'O', kControl, Action::open, "open"},
-     {'S', kControl, Action::save, "save the mesh"},
+     {'S', kControl, Action::save, "save the mesh; the first time it asks where"},
      {'S', kControlShift, Action::save_as, "save the mesh as another file"},
      {'E', kControl, Action::save_recipe, "save the steps as a recipe"},
      {'R', kControl, Action::replay_recipe, "replay a recipe on this mesh"},
