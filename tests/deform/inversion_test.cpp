@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
