@@ -12,8 +12,8 @@
 namespace lapwing {
 
 /// How far every vertex goes along with each handle: 1 on it, 0 on the belt, smoothly between; in
-/// all at most 1, and 1 where nothing but handles holds the region. From these follows where large
-/// rotations settle from. What is spread over
+/// all at most 1, and 1 where nothing but handles holds the region. Large rotations
+/// start from them. What is spread over
 /// the surface by its shares costs one column of the n x n system, however many handles there are.
 class HandleShares {
  public:
