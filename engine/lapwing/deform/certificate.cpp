@@ -144,7 +144,7 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
   return rotations;
 }
 
-// What to try against folds.
+// Says what to try against folds.
 std::string advice(const Certificate& c) {
   const std::string move =
       "Move the handle less, rotate it with its motion, or go in several steps";

@@ -25,7 +25,7 @@ Vector3d area_normal_at(Index v, const Topology& topology, std::span<const Vecto
   return sum;
 }
 
-// Those with a corner in `roi`, ascending.
+// Returns the triangles with a corner in `roi`, ascending.
 std::vector<Index> triangles_at(std::span<const Index> roi, const Topology& topology) {
   std::vector<Index> triangles;
   for (const Index v : roi) {
@@ -78,7 +78,7 @@ Inversion measure_inversion(std::span<const Index> roi, const Topology& topology
     places.push_back(s);
   }
   if (places.empty()) return {};
-  // Nearest to the mean of all that are.
+  // Name the inverted vertex that is nearest to the mean of all of them.
   Vector3d mean = Vector3d::Zero();
   for (const std::size_t s : places) mean += current[roi[s * stride]];
   mean /= static_cast<double>(places.size());

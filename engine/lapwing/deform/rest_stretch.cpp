@@ -37,7 +37,7 @@ Matrix3d common_stretch(const EditSystem& system, std::span<const Matrix3d> of_h
       });
 }
 
-// The map x -> x + u of the stretches beyond `common`.
+// Returns u of the map x -> common x + u that the handles' stretches make.
 std::vector<Vector3d> smooth_map(const EditSystem& system, std::span<const Matrix3d> of_handles,
                                  const Matrix3d& common) {
   std::vector<Eigen::Affine3d> stretching;
@@ -96,7 +96,7 @@ class RingStretch {
   }
 
  private:
-  // Of the surface stretched by `common`, weighted by area.
+  // Returns the area-weighted normal of the surface stretched by `common`.
   Vector3d normal_at(Index i) const {
     Vector3d sum = Vector3d::Zero();
     for (const Index t : topology_.vertex_triangles[i]) {
