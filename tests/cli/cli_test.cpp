@@ -26,11 +26,12 @@ TEST_F(CommandLine, DeformByFlagsWritesMeshReportAndRecipeThatRunsToTheSameMesh)
   EXPECT_EQ(read("a.obj"), read("b.obj"));
 }
 
-TEST_F(CommandLine, LargeTurnIsWarnedAboutOrCommittedOnTheWay) {
+TEST_F(CommandLine, LargeTurnIsMadeInPartsByItselfOrAsAsked) {
   const std::string turn = kLiftFlags + "--rotate 0,0,1,260 --device cpu --save a.obj ";
-  const Outcome warned = lapwing(turn);
-  ASSERT_EQ(warned.exit_code, 0) << warned.output;
-  EXPECT_THAT(warned.output, HasSubstr("--commit-every 130"));
+  const Outcome by_itself = lapwing(turn);
+  ASSERT_EQ(by_itself.exit_code, 0) << by_itself.output;
+  EXPECT_THAT(by_itself.output, HasSubstr("3 commits"));
+  EXPECT_THAT(by_itself.output, Not(HasSubstr("--commit-every")));
   const Outcome committed = lapwing(turn + "--commit-every 130 --recipe a.recipe.json");
   ASSERT_EQ(committed.exit_code, 0) << committed.output;
   EXPECT_THAT(committed.output, HasSubstr("2 commits"));

@@ -98,6 +98,7 @@ TEST_F(DeformInMemory, MovesARegionOfOneVertex) {
 
 TEST_F(DeformInMemory, SaysWhatToChangeWithoutAFile) {
   DeformRequest wound = request(Vector3d::Zero(), 200.0);
+  wound.parameters.settle.reset();
   EXPECT_THAT(deform(mesh_, wound).warnings,
               ::testing::Contains(StartsWith("deform: handle 1 turns by 200 degrees")));
   wound.parameters.commit_every = 100.0;

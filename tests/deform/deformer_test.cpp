@@ -342,7 +342,7 @@ TEST(Deformer, WrongNumberOfMotionsAndWeightsAreRefused) {
   const Topology& topology = mesh.topology();
   CpuKernels kernels;
   const Deformer deformer(mesh.positions, topology, foot_and_head(mesh), {}, kernels);
-  EXPECT_THROW(deformer.solve({}), InputError);
+  EXPECT_THROW(deformer.solve(HandleMotions()), InputError);
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
     DeformOptions options;
     options.constraint_weight = bad;

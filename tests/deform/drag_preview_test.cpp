@@ -54,10 +54,9 @@ TEST(DragPreview, FromAPoseItIsThatPoseUntilTheHandleMovesOn) {
   const DragPreview preview(mesh.positions, topology, region, {});
   const Deformer deformer(preview, kernels);
   const std::array motions{test::bend()};
-  const std::array turns{shortest_turn(motions[0])};
   const Positions settled = deformer.solve(motions).positions;
-  const SettledPose pose = preview.response()->pose_at(settled, motions, turns);
-  const SettledPose same = deformer.response()->pose_at(settled, motions, turns);
+  const SettledPose pose = preview.response()->pose_at(settled, handle_motions(motions));
+  const SettledPose same = deformer.response()->pose_at(settled, handle_motions(motions));
   EXPECT_EQ(pose.parameters, same.parameters);
   EXPECT_EQ(pose.displacement, same.displacement);
 

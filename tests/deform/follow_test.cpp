@@ -28,8 +28,9 @@ std::array<Affine3d, 1> twist(double degrees) {
   return {test::turn_and_move(degrees, Vector3d::UnitZ(), Vector3d::Zero())};
 }
 
-std::array<AngleAxisd, 1> turn_of(double degrees) {
-  return {AngleAxisd(degrees * std::numbers::pi / 180.0, Vector3d::UnitZ())};
+// The same, past half a turn, too.
+HandleMotions turned(double degrees) {
+  return {{twist(degrees)[0]}, {AngleAxisd(degrees * std::numbers::pi / 180.0, Vector3d::UnitZ())}};
 }
 
 bool same(const SettledPose& a, const SettledPose& b) {
@@ -44,8 +45,7 @@ class FollowedCylinder : public ::testing::Test {
     return positions;
   }
   double distance_from_solution(const SettledPose& pose, double degrees) const {
-    return largest_distance(positions(pose),
-                            deformer_.solve(twist(degrees), turn_of(degrees)).positions);
+    return largest_distance(positions(pose), deformer_.solve(turned(degrees)).positions);
   }
 
   Mesh mesh_ = test::rippled_cylinder(30, 61);
@@ -69,14 +69,14 @@ TEST_F(FollowedCylinder, TurnOf260DegreesInFramesKeepsItsWinding) {
     deformer_.follow(twist(degrees), pose);
     EXPECT_TRUE(pose.settled.settled) << degrees << " degrees";
   }
-  EXPECT_NEAR(pose.turns[0].angle() * 180.0 / std::numbers::pi, 260.0, 1e-6);
+  EXPECT_NEAR(pose.motions.turns[0].angle() * 180.0 / std::numbers::pi, 260.0, 1e-6);
   EXPECT_LT(distance_from_solution(pose, 260.0), 1e-3);
 }
 
 TEST_F(FollowedCylinder, FirstFrameIsWoundByItsTurn) {
   for (const double degrees : {260.0, -100.0}) {
     SettledPose pose;
-    deformer_.follow(twist(degrees), turn_of(degrees), pose);
+    deformer_.follow(turned(degrees), pose);
     EXPECT_LT(distance_from_solution(pose, degrees), 1e-3) << degrees << " degrees";
   }
 }
@@ -84,7 +84,7 @@ TEST_F(FollowedCylinder, FirstFrameIsWoundByItsTurn) {
 TEST_F(FollowedCylinder, FramesFarApartEndWhereTheSolutionIs) {
   SettledPose pose;
   for (const double degrees : {120.0, 240.0, 30.0, -90.0}) {
-    deformer_.follow(twist(degrees), turn_of(degrees), pose);
+    deformer_.follow(turned(degrees), pose);
     EXPECT_LT(distance_from_solution(pose, degrees), 1e-3) << degrees << " degrees";
   }
 }
@@ -141,8 +141,7 @@ TEST_F(FollowedCylinder, AFrameBeginsNearWhereAHandleThatGoesOnTakesTheSurface) 
     deformer_.follow(twist(degrees), pose);
   }
   ASSERT_TRUE(pose.settled.settled);
-  SettledPose alone =
-      deformer_.response()->pose_at(positions(pose), twist(40.0), turn_of(40.0));  // from nowhere
+  SettledPose alone = deformer_.response()->pose_at(positions(pose), turned(40.0));  // from nowhere
   deformer_.follow(twist(42.0), alone, no_time);
   SettledPose on = pose;
   deformer_.follow(twist(42.0), on, no_time);
@@ -154,9 +153,9 @@ TEST_F(FollowedCylinder, AFrameBeginsNearWhereAHandleThatGoesOnTakesTheSurface) 
 }
 
 TEST_F(FollowedCylinder, ADragFromAPoseBeginsThere) {
-  const DeformResult settled = deformer_.solve(twist(40.0), turn_of(40.0));
+  const DeformResult settled = deformer_.solve(turned(40.0));
   const auto pose = std::make_shared<const SettledPose>(
-      deformer_.response()->pose_at(settled.positions, twist(40.0), turn_of(40.0)));
+      deformer_.response()->pose_at(settled.positions, turned(40.0)));
   const auto dragged_to = [&](double degrees) {
     return test::dragged(deformer_.response(), twist(degrees), pose);
   };
@@ -227,7 +226,7 @@ class FollowedFineCylinder : public ::testing::Test {
     EXPECT_TRUE(pose.settled.settled);
   }
   double off(const SettledPose& pose, double degrees) const {
-    const Positions solved = deformer_.solve(twist(degrees), turn_of(degrees)).positions;
+    const Positions solved = deformer_.solve(turned(degrees)).positions;
     double most = 0.0;
     for (std::size_t v = 0; v < solved.size(); ++v) {
       most = std::max(most, (mesh_.positions[v] + pose.displacement[v] - solved[v]).norm());
@@ -449,7 +448,7 @@ TEST(Follow, TwoStepsOf130DegreesTurnTheMiddleBy130) {
   Positions rest = start;
   for (int step = 0; step < 2; ++step) {
     const Deformer deformer(rest, topology, test::ends_of_cylinder(mesh), {}, kernels);
-    rest = deformer.solve(twist(130.0), turn_of(130.0)).positions;
+    rest = deformer.solve(turned(130.0)).positions;
   }
   double wound = 0.0;
   double middle = 0.0;
@@ -475,7 +474,7 @@ TEST_F(FollowedCylinder, MotionThatIsNotFiniteLeavesThePoseAsItWas) {
 
 TEST_F(FollowedCylinder, WrongNumberOfMotionsIsRefused) {
   SettledPose pose;
-  EXPECT_THROW(deformer_.follow({}, pose), InputError);
+  EXPECT_THROW(deformer_.follow(HandleMotions(), pose), InputError);
   deformer_.follow(twist(10.0), pose);
   const std::vector<Affine3d> two(2, twist(10.0)[0]);
   EXPECT_THROW(deformer_.follow(two, pose), InputError);

@@ -101,26 +101,16 @@ TEST_F(Winding, TwistOf260DegreesInTwoCommitsOf130IsKept) {
   EXPECT_THAT(whole->report.warnings, IsEmpty());
 }
 
-TEST_F(Winding, WithoutCommitsTheSurfaceHoldsWhatItCanAndTheUserIsTold) {
-  const auto held = run(twist(260));
-  EXPECT_NEAR(turns_of_circles(*held).back(), 260.0, 1.0);
-  EXPECT_EQ(held->report.steps[0].deform->commits, 1U);
-  EXPECT_THAT(held->report.warnings,
-              ElementsAre("step 1: handle 1 turns by 260 degrees at once; beyond 180 a surface "
-                          "may unwind, and this one did not. To be sure: add \"commit_every\": 130 "
-                          "(or --commit-every 130)"));
-
-  const auto wound = run(twist(300));
-  EXPECT_NEAR(turns_of_circles(*wound).back(), 300.0, 1.0);
-
-  // Details alone hold less.
-  const auto lost = run(twist(300, R"(, "detail_length": 2)"));
-  EXPECT_NEAR(turns_of_circles(*lost).back(), -60.0, 1.0);
-  EXPECT_NEAR(lost->report.steps[0].deform->wound_degrees.value(), -60.0, 1.0);
-  EXPECT_THAT(
-      lost->report.warnings,
-      ::testing::Contains("step 1: handle 1 turns by 300 degrees, but the surface came out wound "
-                          "by -60: add \"commit_every\": 150 (or --commit-every 150)"));
+TEST_F(Winding, LargeTurnsAreMadeInPartsByThemselves) {
+  for (const double degrees : {260.0, 300.0, 360.0, 720.0}) {
+    const auto wound = run(twist(degrees));
+    EXPECT_NEAR(turns_of_circles(*wound).back(), degrees, 1.0);
+    const StepReport& step = wound->report.steps[0];
+    EXPECT_EQ(step.deform->commits, static_cast<std::size_t>(std::ceil(degrees / 90.0)));
+    EXPECT_EQ(step.deform->certificate.flipped_triangles, 0U) << degrees;
+    EXPECT_THAT(wound->report.warnings, IsEmpty()) << degrees;
+  }
+  EXPECT_EQ(run(twist(180))->report.steps[0].deform->commits, 1U);
 }
 
 TEST_F(Winding, LinearSolutionKnowsNoTurns) {

@@ -244,7 +244,7 @@ TEST_F(AnEditor, AHandleThatSticksGoesToTheSurfaceBesideTheRoi) {
   send(move_to(foot));
   send(key(kEnter));
   const Vector3d middle =
-      to_affine(editor_->state().moves[0], handle_centroid(editor_->state(), 0)) *
+      to_affine(editor_->state().moves[0].move, handle_centroid(editor_->state(), 0)) *
       handle_centroid(editor_->state(), 0);
   const auto seen =
       pick_surface(editor_->state().rest->topology(), rest(), view_.projection().ray_through(foot));

@@ -152,7 +152,7 @@ TEST_F(WhileItSettles, APinIsSetAndDraggedInOneGesture) {
     send_in_frames({press(*pin), move_to(there), release(there)});
   });
   ASSERT_EQ(editor_->state().selection.handles.size(), 2U);
-  EXPECT_NE(editor_->state().moves[1], Move{});
+  EXPECT_FALSE(editor_->state().moves[1].is_at_rest());
 }
 
 TEST_F(WhileItSettles, UndoGivesUpWhatWaitsAndThenTheDrag) {

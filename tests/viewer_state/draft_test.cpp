@@ -8,6 +8,7 @@
 #include "lapwing/deform/deformer.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/session/run_recipe.h"
+#include "state/waypoints.h"
 #include "support/error_message.h"
 #include "viewer_state/tube_edit.h"
 
@@ -26,9 +27,13 @@ class AnEdit : public ::testing::Test {
   // As the viewer does: a Deformer prepared once, solved for the state's motions.
   void settle(History& history) {
     const AppState& state = history.state();
+    if (goes_in_substeps(state.parameters, state.moves)) {
+      history.perform(Settle{solve_open_step(state, kernels_)});
+      return;
+    }
     const Deformer deformer(state.rest->positions, state.rest->topology(), edit_region(state),
                             state.parameters, kernels_);
-    const auto result = deformer.solve(motions_of(state), turns_of(state));
+    const auto result = deformer.solve_along(path_of(state), motions_of(state));
     history.perform(Settle{std::make_shared<const MovedVertices>(
         moved_vertices(state.rest->positions, result.positions))});
   }
@@ -121,7 +126,7 @@ TEST_F(AnEdit, WithAMirrorIsReplayedRestoredAndUndone) {
   ASSERT_NE(history.state().mirrored, nullptr);
   EXPECT_EQ(edit_region(history.state()).handles.size(), 2U);
   history.perform(MoveHandle{0, bent()});
-  EXPECT_EQ(motions_of(history.state()).size(), 2U);
+  EXPECT_EQ(motions_of(history.state()).maps.size(), 2U);
   std::vector<std::size_t> dragged;
   dragged_handles(history.state(), 0, false, dragged);
   EXPECT_EQ(dragged, (std::vector<std::size_t>{0, 1})) << "with its image";

@@ -39,7 +39,7 @@ class ASession : public ::testing::Test {
     }
   }
   // Where a drag to `moves` comes to rest.
-  Positions follow_to_the_end(const std::vector<Move>& moves,
+  Positions follow_to_the_end(const std::vector<HandleMove>& moves,
                               std::shared_ptr<const SettledPose> from) {
     for (;;) {
       wait_for(PreparationStatus::Phase::ready);
@@ -126,13 +126,13 @@ TEST_F(ASession, WhatUndoAndRedoLeaveUnsettledSettlesByItself) {
   session_->undo();
   EXPECT_TRUE(session_->awaits_result());
   wait_for_result();
-  EXPECT_EQ(session_->state().moves[0], bent());
+  EXPECT_EQ(session_->state().moves[0].move, bent());
   session_->undo();
   session_->redo();
   EXPECT_FALSE(needs_settling(session_->state()));
   session_->redo();
   EXPECT_FALSE(needs_settling(session_->state()));
-  EXPECT_EQ(session_->state().moves[0], twisted(60.0));
+  EXPECT_EQ(session_->state().moves[0].move, twisted(60.0));
 }
 
 TEST_F(ASession, HalfAStepIsNeverSaved) {
@@ -233,21 +233,21 @@ TEST_F(ASession, ASettledHandleTakenHoldOfAgainMovesNothing) {
 TEST_F(ASession, ADragOfASettledHandleGoesOnFromThere) {
   drag(twisted(70.0));
   const Positions before = positions();
-  const std::vector<Move> moves{twisted(71.0)};
+  const std::vector<HandleMove> moves{twisted(71.0)};
   const Positions live = follow_to_the_end(moves, session_->pose());
   EXPECT_LT(largest_distance(live, before), 0.05);
-  drag(moves[0]);
+  drag(moves[0].move);
   EXPECT_LT(largest_distance(live, positions()), 1e-3) << "what was seen is what comes";
 }
 
 TEST_F(ASession, AMoveWinsOverALiveResult) {
   session_->perform(SetParameters{{{.settle = SettleOptions{.tolerance = 1e-9}}}});
   wait_for(PreparationStatus::Phase::ready);
-  const std::vector<Move> dragged{twisted(170.0)};
+  const std::vector<HandleMove> dragged{twisted(170.0)};
   session_->settle_live(dragged, {});
   drag(bent());
   EXPECT_FALSE(session_->take_live_result().has_value());
-  EXPECT_EQ(session_->state().moves[0], bent());
+  EXPECT_EQ(session_->state().moves[0].move, bent());
 }
 
 TEST_F(ASession, RestoredAfterACrashIsWhereItWas) {

@@ -25,7 +25,7 @@ class AGizmoTool : public ::testing::Test {
   Move performed(const ToolAnswer& answer) {
     if (!answer.command) return SimilarityMove{};
     state_ = apply(state_, *answer.command);
-    return state_.moves[0];
+    return state_.moves[0].move;
   }
   std::string readout() const {
     std::string text;
@@ -263,7 +263,7 @@ TEST_F(AGizmoTool, FrameOfADragAllocatesNothing) {
     const FailingNew counted(-1);
     for (int k = 0; k < 50; ++k) {
       send(move_to(middle_ + Vector2d(90 - k, 3 * k)));
-      motions_of(state_, 0, *tool_.move(), motions);
+      maps_of(state_, 0, *tool_.move(), motions);
     }
     EXPECT_EQ(FailingNew::calls(), 0) << static_cast<char>(drag);
     send(key(kEscape));
@@ -274,8 +274,8 @@ TEST_F(AGizmoTool, MotionsOfADragAreThoseOfItsMovePerformed) {
   state_ = apply(state_, Choose{kSecondHandle, box(2.0, 2.3)});
   state_ = apply(state_, MoveHandle{1, bent()});
   std::vector<Eigen::Affine3d> motions;
-  motions_of(state_, 0, twisted(30.0), motions);
-  const auto expected = motions_of(apply(state_, MoveHandle{0, twisted(30.0)}));
+  maps_of(state_, 0, twisted(30.0), motions);
+  const auto expected = motions_of(apply(state_, MoveHandle{0, twisted(30.0)})).maps;
   ASSERT_EQ(motions.size(), 2U);
   EXPECT_EQ(motions[0].matrix(), expected[0].matrix());
   EXPECT_EQ(motions[1].matrix(), expected[1].matrix());

@@ -132,7 +132,7 @@ TEST(Preparation, PreviewIsDraggedWhileTheExactOneIsMade) {
   Preparation preparation(cpu_kernels);
   const AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
   preparation.follow(state);
-  const auto motions = motions_of(state);
+  const auto motions = motions_of(state).maps;
   int frames = 0;
   while (preparation.status().phase != Phase::ready) {
     if (const auto preview = preparation.preview()) {
@@ -159,7 +159,7 @@ TEST(Preparation, AnotherHandleTakenInHandGetsColumnsOfItsOwn) {
   EXPECT_EQ(preparation.exact(), exact) << "nothing else is prepared anew";
   EXPECT_TRUE(preparation.drag_response().is_exact);
   state = apply(std::move(state), MoveHandle{1, bent()});
-  const auto motions = motions_of(state);
+  const auto motions = motions_of(state).maps;
   EXPECT_EQ(lapwing::test::dragged(preparation.drag_response().response, motions),
             lapwing::test::dragged(exact->response(), motions));
 }
@@ -472,7 +472,7 @@ TEST(Preparation, WhatIsHeldOutlivesIt) {
   {
     Preparation preparation(cpu_kernels);
     const AppState state = apply(chosen_tube(), MoveHandle{0, bent()});
-    motions = motions_of(state);
+    motions = motions_of(state).maps;
     preparation.follow(state);
     wait_for(preparation, Phase::ready);
     exact = preparation.exact();

@@ -48,7 +48,7 @@ inline Move twisted(double degrees) {
 /// In place of a solver: the handle goes where it should, nothing else moves.
 inline std::shared_ptr<const MovedVertices> handles_alone(const AppState& state) {
   Positions positions = state.rest->positions;
-  const auto motions = motions_of(state);
+  const auto motions = motions_of(state).maps;
   for (std::size_t h = 0; h < motions.size(); ++h) {
     for (const Index v : state.selection.handles[h].vertices) {
       positions[v] = motions[h] * positions[v];

@@ -48,7 +48,16 @@ struct HandleFlags {
   double falloff = 0.0;
   std::string profile = "smooth";
   std::string field;
+  std::string orientation = "kept";
 
+  void add_orientation(CLI::App& command, CLI::Option& handle) {
+    command
+        .add_option("--orientation", orientation,
+                    "of the handle: kept as the move says, or free to turn as the surface wants")
+        ->check(CLI::IsMember({"kept", "free"}))
+        ->capture_default_str()
+        ->needs(&handle);
+  }
   void add_grading(CLI::App& command, CLI::Option& handle) {
     auto* width = command.add_option("--falloff", falloff,
                                      "length beyond the handle over which its hold fades");
@@ -67,6 +76,7 @@ struct HandleFlags {
     Json handle{{"region", region_json("--handle", region)}, {"move", move.json()}};
     if (falloff > 0.0) handle["falloff"] = {{"width", falloff}, {"profile", profile}};
     if (!field.empty()) handle["weight"] = {{"field", property("--handle-field", mesh, field)}};
+    if (orientation != "kept") handle["orientation"] = orientation;
     return handle;
   }
 };
@@ -238,7 +248,10 @@ void FlagVisitor::handles(const StepKey& key, std::vector<MovedHandle>&, HandleF
   auto* option = command_.add_option("--handle", flags->region,
                                      std::string("the part that is placed: ") + kRegionHelp);
   flags->move.add_to(command_, "the handle", "the handle's centroid");
-  if (form == HandleForm::graded) flags->add_grading(command_, *option);
+  if (form == HandleForm::graded) {
+    flags->add_grading(command_, *option);
+    flags->add_orientation(command_, *option);
+  }
   finish(key, option);
   draft_->at_end.emplace_back(
       [flags, place = place_of(key)](Json& step, const StepFlags& step_flags) {

@@ -147,8 +147,7 @@ ToolAnswer Editor::send_to_gizmo(const InputEvent& event, const Projection& proj
   const bool given_up = was_dragging && !gizmo.is_dragging() && !answer.command;
   if (given_up && needs_settling(state())) {
     shown_.follow_from(dragged_from_);
-    pose_motions_ = motions_dragged_from_;
-    settle();
+    session_->prepare(dragged_from_);
   }
   return answer;
 }
@@ -162,7 +161,6 @@ void Editor::begin_drag() {
   session_->cancel_settling();
   live_.reset();
   dragged_from_ = shown_.pose();
-  motions_dragged_from_ = pose_motions_;
 }
 
 void Editor::click(const Eigen::Vector2d& pixel, const ViewFrame& view) {
@@ -205,7 +203,9 @@ bool Editor::perform(const Command& command, Joining joining) {
   sizable_at_.reset();
   hold_pose();
   const std::size_t handles = handle_count();
-  const bool is_done = attempt([&] { session_->perform(command, joining); });
+  const bool moves_on = std::holds_alternative<MoveHandle>(command);
+  const bool is_done =
+      attempt([&] { session_->perform(command, joining, moves_on ? shown_.pose() : nullptr); });
   const auto* chosen = std::get_if<Choose>(&command);
   const auto* painted = std::get_if<Paint>(&command);
   const bool of_roi = (chosen != nullptr && chosen->part.role == Role::roi) ||

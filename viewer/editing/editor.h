@@ -193,7 +193,9 @@ class Editor {
   void step_through_history(const std::function<void()>& change);
   void follow_hand();
   void hold_pose();
-  void follow_from(std::shared_ptr<const SettledPose> pose, std::span<const Move> moves);
+  void turn_free_handles();
+  Eigen::Affine3d pose_map(std::size_t handle) const;
+  Eigen::Vector3d centroid_of(std::size_t handle) const;
   void stay_near_pose();
   void settle_live();
   void follow_carried();
@@ -216,14 +218,12 @@ class Editor {
 
   std::vector<CertificateWarning> warnings_;
   std::vector<Eigen::Affine3d> motions_;
-  std::vector<Eigen::Affine3d> pose_motions_;  // of the pose that is followed from; none: at rest
   double longest_lead_ = 0.0;
   std::vector<std::size_t> dragged_;
-  std::vector<Move> live_moves_;
+  std::vector<HandleMove> live_moves_;
   std::optional<LiveResult> live_;                   // the last one of a drag
-  std::optional<std::vector<Move>> resting_moves_;   // those asked for of a hand that rests
-  std::shared_ptr<const SettledPose> dragged_from_;  // before any
-  std::vector<Eigen::Affine3d> motions_dragged_from_;
+  std::optional<std::vector<HandleMove>> resting_moves_;  // those asked for of a hand that rests
+  std::shared_ptr<const SettledPose> dragged_from_;       // before any
   bool classes_are_old_ = true;
   bool continuous_ = true;
   std::vector<std::function<void()>> postponed_;  // until what moved has settled, in order

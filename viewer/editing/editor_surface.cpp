@@ -124,7 +124,9 @@ void Editor::follow_hand() {
   }
   if (dragging) hold_pose();
   if (dragging && settles_while_dragging()) settle_live();
-  motions_of(state(), handle_, dragging ? *tools_.gizmo.move() : state().moves[handle_], motions_);
+  maps_of(state(), handle_, dragging ? *tools_.gizmo.move() : state().moves[handle_].move,
+          motions_);
+  turn_free_handles();
   if (settles_while_dragging()) stay_near_pose();
   shown_.follow(session_->preparation(), motions_);
 }
@@ -132,32 +134,46 @@ void Editor::follow_hand() {
 // What is going to move moves on from the surface as it stands.
 void Editor::hold_pose() {
   if (!shown_.has_triangles_of_state() || shown_.pose()) return;
-  if (auto pose = session_->pose()) follow_from(std::move(pose), state().moves);
+  if (auto pose = session_->pose()) shown_.follow_from(std::move(pose));
 }
 
-void Editor::follow_from(std::shared_ptr<const SettledPose> pose, std::span<const Move> moves) {
-  AppState there = state();
-  there.moves.assign(moves.begin(), moves.end());
-  pose_motions_ = motions_of(there);
-  shown_.follow_from(std::move(pose));
+Eigen::Affine3d Editor::pose_map(std::size_t handle) const {
+  const std::shared_ptr<const SettledPose>& pose = shown_.pose();
+  const bool has_one = pose && handle < pose->motions.maps.size();
+  return has_one ? pose->motions.maps[handle] : Eigen::Affine3d::Identity();
+}
+
+Eigen::Vector3d Editor::centroid_of(std::size_t handle) const {
+  return state().mirrored ? state().mirrored->centroids[handle] : handle_centroid(state(), handle);
+}
+
+// Handles whose orientation is free are shown turned as they were in the pose that has settled.
+void Editor::turn_free_handles() {
+  if (!shown_.pose()) return;
+  const std::vector<std::size_t>* images =
+      state().mirrored ? &state().mirrored->handle_images : nullptr;
+  for (std::size_t h = 0; h < motions_.size(); ++h) {
+    const std::size_t of = h < state().moves.size() ? h : (*images)[h];
+    const bool is_dragged = tools_.gizmo.is_dragging() && of == handle_;
+    const HandleOrientation orientation =
+        is_dragged ? tools_.gizmo.orientation() : state().moves[of].orientation;
+    if (orientation == HandleOrientation::kept) continue;
+    motions_[h] =
+        turned_to(motions_[h], centroid_of(h), shortest_turn(pose_map(h)).toRotationMatrix());
+  }
 }
 
 // A linear response shears and swells what turns or goes far. What settles on the way catches up
 // with the hand; until then the surface goes toward it only as far as it still looks right.
 void Editor::stay_near_pose() {
-  if (shown_.pose() == nullptr) pose_motions_.clear();
-  pose_motions_.resize(motions_.size(), Eigen::Affine3d::Identity());
-  const auto centroid_of = [&](std::size_t h) {
-    return state().mirrored ? state().mirrored->centroids[h] : handle_centroid(state(), h);
-  };
   double share = 1.0;
   const auto keep = [&share](double amount, double most) {
     if (amount * share > most) share = most / amount;
   };
   for (std::size_t h = 0; h < motions_.size(); ++h) {
-    const Eigen::Affine3d lead = motions_[h] * pose_motions_[h].inverse();
+    const Eigen::Affine3d lead = motions_[h] * pose_map(h).inverse();
     const Eigen::AngleAxisd turn = shortest_turn(lead);
-    const Eigen::Vector3d from = pose_motions_[h] * centroid_of(h);
+    const Eigen::Vector3d from = pose_map(h) * centroid_of(h);
     const Eigen::Matrix3d stretch = turn.toRotationMatrix().transpose() * lead.linear();
     keep(std::abs(turn.angle()), kLargestLeadTurn);
     keep((lead * from - from).norm(), longest_lead_);
@@ -165,9 +181,9 @@ void Editor::stay_near_pose() {
   }
   if (share == 1.0) return;
   for (std::size_t h = 0; h < motions_.size(); ++h) {
-    const Eigen::Affine3d lead = motions_[h] * pose_motions_[h].inverse();
-    const Eigen::Vector3d from = pose_motions_[h] * centroid_of(h);
-    motions_[h] = partial_motion(lead, shortest_turn(lead), from, share) * pose_motions_[h];
+    const Eigen::Affine3d lead = motions_[h] * pose_map(h).inverse();
+    const Eigen::Vector3d from = pose_map(h) * centroid_of(h);
+    motions_[h] = partial_motion(lead, shortest_turn(lead), from, share) * pose_map(h);
   }
 }
 
@@ -175,9 +191,12 @@ void Editor::stay_near_pose() {
 // left to settle.
 void Editor::settle_live() {
   live_moves_.assign(state().moves.begin(), state().moves.end());
-  live_moves_[handle_] = *tools_.gizmo.move();
+  live_moves_[handle_].move = *tools_.gizmo.move();
+  live_moves_[handle_].orientation = tools_.gizmo.orientation();
+  const std::span<const Move> path = tools_.gizmo.waypoints();
+  live_moves_[handle_].path.assign(path.begin(), path.end());
   if (auto result = session_->take_live_result()) {
-    follow_from(result->pose, result->moves);
+    shown_.follow_from(result->pose);
     live_ = std::move(result);
   }
   if (resting_moves_ && *resting_moves_ != live_moves_) {

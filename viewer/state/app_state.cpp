@@ -44,24 +44,22 @@ DeformRequest step_on_surface(const AppState& state) {
   return joined == nullptr ? open_step(state) : joined_request(open_step(state), *joined);
 }
 
-// Calls `visit` with each handle of the Deformer and its move, `handle` being moved by `move`.
-void each_move(const AppState& state, std::size_t handle, const Move& move, const auto& visit) {
-  const auto move_of = [&](std::size_t h) -> const Move& {
-    return h == handle ? move : state.moves[h];
-  };
+// Calls `visit` with each handle of the Deformer, its move, and the handle of the selection that it
+// comes from. `move_of` says how the handles of the selection move.
+void each_move(const AppState& state, const auto& move_of, const auto& visit) {
   for (std::size_t h = 0; h < state.moves.size(); ++h) {
     const bool lies_across = state.mirrored && state.mirrored->handle_images[h] == h;
     if (lies_across) {
-      visit(h, along_mirror(move_of(h), *state.selection.mirror));
+      visit(h, along_mirror(move_of(h), *state.selection.mirror), h);
     } else {
-      visit(h, move_of(h));
+      visit(h, Move(move_of(h)), h);
     }
   }
   if (!state.mirrored) return;
   for (std::size_t image = state.moves.size(); image < state.mirrored->handle_images.size();
        ++image) {
     const std::size_t h = state.mirrored->handle_images[image];
-    visit(image, mirror_image(move_of(h), *state.selection.mirror));
+    visit(image, mirror_image(move_of(h), *state.selection.mirror), h);
   }
 }
 
@@ -119,7 +117,7 @@ std::shared_ptr<const Mesh> surface_of(const AppState& state) {
 
 bool is_moved(const AppState& state) {
   return std::any_of(state.moves.begin(), state.moves.end(),
-                     [](const Move& move) { return move != Move(SimilarityMove{}); });
+                     [](const HandleMove& to) { return !to.is_at_rest(); });
 }
 
 bool needs_settling(const AppState& state) {
@@ -161,34 +159,74 @@ void renew_mirror(AppState& state) {
   state.mirrored = mirrored_edit(step_on_surface(state), *surface_of(state));
 }
 
-std::vector<Affine3d> motions_of(const AppState& state) {
-  std::vector<Affine3d> motions;
-  motions_of(state, state.moves.size(), SimilarityMove{}, motions);
+Move shown_move(const AppState& state, std::size_t handle) {
+  const HandleMove& to = state.moves[handle];
+  if (to.orientation == HandleOrientation::kept || !state.settled) return to.move;
+  // The rotation by which the handle's vertices came to where they are, about where its centre
+  // should be.
+  const Vector3d centroid = handle_centroid(state, handle);
+  const Affine3d map = to_affine(to.move, centroid);
+  const Vector3d centre = map * centroid;
+  const MovedVertices& moved = *state.settled;
+  Matrix3d covariance = Matrix3d::Zero();
+  for (const Index v : state.selection.handles[handle].vertices) {
+    const auto at = std::lower_bound(moved.vertices.begin(), moved.vertices.end(), v);
+    const bool is_moved = at != moved.vertices.end() && *at == v;
+    const auto k = static_cast<std::size_t>(at - moved.vertices.begin());
+    const Vector3d place = is_moved ? moved.positions[k] : state.rest->positions[v];
+    covariance += (place - centre) * (state.rest->positions[v] - centroid).transpose();
+  }
+  const Affine3d shown = turned_to(map, centroid, nearest_rotation(covariance));
+  return to_move(shown, shortest_turn(shown), centroid);
+}
+
+HandleMotions motions_of(const AppState& state) {
+  HandleMotions motions;
+  bool any_free = false;
+  const auto add = [&](std::size_t h, const Move& move, std::size_t of) {
+    motions.maps.push_back(to_affine(move, centroid_of(state, h)));
+    const AxisRotation turn = turn_of(move);
+    motions.turns.emplace_back(turn.degrees * std::numbers::pi / 180.0, turn.axis);
+    const bool is_free = state.moves[of].orientation == HandleOrientation::free;
+    motions.is_free.push_back(is_free ? 1 : 0);
+    any_free = any_free || is_free;
+  };
+  each_move(
+      state, [&](std::size_t h) { return shown_move(state, h); }, add);
+  if (!any_free) motions.is_free.clear();
   return motions;
 }
 
-void motions_of(const AppState& state, std::size_t handle, const Move& move,
-                std::vector<Affine3d>& motions) {
-  motions.clear();
-  each_move(state, handle, move, [&](std::size_t h, const Move& of_handle) {
-    motions.push_back(to_affine(of_handle, centroid_of(state, h)));
-  });
+std::vector<HandleMotions> path_of(const AppState& state) {
+  std::vector<HandleMotions> path;
+  if (state.moves.empty()) return path;
+  AppState there = state;
+  there.settled = nullptr;
+  for (std::size_t k = 0; k < state.moves.front().path.size(); ++k) {
+    for (std::size_t h = 0; h < state.moves.size(); ++h) {
+      there.moves[h].move = state.moves[h].path[k];
+    }
+    path.push_back(motions_of(there));
+  }
+  return path;
 }
 
-std::vector<AngleAxisd> turns_of(const AppState& state) {
-  std::vector<AngleAxisd> turns;
-  each_move(state, state.moves.size(), SimilarityMove{}, [&](std::size_t, const Move& move) {
-    const AxisRotation turn = turn_of(move);
-    turns.emplace_back(turn.degrees * std::numbers::pi / 180.0, turn.axis);
+void maps_of(const AppState& state, std::size_t handle, const Move& move,
+             std::vector<Affine3d>& maps) {
+  maps.clear();
+  const auto move_of = [&](std::size_t h) -> const Move& {
+    return h == handle ? move : state.moves[h].move;
+  };
+  each_move(state, move_of, [&](std::size_t h, const Move& of_handle, std::size_t) {
+    maps.push_back(to_affine(of_handle, centroid_of(state, h)));
   });
-  return turns;
 }
 
 void dragged_handles(const AppState& state, std::size_t handle, bool from_rest,
                      std::vector<std::size_t>& dragged) {
   dragged.clear();
   for (std::size_t h = 0; h < state.moves.size(); ++h) {
-    const bool is_moved_already = from_rest && state.moves[h] != Move(SimilarityMove{});
+    const bool is_moved_already = from_rest && !state.moves[h].is_at_rest();
     if (h != handle && !is_moved_already) continue;
     dragged.push_back(h);
     if (!state.mirrored || state.mirrored->handle_images[h] == h) continue;
@@ -234,7 +272,8 @@ DeformRequest open_step(const AppState& state) {
   step.roi = spec_of(state.selection.roi, "ROI");
   step.belt = belt_spec(state.selection);
   for (const auto& [spec, grading] : handle_specs(state.selection)) {
-    step.handles.push_back({spec, state.moves[step.handles.size()], grading});
+    const HandleMove& to = state.moves[step.handles.size()];
+    step.handles.push_back({spec, to.move, grading, to.orientation, to.path});
   }
   step.parameters = state.parameters;
   if (state.selection.mirror) step.mirror = MirrorSpec{*state.selection.mirror, "mirror"};

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "lapwing/deform/certificate.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/move.h"
 #include "lapwing/mesh/joined_surface.h"
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/region/edit_region.h"
@@ -41,6 +44,25 @@ MovedVertices moved_vertices(const Positions& before, const Positions& after);
 /// with other triangles in its place.
 using AppliedStep = std::variant<MovedVertices, std::shared_ptr<const Mesh>>;
 
+/// How a handle moves, by which way it came there, and whether it turns as the surface wants.
+struct HandleMove {
+  Move move;
+  HandleOrientation orientation = HandleOrientation::kept;
+  /// Moves that it went through before; those at one place in the paths of all handles belong
+  /// together, and all paths are equally long.
+  std::vector<Move> path = {};
+
+  HandleMove() = default;
+  HandleMove(Move to) : move(std::move(to)) {}
+  HandleMove(SimilarityMove to) : move(std::move(to)) {}
+  HandleMove(MatrixMove to) : move(std::move(to)) {}
+  HandleMove(Move to, HandleOrientation turning, std::vector<Move> by)
+      : move(std::move(to)), orientation(turning), path(std::move(by)) {}
+
+  bool operator==(const HandleMove&) const = default;
+  bool is_at_rest() const { return move == Move(SimilarityMove{}); }
+};
+
 /// All that a person edits, as a value. What is large is shared and never changed in place, so a
 /// copy costs the selection.
 ///
@@ -53,7 +75,7 @@ struct AppState {
   std::shared_ptr<const JoinedSurface> joined;  ///< of `rest`; null where that has no seam
   EditSelection selection;
   EditParameters parameters;
-  std::vector<Move> moves;             ///< one per handle, from the rest shape
+  std::vector<HandleMove> moves;       ///< one per handle, from the rest shape
   std::vector<CarriedObject> carried;  ///< by the open step or an earlier one
   /// With a mirror, what is chosen comes to on both sides; null without one, and while something is
   /// missing (`renew_mirror`).
@@ -97,14 +119,19 @@ CarriedFiles carried_of(const AppState& state);
 /// that say what is still missing.
 EditRegion edit_region(const AppState& state);
 
-/// What `Deformer::solve` takes: one motion and turn per handle, those of the recipe bit for bit;
-/// with a mirror, per handle of both sides.
-std::vector<Eigen::Affine3d> motions_of(const AppState& state);
-/// For a frame of a drag: `motions` becomes the same but for `handle`, which is moved by `move`.
-/// Allocates nothing once `motions` is as long as there are handles. Linear in their vertices.
-void motions_of(const AppState& state, std::size_t handle, const Move& move,
-                std::vector<Eigen::Affine3d>& motions);
-std::vector<Eigen::AngleAxisd> turns_of(const AppState& state);
+/// What `Deformer::solve` takes: those of the recipe bit for bit; with a mirror, those of the
+/// handles of both sides. A handle whose orientation is free has the rotation that the result gave
+/// it.
+HandleMotions motions_of(const AppState& state);
+/// The path that leads there, for `Deformer::solve_along`.
+std::vector<HandleMotions> path_of(const AppState& state);
+/// For a frame of a drag: `maps` becomes those motions but for `handle`, which is moved by `move`.
+/// Allocates nothing once `maps` is as long as there are handles. Linear in their vertices.
+void maps_of(const AppState& state, std::size_t handle, const Move& move,
+             std::vector<Eigen::Affine3d>& maps);
+/// Where the handle is on the surface as it is known. Differs from its move if its orientation is
+/// free.
+Move shown_move(const AppState& state, std::size_t handle);
 /// The handles that a frame moves in which `handle` is dragged, ascending: with `from_rest`, the
 /// rest shape being where it moves them from, those that are moved already, too. Allocates nothing
 /// once `dragged` has had as many.

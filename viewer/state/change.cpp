@@ -107,9 +107,9 @@ bool Change::concerns_surface() const {
   // A commit moves the rest shape to where the surface was already.
   if (rest_ || triangles_) return surface_moved_;
   // A handle that comes or goes without having moved changes the list of moves only.
-  const auto moves_any = [](const std::vector<Move>& moves) {
+  const auto moves_any = [](const std::vector<HandleMove>& moves) {
     return std::any_of(moves.begin(), moves.end(),
-                       [](const Move& move) { return move != Move(SimilarityMove{}); });
+                       [](const HandleMove& to) { return !to.is_at_rest(); });
   };
   return settled_ || (moves_ && (moves_any((*moves_)[0]) || moves_any((*moves_)[1])));
 }

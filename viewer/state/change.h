@@ -63,7 +63,7 @@ class Change {
   Both<std::shared_ptr<const MirroredEdit>> mirrored_;
   Both<std::optional<double>> belt_fraction_;
   Both<EditParameters> parameters_;
-  Both<std::vector<Move>> moves_;
+  Both<std::vector<HandleMove>> moves_;
   Both<Settled> settled_;
   Both<std::vector<CarriedObject>> carried_;
   std::optional<RestChange> rest_;

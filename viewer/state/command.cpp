@@ -10,6 +10,7 @@
 #include "lapwing/region/joined_regions.h"
 #include "lapwing/step/step.h"
 #include "state/step_words.h"
+#include "state/waypoints.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -103,7 +104,7 @@ void commit(AppState& state) {
   set_rest(state, std::make_shared<const Mesh>(mesh_of(state)));
   take_over(state, state.settled->carried);
   state.settled = nullptr;
-  for (Move& move : state.moves) move = SimilarityMove{};
+  for (HandleMove& to : state.moves) to = HandleMove();
   carry_selection_over(state);
 }
 
@@ -237,10 +238,38 @@ struct Applier {
   }
   void operator()(const MoveHandle& command) const {
     require_handle(state, command.handle);
-    if (state.moves[command.handle] == command.move) return;
-    require_valid(command.move, state.parameters);
-    state.moves[command.handle] = command.move;
+    HandleMove& now = state.moves[command.handle];
+    const HandleMove& to = command.to;
+    if (now.move == to.move && now.orientation == to.orientation) return;
+    require_move(to);
+    extend_path(state, command.handle, to);
+    now.move = to.move;
+    now.orientation = to.orientation;
+    // In parts the surface forgets where it was.
+    if (!is_moved(state) || state.parameters.commit_every) clear_paths();
     state.settled = nullptr;
+  }
+  void operator()(const MoveHandles& command) const {
+    if (command.to.size() != state.moves.size()) {
+      throw InputError("there are " + std::to_string(state.moves.size()) + " handles, but " +
+                       std::to_string(command.to.size()) + " moves; give one per handle");
+    }
+    for (const HandleMove& to : command.to) require_move(to);
+    if (state.moves == command.to) return;
+    state.moves = command.to;
+    state.settled = nullptr;
+  }
+  void clear_paths() const {
+    for (HandleMove& to : state.moves) to.path.clear();
+  }
+  void require_move(const HandleMove& to) const {
+    require_valid(to.move, state.parameters);
+    for (const Move& waypoint : to.path) require_valid(waypoint, state.parameters);
+    if (to.orientation == HandleOrientation::free && !allows_free_handles(state.parameters)) {
+      throw InputError(
+          "a handle turns freely only if the surface settles, held softly and at once; set its "
+          "orientation");
+    }
   }
   void operator()(const Settle& command) const {
     if (!is_moved(state)) throw InputError("no handle is moved; drag one first");
@@ -263,7 +292,14 @@ struct Applier {
     if (state.parameters == command.parameters) return;
     // What a recipe could not say must not come into the state: it could not be restored.
     require_valid(command.parameters);
-    for (const Move& move : state.moves) require_valid(move, command.parameters);
+    for (const HandleMove& to : state.moves) require_valid(to.move, command.parameters);
+    if (command.parameters.commit_every) clear_paths();
+    if (!allows_free_handles(command.parameters)) {
+      for (std::size_t h = 0; h < state.moves.size(); ++h) {
+        state.moves[h].move = shown_move(state, h);
+        state.moves[h].orientation = HandleOrientation::kept;
+      }
+    }
     const SeamPolicy before = std::exchange(state.parameters, command.parameters).seams;
     if (state.parameters.seams != before) choose_seams_anew(state);
     state.settled = nullptr;
@@ -319,6 +355,7 @@ struct ChangesChoice {
     return true;
   }
   bool operator()(const MoveHandle&) const { return false; }
+  bool operator()(const MoveHandles&) const { return false; }
   bool operator()(const Settle&) const { return false; }
   bool operator()(const CarryAlong&) const { return false; }
   bool operator()(const StopCarrying&) const { return false; }
@@ -379,10 +416,11 @@ struct CommandDescriber {
     return command.plane ? "mirror" : "no mirror";
   }
   std::string operator()(const MoveHandle& command) const {
-    const double degrees = turn_of(command.move).degrees;
+    const double degrees = turn_of(command.to.move).degrees;
     return "move handle " + std::to_string(command.handle + 1) +
            (degrees == 0.0 ? "" : with_number(", turn %.4g degrees", degrees));
   }
+  std::string operator()(const MoveHandles&) const { return "move handles"; }
   std::string operator()(const Settle&) const { return "settle"; }
   std::string operator()(const Commit&) const { return "commit"; }
   std::string operator()(const NewEdit&) const { return "new edit"; }

@@ -51,10 +51,17 @@ struct SetMirror {
   std::optional<MirrorPlane> plane;
 };
 
-/// The handle is moved from its rest position; `to_move` makes a move of a motion and a turn.
+/// The handle is moved from its rest position; `to_move` makes a move of a motion and a turn. The
+/// surface goes on from where it is: the path of `to` is what the handle went through since its
+/// last move, and is added to the state's, with that move if it is far from the waypoint before.
 struct MoveHandle {
   std::size_t handle = 0;
-  Move move;
+  HandleMove to;
+};
+
+/// All handles are moved from their rest positions along these paths, and by none before.
+struct MoveHandles {
+  std::vector<HandleMove> to;  ///< one per handle
 };
 
 /// The result of the moves, computed elsewhere.
@@ -100,9 +107,9 @@ struct Revise {
 };
 
 /// One thing that a person, a test or a recipe does.
-using Command =
-    std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, SetMirror, MoveHandle,
-                 Settle, Commit, NewEdit, SetParameters, CarryAlong, StopCarrying, Apply, Revise>;
+using Command = std::variant<Choose, Paint, SetGrading, RemoveHandle, SetBeltWidth, SetMirror,
+                             MoveHandle, MoveHandles, Settle, Commit, NewEdit, SetParameters,
+                             CarryAlong, StopCarrying, Apply, Revise>;
 
 /// The state after `command`. Choosing, painting and applying commit what is settled first: what is
 /// chosen then is chosen on the surface that is seen. What an ROI that becomes another one does not

@@ -23,6 +23,34 @@ void choose_belt(History& history, const BeltSpec& belt) {
   }
 }
 
+// The share of a move that a run makes of it by then.
+Move part_of(const Move& move, const Eigen::Vector3d& centroid, double share) {
+  if (const auto* similarity = std::get_if<SimilarityMove>(&move)) {
+    SimilarityMove part = *similarity;
+    part.translate *= share;
+    part.rotate.degrees *= share;
+    part.scale = part.scale.array().pow(share);
+    return part;
+  }
+  return MatrixMove{to_affine(move, centroid, share).affine()};
+}
+
+// All handles' moves, whose paths are equally long.
+std::vector<HandleMove> moves_of(const DeformRequest& step, const AppState& state) {
+  std::size_t count = 0;
+  for (const MovedHandle& handle : step.handles) count = std::max(count, handle.path.size());
+  std::vector<HandleMove> moves;
+  for (const MovedHandle& handle : step.handles) {
+    const Eigen::Vector3d centroid = handle_centroid(state, moves.size());
+    HandleMove& to = moves.emplace_back(handle.move, handle.orientation, handle.path);
+    for (std::size_t k = to.path.size(); k < count; ++k) {
+      const double share = static_cast<double>(k + 1) / static_cast<double>(count + 1);
+      to.path.push_back(part_of(handle.move, centroid, share));
+    }
+  }
+  return moves;
+}
+
 // The plane of a step's mirror, found where the step leaves that to the shape.
 std::optional<MirrorPlane> plane_of(const DeformRequest& step, const Mesh& surface) {
   if (!step.mirror) return std::nullopt;
@@ -136,8 +164,15 @@ void perform(History& history, const DeformRequest& step, const Solve& solve) {
   }
   grade_handles(history, step);
   history.perform(SetMirror{mirror});
-  for (std::size_t h = 0; h < history.state().moves.size(); ++h) {
-    history.perform(MoveHandle{h, step.handles[h].move});
+  const auto is_plain = [](const MovedHandle& handle) {
+    return handle.path.empty() && handle.orientation == HandleOrientation::kept;
+  };
+  if (std::ranges::all_of(step.handles, is_plain)) {
+    for (std::size_t h = 0; h < history.state().moves.size(); ++h) {
+      history.perform(MoveHandle{h, step.handles[h].move});
+    }
+  } else {
+    history.perform(MoveHandles{moves_of(step, history.state())});
   }
   if (solve && is_moved(history.state())) history.perform(Settle{solve(history.state())});
 }

@@ -72,7 +72,7 @@ const char* GizmoTool::hint(const AppState& state, const Part&) const {
 
 Gizmo GizmoTool::gizmo(const AppState& state, std::size_t handle) const {
   const Eigen::Vector3d centroid = handle_centroid(state, handle);
-  const Move& move = move_ ? *move_ : state.moves[handle];
+  const Move move = move_ ? *move_ : shown_move(state, handle);
   const Eigen::Affine3d motion = to_affine(move, centroid);
   return {mode(), gizmo_center(choices_, state, handle, motion),
           gizmo_axes(axes(), state, handle, motion)};
@@ -177,8 +177,22 @@ void GizmoTool::take_hold(const Vector2d& pixel, const ToolScene& scene) {
   if (drag_) return;
   cursor_ = pixel;
   snaps_ = false;
+  pulls_ = allows_free_handles(scene.state.parameters) && is_turned_by_nobody(scene);
   begin(GizmoMode::translate, GizmoPart::view, scene);
   by_button_ = true;
+}
+
+// An orientation that a person has set stays.
+bool GizmoTool::is_turned_by_nobody(const ToolScene& scene) {
+  const HandleMove& to = scene.state.moves[scene.handle];
+  if (to.orientation == HandleOrientation::free) return true;
+  const auto* similarity = std::get_if<SimilarityMove>(&to.move);
+  return similarity != nullptr && similarity->rotate == AxisRotation{};
+}
+
+// What a drag moves on: a pull lets the handle turn, and anything else keeps it as it is seen.
+Move GizmoTool::move_before(const ToolScene& scene) const {
+  return pulls_ ? scene.state.moves[scene.handle].move : shown_move(scene.state, scene.handle);
 }
 
 void GizmoTool::begin(GizmoMode mode, GizmoPart part, const ToolScene& scene) {
@@ -187,8 +201,10 @@ void GizmoTool::begin(GizmoMode mode, GizmoPart part, const ToolScene& scene) {
   if (mode == GizmoMode::translate && choices_.sticks_to_surface) {
     // That is what comes to the surface, whatever the handle turns about.
     const Eigen::Vector3d centroid = handle_centroid(scene.state, scene.handle);
-    there.center = to_affine(scene.state.moves[scene.handle], centroid) * centroid;
+    there.center = to_affine(move_before(scene), centroid) * centroid;
   }
+  recorder_ = WaypointRecorder(move_before(scene), handle_centroid(scene.state, scene.handle),
+                               region_size(scene.state));
   start_ = cursor_;
   snap_length_ = snap_length(there, scene.projection);
   drag_.emplace(there, part, scene.projection, start_);
@@ -202,15 +218,19 @@ void GizmoTool::renew(const ToolScene& scene) {
   std::optional<SnapSteps> snap;
   if (snaps_) snap = SnapSteps{.length = snap_length_};
   amount_ = drag_->amount(snap, typed_number());
-  move_ = drag_->move_after(scene.state.moves[scene.handle],
-                            handle_centroid(scene.state, scene.handle), amount_);
+  move_ =
+      drag_->move_after(move_before(scene), handle_centroid(scene.state, scene.handle), amount_);
+  recorder_.add(*move_);
   turns_too_far_ = !scene.state.parameters.commit_every &&
                    turn_of(*move_).degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
 }
 
 ToolAnswer GizmoTool::confirm(const ToolScene& scene) {
   ToolAnswer answer = ToolAnswer::only_taken();
-  if (*move_ != scene.state.moves[scene.handle]) answer.command = MoveHandle{scene.handle, *move_};
+  if (*move_ != move_before(scene)) {
+    const std::span<const Move> path = waypoints();
+    answer.command = MoveHandle{scene.handle, {*move_, orientation(), {path.begin(), path.end()}}};
+  }
   give_up();
   return answer;
 }
@@ -218,6 +238,7 @@ ToolAnswer GizmoTool::confirm(const ToolScene& scene) {
 void GizmoTool::give_up() {
   drag_.reset();
   move_.reset();
+  pulls_ = false;
   by_other_axes_ = false;
   turns_too_far_ = false;
   typed_.clear();

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "state/waypoints.h"
 #include "tools/gizmo_drag.h"
 #include "tools/gizmo_frame.h"
 #include "tools/scene_tool.h"
@@ -27,6 +28,13 @@ class GizmoTool final : public SceneTool {
   void take_hold(const Eigen::Vector2d& pixel, const ToolScene& scene);
   /// The handle's move while it is dragged.
   const std::optional<Move>& move() const { return move_; }
+  /// What becomes of its orientation: free in a pull of the handle itself, unless somebody has
+  /// turned it before; kept by the gizmo and by keys.
+  HandleOrientation orientation() const {
+    return pulls_ ? HandleOrientation::free : HandleOrientation::kept;
+  }
+  /// What the handle has gone through while it is dragged.
+  std::span<const Move> waypoints() const { return recorder_.waypoints(); }
   /// What the gizmo shows from now on; nothing while it is dragged.
   void show(GizmoMode mode) {
     if (!drag_) mode_ = mode;
@@ -56,6 +64,8 @@ class GizmoTool final : public SceneTool {
   ToolAnswer confirm(const ToolScene& scene);
   void give_up();
   std::optional<double> typed_number() const;
+  static bool is_turned_by_nobody(const ToolScene& scene);
+  Move move_before(const ToolScene& scene) const;
 
   GizmoChoices choices_;
   bool by_other_axes_ = false;  // this drag
@@ -66,6 +76,8 @@ class GizmoTool final : public SceneTool {
 
   std::optional<GizmoDrag> drag_;
   bool by_button_ = false;  // ends with its release
+  bool pulls_ = false;      // the handle itself was taken hold of
+  WaypointRecorder recorder_;
   Eigen::Vector2d start_ = Eigen::Vector2d::Zero();
   double snap_length_ = 1.0;
   std::string typed_;

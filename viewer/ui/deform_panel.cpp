@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include "lapwing/step/step.h"
+#include "state/waypoints.h"
 #include "ui/explain.h"
 #include "ui/gizmo_panel.h"
 #include "ui/panels.h"
@@ -29,6 +30,34 @@ Eigen::Vector3d readable(const Eigen::Vector3d& vector, double size) {
   return (vector.array().abs() > kRounding * size).select(vector, 0.0);
 }
 
+// Whether the handle turns as the surface wants.
+void draw_orientation(Editor& editor, std::size_t handle) {
+  const AppState& state = editor.state();
+  if (!allows_free_handles(state.parameters)) return;
+  const HandleMove& to = state.moves[handle];
+  bool is_free = to.orientation == HandleOrientation::free;
+  if (ImGui::Checkbox("turns freely", &is_free)) {
+    editor.perform(MoveHandle{handle,
+                              {is_free ? to.move : shown_move(state, handle),
+                               is_free ? HandleOrientation::free : HandleOrientation::kept,
+                               {}}});
+  }
+  explain(
+      "The handle keeps its shape and goes where it is put, but turns as the surface wants. A pull "
+      "of the handle sets this; its gizmo and a typed turn clear it.");
+}
+
+// A typed place lets a free handle turn on; a typed turn or scale holds it.
+HandleMove typed_move(const AppState& state, std::size_t handle, const SimilarityMove& typed) {
+  const HandleMove& to = state.moves[handle];
+  const Move shown = shown_move(state, handle);
+  const auto* before = std::get_if<SimilarityMove>(&shown);
+  const bool is_place_alone =
+      before != nullptr && before->rotate == typed.rotate && before->scale == typed.scale;
+  if (to.orientation == HandleOrientation::kept || !is_place_alone) return typed;
+  return {typed, HandleOrientation::free, {}};
+}
+
 // The handle's move from its rest position, typed in.
 void draw_move(Editor& editor, PanelDrafts& drafts) {
   const AppState& state = editor.state();
@@ -39,7 +68,8 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   if (ImGui::SmallButton("back to rest")) editor.perform(MoveHandle{handle, SimilarityMove{}});
   explain("Puts the handle where it was before it was moved.");
   draw_gizmo_panel(editor);
-  const Move& now = editor.gizmo_tool().move() ? *editor.gizmo_tool().move() : state.moves[handle];
+  const Move now =
+      editor.gizmo_tool().move() ? *editor.gizmo_tool().move() : shown_move(state, handle);
   const auto* similarity = std::get_if<SimilarityMove>(&now);
   if (similarity == nullptr) {
     ImGui::TextDisabled("scaled along tilted axes: moved by a matrix");
@@ -54,10 +84,11 @@ void draw_move(Editor& editor, PanelDrafts& drafts) {
   changed |= draw_number("degrees", move.rotate.degrees, let_go);
   changed |= draw_vector("scale", move.scale, let_go);
   if (changed) drafts.move = move;
+  draw_orientation(editor, handle);
   if (!let_go) return;
   drafts.move.reset();
   if (move.rotate.axis.norm() > 0.0 && move.scale.minCoeff() > 0.0)
-    editor.perform(MoveHandle{handle, move});
+    editor.perform(MoveHandle{handle, typed_move(state, handle, move)});
 }
 
 void draw_parameters(Editor& editor, PanelDrafts& drafts) {

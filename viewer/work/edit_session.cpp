@@ -104,9 +104,10 @@ void EditSession::start_journal(const fs::path& journals, const std::optional<fs
   }
 }
 
-void EditSession::perform(const Command& command, Joining joining) {
+void EditSession::perform(const Command& command, Joining joining,
+                          std::shared_ptr<const SettledPose> shown) {
   history_.perform(command, joining);
-  follow();
+  follow(std::move(shown));
 }
 
 void EditSession::undo() {
@@ -130,9 +131,9 @@ void EditSession::continue_with(History history) {
 }
 
 // What was asked for before may not be wanted any more.
-void EditSession::follow() {
+void EditSession::follow(std::shared_ptr<const SettledPose> shown) {
   preparation_.cancel_settling();
-  prepare();
+  prepare(std::move(shown));
   keep_step_if_wanted();
   if (!journal_) return;
   try {
@@ -149,9 +150,9 @@ void EditSession::use_kernels(Preparation::MakeKernels make_kernels, Preparation
   prepare();
 }
 
-void EditSession::prepare() {
+void EditSession::prepare(std::shared_ptr<const SettledPose> shown) {
   preparation_.follow(state());
-  if (needs_settling(state())) preparation_.settle(state());
+  if (needs_settling(state())) preparation_.settle(state(), std::move(shown));
 }
 
 bool EditSession::take_result() {
@@ -241,14 +242,14 @@ std::shared_ptr<const SettledPose> EditSession::pose() const {
   const auto preview = preparation_.preview();
   if (!state().settled || !preview) return nullptr;
   auto pose = std::make_shared<SettledPose>(
-      preview->response()->pose_at(positions_of(state()), motions_of(state()), turns_of(state())));
+      preview->response()->pose_at(positions_of(state()), motions_of(state())));
   // Where nothing moves the handles nothing is to move.
   pose->settled.settled = true;
   return pose;
 }
 
-void EditSession::settle_live(std::span<const Move> moves, std::shared_ptr<const SettledPose> from,
-                              bool rests) {
+void EditSession::settle_live(std::span<const HandleMove> moves,
+                              std::shared_ptr<const SettledPose> from, bool rests) {
   // A copy of the state costs the selection: only where it is going to be used.
   if (preparation_.status().phase != PreparationStatus::Phase::ready) return;
   AppState dragged = state();

@@ -6,6 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "state/draft.h"
+#include "state/waypoints.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -26,7 +27,7 @@ double fraction_of_preparation(std::string_view stage, double fraction) {
 
 // Whether drags are followed settled, frame by frame.
 bool settles_frames(const AppState& state) {
-  return state.parameters.settle && !state.parameters.commit_every;
+  return state.parameters.settle && !goes_in_substeps(state.parameters, state.moves);
 }
 
 bool can_be_prepared(const AppState& state) {
@@ -38,12 +39,16 @@ bool same_preparation(const AppState& a, const AppState& b) {
 }
 
 // With commits on the way every part but the first prepares anew.
-SettledResult settled_result(const AppState& state, const Deformer& exact, Kernels& kernels,
-                             CarryContacts& contacts, const Progress& progress) {
-  if (state.parameters.commit_every) {
+SettledResult settled_result(const AppState& state, const SettledPose* from, const Deformer& exact,
+                             Kernels& kernels, CarryContacts& contacts, const Progress& progress) {
+  if (goes_in_substeps(state.parameters, state.moves)) {
     return {state.moves, solve_open_step(state, kernels, progress)};
   }
-  DeformResult solved = exact.solve(motions_of(state), turns_of(state), progress);
+  // Any other pose is of what was chosen before.
+  const bool goes_on = from != nullptr && from->displacement.size() == state.rest->vertex_count() &&
+                       from->motions.maps.size() == exact.region().handles.size();
+  DeformResult solved = goes_on ? exact.solve_from(*from, motions_of(state), progress)
+                                : exact.solve_along(path_of(state), motions_of(state), progress);
   const JoinedSurface* joined = joined_seams(state);
   if (joined != nullptr) joined->close(solved.positions);
   const Mesh& rest = *state.rest;
@@ -125,12 +130,12 @@ bool Preparation::has_columns() const {
   });
 }
 
-void Preparation::settle(const AppState& state) {
+void Preparation::settle(const AppState& state, std::shared_ptr<const SettledPose> from) {
   {
     const std::lock_guard lock(worker_.mutex());
     result_.reset();
     live_result_.reset();
-    to_settle_ = Request{state, wanted_ticket_ = ++settle_ticket_};
+    to_settle_ = Request{state, wanted_ticket_ = ++settle_ticket_, false, std::move(from)};
     if (status_.phase == Phase::ready) status_.phase = Phase::settling;
   }
   worker_.notify();
@@ -364,8 +369,8 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
     if (request.is_live) {
       live = live_result(request, ready, progress);
     } else {
-      result =
-          settled_result(state, *ready.exact, *ready.exact_kernels, *carry_contacts_, progress);
+      result = settled_result(state, request.from.get(), *ready.exact, *ready.exact_kernels,
+                              *carry_contacts_, progress);
     }
   } catch (const Cancelled&) {
     // Whoever cancelled wants nothing.
@@ -391,11 +396,12 @@ LiveResult Preparation::live_result(const Request& request, const Ready& ready,
   if (settles_frames(state)) {
     return follow_drag(request, *ready.exact, progress);
   }
-  state.settled =
-      settled_result(state, *ready.exact, *ready.exact_kernels, *carry_contacts_, progress).moved;
+  state.settled = settled_result(state, request.from.get(), *ready.exact, *ready.exact_kernels,
+                                 *carry_contacts_, progress)
+                      .moved;
   return {state.moves,
-          std::make_shared<const SettledPose>(ready.drag_by.response->pose_at(
-              positions_of(state), motions_of(state), turns_of(state))),
+          std::make_shared<const SettledPose>(
+              ready.drag_by.response->pose_at(positions_of(state), motions_of(state))),
           true};
 }
 
@@ -407,7 +413,7 @@ LiveResult Preparation::follow_drag(const Request& request, const Deformer& exac
   const Stopwatch watch;
   const double budget = request.rests ? kRestBudgetMs : kLiveBudgetMs;
   const auto go_on = [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < budget; };
-  exact.follow(motions_of(request.state), turns_of(request.state), pose, go_on, progress);
+  exact.follow(motions_of(request.state), pose, go_on, progress);
   const bool is_done = pose.settled.settled || pose.settled.exhausted;
   last_live_ = std::make_shared<const SettledPose>(std::move(pose));
   return {request.state.moves, last_live_, is_done};

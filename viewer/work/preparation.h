@@ -39,13 +39,13 @@ struct PreparationStatus {
 
 /// What settling came to.
 struct SettledResult {
-  std::vector<Move> moves;                     ///< those of the state that asked
+  std::vector<HandleMove> moves;               ///< those of the state that asked
   std::shared_ptr<const MovedVertices> moved;  ///< certified
 };
 
 /// Where a drag under way has been brought.
 struct LiveResult {
-  std::vector<Move> moves;  ///< those of the state that asked
+  std::vector<HandleMove> moves;  ///< those of the state that asked
   /// What to go on from: the surface at those moves. Null, which is the rest shape, only where
   /// nothing could be computed from there.
   std::shared_ptr<const SettledPose> pose;
@@ -90,8 +90,9 @@ class Preparation {
   void drag_by(std::span<const std::size_t> handles);
 
   /// Computes the result of the moves of `state`, which is the one followed, as soon as the exact
-  /// one is ready. Takes the place of an earlier request.
-  void settle(const AppState& state);
+  /// one is ready: the one that the pose `from` leads to, or without one the path of the moves.
+  /// Takes the place of an earlier request.
+  void settle(const AppState& state, std::shared_ptr<const SettledPose> from = nullptr);
   /// The result that is there, once.
   std::optional<SettledResult> take_result();
   /// Whether one is asked for, under way or there; false once it was given up or has failed.
@@ -158,7 +159,7 @@ class Preparation {
     AppState state;
     std::uint64_t ticket = 0;
     bool is_live = false;
-    std::shared_ptr<const SettledPose> from;  ///< of a live one
+    std::shared_ptr<const SettledPose> from;  ///< what it goes on from; null for none
     bool rests = false;                       ///< its hand
   };
 

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "lapwing/deform/deform_request.h"
+#include "lapwing/deform/handle_motion.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
 
@@ -44,6 +45,24 @@ struct BoundRequest {
     for (std::size_t h = 0; h < request.handles.size(); ++h) all.push_back(motion(h, from, to));
     return all;
   }
+
+  HandleMotions handle_motions(double from, double to) const {
+    return {motions(from, to), turns(from, to), free_handles()};
+  }
+
+  /// Whether each handle's orientation is free; empty if none is.
+  std::vector<char> free_handles() const {
+    std::vector<char> free;
+    bool any = false;
+    for (const MovedHandle& handle : request.handles) {
+      free.push_back(handle.orientation == HandleOrientation::free ? 1 : 0);
+      any = any || free.back() != 0;
+    }
+    return any ? free : std::vector<char>();
+  }
+
+  /// The motions that lead to the whole one, in order: those of the request's paths. Empty without.
+  std::vector<HandleMotions> path() const;
 };
 
 }  // namespace lapwing

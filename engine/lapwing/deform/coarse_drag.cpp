@@ -37,7 +37,8 @@ CoarseDrag::CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coa
       settler_(kernels_, coarse_->edit->systems->laplacian_with_rings(), *fine.options.settle),
       energy_ratio_(static_cast<double>(coarse_->edit->region.roi.size()) /
                     static_cast<double>(fine.region.roi.size())),
-      is_held_(surface().kept.size(), 1) {
+      is_held_(surface().kept.size(), 1),
+      coarse_of_(places_in(surface().kept, fine.rest->size())) {
   for (const Index c : coarse_->edit->region.roi) is_held_[c] = 0;
   for (const Index c : coarse_->edit->region.belt) is_held_[c] = 1;
   for (const VertexSet& handle : coarse_->edit->region.handles) {
@@ -58,7 +59,19 @@ SettleTarget CoarseDrag::target_of(const SettleTarget& fine) {
   if (!fine.rest_stretch.empty()) {
     for (const Index v : surface().kept) stretch_.push_back(fine.rest_stretch[v]);
   }
-  return {next_wanted_, stretch_, forces_};
+  const Unknowns& unknowns = coarse_->edit->constraints.unknowns;
+  free_handles_.clear();
+  for (const FreeHandle& handle : fine.free_handles) {
+    FreeHandle& own = free_handles_.emplace_back();
+    for (std::size_t k = 0; k < handle.vertices.size(); ++k) {
+      const Index c = coarse_of_[handle.vertices[k]];
+      if (c == kNoIndex || unknowns.of_vertex[c] == kNoIndex) continue;
+      own.vertices.push_back(c);
+      own.shape.push_back(handle.shape[k]);
+      own.to_centre.push_back(handle.to_centre[k]);
+    }
+  }
+  return {next_wanted_, stretch_, forces_, free_handles_};
 }
 
 // Of the surface that was settled or asked for its energy last.
@@ -120,6 +133,20 @@ void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, double next
     return iterations < kMostIterations && has_time(ms) && ++iterations > 0;
   });
   const Stopwatch carrying;
+  carry_to(std::move(displacement), u);
+  carrying_ms_ = carrying.elapsed_ms();
+}
+
+void CoarseDrag::settle(const SettleTarget& target, const Progress& progress,
+                        std::span<Vector3d> u) {
+  const SettleTarget own = target_of(target);
+  std::vector<Vector3d> displacement = gone_on();
+  settler_.settle(own, displacement, progress);
+  carry_to(std::move(displacement), u);
+}
+
+// The coarse surface is at `displacement`, for the next target: takes the fine one along.
+void CoarseDrag::carry_to(std::vector<Vector3d> displacement, std::span<Vector3d> u) {
   CoarseEmbedding::Pose next = pose_at(std::move(displacement));
   coarse_->level->embedding.carry(pose_, next, u);
   if (wanted_ != next_wanted_) {
@@ -128,7 +155,6 @@ void CoarseDrag::move(const SettleTarget& target, const GoOn& go_on, double next
   }
   pose_ = std::move(next);
   std::swap(wanted_, next_wanted_);
-  carrying_ms_ = carrying.elapsed_ms();
 }
 
 void CoarseDrag::learn(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {

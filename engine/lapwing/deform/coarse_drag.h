@@ -33,6 +33,12 @@ class CoarseDrag {
   void move(const SettleTarget& target, const GoOn& go_on, double next_ms,
             std::span<Eigen::Vector3d> u);
 
+  /// Settles the coarse surface for `target` and takes `u` along. Throws Cancelled.
+  void settle(const SettleTarget& target, const Progress& progress, std::span<Eigen::Vector3d> u);
+
+  /// The rotations of the target's free handles, as the last call left them.
+  std::vector<Eigen::Matrix3d> handle_rotations() { return settler_.handle_rotations(); }
+
   /// What the fine level has come to: its surface, and half of the gradient of its energy there,
   /// per vertex of the fine mesh.
   void learn(std::span<const Eigen::Vector3d> u, std::span<const Eigen::Vector3d> gradient);
@@ -46,6 +52,7 @@ class CoarseDrag {
   std::vector<Eigen::Vector3d> of_kept(std::span<const Eigen::Vector3d> of_fine) const;
   SettleTarget target_of(const SettleTarget& fine);
   std::vector<Eigen::Vector3d> gone_on() const;
+  void carry_to(std::vector<Eigen::Vector3d> displacement, std::span<Eigen::Vector3d> u);
   CoarseEmbedding::Pose pose_at(std::vector<Eigen::Vector3d> displacement);
 
   std::unique_ptr<CoarseRegion> coarse_;
@@ -53,6 +60,7 @@ class CoarseDrag {
   Settler settler_;
   double energy_ratio_;        ///< of the coarse energy to the fine one: both sum over vertices
   std::vector<char> is_held_;  ///< per coarse vertex: belt or handle
+  std::vector<Index> coarse_of_;  ///< per vertex of the fine mesh, or kNoIndex
 
   double carrying_ms_ = 0.0;  ///< what followed on the iterations last time
 
@@ -65,6 +73,7 @@ class CoarseDrag {
   // What a target is given by, kept for as long as it is used.
   std::vector<Eigen::Vector3d> next_wanted_;
   std::vector<Eigen::Matrix3d> stretch_;
+  std::vector<FreeHandle> free_handles_;
 };
 
 }  // namespace lapwing

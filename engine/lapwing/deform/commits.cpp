@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/deform/turn_tracker.h"
 #include "lapwing/deform/winding.h"
 
 namespace lapwing {
@@ -16,17 +17,33 @@ using Eigen::Vector3d;
 // 0.3 degrees in parts of 0.1 are three, though the quotient is rounded to a little more.
 constexpr double kRoundingOfQuotient = 1e-9;
 
+// A bar six widths long keeps 720 degrees in parts of 90. Parts of 180 would do, but the way round
+// is not certain there.
+constexpr double kSubstepDegrees = 90.0;
+// A half turn that was computed.
+constexpr double kRoundingDegrees = 1e-6;
+
 }  // namespace
 
+std::optional<double> substep_degrees(const DeformParameters& parameters, double turn_degrees,
+                                      bool has_path) {
+  if (parameters.commit_every) return parameters.commit_every;
+  const bool is_far = turn_degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
+  return parameters.settle && is_far && !has_path ? std::optional(kSubstepDegrees) : std::nullopt;
+}
+
 std::size_t commit_count(const DeformRequest& request) {
-  if (!request.parameters.commit_every) return 1;
   const double degrees = largest_turn(request).turn.degrees;
-  const double count = std::ceil(degrees / *request.parameters.commit_every - kRoundingOfQuotient);
+  const bool has_path = std::ranges::any_of(
+      request.handles, [](const MovedHandle& handle) { return !handle.path.empty(); });
+  const std::optional<double> every = substep_degrees(request.parameters, degrees, has_path);
+  if (!every) return 1;
+  const double count = std::ceil(degrees / *every - kRoundingOfQuotient);
   if (!(count <= static_cast<double>(kMostCommits))) {
     std::ostringstream text;
-    text << request.where << ": a handle turns by " << degrees
-         << " degrees; with \"commit_every\": " << *request.parameters.commit_every
-         << " that is more than " << kMostCommits << " commits. Raise it, or turn less";
+    text << request.where << ": a handle turns by " << degrees << " degrees; in parts of " << *every
+         << " that is more than " << kMostCommits
+         << " commits. Raise \"commit_every\", or turn less";
     throw InputError(text.str());
   }
   return static_cast<std::size_t>(std::max(count, 1.0));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "lapwing/deform/bound_request.h"
 #include "lapwing/deform/certificate.h"
 
@@ -8,8 +10,15 @@ namespace lapwing {
 /// More commits than this are taken for a mistake: each prepares anew.
 inline constexpr std::size_t kMostCommits = 1000;
 
+/// The largest turn that is made at once, if any handle's turn is larger: `commit_every`, and
+/// without it 90 degrees where the surface settles and a handle turns by more than
+/// kLargestSettledTurnDegrees without a path, since the energy may then be less wound the other
+/// way.
+std::optional<double> substep_degrees(const DeformParameters& parameters, double turn_degrees,
+                                      bool has_path);
+
 /// In how many equal parts `request` is carried out: as few as keep the turn of every handle within
-/// `commit_every`, 1 without it. Throws InputError, naming `where`, above kMostCommits.
+/// `substep_degrees`, 1 without. Throws InputError, naming `where`, above kMostCommits.
 std::size_t commit_count(const DeformRequest& request);
 
 /// One certificate for a request carried out in `parts`, from the surface `start` to `end`. Shape,

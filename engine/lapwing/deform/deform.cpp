@@ -60,10 +60,12 @@ struct Work {
   // From share `from` of the motions to share `to`.
   Certificate carry_out(double from, double to) const {
     const Deformer& deformer = deformer_of(region_at(to));
-    const std::vector<Eigen::Affine3d> motions = bound.motions(from, to);
+    const HandleMotions motions = bound.handle_motions(from, to);
     Certificate certificate;
     stage("solve", result.timings, progress, [&] {
-      DeformResult solved = deformer.solve(motions, bound.turns(from, to), progress);
+      const std::vector<HandleMotions> path =
+          to - from == 1.0 ? bound.path() : std::vector<HandleMotions>();
+      DeformResult solved = deformer.solve_along(path, motions, progress);
       result.mesh.positions = std::move(solved.positions);
       certificate = std::move(solved.certificate);
       if (result.rest_stretch.empty()) {
@@ -148,7 +150,11 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
 }
 
 DeformRequest unmoved(DeformRequest request) {
-  for (MovedHandle& handle : request.handles) handle.move = {};
+  for (MovedHandle& handle : request.handles) {
+    handle.move = {};
+    handle.orientation = HandleOrientation::kept;
+    handle.path.clear();
+  }
   return request;
 }
 

@@ -41,6 +41,12 @@ struct MovedHandle {
   RegionSpec region;
   Move move;
   Grading grading = {};
+  HandleOrientation orientation = HandleOrientation::kept;
+  /// Moves that the handle went through before `move`, each from the rest position; those at one
+  /// place in the lists of all handles belong together. Far moves have several results; the one
+  /// that this path leads to is taken. All handles that have a path have as many; a handle without
+  /// one goes by equal shares of its move.
+  std::vector<Move> path = {};
   bool operator==(const MovedHandle&) const = default;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
@@ -13,6 +14,7 @@
 #include "lapwing/deform/response_basis.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/laplacian/rotation.h"
 #include "lapwing/settle/settle.h"
 
 namespace lapwing {
@@ -180,17 +182,95 @@ Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 
 DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
                              const Progress& progress) const {
-  std::vector<Eigen::AngleAxisd> turns;
-  for (const Eigen::Affine3d& motion : motions) turns.push_back(shortest_turn(motion));
-  return solve(motions, turns, progress);
+  return solve(handle_motions(motions), progress);
+}
+
+DeformResult Deformer::solve(const HandleMotions& motions, const Progress& progress) const {
+  const ProgressScope scope(progress);
+  const auto lock = state_->system->systems->lock();
+  return solved(nullptr, motions, progress);
+}
+
+DeformResult Deformer::solve_along(std::span<const HandleMotions> path,
+                                   const HandleMotions& motions, const Progress& progress) const {
+  const ProgressScope scope(progress);
+  const bool has_path = state_->settler != nullptr && !path.empty();
+  if (has_path) wait_for_coarse(progress);
+  const auto lock = state_->system->systems->lock();
+  if (!has_path) return solved(nullptr, motions, progress);
+  const SettledPose pose = followed(path, progress);
+  return solved(&pose, motions, progress);
+}
+
+DeformResult Deformer::solve_from(const SettledPose& pose, const HandleMotions& motions,
+                                  const Progress& progress) const {
+  const ProgressScope scope(progress);
+  const auto lock = state_->system->systems->lock();
+  return solved(pose.parameters.empty() ? nullptr : &pose, motions, progress);
+}
+
+FreeHandle Deformer::State::free_handle(std::size_t handle, const Eigen::Affine3d& map) const {
+  const EditSystem& edit = *system;
+  const Vector3d& centroid = edit.frames[handle].centroid;
+  const Vector3d centre = map * centroid;
+  const Eigen::Matrix3d stretch = nearest_rotation(map.linear()).transpose() * map.linear();
+  FreeHandle free;
+  const auto add = [&](Index v) {
+    if (edit.constraints.unknowns.of_vertex[v] == kNoIndex) return;
+    free.vertices.push_back(v);
+    free.shape.push_back(stretch * ((*edit.rest)[v] - centroid));
+    free.to_centre.push_back(centre - (*edit.rest)[v]);
+  };
+  for (const Index v : edit.region.handles[handle]) add(v);
+  for (const GradedVertex& graded : edit.region.graded) {
+    if (graded.handle == handle) add(graded.vertex);
+  }
+  return free;
+}
+
+// Under the lock.
+AskedOfSurface Deformer::State::asked_of(HandleMotions motions,
+                                         std::vector<Vector3d>& wanted) const {
+  AskedOfSurface asked;
+  asked.parameters.resize(system->column_count());
+  system->set_parameters(motions.maps, asked.parameters);
+  system->asked_displacement(asked.parameters, wanted);
+  asked.wanted = &wanted;
+  if (has_shares()) asked.stretch = asked_stretch(motions.maps);
+  if (motions.any_free() && (settler == nullptr || system->options.hard)) {
+    throw InputError(
+        "a handle whose orientation is free needs a surface that settles, with soft constraints; "
+        "set its orientation, or leave out \"hard\" and \"settle\"");
+  }
+  for (std::size_t h = 0; h < motions.maps.size(); ++h) {
+    if (motions.is_free_handle(h)) asked.free_handles.push_back(free_handle(h, motions.maps[h]));
+  }
+  asked.motions = std::move(motions);
+  return asked;
+}
+
+// What the free handles have turned to.
+void Deformer::State::take_rotations(std::span<const Eigen::Matrix3d> rotations,
+                                     AskedOfSurface& asked) const {
+  if (rotations.empty()) return;
+  std::size_t next = 0;
+  for (std::size_t h = 0; h < asked.motions.maps.size(); ++h) {
+    if (!asked.motions.is_free_handle(h)) continue;
+    asked.motions.maps[h] =
+        turned_to(asked.motions.maps[h], system->frames[h].centroid, rotations[next++]);
+    TurnTracker tracker(asked.motions.turns[h]);
+    tracker.follow(asked.motions.maps[h]);
+    asked.motions.turns[h] = tracker.turn();
+  }
+  system->set_parameters(asked.motions.maps, asked.parameters);
+  system->asked_displacement(asked.parameters, *asked.wanted);
 }
 
 // Where the handles' shares take the surface, and targets draw it by the n x n system.
-std::vector<Vector3d> Deformer::turned_start(std::span<const Eigen::Affine3d> motions,
-                                             std::span<const Eigen::AngleAxisd> turns,
+std::vector<Vector3d> Deformer::turned_start(const HandleMotions& motions,
                                              const RestStretch& stretch) const {
   const State& s = *state_;
-  std::vector<Vector3d> turned = s.held_shares().turned(motions, turns, stretch);
+  std::vector<Vector3d> turned = s.held_shares().turned(motions.maps, motions.turns, stretch);
   if (!s.system->region.targets.empty()) {
     const std::vector<double> still(s.system->column_count(), 0.0);
     const std::vector<Vector3d> drawn =
@@ -200,70 +280,104 @@ std::vector<Vector3d> Deformer::turned_start(std::span<const Eigen::Affine3d> mo
   return turned;
 }
 
-// Settles from where shares take the surface. The linear response, whose factor takes longer than
-// many an edit settles in, is asked where that is too far off. Turns that are far say which way
-// round, which it does not know.
-std::vector<Vector3d> Deformer::settled(std::span<const Eigen::Affine3d> motions,
-                                        std::span<const Eigen::AngleAxisd> turns,
-                                        std::span<const double> q, const SettleTarget& target,
-                                        const RestStretch& stretch, Certificate& certificate,
-                                        const Progress& progress) const {
+// Settles from a pose, or else from where shares take the surface. The linear response, whose
+// factor takes longer than many an edit settles in, is asked where that is too far off. Turns that
+// are far say which way round, which it does not know.
+void Deformer::settle_to(AskedOfSurface& asked, const SettledPose* pose, std::span<Vector3d> u,
+                         SettleResult& result, std::string& why_not_exact,
+                         const Progress& progress) const {
   State& s = *state_;
-  std::vector<Vector3d> u = turned_start(motions, turns, stretch);
-  const auto linear = [&](std::span<Vector3d> start) {
-    StageTimings untold;
-    if (!s.hold_response(progress, untold)) {
-      certificate.why_not_exact = s.why_not_exact;
-      return false;
+  if (pose != nullptr) {
+    std::ranges::copy(pose->displacement, u.begin());
+    if (pose->parameters != asked.parameters) {
+      std::vector<double> change = asked.parameters;
+      for (std::size_t k = 0; k < change.size(); ++k) change[k] -= pose->parameters[k];
+      const std::vector<Vector3d> response =
+          axis_displacement(*s.system, s.system->wanted_displacement(change), Springs::rest);
+      for (const Index v : s.system->moving) u[v] += response[v];
     }
-    hold_for_settling();
-    std::ranges::copy(linear_displacement(*s.system, target.wanted, s.forces_of(q)), start.begin());
-    return true;
-  };
-  const SettleResult result =
-      s.settler->settle(target, u, progress, any_far(turns) ? BetterStart() : linear);
-  certificate.settle_iterations = result.iterations;
-  certificate.settled = result.settled;
-  certificate.settle_last_step = result.last_step;
-  certificate.relative_gradient = result.relative_gradient;
-  return u;
+    result = s.settler->settle(asked.target(), u, progress);
+  } else {
+    std::ranges::copy(turned_start(asked.motions, asked.stretch), u.begin());
+    const auto linear = [&](std::span<Vector3d> start) {
+      StageTimings untold;
+      if (!s.hold_response(progress, untold)) {
+        why_not_exact = s.why_not_exact;
+        return false;
+      }
+      hold_for_settling();
+      std::ranges::copy(
+          linear_displacement(*s.system, *asked.wanted, s.forces_of(asked.parameters)),
+          start.begin());
+      return true;
+    };
+    const bool may_ask = !any_far(asked.motions.turns) && asked.free_handles.empty();
+    result = s.settler->settle(asked.target(), u, progress,
+                               may_ask ? BetterStart(linear) : BetterStart());
+  }
+  if (!asked.free_handles.empty()) s.take_rotations(s.settler->handle_rotations(), asked);
 }
 
-DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
-                             std::span<const Eigen::AngleAxisd> turns,
-                             const Progress& progress) const {
-  const ProgressScope scope(progress);
+// The pose that a path leads to. Under the lock.
+SettledPose Deformer::followed(std::span<const HandleMotions> path,
+                               const Progress& progress) const {
+  State& s = *state_;
+  hold_for_settling();
+  SettledPose pose;
+  std::string untold;
+  bool coarse_is_there = false;
+  for (const HandleMotions& motions : path) {
+    const bool begins = pose.parameters.empty() || any_far_since(pose.motions, motions);
+    AskedOfSurface asked = s.asked_of(
+        begins ? motions : turned_as(motions, pose.motions, *s.system), s.asked_fields[0]);
+    SettledPose next;
+    if (begins || s.coarse == nullptr) {
+      next.displacement.assign(s.system->rest->size(), Vector3d::Zero());
+      settle_to(asked, begins ? nullptr : &pose, next.displacement, next.settled, untold, progress);
+      coarse_is_there = false;
+    } else {
+      s.follow_by_coarse(pose, asked, std::exchange(coarse_is_there, true), progress, next);
+    }
+    next.motions = std::move(asked.motions);
+    next.parameters = std::move(asked.parameters);
+    pose = std::move(next);
+  }
+  return pose;
+}
+
+// Under the lock.
+DeformResult Deformer::solved(const SettledPose* pose, const HandleMotions& motions,
+                              const Progress& progress) const {
   const State& s = *state_;
   const EditSystem& edit = *s.system;
-  const auto lock = edit.systems->lock();
   const bool settles = s.settler != nullptr;
   if (settles) {
     hold_for_settling();
   } else {
     hold(progress);
   }
-  std::vector<double> q(edit.column_count());
-  edit.set_parameters(motions, q);
-  std::vector<Vector3d>& wanted = s.asked[0];
-  edit.asked_displacement(q, wanted);
-  RestStretch asked;
-  if (s.has_shares()) asked = s.asked_stretch(motions);
-  std::vector<Eigen::Matrix3d>& stretch = asked.of_vertices;
-  const std::vector<double> scales = mean_scales(stretch);
-
+  if (pose != nullptr && any_far_since(pose->motions, motions)) pose = nullptr;
+  AskedOfSurface asked =
+      s.asked_of(pose != nullptr && settles ? turned_as(motions, pose->motions, edit) : motions,
+                 s.asked_fields[0]);
+  const std::vector<Vector3d>& wanted = *asked.wanted;
   DeformResult result;
   Certificate& certificate = result.certificate;
-  std::vector<Vector3d> u;
+  std::vector<Vector3d> u(edit.rest->size(), Vector3d::Zero());
   if (!settles) {
-    const Numbers forces = s.forces_of(q);
+    const Numbers forces = s.forces_of(asked.parameters);
     u = linear_displacement(edit, wanted, forces);
     certificate.relative_residual = edit.systems->response().refine(wanted, forces, u);
-  } else if (any_far(turns) || !rests(edit, wanted)) {
-    u = settled(motions, turns, q, {wanted, stretch}, asked, certificate, progress);
-  } else {
-    u.assign(edit.rest->size(), Vector3d::Zero());
+  } else if (any_far(asked.motions.turns) || !rests(edit, wanted)) {
+    SettleResult settled;
+    settle_to(asked, pose, u, settled, certificate.why_not_exact, progress);
+    certificate.settle_iterations = settled.iterations;
+    certificate.settled = settled.settled;
+    certificate.settle_last_step = settled.last_step;
+    certificate.relative_gradient = settled.relative_gradient;
   }
-  edit.loose.carry(wanted, scales, u);
+  std::vector<Eigen::Matrix3d>& stretch = asked.stretch.of_vertices;
+  edit.loose.carry(wanted, mean_scales(stretch), u);
   result.positions = *edit.rest;
   for (const Index v : edit.moving) {
     // Adding 0 would turn a coordinate of -0 into +0.
@@ -291,6 +405,7 @@ DeformResult Deformer::solve(std::span<const Eigen::Affine3d> motions,
                  certificate, stretch);
   require_valid(certificate);
   result.rest_stretch = std::move(stretch);
+  result.motions = std::move(asked.motions);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -12,6 +13,7 @@
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/deform_options.h"
 #include "lapwing/deform/drag.h"
+#include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/topology.h"
@@ -20,6 +22,7 @@
 
 namespace lapwing {
 
+struct AskedOfSurface;
 class DragPreview;
 struct EditSystem;
 struct RestStretch;
@@ -30,6 +33,8 @@ struct DeformResult {
   /// The S_i that the handles ask for (rest_stretch.h), per vertex of the mesh; empty for the
   /// identity.
   std::vector<Eigen::Matrix3d> rest_stretch = {};
+  /// As asked for; a handle whose orientation is free has the rotation that it came to.
+  HandleMotions motions = {};
 };
 
 /// Detail-preserving deformation of a region by affine motions of its handles (paper, sections 3
@@ -96,13 +101,24 @@ class Deformer {
   /// the rest positions bit for bit. Throws SolverError when the certificate does not hold.
   DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
 
-  /// The same for motions whose rotations came about by `turns`, one per handle, which may be more
-  /// than half a turn (TurnTracker follows them): the surface is wound that way, as far as it can
-  /// hold it. What was solved or asked for before makes no difference to the bits. A drag may have
-  /// found a better order for the tangent of a pose (`begin_to_follow`), which rounds otherwise:
-  /// that makes one of some 1e-7 of the region.
-  DeformResult solve(std::span<const Eigen::Affine3d> motions,
-                     std::span<const Eigen::AngleAxisd> turns, const Progress& progress = {}) const;
+  /// The same for motions that tell their turns: a surface is wound the way that its handles went,
+  /// as far as it can hold that. What was solved or asked for before makes no difference to the
+  /// bits. A drag may have found a better order for the Hessian of a pose (`begin_to_follow`),
+  /// which rounds otherwise: that makes a difference of some 1e-7 of the region. Throws InputError
+  /// for a handle whose orientation is free unless the options settle with soft constraints.
+  DeformResult solve(const HandleMotions& motions, const Progress& progress = {}) const;
+
+  /// The same along a path: the surface settles at each motion of `path` in turn, from where it was
+  /// before, and then at `motions`. Far motions have several minima; the path decides which one is
+  /// found. Large regions follow it on their coarse surface, and settle themselves at the end.
+  DeformResult solve_along(std::span<const HandleMotions> path, const HandleMotions& motions,
+                           const Progress& progress = {}) const;
+
+  /// The same from a pose of this region (`follow`, DragResponse::pose_at): the minimum that the
+  /// pose leads to, so that what a drag has shown is what it ends in. From an empty pose, and
+  /// without settling, the same as `solve`.
+  DeformResult solve_from(const SettledPose& pose, const HandleMotions& motions,
+                          const Progress& progress = {}) const;
 
   /// One settled frame of a drag: moves `pose` on to where the handles' motions take it. It begins
   /// where the last frames lead as far as the handles go on as they did, and goes the rest of the
@@ -114,14 +130,14 @@ class Deformer {
   /// 3,500 instead (CoarseDrag), which takes little time at any size and asks `go_on`, too, until
   /// the handles rest; then the surface itself is settled. Which frames have that surface depends
   /// on when it is made (`begin_to_follow`); after `prepare_to_follow` all do. With the same
-  /// motions again it goes on, and once settled nothing moves. `turns` are those of `solve`. From
+  /// motions again it goes on, and once settled nothing moves. From
   /// an empty pose it begins where `solve` does, and so does a frame in which a handle has turned
   /// by more than 90 degrees since the last, for which the old pose tells too little. One drag at a
   /// time; another one begins with `begin_drag`. Throws InputError without settling in the options,
   /// SolverError when the result is not finite, Cancelled when `progress` asks for it, each time
   /// with `pose` as it was.
-  void follow(std::span<const Eigen::Affine3d> motions, std::span<const Eigen::AngleAxisd> turns,
-              SettledPose& pose, const GoOn& go_on = {}, const Progress& progress = {}) const;
+  void follow(const HandleMotions& motions, SettledPose& pose, const GoOn& go_on = {},
+              const Progress& progress = {}) const;
 
   /// The same with turns that add up from frame to frame, as TurnTracker follows them.
   void follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose, const GoOn& go_on = {},
@@ -176,14 +192,14 @@ class Deformer {
   std::shared_ptr<const DragResponse> columns_of(std::vector<std::size_t> handles,
                                                  const Progress& progress) const;
   void hold_for_settling() const;
-  std::vector<Eigen::Vector3d> turned_start(std::span<const Eigen::Affine3d> motions,
-                                            std::span<const Eigen::AngleAxisd> turns,
+  void wait_for_coarse(const Progress& progress) const;
+  std::vector<Eigen::Vector3d> turned_start(const HandleMotions& motions,
                                             const RestStretch& stretch) const;
-  std::vector<Eigen::Vector3d> settled(std::span<const Eigen::Affine3d> motions,
-                                       std::span<const Eigen::AngleAxisd> turns,
-                                       std::span<const double> q, const SettleTarget& target,
-                                       const RestStretch& stretch, Certificate& certificate,
-                                       const Progress& progress) const;
+  SettledPose followed(std::span<const HandleMotions> path, const Progress& progress) const;
+  void settle_to(AskedOfSurface& asked, const SettledPose* pose, std::span<Eigen::Vector3d> u,
+                 SettleResult& result, std::string& why_not_exact, const Progress& progress) const;
+  DeformResult solved(const SettledPose* pose, const HandleMotions& motions,
+                      const Progress& progress) const;
 
   std::unique_ptr<State> state_;
 };

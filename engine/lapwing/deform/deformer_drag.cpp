@@ -12,6 +12,7 @@
 #include "lapwing/deform/response_basis.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/laplacian/rotation.h"
 #include "lapwing/settle/settle.h"
 
 namespace lapwing {
@@ -29,16 +30,6 @@ constexpr double kSmoothStep = 0.05;
 constexpr double kLeastWithoutCoarse = 2.0;
 // Frames at rest in which the coarse surface may still help.
 constexpr int kCoarseMovesAtRest = 20;
-
-// Whether a handle has turned too far from the last frame to this one to go on from there.
-bool any_far_since(std::span<const Eigen::AngleAxisd> last,
-                   std::span<const Eigen::AngleAxisd> turns) {
-  for (std::size_t h = 0; h < last.size(); ++h) {
-    const Vector3d now = turns[h].angle() * turns[h].axis();
-    if (is_far(now - last[h].angle() * last[h].axis())) return true;
-  }
-  return false;
-}
 
 // What the handles made of the surface from one frame to the next. While they rest it settles,
 // which says nothing of where it goes with them.
@@ -177,42 +168,60 @@ bool Deformer::State::find_coarse() {
   return coarse != nullptr;
 }
 
-// From `pose`, whose handles asked for `wanted`, by way of the coarse surface. Belt and handles go
-// as they are held.
+// From `pose`, whose handles asked for `wanted`, by way of the coarse surface.
 void Deformer::State::take_along(const SettledPose& pose, std::span<const Vector3d> wanted,
-                                 const SettleTarget& target, const GoOn& go_on, SettledPose& next) {
+                                 AskedOfSurface& asked, const GoOn& go_on, SettledPose& next) {
   next.displacement = moved_as(pose.displacement);
   // In the time that is left to it.
   const auto ask = [&](double ms) { return go_on(ms + ending_ms); };
-  coarse->move(target, go_on ? GoOn(ask) : GoOn(), smoothing_ms, next.displacement);
+  coarse->move(asked.target(), go_on ? GoOn(ask) : GoOn(), smoothing_ms, next.displacement);
   const Stopwatch ending;
-  for (const Index v : system->region.belt) next.displacement[v] = pose.displacement[v];
-  for (const auto& handle : system->region.handles) {
-    for (const Index v : handle) {
-      next.displacement[v] = pose.displacement[v] + (target.wanted[v] - wanted[v]);
-    }
-  }
+  take_rotations(coarse->handle_rotations(), asked);
+  place_held(pose, wanted, asked, next.displacement);
   ending_ms = ending.elapsed_ms();
 }
 
-void Deformer::State::follow_by_coarse(const SettledPose& pose, const SettleTarget& target,
+// Belt and handles go as they are held.
+void Deformer::State::place_held(const SettledPose& pose, std::span<const Vector3d> wanted,
+                                 const AskedOfSurface& asked, std::span<Vector3d> u) const {
+  for (const Index v : system->region.belt) u[v] = pose.displacement[v];
+  for (const auto& handle : system->region.handles) {
+    for (const Index v : handle) u[v] = pose.displacement[v] + ((*asked.wanted)[v] - wanted[v]);
+  }
+}
+
+void Deformer::State::follow_by_coarse(const SettledPose& pose, AskedOfSurface& asked,
                                        bool is_there, const GoOn& go_on, SettledPose& next) {
-  std::vector<Vector3d>& wanted = asked[1];
+  std::vector<Vector3d>& wanted = asked_fields[1];
   system->asked_displacement(pose.parameters, wanted);
-  if (!is_there) coarse->begin({wanted, target.rest_stretch}, pose.displacement);
+  if (!is_there) coarse->begin({wanted, asked.stretch.of_vertices}, pose.displacement);
   coarse_moves_at_rest = 0;
-  take_along(pose, wanted, target, go_on, next);
+  take_along(pose, wanted, asked, go_on, next);
+}
+
+// The same without a limit of time: until the coarse surface has settled.
+void Deformer::State::follow_by_coarse(const SettledPose& pose, AskedOfSurface& asked,
+                                       bool is_there, const Progress& progress, SettledPose& next) {
+  std::vector<Vector3d>& wanted = asked_fields[1];
+  system->asked_displacement(pose.parameters, wanted);
+  if (!is_there) coarse->begin({wanted, asked.stretch.of_vertices}, pose.displacement);
+  next.displacement = moved_as(pose.displacement);
+  coarse->settle(asked.target(), progress, next.displacement);
+  take_rotations(coarse->handle_rotations(), asked);
+  place_held(pose, wanted, asked, next.displacement);
 }
 
 // Where the handles rest the coarse surface still finds the way, as long as the energy falls and
 // the tangent does not find it sooner; false where it does not.
-bool Deformer::State::go_on_at_rest(const SettledPose& pose, const SettleTarget& target,
+bool Deformer::State::go_on_at_rest(const SettledPose& pose, AskedOfSurface& asked,
                                     SettledPose& next) {
   if (coarse_moves_at_rest >= kCoarseMovesAtRest || settler->goes_by_tangent()) return false;
   ++coarse_moves_at_rest;
-  take_along(pose, target.wanted, target, {}, next);
-  const double before = settler->energy(target, pose.displacement);
-  return settler->energy(target, next.displacement) < before;
+  const double before = settler->energy(asked.target(), pose.displacement);
+  std::vector<Vector3d>& wanted = asked_fields[1];
+  system->asked_displacement(pose.parameters, wanted);
+  take_along(pose, wanted, asked, {}, next);
+  return settler->energy(asked.target(), next.displacement) < before;
 }
 
 // Settles the surface itself, as far as there is time; a frame may do without where a coarse
@@ -287,42 +296,57 @@ std::shared_ptr<const DragResponse> Deformer::columns_of(std::vector<std::size_t
   return s.latest;
 }
 
-void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
-                      const GoOn& go_on, const Progress& progress) const {
-  std::vector<Eigen::AngleAxisd> turns;
-  for (std::size_t h = 0; h < motions.size(); ++h) {
-    TurnTracker tracker = h < pose.turns.size() ? TurnTracker(pose.turns[h]) : TurnTracker();
-    tracker.follow(motions[h]);
-    turns.push_back(tracker.turn());
+HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose,
+                        const EditSystem& system) {
+  for (std::size_t h = 0; h < motions.maps.size() && h < pose.maps.size(); ++h) {
+    if (!motions.is_free_handle(h)) continue;
+    const Vector3d& centroid = system.frames[h].centroid;
+    // The same bits if nothing moves.
+    if (motions.maps[h] * centroid == pose.maps[h] * centroid) {
+      motions.maps[h] = pose.maps[h];
+    } else {
+      motions.maps[h] =
+          turned_to(motions.maps[h], centroid, nearest_rotation(pose.maps[h].linear()));
+    }
+    motions.turns[h] = pose.turns[h];
   }
-  follow(motions, turns, pose, go_on, progress);
+  return motions;
 }
 
-void Deformer::follow(std::span<const Eigen::Affine3d> motions,
-                      std::span<const Eigen::AngleAxisd> turns, SettledPose& pose,
+void Deformer::follow(std::span<const Eigen::Affine3d> motions, SettledPose& pose,
                       const GoOn& go_on, const Progress& progress) const {
+  HandleMotions with_turns;
+  with_turns.maps.assign(motions.begin(), motions.end());
+  const std::vector<Eigen::AngleAxisd>& last = pose.motions.turns;
+  for (std::size_t h = 0; h < motions.size(); ++h) {
+    TurnTracker tracker = h < last.size() ? TurnTracker(last[h]) : TurnTracker();
+    tracker.follow(motions[h]);
+    with_turns.turns.push_back(tracker.turn());
+  }
+  follow(with_turns, pose, go_on, progress);
+}
+
+void Deformer::follow(const HandleMotions& motions, SettledPose& pose, const GoOn& go_on,
+                      const Progress& progress) const {
   const ProgressScope scope(progress);
   const State& s = *state_;
   const EditSystem& edit = *s.system;
   if (s.settler == nullptr) {
     throw InputError("a drag can follow settled only with settling in the deform options");
   }
+  const bool begins = pose.parameters.empty() || any_far_since(pose.motions, motions);
+  HandleMotions now = begins ? motions : turned_as(motions, pose.motions, edit);
   SettledPose next;
   next.parameters.resize(edit.column_count());
-  next.turns.assign(turns.begin(), turns.end());
-  edit.set_parameters(motions, next.parameters);
-  if (pose.settled.settled && next.parameters == pose.parameters) return;
+  edit.set_parameters(now.maps, next.parameters);
+  const bool at_rest = next.parameters == pose.parameters;
+  if (pose.settled.settled && at_rest) return;
   const auto lock = edit.systems->lock();
   if (s.latest == nullptr) make_columns_to_follow(progress);
   hold_for_settling();
-  std::vector<Vector3d>& wanted = s.asked[0];
-  edit.asked_displacement(next.parameters, wanted);
-  const RestStretch stretch = s.asked_stretch(motions);
-  const std::vector<double> scales = mean_scales(stretch.of_vertices);
-  const SettleTarget target{wanted, stretch.of_vertices};
+  AskedOfSurface asked = s.asked_of(std::move(now), s.asked_fields[0]);
+  const std::vector<double> scales = mean_scales(asked.stretch.of_vertices);
   State& on = *state_;
-  const bool begins = pose.parameters.empty() || any_far_since(pose.turns, turns);
-  const bool at_rest = next.parameters == pose.parameters;
   if (begins || (at_rest && pose.settled.settled)) on.lacks_time = false;
   const bool coarse_was_there =
       std::exchange(on.coarse_is_there, false) && pose.frame == s.last_frame;
@@ -330,27 +354,30 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
   if (begins) {
     s.settler->begin_drag();
     next.displacement = edit.region.targets.empty() ? s.displacement_by(next.parameters)
-                                                    : axis_displacement(edit, wanted);
-    Positions turned = turned_start(motions, turns, stretch);
-    if (any_far(turns) ||
-        s.settler->energy(target, turned) < s.settler->energy(target, next.displacement)) {
+                                                    : axis_displacement(edit, *asked.wanted);
+    Positions turned = turned_start(asked.motions, asked.stretch);
+    if (any_far(asked.motions.turns) || s.settler->energy(asked.target(), turned) <
+                                            s.settler->energy(asked.target(), next.displacement)) {
       next.displacement = std::move(turned);
     }
   } else if (at_rest) {
-    by_coarse = coarse_was_there && on.go_on_at_rest(pose, target, next);
+    by_coarse = coarse_was_there && on.go_on_at_rest(pose, asked, next);
     if (!by_coarse) next.displacement = s.moved_as(pose.displacement);
   } else {
     by_coarse =
         go_on && (s.lacks_time || !go_on(kLeastWithoutCoarse * s.smoothing_ms)) && on.find_coarse();
     if (by_coarse) {
-      on.follow_by_coarse(pose, target, coarse_was_there, go_on, next);
+      on.follow_by_coarse(pose, asked, coarse_was_there, go_on, next);
     } else {
       next.displacement = s.gone_on(pose, next.parameters);
     }
   }
   // While the coarse surface is being made, frames that lack time go on as they can without.
   const bool must = at_rest || (!by_coarse && !(go_on && on.coarse_aside.is_at_work()));
-  const bool is_smooth = on.smooth(target, at_rest, must, go_on, progress, next);
+  const bool is_smooth = on.smooth(asked.target(), at_rest, must, go_on, progress, next);
+  if (!asked.free_handles.empty()) s.take_rotations(s.settler->handle_rotations(), asked);
+  next.motions = asked.motions;
+  next.parameters = asked.parameters;
   if (!begins && !at_rest && !next.settled.settled && !std::exchange(on.lacks_time, true)) {
     on.begin_coarse();
   }
@@ -361,7 +388,7 @@ void Deformer::follow(std::span<const Eigen::Affine3d> motions,
     on.coarse->learn(next.displacement, on.pull);
   }
   const Stopwatch ending;
-  edit.loose.carry(wanted, scales, next.displacement);
+  edit.loose.carry(*asked.wanted, scales, next.displacement);
   Certificate certificate;
   certificate.all_finite = std::all_of(edit.moving.begin(), edit.moving.end(),
                                        [&](Index v) { return next.displacement[v].allFinite(); });
@@ -391,6 +418,12 @@ void Deformer::prepare_to_follow(const Progress& progress) const {
     const auto lock = s.system->systems->lock();
     if (s.settler != nullptr && s.latest == nullptr) make_columns_to_follow(progress);
   }
+  wait_for_coarse(progress);
+}
+
+void Deformer::wait_for_coarse(const Progress& progress) const {
+  State& s = *state_;
+  begin_to_follow();
   report_progress(progress, "coarse surface", 0.0);
   if (s.coarse_aside.is_at_work()) s.coarse = s.coarse_aside.take();
   report_progress(progress, "coarse surface", 1.0);

@@ -22,6 +22,18 @@
 
 namespace lapwing {
 
+/// What handles ask of the surface.
+struct AskedOfSurface {
+  HandleMotions motions;           ///< of free handles with the rotations known so far
+  std::vector<double> parameters;  ///< of those
+  RestStretch stretch;
+  std::vector<FreeHandle> free_handles;
+  /// Per vertex of the mesh. The memory is the Deformer's, which uses it again.
+  std::vector<Eigen::Vector3d>* wanted = nullptr;
+
+  SettleTarget target() const { return {*wanted, stretch.of_vertices, {}, free_handles}; }
+};
+
 /// What a Deformer holds. Its solves are in deformer.cpp, its drags, which go by response columns,
 /// in deformer_drag.cpp.
 struct Deformer::State {
@@ -41,7 +53,7 @@ struct Deformer::State {
   // Fields over the mesh that frames write again and again, so that none of them takes a time that
   // is that of the mesh: what handles ask for, now and of the pose before; what pulls; and a
   // displacement that no pose has any more.
-  mutable std::array<std::vector<Eigen::Vector3d>, 2> asked;
+  mutable std::array<std::vector<Eigen::Vector3d>, 2> asked_fields;
   std::vector<Eigen::Vector3d> pull;
   mutable Positions spare;
 
@@ -68,15 +80,22 @@ struct Deformer::State {
   Positions moved_as(const Positions& displacement) const;
   Positions displacement_by(std::span<const double> q) const;
   RestStretch asked_stretch(std::span<const Eigen::Affine3d> motions) const;
+  AskedOfSurface asked_of(HandleMotions motions, std::vector<Eigen::Vector3d>& wanted) const;
+  FreeHandle free_handle(std::size_t handle, const Eigen::Affine3d& map) const;
+  void take_rotations(std::span<const Eigen::Matrix3d> rotations, AskedOfSurface& asked) const;
   double share_of_recent(const SettledPose& pose, std::span<const double> change) const;
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
   void begin_coarse();
   bool find_coarse();
   void take_along(const SettledPose& pose, std::span<const Eigen::Vector3d> wanted,
-                  const SettleTarget& target, const GoOn& go_on, SettledPose& next);
-  void follow_by_coarse(const SettledPose& pose, const SettleTarget& target, bool is_there,
+                  AskedOfSurface& asked, const GoOn& go_on, SettledPose& next);
+  void place_held(const SettledPose& pose, std::span<const Eigen::Vector3d> wanted,
+                  const AskedOfSurface& asked, std::span<Eigen::Vector3d> u) const;
+  void follow_by_coarse(const SettledPose& pose, AskedOfSurface& asked, bool is_there,
                         const GoOn& go_on, SettledPose& next);
-  bool go_on_at_rest(const SettledPose& pose, const SettleTarget& target, SettledPose& next);
+  void follow_by_coarse(const SettledPose& pose, AskedOfSurface& asked, bool is_there,
+                        const Progress& progress, SettledPose& next);
+  bool go_on_at_rest(const SettledPose& pose, AskedOfSurface& asked, SettledPose& next);
   bool smooth(const SettleTarget& target, bool at_rest, bool must, const GoOn& go_on,
               const Progress& progress, SettledPose& next);
 };
@@ -94,5 +113,18 @@ inline bool any_far(std::span<const Eigen::AngleAxisd> turns) {
     return is_far(turn.angle() * turn.axis());
   });
 }
+
+/// Whether a handle has turned too far from the last motions to these to go on from there.
+inline bool any_far_since(const HandleMotions& last, const HandleMotions& now) {
+  for (std::size_t h = 0; h < last.turns.size(); ++h) {
+    if (now.is_free_handle(h)) continue;
+    const Eigen::Vector3d turn = now.turns[h].angle() * now.turns[h].axis();
+    if (is_far(turn - last.turns[h].angle() * last.turns[h].axis())) return true;
+  }
+  return false;
+}
+
+/// `motions`, whose free handles have the rotations that they have in `pose`.
+HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const EditSystem& system);
 
 }  // namespace lapwing

@@ -33,12 +33,11 @@ void DragResponse::set_parameters(std::span<const Eigen::Affine3d> motions,
 }
 
 SettledPose DragResponse::pose_at(std::span<const Vector3d> positions,
-                                  std::span<const Eigen::Affine3d> motions,
-                                  std::span<const Eigen::AngleAxisd> turns) const {
+                                  HandleMotions motions) const {
   SettledPose pose;
   pose.parameters.resize(system_->column_count());
-  system_->set_parameters(motions, pose.parameters);
-  pose.turns.assign(turns.begin(), turns.end());
+  system_->set_parameters(motions.maps, pose.parameters);
+  pose.motions = std::move(motions);
   pose.displacement.assign(rest().size(), Vector3d::Zero());
   for (const Index v : system_->moving) pose.displacement[v] = positions[v] - rest()[v];
   return pose;

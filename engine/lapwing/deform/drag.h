@@ -34,10 +34,8 @@ class DragResponse {
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
 
   /// A pose of this region: the surface at `positions`, of the whole mesh, for handles moved by
-  /// `motions` that came about by `turns`.
-  SettledPose pose_at(std::span<const Eigen::Vector3d> positions,
-                      std::span<const Eigen::Affine3d> motions,
-                      std::span<const Eigen::AngleAxisd> turns) const;
+  /// `motions`.
+  SettledPose pose_at(std::span<const Eigen::Vector3d> positions, HandleMotions motions) const;
 
  private:
   std::shared_ptr<const EditSystem> system_;

@@ -6,6 +6,17 @@
 
 namespace lapwing {
 
+bool HandleMotions::any_free() const {
+  return std::ranges::any_of(is_free, [](char free) { return free != 0; });
+}
+
+HandleMotions handle_motions(std::span<const Eigen::Affine3d> maps) {
+  HandleMotions motions;
+  motions.maps.assign(maps.begin(), maps.end());
+  for (const Eigen::Affine3d& map : maps) motions.turns.push_back(shortest_turn(map));
+  return motions;
+}
+
 HandleFrame handle_frame(std::span<const Index> vertices,
                          std::span<const Eigen::Vector3d> positions) {
   HandleFrame frame;
@@ -55,6 +66,14 @@ Eigen::Affine3d partial_motion(const Eigen::Affine3d& motion, const Eigen::Angle
   const Eigen::Vector3d place = centroid + share * (motion * centroid - centroid);
   part.translation() = place - part.linear() * centroid;
   return part;
+}
+
+Eigen::Affine3d turned_to(const Eigen::Affine3d& map, const Eigen::Vector3d& centroid,
+                          const Eigen::Matrix3d& rotation) {
+  Eigen::Affine3d turned = map;
+  turned.linear() = rotation * (nearest_rotation(map.linear()).transpose() * map.linear());
+  turned.translation() = map * centroid - turned.linear() * centroid;
+  return turned;
 }
 
 }  // namespace lapwing

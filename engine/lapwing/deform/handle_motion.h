@@ -9,6 +9,24 @@
 
 namespace lapwing {
 
+/// Where the handles of an edit go. Each list has one entry per handle.
+struct HandleMotions {
+  /// Affine maps from the rest position.
+  std::vector<Eigen::Affine3d> maps;
+  /// The turns that the rotations of the maps came about by, which may be more than half a turn.
+  std::vector<Eigen::AngleAxisd> turns;
+  /// Not 0 for a handle whose orientation is free: its centre goes where the map says and its shape
+  /// is stretched as the map stretches it, but it turns as the surface wants. The map's rotation
+  /// says only where settling starts. Empty if no handle is free.
+  std::vector<char> is_free = {};
+
+  bool is_free_handle(std::size_t h) const { return h < is_free.size() && is_free[h] != 0; }
+  bool any_free() const;
+};
+
+/// Maps whose rotations came about by the shortest turns.
+HandleMotions handle_motions(std::span<const Eigen::Affine3d> maps);
+
 /// Numbers that describe one handle's motion: a 3 x 3 linear part and a translation.
 inline constexpr std::size_t kMotionParameters = 12;
 
@@ -41,5 +59,9 @@ Eigen::AngleAxisd shortest_turn(const Eigen::Affine3d& motion);
 /// share S, and the handle's centroid goes straight.
 Eigen::Affine3d partial_motion(const Eigen::Affine3d& motion, const Eigen::AngleAxisd& turn,
                                const Eigen::Vector3d& centroid, double share);
+
+/// `map` with another rotation: it stretches alike and takes `centroid` to the same place.
+Eigen::Affine3d turned_to(const Eigen::Affine3d& map, const Eigen::Vector3d& centroid,
+                          const Eigen::Matrix3d& rotation);
 
 }  // namespace lapwing

@@ -99,7 +99,8 @@ class Mirroring {
       require_other_place(both.handles, held, h, held_image);
       if (!intersect(held[h], held_image).empty()) {
         handle = {listed(unite(set, image), handle.region), along_mirror(handle.move, plane_),
-                  with_image(handle.grading)};
+                  with_image(handle.grading), handle.orientation,
+                  mapped(handle.path, [&](const Move& m) { return along_mirror(m, plane_); })};
         numbers[h] = h;
         continue;
       }
@@ -110,10 +111,18 @@ class Mirroring {
       images.push_back(
           {std::move(region),
            mirror_image(handle.move, plane_),
-           {handle.grading.weight, handle.grading.falloff, mirrored_field(handle.grading.field)}});
+           {handle.grading.weight, handle.grading.falloff, mirrored_field(handle.grading.field)},
+           handle.orientation,
+           mapped(handle.path, [&](const Move& m) { return mirror_image(m, plane_); })});
     }
     both.handles.insert(both.handles.end(), images.begin(), images.end());
     return numbers;
+  }
+
+  static std::vector<Move> mapped(const std::vector<Move>& path, const auto& map) {
+    std::vector<Move> moves;
+    std::ranges::transform(path, std::back_inserter(moves), map);
+    return moves;
   }
 
   static void require_other_place(const std::vector<MovedHandle>& handles,

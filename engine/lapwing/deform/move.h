@@ -33,6 +33,13 @@ struct MatrixMove {
 /// How a handle moves, as a person wrote it.
 using Move = std::variant<SimilarityMove, MatrixMove>;
 
+/// What becomes of a handle's rotation.
+enum class HandleOrientation {
+  kept,  ///< the move says it
+  free,  ///< the move says where the centre goes; the handle keeps its shape and turns as the
+         ///< surface wants. A rotation in the move says where it begins.
+};
+
 /// The map of space that `move` stands for. A move by nothing gives the identity bit for bit.
 Eigen::Affine3d to_affine(const Move& move, const Eigen::Vector3d& handle_centroid);
 

@@ -69,9 +69,9 @@ Affine3d unit_motion(const Vector3d& center, double length, Eigen::Index a, Eige
 
 // By what motions of single handles of a request move the handles of its edit, which has those and
 // their mirror images.
-class HandleMotions {
+class HandleParameters {
  public:
-  HandleMotions(const MirroredRequest& both, const EditRegion& region, const Positions& rest)
+  HandleParameters(const MirroredRequest& both, const EditRegion& region, const Positions& rest)
       : images_(both.handle_images), plane_(both.plane) {
     for (const VertexSet& handle : region.handles) frames_.push_back(handle_frame(handle, rest));
   }
@@ -134,7 +134,10 @@ void add_response(const ResponseColumns& columns, std::span<const double> parame
 
 PreparedDeform::PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress)
     : mesh_(std::move(mesh)), request_(std::move(request)) {
-  for (MovedHandle& handle : request_.handles) handle.move = SimilarityMove();
+  for (MovedHandle& handle : request_.handles) {
+    handle.move = SimilarityMove();
+    handle.path.clear();
+  }
   region_ = solved(request_, progress).region;
 }
 
@@ -146,12 +149,26 @@ Deformed PreparedDeform::solved(const DeformRequest& request, const Progress& pr
 }
 
 Deformed PreparedDeform::solve(std::span<const Move> moves, const Progress& progress) {
-  if (moves.size() != request_.handles.size()) {
+  std::vector<HandleOrientation> orientations;
+  for (const MovedHandle& handle : request_.handles) orientations.push_back(handle.orientation);
+  return solve(moves, orientations, progress);
+}
+
+Deformed PreparedDeform::solve(std::span<const Move> moves,
+                               std::span<const HandleOrientation> orientations,
+                               const Progress& progress) {
+  const auto require_count = [this](std::size_t count, const std::string& what) {
+    if (count == request_.handles.size()) return;
     throw InputError("the edit has " + std::to_string(request_.handles.size()) + " handles, but " +
-                     std::to_string(moves.size()) + " moves were given; give one per handle");
-  }
+                     std::to_string(count) + " " + what + " were given; give one per handle");
+  };
+  require_count(moves.size(), "moves");
+  require_count(orientations.size(), "orientations");
   DeformRequest moved = request_;
-  for (std::size_t h = 0; h < moves.size(); ++h) moved.handles[h].move = moves[h];
+  for (std::size_t h = 0; h < moves.size(); ++h) {
+    moved.handles[h].move = moves[h];
+    moved.handles[h].orientation = orientations[h];
+  }
   return solved(moved, progress);
 }
 
@@ -171,7 +188,7 @@ SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
       joined == nullptr ? mirrored_request(request_, mesh_)
                         : mirrored_request(joined_request(request_, *joined), joined->surface);
   const Deformer& deformer = *workspace_.deformer;
-  const HandleMotions motions(both, deformer.region(), mesh_.positions);
+  const HandleParameters motions(both, deformer.region(), mesh_.positions);
   std::vector<std::size_t> moved(handles.begin(), handles.end());
   for (const std::size_t h : handles) moved.push_back(motions.image_of(h));
 

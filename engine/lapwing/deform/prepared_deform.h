@@ -41,8 +41,8 @@ struct SurfaceResponse {
 /// One object serves one thread at a time; `solve_many` goes on all.
 class PreparedDeform {
  public:
-  /// Prepares, which takes what `deform` takes but for settling; the moves in `request` do not
-  /// count. Throws what `deform` throws, so that nothing but moves can be wrong afterwards.
+  /// Prepares, which takes what `deform` takes but for settling; the moves and paths in `request`
+  /// do not count. Throws what `deform` throws, so that nothing but moves can be wrong afterwards.
   PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress = {});
 
   const Mesh& mesh() const { return mesh_; }  ///< at rest
@@ -52,6 +52,9 @@ class PreparedDeform {
   /// What `deform` makes of the request with these moves, one per handle, bit for bit. Throws what
   /// that throws, and InputError for another number of moves.
   Deformed solve(std::span<const Move> moves, const Progress& progress = {});
+  /// The same with other orientations than the request's, one per handle.
+  Deformed solve(std::span<const Move> moves, std::span<const HandleOrientation> orientations,
+                 const Progress& progress = {});
 
   /// How the surface follows each of `handles`, numbers in the request, with the others at rest: 12
   /// right-hand sides a handle and no solve of the whole, so that frames can be added up from it.

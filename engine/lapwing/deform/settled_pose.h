@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <Eigen/Geometry>
-
+#include "lapwing/deform/handle_motion.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/settle/settle.h"
 
@@ -12,8 +11,9 @@ namespace lapwing {
 
 /// Where a settled drag is: what its next frame begins with. Empty where it begins at rest.
 struct SettledPose {
-  std::vector<double> parameters;        ///< of the handles' motions
-  std::vector<Eigen::AngleAxisd> turns;  ///< by which those came about, one per handle
+  /// The handles' motions; a handle whose orientation is free has the rotation that it came to.
+  HandleMotions motions;
+  std::vector<double> parameters;        ///< of those motions
   Positions displacement;                ///< of the whole mesh
   SettleResult settled;                  ///< how the last frame ended
   /// What the last frames changed in parameters and displacement, each counted by half of the next:

@@ -68,6 +68,7 @@ std::string advice(const DeformRequest& request, double degrees) {
 LargestTurn largest_turn(const DeformRequest& request) {
   LargestTurn largest;
   for (std::size_t h = 0; h < request.handles.size(); ++h) {
+    if (request.handles[h].orientation == HandleOrientation::free) continue;
     const AxisRotation turn = turn_of(request.handles[h].move);
     if (turn.degrees > largest.turn.degrees) largest = {h, turn};
   }
@@ -94,7 +95,8 @@ std::optional<double> wound_degrees(const BoundRequest& bound, const LargestTurn
 std::string winding_warning(const DeformRequest& request, const std::optional<double>& wound) {
   const LargestTurn largest = largest_turn(request);
   const double degrees = largest.turn.degrees;
-  const bool at_once = !request.parameters.commit_every && degrees > kLargestSettledTurnDegrees;
+  const bool at_once = !request.parameters.settle && !request.parameters.commit_every &&
+                       degrees > kLargestSettledTurnDegrees;
   const bool lost = wound && std::abs(*wound - degrees) > 180.0;
   if (!at_once && !lost) return {};
   std::ostringstream text;

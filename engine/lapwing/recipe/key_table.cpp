@@ -39,7 +39,8 @@ class KeyTable final : public KeyVisitor {
     add(key, form == HandleForm::firm
                  ? "a list of `{\"region\": REGION, \"move\": MOVE}`"
                  : "a list of `{\"region\": REGION, \"move\": MOVE}`, each perhaps with "
-                   "`\"falloff\"` or `\"weight\"`");
+                   "`\"falloff\"` or `\"weight\"`, `\"orientation\": \"free\"`, and "
+                   "`\"path\"`: a list of moves");
   }
   void targets(const StepKey& key, TargetSpec&) override {
     add(key, "rows, or `{\"rows\" or \"file\", \"hard\"}`");

@@ -121,8 +121,15 @@ Move read_move(const JsonNode& node) {
 MovedHandle read_handle(const JsonNode& node, HandleForm form) {
   MovedHandle handle;
   if (form == HandleForm::graded) {
-    node.require_keys({"region", "move", "falloff", "weight"});
+    node.require_keys({"region", "move", "falloff", "weight", "orientation", "path"});
     handle.grading = read_grading(node);
+    if (const auto orientation = node.find("orientation")) {
+      constexpr std::array kOrientations{HandleOrientation::kept, HandleOrientation::free};
+      handle.orientation = kOrientations[orientation->one_of("orientation", {"kept", "free"})];
+    }
+    if (const auto path = node.find("path")) {
+      for (const JsonNode& move : path->elements()) handle.path.push_back(read_move(move));
+    }
   } else {
     node.require_keys({"region", "move"});
   }

@@ -119,6 +119,8 @@ Json json_of(const std::vector<MovedHandle>& handles) {
     } else if (handle.grading.weight != 1.0) {
       keys["weight"] = handle.grading.weight;
     }
+    if (handle.orientation == HandleOrientation::free) keys["orientation"] = "free";
+    for (const Move& move : handle.path) keys["path"].push_back(json_of_any(move));
     list.push_back(std::move(keys));
   }
   return list;

@@ -84,6 +84,7 @@ Settler::State::State(Kernels& kernels, const LaplacianSystem& laplacian, const 
       history(3 * laplacian.size(), kWindow, mean_edge),
       displacement(rings.vertices.size(), Vector3d::Zero()),
       energies(rings.row_count()),
+      given(rings.vertices.size(), Vector3d::Zero()),
       wanted(rings.vertices.size(), Vector3d::Zero()),
       partial((laplacian.size() + kUnknownsPerTask - 1) / kUnknownsPerTask) {
   for (auto* vector : {&direction, &at.x, &at.gradient, &next.x, &next.gradient}) {
@@ -105,7 +106,9 @@ void Settler::State::begin_pace(const SettlePace& of) {
   next_turn = pace.plain;
   next_part = pace.before_parts;
   trend.begin();
-  if (std::exchange(by_tangent, false)) history.forget();
+  if (!std::exchange(by_tangent, false)) return;
+  history.forget();
+  use_factor_for_turns();
 }
 
 // Whether to settle the surface by iterations like the last ones takes more than so many.
@@ -129,6 +132,7 @@ void Settler::State::turn_tangent() {
   by_tangent = tangent->turn(rotations->transforms(), displacement);
   trend.begin();
   if (!by_tangent) tangent = nullptr;
+  use_factor_for_turns();
   next_turn = taken + pace.tangent;
   if (by_tangent != had_tangent) history.forget();
 }
@@ -136,16 +140,29 @@ void Settler::State::turn_tangent() {
 // Where the surface is crushed the tangent promises what does not hold.
 void Settler::State::leave_tangent() {
   by_tangent = false;
+  use_factor_for_turns();
   pace.ends_plain = true;
   trend.begin();
   next_turn = taken + std::max(pace.plain, pace.tangent);
   history.forget();
 }
 
+// The response of free handles to a turn depends on the matrix that directions come from.
+void Settler::State::use_factor_for_turns() {
+  for (FreeRotation& rotation : free_rotations) {
+    if (by_tangent) {
+      rotation.respond_by([this](std::span<double> b) { tangent->solve_well_in_place(b); });
+    } else {
+      rotation.respond_by_system();
+    }
+  }
+}
+
 // -direction is where to go; its slope is half that of E, and `step` in mean edge lengths. `well`
 // is as solve_well_in_place has it.
 Settler::State::Sums Settler::State::find_direction(bool well) {
   history.take_changes(at.gradient, direction);
+  for (const FreeRotation& rotation : free_rotations) rotation.enter_frame(direction);
   if (by_tangent && well) {
     tangent->solve_well_in_place(direction);
   } else if (by_tangent) {
@@ -153,6 +170,8 @@ Settler::State::Sums Settler::State::find_direction(bool well) {
   } else {
     system.solve_in_elimination_order(direction, 3);
   }
+  for (const FreeRotation& rotation : free_rotations) rotation.add_turn(direction);
+  for (const FreeRotation& rotation : free_rotations) rotation.leave_frame(direction);
   history.add_steps(direction);
   Sums sums = sum_over_unknowns([&](std::size_t k, Sums& sum) {
     const Vector3d g = of_unknown(at.gradient, k);
@@ -169,10 +188,12 @@ Settler::State::Sums Settler::State::find_direction(bool well) {
 // Goes from `at` to `next` by as much of the direction as lowers E; false where no
 // part does.
 bool Settler::State::step(double slope) {
+  for (FreeRotation& rotation : free_rotations) rotation.begin_step(direction);
   for (double length = 1.0; length >= kShortestStep;) {
     parallel_for(at.x.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) next.x[i] = at.x[i] - length * direction[i];
     });
+    for (const FreeRotation& rotation : free_rotations) rotation.bend(length, next.x);
     evaluate(next);
     const double promised = 2.0 * length * slope;  // below 0
     const double fall = next.energy - at.energy;
@@ -304,6 +325,14 @@ std::vector<Eigen::Matrix3d> Settler::transforms() {
   return s.rotations->transforms();
 }
 
+std::vector<Eigen::Matrix3d> Settler::handle_rotations() {
+  State& s = *state_;
+  if (!s.is_placed) s.place_again();
+  std::vector<Eigen::Matrix3d> all;
+  for (const FreeRotation& rotation : s.free_rotations) all.push_back(rotation.rotation());
+  return all;
+}
+
 bool Settler::goes_by_tangent() const {
   return state_->by_tangent;
 }
@@ -362,7 +391,7 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
       }
       if (result.iterations == s.options.max_iterations) break;
 
-      if (s.parts != nullptr && s.taken >= s.next_part) {
+      if (s.parts != nullptr && s.free_rotations.empty() && s.taken >= s.next_part) {
         s.next_part = s.taken + 1 + kIterationsBetweenParts;
         if (s.settle_part(target, sums.step * s.mean_edge, u, go_on, progress)) {
           s.take_next();

@@ -22,6 +22,20 @@ struct SettleResult {
   double relative_gradient = 0.0;
 };
 
+/// A handle whose orientation is free: its centre and its shape are prescribed, and it turns as the
+/// surface wants. Vertex k should go to `centre + R shape[k]`, where R is the rotation that brings
+/// these places nearest to the vertices, weighted as the system holds them. E counts the distance
+/// that remains, so its gradient needs no derivative of R.
+struct FreeHandle {
+  std::vector<Index> vertices;         ///< of the mesh; unknowns of the system
+  std::vector<Eigen::Vector3d> shape;  ///< per vertex, relative to the centre
+  /// Per vertex: the centre minus the vertex at rest, so that `to_centre + R shape` is the
+  /// displacement.
+  std::vector<Eigen::Vector3d> to_centre;
+
+  bool operator==(const FreeHandle&) const = default;
+};
+
 /// What handles ask of a surface.
 struct SettleTarget {
   /// d: per vertex of the mesh; 0 off the handles. A vertex of the region that is not solved for
@@ -31,6 +45,8 @@ struct SettleTarget {
   std::span<const Eigen::Matrix3d> rest_stretch;
   /// f: per vertex of the mesh, what pulls on the unknowns besides; none where empty.
   std::span<const Eigen::Vector3d> forces = {};
+  /// What these say of their vertices replaces `wanted`.
+  std::span<const FreeHandle> free_handles = {};
 };
 
 /// Asked before each iteration, which takes about `ms` (0 where that is not known, or where a frame
@@ -152,6 +168,9 @@ class Settler {
   /// ended. `gradient` is per vertex of the mesh and gets those of the unknowns.
   void gradient(std::span<Eigen::Vector3d> gradient) const;
   std::vector<Eigen::Matrix3d> transforms();
+
+  /// R of each of the target's free handles, there.
+  std::vector<Eigen::Matrix3d> handle_rotations();
 
  private:
   struct State;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lapwing/base/parallel.h"
+#include "lapwing/settle/free_rotation.h"
 #include "lapwing/settle/lbfgs.h"
 #include "lapwing/settle/settle.h"
 #include "lapwing/settle/step_trend.h"
@@ -56,7 +57,8 @@ struct Settler::State {
   std::vector<double> energies;               ///< per row
   std::vector<Eigen::Matrix3d> stretch;       ///< per row; empty for the identity
   std::vector<double> weights;                ///< W of each unknown
-  std::vector<Eigen::Vector3d> wanted;        ///< of RegionRings::vertices
+  std::vector<Eigen::Vector3d> given;         ///< SettleTarget::wanted of RegionRings::vertices
+  std::vector<Eigen::Vector3d> wanted;        ///< the same, and what free handles ask for
   std::vector<double> forces;                 ///< none where empty
   std::vector<double> direction;
 
@@ -77,6 +79,7 @@ struct Settler::State {
     std::array<Index, 3> places{};
   };
   std::vector<PlacedSpring> springs;
+  std::vector<FreeRotation> free_rotations;  ///< one per free handle
 
   struct Sums {
     double energy = 0.0;
@@ -99,12 +102,14 @@ struct Settler::State {
   void read_unknowns(std::span<const Eigen::Vector3d> u, std::vector<double>& x) const;
   void finish(std::span<Eigen::Vector3d> u) const;
   void place_springs();
+  void place_free_handles(const SettleTarget& target);
   void evaluate(Point& point);
   Sums pull_by_springs(Point& point) const;
   bool takes_longer_than(double iterations, bool if_unknown) const;
   bool is_turn_due() const;
   void turn_tangent();
   void leave_tangent();
+  void use_factor_for_turns();
   Sums find_direction(bool well = false);
   bool step(double slope);
   bool bends_slowly() const;

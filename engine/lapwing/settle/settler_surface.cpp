@@ -1,4 +1,5 @@
 // The surface that a Settler moves: its energy (settle.h) and what pulls on its unknowns.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,13 +22,17 @@ bool Settler::State::has_stretch_of(const SettleTarget& target) const {
 // then.
 bool Settler::State::is_at(const SettleTarget& target, std::span<const Vector3d> u) const {
   if (!is_placed || forces.empty() != target.forces.empty()) return false;
+  const auto is_of = [](const FreeRotation& rotation, const FreeHandle& handle) {
+    return rotation.handle() == handle;
+  };
+  if (!std::ranges::equal(free_rotations, target.free_handles, is_of)) return false;
   // First what differs from one frame to the next nearly everywhere.
   for (std::size_t k = 0; k < system.size(); ++k) {
     if (u[vertex(k)] != of_unknown(at.x, k)) return false;
     if (!forces.empty() && target.forces[vertex(k)] != of_unknown(forces, k)) return false;
   }
   for (std::size_t r = 0; r < rings.vertices.size(); ++r) {
-    if (target.wanted[rings.vertices[r]] != wanted[r]) return false;
+    if (target.wanted[rings.vertices[r]] != given[r]) return false;
   }
   return has_stretch_of(target);
 }
@@ -46,7 +51,7 @@ void Settler::State::place(const SettleTarget& target, std::span<const Vector3d>
   });
   parallel_for(wanted.size(), kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
-      wanted[r] = displacement[r] = target.wanted[rings.vertices[r]];
+      given[r] = wanted[r] = displacement[r] = target.wanted[rings.vertices[r]];
     }
   });
   if (!has_stretch_of(target)) {
@@ -57,6 +62,7 @@ void Settler::State::place(const SettleTarget& target, std::span<const Vector3d>
     rotations->set_rest_stretch(stretch);
   }
   place_springs();
+  place_free_handles(target);
   forces.resize(target.forces.empty() ? 0 : 3 * n);
   if (!forces.empty()) read_unknowns(target.forces, forces);
   read_unknowns(u, at.x);
@@ -96,6 +102,26 @@ void Settler::State::place_springs() {
   }
 }
 
+// Keeps what serves for the same handle again.
+void Settler::State::place_free_handles(const SettleTarget& target) {
+  const std::size_t count = target.free_handles.size();
+  if (count == 0 && free_rotations.empty()) return;
+  const std::vector<Index> row_of =
+      places_in(rings.vertices, system.constraints().unknowns.of_vertex.size());
+  const std::vector<Index> place_of = places_in(rings.unknown_rows, rings.vertices.size());
+  free_rotations.resize(count);
+  for (std::size_t h = 0; h < count; ++h) {
+    const FreeHandle& handle = target.free_handles[h];
+    std::vector<Index> rows;
+    std::vector<Index> places;
+    for (const Index v : handle.vertices) {
+      rows.push_back(row_of[v]);
+      places.push_back(place_of[rows.back()]);
+    }
+    free_rotations[h].place(handle, std::move(rows), std::move(places), weights, system);
+  }
+}
+
 // Adds to the gradient; returns energy and squared force.
 Settler::State::Sums Settler::State::pull_by_springs(Point& point) const {
   const std::size_t n = system.size();
@@ -132,6 +158,7 @@ void Settler::State::evaluate(Point& point) {
       displacement[rings.unknown_rows[k]] = of_unknown(point.x, k);
     }
   });
+  for (FreeRotation& rotation : free_rotations) rotation.fit(point.x, wanted);
   rotations->fit_rotations(displacement, energies);
   rotations->energy_gradient(point.gradient);
   const Sums held = sum_over_unknowns([&](std::size_t k, Sums& sum) {

@@ -36,6 +36,34 @@ class Validation final : public KeyVisitor {
   bool enter(const StepKey&, bool& given, ObjectForm, bool) override { return given; }
 };
 
+void require_orientations(const DeformRequest& step, KeyVisitor& visitor) {
+  const DeformParameters& parameters = step.parameters;
+  const bool may_be_free = parameters.settle && !parameters.hard && !parameters.commit_every;
+  for (std::size_t k = 0; k < step.handles.size(); ++k) {
+    visitor.require(
+        step.handles[k].orientation == HandleOrientation::kept || may_be_free,
+        "handles/" + std::to_string(k) + "/orientation",
+        "a free handle needs a surface that settles at once, with soft constraints; leave out "
+        "\"hard\", \"commit_every\" and \"settle\": false, or keep the orientation");
+  }
+}
+
+// Waypoints of all handles belong together.
+void require_paths(const DeformRequest& step, KeyVisitor& visitor) {
+  const std::vector<Move>* first = nullptr;
+  for (std::size_t k = 0; k < step.handles.size(); ++k) {
+    const std::vector<Move>& path = step.handles[k].path;
+    if (path.empty()) continue;
+    const std::string place = "handles/" + std::to_string(k) + "/path";
+    if (first == nullptr) first = &path;
+    visitor.require(path.size() == first->size(), place,
+                    "expected as many moves as the other handles' paths have, " +
+                        std::to_string(first->size()) + ", got " + std::to_string(path.size()));
+    visitor.require(!step.parameters.commit_every, place,
+                    "a move along a path is not made in parts; leave out \"commit_every\"");
+  }
+}
+
 // Opens the files that no step before has opened; which of `on.result.carried` they are.
 std::vector<std::size_t> open_carried(std::span<const CarrySpec> files, const StepRun& on) {
   std::vector<CarriedFile>& open = on.result.carried;
@@ -154,6 +182,8 @@ void describe(DeformRequest& step, KeyVisitor& visitor) {
   visitor.require(!step.handles.empty() || !step.targets.empty(), "handles",
                   "nothing is moved; give at least one handle or target");
   describe(step.parameters, visitor);
+  require_orientations(step, visitor);
+  require_paths(step, visitor);
   // Between a handle and its mirror image there is no motion that a part could be.
   for (std::size_t k = 0; k < step.handles.size() && step.parameters.commit_every; ++k) {
     visitor.require(!mirrors(step.handles[k].move), "handles/" + std::to_string(k) + "/move/matrix",

@@ -94,12 +94,14 @@ def cache_path(given: str, obj: bpy.types.Object, kind: str) -> str:
     )
 
 
-def settle_all(edit: Any, motions: Sequence[Any], progress: Any) -> List[Any]:
+def settle_all(
+    edit: Any, motions: Sequence[Any], free: Sequence[bool], progress: Any
+) -> List[Any]:
     """World coordinates and warnings of each frame."""
     settled = []
     for k, of_frame in enumerate(motions):
         def heard(stage: str, _fraction: float, k: int = k) -> bool:
             return progress(f"frame {k + 1}, {stage}", k / len(motions))
 
-        settled.append(edit.settle(of_frame, heard))
+        settled.append(edit.settle(of_frame, free, heard))
     return settled

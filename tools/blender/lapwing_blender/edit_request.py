@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, Iterator, List
+from typing import Any, Dict, Iterator, List, Sequence
 
 import bpy
 import numpy as np
@@ -13,8 +13,9 @@ from .arrays import MeshArrays, matrix_of, mesh_arrays, world_matrix
 from .errors import Refusal
 from .live_mesh import rest_coordinates
 from .regions import group_index, read_groups, region_of
-from .response import HandleFrame
+from .response import HandleFrame, moved_handles
 from .settings import settings_of
+
 
 @dataclass
 class EditRequest:
@@ -26,6 +27,7 @@ class EditRequest:
     rest: np.ndarray  #: (n, 3) float32 in the object's own space
     mesh: MeshArrays
     frames: List[HandleFrame]
+    turns_freely: List[bool]  #: of each handle that an Empty moves, where only its place is given
 
     @property
     def handle_count(self) -> int:
@@ -49,12 +51,20 @@ class EditRequest:
     def with_pins(self, motions: List[np.ndarray]) -> List[np.ndarray]:
         return motions + [np.eye(4)] * (self.handle_count - len(motions))
 
+    def free_handles(self, frames: Sequence[Sequence[np.ndarray]]) -> List[bool]:
+        """Which handles turn as the surface wants: those whose Empties only change their places, in
+        all `frames` of motions. A hand that is pulled turns by itself; one that is turned is held."""
+        free = [
+            may and all(frame.is_shift(motions[k]) for motions in frames)
+            for k, (may, frame) in enumerate(zip(self.turns_freely, self.frames))
+        ]
+        return free + [False] * (self.handle_count - len(free))
+
     def moved_step(self, motions: List[np.ndarray]) -> Dict[str, Any]:
         """The step of a recipe that makes this edit."""
-        handles = [
-            {**handle, "move": {"matrix": motion.ravel().tolist()}}
-            for handle, motion in zip(self.step["handles"], self.with_pins(motions))
-        ]
+        handles = moved_handles(
+            self.step["handles"], self.with_pins(motions), self.free_handles([motions])
+        )
         return {**self.step, "handles": handles}
 
 
@@ -139,7 +149,9 @@ def gather(obj: bpy.types.Object) -> Iterator[None]:
         step["handles"].append({"region": {"vertices": pinned.tolist()}, "move": {}})
     if obj.data.use_mirror_x:
         step["mirror"] = _mirror(obj, matrix)
-    return EditRequest(obj.name, step, matrix, rest, mesh, frames)
+    # A hard constraint holds the orientation, too.
+    free = [handle.turns_freely and not settings.hard for handle in settings.handles]
+    return EditRequest(obj.name, step, matrix, rest, mesh, frames, free)
 
 
 def _belt(settings: Any, held: Dict[str, np.ndarray], in_roi: np.ndarray) -> Dict[str, Any]:

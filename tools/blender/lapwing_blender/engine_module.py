@@ -91,11 +91,12 @@ class PreparedEdit:
         self._edit = edit
 
     def settle(
-        self, motions: Sequence[np.ndarray], progress: Progress
+        self, motions: Sequence[np.ndarray], free: Sequence[bool], progress: Progress
     ) -> Tuple[np.ndarray, List[str]]:
-        """World coordinates (n, 3), and what is to be said of them."""
+        """World coordinates (n, 3), and what is to be said of them. Handles that are `free` turn as
+        the surface wants."""
         with self._engine.heard(progress) as hear:
-            result = self._edit.solve(np.stack(motions), progress=hear)
+            result = self._edit.solve(np.stack(motions), free=list(free), progress=hear)
         return result.vertices, [in_words(text) for text in result.warnings]
 
     def close(self) -> None:

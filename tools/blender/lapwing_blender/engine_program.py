@@ -17,7 +17,7 @@ from .engine import Progress
 from .errors import Cancelled, Refusal
 from .outcome import Outcome, in_words
 from .ply import read_ply, write_ply
-from .response import HandleFrame, unit_motions
+from .response import HandleFrame, moved_handles, unit_motions
 
 _POLL_SECONDS = 0.03
 
@@ -131,13 +131,11 @@ class PreparedEdit:
         return np.stack([np.load(self._path(f"linear/m{k}.npy")) for k in range(len(motions))])
 
     def settle(
-        self, motions: Sequence[np.ndarray], progress: Progress
+        self, motions: Sequence[np.ndarray], free: Sequence[bool], progress: Progress
     ) -> Tuple[np.ndarray, List[str]]:
-        """World coordinates (n, 3), and what is to be said of them."""
-        handles = [
-            {**handle, "move": {"matrix": motion.ravel().tolist()}}
-            for handle, motion in zip(self._step["handles"], motions)
-        ]
+        """World coordinates (n, 3), and what is to be said of them. Handles that are `free` turn as
+        the surface wants."""
+        handles = moved_handles(self._step["handles"], motions, free)
         _write_json(self._path("settle.json"), _recipe([{**self._step, "handles": handles}]))
         warnings = self._engine.run_recipe(self._folder.name, "settle.json", progress)
         made = read_ply(self._path("result.ply"), vertices_only=True)

@@ -80,7 +80,7 @@ class LAPWING_OT_bake(EngineOperator, bpy.types.Operator):
         def work(progress: Progress) -> Any:
             _, edit = engine.prepare(request.mesh, request.step, [], progress)
             try:
-                return bake.settle_all(edit, motions, progress)
+                return bake.settle_all(edit, motions, request.free_handles(motions), progress)
             finally:
                 edit.close()
 

@@ -77,6 +77,7 @@ class LAPWING_PT_edit(_Panel, bpy.types.Panel):
             column.prop(handle, "falloff")
             if handle.falloff > 0.0:
                 column.prop(handle, "profile")
+            column.prop(handle, "turns_freely")
         layout.operator("lapwing.set_rest")
 
         column = layout.column()

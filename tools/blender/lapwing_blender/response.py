@@ -7,7 +7,7 @@ each of them, it costs a frame one product of a thin matrix with a vector.
 
 from __future__ import annotations
 
-from typing import List, Sequence
+from typing import Any, Dict, List, Mapping, Sequence
 
 import numpy as np
 
@@ -28,6 +28,11 @@ class HandleFrame:
         linear = motion[:3, :3] - np.eye(3)
         shift = linear @ self.centroid + motion[:3, 3]
         return np.column_stack([linear, shift / self.length]).ravel()
+
+    def is_shift(self, motion: np.ndarray) -> bool:
+        """Whether nothing is turned or scaled, to Blender's single precision."""
+        linear = np.abs(motion[:3, :3] - np.eye(3)).max()
+        return bool(linear < _AT_REST)
 
     def is_rest(self, motion: np.ndarray) -> bool:
         """To Blender's single precision."""
@@ -117,3 +122,17 @@ class Response:
         moved += self._base
         self._coordinates[self.moving] = moved
         return self._coordinates
+
+
+def moved_handles(
+    handles: Sequence[Mapping[str, Any]], motions: Sequence[np.ndarray], free: Sequence[bool]
+) -> List[Dict[str, Any]]:
+    """Handles of a step as recipes have them, moved, some of them with a free orientation."""
+    return [
+        {
+            **handle,
+            "move": {"matrix": motion.ravel().tolist()},
+            **({"orientation": "free"} if is_free else {}),
+        }
+        for handle, motion, is_free in zip(handles, motions, free)
+    ]

@@ -74,7 +74,9 @@ class Session:
 
     def settling(self, motions: List[np.ndarray]) -> Work:
         def work(progress: Progress) -> Any:
-            world, warnings = self.edit.settle(self.request.with_pins(motions), progress)
+            world, warnings = self.edit.settle(
+                self.request.with_pins(motions), self.request.free_handles([motions]), progress
+            )
             return motions, world, warnings
 
         return work

@@ -56,6 +56,11 @@ class LapwingHandle(bpy.types.PropertyGroup):
         description="Over this distance beyond its vertices the handle's hold fades out",
     )
     profile: EnumProperty(items=PROFILES, name="Profile")
+    turns_freely: BoolProperty(
+        name="Turns Freely", default=True,
+        description="While the Empty is only moved, the handle turns as the surface wants; an Empty "
+        "that is turned or scaled holds it",
+    )
 
 
 class LapwingSettings(bpy.types.PropertyGroup):

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <string>
@@ -81,11 +82,18 @@ class Edit {
     prepared_.reset();
   }
 
-  Result solve(const py::object& motions, const py::object& heard) {
+  // `free` is None for the orientations of the step.
+  Result solve(const py::object& motions, const std::optional<std::vector<bool>>& free,
+               const py::object& heard) {
     const Motions matrices(motions, handle_count());
     return Interruptible(heard).call([&](const Progress& progress) {
       const std::lock_guard lock(mutex_);
-      return result_of(prepared_->solve(moves(matrices, 0), progress));
+      if (!free) return result_of(prepared_->solve(moves(matrices, 0), progress));
+      std::vector<HandleOrientation> orientations;
+      for (const bool is_free : *free) {
+        orientations.push_back(is_free ? HandleOrientation::free : HandleOrientation::kept);
+      }
+      return result_of(prepared_->solve(moves(matrices, 0), orientations, progress));
     });
   }
 
@@ -173,7 +181,7 @@ void add_edits(py::module_& module) {
   py::class_<Edit>(module, "Edit")
       .def(py::init<const Mesh&, const std::string&, const py::object&>(), py::arg("mesh"),
            py::arg("step"), py::arg("progress"))
-      .def("solve", &Edit::solve, py::arg("motions"), py::arg("progress"))
+      .def("solve", &Edit::solve, py::arg("motions"), py::arg("free"), py::arg("progress"))
       .def("solve_many", &Edit::solve_many<double>, py::arg("motions"), py::arg("threads"),
            py::arg("progress"))
       .def("solve_many_float32", &Edit::solve_many<float>, py::arg("motions"), py::arg("threads"),

@@ -1,4 +1,4 @@
-from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -100,7 +100,9 @@ class Result:
 
 class Edit:
     def __init__(self, mesh: Mesh, step: str, progress: _Progress) -> None: ...
-    def solve(self, motions: object, progress: _Progress) -> Result: ...
+    def solve(
+        self, motions: object, free: Optional[Sequence[bool]], progress: _Progress
+    ) -> Result: ...
     def solve_many(
         self, motions: object, threads: int, progress: _Progress
     ) -> Tuple[NDArray[np.float64], List[Certificate]]: ...

@@ -115,14 +115,17 @@ class Deformer:
         """The vertices of each handle."""
         return self._edit.handles
 
-    def solve(self, motions: Any, *, progress: Progress = None) -> _core.Result:
+    def solve(
+        self, motions: Any, *, free: Optional[Sequence[bool]] = None, progress: Progress = None
+    ) -> _core.Result:
         """The settled surface for one motion per handle: matrices of shape (handles, 4, 4) or
         (handles, 3, 4) that act on column vectors at rest. With one handle a single matrix will
-        do."""
+        do. `free` says for each handle whether its orientation is free; by default that is what the
+        handles say."""
         matrices = np.asarray(motions)
         if matrices.ndim == 2 and self._edit.handle_count == 1:
             matrices = matrices[np.newaxis]
-        return self._edit.solve(matrices[np.newaxis], progress)
+        return self._edit.solve(matrices[np.newaxis], free, progress)
 
     def solve_many(
         self,

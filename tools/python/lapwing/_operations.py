@@ -72,7 +72,8 @@ def deform(
         What is placed: pairs (region, move), or dicts with both. A move is a matrix of shape
         (4, 4) or (3, 4) that acts on column vectors in the mesh's units, or a dict with
         "translate", "rotate": {"axis", "degrees"}, "scale" (a number, or three for x, y and z) and
-        "pivot".
+        "pivot". A dict may also have "orientation": "free", for a handle that turns as the surface
+        wants, and "path", the moves that it went through before.
     targets
         Landmarks, beside handles or in their place: an array whose rows are vertex, x, y, z (a
         weight may follow) or px, py, pz, x, y, z; a dict from vertices to places; or {"rows": ROWS,
