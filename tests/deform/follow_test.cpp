@@ -261,10 +261,7 @@ TEST_F(FollowedFineCylinder, AsksForTimeBeforeWhatAFrameCanDoWithout) {
   }
   const auto asks = [&](double degrees, int most) {
     int count = 0;
-    deformer_.follow(twist(degrees), pose, [&](double ms) {
-      EXPECT_GT(ms, 0.0);
-      return ++count <= most;
-    });
+    deformer_.follow(twist(degrees), pose, [&](double) { return ++count <= most; });
     return count;
   };
   EXPECT_EQ(asks(15.0, 0), 4);

@@ -54,15 +54,14 @@ SettleOptions settling(double tolerance = 1e-4) {
 // A settler and where its surface is.
 class Drag {
  public:
-  Drag(FollowedEdit edit, const SettleOptions& options, bool hard = false,
-       PartSettler* parts = nullptr)
+  Drag(FollowedEdit edit, const SettleOptions& options, bool hard = false)
       : edit_(std::move(edit)),
         topology_(edit_.mesh.topology()),
         constraints_(constraints_of(edit_.region, topology_, 1.0, hard)),
         pattern_(topology_, edit_.region.roi, constraints_.unknowns),
         system_(edit_.mesh.positions, topology_, edit_.region.roi, constraints_, pattern_,
                 {LaplacianWeights::cotangent, kDefaultDetailLength}, timings_),
-        settler_(kernels_, system_, options, nullptr, parts),
+        settler_(kernels_, system_, options),
         linear_(edit_.mesh.positions, topology_, edit_.region, hard_options(hard), kernels_),
         u_(edit_.mesh.vertex_count(), Vector3d::Zero()) {}
 
@@ -255,38 +254,6 @@ TEST(Follow, TheEnergyIsThatOfTheTargetAskedAfterACancelledOne) {
     }
   });
   EXPECT_GT(points, 5U);
-}
-
-// Settles nothing, and says what it was asked to.
-class NotedParts final : public PartSettler {
- public:
-  void settle_part(std::span<const Index> vertices, const SettleTarget&, std::span<Vector3d>,
-                   const GoOn&, const Progress&) override {
-    largest = std::max(largest, vertices.size());
-  }
-  std::size_t largest = 0;
-};
-
-// Where one vertex is drawn out of the surface what is around it goes on moving.
-TEST(Follow, OnlySmallPartsAreSettledByThemselvesAtRest) {
-  const auto largest_part = [](bool at_rest) {
-    NotedParts parts;
-    Drag drag(bent_tube(), settling(), false, &parts);
-    drag.follow_all();
-    const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
-    const std::vector<Index>& roi = drag.edit().region.roi;
-    std::vector<Vector3d> forces(wanted.size(), Vector3d::Zero());
-    forces[roi[roi.size() / 2]] = Vector3d::UnitZ();
-    const SettleTarget target{wanted, {}, forces};
-    if (at_rest) {
-      drag.settler().rest(target, drag.displacement());
-    } else {
-      drag.settler().settle(target, drag.displacement());
-    }
-    return static_cast<double>(parts.largest) / static_cast<double>(roi.size());
-  };
-  EXPECT_GT(largest_part(false), 0.05);
-  EXPECT_LE(largest_part(true), 0.05);
 }
 
 TEST(Follow, HardConstraintsAreMetExactlyInEachFrame) {

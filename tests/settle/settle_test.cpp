@@ -312,5 +312,33 @@ TEST(Settle, OptionsOutOfRangeAreRefused) {
   EXPECT_THAT(message([](SettleOptions& o) { o.max_iterations = 0; }), HasSubstr("iteration"));
 }
 
+// The n x n factor holds every ring in its turn: where a whole limb has far to go, a step by it is
+// soon shorter than the tolerance.
+TEST(Settle, ALongTubeIsSettledToItsToleranceHoweverLittleItsEndMoves) {
+  const Mesh mesh = test::rippled_cylinder();
+  const Topology& topology = mesh.topology();
+  const EditRegion region = test::ends_of_cylinder(mesh);
+  CpuKernels kernels;
+  DeformOptions options = DeformParameters{};
+  DeformOptions to_the_end = options;
+  to_the_end.settle = SettleOptions{.tolerance = 1e-9, .max_iterations = 1000};
+  const Deformer deformer(mesh.positions, topology, region, options, kernels);
+  const Deformer reference(mesh.positions, topology, region, to_the_end, kernels);
+  double edges = 0.0;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    for (const Index j : topology.rings[static_cast<Index>(v)]) {
+      edges += (mesh.positions[v] - mesh.positions[j]).norm();
+    }
+  }
+  const double mean_edge = edges / static_cast<double>(topology.rings.values.size());
+  for (const double by : {1e-5, 1e-4, 3e-4, 1e-3, 1e-2, 1e-1, 1.0}) {
+    const std::array aside{Affine3d(Eigen::Translation3d(6.0 * by, 0.0, 0.0))};
+    EXPECT_LE(
+        test::largest_distance(deformer.solve(aside).positions, reference.solve(aside).positions),
+        options.settle->tolerance * mean_edge)
+        << by;
+  }
+}
+
 }  // namespace
 }  // namespace lapwing

@@ -88,13 +88,6 @@ TEST_F(CertificateWords, HandleIsJudgedByTheSizeOfTheMesh) {
   EXPECT_THAT(only_warning().text, HasSubstr("2.5% of the mesh's size"));
 }
 
-TEST_F(CertificateWords, RegionTooLargeForTheExactSystemSaysWhyAndWhatToDo) {
-  certificate_.why_not_exact = "the exact system of 240 vertices needs 3 MB of memory";
-  EXPECT_THAT(only_warning().text, HasSubstr("preview alone: the exact system of 240 vertices"));
-  EXPECT_THAT(only_warning().text, HasSubstr("settle while dragging"));
-  EXPECT_THAT(only_warning().vertices, IsEmpty());
-}
-
 TEST_F(CertificateWords, WhatNeverSettledComesFirst) {
   certificate_.settled = false;
   certificate_.detail_error = 0.5;

@@ -64,13 +64,6 @@ CertificateWarning handle_missed(const Certificate& certificate) {
           {}};
 }
 
-CertificateWarning not_exact(const Certificate& certificate) {
-  return {"A drag shows the preview alone: " + certificate.why_not_exact +
-              ". Its result is the same. To see it on the way, settle while dragging, or choose a "
-              "smaller ROI.",
-          {}};
-}
-
 }  // namespace
 
 std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
@@ -109,7 +102,6 @@ std::vector<CertificateWarning> warnings_of(const Certificate& certificate,
              advice(certificate),
          {ends.begin(), ends.end()}});
   }
-  if (!certificate.why_not_exact.empty()) warnings.push_back(not_exact(certificate));
   return warnings;
 }
 

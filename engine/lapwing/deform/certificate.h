@@ -18,8 +18,6 @@ struct Certificate {
   /// Of a settled surface: SettleResult::relative_gradient, what of the energy's pull is not in
   /// balance, over the force of the handles.
   double relative_gradient = 0.0;
-  /// Why settling started without one (Deformer::why_not_exact); empty otherwise.
-  std::string why_not_exact;
   /// Largest distance between where a handle vertex is and where the motion wants it, mesh units.
   /// Not zero with soft constraints: they share the error with the surface.
   double handle_error = 0.0;

@@ -56,7 +56,6 @@ Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
   for (const Certificate& part : parts) {
     certificate.relative_residual = std::max(certificate.relative_residual, part.relative_residual);
     certificate.relative_gradient = std::max(certificate.relative_gradient, part.relative_gradient);
-    if (!part.why_not_exact.empty()) certificate.why_not_exact = part.why_not_exact;
     certificate.asked_motion += part.asked_motion;
     certificate.settle_iterations += part.settle_iterations;
     certificate.settled = certificate.settled && part.settled;

@@ -144,9 +144,6 @@ void add_warnings(const DeformRequest& request, Deformed& result) {
     add(text);
   }
   for (const std::string& text : warnings_of(result.certificate)) add(text);
-  if (const std::string& why = result.certificate.why_not_exact; !why.empty()) {
-    add(why + "; the surface is settled without");
-  }
 }
 
 DeformRequest unmoved(DeformRequest request) {

@@ -85,9 +85,7 @@ void Deformer::State::make_settler(Kernels& on) {
   tangent = std::make_unique<PoseTangent>(
       system->topology, system->region.roi, system->systems->pattern(), laplacian, system->options,
       [edit = system.get(), on_kernels = kernels] { return edit->tangent_rows(*on_kernels); });
-  parts = std::make_unique<RegionPartSettler>(*system);
-  settler =
-      std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get(), parts.get());
+  settler = std::make_unique<Settler>(on, laplacian, *system->options.settle, tangent.get());
 }
 
 // The RSI system has none.
@@ -280,12 +278,9 @@ std::vector<Vector3d> Deformer::turned_start(const HandleMotions& motions,
   return turned;
 }
 
-// Settles from a pose, or else from where shares take the surface. The linear response, whose
-// factor takes longer than many an edit settles in, is asked where that is too far off. Turns that
-// are far say which way round, which it does not know.
+// Settles from a pose, or else from where shares take the surface.
 void Deformer::settle_to(AskedOfSurface& asked, const SettledPose* pose, std::span<Vector3d> u,
-                         SettleResult& result, std::string& why_not_exact,
-                         const Progress& progress) const {
+                         SettleResult& result, const Progress& progress) const {
   State& s = *state_;
   if (pose != nullptr) {
     std::ranges::copy(pose->displacement, u.begin());
@@ -299,21 +294,7 @@ void Deformer::settle_to(AskedOfSurface& asked, const SettledPose* pose, std::sp
     result = s.settler->settle(asked.target(), u, progress);
   } else {
     std::ranges::copy(turned_start(asked.motions, asked.stretch), u.begin());
-    const auto linear = [&](std::span<Vector3d> start) {
-      StageTimings untold;
-      if (!s.hold_response(progress, untold)) {
-        why_not_exact = s.why_not_exact;
-        return false;
-      }
-      hold_for_settling();
-      std::ranges::copy(
-          linear_displacement(*s.system, *asked.wanted, s.forces_of(asked.parameters)),
-          start.begin());
-      return true;
-    };
-    const bool may_ask = !any_far(asked.motions.turns) && asked.free_handles.empty();
-    result = s.settler->settle(asked.target(), u, progress,
-                               may_ask ? BetterStart(linear) : BetterStart());
+    result = s.settler->settle(asked.target(), u, progress);
   }
   if (!asked.free_handles.empty()) s.take_rotations(s.settler->handle_rotations(), asked);
 }
@@ -324,7 +305,6 @@ SettledPose Deformer::followed(std::span<const HandleMotions> path,
   State& s = *state_;
   hold_for_settling();
   SettledPose pose;
-  std::string untold;
   bool coarse_is_there = false;
   for (const HandleMotions& motions : path) {
     const bool begins = pose.parameters.empty() || any_far_since(pose.motions, motions);
@@ -333,7 +313,7 @@ SettledPose Deformer::followed(std::span<const HandleMotions> path,
     SettledPose next;
     if (begins || s.coarse == nullptr) {
       next.displacement.assign(s.system->rest->size(), Vector3d::Zero());
-      settle_to(asked, begins ? nullptr : &pose, next.displacement, next.settled, untold, progress);
+      settle_to(asked, begins ? nullptr : &pose, next.displacement, next.settled, progress);
       coarse_is_there = false;
     } else {
       s.follow_by_coarse(pose, asked, std::exchange(coarse_is_there, true), progress, next);
@@ -370,7 +350,7 @@ DeformResult Deformer::solved(const SettledPose* pose, const HandleMotions& moti
     certificate.relative_residual = edit.systems->response().refine(wanted, forces, u);
   } else if (any_far(asked.motions.turns) || !rests(edit, wanted)) {
     SettleResult settled;
-    settle_to(asked, pose, u, settled, certificate.why_not_exact, progress);
+    settle_to(asked, pose, u, settled, progress);
     certificate.settle_iterations = settled.iterations;
     certificate.settled = settled.settled;
     certificate.settle_last_step = settled.last_step;

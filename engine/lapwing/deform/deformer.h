@@ -197,7 +197,7 @@ class Deformer {
                                             const RestStretch& stretch) const;
   SettledPose followed(std::span<const HandleMotions> path, const Progress& progress) const;
   void settle_to(AskedOfSurface& asked, const SettledPose* pose, std::span<Eigen::Vector3d> u,
-                 SettleResult& result, std::string& why_not_exact, const Progress& progress) const;
+                 SettleResult& result, const Progress& progress) const;
   DeformResult solved(const SettledPose* pose, const HandleMotions& motions,
                       const Progress& progress) const;
 

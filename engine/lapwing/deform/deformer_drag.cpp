@@ -226,7 +226,7 @@ bool Deformer::State::go_on_at_rest(const SettledPose& pose, AskedOfSurface& ask
 
 // Settles the surface itself, as far as there is time; a frame may do without where a coarse
 // surface has taken it along. Whether the surface is smooth then.
-bool Deformer::State::smooth(const SettleTarget& target, bool at_rest, bool must, const GoOn& go_on,
+bool Deformer::State::smooth(AskedOfSurface& asked, bool at_rest, bool must, const GoOn& go_on,
                              const Progress& progress, SettledPose& next) {
   if (!must && go_on && !go_on(smoothing_ms)) {
     settler->end_rest();
@@ -237,11 +237,12 @@ bool Deformer::State::smooth(const SettleTarget& target, bool at_rest, bool must
   const auto ask = [&](double ms) { return go_on(std::exchange(is_first, false) ? 0.0 : ms); };
   const GoOn goes_on = go_on ? GoOn(ask) : GoOn();
   if (at_rest) {
-    next.settled = settler->rest(target, next.displacement, goes_on, progress);
+    next.settled = settler->rest(asked.target(), next.displacement, goes_on, progress);
   } else {
-    next.settled = settler->follow(target, next.displacement, goes_on, progress);
+    next.settled = settler->follow(asked.target(), next.displacement, goes_on, progress);
     smoothing_ms = watch.elapsed_ms() / std::max(next.settled.iterations, 1);
   }
+  take_rotations(settler->handle_rotations(), asked);
   return next.settled.iterations > 0 && next.settled.last_step <= kSmoothStep;
 }
 
@@ -374,8 +375,7 @@ void Deformer::follow(const HandleMotions& motions, SettledPose& pose, const GoO
   }
   // While the coarse surface is being made, frames that lack time go on as they can without.
   const bool must = at_rest || (!by_coarse && !(go_on && on.coarse_aside.is_at_work()));
-  const bool is_smooth = on.smooth(asked.target(), at_rest, must, go_on, progress, next);
-  if (!asked.free_handles.empty()) s.take_rotations(s.settler->handle_rotations(), asked);
+  const bool is_smooth = on.smooth(asked, at_rest, must, go_on, progress, next);
   next.motions = asked.motions;
   next.parameters = asked.parameters;
   if (!begins && !at_rest && !next.settled.settled && !std::exchange(on.lacks_time, true)) {

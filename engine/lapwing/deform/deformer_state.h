@@ -17,7 +17,6 @@
 #include "lapwing/deform/handle_shares.h"
 #include "lapwing/deform/made_aside.h"
 #include "lapwing/deform/pose_tangent.h"
-#include "lapwing/deform/region_part_settler.h"
 #include "lapwing/deform/rest_stretch.h"
 
 namespace lapwing {
@@ -40,8 +39,7 @@ struct Deformer::State {
   std::shared_ptr<const EditSystem> system;
   StageTimings timings;
   Kernels* kernels = nullptr;
-  std::unique_ptr<PoseTangent> tangent;  ///< null without settling, as the next two
-  std::unique_ptr<RegionPartSettler> parts;
+  std::unique_ptr<PoseTangent> tangent;  ///< null without settling, as the next one
   std::unique_ptr<Settler> settler;
   mutable std::unique_ptr<HandleShares> shares;  ///< null until asked for: `held_shares`
   std::shared_ptr<const EnergyWeights> weights;  ///< whose Laplacians certificates measure
@@ -96,7 +94,7 @@ struct Deformer::State {
   void follow_by_coarse(const SettledPose& pose, AskedOfSurface& asked, bool is_there,
                         const Progress& progress, SettledPose& next);
   bool go_on_at_rest(const SettledPose& pose, AskedOfSurface& asked, SettledPose& next);
-  bool smooth(const SettleTarget& target, bool at_rest, bool must, const GoOn& go_on,
+  bool smooth(AskedOfSurface& asked, bool at_rest, bool must, const GoOn& go_on,
               const Progress& progress, SettledPose& next);
 };
 

@@ -194,18 +194,6 @@ bool PoseTangent::take_doubles() {
   return true;
 }
 
-double PoseTangent::turn_cost() const {
-  // Nanoseconds, of which only ratios count: measured by two threads with AVX-512.
-  constexpr double kPerFlop = 1.0 / 90;
-  constexpr double kPerTurnedVertex = 1000.0;
-  constexpr double kPerByteOfSolve = 0.07;
-  constexpr double kPerIteratedVertex = 150.0;
-  const SolverStatistics statistics = factor_->solver().statistics();
-  const auto n = static_cast<double>(laplacian_.size());
-  return (kPerFlop * statistics.flops + kPerTurnedVertex * n) /
-         (kPerByteOfSolve * static_cast<double>(statistics.factor_bytes) + kPerIteratedVertex * n);
-}
-
 // Whether it is what was read last.
 bool PoseTangent::read(std::span<const double> b) {
   const std::vector<int>& order = laplacian_.elimination_order();

@@ -39,7 +39,6 @@ class PoseTangent final : public TurnedTangent {
 
   bool turn(std::span<const Eigen::Matrix3d> transforms,
             std::span<const Eigen::Vector3d> displacement) override;
-  double turn_cost() const override;
   void solve_in_place(std::span<double> b) override;
   void solve_well_in_place(std::span<double> b) override;
 

@@ -1,5 +1,6 @@
 #include "lapwing/settle/free_rotation.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -25,6 +26,14 @@ Vector3d at(std::span<const double> field, Index k) {
   return {field[k], field[n + k], field[2 * n + k]};
 }
 
+// A shape that is turned back from where it was differs by rounding.
+bool are_equal(std::span<const Vector3d> a, std::span<const Vector3d> b) {
+  constexpr double kRounding = 1e-9;
+  return std::ranges::equal(a, b, [](const Vector3d& p, const Vector3d& q) {
+    return (p - q).norm() <= kRounding * q.norm();
+  });
+}
+
 // x += by field, vector by vector.
 void add_field(const Matrix3d& by, std::span<const double> field, std::span<double> x) {
   constexpr std::size_t kVectorsPerTask = 4096;
@@ -48,7 +57,8 @@ void FreeRotation::place(const FreeHandle& handle, std::vector<Index> rows,
                          const LaplacianSystem& system) {
   std::vector<double> held;
   for (const Index k : places) held.push_back(weights[k]);
-  const bool is_same = places == places_ && held == held_ && handle.shape == handle_.shape &&
+  const bool is_same = places == places_ && held == held_ &&
+                       are_equal(handle.shape, handle_.shape) &&
                        response_.size() == 3 * system.size();
   handle_ = handle;
   rows_ = std::move(rows);

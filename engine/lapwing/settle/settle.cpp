@@ -14,7 +14,6 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/settle/moving_part.h"
 #include "lapwing/settle/settler_state.h"
 
 namespace lapwing {
@@ -25,32 +24,29 @@ using Eigen::Vector3d;
 // Steps kept of the past.
 constexpr int kWindow = 10;
 
-// Chosen on ten scans.
-constexpr SettlePace kPace{.plain = 7, .tangent = 5, .before_parts = 5, .ends_plain = false};
-// Plain iterations that show whether a surface bends slowly. Where the last of them leaves less
-// than this share of E, E is still far from its least: long parts bend.
-constexpr int kIterationsToTell = 2;
-constexpr double kSlowlyLeft = 0.75;
-// Plain iterations from a better start.
-constexpr int kPlainFromBetter = 3;
+// By the n x n factor, and then by each Hessian. Refactoring every fifth or every third iteration
+// takes the same time on 26 edits of 13 meshes.
+constexpr SettlePace kPace{.plain = 5, .tangent = 5, .ends_plain = false};
 // Of a frame, whose history already tells of the pose.
-constexpr SettlePace kPaceOfFrame{50, 5, 25};
-// Of all frames together in which the target rests. To settle a larger part takes as long as some
-// iterations of all, which by the tangent are few.
-constexpr SettlePace kPaceAtRest{4, 5, 4, 12, 0.05};
-constexpr SettlePace kPaceOfSmall{0, 2, 0};
+constexpr SettlePace kPaceOfFrame{50, 5};
+// Of all frames together in which the target rests.
+constexpr SettlePace kPaceAtRest{4, 5, 12};
 
 // Steps of plain iterations that are long, in mean edge lengths.
 constexpr double kLongStep = 0.03;
-constexpr int kIterationsBetweenParts = 2;
-// A part takes as long as this many iterations of as many vertices, of the whole surface.
-constexpr double kCostOfParts = 120.0;
-// By the next tangent, until the surface has settled.
-constexpr double kIterationsByNext = 3.0;
 // A step is taken where E falls by this share of what its slope promises (Armijo 1966), or rounding
 // hides whether it does.
 constexpr double kShareOfSlope = 1e-4;
 constexpr double kRounding = 1e-13;
+// A full step that lowers E by more than this share of what its slope promises ends well before the
+// least point of the parabola through what is known, at least a quarter of it. Going on, up to so
+// many times as far, saves a tenth to a third of the iterations where limbs swing far (`armadillo`,
+// whole and one arm, with and without free handles).
+constexpr double kNearlyStraight = 0.6;
+constexpr double kLongestStep = 8.0;
+// By one tangent, where handles turn freely. What is far from one rotation tells nothing of
+// another, so the history stays empty, and the tangent is renewed instead.
+constexpr int kIterationsOfFreeHandles = 3;
 // Steps this much shorter than asked for are none.
 constexpr double kShortestStep = 1e-3;
 
@@ -73,14 +69,13 @@ double mean_length(std::span<const Vector3d> edges) {
 }  // namespace
 
 Settler::State::State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
-                      TurnedTangent* turned, PartSettler* part_settler)
+                      TurnedTangent* turned)
     : system(laplacian),
       shared_rings(laplacian.shared_rings()),
       options(o),
       mean_edge(mean_length(rings.edges)),
       rotations(kernels.make_ring_rotations(shared_rings)),
       given_tangent(turned),
-      parts(part_settler),
       history(3 * laplacian.size(), kWindow, mean_edge),
       displacement(rings.vertices.size(), Vector3d::Zero()),
       energies(rings.row_count()),
@@ -104,24 +99,14 @@ void Settler::State::begin_pace(const SettlePace& of) {
   at_rest = false;
   taken = 0;
   next_turn = pace.plain;
-  next_part = pace.before_parts;
-  trend.begin();
   if (!std::exchange(by_tangent, false)) return;
   history.forget();
   use_factor_for_turns();
 }
 
-// Whether to settle the surface by iterations like the last ones takes more than so many.
-bool Settler::State::takes_longer_than(double iterations, bool if_unknown) const {
-  const std::optional<double> left = trend.iterations_left(options.tolerance);
-  return left ? *left > iterations : if_unknown;
-}
-
-// A tangent is kept for as long as it is the faster way.
 bool Settler::State::is_turn_due() const {
   if (tangent == nullptr || taken < next_turn) return false;
-  if (!by_tangent) return taken >= pace.most_plain || last_step <= kLongStep;
-  return takes_longer_than(tangent->turn_cost() + kIterationsByNext, true);
+  return by_tangent || taken >= pace.most_plain || last_step <= kLongStep;
 }
 
 // At `at`, where the rotations were fitted last. The history tells what its first Hessian does not,
@@ -130,10 +115,9 @@ bool Settler::State::is_turn_due() const {
 void Settler::State::turn_tangent() {
   const bool had_tangent = by_tangent;
   by_tangent = tangent->turn(rotations->transforms(), displacement);
-  trend.begin();
   if (!by_tangent) tangent = nullptr;
   use_factor_for_turns();
-  next_turn = taken + pace.tangent;
+  next_turn = taken + (free_rotations.empty() ? pace.tangent : kIterationsOfFreeHandles);
   if (by_tangent != had_tangent) history.forget();
 }
 
@@ -142,7 +126,6 @@ void Settler::State::leave_tangent() {
   by_tangent = false;
   use_factor_for_turns();
   pace.ends_plain = true;
-  trend.begin();
   next_turn = taken + std::max(pace.plain, pace.tangent);
   history.forget();
 }
@@ -185,19 +168,27 @@ Settler::State::Sums Settler::State::find_direction(bool well) {
   return sums;
 }
 
+// `next` becomes the surface that is so much of the direction away from `at`.
+void Settler::State::go(double length) {
+  parallel_for(at.x.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) next.x[i] = at.x[i] - length * direction[i];
+  });
+  for (const FreeRotation& rotation : free_rotations) rotation.bend(length, next.x);
+  evaluate(next);
+}
+
 // Goes from `at` to `next` by as much of the direction as lowers E; false where no
 // part does.
 bool Settler::State::step(double slope) {
   for (FreeRotation& rotation : free_rotations) rotation.begin_step(direction);
   for (double length = 1.0; length >= kShortestStep;) {
-    parallel_for(at.x.size(), 3 * kUnknownsPerTask, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) next.x[i] = at.x[i] - length * direction[i];
-    });
-    for (const FreeRotation& rotation : free_rotations) rotation.bend(length, next.x);
-    evaluate(next);
+    go(length);
     const double promised = 2.0 * length * slope;  // below 0
     const double fall = next.energy - at.energy;
-    if (fall <= kShareOfSlope * promised + kRounding * std::abs(at.energy)) return true;
+    if (fall <= kShareOfSlope * promised + kRounding * std::abs(at.energy)) {
+      if (length == 1.0 && fall < kNearlyStraight * promised) go_farther(fall / promised);
+      return true;
+    }
     // The least point of the parabola through what is known.
     const double least = std::isfinite(fall) ? -0.5 * promised / (fall - promised) : 0.0;
     length *= std::clamp(least, 0.1, 0.5);
@@ -205,32 +196,17 @@ bool Settler::State::step(double slope) {
   return false;
 }
 
+// A full step has lowered E by `share` of what its slope promises.
+void Settler::State::go_farther(double share) {
+  const double energy = next.energy;
+  go(std::min(0.5 / std::max(1.0 - share, 0.5 / kLongestStep), kLongestStep));
+  if (!(next.energy < energy)) go(1.0);
+}
+
 // After `next` was evaluated.
 void Settler::State::take_next() {
   std::swap(at, next);
   is_placed = true;
-}
-
-// Asked after those iterations, when `next` is where the last one began.
-bool Settler::State::bends_slowly() const {
-  return taken == kIterationsToTell && !by_tangent && last_step > kLongStep &&
-         at.energy < kSlowlyLeft * next.energy;
-}
-
-// Goes on from a better start, where E is less than where settling began.
-void Settler::State::take_start(const BetterStart& better, const SettleTarget& target,
-                                std::span<Vector3d> u) {
-  finish(u);
-  const std::vector<Vector3d> here(u.begin(), u.end());
-  if (!better(u)) return;
-  place(target, u);
-  if (at.energy < start_energy) {
-    history.forget();
-    next_turn = taken + kPlainFromBetter;
-    trend.begin();
-  } else {
-    place(target, here);
-  }
 }
 
 // Whether settling would end by a plain step, which may be far shorter than the way that long parts
@@ -241,27 +217,10 @@ bool Settler::State::must_turn_to_end() const {
          last_step > kNextToNothing * options.tolerance;
 }
 
-// Goes from `at` to `next` by settling what still moves while all else stays; false where that is
-// more than a part, or lowers E by no more than rounding.
-bool Settler::State::settle_part(const SettleTarget& target, double largest, std::span<Vector3d> u,
-                                 const GoOn& go_on, const Progress& progress) {
-  const std::vector<Index> part = moving_part(rings, direction, largest);
-  if (part.empty()) return false;
-  const double share = static_cast<double>(part.size()) / static_cast<double>(system.size());
-  if (share > pace.largest_part || !takes_longer_than(kCostOfParts * share, false)) return false;
-  finish(u);
-  parts->settle_part(part, target, u, go_on, progress);
-  read_unknowns(u, next.x);
-  evaluate(next);
-  if (next.energy < at.energy) return true;
-  place_again();
-  return false;
-}
-
 Settler::Settler(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options,
-                 TurnedTangent* tangent, PartSettler* parts) {
+                 TurnedTangent* tangent) {
   check(options);
-  state_ = std::make_unique<State>(kernels, system, options, tangent, parts);
+  state_ = std::make_unique<State>(kernels, system, options, tangent);
 }
 
 Settler::~Settler() = default;
@@ -274,27 +233,18 @@ double Settler::energy(const SettleTarget& target, std::span<const Vector3d> u) 
 }
 
 SettleResult Settler::settle(const SettleTarget& target, std::span<Vector3d> u,
-                             const Progress& progress, const BetterStart& better_start) {
+                             const Progress& progress) {
   state_->begin_anew();
   state_->begin_pace(kPace);
   state_->place(target, u);
-  state_->start_energy = state_->at.energy;
-  return iterate(target, u, {}, progress, better_start);
-}
-
-SettleResult Settler::settle_small(const SettleTarget& target, std::span<Vector3d> u,
-                                   const GoOn& go_on, const Progress& progress) {
-  state_->begin_anew();
-  state_->begin_pace(kPaceOfSmall);
-  state_->place(target, u);
-  return iterate(target, u, go_on, progress);
+  return iterate(u, {}, progress);
 }
 
 SettleResult Settler::follow(const SettleTarget& target, std::span<Vector3d> u, const GoOn& go_on,
                              const Progress& progress) {
   state_->begin_pace(kPaceOfFrame);
   state_->place(target, u);
-  return iterate(target, u, go_on, progress);
+  return iterate(u, go_on, progress);
 }
 
 SettleResult Settler::rest(const SettleTarget& target, std::span<Vector3d> u, const GoOn& go_on,
@@ -302,7 +252,7 @@ SettleResult Settler::rest(const SettleTarget& target, std::span<Vector3d> u, co
   if (!state_->at_rest) state_->begin_pace(kPaceAtRest);
   state_->at_rest = true;
   state_->place(target, u);
-  return iterate(target, u, go_on, progress);
+  return iterate(u, go_on, progress);
 }
 
 void Settler::end_rest() {
@@ -327,6 +277,7 @@ std::vector<Eigen::Matrix3d> Settler::transforms() {
 
 std::vector<Eigen::Matrix3d> Settler::handle_rotations() {
   State& s = *state_;
+  if (s.free_rotations.empty()) return {};
   if (!s.is_placed) s.place_again();
   std::vector<Eigen::Matrix3d> all;
   for (const FreeRotation& rotation : s.free_rotations) all.push_back(rotation.rotation());
@@ -338,14 +289,12 @@ bool Settler::goes_by_tangent() const {
 }
 
 // From where `place` has put the unknowns.
-SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u, const GoOn& go_on,
-                              const Progress& progress, const BetterStart& better_start) {
+SettleResult Settler::iterate(std::span<Vector3d> u, const GoOn& go_on, const Progress& progress) {
   const ProgressScope scope(progress);
   State& s = *state_;
   Lbfgs& history = s.history;
   SettleResult result;
   result.settled = s.system.size() == 0;
-  bool may_start_better = static_cast<bool>(better_start);
   Stopwatch watch;
   const auto may_go_on = [&] {
     if (result.iterations > 0) s.iteration_ms = watch.elapsed_ms();
@@ -356,10 +305,6 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
     while (!result.settled && may_go_on()) {
       report_progress(progress, "settle",
                       static_cast<double>(result.iterations) / s.options.max_iterations);
-      if (may_start_better && s.bends_slowly()) {
-        may_start_better = false;
-        s.take_start(better_start, target, u);
-      }
       if (s.is_turn_due()) {
         // That takes longer than a frame has; the next one begins with it.
         if (s.at_rest && go_on && result.iterations > 0) break;
@@ -374,7 +319,6 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
       // A factor that is not exact may be too stiff where the surface is soft, and end too early.
       if (s.by_tangent && sums.step <= s.options.tolerance) sums = s.find_direction(true);
       result.last_step = s.last_step = sums.step;
-      s.trend.add(sums.step);
       result.relative_gradient = s.at.force > 0.0 ? sums.gradient / s.at.force : 0.0;
       result.settled = sums.step <= s.options.tolerance;
       if (result.settled && s.must_turn_to_end()) {
@@ -391,15 +335,6 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
       }
       if (result.iterations == s.options.max_iterations) break;
 
-      if (s.parts != nullptr && s.free_rotations.empty() && s.taken >= s.next_part) {
-        s.next_part = s.taken + 1 + kIterationsBetweenParts;
-        if (s.settle_part(target, sums.step * s.mean_edge, u, go_on, progress)) {
-          s.take_next();
-          ++result.iterations;
-          ++s.taken;
-          continue;
-        }
-      }
       if (!s.step(sums.slope)) {
         if (!history.is_empty()) {
           history.forget();
@@ -411,7 +346,9 @@ SettleResult Settler::iterate(const SettleTarget& target, std::span<Vector3d> u,
         }
         continue;
       }
-      history.add(s.at.x, s.next.x, s.at.gradient, s.next.gradient);
+      if (!s.by_tangent || s.free_rotations.empty()) {
+        history.add(s.at.x, s.next.x, s.at.gradient, s.next.gradient);
+      }
       s.take_next();
       ++result.iterations;
       ++s.taken;

@@ -53,10 +53,6 @@ struct SettleTarget {
 /// cannot do without): whether there is time to go on.
 using GoOn = std::function<bool(double ms)>;
 
-/// Where to settle from that takes long to find: puts displacements of the whole mesh to `u` and
-/// returns true, or returns false, `u` as it was.
-using BetterStart = std::function<bool(std::span<Eigen::Vector3d> u)>;
-
 /// The second derivatives of the energy where its rings have turned: a solver that knows how limbs
 /// bend, where the n x n factor holds every ring in its turn. Costs a factorization of the 3n x 3n
 /// system for every pose, and saves most of the iterations where these are many.
@@ -71,29 +67,12 @@ class TurnedTangent {
   virtual bool turn(std::span<const Eigen::Matrix3d> transforms,
                     std::span<const Eigen::Vector3d> displacement) = 0;
 
-  /// About how many iterations by it take as long as `turn`; once it has been turned. The same on
-  /// every machine.
-  virtual double turn_cost() const = 0;
-
   /// Replaces a right-hand side by its solution, in the order of elimination of the n x n system: x
   /// of all unknowns, then y, then z.
   virtual void solve_in_place(std::span<double> b) = 0;
 
   /// To about a tenth, where a factor alone may be too stiff: what settling ends by.
   virtual void solve_well_in_place(std::span<double> b) { solve_in_place(b); }
-};
-
-/// Settles a few vertices while all others stay where they are.
-class PartSettler {
- public:
-  virtual ~PartSettler() = default;
-
-  /// Moves `vertices`, unknowns in ascending order, in `u`, displacements of the whole mesh, so
-  /// that E does not grow. `go_on` and `progress` as in Settler. Throws Cancelled, with `u` as far
-  /// as it got.
-  virtual void settle_part(std::span<const Index> vertices, const SettleTarget& target,
-                           std::span<Eigen::Vector3d> u, const GoOn& go_on,
-                           const Progress& progress) = 0;
 };
 
 /// Finds displacements u of a region, v' = v + u, that make least, at least in their surroundings,
@@ -104,22 +83,18 @@ class PartSettler {
 ///
 /// (EnergyWeights, ENERGY.md section 3), by L-BFGS: each step takes the rotations (kernel
 /// fit_rotations), the gradient (kernel energy_gradient) and one solve, at first with the one n x n
-/// factor that serves x, y, z and every iteration; where that goes slowly with the tangent of the
-/// pose reached, renewed on the way. Where nearly all of the surface has settled and a few places
-/// go on, such as crumpled ones or around single held points, these are settled by themselves in
-/// between (nonlinear elimination, after Cai, Li, "Inexact Newton Methods with Restricted Additive
-/// Schwarz Based Nonlinear Elimination", 2011): that costs next to nothing and saves most of the
-/// iterations of all. E falls with every step, so that what is there at any moment is the best
-/// surface so far.
+/// factor that serves x, y, z and every iteration, then with the tangent of the pose reached,
+/// renewed every few iterations. E falls with every step, so that what is there at any moment is
+/// the best surface so far.
 ///
 /// One object serves one thread at a time.
 class Settler {
  public:
   /// `system` must outlive the object and have been assembled with a detail length; so must
-  /// `tangent` and `parts`, of the same region, each of which may be null. Throws InputError for
-  /// options out of range, GpuError when the device fails.
+  /// `tangent`, of the same region, which may be null. Throws InputError for options out of range,
+  /// GpuError when the device fails.
   Settler(Kernels& kernels, const LaplacianSystem& system, const SettleOptions& options,
-          TurnedTangent* tangent = nullptr, PartSettler* parts = nullptr);
+          TurnedTangent* tangent = nullptr);
   ~Settler();
   Settler(Settler&&) noexcept;
   Settler& operator=(Settler&&) noexcept;
@@ -127,18 +102,11 @@ class Settler {
   /// E of `u` for `target`, without moving it.
   double energy(const SettleTarget& target, std::span<const Eigen::Vector3d> u);
 
-  /// Settles `u`, displacements of the whole mesh, from where they are. Where the first iterations
-  /// show that the n x n factor would take many to bend it, `better_start`, if given, is asked, and
-  /// the surface settled from there if E is less than at `u`. Allocates nothing per
-  /// iteration but for that and for parts, each of which counts as one. Throws Cancelled, with `u`
-  /// as far as it got, when `progress` (stage "settle") asks for it.
+  /// Settles `u`, displacements of the whole mesh, from where they are. Allocates nothing per
+  /// iteration. Throws Cancelled, with `u` as far as it got, when `progress` (stage "settle") asks
+  /// for it.
   SettleResult settle(const SettleTarget& target, std::span<Eigen::Vector3d> u,
-                      const Progress& progress = {}, const BetterStart& better_start = {});
-
-  /// The same for a region so small that a factorization costs no more than an iteration does: by
-  /// its tangent from the start, renewed every other time.
-  SettleResult settle_small(const SettleTarget& target, std::span<Eigen::Vector3d> u,
-                            const GoOn& go_on = {}, const Progress& progress = {});
+                      const Progress& progress = {});
 
   /// One frame of a drag: the same for a `target` a little farther on than in the last call, with
   /// `u` where that one ended and moved on by the response to what the target did since. What its
@@ -174,8 +142,7 @@ class Settler {
 
  private:
   struct State;
-  SettleResult iterate(const SettleTarget& target, std::span<Eigen::Vector3d> u, const GoOn& go_on,
-                       const Progress& progress, const BetterStart& better_start = {});
+  SettleResult iterate(std::span<Eigen::Vector3d> u, const GoOn& go_on, const Progress& progress);
 
   std::unique_ptr<State> state_;
 };

@@ -11,7 +11,6 @@
 #include "lapwing/settle/free_rotation.h"
 #include "lapwing/settle/lbfgs.h"
 #include "lapwing/settle/settle.h"
-#include "lapwing/settle/step_trend.h"
 
 namespace lapwing {
 
@@ -19,10 +18,8 @@ namespace lapwing {
 struct SettlePace {
   int plain = 0;         ///< by the n x n factor, before the tangent is worth its factorization
   int tangent = 0;       ///< by one tangent, before the surface has turned on from it
-  int before_parts = 0;  ///< before what still moves is settled by itself
   /// Plain ones at most as long as steps are long, where a tangent would soon be of another pose.
   int most_plain = 0;
-  double largest_part = 1.0;  ///< of the unknowns, of what is settled by itself
   bool ends_plain = true;     ///< whether a plain step may be what settling ends by
 };
 
@@ -37,17 +34,13 @@ struct Settler::State {
   std::unique_ptr<RingRotations> rotations;
   TurnedTangent* const given_tangent;
   TurnedTangent* tangent = nullptr;  ///< the same until it could not be turned
-  PartSettler* parts;
   SettlePace pace;
   bool at_rest = false;       ///< whether `pace` is that of frames whose target rests
   int taken = 0;              ///< iterations at this pace
   bool by_tangent = false;    ///< whether directions come from the tangent
   int next_turn = 0;          ///< the iteration before which it is renewed
-  int next_part = 0;          ///< and that before which what still moves is settled by itself
   double iteration_ms = 0.0;  ///< of the last one, without the tangent's factorization
   double last_step = 0.0;     ///< in mean edge lengths
-  StepTrend trend;
-  double start_energy = 0.0;
   bool is_placed = false;  ///< whether what was evaluated last is `at`
   Lbfgs history;
 
@@ -91,7 +84,7 @@ struct Settler::State {
   std::vector<Sums> partial;  ///< per task
 
   State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
-        TurnedTangent* turned, PartSettler* part_settler);
+        TurnedTangent* turned);
 
   void begin_anew();
   void begin_pace(const SettlePace& of);
@@ -105,20 +98,16 @@ struct Settler::State {
   void place_free_handles(const SettleTarget& target);
   void evaluate(Point& point);
   Sums pull_by_springs(Point& point) const;
-  bool takes_longer_than(double iterations, bool if_unknown) const;
   bool is_turn_due() const;
   void turn_tangent();
   void leave_tangent();
   void use_factor_for_turns();
   Sums find_direction(bool well = false);
+  void go(double length);
   bool step(double slope);
-  bool bends_slowly() const;
+  void go_farther(double share);
   bool must_turn_to_end() const;
-  void take_start(const BetterStart& better, const SettleTarget& target,
-                  std::span<Eigen::Vector3d> u);
   void take_next();
-  bool settle_part(const SettleTarget& target, double largest, std::span<Eigen::Vector3d> u,
-                   const GoOn& go_on, const Progress& progress);
 
   Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
   Eigen::Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
