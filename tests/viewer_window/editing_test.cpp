@@ -324,6 +324,67 @@ TEST_F(Editing, WhatADragShowsIsWhatItComesTo) {
   EXPECT_THAT(person_->errors(), IsEmpty());
 }
 
+// Five gestures, far ones too, each on from where the last one ended. The picture with the button
+// still pressed, once it is at rest, is that after letting go; the recipe of all five runs to the
+// surface that is saved.
+TEST_F(Editing, LettingGoChangesNothingOfWhatIsShown) {
+  open_tube();
+  choose_parts();
+  const auto handle = [&] {
+    const Draft draft = person_->draft().value();
+    Vector3d centroid = Vector3d::Zero();
+    const VertexSet vertices = resolved(draft.open.handles.at(0).region, mesh_);
+    for (const Index v : vertices) centroid += mesh_.positions[v];
+    centroid /= static_cast<double>(vertices.size());
+    return Vector3d(to_affine(draft.open.handles[0].move, centroid) * centroid);
+  };
+  std::size_t gesture = 0;
+  const auto expect_kept = [&](const std::function<void()>& let_go) {
+    const Image shown = free_part();
+    const Draft before = person_->draft().value();
+    let_go();
+    ASSERT_TRUE(person_->eventually_is([&](const Draft& d) {
+      return d.settled && d.open.handles != before.open.handles;
+    })) << "gesture "
+        << gesture;
+    EXPECT_TRUE(test::eventually(
+        60.0, [&] { return test::mean_difference(free_part(), shown) < kSamePicture; }))
+        << "gesture " << gesture;
+    ++gesture;
+  };
+  const auto pull = [&](const Vector3d& by) {
+    // On the handle, beside its gizmo.
+    const Vector3d from = handle() + Vector3d(0.4, -0.3, 0.0);
+    const auto at = [&](double share) { return person_->pixel_of(from + share * by); };
+    person_->hold({at(0.0), at(0.2), at(0.4), at(0.6), at(0.8), at(1.0)});
+    expect_kept([&] { person_->let_go(); });
+    EXPECT_EQ(person_->draft().value().open.handles[0].orientation, HandleOrientation::free);
+  };
+  const auto type = [&](const std::string& keys, const std::string& number) {
+    person_->keys(keys);
+    person_->type(number);
+    expect_kept([&] { person_->keys("Return"); });
+    EXPECT_EQ(person_->draft().value().open.handles[0].orientation, HandleOrientation::kept);
+  };
+  // None brings the gizmo into the part that is compared.
+  pull({0.0, 1.2, 0.0});
+  pull({0.0, -2.2, 0.3});
+  type("r", "60");
+  type("g", "0.4");
+  type("r", "45");
+
+  ASSERT_TRUE(saves_as("ctrl+e", folder_ / "kept.json"));
+  ASSERT_TRUE(saves_as("ctrl+shift+s", folder_ / "kept.obj"));
+  CpuKernels kernels;
+  const Recipe recipe = read_recipe(folder_ / "kept.json");
+  EXPECT_FALSE(std::get<DeformRequest>(recipe.steps.at(0)).handles.at(0).path.empty());
+  const Positions run = run_recipe(recipe, kernels)->mesh.positions;
+  EXPECT_LT(test::largest_distance(run, read_mesh(folder_ / "kept.obj").positions),
+            1e-3 * bounds_of(mesh_.positions).diagonal());
+  EXPECT_EQ(person_->quit(), 0);
+  EXPECT_THAT(person_->errors(), IsEmpty());
+}
+
 TEST_F(Editing, ASecondEditElsewhereIsMadeAndSaved) {
   open_tube();
   const auto disk = [&](double z, double rim) {

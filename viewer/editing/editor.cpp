@@ -107,6 +107,7 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
     if (answer.taken) {
       return act_on(answer, drag_is_of_last_step_ ? Joining::with_last : Joining::own_step);
     }
+    if (has_gizmo() && pull_handle(event, view, projection)) return {true, true};
     if (has_gizmo()) return {false, tools_.gizmo.part() != before};
   }
   if (has_in_hand(tools_.gizmo)) return {};
@@ -125,6 +126,28 @@ Editor::Handled Editor::handle(const InputEvent& event, const ViewFrame& view) {
     handled.changed = handled.taken || row_ == nullptr || tool_->follows_cursor();
   }
   return handled;
+}
+
+// A handle itself can be taken hold of, beside its gizmo.
+bool Editor::pull_handle(const InputEvent& event, const ViewFrame& view,
+                         const Projection& projection) {
+  const bool is_plain = !event.modifiers.control && !event.modifiers.shift && !event.modifiers.alt;
+  if (event.kind != InputKind::press || event.button != MouseButton::left || !is_plain ||
+      tools_.gizmo.is_dragging() || !shown_.has_triangles_of_state()) {
+    return false;
+  }
+  const auto pick = shown_.pick(view, event.position);
+  if (!pick) return false;
+  const auto& handles = state().selection.handles;
+  for (std::size_t h = 0; h < handles.size(); ++h) {
+    if (!contains(handles[h].vertices, pick->vertex)) continue;
+    ToolAnswer answer;
+    answer.holds = h;
+    answer.drags_held = true;
+    take_hold(answer, event.position, projection);
+    return true;
+  }
+  return false;
 }
 
 // Whoever chooses must see what there is to choose of.

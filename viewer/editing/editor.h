@@ -181,6 +181,7 @@ class Editor {
   void after_choice(const Part& part);
   void say_what_was_let_go(std::size_t handles_before);
   void choose_elsewhere(const InputEvent& event, const ViewFrame& view);
+  bool pull_handle(const InputEvent& event, const ViewFrame& view, const Projection& projection);
   bool begins_elsewhere(const Command& command) const;
   bool postpones(const InputEvent& event, const ViewFrame& view);
   bool postpones(const ToolAnswer& answer, const InputEvent& event, const ViewFrame& view);

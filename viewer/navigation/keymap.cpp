@@ -175,7 +175,8 @@ std::string key_name(int key) {
 
 // GizmoTool's keys.
 std::vector<ControlLine> gizmo_controls() {
-  return {{"G, R, S", "move, turn, scale the handle with the mouse (Maya: R scales, E turns)"},
+  return {{"left drag on a handle", "pull it: it goes along and turns as the surface wants"},
+          {"G, R, S", "move, turn, scale the handle with the mouse (Maya: R scales, E turns)"},
           {"X, Y, Z meanwhile",
            "along or about that axis of the gizmo, again: the handle's own or the world's; with "
            "Shift, in the plane across it"},

@@ -100,6 +100,7 @@ class ViewerApp final : public App {
   /// settle, says that nothing was saved.
   void once_settled(std::function<void()> action);
   void take_settled();
+  void take_recipe_check();
   /// And then does `then`, if it was saved.
   void save_to(const std::filesystem::path& path, std::function<void()> then = {});
   void save_carried();

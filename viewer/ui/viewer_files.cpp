@@ -1,6 +1,7 @@
 // What is read and written, and the paths that a person is asked for.
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "files/typed_path.h"
@@ -106,6 +107,25 @@ void ViewerApp::once_settled(std::function<void()> action) {
   if (!session.awaits_result()) session.prepare();
   saving_ = std::move(action);
   say("the drag is settling; saved once it has");
+}
+
+// Says so if running the recipe that was saved makes another surface.
+void ViewerApp::take_recipe_check() {
+  constexpr double kSameSurface = 1e-3;
+  if (!document_) return;
+  try {
+    const std::optional<double> apart = document_->editor.session().take_recipe_check();
+    if (!apart || *apart <= kSameSurface) return;
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "Running the recipe gives a surface that differs from this one by up to %.1f%% of "
+        "the mesh's size. Save the mesh as well to keep this surface.",
+        100.0 * *apart);
+    say({text, Tone::warning});
+  } catch (const Error& error) {
+    say({std::string("The recipe is saved, but running it fails: ") + error.what(), Tone::warning});
+  }
 }
 
 void ViewerApp::take_settled() {

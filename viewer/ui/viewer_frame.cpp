@@ -71,6 +71,7 @@ void ViewerApp::draw_ui(const FrameTimings& last) {
   take_loaded();
   update_document();
   take_settled();
+  take_recipe_check();
   record_turntable();
   carry_out_order();
   draw_menu();

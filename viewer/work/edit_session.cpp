@@ -8,6 +8,8 @@
 #include "lapwing/io/gltf_layout.h"
 #include "lapwing/io/real_path.h"
 #include "lapwing/io/source_file.h"
+#include "lapwing/recipe/recipe.h"
+#include "lapwing/session/run_recipe.h"
 #include "lapwing/step/step_files.h"
 #include "state/draft.h"
 #include "state/step_words.h"
@@ -58,6 +60,22 @@ fs::path write_copy(std::string_view original, const fs::path& folder, const fs:
   }
 }
 
+bool has_path(const Step& step) {
+  const auto* deform = std::get_if<DeformRequest>(&step);
+  return deform != nullptr && std::ranges::any_of(deform->handles, [](const MovedHandle& handle) {
+           return !handle.path.empty();
+         });
+}
+
+// The largest distance of a vertex, as a share of the diagonal; 1 for other vertices.
+double share_apart(const Positions& a, const Positions& b) {
+  if (a.size() != b.size()) return 1.0;
+  double largest = 0.0;
+  for (std::size_t v = 0; v < a.size(); ++v) largest = std::max(largest, (a[v] - b[v]).norm());
+  const double diagonal = bounds_of(b).diagonal();
+  return diagonal > 0.0 ? largest / diagonal : 0.0;
+}
+
 bool same_choice(const AppState& a, const AppState& b) {
   return a.selection == b.selection && a.parameters == b.parameters;
 }
@@ -70,7 +88,8 @@ EditSession::EditSession(History history, std::optional<MeshStamp> file, const f
     : history_(std::move(history)),
       file_(std::move(file)),
       preparation_(make_kernels, wake, std::move(upload)),
-      carrying_out_(std::move(make_kernels), std::move(wake)) {
+      carrying_out_(make_kernels, wake),
+      checking_recipe_(std::move(make_kernels), std::move(wake)) {
   start_journal(journals, {});
   follow();
 }
@@ -81,7 +100,8 @@ EditSession::EditSession(const InterruptedEdit& edit, History history, const fs:
     : history_(std::move(history)),
       file_(file_of(edit)),
       preparation_(make_kernels, wake, std::move(upload)),
-      carrying_out_(std::move(make_kernels), std::move(wake)) {
+      carrying_out_(make_kernels, wake),
+      checking_recipe_(std::move(make_kernels), std::move(wake)) {
   start_journal(journals, edit.has_copy() ? std::optional(edit.mesh.path) : std::nullopt);
   if (edit.has_copy()) {
     original_ = FileBytes::read(edit.mesh.path);
@@ -146,7 +166,8 @@ void EditSession::follow(std::shared_ptr<const SettledPose> shown) {
 
 void EditSession::use_kernels(Preparation::MakeKernels make_kernels, Preparation::Upload upload) {
   preparation_.use_kernels(make_kernels, std::move(upload));
-  carrying_out_.use_kernels(std::move(make_kernels));
+  carrying_out_.use_kernels(make_kernels);
+  checking_recipe_.use_kernels(std::move(make_kernels));
   prepare();
 }
 
@@ -325,14 +346,27 @@ WriteReport EditSession::save_carried(const fs::path& path) const {
   return report;
 }
 
-fs::path EditSession::save_recipe(const fs::path& path) const {
+fs::path EditSession::save_recipe(const fs::path& path) {
   require_settled(state());
   if (!file_) throw InputError("a recipe names a mesh file; save the mesh first, and open that");
   const fs::path folder = fs::absolute(path).parent_path();
   const fs::path copy = original_ ? write_copy(original_->view(), folder, file_->path) : fs::path();
   const fs::path& mesh = original_ ? copy : file_->path;
-  replace_file(path, to_json(to_recipe(state(), mesh.lexically_proximate(folder), folder)));
+  const Recipe recipe = to_recipe(state(), mesh.lexically_proximate(folder), folder);
+  replace_file(path, to_json(recipe));
+  checking_recipe_.cancel();
+  if (std::ranges::any_of(recipe.steps, has_path)) {
+    checking_recipe_.start([path, shown = positions_of(state())](
+                               const std::shared_ptr<Kernels>& kernels, const Progress& progress) {
+      const auto run = run_recipe(read_recipe(path), *kernels, progress);
+      return share_apart(run->mesh.positions, shown);
+    });
+  }
   return copy;
+}
+
+std::optional<double> EditSession::take_recipe_check() {
+  return checking_recipe_.take();
 }
 
 void EditSession::close() {
@@ -340,6 +374,7 @@ void EditSession::close() {
   journal_.reset();
   preparation_.cancel();
   cancel_step();
+  checking_recipe_.cancel();
 }
 
 }  // namespace lapwing::viewer

@@ -133,7 +133,12 @@ class EditSession {
   /// names that copy: otherwise running it would apply the edit twice. Returns the copy's path, or
   /// an empty path. Throws IoError; InputError without a file, and while a drag waits for its
   /// result.
-  std::filesystem::path save_recipe(const std::filesystem::path& path) const;
+  std::filesystem::path save_recipe(const std::filesystem::path& path);
+  /// How far the surface is from what a run of the recipe saved last makes of it, as a share of the
+  /// mesh's diagonal: once, when that is known. Carried out beside the window, and only where a
+  /// handle went far, since elsewhere a run ends in the same minimum. Throws what the run threw,
+  /// once. Call it when woken.
+  std::optional<double> take_recipe_check();
 
   /// Saved or given up: nothing to restore is left.
   void close();
@@ -168,6 +173,7 @@ class EditSession {
   Needs needs_ = Needs::nothing;
   Preparation preparation_;
   Job<StepResult> carrying_out_;
+  Job<double> checking_recipe_;
 };
 
 }  // namespace lapwing::viewer

@@ -302,13 +302,16 @@ HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose,
   for (std::size_t h = 0; h < motions.maps.size() && h < pose.maps.size(); ++h) {
     if (!motions.is_free_handle(h)) continue;
     const Vector3d& centroid = system.frames[h].centroid;
-    // The same bits if nothing moves.
-    if (motions.maps[h] * centroid == pose.maps[h] * centroid) {
-      motions.maps[h] = pose.maps[h];
-    } else {
-      motions.maps[h] =
-          turned_to(motions.maps[h], centroid, nearest_rotation(pose.maps[h].linear()));
-    }
+    const Eigen::Affine3d turned =
+        turned_to(motions.maps[h], centroid, nearest_rotation(pose.maps[h].linear()));
+    // Where nothing moves the same bits, though they came about by other roundings.
+    constexpr double kRounding = 1e-12;
+    const Vector3d place = turned * centroid;
+    const double size = place.norm() + centroid.norm() + system.frames[h].radius;
+    const bool is_same =
+        (place - pose.maps[h] * centroid).norm() <= kRounding * size &&
+        (turned.linear() - pose.maps[h].linear()).norm() <= kRounding * turned.linear().norm();
+    motions.maps[h] = is_same ? pose.maps[h] : turned;
     motions.turns[h] = pose.turns[h];
   }
   return motions;
