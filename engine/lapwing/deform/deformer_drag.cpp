@@ -379,8 +379,6 @@ void Deformer::follow(const HandleMotions& motions, SettledPose& pose, const GoO
   // While the coarse surface is being made, frames that lack time go on as they can without.
   const bool must = at_rest || (!by_coarse && !(go_on && on.coarse_aside.is_at_work()));
   const bool is_smooth = on.smooth(asked, at_rest, must, go_on, progress, next);
-  next.motions = asked.motions;
-  next.parameters = asked.parameters;
   if (!begins && !at_rest && !next.settled.settled && !std::exchange(on.lacks_time, true)) {
     on.begin_coarse();
   }
@@ -391,6 +389,8 @@ void Deformer::follow(const HandleMotions& motions, SettledPose& pose, const GoO
     on.coarse->learn(next.displacement, on.pull);
   }
   const Stopwatch ending;
+  next.motions = std::move(asked.motions);
+  next.parameters = std::move(asked.parameters);
   edit.loose.carry(*asked.wanted, scales, next.displacement);
   Certificate certificate;
   certificate.all_finite = std::all_of(edit.moving.begin(), edit.moving.end(),
