@@ -135,6 +135,20 @@ TEST_F(ASession, WhatUndoAndRedoLeaveUnsettledSettlesByItself) {
   EXPECT_EQ(session_->state().moves[0].move, twisted(60.0));
 }
 
+TEST_F(ASession, ASavedRecipeThatFollowsAPathIsRunToSeeThatItEndsInTheSameSurface) {
+  drag(twisted(70.0));
+  session_->save_recipe(folder_ / "near.json");
+  EXPECT_EQ(session_->take_recipe_check(), std::nullopt) << "without a path there is one result";
+  drag(twisted(140.0));
+  ASSERT_FALSE(session_->state().moves[0].path.empty());
+  session_->save_recipe(folder_ / "far.json");
+  std::optional<double> apart;
+  while (!(apart = session_->take_recipe_check())) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_LT(*apart, 1e-3);
+}
+
 TEST_F(ASession, HalfAStepIsNeverSaved) {
   const Positions opened = read_mesh(mesh_).positions;
   session_->perform(MoveHandle{0, bent()});
