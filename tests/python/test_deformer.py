@@ -27,6 +27,21 @@ def test_solve_is_deform(tube, ends, bend):
         assert (once.rotations == again.rotations).all()
 
 
+def test_a_free_handle_goes_to_its_place_and_turns(tube, ends, bend):
+    aside = turned(0.0, [0.4 * np.ptp(tube.vertices[:, 2]), 0.0, 0.0])
+    kept = bend.solve(aside)
+    free = bend.solve(aside, free=[True])
+    handle = bend.handles[0]
+    place = (tube.vertices[handle] @ aside[:3, :3].T + aside[:3, 3]).mean(axis=0)
+    assert np.abs(free.vertices[handle].mean(axis=0) - place).max() < 0.02 * np.ptp(tube.vertices)
+    assert free.certificate.edge_stretch < kept.certificate.edge_stretch
+    by_key = lapwing.deform(
+        tube, belt=ends[0],
+        handles=[{"region": ends[1], "move": {"matrix": aside.ravel()}, "orientation": "free"}],
+    )
+    assert (by_key.vertices == free.vertices).all()
+
+
 def test_a_mirrored_edit_is_prepared_too():
     grid = lapwing.shape("sheet")
     x, y, z = grid.vertices.T

@@ -246,6 +246,29 @@ TEST_F(AGizmoTool, SaysWhenTheHandleHasTurnedTooFar) {
   EXPECT_FALSE(tool_.turns_too_far());
 }
 
+TEST_F(AGizmoTool, ATurnThatIsTypedAtOnceIsMadeInPartsAndNotTooFar) {
+  send(key('R'));
+  send(key('Z'));
+  type("300");
+  EXPECT_FALSE(tool_.turns_too_far());
+  performed(send(key(kEnter)));
+  EXPECT_TRUE(state_.moves[0].path.empty());
+}
+
+TEST_F(AGizmoTool, APullLetsTheHandleTurnUnlessItWasTurnedByHand) {
+  const auto pulled = [&] {
+    tool_.take_hold(middle_, {state_, {}, view_, {}, {}, {}, 0, keys_});
+    for (int k = 1; k <= 20; ++k) send(move_to(middle_ + Vector2d(0.0, -15.0 * k)));
+    performed(send(release(middle_ + Vector2d(0.0, -300.0))));
+    return state_.moves[0];
+  };
+  const HandleMove free = pulled();
+  EXPECT_EQ(free.orientation, HandleOrientation::free);
+  EXPECT_FALSE(free.path.empty()) << "waypoints of the way";
+  state_ = apply(state_, MoveHandle{0, twisted(30.0)});
+  EXPECT_EQ(pulled().orientation, HandleOrientation::kept);
+}
+
 TEST_F(AGizmoTool, WithCommitsOnTheWayNoTurnIsTooFar) {
   state_ = apply(state_, SetParameters{{.commit_every = 90.0}});
   send(key('R'));

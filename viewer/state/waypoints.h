@@ -35,6 +35,7 @@ class WaypointRecorder {
   WaypointRecorder(Move start, const Eigen::Vector3d& handle_centroid, double region_size);
 
   void add(const Move& move);
+  bool has_jumped() const { return has_jumped_; }
   /// Empty once there was a jump, as in a number that is typed.
   std::span<const Move> waypoints() const {
     return has_jumped_ ? std::span<const Move>() : waypoints_;

@@ -221,7 +221,8 @@ void GizmoTool::renew(const ToolScene& scene) {
   move_ =
       drag_->move_after(move_before(scene), handle_centroid(scene.state, scene.handle), amount_);
   recorder_.add(*move_);
-  turns_too_far_ = !scene.state.parameters.commit_every &&
+  // A jump is made in parts.
+  turns_too_far_ = !scene.state.parameters.commit_every && !recorder_.has_jumped() &&
                    turn_of(*move_).degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
 }
 
