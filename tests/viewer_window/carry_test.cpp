@@ -137,7 +137,8 @@ TEST_F(CarryingInAWindow, WhatIsCarriedFollowsTheHandAndIsSavedAsInARun) {
   ASSERT_EQ(run->carried.size(), 2U);
   for (const CarriedFile& file : run->carried) {
     const fs::path saved = file.target(folder_ / "leaning.obj");
-    EXPECT_LT(test::largest_distance(positions_in(saved), file.positions()), 1e-6) << saved;
+    // A drag settles from what it has shown, to the tolerance of settling.
+    EXPECT_LT(test::largest_distance(positions_in(saved), file.positions()), 1e-4) << saved;
   }
 }
 
