@@ -324,9 +324,8 @@ TEST_F(Editing, WhatADragShowsIsWhatItComesTo) {
   EXPECT_THAT(person_->errors(), IsEmpty());
 }
 
-// Five gestures, far ones too, each on from where the last one ended. The picture with the button
-// still pressed, once it is at rest, is that after letting go; the recipe of all five runs to the
-// surface that is saved.
+// Makes five gestures, each from where the last one ended. The picture before the button is
+// released must equal the picture after it. The saved recipe must give the saved mesh.
 TEST_F(Editing, LettingGoChangesNothingOfWhatIsShown) {
   open_tube();
   choose_parts();
@@ -366,7 +365,7 @@ TEST_F(Editing, LettingGoChangesNothingOfWhatIsShown) {
     expect_kept([&] { person_->keys("Return"); });
     EXPECT_EQ(person_->draft().value().open.handles[0].orientation, HandleOrientation::kept);
   };
-  // None brings the gizmo into the part that is compared.
+  // These gestures keep the gizmo out of the part that is compared.
   pull({0.0, 1.2, 0.0});
   pull({0.0, -2.2, 0.3});
   type("r", "60");

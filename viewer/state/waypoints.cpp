@@ -31,10 +31,6 @@ Eigen::Matrix3d stretch_of(const Eigen::Affine3d& map) {
 
 }  // namespace
 
-bool allows_free_handles(const EditParameters& parameters) {
-  return parameters.settle && !parameters.hard && !parameters.commit_every;
-}
-
 double region_size(const AppState& state) {
   const VertexSet& roi = state.selection.roi.vertices;
   if (roi.empty()) return 0.0;

@@ -3,13 +3,10 @@
 #include <span>
 #include <vector>
 
+#include "lapwing/step/deform_step.h"
 #include "state/app_state.h"
 
 namespace lapwing::viewer {
-
-/// Whether a handle may turn as the surface wants: if that settles, at once and with soft
-/// constraints.
-bool allows_free_handles(const EditParameters& parameters);
 
 /// Whether the moves are made in parts, each the rest shape of the next: as the parameters say, or
 /// because a handle turns far and nothing says by which way.

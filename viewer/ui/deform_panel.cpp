@@ -47,7 +47,7 @@ void draw_orientation(Editor& editor, std::size_t handle) {
       "of the handle sets this; its gizmo and a typed turn clear it.");
 }
 
-// A typed place lets a free handle turn on; a typed turn or scale holds it.
+// A free handle stays free if only its position is typed. A typed rotation or scale fixes it.
 HandleMove typed_move(const AppState& state, std::size_t handle, const SimilarityMove& typed) {
   const HandleMove& to = state.moves[handle];
   const Move shown = shown_move(state, handle);

@@ -247,7 +247,7 @@ AskedOfSurface Deformer::State::asked_of(HandleMotions motions,
   return asked;
 }
 
-// What the free handles have turned to.
+// Updates the motions of the free handles to the rotations found.
 void Deformer::State::take_rotations(std::span<const Eigen::Matrix3d> rotations,
                                      AskedOfSurface& asked) const {
   if (rotations.empty()) return;
@@ -278,7 +278,7 @@ std::vector<Vector3d> Deformer::turned_start(const HandleMotions& motions,
   return turned;
 }
 
-// Settles from a pose, or else from where shares take the surface.
+// Minimizes from a pose, or without one from the handle weights.
 void Deformer::settle_to(AskedOfSurface& asked, const SettledPose* pose, std::span<Vector3d> u,
                          SettleResult& result, const Progress& progress) const {
   State& s = *state_;
@@ -299,7 +299,7 @@ void Deformer::settle_to(AskedOfSurface& asked, const SettledPose* pose, std::sp
   if (!asked.free_handles.empty()) s.take_rotations(s.settler->handle_rotations(), asked);
 }
 
-// The pose that a path leads to. Under the lock.
+// Minimizes at each waypoint of a path in turn. Call under the lock.
 SettledPose Deformer::followed(std::span<const HandleMotions> path,
                                const Progress& progress) const {
   State& s = *state_;

@@ -33,7 +33,7 @@ struct DeformResult {
   /// The S_i that the handles ask for (rest_stretch.h), per vertex of the mesh; empty for the
   /// identity.
   std::vector<Eigen::Matrix3d> rest_stretch = {};
-  /// As asked for; a handle whose orientation is free has the rotation that it came to.
+  /// The motions asked for. A handle with free orientation has the rotation that was found.
   HandleMotions motions = {};
 };
 

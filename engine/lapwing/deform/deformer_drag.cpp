@@ -168,6 +168,12 @@ bool Deformer::State::find_coarse() {
   return coarse != nullptr;
 }
 
+// Returns the displacements that the handles of `pose` asked for. Valid until the next call.
+std::span<const Vector3d> Deformer::State::wanted_of(const SettledPose& pose) {
+  system->asked_displacement(pose.parameters, asked_fields[1]);
+  return asked_fields[1];
+}
+
 // From `pose`, whose handles asked for `wanted`, by way of the coarse surface.
 void Deformer::State::take_along(const SettledPose& pose, std::span<const Vector3d> wanted,
                                  AskedOfSurface& asked, const GoOn& go_on, SettledPose& next) {
@@ -192,8 +198,7 @@ void Deformer::State::place_held(const SettledPose& pose, std::span<const Vector
 
 void Deformer::State::follow_by_coarse(const SettledPose& pose, AskedOfSurface& asked,
                                        bool is_there, const GoOn& go_on, SettledPose& next) {
-  std::vector<Vector3d>& wanted = asked_fields[1];
-  system->asked_displacement(pose.parameters, wanted);
+  const std::span<const Vector3d> wanted = wanted_of(pose);
   if (!is_there) coarse->begin({wanted, asked.stretch.of_vertices}, pose.displacement);
   coarse_moves_at_rest = 0;
   take_along(pose, wanted, asked, go_on, next);
@@ -202,8 +207,7 @@ void Deformer::State::follow_by_coarse(const SettledPose& pose, AskedOfSurface& 
 // The same without a limit of time: until the coarse surface has settled.
 void Deformer::State::follow_by_coarse(const SettledPose& pose, AskedOfSurface& asked,
                                        bool is_there, const Progress& progress, SettledPose& next) {
-  std::vector<Vector3d>& wanted = asked_fields[1];
-  system->asked_displacement(pose.parameters, wanted);
+  const std::span<const Vector3d> wanted = wanted_of(pose);
   if (!is_there) coarse->begin({wanted, asked.stretch.of_vertices}, pose.displacement);
   next.displacement = moved_as(pose.displacement);
   coarse->settle(asked.target(), progress, next.displacement);
@@ -218,8 +222,7 @@ bool Deformer::State::go_on_at_rest(const SettledPose& pose, AskedOfSurface& ask
   if (coarse_moves_at_rest >= kCoarseMovesAtRest || settler->goes_by_tangent()) return false;
   ++coarse_moves_at_rest;
   const double before = settler->energy(asked.target(), pose.displacement);
-  std::vector<Vector3d>& wanted = asked_fields[1];
-  system->asked_displacement(pose.parameters, wanted);
+  const std::span<const Vector3d> wanted = wanted_of(pose);
   take_along(pose, wanted, asked, {}, next);
   return settler->energy(asked.target(), next.displacement) < before;
 }

@@ -85,6 +85,7 @@ struct Deformer::State {
   Positions gone_on(const SettledPose& pose, std::span<const double> parameters) const;
   void begin_coarse();
   bool find_coarse();
+  std::span<const Eigen::Vector3d> wanted_of(const SettledPose& pose);
   void take_along(const SettledPose& pose, std::span<const Eigen::Vector3d> wanted,
                   AskedOfSurface& asked, const GoOn& go_on, SettledPose& next);
   void place_held(const SettledPose& pose, std::span<const Eigen::Vector3d> wanted,

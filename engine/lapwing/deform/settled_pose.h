@@ -11,9 +11,9 @@ namespace lapwing {
 
 /// Where a settled drag is: what its next frame begins with. Empty where it begins at rest.
 struct SettledPose {
-  /// The handles' motions; a handle whose orientation is free has the rotation that it came to.
+  /// The handles' motions. A handle with free orientation has the rotation that was found.
   HandleMotions motions;
-  std::vector<double> parameters;        ///< of those motions
+  std::vector<double> parameters;        ///< of `motions`
   Positions displacement;                ///< of the whole mesh
   SettleResult settled;                  ///< how the last frame ended
   /// What the last frames changed in parameters and displacement, each counted by half of the next:

@@ -7,8 +7,8 @@ namespace lapwing {
 /// Beyond this turn of a handle against the belt a surface may settle wound otherwise than the
 /// handle went, since the energy is lower the other way round: how much winding it holds depends on
 /// its length and the detail length (a cylinder six diameters long holds 300 degrees with the
-/// default, and not with sixty times that). Whoever turns farther is told, and can make the turn in
-/// parts, each part's result the rest shape of the next.
+/// default, and not with sixty times that). A larger turn without a path is made in parts, each the
+/// rest shape of the next (commits.h).
 inline constexpr double kLargestSettledTurnDegrees = 180.0;
 
 /// How far one handle has turned in all over the motions of a drag, past 180 and 360 degrees too,

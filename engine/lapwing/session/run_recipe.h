@@ -14,8 +14,8 @@ struct RunOptions {
 };
 
 /// Takes the recipe's mesh, examines it, and carries the steps out one after the other on
-/// `kernels`, which must outlive the result. A step with "commit_every" is carried out in parts,
-/// all handles together; one that turns a handle too far without it is warned about. Writes
+/// `kernels`, which must outlive the result. A step with "commit_every", or whose handles turn by
+/// more than 180 degrees without a path, is carried out in parts, all handles together. Writes
 /// nothing. Each step ends certified; a step that fails throws what `Deformer`,
 /// `resolve_edit_region` or `read_mesh` throw, and no result is left. `progress` hears the stages
 /// of reading and of every step.

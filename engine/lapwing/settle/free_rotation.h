@@ -16,8 +16,8 @@ namespace lapwing {
 ///
 /// A matrix P that holds the handle in place is far too stiff against a turn of it. With the
 /// rotation eliminated the matrix is P - U K^-1 U', where U = W B, column k of B is what a turn
-/// about axis k does to the handle, and K = tr(C) I - C, where C is the covariance of places and
-/// shape. Its inverse is
+/// about axis k does to the handle, and K = tr(C) I - C, where C is the covariance of places
+/// and turned shape. Its inverse is
 ///
 ///     P^-1 + P^-1 U (K - U' P^-1 U)^-1 U' P^-1      (Sherman, Morrison, Woodbury).
 ///

@@ -38,15 +38,15 @@ constexpr double kLongStep = 0.03;
 // hides whether it does.
 constexpr double kShareOfSlope = 1e-4;
 constexpr double kRounding = 1e-13;
-// A full step by the Hessian of the pose that lowers E by more than this share of what its slope
-// promises ends well before the least point of the parabola through what is known, at least a
-// quarter of it. Going on, up to so many times as far, saves up to a third of the iterations where
-// limbs swing far (`armadillo`, whole and one arm, with and without free handles). By the n x n
-// factor most steps are such, and an evaluation more for each saves nothing.
+// If a full step by the Hessian of the pose lowers E by more than this share of what its slope
+// promises, the minimum along it is at least a quarter farther. Extending the step, up to
+// kLongestStep times, saves up to a third of the iterations where limbs swing far (`armadillo`,
+// whole and one arm, with and without free handles). With the n x n factor most steps are like
+// this, and the extra evaluations save nothing.
 constexpr double kNearlyStraight = 0.6;
 constexpr double kLongestStep = 8.0;
-// By one tangent, where handles turn freely. What is far from one rotation tells nothing of
-// another, so the history stays empty, and the tangent is renewed instead.
+// Iterations between factorizations of the Hessian with free handles. L-BFGS keeps no history then,
+// since steps at one rotation do not describe the energy at another.
 constexpr int kIterationsOfFreeHandles = 3;
 // Steps this much shorter than asked for are none.
 constexpr double kShortestStep = 1e-3;

@@ -51,7 +51,8 @@ struct Settler::State {
   std::vector<Eigen::Matrix3d> stretch;       ///< per row; empty for the identity
   std::vector<double> weights;                ///< W of each unknown
   std::vector<Eigen::Vector3d> given;         ///< SettleTarget::wanted of RegionRings::vertices
-  std::vector<Eigen::Vector3d> wanted;        ///< the same, and what free handles ask for
+  std::vector<Eigen::Vector3d>
+      wanted;  ///< `given`, replaced on free handles by the fitted positions
   std::vector<double> forces;                 ///< none where empty
   std::vector<double> direction;
 

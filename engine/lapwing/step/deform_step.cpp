@@ -37,8 +37,7 @@ class Validation final : public KeyVisitor {
 };
 
 void require_orientations(const DeformRequest& step, KeyVisitor& visitor) {
-  const DeformParameters& parameters = step.parameters;
-  const bool may_be_free = parameters.settle && !parameters.hard && !parameters.commit_every;
+  const bool may_be_free = allows_free_handles(step.parameters);
   for (std::size_t k = 0; k < step.handles.size(); ++k) {
     visitor.require(
         step.handles[k].orientation == HandleOrientation::kept || may_be_free,
@@ -84,6 +83,10 @@ std::vector<std::size_t> open_carried(std::span<const CarrySpec> files, const St
 }
 
 }  // namespace
+
+bool allows_free_handles(const DeformParameters& parameters) {
+  return parameters.settle && !parameters.hard && !parameters.commit_every;
+}
 
 void describe(LaplacianWeights& weights, KeyVisitor& visitor) {
   visitor.choice(

@@ -22,6 +22,10 @@ void describe(DeformParameters& parameters, KeyVisitor& visitor);
 void describe(SettleOptions& settle, KeyVisitor& visitor);
 void describe(LaplacianWeights& weights, KeyVisitor& visitor);
 
+/// Whether handles may have a free orientation: the surface settles, at once, with soft
+/// constraints.
+bool allows_free_handles(const DeformParameters& parameters);
+
 /// Throws InputError, naming the key and what it takes, for a number that a recipe would refuse.
 void require_valid(DeformParameters parameters);
 /// Likewise of a handle's move, or for one that does not go with the parameters.
