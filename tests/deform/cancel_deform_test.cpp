@@ -75,16 +75,17 @@ TEST_F(CancelDeform, InAllOtherFormsToo) {
 }
 
 TEST_F(CancelDeform, WhileColumnsAreMadeLeavesADeformerThatMakesThem) {
-  const Deformer fresh(mesh_.positions, mesh_.topology(), foot_and_head(mesh_), {}, kernels_);
-  const Deformer deformer(mesh_.positions, mesh_.topology(), foot_and_head(mesh_), {}, kernels_);
+  const DeformSolver fresh(mesh_.positions, mesh_.topology(), foot_and_head(mesh_), {}, kernels_);
+  const DeformSolver deformer(mesh_.positions, mesh_.topology(), foot_and_head(mesh_), {},
+                              kernels_);
   cancel_everywhere([&](const Progress& progress) { deformer.response(progress); });
   EXPECT_TRUE(std::ranges::equal(deformer.response()->columns().numbers,
                                  fresh.response()->columns().numbers));
 }
 
 TEST_F(CancelDeform, WithoutTheMemoryForColumnsOrSettlingIsRefusedByNumber) {
-  const Deformer deformer(mesh_.positions, mesh_.topology(), foot_and_head(mesh_), linear_options(),
-                          kernels_);
+  const DeformSolver deformer(mesh_.positions, mesh_.topology(), foot_and_head(mesh_),
+                              linear_options(), kernels_);
   {
     const Environment little(kMemoryVariable, "20000");
     EXPECT_THAT(error_message<SolverError>([&] { deformer.response(); }),

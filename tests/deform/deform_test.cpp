@@ -39,7 +39,7 @@ TEST_F(DeformInMemory, IsWhatADeformerSolvesFor) {
   const Vector3d aside(0.5, 0.0, 0.2);
   const Deformed deformed = deform(mesh_, request(aside, 0.0));
   CpuKernels kernels;
-  const Deformer deformer(mesh_.positions, mesh_.topology(), region_, {}, kernels);
+  const DeformSolver deformer(mesh_.positions, mesh_.topology(), region_, {}, kernels);
   const Eigen::Affine3d move(Eigen::Translation3d{aside});
   EXPECT_EQ(deformed.mesh.positions, deformer.solve(std::array{move}).positions);
   EXPECT_EQ(deformed.mesh.face_vertices(), mesh_.face_vertices());
@@ -82,7 +82,7 @@ TEST_F(DeformInMemory, OnlyTheFirstOfTwoThatMoveDifferentlyPrepares) {
   const auto stages = [&](const DeformRequest& each) {
     return deform(mesh_, each, kernels, workspace).timings.stages().size();
   };
-  EXPECT_GT(stages(request({0.5, 0.0, 0.0}, 0.0)), 6U);
+  EXPECT_GT(stages(request({0.5, 0.0, 0.0}, 0.0)), 2U);
   EXPECT_EQ(stages(request({0.0, 0.3, 0.0}, 20.0)), 2U) << "region and solve";
 }
 

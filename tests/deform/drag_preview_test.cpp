@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/bent_tube.h"
@@ -52,17 +52,16 @@ TEST(DragPreview, FromAPoseItIsThatPoseUntilTheHandleMovesOn) {
   const EditRegion region = test::foot_and_head(mesh);
   CpuKernels kernels;
   const DragPreview preview(mesh.positions, topology, region, {});
-  const Deformer deformer(preview, kernels);
+  const DeformSolver deformer(preview, kernels);
   const std::array motions{test::bend()};
   const Positions settled = deformer.solve(motions).positions;
-  const SettledPose pose = preview.response()->pose_at(settled, handle_motions(motions));
-  const SettledPose same = deformer.response()->pose_at(settled, handle_motions(motions));
-  EXPECT_EQ(pose.parameters, same.parameters);
+  const DragState pose = preview.response()->pose_at(settled, handle_motions(motions));
+  const DragState same = deformer.response()->pose_at(settled, handle_motions(motions));
   EXPECT_EQ(pose.displacement, same.displacement);
 
   const auto dragged_by = [&](const Affine3d& motion) {
     return test::dragged(preview.response(), std::array{motion},
-                         std::make_shared<const SettledPose>(pose));
+                         std::make_shared<const DragState>(pose));
   };
   EXPECT_LT(test::largest_distance(dragged_by(motions[0]), settled), 1e-12);
   const Eigen::Translation3d shift(0.1, 0.0, 0.0);

@@ -1,15 +1,14 @@
 // Columns for the handles alone that a drag moves.
 #include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/deformer.h"
 #include "lapwing/deform/drag.h"
 #include "lapwing/deform/drag_preview.h"
+#include "lapwing/deform/drag_session.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/largest_distance.h"
 #include "support/rippled_cylinder.h"
@@ -33,7 +32,8 @@ class CylinderOfThreeHandles : public ::testing::Test {
       if (z > 3.9 && z < 4.1) region_.handles[1].push_back(v);
       if (region_.handles[0].empty() && z > 2.0) region_.handles[0].push_back(v);
     }
-    deformer_.emplace(mesh_.positions, topology_, region_, DeformOptions{}, kernels_);
+    solver_ = std::make_shared<const DeformSolver>(mesh_.positions, topology_, region_,
+                                                   DeformOptions(), kernels_);
   }
 
   static std::vector<Affine3d> motions(double first, double second, double third) {
@@ -42,30 +42,29 @@ class CylinderOfThreeHandles : public ::testing::Test {
             Affine3d(Eigen::Translation3d(0, third, 0))};
   }
   Positions dragged(const std::shared_ptr<const DragResponse>& response,
-                    const std::shared_ptr<const SettledPose>& pose,
+                    const std::shared_ptr<const DragState>& pose,
                     const std::vector<Affine3d>& to) const {
     Positions positions = mesh_.positions;
     Drag(response, pose).move(to, positions);
     return positions;
   }
   // The settled surface at these motions.
-  std::shared_ptr<const SettledPose> pose_at(const std::vector<Affine3d>& at) const {
-    SettledPose pose;
-    deformer_->follow(at, pose);
-    return std::make_shared<const SettledPose>(std::move(pose));
+  std::shared_ptr<const DragState> pose_at(const std::vector<Affine3d>& at) const {
+    DragSession drag(solver_);
+    return std::make_shared<const DragState>(drag.step(at));
   }
 
   Mesh mesh_ = test::rippled_cylinder(16, 31);
   Topology topology_ = mesh_.topology();
   EditRegion region_;
   CpuKernels kernels_;
-  std::optional<Deformer> deformer_;
+  std::shared_ptr<const DeformSolver> solver_;
 };
 
 TEST_F(CylinderOfThreeHandles, ColumnsOfSomeAreThoseAmongAll) {
-  const auto all = deformer_->response();
+  const auto all = solver_->response();
   const std::array<std::size_t, 3> some{2, 0, 2};
-  const auto response = deformer_->response_of(some);
+  const auto response = solver_->response_of(some);
   EXPECT_EQ(response->handles(), (std::vector<std::size_t>{0, 2}));
   const std::size_t of_handle = all->columns().numbers.size() / 3;
   const auto numbers = response->columns().numbers;
@@ -90,33 +89,16 @@ TEST_F(CylinderOfThreeHandles, DragOfOneGoesOnFromWhereTheOthersHaveMoved) {
   const auto pose = pose_at(motions(0.2, 20.0, 0.0));
   const auto to = motions(0.2, 20.0, 0.5);
   const std::array<std::size_t, 1> last{2};
-  const Positions by_all = dragged(deformer_->response(), pose, to);
-  const Positions by_one = dragged(deformer_->response_of(last), pose, to);
+  const Positions by_all = dragged(solver_->response(), pose, to);
+  const Positions by_one = dragged(solver_->response_of(last), pose, to);
   EXPECT_LT(largest_distance(by_one, by_all), 1e-12);
-  EXPECT_GT(largest_distance(by_one, dragged(deformer_->response(), pose, motions(0.2, 20.0, 0.0))),
+  EXPECT_GT(largest_distance(by_one, dragged(solver_->response(), pose, motions(0.2, 20.0, 0.0))),
             0.3);
-}
-
-TEST_F(CylinderOfThreeHandles, FollowsAHandleWithoutColumnsByOneRightHandSide) {
-  const auto to = motions(0.2, 20.0, 0.5);
-  SettledPose by_all;
-  deformer_->response();
-  deformer_->follow(motions(0.1, 0.0, 0.2), by_all);
-  deformer_->follow(to, by_all);
-
-  Deformer other(mesh_.positions, topology_, region_, {}, kernels_);
-  const std::array<std::size_t, 1> first{0};
-  other.response_of(first);
-  SettledPose by_one;
-  other.follow(motions(0.1, 0.0, 0.2), by_one);
-  other.follow(to, by_one);
-  EXPECT_EQ(other.timings().stages().back().first, "upload") << "no columns for all handles";
-  EXPECT_LT(largest_distance(by_all.displacement, by_one.displacement), 1e-6);
 }
 
 TEST_F(CylinderOfThreeHandles, MotionsMustBeThoseOfAllHandles) {
   const std::array<std::size_t, 1> first{0};
-  Drag drag(deformer_->response_of(first));
+  Drag drag(solver_->response_of(first));
   EXPECT_THROW(drag.parameters(std::vector<Affine3d>(1, Affine3d::Identity())), InputError);
 }
 

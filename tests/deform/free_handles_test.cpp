@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag_session.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/laplacian/rotation.h"
 #include "support/bent_tube.h"
@@ -32,7 +32,7 @@ Affine3d shift(double x, double y, double z) {
 
 class AFreeHandle : public ::testing::TestWithParam<int> {
  protected:
-  Positions moved(const SettledPose& pose) const {
+  Positions moved(const DragState& pose) const {
     Positions positions = mesh_.positions;
     for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
     return positions;
@@ -46,26 +46,27 @@ class AFreeHandle : public ::testing::TestWithParam<int> {
   Topology topology_ = mesh_.topology();
   CpuKernels kernels_;
   EditRegion region_ = test::ends_of_cylinder(mesh_);
-  Deformer deformer_{mesh_.positions, topology_, region_, {}, kernels_};
+  std::shared_ptr<const DeformSolver> solver_ = std::make_shared<const DeformSolver>(
+      mesh_.positions, topology_, region_, DeformOptions(), kernels_);
 };
 
 TEST_P(AFreeHandle, TurnsToWhereAKeptOneIsAtRest) {
-  const DeformResult free = deformer_.solve(freely(shift(3.0, 0.0, -1.0)));
+  const DeformResult free = solver_->solve(freely(shift(3.0, 0.0, -1.0)));
   ASSERT_TRUE(free.certificate.settled);
   const double turned = shortest_turn(free.motions.maps[0]).angle();
   EXPECT_GT(turned, 0.3) << "a tube that is bent sideways turns its end along";
-  const DeformResult kept = deformer_.solve(free.motions.maps);
+  const DeformResult kept = solver_->solve(free.motions.maps);
   EXPECT_LT(largest_distance(free.positions, kept.positions), 1e-3);
   // Where it is at rest the gradient by its rotation vanishes, so that twice as far from there the
   // surface is twice as far off.
-  const DeformResult upright = deformer_.solve(std::array{shift(3.0, 0.0, -1.0)});
+  const DeformResult upright = solver_->solve(std::array{shift(3.0, 0.0, -1.0)});
   EXPECT_GT(upright.certificate.edge_stretch, free.certificate.edge_stretch);
   EXPECT_GT(upright.certificate.detail_error, free.certificate.detail_error);
 }
 
 TEST_P(AFreeHandle, GoesWithItsCentreToItsPlaceAndKeepsItsShape) {
   const Affine3d map = shift(2.0, 1.0, 0.0);
-  const DeformResult free = deformer_.solve(freely(map));
+  const DeformResult free = solver_->solve(freely(map));
   EXPECT_LT((centre(free.positions) - map * centre(mesh_.positions)).norm(), 0.01);
   for (const Index v : region_.handles[0]) {
     const Vector3d place = free.motions.maps[0] * mesh_.positions[v];
@@ -74,33 +75,33 @@ TEST_P(AFreeHandle, GoesWithItsCentreToItsPlaceAndKeepsItsShape) {
 }
 
 TEST_P(AFreeHandle, DependsOnTheRotationOfItsMoveOnlyAsAStart) {
-  const DeformResult free = deformer_.solve(freely(shift(2.0, 0.0, 0.0)));
+  const DeformResult free = solver_->solve(freely(shift(2.0, 0.0, 0.0)));
   const Vector3d centroid = centre(mesh_.positions);
   const Affine3d turned =
       turned_to(shift(2.0, 0.0, 0.0), centroid,
                 Eigen::AngleAxisd(0.5, Vector3d(1.0, 2.0, 0.5).normalized()).toRotationMatrix());
-  EXPECT_LT(largest_distance(deformer_.solve(freely(turned)).positions, free.positions), 1e-3);
+  EXPECT_LT(largest_distance(solver_->solve(freely(turned)).positions, free.positions), 1e-3);
 }
 
 TEST_P(AFreeHandle, DraggedFrameByFrameEndsWhereTheSolutionIs) {
-  SettledPose pose;
+  DragSession drag(solver_);
+  const DragState& pose = drag.state();
   for (int frame = 1; frame <= 20; ++frame) {
     int left = 4;
-    deformer_.follow(freely(shift(0.1 * frame, 0.0, 0.0)), pose,
-                     [&left](double) { return left-- > 0; });
+    drag.step(freely(shift(0.1 * frame, 0.0, 0.0)), [&left](double) { return left-- > 0; });
   }
   for (int frame = 0; frame < 200 && !pose.settled.settled; ++frame) {
-    deformer_.follow(freely(shift(2.0, 0.0, 0.0)), pose, [](double ms) { return ms < 1e9; });
+    drag.step(freely(shift(2.0, 0.0, 0.0)), [](double ms) { return ms < 1e9; });
   }
   ASSERT_TRUE(pose.settled.settled);
-  const Positions solved = deformer_.solve(freely(shift(2.0, 0.0, 0.0))).positions;
+  const Positions solved = solver_->solve(freely(shift(2.0, 0.0, 0.0))).positions;
   EXPECT_LT(largest_distance(moved(pose), solved), 2e-3);
 }
 
 TEST_P(AFreeHandle, GivesTheSameBitsAgain) {
   const HandleMotions motions = freely(shift(1.0, 0.5, 0.0));
-  const Positions first = deformer_.solve(motions).positions;
-  const Positions second = deformer_.solve(motions).positions;
+  const Positions first = solver_->solve(motions).positions;
+  const Positions second = solver_->solve(motions).positions;
   EXPECT_EQ(std::memcmp(first.data(), second.data(), sizeof(Vector3d) * first.size()), 0);
 }
 
@@ -109,7 +110,7 @@ TEST_P(AFreeHandle, ScalesAsItIsAsked) {
   const Vector3d centroid = centre(mesh_.positions);
   map.linear() *= 1.5;
   map.translation() += centroid - map.linear() * centroid;
-  const DeformResult free = deformer_.solve(freely(map));
+  const DeformResult free = solver_->solve(freely(map));
   ASSERT_TRUE(free.certificate.settled);
   EXPECT_NEAR(std::cbrt(free.motions.maps[0].linear().determinant()), 1.5, 1e-9);
   const double before = handle_frame(region_.handles[0], mesh_.positions).radius;
@@ -123,7 +124,7 @@ TEST(FreeHandles, OfAllThatIsHeldMoveTheSurfaceAsAWhole) {
   EditRegion region = test::foot_and_head(mesh);
   region.belt.clear();
   CpuKernels kernels;
-  const Deformer deformer(mesh.positions, mesh.topology(), region, {}, kernels);
+  const DeformSolver deformer(mesh.positions, mesh.topology(), region, {}, kernels);
   const DeformResult moved = deformer.solve(freely(shift(0.3, -0.2, 0.5)));
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     EXPECT_LT((moved.positions[v] - mesh.positions[v] - Vector3d(0.3, -0.2, 0.5)).norm(), 1e-6);
@@ -135,7 +136,7 @@ TEST(FreeHandles, OfOneVertexAreHeldByTheirPlaceAlone) {
   EditRegion region = test::foot_and_head(mesh);
   region.handles[0].resize(1);
   CpuKernels kernels;
-  const Deformer deformer(mesh.positions, mesh.topology(), region, {}, kernels);
+  const DeformSolver deformer(mesh.positions, mesh.topology(), region, {}, kernels);
   const Affine3d map = shift(0.2, 0.0, 0.1);
   EXPECT_LT(largest_distance(deformer.solve(freely(map)).positions,
                              deformer.solve(std::array{map}).positions),
@@ -150,8 +151,8 @@ TEST(FreeHandles, NeedASurfaceThatSettlesAndSoftConstraints) {
   DeformOptions linear;
   linear.settle.reset();
   for (const DeformOptions& options : {hard, linear}) {
-    const Deformer deformer(mesh.positions, mesh.topology(), test::foot_and_head(mesh), options,
-                            kernels);
+    const DeformSolver deformer(mesh.positions, mesh.topology(), test::foot_and_head(mesh), options,
+                                kernels);
     EXPECT_THAT(error_message<InputError>(
                     [&] { static_cast<void>(deformer.solve(freely(shift(0.1, 0.0, 0.0)))); }),
                 ::testing::HasSubstr("set its orientation"));

@@ -6,7 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/deform.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/bent_tube.h"
@@ -117,7 +117,7 @@ TEST_F(ALoosePart, FollowsADragToFirstOrder) {
       request_.roi, request_.belt, std::array{HandleSpec{request_.handles[0].region}}, mesh_);
   DeformOptions options;
   options.settle.emplace().tolerance = 1e-9;
-  const Deformer deformer(mesh_.positions, mesh_.topology(), region, options, kernels);
+  const DeformSolver deformer(mesh_.positions, mesh_.topology(), region, options, kernels);
   Drag drag(deformer.response());
   const double step = 1e-5;
   const Affine3d motion =

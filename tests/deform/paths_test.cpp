@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/deform/deform.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag_session.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/bent_tube.h"
 #include "support/rippled_cylinder.h"
@@ -55,13 +55,14 @@ class APushedTube : public ::testing::TestWithParam<int> {
   Mesh mesh_ = thin_tube(GetParam());
   Topology topology_ = mesh_.topology();
   CpuKernels kernels_;
-  Deformer deformer_{mesh_.positions, topology_, test::ends_of_cylinder(mesh_), {}, kernels_};
+  std::shared_ptr<const DeformSolver> solver_ = std::make_shared<const DeformSolver>(
+      mesh_.positions, topology_, test::ends_of_cylinder(mesh_), DeformOptions(), kernels_);
 };
 
 TEST_P(APushedTube, GivesWayToTheSideThatItsPathWasOn) {
   const HandleMotions end = shifted(0.0, kPushed);
-  const DeformResult left = deformer_.solve_along(way_round(-1.0), end);
-  const DeformResult right = deformer_.solve_along(way_round(1.0), end);
+  const DeformResult left = solver_->solve_along(way_round(-1.0), end);
+  const DeformResult right = solver_->solve_along(way_round(1.0), end);
   EXPECT_TRUE(left.certificate.settled);
   EXPECT_TRUE(right.certificate.settled);
   EXPECT_GT(std::abs(side_of(left.positions)), 0.2);
@@ -72,22 +73,22 @@ TEST_P(APushedTube, ThatWasDraggedEndsWhereTheDragWas) {
   const HandleMotions end = shifted(0.0, kPushed);
   for (const double side : {-1.0, 1.0}) {
     const std::vector<HandleMotions> path = way_round(side);
-    SettledPose pose;
+    DragSession drag(solver_);
     for (const HandleMotions& frame : path) {
       int left = 6;
-      deformer_.follow(frame, pose, [&left](double) { return left-- > 0; });
+      drag.step(frame, [&left](double) { return left-- > 0; });
     }
-    const DeformResult kept = deformer_.solve_from(pose, end);
-    const DeformResult replayed = deformer_.solve_along(path, end);
+    const DeformResult kept = solver_->solve_from(drag.state(), end);
+    const DeformResult replayed = solver_->solve_along(path, end);
     EXPECT_LT(largest_distance(kept.positions, replayed.positions), 2e-2) << side;
   }
 }
 
 TEST_P(APushedTube, ThatHasSettledStaysWhereItIs) {
   const HandleMotions bent = shifted(1.0, -0.5);
-  const DeformResult first = deformer_.solve(bent);
-  const SettledPose pose = deformer_.response()->pose_at(first.positions, bent);
-  const DeformResult again = deformer_.solve_from(pose, bent);
+  const DeformResult first = solver_->solve(bent);
+  const DragState pose = solver_->response()->pose_at(first.positions, bent);
+  const DeformResult again = solver_->solve_from(pose, bent);
   EXPECT_LT(largest_distance(first.positions, again.positions), 1e-12);
   EXPECT_EQ(again.certificate.settle_iterations, 0);
 }
@@ -96,7 +97,7 @@ TEST_P(APushedTube, EndsAtTheSameByPathsThatMakeNoDifference) {
   const HandleMotions end = shifted(1.0, 0.5);
   const std::vector<HandleMotions> path{shifted(0.3, 0.3), shifted(0.9, 0.2)};
   EXPECT_LT(
-      largest_distance(deformer_.solve_along(path, end).positions, deformer_.solve(end).positions),
+      largest_distance(solver_->solve_along(path, end).positions, solver_->solve(end).positions),
       1e-3);
 }
 
@@ -115,7 +116,7 @@ TEST(Paths, OfARequestLeadToWhatTheDeformerMakesOfThem) {
                       HandleOrientation::kept,
                       {move(0.2), move(0.4)}}};
   CpuKernels kernels;
-  const Deformer deformer(mesh.positions, mesh.topology(), region, {}, kernels);
+  const DeformSolver deformer(mesh.positions, mesh.topology(), region, {}, kernels);
   const auto shifted_by = [](double x) {
     return handle_motions(std::array{Affine3d(Eigen::Translation3d(x, 0.0, 0.0))});
   };

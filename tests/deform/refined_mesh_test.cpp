@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/subdivide.h"
@@ -70,7 +70,7 @@ TEST(RefinedMesh, IsBentAsTheCoarseOne) {
     CpuKernels kernels;
     DeformOptions options;
     options.detail_length = 0.1;
-    const Deformer deformer(mesh.positions, topology, region, options, kernels);
+    const DeformSolver deformer(mesh.positions, topology, region, options, kernels);
     Positions result = deformer.solve(std::array{bend()}).positions;
     result.resize(count);
     return result;

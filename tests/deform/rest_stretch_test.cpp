@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/deform/deform.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/bent_tube.h"
@@ -26,11 +26,11 @@ using Eigen::Vector3d;
 class ScaledTube : public ::testing::Test {
  protected:
   std::vector<Matrix3d> stretch(const Affine3d& motion) const {
-    return Deformer(mesh_.positions, mesh_.topology(), region(), {}, kernels_)
+    return DeformSolver(mesh_.positions, mesh_.topology(), region(), {}, kernels_)
         .rest_stretch(std::array{motion});
   }
   DeformResult deformed(const Affine3d& motion) const {
-    return Deformer(mesh_.positions, mesh_.topology(), region(), {}, kernels_)
+    return DeformSolver(mesh_.positions, mesh_.topology(), region(), {}, kernels_)
         .solve(std::array{motion});
   }
   EditRegion region() const {

@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/linear_options.h"
@@ -81,7 +81,7 @@ TEST(RsiResponse, IsThePapersSystem) {
       Eigen::Map<const Eigen::VectorXd>(right.data(), static_cast<Eigen::Index>(right.size())));
 
   CpuKernels kernels;
-  const Deformer deformer(mesh.positions, topology, region, test::rsi_options(), kernels);
+  const DeformSolver deformer(mesh.positions, topology, region, test::rsi_options(), kernels);
   const Positions result = deformer.solve(std::array{motion}).positions;
   for (std::size_t v = 0; v < n; ++v) {
     EXPECT_LT((result[v] - expected.segment<3>(static_cast<Eigen::Index>(3 * v))).norm(), 1e-9);

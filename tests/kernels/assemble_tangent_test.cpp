@@ -132,7 +132,6 @@ class TangentOfASphere : public ::testing::Test {
     LaplacianSystem laplacian(sample_.topology, sample_.vertices, unknowns, pattern);
     laplacian.assemble(sample_.mesh.positions, {LaplacianWeights::cotangent, 0.1});
     laplacian.analyze();
-    laplacian.make_rings(sample_.mesh.positions);
     rings_ = laplacian.rings();
     const Weighted weighted(sample_);
     BlockRows G = rsi_rows(sample_.topology.rings, sample_.vertices);

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lapwing/deform/drag_session.h"
 #include "lapwing/deform/prepared_deform.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/bent_tube.h"
@@ -42,13 +43,14 @@ TEST_F(NumbersOfAnEdit, FarMovesAreRefusedOnEveryWay) {
   PreparedDeform prepared(mesh_, bent());
   EXPECT_THAT(error_message<InputError>([&] { prepared.solve(std::array{by(1e160)}); }), refusal);
   CpuKernels kernels;
-  const Deformer deformer(mesh_.positions, mesh_.topology(), region_, {}, kernels);
+  const auto solver = std::make_shared<const DeformSolver>(mesh_.positions, mesh_.topology(),
+                                                           region_, DeformOptions(), kernels);
   const std::array far{Eigen::Affine3d(Eigen::Translation3d(1e160, 0.0, 0.0))};
-  SettledPose pose;
-  EXPECT_THAT(error_message<InputError>([&] { deformer.solve(far); }), refusal);
-  EXPECT_THAT(error_message<InputError>([&] { deformer.follow(far, pose); }), refusal);
+  DragSession drag(solver);
+  EXPECT_THAT(error_message<InputError>([&] { solver->solve(far); }), refusal);
+  EXPECT_THAT(error_message<InputError>([&] { drag.step(far); }), refusal);
   const std::array huge{Eigen::Affine3d(Eigen::Scaling(1e160))};
-  EXPECT_THAT(error_message<InputError>([&] { deformer.solve(huge); }), refusal);
+  EXPECT_THAT(error_message<InputError>([&] { solver->solve(huge); }), refusal);
 }
 
 TEST_F(NumbersOfAnEdit, FarTargetsAreRefused) {

@@ -12,7 +12,7 @@
 
 #include "kernels/moved_mesh.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/doctor/format.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
@@ -66,13 +66,13 @@ std::string check_and_edit(const fs::path& path, VulkanKernels& kernels) {
   EXPECT_FALSE(format(check(mesh)).empty());
   if (topology.triangles.empty()) throw InputError("no triangles to edit");
   const double diagonal = bounds_of(mesh.positions).diagonal();
-  const Deformer deformer(mesh.positions, topology, small_region(topology), {}, kernels);
+  const DeformSolver deformer(mesh.positions, topology, small_region(topology), {}, kernels);
   const std::array motions{
       Eigen::Affine3d(Eigen::Translation3d(0.01 * diagonal, 0.02 * diagonal, 0.0))};
   const DeformResult result = deformer.solve(motions);
-  test::MovedMesh shown(kernels.context(), mesh.positions, topology,
-                        deformer.response()->columns());
-  shown.blend(Drag(deformer.response()).parameters(motions));
+  const auto response = deformer.response();
+  test::MovedMesh shown(kernels.context(), mesh.positions, topology, response->columns());
+  shown.blend(Drag(response).parameters(motions));
   for (const Eigen::Vector3d& p : shown.positions()) {
     if (!p.allFinite()) return "NOT FINITE ON THE DEVICE";
   }

@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag_session.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/mesh.h"
@@ -42,27 +43,30 @@ double off_while_lifted(const Mesh& mesh, int iterations_a_frame) {
   (bounds.max - bounds.min).maxCoeff(&axis);
   CpuKernels kernels;
   const EditRegion region = ends_along(axis, mesh.positions);
-  const Deformer deformer(mesh.positions, mesh.topology(), region, {}, kernels);
-  const Deformer reference(mesh.positions, mesh.topology(), region, {}, kernels);
-  deformer.prepare_to_follow();
+  const auto solver = [&] {
+    return std::make_shared<const DeformSolver>(mesh.positions, mesh.topology(), region,
+                                                DeformOptions(), kernels);
+  };
+  DragSession drag(solver());
+  DragSession reference(solver());
+  drag.wait_until_prepared();
   const auto lifted = [&](int frame) {
     const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * frame / (2 * kFrames));
     Affine3d motion = Affine3d::Identity();
     motion.translate(0.1 * share * bounds.diagonal() * Vector3d::Unit((axis + 1) % 3));
     return std::array{motion};
   };
-  SettledPose pose;
+  const DragState& pose = drag.state();
   double most = 0.0;
   for (int frame = 0; frame <= kFrames; ++frame) {
     int asks = 1 + iterations_a_frame;
-    deformer.follow(lifted(frame), pose, [&asks](double) { return asks-- > 0; });
+    drag.step(lifted(frame), [&asks](double) { return asks-- > 0; });
     if (frame != 2 * kFrames / 3 && frame != kFrames) continue;
-    SettledPose settled = pose;
-    settled.settled = {};
-    reference.begin_drag();
-    for (int k = 0; k < 5 && !settled.settled.settled; ++k) {
-      reference.follow(lifted(frame), settled);
-    }
+    DragState start = pose;
+    start.settled = {};
+    reference.begin(std::move(start));
+    const DragState& settled = reference.state();
+    for (int k = 0; k < 5 && !settled.settled.settled; ++k) reference.step(lifted(frame));
     EXPECT_TRUE(settled.settled.settled);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
       most = std::max(most, (settled.displacement[v] - pose.displacement[v]).norm());

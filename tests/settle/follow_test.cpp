@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/settle/settle.h"
@@ -72,7 +72,7 @@ class Drag {
     }
     return wanted;
   }
-  // As Deformer does: from where the last frame ended, and by what the handle did since.
+  // As DeformSolver does: from where the last frame ended, and by what the handle did since.
   SettleResult follow(const Affine3d& motion) {
     const std::vector<Vector3d> to = linear(motion);
     const std::vector<Vector3d> from = linear(last_);
@@ -128,7 +128,7 @@ class Drag {
   LaplacianSystem system_;
   CpuKernels kernels_;
   Settler settler_;
-  Deformer linear_;
+  DeformSolver linear_;
   std::vector<Vector3d> u_;
   Affine3d last_ = Affine3d::Identity();
 };

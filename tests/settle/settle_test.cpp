@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
@@ -322,8 +322,8 @@ TEST(Settle, ALongTubeIsSettledToItsToleranceHoweverLittleItsEndMoves) {
   DeformOptions options = DeformParameters{};
   DeformOptions to_the_end = options;
   to_the_end.settle = SettleOptions{.tolerance = 1e-9, .max_iterations = 1000};
-  const Deformer deformer(mesh.positions, topology, region, options, kernels);
-  const Deformer reference(mesh.positions, topology, region, to_the_end, kernels);
+  const DeformSolver deformer(mesh.positions, topology, region, options, kernels);
+  const DeformSolver reference(mesh.positions, topology, region, to_the_end, kernels);
   double edges = 0.0;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     for (const Index j : topology.rings[static_cast<Index>(v)]) {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/bent_tube.h"
@@ -36,14 +36,14 @@ class SettledEdit {
 
   Positions linear(const Eigen::Affine3d& motion) const {
     CpuKernels kernels;
-    const Deformer deformer(mesh_.positions, topology_, region_, linear_options(), kernels);
+    const DeformSolver deformer(mesh_.positions, topology_, region_, linear_options(), kernels);
     return deformer.solve(std::vector(region_.handles.size(), motion)).positions;
   }
 
-  /// As a user gets it: from the start that Deformer chooses.
+  /// As a user gets it: from the start that DeformSolver chooses.
   DeformResult deform(const Eigen::Affine3d& motion, const DeformOptions& options = {}) const {
     CpuKernels kernels;
-    const Deformer deformer(mesh_.positions, topology_, region_, options, kernels);
+    const DeformSolver deformer(mesh_.positions, topology_, region_, options, kernels);
     return deformer.solve(std::vector(region_.handles.size(), motion));
   }
 

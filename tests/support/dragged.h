@@ -10,7 +10,7 @@ namespace lapwing::test {
 /// Where a drag takes the mesh, on the processor.
 inline Positions dragged(const std::shared_ptr<const DragResponse>& response,
                          std::span<const Eigen::Affine3d> motions,
-                         const std::shared_ptr<const SettledPose>& from = nullptr) {
+                         const std::shared_ptr<const DragState>& from = nullptr) {
   Positions positions = response->rest();
   Drag(response, from).move(motions, positions);
   return positions;

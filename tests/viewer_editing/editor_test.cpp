@@ -383,7 +383,6 @@ TEST_F(AnEditor, ASettledHandleTakenHoldOfAgainMovesNothing) {
       send(move_to(0.5 * kWindow));
       send(key(mode));
       editor_->update();
-      EXPECT_EQ(editor_->surface().source(), SurfaceSource::exact);
       EXPECT_LT(largest_distance(on_screen(), before), kNothing * diagonal()) << mode;
       wait_until_ready();
       EXPECT_LT(largest_distance(on_screen(), before), kNothing * diagonal()) << mode;

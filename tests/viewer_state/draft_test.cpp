@@ -5,7 +5,7 @@
 
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/session/run_recipe.h"
 #include "state/waypoints.h"
@@ -24,15 +24,15 @@ class AnEdit : public ::testing::Test {
     mesh_ = read_mesh(folder_ / "tube.obj");
   }
 
-  // As the viewer does: a Deformer prepared once, solved for the state's motions.
+  // As the viewer does: a DeformSolver prepared once, solved for the state's motions.
   void settle(History& history) {
     const AppState& state = history.state();
     if (goes_in_substeps(state.parameters, state.moves)) {
       history.perform(Settle{solve_open_step(state, kernels_)});
       return;
     }
-    const Deformer deformer(state.rest->positions, state.rest->topology(), edit_region(state),
-                            state.parameters, kernels_);
+    const DeformSolver deformer(state.rest->positions, state.rest->topology(), edit_region(state),
+                                state.parameters, kernels_);
     const auto result = deformer.solve_along(path_of(state), motions_of(state));
     history.perform(Settle{std::make_shared<const MovedVertices>(
         moved_vertices(state.rest->positions, result.positions))});

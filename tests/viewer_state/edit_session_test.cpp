@@ -40,7 +40,7 @@ class ASession : public ::testing::Test {
   }
   // Where a drag to `moves` comes to rest.
   Positions follow_to_the_end(const std::vector<HandleMove>& moves,
-                              std::shared_ptr<const SettledPose> from) {
+                              std::shared_ptr<const DragState> from) {
     for (;;) {
       wait_for(PreparationStatus::Phase::ready);
       session_->settle_live(moves, from);
@@ -50,7 +50,7 @@ class ASession : public ::testing::Test {
       if (result.is_done) return positions_at(*from);
     }
   }
-  Positions positions_at(const SettledPose& pose) const {
+  Positions positions_at(const DragState& pose) const {
     Positions positions = session_->state().rest->positions;
     for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
     return positions;

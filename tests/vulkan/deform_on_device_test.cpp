@@ -3,7 +3,7 @@
 
 #include "kernels/moved_mesh.h"
 #include "kernels/twins.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/settle/settle.h"
 #include "support/bent_tube.h"
 #include "support/linear_options.h"
@@ -18,8 +18,8 @@ class DeformOnDevice : public test::KernelTest {
  protected:
   Positions deformed(const Mesh& mesh, const Affine3d& motion) {
     const Topology& topology = mesh.topology();
-    const Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh),
-                            test::linear_options(), *kernels);
+    const DeformSolver deformer(mesh.positions, topology, test::foot_and_head(mesh),
+                                test::linear_options(), *kernels);
     return deformer.solve(std::array{motion}).positions;
   }
 };
@@ -36,7 +36,7 @@ TEST_P(DeformOnDevice, TranslatingHandleAndBeltTogetherTranslatesTheRegion) {
   EditRegion region = test::foot_and_head(mesh);
   region.handles.push_back(std::move(region.belt));
   region.belt.clear();
-  const Deformer deformer(mesh.positions, topology, region, test::linear_options(), *kernels);
+  const DeformSolver deformer(mesh.positions, topology, region, test::linear_options(), *kernels);
   const Affine3d shift(Eigen::Translation3d(1, -2, 3));
   const Positions result = deformer.solve(std::array{shift, shift}).positions;
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
@@ -62,11 +62,12 @@ TEST_P(DeformOnDevice, ResultDoesNotDependOnPlaceOrUnit) {
 TEST_P(DeformOnDevice, DraggedSurfaceFollowsTheSolution) {
   const Mesh mesh = test::bumpy_tube();
   const Topology& topology = mesh.topology();
-  const Deformer deformer(mesh.positions, topology, test::foot_and_head(mesh),
-                          test::linear_options(), *kernels);
+  const DeformSolver deformer(mesh.positions, topology, test::foot_and_head(mesh),
+                              test::linear_options(), *kernels);
   const std::array motions{test::bend()};
-  Drag drag(deformer.response());
-  test::MovedMesh shown(context, mesh.positions, topology, deformer.response()->columns());
+  const auto response = deformer.response();
+  Drag drag(response);
+  test::MovedMesh shown(context, mesh.positions, topology, response->columns());
   shown.blend(drag.parameters(motions));
   EXPECT_LT(test::largest_distance(shown.positions(), deformer.solve(motions).positions),
             surface_tolerance() * bounds_of(mesh.positions).diagonal());

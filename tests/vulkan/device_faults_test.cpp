@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "kernels/moved_mesh.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/gpu/device_lost.h"
 #include "lapwing/kernels/fallback_kernels.h"
 #include "lapwing/vulkan/vulkan_kernels.h"
@@ -33,9 +33,9 @@ class DeviceFaults : public ::testing::TestWithParam<DriverFault> {
     return options;
   }
 
-  Deformer settling(Kernels& kernels) const {
-    return Deformer(mesh.positions, mesh.topology(), test::foot_and_head(mesh), few_iterations(),
-                    kernels);
+  DeformSolver settling(Kernels& kernels) const {
+    return DeformSolver(mesh.positions, mesh.topology(), test::foot_and_head(mesh),
+                        few_iterations(), kernels);
   }
 
   // Another one where the last was lost; making it is slow.
@@ -59,7 +59,7 @@ TEST_P(DeviceFaults, SettlingGoesOnOnTheCpu) {
   const auto act = [&] {
     FallbackKernels kernels(
         [&] { return std::make_unique<VulkanKernels>(context, Precision::automatic, true); });
-    const Deformer deformer = settling(kernels);
+    const DeformSolver deformer = settling(kernels);
     EXPECT_LT(test::largest_distance(deformer.solve(bend).positions, expected), kSettledTolerance);
     EXPECT_EQ(kernels.device().type == "cpu", driver.has_failed());
     EXPECT_EQ(kernels.device().took_over.empty(), !driver.has_failed());
@@ -73,8 +73,8 @@ TEST_P(DeviceFaults, SettlingGoesOnOnTheCpu) {
 // the CPU twin, from the same response.
 TEST_P(DeviceFaults, ADragGoesOnFromTheSameResponse) {
   CpuKernels cpu;
-  const Deformer deformer(mesh.positions, mesh.topology(), test::foot_and_head(mesh),
-                          test::linear_options(), cpu);
+  const DeformSolver deformer(mesh.positions, mesh.topology(), test::foot_and_head(mesh),
+                              test::linear_options(), cpu);
   const std::shared_ptr<const DragResponse> response = deformer.response();
   Drag drag(response);
   Positions expected = mesh.positions;

@@ -3,7 +3,7 @@
 
 #include "kernels/moved_mesh.h"
 #include "kernels/twins.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/laplacian/laplacian_system.h"
 #include "support/bent_tube.h"
@@ -71,8 +71,8 @@ TEST_P(DragPreviewOnDevice, HandleGoesAboutWhereItIsDragged) {
 TEST_P(DragPreviewOnDevice, DeformerMadeFromItIsTheOneMadeAlone) {
   const DeformOptions options;
   const DragPreview first = preview(options);
-  const Deformer after(first, *kernels);
-  const Deformer alone(mesh.positions, topology, test::foot_and_head(mesh), options, *kernels);
+  const DeformSolver after(first, *kernels);
+  const DeformSolver alone(mesh.positions, topology, test::foot_and_head(mesh), options, *kernels);
   EXPECT_EQ(after.solve(bend).positions, alone.solve(bend).positions);
 }
 
@@ -80,8 +80,8 @@ TEST_P(DragPreviewOnDevice, FollowsTheHandleWhileAnotherThreadPreparesTheExactOn
   const DragPreview first = preview(test::linear_options());
   std::unique_ptr<Kernels> own = std::make_unique<CpuKernels>();
   if (context) own = std::make_unique<VulkanKernels>(context, GetParam().precision);
-  std::unique_ptr<Deformer> exact;
-  std::thread preparing([&] { exact = std::make_unique<Deformer>(first, *own); });
+  std::unique_ptr<DeformSolver> exact;
+  std::thread preparing([&] { exact = std::make_unique<DeformSolver>(first, *own); });
   test::MovedMesh moved(context, mesh.positions, topology, first.response()->columns());
   Drag drag(first.response());
   for (int frame = 0; frame < 50; ++frame) moved.blend(drag.parameters(bend));

@@ -33,8 +33,8 @@ class EditSurface {
 
   /// From the next drag on: begins where `pose` is, null for the rest shape, until another pose or
   /// `place`.
-  void drag_from(std::shared_ptr<const SettledPose> pose) { pose_ = std::move(pose); }
-  const std::shared_ptr<const SettledPose>& pose() const { return pose_; }
+  void drag_from(std::shared_ptr<const DragState> pose) { pose_ = std::move(pose); }
+  const std::shared_ptr<const DragState>& pose() const { return pose_; }
 
   /// Lets the surface follow the handles' motions from its pose on, by the exact response as soon
   /// as it is ready, until then by the preview. False, and nothing changes, while neither is.
@@ -59,7 +59,7 @@ class EditSurface {
   void changed(SurfaceSource source);
 
   std::unique_ptr<Surface> surface_;
-  std::shared_ptr<const SettledPose> pose_;
+  std::shared_ptr<const DragState> pose_;
   std::optional<Drag> drag_;                  // under way
   std::shared_ptr<BlendResponse> on_device_;  // of its response
   SurfaceSource source_ = SurfaceSource::still;

@@ -224,7 +224,7 @@ class Editor {
   std::vector<HandleMove> live_moves_;
   std::optional<LiveResult> live_;                   // the last one of a drag
   std::optional<std::vector<HandleMove>> resting_moves_;  // those asked for of a hand that rests
-  std::shared_ptr<const SettledPose> dragged_from_;       // before any
+  std::shared_ptr<const DragState> dragged_from_;         // before any
   bool classes_are_old_ = true;
   bool continuous_ = true;
   std::vector<std::function<void()>> postponed_;  // until what moved has settled, in order

@@ -138,7 +138,7 @@ void Editor::hold_pose() {
 }
 
 Eigen::Affine3d Editor::pose_map(std::size_t handle) const {
-  const std::shared_ptr<const SettledPose>& pose = shown_.pose();
+  const std::shared_ptr<const DragState>& pose = shown_.pose();
   const bool has_one = pose && handle < pose->motions.maps.size();
   return has_one ? pose->motions.maps[handle] : Eigen::Affine3d::Identity();
 }

@@ -98,7 +98,7 @@ void ShownSurface::follow(const Preparation& preparation,
   dragged_by_.assign(motions.begin(), motions.end());
 }
 
-void ShownSurface::follow_from(std::shared_ptr<const SettledPose> pose) {
+void ShownSurface::follow_from(std::shared_ptr<const DragState> pose) {
   device_->surface.drag_from(std::move(pose));
   followed_.clear();  // to be drawn anew
 }

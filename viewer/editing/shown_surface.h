@@ -44,8 +44,8 @@ class ShownSurface {
   void follow(const Preparation& preparation, std::span<const Eigen::Affine3d> motions);
   /// What it follows them from: a pose of the region that the state chooses, null for the rest
   /// shape. Until another one, or until the surface is put somewhere.
-  void follow_from(std::shared_ptr<const SettledPose> pose);
-  const std::shared_ptr<const SettledPose>& pose() const { return device_->surface.pose(); }
+  void follow_from(std::shared_ptr<const DragState> pose);
+  const std::shared_ptr<const DragState>& pose() const { return device_->surface.pose(); }
   bool follows() const { return follows_; }
   /// Of the handles, where it follows those; empty otherwise.
   const std::vector<Eigen::Affine3d>& followed() const { return followed_; }

@@ -44,8 +44,8 @@ DeformRequest step_on_surface(const AppState& state) {
   return joined == nullptr ? open_step(state) : joined_request(open_step(state), *joined);
 }
 
-// Calls `visit` with each handle of the Deformer, its move, and the handle of the selection that it
-// comes from. `move_of` says how the handles of the selection move.
+// Calls `visit` with each handle of the DeformSolver, its move, and the handle of the selection
+// that it comes from. `move_of` says how the handles of the selection move.
 void each_move(const AppState& state, const auto& move_of, const auto& visit) {
   for (std::size_t h = 0; h < state.moves.size(); ++h) {
     const bool lies_across = state.mirrored && state.mirrored->handle_images[h] == h;

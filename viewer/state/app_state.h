@@ -115,15 +115,15 @@ Mesh mesh_of(const AppState& state);
 /// And what is carried along with it, in the order of AppState::carried.
 CarriedFiles carried_of(const AppState& state);
 
-/// ROI, belt and handles, checked: what the Deformer is prepared with. Throws InputError, in words
-/// that say what is still missing.
+/// ROI, belt and handles, checked: what the DeformSolver is prepared with. Throws InputError, in
+/// words that say what is still missing.
 EditRegion edit_region(const AppState& state);
 
-/// What `Deformer::solve` takes: those of the recipe bit for bit; with a mirror, those of the
+/// What `DeformSolver::solve` takes: those of the recipe bit for bit; with a mirror, those of the
 /// handles of both sides. A handle whose orientation is free has the rotation that the result gave
 /// it.
 HandleMotions motions_of(const AppState& state);
-/// The path that leads there, for `Deformer::solve_along`.
+/// The path that leads there, for `DeformSolver::solve_along`.
 std::vector<HandleMotions> path_of(const AppState& state);
 /// For a frame of a drag: `maps` becomes those motions but for `handle`, which is moved by `move`.
 /// Allocates nothing once `maps` is as long as there are handles. Linear in their vertices.

@@ -12,7 +12,7 @@ namespace lapwing::viewer {
 
 /// What an edit with a mirror comes to on both sides of the plane.
 struct MirroredEdit {
-  EditRegion region;                       ///< what the Deformer is prepared with
+  EditRegion region;                       ///< what the DeformSolver is prepared with
   std::vector<std::size_t> handle_images;  ///< as MirroredRequest has them
   std::vector<Eigen::Vector3d> centroids;  ///< of the region's handles, about which they turn
 };

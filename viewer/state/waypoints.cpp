@@ -17,7 +17,7 @@ namespace {
 constexpr double kFarTurn = 30.0 * std::numbers::pi / 180.0;
 constexpr double kFarWay = 0.1;
 constexpr double kFarStretch = 0.25;
-// As Deformer::follow begins anew.
+// As DeformSolver::follow begins anew.
 constexpr double kJump = 90.0 * std::numbers::pi / 180.0;
 
 Eigen::Vector3d turn_vector(const Move& move) {

@@ -12,10 +12,11 @@ namespace {
 using Phase = PreparationStatus::Phase;
 
 const char* words_of_ready(const Preparation& preparation) {
-  const auto exact = preparation.exact();
-  if (exact == nullptr || preparation.drag_response().is_exact) return "exact response ready";
-  return exact->is_exact() ? "ready: settles as it is dragged"
-                           : "preview ready; too large for the exact response";
+  const Preparation::ToDragBy drag_by = preparation.drag_response();
+  if (drag_by.response == nullptr || drag_by.is_exact) return "exact response ready";
+  return drag_by.response->why_not_exact().empty()
+             ? "ready: settles as it is dragged"
+             : "preview ready; too large for the exact response";
 }
 
 const char* words(Phase phase, const Preparation& preparation, bool has_handle) {

@@ -22,7 +22,7 @@ void CarryFollower::cancel() {
 void CarryFollower::follow(const AppState& state, const Preparation& preparation,
                            const DraggedFrame& frame) {
   if (job_.status().busy || asked_.is_same_as(frame)) return;
-  const std::shared_ptr<const Deformer> exact = preparation.exact();
+  const std::shared_ptr<const DeformSolver> exact = preparation.exact();
   const std::shared_ptr<const DragPreview> preview = preparation.preview();
   if (!preview) return;
   asked_ = frame;

@@ -14,7 +14,7 @@ namespace lapwing::viewer {
 /// Where a frame of a drag shows the surface of an edit.
 struct DraggedFrame {
   std::shared_ptr<const DragResponse> response;
-  std::shared_ptr<const SettledPose> pose;  ///< what it goes on from; null: the rest shape
+  std::shared_ptr<const DragState> pose;    ///< what it goes on from; null: the rest shape
   std::vector<Eigen::Affine3d> motions;     ///< one per handle of the edit
 
   bool is_same_as(const DraggedFrame& other) const;

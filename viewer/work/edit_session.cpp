@@ -125,7 +125,7 @@ void EditSession::start_journal(const fs::path& journals, const std::optional<fs
 }
 
 void EditSession::perform(const Command& command, Joining joining,
-                          std::shared_ptr<const SettledPose> shown) {
+                          std::shared_ptr<const DragState> shown) {
   history_.perform(command, joining);
   follow(std::move(shown));
 }
@@ -151,7 +151,7 @@ void EditSession::continue_with(History history) {
 }
 
 // What was asked for before may not be wanted any more.
-void EditSession::follow(std::shared_ptr<const SettledPose> shown) {
+void EditSession::follow(std::shared_ptr<const DragState> shown) {
   preparation_.cancel_settling();
   prepare(std::move(shown));
   keep_step_if_wanted();
@@ -171,7 +171,7 @@ void EditSession::use_kernels(Preparation::MakeKernels make_kernels, Preparation
   prepare();
 }
 
-void EditSession::prepare(std::shared_ptr<const SettledPose> shown) {
+void EditSession::prepare(std::shared_ptr<const DragState> shown) {
   preparation_.follow(state());
   if (needs_settling(state())) preparation_.settle(state(), std::move(shown));
 }
@@ -259,10 +259,10 @@ std::optional<StepTaken> EditSession::take_step() {
   return StepTaken{!before->shares_faces_with(*state().rest), std::move(result->warnings)};
 }
 
-std::shared_ptr<const SettledPose> EditSession::pose() const {
+std::shared_ptr<const DragState> EditSession::pose() const {
   const auto preview = preparation_.preview();
   if (!state().settled || !preview) return nullptr;
-  auto pose = std::make_shared<SettledPose>(
+  auto pose = std::make_shared<DragState>(
       preview->response()->pose_at(positions_of(state()), motions_of(state())));
   // Where nothing moves the handles nothing is to move.
   pose->settled.settled = true;
@@ -270,7 +270,7 @@ std::shared_ptr<const SettledPose> EditSession::pose() const {
 }
 
 void EditSession::settle_live(std::span<const HandleMove> moves,
-                              std::shared_ptr<const SettledPose> from, bool rests) {
+                              std::shared_ptr<const DragState> from, bool rests) {
   // A copy of the state costs the selection: only where it is going to be used.
   if (preparation_.status().phase != PreparationStatus::Phase::ready) return;
   AppState dragged = state();

@@ -53,7 +53,7 @@ class EditSession {
   /// A result that it waits for is the one that the pose `shown` leads to, if there is one: the
   /// surface on the screen.
   void perform(const Command& command, Joining joining = Joining::own_step,
-               std::shared_ptr<const SettledPose> shown = nullptr);
+               std::shared_ptr<const DragState> shown = nullptr);
   void undo();
   void redo();
   void go_to(std::size_t steps);
@@ -65,7 +65,7 @@ class EditSession {
   /// Gives up the preparation and all that settles, until `prepare` or the next step.
   void cancel_preparation() { preparation_.cancel(); }
   /// Starts what was given up again, with the result that the state waits for.
-  void prepare(std::shared_ptr<const SettledPose> shown = nullptr);
+  void prepare(std::shared_ptr<const DragState> shown = nullptr);
 
   /// The device was lost: goes on with kernels on another one, prepared anew.
   void use_kernels(Preparation::MakeKernels make_kernels, Preparation::Upload upload = {});
@@ -78,7 +78,7 @@ class EditSession {
 
   /// Where the surface stands for a drag to begin from: at the result that the state has. Null for
   /// the rest shape, where the state waits for its result, and while no preview is ready.
-  std::shared_ptr<const SettledPose> pose() const;
+  std::shared_ptr<const DragState> pose() const;
 
   /// Which handles the next drag moves (Preparation::drag_by).
   void drag_by(std::span<const std::size_t> handles) { preparation_.drag_by(handles); }
@@ -87,7 +87,7 @@ class EditSession {
   /// under way, brought on from the pose `from` (Preparation::settle_live). Only if nothing else
   /// settles; does nothing otherwise, so call it as often as they change. Every step, undo and redo
   /// wins over it, as `cancel_settling` does where it is given up.
-  void settle_live(std::span<const HandleMove> moves, std::shared_ptr<const SettledPose> from,
+  void settle_live(std::span<const HandleMove> moves, std::shared_ptr<const DragState> from,
                    bool rests = false);
   /// That result, once. Never a step of the history.
   std::optional<LiveResult> take_live_result();
@@ -149,7 +149,7 @@ class EditSession {
  private:
   void start_journal(const std::filesystem::path& journals,
                      const std::optional<std::filesystem::path>& copy);
-  void follow(std::shared_ptr<const SettledPose> shown = nullptr);
+  void follow(std::shared_ptr<const DragState> shown = nullptr);
   std::vector<CarriedFile> carried_for(const std::filesystem::path& path) const;
   void keep_original_of(const std::filesystem::path& path);
   void keep_step_if_wanted();

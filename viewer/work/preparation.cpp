@@ -13,10 +13,9 @@ namespace {
 
 using Phase = PreparationStatus::Phase;
 
-// Where nothing settles "upload" comes after "factor".
-constexpr std::array<std::string_view, 12> kStages{
-    "pattern", "constraints", "order",   "laplacian",     "preview", "shares",
-    "upload",  "assemble",    "analyze", "normal_matrix", "factor",  "response"};
+constexpr std::array<std::string_view, 11> kStages{
+    "pattern", "constraints",   "order",  "laplacian", "preview", "assemble",
+    "analyze", "normal_matrix", "factor", "shares",    "response"};
 
 // By stages, not by time, which depends on the mesh and the device.
 double fraction_of_preparation(std::string_view stage, double fraction) {
@@ -39,8 +38,9 @@ bool same_preparation(const AppState& a, const AppState& b) {
 }
 
 // With commits on the way every part but the first prepares anew.
-SettledResult settled_result(const AppState& state, const SettledPose* from, const Deformer& exact,
-                             Kernels& kernels, CarryContacts& contacts, const Progress& progress) {
+SettledResult settled_result(const AppState& state, const DragState* from,
+                             const DeformSolver& exact, Kernels& kernels, CarryContacts& contacts,
+                             const Progress& progress) {
   if (goes_in_substeps(state.parameters, state.moves)) {
     return {state.moves, solve_open_step(state, kernels, progress)};
   }
@@ -130,7 +130,7 @@ bool Preparation::has_columns() const {
   });
 }
 
-void Preparation::settle(const AppState& state, std::shared_ptr<const SettledPose> from) {
+void Preparation::settle(const AppState& state, std::shared_ptr<const DragState> from) {
   {
     const std::lock_guard lock(worker_.mutex());
     result_.reset();
@@ -155,7 +155,7 @@ std::optional<SettledResult> Preparation::take_result() {
   return std::exchange(result_, std::nullopt);
 }
 
-bool Preparation::settle_live(const AppState& state, std::shared_ptr<const SettledPose> from,
+bool Preparation::settle_live(const AppState& state, std::shared_ptr<const DragState> from,
                               bool rests) {
   {
     const std::lock_guard lock(worker_.mutex());
@@ -200,7 +200,7 @@ std::shared_ptr<const DragPreview> Preparation::preview() const {
   return ready_.preview;
 }
 
-std::shared_ptr<const Deformer> Preparation::exact() const {
+std::shared_ptr<const DeformSolver> Preparation::exact() const {
   const std::lock_guard lock(worker_.mutex());
   return ready_.exact;
 }
@@ -270,15 +270,18 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
     if (!publish(ticket, ready, Phase::solving)) return;
     ready.exact_kernels = make_kernels();
     // Held by the deformer: it must go before its kernels and the topology.
-    ready.exact = std::shared_ptr<const Deformer>(
-        new Deformer(*ready.preview, *ready.exact_kernels, progress),
+    ready.exact = std::shared_ptr<const DeformSolver>(
+        new DeformSolver(*ready.preview, *ready.exact_kernels, progress),
         [kernels = ready.exact_kernels,
-         topology = surface_of(state)->shared_topology()](Deformer* d) { delete d; });
-    ready.by_preview = settles_frames(state) && !ready.exact->response_helps_to_follow();
-    if (!ready.by_preview) ready.drag_by = response_of(ready, dragged(), progress);
+         topology = surface_of(state)->shared_topology()](DeformSolver* d) { delete d; });
+    if (settles_frames(state)) {
+      ready.drag = std::make_shared<DragSession>(ready.exact);
+    } else {
+      ready.drag_by = response_of(ready, dragged(), progress);
+    }
     if (!publish(ticket, ready, Phase::ready)) return;
     // So that it is there when a hand takes hold of something.
-    if (settles_frames(state)) ready.exact->begin_to_follow();
+    if (ready.drag) ready.drag->prepare();
   } catch (const Cancelled&) {
     // Whoever cancelled has set the status.
   } catch (const std::exception& error) {
@@ -289,11 +292,12 @@ void Preparation::prepare(const AppState& state, std::uint64_t ticket) {
 Preparation::ToDragBy Preparation::response_of(const Ready& ready,
                                                std::span<const std::size_t> handles,
                                                const Progress& progress) const {
-  std::shared_ptr<const DragResponse> response = ready.by_preview
+  std::shared_ptr<const DragResponse> response = ready.drag
                                                      ? ready.preview->response_of(handles)
                                                      : ready.exact->response_of(handles, progress);
   std::shared_ptr<BlendResponse> on_device = upload(*response);
-  return {std::move(response), std::move(on_device), !ready.by_preview && ready.exact->is_exact()};
+  const bool is_exact = !ready.drag && response->why_not_exact().empty();
+  return {std::move(response), std::move(on_device), is_exact};
 }
 
 // Columns for the handles that are dragged now.
@@ -369,6 +373,7 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
     if (request.is_live) {
       live = live_result(request, ready, progress);
     } else {
+      if (ready.drag) ready.drag->release_memory();
       result = settled_result(state, request.from.get(), *ready.exact, *ready.exact_kernels,
                               *carry_contacts_, progress);
     }
@@ -393,29 +398,27 @@ LiveResult Preparation::live_result(const Request& request, const Ready& ready,
   AppState state = request.state;
   // What it carries is shown beside the window.
   state.carried.clear();
-  if (settles_frames(state)) {
-    return follow_drag(request, *ready.exact, progress);
-  }
+  if (ready.drag && settles_frames(state)) return follow_drag(request, *ready.drag, progress);
   state.settled = settled_result(state, request.from.get(), *ready.exact, *ready.exact_kernels,
                                  *carry_contacts_, progress)
                       .moved;
   return {state.moves,
-          std::make_shared<const SettledPose>(
+          std::make_shared<const DragState>(
               ready.drag_by.response->pose_at(positions_of(state), motions_of(state))),
           true};
 }
 
-LiveResult Preparation::follow_drag(const Request& request, const Deformer& exact,
+LiveResult Preparation::follow_drag(const Request& request, DragSession& drag,
                                     const Progress& progress) {
-  // What the steps of another drag have told is of no use here.
-  if (request.from == nullptr || request.from != last_live_) exact.begin_drag();
-  SettledPose pose = request.from ? *request.from : SettledPose();
+  if (request.from == nullptr || request.from != last_live_) {
+    drag.begin(request.from ? *request.from : DragState());
+  }
   const Stopwatch watch;
   const double budget = request.rests ? kRestBudgetMs : kLiveBudgetMs;
   const auto go_on = [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < budget; };
-  exact.follow(motions_of(request.state), pose, go_on, progress);
+  const DragState& pose = drag.step(motions_of(request.state), go_on, progress);
   const bool is_done = pose.settled.settled || pose.settled.exhausted;
-  last_live_ = std::make_shared<const SettledPose>(std::move(pose));
+  last_live_ = std::make_shared<const DragState>(pose);
   return {request.state.moves, last_live_, is_done};
 }
 

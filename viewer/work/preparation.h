@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/drag_preview.h"
+#include "lapwing/deform/drag_session.h"
 #include "lapwing/deform/prepared_region.h"
 #include "state/app_state.h"
 #include "work/carry_contacts.h"
@@ -48,7 +49,7 @@ struct LiveResult {
   std::vector<HandleMove> moves;  ///< those of the state that asked
   /// What to go on from: the surface at those moves. Null, which is the rest shape, only where
   /// nothing could be computed from there.
-  std::shared_ptr<const SettledPose> pose;
+  std::shared_ptr<const DragState> pose;
   bool is_done = false;  ///< asked for again, nothing would move
 };
 
@@ -92,7 +93,7 @@ class Preparation {
   /// Computes the result of the moves of `state`, which is the one followed, as soon as the exact
   /// one is ready: the one that the pose `from` leads to, or without one the path of the moves.
   /// Takes the place of an earlier request.
-  void settle(const AppState& state, std::shared_ptr<const SettledPose> from = nullptr);
+  void settle(const AppState& state, std::shared_ptr<const DragState> from = nullptr);
   /// The result that is there, once.
   std::optional<SettledResult> take_result();
   /// Whether one is asked for, under way or there; false once it was given up or has failed.
@@ -100,12 +101,12 @@ class Preparation {
 
   /// Follows a drag under way, whose moves `state` holds for once: a result to look at, which comes
   /// by `take_live_result`. It goes on from the pose `from`, the last live one or that of a settled
-  /// state, as far as kLiveBudgetMs allows (Deformer::follow), or kRestBudgetMs where the hand
+  /// state, as far as kLiveBudgetMs allows (DragSession::step), or kRestBudgetMs where the hand
   /// `rests` since the last one; from none it begins where `settle` does. Asked for again until it
   /// is done it is within the tolerance what `settle` gives. Only if nothing settles and no result
   /// waits to be taken; false otherwise, and nothing is asked for. A later `settle` takes its place
   /// at once.
-  bool settle_live(const AppState& state, std::shared_ptr<const SettledPose> from,
+  bool settle_live(const AppState& state, std::shared_ptr<const DragState> from,
                    bool rests = false);
   /// Once.
   std::optional<LiveResult> take_live_result();
@@ -124,7 +125,7 @@ class Preparation {
   /// What was prepared; null until it is ready. Each stays usable while it is held. The worker
   /// settles by the exact one; what the window drags by is `drag_response`.
   std::shared_ptr<const DragPreview> preview() const;
-  std::shared_ptr<const Deformer> exact() const;
+  std::shared_ptr<const DeformSolver> exact() const;
 
   /// What carried objects follow, as results are made and drags are shown.
   const std::shared_ptr<CarryContacts>& carry_contacts() const { return carry_contacts_; }
@@ -141,9 +142,9 @@ class Preparation {
  private:
   struct Ready {
     std::shared_ptr<const DragPreview> preview;
-    std::shared_ptr<const Deformer> exact;
+    std::shared_ptr<const DeformSolver> exact;
     std::shared_ptr<Kernels> exact_kernels;
-    bool by_preview = false;  ///< drags settle, and need no exact response
+    std::shared_ptr<DragSession> drag;  ///< the worker's alone; null unless drags settle
     ToDragBy drag_by;
   };
 
@@ -159,7 +160,7 @@ class Preparation {
     AppState state;
     std::uint64_t ticket = 0;
     bool is_live = false;
-    std::shared_ptr<const SettledPose> from;  ///< what it goes on from; null for none
+    std::shared_ptr<const DragState> from;    ///< what it goes on from; null for none
     bool rests = false;                       ///< its hand
   };
 
@@ -172,7 +173,7 @@ class Preparation {
   void respond(const Ready& ready, std::uint64_t ticket);
   void settle_now(const Request& request, const Ready& ready);
   LiveResult live_result(const Request& request, const Ready& ready, const Progress& progress);
-  LiveResult follow_drag(const Request& request, const Deformer& exact, const Progress& progress);
+  LiveResult follow_drag(const Request& request, DragSession& drag, const Progress& progress);
   std::shared_ptr<Kept> kept_for(const AppState& state, std::uint64_t ticket);
   bool publish(std::uint64_t ticket, Ready ready, PreparationStatus::Phase phase);
   void fail(std::uint64_t ticket, PreparationStatus::Phase phase, const std::string& message);
@@ -199,7 +200,7 @@ class Preparation {
   std::shared_ptr<Kept> kept_;
   Ready ready_;
 
-  std::shared_ptr<const SettledPose> last_live_;  // the worker's alone
+  std::shared_ptr<const DragState> last_live_;    // the worker's alone
   Worker worker_;                                 // last: it uses all the others
 };
 

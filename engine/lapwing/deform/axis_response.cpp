@@ -16,7 +16,7 @@ constexpr std::size_t kCoordinates = kMotionParameters / 3;
 void add_columns(const EditSystem& system, std::size_t h, std::span<double> columns) {
   const HandleFrame& frame = system.frames[h];
   const Positions& rest = *system.rest;
-  const LaplacianSystem& laplacian = system.systems->laplacian();
+  const LaplacianSystem& laplacian = *system.laplacian;
   std::vector<Vector3d> coordinates(rest.size(), Vector3d::Zero());
   std::vector<Vector3d> one(rest.size(), Vector3d::Zero());
   const auto give = [&](Index v) {
@@ -72,7 +72,7 @@ Numbers axis_response(const EditSystem& system, std::span<const std::size_t> han
 
 std::vector<Vector3d> axis_displacement(const EditSystem& system, std::span<const Vector3d> wanted,
                                         Springs springs) {
-  const LaplacianSystem& laplacian = system.systems->laplacian();
+  const LaplacianSystem& laplacian = *system.laplacian;
   const std::size_t n = laplacian.size();
   std::vector<double> x(3 * n);
   laplacian.right_hand_side(wanted, x);

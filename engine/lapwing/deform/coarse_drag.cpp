@@ -34,7 +34,7 @@ std::unique_ptr<CoarseDrag> CoarseDrag::make(const EditSystem& fine) {
 
 CoarseDrag::CoarseDrag(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse)
     : coarse_(std::move(coarse)),
-      settler_(kernels_, coarse_->edit->systems->laplacian_with_rings(), *fine.options.settle),
+      settler_(kernels_, *coarse_->edit->laplacian, *fine.options.settle),
       energy_ratio_(static_cast<double>(coarse_->edit->region.roi.size()) /
                     static_cast<double>(fine.region.roi.size())),
       is_held_(surface().kept.size(), 1),
@@ -76,7 +76,7 @@ SettleTarget CoarseDrag::target_of(const SettleTarget& fine) {
 
 // Of the surface that was settled or asked for its energy last.
 CoarseEmbedding::Pose CoarseDrag::pose_at(std::vector<Vector3d> displacement) {
-  const RegionRings& rings = coarse_->edit->systems->laplacian().rings();
+  const RegionRings& rings = coarse_->edit->laplacian->rings();
   CoarseEmbedding::Pose pose{std::move(displacement),
                              std::vector<Matrix3d>(surface().kept.size(), Matrix3d::Identity())};
   const std::vector<Matrix3d> transforms = settler_.transforms();

@@ -36,16 +36,15 @@ EditRegion kept_of(const EditRegion& region, std::span<const Index> own) {
 
 std::unique_ptr<CoarseRegion> coarse_region(const EditSystem& fine, std::size_t count) {
   auto coarse = std::make_unique<CoarseRegion>();
-  coarse->level = fine.systems->coarse_surfaces().of(fine.region, fine.topology, fine.rest, count);
+  coarse->level = fine.factors->coarse_surfaces().of(fine.region, fine.topology, fine.rest, count);
   if (coarse->level == nullptr) return nullptr;
   const CoarseSurface& surface = coarse->level->surface;
   try {
-    coarse->prepared = std::make_unique<PreparedRegion>(surface.topology, coarse->level->system());
+    const std::scoped_lock lock(coarse->level->preparing);
     coarse->edit = std::make_unique<const EditSystem>(
-        *coarse->prepared, surface.rest,
+        coarse->level->prepared, surface.rest,
         kept_of(fine.region, places_in(surface.kept, fine.rest->size())), fine.options, Progress(),
         true);
-    coarse->level->keep(coarse->edit->systems);
   } catch (const InputError&) {
     return nullptr;
   } catch (const SolverError&) {

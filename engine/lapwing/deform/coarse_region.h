@@ -11,9 +11,8 @@ namespace lapwing {
 /// and moved alike. The energy approaches an integral over the surface, so that what makes it least
 /// there is near what makes it least here (EnergyWeights).
 struct CoarseRegion {
-  std::shared_ptr<const CoarseLevel> level;
-  std::unique_ptr<PreparedRegion> prepared;
-  std::unique_ptr<const EditSystem> edit;  ///< holds its n x n system
+  std::shared_ptr<CoarseLevel> level;
+  std::unique_ptr<const EditSystem> edit;
 };
 
 /// With about `count` vertices in the region. Null where there is no such surface (CoarseSurfaces),

@@ -72,8 +72,8 @@ bool are_many_released(std::span<const Index> before, std::span<const Index> now
   return kMany * released > count;
 }
 
-std::shared_ptr<const CoarseLevel> level_of(const Near& near, Decimated left, const VertexSet& roi,
-                                            const std::shared_ptr<const Positions>& rest) {
+std::shared_ptr<CoarseLevel> level_of(const Near& near, Decimated left, const VertexSet& roi,
+                                      const std::shared_ptr<const Positions>& rest) {
   if (left.kept.size() > near.outside + roi.size() / 2) return nullptr;
   const std::vector<Index>& vertices = near.surface.vertices;
   CoarseSurface surface;
@@ -87,20 +87,10 @@ std::shared_ptr<const CoarseLevel> level_of(const Near& near, Decimated left, co
   own.triangles = std::move(left.triangles);
   own.vertex_triangles = triangles_around_vertices(surface.kept.size(), own.triangles);
   own.rings = rings_by_triangles(own.vertex_triangles, own.triangles);
-  return std::make_shared<const CoarseLevel>(std::move(surface), rest, roi);
+  return std::make_shared<CoarseLevel>(std::move(surface), rest, roi);
 }
 
 }  // namespace
-
-std::shared_ptr<const RegionSystem> CoarseLevel::system() const {
-  const std::scoped_lock lock(mutex_);
-  return system_;
-}
-
-void CoarseLevel::keep(std::shared_ptr<const RegionSystem> system) const {
-  const std::scoped_lock lock(mutex_);
-  system_ = std::move(system);
-}
 
 struct CoarseSurfaces::Begun {
   Begun(std::shared_ptr<const Positions> positions, std::vector<Index> group_of_vertex, Near of)
@@ -143,10 +133,9 @@ std::unique_ptr<CoarseSurfaces::Begun> CoarseSurfaces::take_begun(
   return begun;
 }
 
-std::shared_ptr<const CoarseLevel> CoarseSurfaces::of(const EditRegion& region,
-                                                      const Topology& topology,
-                                                      const std::shared_ptr<const Positions>& rest,
-                                                      std::size_t count) {
+std::shared_ptr<CoarseLevel> CoarseSurfaces::of(const EditRegion& region, const Topology& topology,
+                                                const std::shared_ptr<const Positions>& rest,
+                                                std::size_t count) {
   std::vector<Index> groups = groups_of(region, rest->size());
   First first;
   {

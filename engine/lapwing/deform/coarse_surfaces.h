@@ -6,31 +6,25 @@
 #include <vector>
 
 #include "lapwing/deform/coarse_embedding.h"
+#include "lapwing/deform/prepared_region.h"
 #include "lapwing/mesh/decimate.h"
 #include "lapwing/region/edit_region.h"
 
 namespace lapwing {
 
-class RegionSystem;
-
-/// A coarse surface, how a region goes along with it, and the system of an edit on it.
+/// A coarse surface, how a region is carried along with it, and what edits on it share.
 struct CoarseLevel {
   CoarseLevel(CoarseSurface of, std::shared_ptr<const Positions> rest, const VertexSet& roi)
-      : surface(std::move(of)), embedding(std::move(rest), roi, surface) {}
+      : surface(std::move(of)),
+        embedding(std::move(rest), roi, surface),
+        prepared(surface.topology) {}
   CoarseLevel(const CoarseLevel&) = delete;
   CoarseLevel& operator=(const CoarseLevel&) = delete;
 
   const CoarseSurface surface;
   const CoarseEmbedding embedding;
-
-  /// An ordered system over the surface, which others begin like (PreparedRegion); null until one
-  /// is kept. By several threads.
-  std::shared_ptr<const RegionSystem> system() const;
-  void keep(std::shared_ptr<const RegionSystem> system) const;
-
- private:
-  mutable std::mutex mutex_;
-  mutable std::shared_ptr<const RegionSystem> system_;
+  PreparedRegion prepared;  ///< of edits on the surface; used under `preparing`
+  std::mutex preparing;
 };
 
 /// The coarse surfaces of all edits with one ROI of one mesh. Where handles, belt and targets are
@@ -51,9 +45,8 @@ class CoarseSurfaces {
 
   /// With about `count` vertices in the region; `rest` is the same pointer for the same positions.
   /// Null where that would leave more than half of them, since too many are held one by one.
-  std::shared_ptr<const CoarseLevel> of(const EditRegion& region, const Topology& topology,
-                                        const std::shared_ptr<const Positions>& rest,
-                                        std::size_t count);
+  std::shared_ptr<CoarseLevel> of(const EditRegion& region, const Topology& topology,
+                                  const std::shared_ptr<const Positions>& rest, std::size_t count);
 
  private:
   // What a surface depends on, and that.
@@ -61,7 +54,7 @@ class CoarseSurfaces {
     std::shared_ptr<const Positions> rest;
     std::size_t count = 0;
     std::vector<Index> groups;  // per vertex of the mesh: what it may be merged with
-    std::shared_ptr<const CoarseLevel> level;
+    std::shared_ptr<CoarseLevel> level;
   };
   struct First {
     std::shared_ptr<const Positions> rest;

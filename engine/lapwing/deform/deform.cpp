@@ -41,31 +41,31 @@ struct Work {
   }
 
   // The last one where it serves.
-  const Deformer& deformer_of(EditRegion region) const {
+  const DeformSolver& solver_of(EditRegion region) const {
     const Positions& rest = result.mesh.positions;
     const DeformOptions& options = bound.request.parameters;
-    std::optional<Deformer>& deformer = workspace.deformer;
-    if (deformer && deformer->is_of(rest, bound.topology, region, options, kernels)) {
-      return *deformer;
+    std::optional<DeformSolver>& solver = workspace.solver;
+    if (solver && solver->is_of(rest, bound.topology, region, options, kernels)) {
+      return *solver;
     }
-    deformer.reset();  // it is large
+    solver.reset();  // it is large
     if (!workspace.prepared || &workspace.prepared->topology() != &bound.topology) {
       workspace.prepared = std::make_unique<PreparedRegion>(bound.topology);
     }
-    deformer.emplace(*workspace.prepared, rest, std::move(region), options, kernels, progress);
-    for (const auto& [name, ms] : deformer->timings().stages()) result.timings.add(name, ms);
-    return *deformer;
+    solver.emplace(*workspace.prepared, rest, std::move(region), options, kernels, progress);
+    for (const auto& [name, ms] : solver->timings().stages()) result.timings.add(name, ms);
+    return *solver;
   }
 
   // From share `from` of the motions to share `to`.
   Certificate carry_out(double from, double to) const {
-    const Deformer& deformer = deformer_of(region_at(to));
+    const DeformSolver& solver = solver_of(region_at(to));
     const HandleMotions motions = bound.handle_motions(from, to);
     Certificate certificate;
     stage("solve", result.timings, progress, [&] {
       const std::vector<HandleMotions> path =
           to - from == 1.0 ? bound.path() : std::vector<HandleMotions>();
-      DeformResult solved = deformer.solve_along(path, motions, progress);
+      DeformResult solved = solver.solve_along(path, motions, progress);
       result.mesh.positions = std::move(solved.positions);
       certificate = std::move(solved.certificate);
       if (result.rest_stretch.empty()) {
@@ -79,8 +79,8 @@ struct Work {
                                });
       }
     });
-    result.free = deformer.free_count();
-    result.solver = deformer.solver_name();
+    result.free = solver.free_count();
+    result.solver = solver.solver_name();
     return certificate;
   }
 
@@ -210,7 +210,7 @@ JoinedSurface* joined_for(const Mesh& mesh, SeamPolicy policy, DeformWorkspace& 
   if (!was_there || !joined->is_closed_at(mesh.positions)) {
     if (was_there) {  // what is kept may be of the topology that goes
       workspace.resolved.reset();
-      workspace.deformer.reset();
+      workspace.solver.reset();
       workspace.prepared.reset();
     }
     joined = joined_surface(mesh);

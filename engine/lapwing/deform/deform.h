@@ -9,7 +9,7 @@
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/deform_request.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/deform/vertex_motion.h"
 #include "lapwing/kernels/kernels.h"
@@ -50,8 +50,8 @@ struct Deformed : DeformReport {
 /// Carries `request` out on `mesh`, whatever its faces. Seams are joined for it, as the request
 /// says: a vertex on one stands for all that are one with it, which come out where it does, and the
 /// polygons are those of `mesh`. The processor computes it; one call prepares anew, so that whoever
-/// edits one region again and again keeps a Deformer. Throws InputError for a request that does not
-/// fit the mesh, and what Deformer throws.
+/// edits one region again and again keeps a DeformSolver. Throws InputError for a request that does
+/// not fit the mesh, and what DeformSolver throws.
 Deformed deform(Mesh mesh, const DeformRequest& request);
 
 /// What the regions of a request came to.
@@ -65,13 +65,13 @@ struct ResolvedRegion {
 struct DeformWorkspace {
   std::optional<ResolvedRegion> resolved = {};    ///< for the same regions
   std::unique_ptr<PreparedRegion> prepared = {};  ///< for the same ROI
-  std::optional<Deformer> deformer = {};          ///< for all the same but the handles' motions
+  std::optional<DeformSolver> solver = {};        ///< for all the same but the handles' motions
   std::optional<JoinedSurface> joined = {};       ///< once seams were looked for
 };
 
 /// The same on any device. `kernels` and a mesh that shares the faces of `mesh` (the result is
 /// one) must outlive `workspace`. Stages reported: "mirror" where there is one, "region", those of
-/// Deformer, "solve", with several parts "certify".
+/// DeformSolver, "solve", with several parts "certify".
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 

@@ -11,11 +11,13 @@ namespace lapwing {
 using Eigen::Vector3d;
 
 DragResponse::DragResponse(std::shared_ptr<const EditSystem> system,
-                           std::vector<std::size_t> handles, Numbers numbers, bool along_axes)
+                           std::vector<std::size_t> handles, Numbers numbers, bool along_axes,
+                           std::string why_not_exact)
     : system_(std::move(system)),
       handles_(std::move(handles)),
       numbers_(std::move(numbers)),
-      along_axes_(along_axes) {}
+      along_axes_(along_axes),
+      why_not_exact_(std::move(why_not_exact)) {}
 
 const Positions& DragResponse::rest() const {
   return *system_->rest;
@@ -32,11 +34,8 @@ void DragResponse::set_parameters(std::span<const Eigen::Affine3d> motions,
   system_->set_parameters(motions, handles_, parameters);
 }
 
-SettledPose DragResponse::pose_at(std::span<const Vector3d> positions,
-                                  HandleMotions motions) const {
-  SettledPose pose;
-  pose.parameters.resize(system_->column_count());
-  system_->set_parameters(motions.maps, pose.parameters);
+DragState DragResponse::pose_at(std::span<const Vector3d> positions, HandleMotions motions) const {
+  DragState pose;
   pose.motions = std::move(motions);
   pose.displacement.assign(rest().size(), Vector3d::Zero());
   for (const Index v : system_->moving) pose.displacement[v] = positions[v] - rest()[v];
@@ -50,16 +49,12 @@ std::vector<std::size_t> in_order(std::span<const std::size_t> handles) {
   return ordered;
 }
 
-Drag::Drag(std::shared_ptr<const DragResponse> response, std::shared_ptr<const SettledPose> pose)
+Drag::Drag(std::shared_ptr<const DragResponse> response, std::shared_ptr<const DragState> pose)
     : response_(std::move(response)),
       pose_(std::move(pose)),
       of_pose_(response_->columns().count, 0.0),
       parameters_(response_->columns().count) {
-  if (!pose_ || pose_->parameters.empty()) return;
-  for (std::size_t k = 0; k < of_pose_.size(); ++k) {
-    const std::size_t handle = response_->handles()[k / kMotionParameters];
-    of_pose_[k] = pose_->parameters[handle * kMotionParameters + k % kMotionParameters];
-  }
+  if (pose_ && !pose_->empty()) response_->set_parameters(pose_->motions.maps, of_pose_);
 }
 
 std::span<const double> Drag::parameters(std::span<const Eigen::Affine3d> motions) {

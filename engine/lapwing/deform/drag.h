@@ -2,12 +2,13 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "lapwing/base/numbers.h"
-#include "lapwing/deform/settled_pose.h"
+#include "lapwing/deform/drag_state.h"
 #include "lapwing/kernels/response_columns.h"
 
 namespace lapwing {
@@ -21,7 +22,7 @@ class DragResponse {
  public:
   /// `numbers` as ResponseColumns has them, for each of `handles` in turn.
   DragResponse(std::shared_ptr<const EditSystem> system, std::vector<std::size_t> handles,
-               Numbers numbers, bool along_axes);
+               Numbers numbers, bool along_axes, std::string why_not_exact = {});
 
   const Positions& rest() const;  ///< of the whole mesh
   const Topology& topology() const;
@@ -33,15 +34,20 @@ class DragResponse {
   /// another number of motions. Allocates nothing.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
 
+  /// What the 3n x 3n system would need, and may take, in words, if these are the columns of the n
+  /// x n one in its place; else empty.
+  const std::string& why_not_exact() const { return why_not_exact_; }
+
   /// A pose of this region: the surface at `positions`, of the whole mesh, for handles moved by
   /// `motions`.
-  SettledPose pose_at(std::span<const Eigen::Vector3d> positions, HandleMotions motions) const;
+  DragState pose_at(std::span<const Eigen::Vector3d> positions, HandleMotions motions) const;
 
  private:
   std::shared_ptr<const EditSystem> system_;
   std::vector<std::size_t> handles_;
   Numbers numbers_;
   bool along_axes_;
+  std::string why_not_exact_;
 };
 
 /// Each of them once, ascending.
@@ -49,7 +55,7 @@ std::vector<std::size_t> in_order(std::span<const std::size_t> handles);
 
 /// A drag by a response, from rest or from a pose on:
 ///
-///     Drag drag(deformer.response());
+///     Drag drag(solver.response());
 ///     drag.move(motions, positions);                       // on the processor
 ///     surface.blend(on_device, drag.parameters(motions));  // or where it is drawn
 class Drag {
@@ -57,7 +63,7 @@ class Drag {
   /// `pose` null is the rest shape. From another one on the surface is that pose and the linear
   /// response to what the motions have changed since, so that at its motions it is that pose.
   explicit Drag(std::shared_ptr<const DragResponse> response,
-                std::shared_ptr<const SettledPose> pose = nullptr);
+                std::shared_ptr<const DragState> pose = nullptr);
 
   /// By how much each column of the response counts once its handles have moved by `motions`, one
   /// per handle of the edit, each a map of space that acts on the rest position of the handle's
@@ -68,11 +74,11 @@ class Drag {
   void move(std::span<const Eigen::Affine3d> motions, std::span<Eigen::Vector3d> positions);
 
   const std::shared_ptr<const DragResponse>& response() const { return response_; }
-  const std::shared_ptr<const SettledPose>& pose() const { return pose_; }
+  const std::shared_ptr<const DragState>& pose() const { return pose_; }
 
  private:
   std::shared_ptr<const DragResponse> response_;
-  std::shared_ptr<const SettledPose> pose_;
+  std::shared_ptr<const DragState> pose_;
   std::vector<double> of_pose_;     ///< the pose's parameters of the response's handles
   std::vector<double> parameters_;  ///< of the frame at hand
 };

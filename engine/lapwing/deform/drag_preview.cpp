@@ -42,8 +42,6 @@ DragPreview::DragPreview(std::shared_ptr<const EditSystem> system,
 
 std::shared_ptr<const DragResponse> DragPreview::response_of(
     std::span<const std::size_t> handles) const {
-  const auto lock = system_->systems->lock();
-  system_->hold_laplacian();
   std::vector<std::size_t> dragged = in_order(handles);
   Numbers columns = axis_response(*system_, dragged);
   return std::make_shared<const DragResponse>(system_, std::move(dragged), std::move(columns),

@@ -22,11 +22,11 @@ struct EditSystem;
 ///
 ///     DragPreview preview(mesh.positions, topology, region, options, kernels);
 ///     Drag drag(preview.response());       // drags while another thread makes
-///     Deformer deformer(preview, kernels);  // the exact one, which then takes over
+///     DeformSolver solver(preview, kernels);  // the exact one, which then takes over
 class DragPreview {
  public:
   /// Prepares. Stages reported and timed: "pattern", "order", "laplacian", "preview". `topology`
-  /// must outlive the object; positions are copied. Throws what Deformer does.
+  /// must outlive the object; positions are copied. Throws what DeformSolver does.
   DragPreview(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
               const DeformOptions& options, const Progress& progress = {});
   /// The same with what `prepared` keeps: without "pattern" and "order" where that is of use, but
@@ -38,7 +38,7 @@ class DragPreview {
               const DeformOptions& options, std::span<const std::size_t> handles,
               const Progress& progress = {});
 
-  /// As Deformer's. The poses of a preview and of a deformer made from it are the same.
+  /// As DeformSolver's. The poses of a preview and of a solver made from it are the same.
   const std::shared_ptr<const DragResponse>& response() const { return response_; }
   /// For a drag of other handles: four right-hand sides each.
   std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles) const;
@@ -46,7 +46,7 @@ class DragPreview {
   const EditRegion& region() const;
   const StageTimings& timings() const { return timings_; }
 
-  /// What a Deformer made from this preview shares with it.
+  /// What a DeformSolver made from this preview shares with it.
   const std::shared_ptr<const EditSystem>& system() const { return system_; }
 
  private:

@@ -83,27 +83,18 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   make_springs();
   const bool finds_pattern = !prepared.serves(region.roi, constraints.unknowns);
   if (finds_pattern) begin("pattern");
-  systems = prepared.system_of(region.roi, constraints.unknowns);
+  factors = prepared.factors_of(region.roi, constraints.unknowns);
   if (finds_pattern) {
     timings.add("pattern", watch.elapsed_ms());
     watch.restart();
   }
-  const bool needs_laplacian = is_previewed || options.settle.has_value();
-  const auto lock = systems->lock();
-  const char* const stage = begin(systems->is_ordered() ? "constraints" : "order");
-  const bool is_known = is_previewed ? systems->laplacian().is_analyzed() : systems->is_ordered();
+  FactorCache::LaplacianBuild build = factors->build_laplacian(terms(), constraints.W);
+  const char* const stage = begin(build.is_ordered() ? "constraints" : "order");
   const auto assemble = [&] {
     check_and_frame();
-    systems->assemble_laplacian(terms());
+    build.assemble();
   };
-  const auto order = [&] {
-    if (is_previewed) {
-      systems->analyze_laplacian();
-    } else {
-      systems->find_order();
-    }
-  };
-  if (is_known) {
+  if (build.is_analyzed()) {
     assemble();  // on all threads
   } else {
     parallel_invoke(
@@ -111,19 +102,18 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
           assemble();
           // While the other thread goes on alone.
           if (is_previewed && needs_coarse_surface()) {
-            systems->coarse_surfaces().begin(region, topology, rest);
+            factors->coarse_surfaces().begin(region, topology, rest);
           }
         },
-        order);
+        [&] { build.analyze(); });
   }
-  // What no preview waits for comes to a 3n x 3n system next, the response's or a tangent's.
-  if (needs_laplacian && !is_previewed) systems->analyze_both();
+  // Nobody waits for a preview here, and a 3n x 3n system comes next.
+  if (!is_previewed) build.analyze_hessian();
   timings.add(stage, watch.elapsed_ms());
   watch.restart();
-  if (!needs_laplacian) return;
-  if (finds_pattern) require_memory_to_settle();
+  if (finds_pattern) require_memory_to_settle(build.factor_bytes());
   begin("laplacian");
-  hold_laplacian();
+  laplacian = build.finish();
   timings.add("laplacian", watch.elapsed_ms());
 }
 
@@ -131,11 +121,10 @@ bool EditSystem::needs_coarse_surface() const {
   return options.settle && region.roi.size() >= kSmallRegion;
 }
 
-// The least that settling takes, without the 3n x 3n system. What is kept of an earlier edit has
-// its memory.
-void EditSystem::require_memory_to_settle() const {
+// The least that settling takes, without the 3n x 3n system. An earlier edit has left its memory.
+void EditSystem::require_memory_to_settle(std::size_t factor_bytes) const {
   if (!options.settle) return;
-  require_memory(systems->laplacian().factor_bytes() + kBytesToSettle * region.roi.size(),
+  require_memory(factor_bytes + kBytesToSettle * region.roi.size(),
                  "settling " + std::to_string(region.roi.size()) + " vertices",
                  "choose a smaller region");
 }
@@ -164,21 +153,14 @@ SystemTerms EditSystem::terms() const {
   return {rest, {options.weights, options.detail_length}, region.turns_freely, springs};
 }
 
-void EditSystem::assemble_laplacian() const {
-  systems->assemble_laplacian(terms());
-}
-
-void EditSystem::hold_laplacian() const {
-  systems->hold_laplacian(terms(), constraints.W);
-}
-
 std::shared_ptr<const BlockRows> EditSystem::tangent_rows(Kernels& kernels) const {
-  return systems->tangent_rows(terms(), kernels);
+  return factors->tangent_rows(terms(), *laplacian, kernels);
 }
 
-void EditSystem::hold_response(Kernels& kernels, const Progress& progress,
-                               StageTimings& stages) const {
-  systems->hold_response(terms(), constraints.W, options, kernels, progress, stages);
+std::shared_ptr<const ResponseSystem> EditSystem::response(Kernels& kernels,
+                                                           const Progress& progress,
+                                                           StageTimings& stages) const {
+  return factors->response(terms(), laplacian, options, kernels, progress, stages);
 }
 
 // With `number` the place among all handles or targets. What is not a number fails by its

@@ -9,10 +9,10 @@
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deform_options.h"
+#include "lapwing/deform/factor_cache.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/loose_parts.h"
 #include "lapwing/deform/prepared_region.h"
-#include "lapwing/deform/region_system.h"
 #include "lapwing/laplacian/constraints.h"
 #include "lapwing/region/edit_region.h"
 
@@ -22,13 +22,12 @@ namespace lapwing {
 /// 2e-9 of that size apart, and the surface between still has a shape.
 inline constexpr double kFarthestMove = 1e7;
 
-/// One edit made ready: what its preview and its exact preparation share. Not changed after
-/// construction, so both may use it from threads of their own; the systems are another matter, see
-/// RegionSystem.
+/// One edit made ready: what its preview, its solver and its drags share. Does not change after
+/// construction.
 struct EditSystem {
-  /// Stages "pattern" and "order", or "constraints" where `prepared` has both, and "laplacian", the
-  /// n x n system, which is factored for previews and where the options settle. Throws what
-  /// Deformer does, and SolverError when there is not the memory to settle so many vertices.
+  /// Stages "pattern" and "order", or "constraints" if `prepared` has both, and "laplacian", the n
+  /// x n system. Throws what DeformSolver does, and SolverError if there is not enough memory to
+  /// settle so many vertices.
   EditSystem(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest_positions,
              EditRegion edit_region, const DeformOptions& deform_options, const Progress& progress,
              bool is_previewed = false);
@@ -42,20 +41,18 @@ struct EditSystem {
   std::vector<HandleFrame> frames;  ///< per handle
   Constraints constraints;
   std::shared_ptr<const std::vector<Spring>> springs;  ///< the targets that are not given; or null
-  std::shared_ptr<RegionSystem> systems;               ///< of all edits over these unknowns
+  std::shared_ptr<FactorCache> factors;                ///< of all edits over these unknowns
+  std::shared_ptr<const LaplacianSystem> laplacian;    ///< factored
   LooseParts loose;                                    ///< of the region
   /// The vertices that any motion can displace: all of the region but vertices without a ring
   /// outside the handles and, with hard constraints, the belt; and the loose parts.
   std::vector<Index> moving;
 
-  /// Makes the n x n system that of this edit, but for its factor.
-  void assemble_laplacian() const;
-  /// With its factor: for previews, settling and the shares of handles.
-  void hold_laplacian() const;
-  /// Its G at rest (RegionSystem::tangent_rows).
+  /// G at rest (FactorCache::tangent_rows).
   std::shared_ptr<const BlockRows> tangent_rows(Kernels& kernels) const;
-  /// Makes the 3n x 3n one that of this edit.
-  void hold_response(Kernels& kernels, const Progress& progress, StageTimings& stages) const;
+  /// The factored 3n x 3n system (FactorCache::response).
+  std::shared_ptr<const ResponseSystem> response(Kernels& kernels, const Progress& progress,
+                                                 StageTimings& stages) const;
 
   std::size_t column_count() const { return kMotionParameters * region.handles.size(); }
 
@@ -71,6 +68,12 @@ struct EditSystem {
 
   /// 0, 1, ... to the last.
   std::vector<std::size_t> all_handles() const;
+
+  /// Whether handles that scale stretch the rest shape of the surface. The RSI system does without,
+  /// unless it settles.
+  bool takes_rest_stretch() const {
+    return options.settle || options.response == LinearResponse::tangent;
+  }
 
   /// Whether it is settled, and too large for a frame of a drag to settle it as it is.
   bool needs_coarse_surface() const;
@@ -99,7 +102,7 @@ struct EditSystem {
   void set_parameters(std::size_t handle, const Eigen::Affine3d& motion,
                       std::span<double> parameters) const;
   void check_and_frame();
-  void require_memory_to_settle() const;
+  void require_memory_to_settle(std::size_t factor_bytes) const;
   void make_springs();
 };
 

@@ -45,7 +45,7 @@ HandleShares::HandleShares(const EditSystem& system)
 
 std::vector<std::vector<double>> HandleShares::solved_columns(
     const std::vector<std::size_t>& columns, const ValueOfHandle& value) const {
-  const LaplacianSystem& laplacian = system_.systems->laplacian();
+  const LaplacianSystem& laplacian = *system_.laplacian;
   const VertexSet& roi = system_.region.roi;
   const std::size_t n = laplacian.size();
   std::vector<std::vector<double>> fields;

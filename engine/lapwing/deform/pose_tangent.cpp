@@ -13,7 +13,6 @@
 #include "lapwing/deform/response_system.h"
 #include "lapwing/deform/rest_stretch.h"
 #include "lapwing/laplacian/ring_fit.h"
-#include "lapwing/solve/dissection/mesh_dissection.h"
 
 namespace lapwing {
 namespace {
@@ -105,23 +104,16 @@ void PoseTangent::prepare() {
   if (factor_ != nullptr) return;
   prepared_.begin([this] {
     const WorkAlone alone;  // the other threads are the frames'
-    std::unique_ptr<HeldFactor> factor = analyzed_factor(true);
+    std::unique_ptr<HeldFactor> factor = analyzed_factor();
     if (factor != nullptr) factor->solver().prepare_memory();
     return factor;
   });
 }
 
-// Null where there is not the memory.
-std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor(bool has_time) const {
+// Null if there is not enough memory.
+std::unique_ptr<HeldFactor> PoseTangent::analyzed_factor() const {
   auto factor = std::make_unique<HeldFactor>(pattern_, 3, FactorPrecision::float32);
   factor->analyze();
-  if (has_time && !pattern_.is_dissected()) {
-    auto dissected = std::make_unique<HeldFactor>(pattern_, 3, FactorPrecision::float32);
-    dissected->analyze(
-        dissection_order(coupling_graph(topology_.rings, roi_, laplacian_.constraints().unknowns)));
-    const auto flops = [](const HeldFactor& f) { return f.solver().statistics().flops; };
-    if (flops(*dissected) < flops(*factor)) factor = std::move(dissected);
-  }
   return fits(*factor) ? std::move(factor) : nullptr;
 }
 
@@ -136,7 +128,7 @@ bool PoseTangent::take_memory() {
   if (factor_ != nullptr) return true;
   const std::scoped_lock lock(taking_);
   std::unique_ptr<HeldFactor> factor =
-      prepared_.is_at_work() ? prepared_.take() : analyzed_factor(false);
+      prepared_.is_at_work() ? prepared_.take() : analyzed_factor();
   if (factor == nullptr) return false;
   const RegionRings& rings = laplacian_.rings();
   const std::vector<Index> row_of_vertex =
@@ -167,8 +159,9 @@ bool PoseTangent::turn(std::span<const Matrix3d> transforms,
     }
   });
   is_solved_ = false;
+  doubles_.reset();
   factor_->set_matrix(tangent_matrix(pattern_, laplacian_, turned_, factor_->take_memory()));
-  return is_factored(*factor_) || take_doubles();
+  return is_factored(*factor_) || factor_in_doubles();
 }
 
 bool PoseTangent::is_factored(HeldFactor& factor) const {
@@ -180,17 +173,14 @@ bool PoseTangent::is_factored(HeldFactor& factor) const {
   return true;
 }
 
-// For the matrix at hand and all to come. False, and all as it was, where they are in use, there is
-// not the memory, or they cannot be factored either.
-bool PoseTangent::take_doubles() {
-  if (is_in_doubles_) return false;
+// False if there is not enough memory, or they cannot be factored either.
+bool PoseTangent::factor_in_doubles() {
   auto doubles = std::make_unique<HeldFactor>(pattern_, 3);
   doubles->analyze_as(*factor_);
   if (!fits(*doubles)) return false;
   doubles->set_matrix(factor_->unheld_matrix());
   if (!is_factored(*doubles)) return false;
-  factor_ = std::move(doubles);
-  is_in_doubles_ = true;
+  doubles_ = std::move(doubles);
   return true;
 }
 
@@ -221,14 +211,14 @@ void PoseTangent::write(std::span<double> b) const {
 
 void PoseTangent::solve_in_place(std::span<double> b) {
   read(b);
-  factor_->solver().solve(b_, x_, 1);
+  in_use().solver().solve(b_, x_, 1);
   is_solved_ = true;
   write(b);
 }
 
 void PoseTangent::solve_well_in_place(std::span<double> b) {
-  if (!read(b) || !is_solved_) factor_->solver().solve(b_, x_, 1);
-  if (!is_in_doubles_) refine();
+  if (!read(b) || !is_solved_) in_use().solver().solve(b_, x_, 1);
+  if (doubles_ == nullptr) refine();
   is_solved_ = false;
   write(b);
 }
@@ -245,10 +235,10 @@ void PoseTangent::refine() {
     return change * change <= kGood * last_change * x.lpNorm<Eigen::Infinity>();
   };
   VectorXd product(n);
-  multiply(factor_->matrix(), x_, numbers(product), 1);
+  multiply(in_use().matrix(), x_, numbers(product), 1);
   VectorXd residual = Eigen::Map<const VectorXd>(b_.data(), n) - product;
   VectorXd preconditioned(n);
-  factor_->solver().solve(numbers(residual), numbers(preconditioned), 1);
+  in_use().solver().solve(numbers(residual), numbers(preconditioned), 1);
   if (is_good(preconditioned.lpNorm<Eigen::Infinity>(), x.lpNorm<Eigen::Infinity>())) {
     x += preconditioned;
     return;
@@ -257,14 +247,14 @@ void PoseTangent::refine() {
   double slope = residual.dot(preconditioned);
   double last_change = 0.0;
   for (int k = 0; k < kMostSteps; ++k) {
-    multiply(factor_->matrix(), numbers(direction), numbers(product), 1);
+    multiply(in_use().matrix(), numbers(direction), numbers(product), 1);
     const double length = slope / direction.dot(product);
     x += length * direction;
     residual -= length * product;
     const double change = length * direction.lpNorm<Eigen::Infinity>();
     if (is_good(change, last_change)) return;
     last_change = change;
-    factor_->solver().solve(numbers(residual), numbers(preconditioned), 1);
+    in_use().solver().solve(numbers(residual), numbers(preconditioned), 1);
     const double last_slope = std::exchange(slope, residual.dot(preconditioned));
     direction = preconditioned + slope / last_slope * direction;
   }

@@ -19,7 +19,7 @@ namespace lapwing {
 /// is larger than at rest, C_i = R_i S: its rotation follows the surface less, and what is under
 /// tension resists bending. Directions in which a ring has been crushed keep the K_i of rest, so
 /// that the matrix stays positive semidefinite in every pose. Its factor is held in floats, which
-/// do for a first Hessian (settle/README.md), and in doubles from where rounding has left it
+/// do for a first Hessian (settle/README.md), and in doubles for a pose at which rounding leaves it
 /// indefinite. Takes its memory, half that of another 3n x 3n factor, when it is first turned, or
 /// before.
 class PoseTangent final : public TurnedTangent {
@@ -32,9 +32,8 @@ class PoseTangent final : public TurnedTangent {
   PoseTangent(const Topology& topology, std::span<const Index> roi, const SystemPattern& pattern,
               const LaplacianSystem& laplacian, const DeformOptions& options, AtRest at_rest);
 
-  /// Begins to take that memory on a thread of its own, for which the first turn waits; an order of
-  /// fewer operations is looked for there, too, since many turns will be factored in it. May be
-  /// called while another thread turns; nothing where that has taken it.
+  /// Begins to take that memory on another thread, for which the first turn waits. May be called
+  /// while another thread turns; does nothing if that has taken it.
   void prepare();
 
   bool turn(std::span<const Eigen::Matrix3d> transforms,
@@ -43,11 +42,12 @@ class PoseTangent final : public TurnedTangent {
   void solve_well_in_place(std::span<double> b) override;
 
  private:
-  std::unique_ptr<HeldFactor> analyzed_factor(bool has_time) const;
+  std::unique_ptr<HeldFactor> analyzed_factor() const;
   bool fits(const HeldFactor& factor) const;
   bool take_memory();
+  HeldFactor& in_use() { return doubles_ != nullptr ? *doubles_ : *factor_; }
   bool is_factored(HeldFactor& factor) const;
-  bool take_doubles();
+  bool factor_in_doubles();
   bool read(std::span<const double> b);
   void write(std::span<double> b) const;
   void refine();
@@ -61,8 +61,8 @@ class PoseTangent final : public TurnedTangent {
   std::vector<Index> row_of_;  ///< place in roi_ -> row of the rings
   std::shared_ptr<const BlockRows> at_rest_;
   BlockRows turned_;
-  std::unique_ptr<HeldFactor> factor_;
-  bool is_in_doubles_ = false;
+  std::unique_ptr<HeldFactor> factor_;   ///< in floats
+  std::unique_ptr<HeldFactor> doubles_;  ///< null unless the pose at hand needs it
   std::vector<double> b_;  ///< in the order of the unknowns, x, y and z of each together
   std::vector<double> x_;
   bool is_solved_ = false;  ///< x_ is the factor's solution for b_

@@ -187,8 +187,8 @@ SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
   const MirroredRequest both =
       joined == nullptr ? mirrored_request(request_, mesh_)
                         : mirrored_request(joined_request(request_, *joined), joined->surface);
-  const Deformer& deformer = *workspace_.deformer;
-  const HandleParameters motions(both, deformer.region(), mesh_.positions);
+  const DeformSolver& solver = *workspace_.solver;
+  const HandleParameters motions(both, solver.region(), mesh_.positions);
   std::vector<std::size_t> moved(handles.begin(), handles.end());
   for (const std::size_t h : handles) moved.push_back(motions.image_of(h));
 
@@ -198,9 +198,9 @@ SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
                  "the response of " + std::to_string(n) + " vertices to " +
                      std::to_string(handles.size()) + " handles",
                  "ask for fewer handles at a time");
-  const auto drag = deformer.response_of(moved, progress);
+  const auto drag = solver.response_of(moved, progress);
   response.vertex_count = n;
-  response.why_not_exact = deformer.why_not_exact();
+  response.why_not_exact = drag->why_not_exact();
   response.columns.assign(kMotionParameters * handles.size() * n, Vector3d::Zero());
   const double length = bounds_of(mesh_.positions).diagonal();
   std::vector<double> parameters(drag->columns().count);

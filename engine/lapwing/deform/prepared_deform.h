@@ -24,7 +24,7 @@ struct SurfaceResponse {
   /// For each handle its 12 columns, (0, 0), (0, 1), ... (2, 3), each of vertex_count
   /// displacements; those of (a, 3) are per length, the others lengths.
   std::vector<Eigen::Vector3d> columns;
-  /// Why details do not turn (Deformer::why_not_exact); empty where they do.
+  /// Why details do not turn (DragResponse::why_not_exact); empty if they do.
   std::string why_not_exact;
 
   std::span<const Eigen::Vector3d> column(std::size_t handle, std::size_t a, std::size_t b) const {
@@ -60,11 +60,11 @@ class PreparedDeform {
   /// right-hand sides a handle and no solve of the whole, so that frames can be added up from it.
   /// What `solve` makes without settling is that to 1e-6 of the mesh's diagonal, but for loose
   /// parts, which solve turns and this moves to first order. The images of mirrored handles go
-  /// along; what targets ask for is not in it. Without the exact system (Deformer::is_exact) it is
-  /// a DragPreview's, in which details do not turn. Memory is 288 bytes a vertex and handle, and as
-  /// much again is kept. Stages "response", and those of preparing where a solve has left another
-  /// pose behind. Throws InputError for a handle that the request does not have, SolverError where
-  /// memory is short, Cancelled.
+  /// along; what targets ask for is not in it. If the exact system does not fit (why_not_exact) it
+  /// is a DragPreview's, in which details do not turn. Memory is 288 bytes a vertex and handle, and
+  /// as much again is kept. Stages "response", and those of preparing where a solve has left
+  /// another pose behind. Throws InputError for a handle that the request does not have,
+  /// SolverError where memory is short, Cancelled.
   SurfaceResponse response(std::span<const std::size_t> handles, const Progress& progress = {});
 
   /// The moves of result `k`, and what is done with it. Both are called by any of the threads; each
@@ -87,7 +87,7 @@ class PreparedDeform {
   CpuKernels kernels_;
   DeformWorkspace workspace_;
   EditRegion region_;
-  bool is_at_rest_ = false;  ///< the workspace's deformer is that of the rest pose
+  bool is_at_rest_ = false;  ///< the workspace's solver is that of the rest pose
 };
 
 }  // namespace lapwing

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "lapwing/deform/region_system.h"
+#include "lapwing/deform/factor_cache.h"
 
 namespace lapwing {
 
@@ -11,19 +11,16 @@ bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector
 }
 
 bool PreparedRegion::serves(const VertexSet& roi, const Unknowns& unknowns) const {
-  const auto serves = [&](const auto& system) {
-    return system != nullptr && system->serves(roi, unknowns);
-  };
-  return serves(system_) || serves(like_);
+  return factors_ != nullptr && factors_->serves(roi, unknowns);
 }
 
-std::shared_ptr<RegionSystem> PreparedRegion::system_of(const VertexSet& roi,
+std::shared_ptr<FactorCache> PreparedRegion::factors_of(const VertexSet& roi,
                                                         const Unknowns& unknowns) {
-  if (system_ != nullptr && system_->serves(roi, unknowns)) return system_;
-  system_.reset();  // factors are large: the ones before go first
-  system_ = serves(roi, unknowns) ? like_->beside()
-                                  : std::make_shared<RegionSystem>(topology_, roi, unknowns);
-  return system_;
+  if (!serves(roi, unknowns)) {
+    factors_.reset();  // factors are large: the ones before go first
+    factors_ = std::make_shared<FactorCache>(topology_, roi, unknowns);
+  }
+  return factors_;
 }
 
 std::shared_ptr<const Positions> PreparedRegion::copy_of(std::span<const Eigen::Vector3d> rest) {

@@ -16,7 +16,7 @@ constexpr std::size_t kMovedPerTask = 4096;
 }  // namespace
 
 Numbers scale_forces(const EditSystem& system, std::span<const double> growth) {
-  const EnergyWeights& weights = system.systems->laplacian().weights();
+  const EnergyWeights& weights = system.laplacian->weights();
   const Adjacency& rings = system.topology.rings;
   const Positions& rest = *system.rest;
   const Unknowns& unknowns = system.constraints.unknowns;
@@ -49,10 +49,9 @@ double growth_of(const HandleFrame& frame, std::span<const double> parameters) {
   return (parameters[0] + parameters[5] + parameters[10]) / (3.0 * frame.radius);
 }
 
-std::vector<Vector3d> linear_displacement(const EditSystem& system,
+std::vector<Vector3d> linear_displacement(const EditSystem& system, const ResponseSystem& response,
                                           std::span<const Vector3d> wanted,
                                           std::span<const double> forces) {
-  const ResponseSystem& response = system.systems->response();
   const Unknowns& unknowns = system.constraints.unknowns;
   Numbers x(3 * unknowns.size());
   response.right_hand_side(wanted, x);
@@ -66,10 +65,10 @@ std::vector<Vector3d> linear_displacement(const EditSystem& system,
   return u;
 }
 
-Numbers response_basis(const EditSystem& system, std::span<const std::size_t> handles,
-                       const HandleShares* shares, const Progress& progress) {
+Numbers response_basis(const EditSystem& system, const ResponseSystem& response,
+                       std::span<const std::size_t> handles, const HandleShares* shares,
+                       const Progress& progress) {
   const Unknowns& unknowns = system.constraints.unknowns;
-  const ResponseSystem& response = system.systems->response();
   const std::size_t column = 3 * system.moving.size();
   const std::size_t n = 3 * unknowns.size();
   require_memory(sizeof(double) * kMotionParameters * (column * handles.size() + n),

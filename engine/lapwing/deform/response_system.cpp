@@ -72,10 +72,9 @@ std::shared_ptr<BlockRows> tangent_rows(const Topology& topology, std::span<cons
 
 ResponseSystem::ResponseSystem(const Topology& topology, std::span<const Index> roi,
                                const Unknowns& unknowns, const SystemPattern& pattern,
-                               const LaplacianSystem& laplacian, LinearResponse kind)
+                               LinearResponse kind)
     : topology_(topology),
       pattern_(pattern),
-      laplacian_(laplacian),
       kind_(kind),
       roi_(roi.begin(), roi.end()),
       constraints_{unknowns, {}},
@@ -136,10 +135,10 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   report_progress(progress, "normal_matrix", 0.0);
   Numbers memory = factor_.take_memory();
   if (kind_ == LinearResponse::tangent) {
-    factor_.set_matrix(tangent_matrix(pattern_, laplacian_, *rows_, std::move(memory)));
+    factor_.set_matrix(tangent_matrix(pattern_, *laplacian_, *rows_, std::move(memory)));
   } else {
     BlockMatrix N = pattern_.normal().normal_matrix(*rows_, {}, std::move(memory));
-    add_springs(laplacian_.springs(), constraints_.unknowns, N);
+    add_springs(laplacian_->springs(), constraints_.unknowns, N);
     factor_.set_matrix(std::move(N));
   }
   stage_is_done("normal_matrix");
@@ -151,12 +150,12 @@ std::shared_ptr<const BlockRows> ResponseSystem::made_rows(std::span<const Vecto
                                                            Kernels& kernels) const {
   if (kind_ == LinearResponse::rsi) {
     auto made = std::make_shared<BlockRows>(rsi_rows(topology_.rings, roi_));
-    kernels.assemble_rsi({rest, topology_.rings, laplacian_.weights().laplacian, roi_},
+    kernels.assemble_rsi({rest, topology_.rings, laplacian_->weights().laplacian, roi_},
                          made->values);
     return made;
   }
   if (!turns_freely && rows != nullptr) return rows;
-  auto made = tangent_rows(topology_, roi_, laplacian_, rest, kernels);
+  auto made = tangent_rows(topology_, roi_, *laplacian_, rest, kernels);
   if (turns_freely) {
     for (double& value : made->values) value *= kRootOfTurningShare;
   }
@@ -189,10 +188,10 @@ void ResponseSystem::multiply(std::span<const Vector3d> u, std::span<double> y) 
   lapwing::multiply(*rows_, u, rows);
   pattern_.normal().multiply_transposed(*rows_, rows, y);
   if (kind_ == LinearResponse::rsi) {
-    return add_spring_product(laplacian_.springs(), constraints_.unknowns, u, y);
+    return add_spring_product(laplacian_->springs(), constraints_.unknowns, u, y);
   }
   std::vector<double> held(y.size());
-  laplacian_.multiply(u, held);
+  laplacian_->multiply(u, held);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = held[i] - y[i];
 }
 

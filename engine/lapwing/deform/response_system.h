@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lapwing/base/progress.h"
@@ -31,11 +32,15 @@ std::shared_ptr<BlockRows> tangent_rows(const Topology& topology, std::span<cons
 /// N u = f - N d over the free vertices, d given on handle and belt.
 class ResponseSystem {
  public:
-  /// Of the region's rows over `unknowns`, not ready yet. `topology`, `pattern` and `laplacian`,
-  /// the region's n x n system, must outlive the object.
+  /// Of the region's rows over `unknowns`, not ready yet. `topology` and `pattern` must outlive the
+  /// object.
   ResponseSystem(const Topology& topology, std::span<const Index> roi, const Unknowns& unknowns,
-                 const SystemPattern& pattern, const LaplacianSystem& laplacian,
-                 LinearResponse kind);
+                 const SystemPattern& pattern, LinearResponse kind);
+
+  /// Sets the edit's n x n system, whose weights and springs count; before all below.
+  void set_laplacian(std::shared_ptr<const LaplacianSystem> laplacian) {
+    laplacian_ = std::move(laplacian);
+  }
 
   /// The symbolic factorization; once. Stage "analyze".
   void analyze(const Progress& progress, StageTimings& timings);
@@ -57,6 +62,8 @@ class ResponseSystem {
   /// the last time. Stage "factor". Throws SolverError, naming the vertex and its component, when
   /// the system is singular, and Cancelled: all but the factor is kept then.
   void factor(std::span<const double> W, const Progress& progress, StageTimings& timings);
+  /// Whether the system is factored under `W`.
+  bool holds(std::span<const double> W) const { return factor_.holds(W); }
 
   std::string_view solver_name() const { return factor_.solver().name(); }
 
@@ -85,7 +92,7 @@ class ResponseSystem {
 
   const Topology& topology_;
   const SystemPattern& pattern_;
-  const LaplacianSystem& laplacian_;
+  std::shared_ptr<const LaplacianSystem> laplacian_;
   LinearResponse kind_;
   std::vector<Index> roi_;
   Constraints constraints_;

@@ -58,7 +58,7 @@ class RingStretch {
   RingStretch(const EditSystem& system, const Matrix3d& common, std::span<const Vector3d> u)
       : topology_(system.topology),
         rest_(*system.rest),
-        weights_(system.systems->laplacian().weights().laplacian),
+        weights_(system.laplacian->weights().laplacian),
         common_(common),
         u_(u) {}
 

@@ -23,7 +23,7 @@ class TurnTracker {
   explicit TurnTracker(const Eigen::AngleAxisd& turn)
       : rotation_(turn), turn_(turn.angle() * turn.axis()) {}
 
-  /// The handle's next motion, from the rest position as `Deformer::drag` takes it. Of a linear
+  /// The handle's next motion, from the rest position as `DeformSolver::drag` takes it. Of a linear
   /// part that stretches the rotation of the polar decomposition counts; one that mirrors or
   /// flattens (determinant not above 0) has none, and the turn stays.
   void follow(const Eigen::Affine3d& motion);

@@ -30,25 +30,36 @@ LaplacianSystem::LaplacianSystem(std::span<const Vector3d> rest, const Topology&
                                  StageTimings& timings)
     : LaplacianSystem(topology, roi, constraints.unknowns, pattern) {
   const Stopwatch watch;
-  parallel_invoke(
-      [&] {
-        assemble(rest, terms);
-        make_rings(rest);
-      },
-      [&] { analyze(); });
+  parallel_invoke([&] { assemble(rest, terms); }, [&] { analyze(); });
   factor(constraints.W);
+  shared_rings();  // while `rest` is there
   timings.add("laplacian", watch.elapsed_ms());
+}
+
+void LaplacianSystem::begin_like(const LaplacianSystem& other) {
+  if (other.is_analyzed()) {
+    factor_.analyze_as(other.factor_);
+    places_ = other.places_;
+  }
+  weights_ = other.weights_;
+  rest_ = other.rest_;
+  const std::scoped_lock lock(other.building_rings_);
+  rings_ = other.rings_;
 }
 
 void LaplacianSystem::assemble(std::span<const Vector3d> rest, const EnergyTerms& terms,
                                std::span<const Spring> springs) {
-  assemble(std::make_shared<const EnergyWeights>(energy_weights(topology_, rest, roi_, terms)),
+  assemble(rest,
+           std::make_shared<const EnergyWeights>(energy_weights(topology_, rest, roi_, terms)),
            springs);
 }
 
-void LaplacianSystem::assemble(std::shared_ptr<const EnergyWeights> weights,
+void LaplacianSystem::assemble(std::span<const Vector3d> rest,
+                               std::shared_ptr<const EnergyWeights> weights,
                                std::span<const Spring> springs) {
-  has_rings_ = has_rings_ && weights == weights_;
+  if (weights != weights_) rings_.reset();
+  is_assembled_ = false;
+  rest_ = rest;
   weights_ = std::move(weights);
   L_ = laplacian_rows(topology_.rings, weights_->laplacian, roi_);
   if (!weights_->rows.empty()) {
@@ -62,10 +73,15 @@ void LaplacianSystem::assemble(std::shared_ptr<const EnergyWeights> weights,
   springs_ = with_finite_stiffness(springs, A);
   add_springs(springs_, constraints_.unknowns, A);
   factor_.set_matrix(std::move(A));
+  is_assembled_ = true;
 }
 
 void LaplacianSystem::analyze() {
+  if (is_analyzed()) return;
   factor_.analyze();
+  places_.resize(size());
+  Index place = 0;
+  for (const int k : elimination_order()) places_[static_cast<std::size_t>(k)] = place++;
 }
 
 void LaplacianSystem::factor(std::span<const double> W) {
@@ -81,22 +97,22 @@ void LaplacianSystem::factor(std::span<const double> W) {
   }
 }
 
-void LaplacianSystem::make_rings(std::span<const Vector3d> rest) {
-  if (has_rings_) return;
-  const std::vector<Index> rows = rows_by_elimination();
-  rings_ = std::make_shared<const RegionRings>(
-      region_rings(topology_, rest, *weights_, rows, std::span(rows).first(size())));
-  has_rings_ = true;
+std::shared_ptr<const RegionRings> LaplacianSystem::shared_rings() const {
+  const std::scoped_lock lock(building_rings_);
+  if (rings_ == nullptr) {
+    const std::vector<Index> rows = rows_by_elimination();
+    rings_ = std::make_shared<const RegionRings>(
+        region_rings(topology_, rest_, *weights_, rows, std::span(rows).first(size())));
+  }
+  return rings_;
 }
 
 // The vertices of the unknowns in the order of elimination, then the others of the region.
-std::vector<Index> LaplacianSystem::rows_by_elimination() {
+std::vector<Index> LaplacianSystem::rows_by_elimination() const {
   const Unknowns& unknowns = constraints_.unknowns;
   std::vector<Index> rows;
   rows.reserve(roi_.size());
-  places_.resize(size());
   for (const int k : elimination_order()) {
-    places_[static_cast<std::size_t>(k)] = static_cast<Index>(rows.size());
     rows.push_back(unknowns.vertices[static_cast<std::size_t>(k)]);
   }
   for (const Index v : roi_) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -28,18 +29,24 @@ class LaplacianSystem {
                   std::span<const Index> roi, const Constraints& constraints,
                   const SystemPattern& pattern, const EnergyTerms& terms, StageTimings& timings);
 
-  /// The same, not ready for anything yet: for who makes it ready step by step, and again when
-  /// positions, weights or constraints have become others. Its steps are `assemble`, `analyze` (in
-  /// any order, or beside each other), `factor`, and `make_rings` for who needs the rings.
+  /// The same, to be prepared step by step: `assemble` and `analyze` (in any order, or beside each
+  /// other), then `factor`. The steps may be repeated when positions, weights or constraints have
+  /// changed.
   LaplacianSystem(const Topology& topology, std::span<const Index> roi, const Unknowns& unknowns,
                   const SystemPattern& pattern);
 
-  /// L and L'Om L + K, for which neither order nor constraints are needed.
+  /// Takes symbolic factorization, weights and rings over from a system of the same unknowns.
+  void begin_like(const LaplacianSystem& other);
+
+  /// L and L'Om L + K, for which neither order nor constraints are needed. `rest` must stay where
+  /// it is until the rings are first asked for.
   void assemble(std::span<const Eigen::Vector3d> rest, const EnergyTerms& terms,
                 std::span<const Spring> springs = {});
-  /// The same with weights that are known, as a part of a region has them; with those last
-  /// assembled its rings are those it has.
-  void assemble(std::shared_ptr<const EnergyWeights> weights, std::span<const Spring> springs);
+  /// The same with known weights. If they are those of the last time, so is `rest`, and the rings
+  /// are kept.
+  void assemble(std::span<const Eigen::Vector3d> rest, std::shared_ptr<const EnergyWeights> weights,
+                std::span<const Spring> springs);
+  bool is_assembled() const { return is_assembled_; }
   /// As last assembled.
   const EnergyWeights& weights() const { return *weights_; }
   /// The same, which stay what they are when others are assembled.
@@ -51,20 +58,22 @@ class LaplacianSystem {
   /// (L'Om L + K) u over the unknowns, u given for the whole mesh and 0 outside the region: 3
   /// numbers per unknown.
   void multiply(std::span<const Eigen::Vector3d> u, std::span<double> y) const;
-  /// Order and symbolic factorization, for which the pattern is enough. Nothing the second time.
+  /// Order and symbolic factorization, for which the pattern is enough. Does nothing the second
+  /// time.
   void analyze();
   bool is_analyzed() const { return factor_.is_analyzed(); }
   /// The factor under `W`, one number per unknown; redoes what has changed since the last time.
   /// Throws SolverError as above; all but the factor is kept then.
   void factor(std::span<const double> W);
-  /// `rings()`, and with it the order of elimination, of the positions last assembled.
-  void make_rings(std::span<const Eigen::Vector3d> rest);
+  /// Whether the system is factored under `W`.
+  bool holds(std::span<const double> W) const { return is_assembled_ && factor_.holds(W); }
 
   /// Unknowns and their rows come in the order of elimination, so that neighbours in space are
-  /// neighbours in memory: unknown k of these is unknown `elimination_order()[k]`.
-  const RegionRings& rings() const { return *rings_; }
+  /// neighbours in memory: unknown k of these is unknown `elimination_order()[k]`. Built by the
+  /// first call, after the system has been analyzed.
+  const RegionRings& rings() const { return *shared_rings(); }
   /// The same, which stay what they are when others are made.
-  const std::shared_ptr<const RegionRings>& shared_rings() const { return rings_; }
+  std::shared_ptr<const RegionRings> shared_rings() const;
   const std::vector<int>& elimination_order() const { return pattern_.order(); }
   const Constraints& constraints() const { return constraints_; }
   std::string_view solver_name() const { return factor_.solver().name(); }
@@ -81,13 +90,14 @@ class LaplacianSystem {
   void add_spring_forces(std::span<double> b) const;
 
   /// Replaces `columns` right-hand sides of `size()` numbers, one after the other, by their
-  /// solutions. Allocates nothing from the second call on. One thread at a time.
+  /// solutions. Allocates nothing from the second call on. May be called from several threads,
+  /// which wait for each other.
   void solve_in_place(std::span<double> columns_of_b, std::size_t columns) const;
   /// As `solve_in_place`, the unknowns in the order of elimination.
   void solve_in_elimination_order(std::span<double> columns_of_b, std::size_t columns) const;
 
  private:
-  std::vector<Index> rows_by_elimination();
+  std::vector<Index> rows_by_elimination() const;
   void add_edge_terms(BlockMatrix& A) const;
 
   const Topology& topology_;
@@ -98,8 +108,10 @@ class LaplacianSystem {
   BlockRows L_;               ///< each row times the root of its weight
   std::shared_ptr<const EnergyWeights> weights_ = std::make_shared<const EnergyWeights>();
   std::vector<Spring> springs_;
-  bool has_rings_ = false;
-  std::shared_ptr<const RegionRings> rings_ = std::make_shared<const RegionRings>();
+  bool is_assembled_ = false;
+  std::span<const Eigen::Vector3d> rest_;  ///< as assembled last
+  mutable std::mutex building_rings_;
+  mutable std::shared_ptr<const RegionRings> rings_;  ///< null until they are asked for
   std::vector<Index> places_;  ///< unknown -> where it stands in the order of elimination
   HeldFactor factor_;
 };

@@ -92,8 +92,4 @@ bool SystemPattern::has_analysis() const {
   return !analysis_.expired();
 }
 
-bool SystemPattern::is_dissected() const {
-  return !thorough_order_.empty() || blocks().size() > kMinimumDegreeLimit;
-}
-
 }  // namespace lapwing

@@ -39,8 +39,6 @@ class SystemPattern {
   std::shared_ptr<const SolverAnalysis> analysis() const;
   /// Whether that is there. Waits for whoever is finding it.
   bool has_analysis() const;
-  /// Whether that is nested dissection's; once it has been found.
-  bool is_dissected() const;
 
  private:
   NormalPattern normal_;

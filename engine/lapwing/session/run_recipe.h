@@ -16,7 +16,7 @@ struct RunOptions {
 /// Takes the recipe's mesh, examines it, and carries the steps out one after the other on
 /// `kernels`, which must outlive the result. A step with "commit_every", or whose handles turn by
 /// more than 180 degrees without a path, is carried out in parts, all handles together. Writes
-/// nothing. Each step ends certified; a step that fails throws what `Deformer`,
+/// nothing. Each step ends certified; a step that fails throws what `DeformSolver`,
 /// `resolve_edit_region` or `read_mesh` throw, and no result is left. `progress` hears the stages
 /// of reading and of every step.
 std::unique_ptr<RunResult> run_recipe(const Recipe& recipe, Kernels& kernels,

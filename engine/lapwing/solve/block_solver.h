@@ -42,7 +42,8 @@ class SolverAnalysis {
 
 /// Sparse Cholesky factorization of a symmetric positive definite block matrix, in three steps
 /// whose results are kept: analyze once per pattern, factor once per matrix, solve as often as
-/// wanted. One object serves one thread at a time.
+/// wanted. One object serves one thread at a time, but for solves: several threads may call those,
+/// and wait for each other.
 class BlockSolver {
  public:
   virtual ~BlockSolver() = default;

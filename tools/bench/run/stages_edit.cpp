@@ -5,9 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/drag.h"
 #include "lapwing/deform/drag_preview.h"
+#include "lapwing/deform/drag_session.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/render/surface.h"
@@ -137,9 +138,10 @@ void measure_preview(BenchRun& run, const Subject& subject, const BenchDevice& d
 }
 
 void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                          const std::string& stage, const Deformer& deformer) {
+                          const std::string& stage,
+                          const std::shared_ptr<const DeformSolver>& solver) {
   MovingHandle handle(subject);
-  SettledPose pose;
+  DragSession drag(solver);
   // The middle of the way is the fastest part.
   constexpr std::size_t kMostForTheWholeWay = 120'000;
   const int frames_there_and_back =
@@ -148,8 +150,7 @@ void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevi
   std::uint64_t frames = 0;
   Measurement* const row =
       run.measure(stage, kLapwing, device, subject, frames_there_and_back, [&] {
-        deformer.follow(handle.next(), pose);
-        iterations += static_cast<std::uint64_t>(pose.settled.iterations);
+        iterations += static_cast<std::uint64_t>(drag.step(handle.next()).settled.iterations);
         ++frames;
       });
   if (row != nullptr) row->counts["iterations"] = iterations / frames;
@@ -157,17 +158,16 @@ void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevi
 
 // What a frame comes to depends on the time it takes: no count.
 void measure_frame_in_time(BenchRun& run, const Subject& subject, const BenchDevice& device,
-                           const Deformer& deformer) {
+                           const std::shared_ptr<const DeformSolver>& solver) {
   if (run.settings().only_counts) return;
   const double budget = frame_budget_ms(subject.vertices());
   MovingHandle handle(subject);
-  SettledPose pose;
-  deformer.begin_drag();
+  DragSession drag(solver);
   run.measure("settle frame in time", kLapwing, device, subject, MovingHandle::kFramesOfMotion,
               [&] {
                 const Stopwatch watch;
-                deformer.follow(handle.next(), pose,
-                                [&](double ms) { return watch.elapsed_ms() + ms < budget; });
+                drag.step(handle.next(),
+                          [&](double ms) { return watch.elapsed_ms() + ms < budget; });
               });
 }
 
@@ -178,43 +178,44 @@ void measure_exact(BenchRun& run, const Subject& subject, const BenchDevice& dev
   if (!frames && !run.wants("preparation", kLapwing, device.name, subject)) return;
   const DeformOptions options = deform_options(run);
   MovingHandle handle(subject);
-  std::unique_ptr<Deformer> deformer;
+  std::shared_ptr<const DeformSolver> solver;
   const auto make = [&] {
-    deformer = std::make_unique<Deformer>(subject.mesh.positions, subject.mesh.topology(),
-                                          subject.region, options, *device.kernels);
-    uploaded(*deformer->response(), subject, device);
+    solver = std::make_shared<const DeformSolver>(subject.mesh.positions, subject.mesh.topology(),
+                                                  subject.region, options, *device.kernels);
+    uploaded(*solver->response(), subject, device);
   };
-  run.measure("preparation", kLapwing, device, subject, make, [&] { deformer.reset(); });
+  run.measure("preparation", kLapwing, device, subject, make, [&] { solver.reset(); });
   if (!frames) return;
-  if (deformer == nullptr) make();
-  ShownDrag drag(subject, device, deformer->response());
+  if (solver == nullptr) make();
+  ShownDrag drag(subject, device, solver->response());
   measure_frame(run, subject, device, "drag frame", [&] { drag.move(handle.next()); });
-  measure_settle_frame(run, subject, device, "settle frame", *deformer);
-  measure_frame_in_time(run, subject, device, *deformer);
+  measure_settle_frame(run, subject, device, "settle frame", solver);
+  measure_frame_in_time(run, subject, device, solver);
 }
 
 // All that a settled drag needs from its first frame on.
-std::unique_ptr<Deformer> settled_drag(PreparedRegion& prepared, const Subject& subject,
-                                       const EditRegion& region, const DeformOptions& options,
-                                       const BenchDevice& device) {
+std::shared_ptr<DragSession> settled_drag(PreparedRegion& prepared, const Subject& subject,
+                                          const EditRegion& region, const DeformOptions& options,
+                                          const BenchDevice& device) {
   const DragPreview preview(prepared, subject.mesh.positions, region, options);
-  auto deformer = std::make_unique<Deformer>(preview, *device.kernels);
-  deformer->prepare_to_follow();
-  return deformer;
+  auto drag =
+      std::make_shared<DragSession>(std::make_shared<const DeformSolver>(preview, *device.kernels));
+  drag->wait_until_prepared();
+  return drag;
 }
 
 // Several threads allocate: no count.
 void measure_settled_preparation(BenchRun& run, const Subject& subject, const BenchDevice& device) {
   if (run.settings().only_counts) return;
   if (!run.wants("settled preparation", kLapwing, device.name, subject)) return;
-  std::unique_ptr<Deformer> deformer;
+  std::shared_ptr<DragSession> drag;
   run.measure(
       "settled preparation", kLapwing, device, subject,
       [&] {
         PreparedRegion prepared(subject.mesh.topology());
-        deformer = settled_drag(prepared, subject, subject.region, deform_options(run), device);
+        drag = settled_drag(prepared, subject, subject.region, deform_options(run), device);
       },
-      [&] { deformer.reset(); });
+      [&] { drag.reset(); });
 }
 
 // The region of the subject with another handle, the same number of vertices below its own.
@@ -240,8 +241,9 @@ EditRegion with_other_belt(const Subject& subject) {
 }
 
 // Prepares an edit, and makes all that a drag of it needs.
-using Prepare = std::function<std::unique_ptr<Deformer>(PreparedRegion&, const EditRegion&,
-                                                        const DeformOptions&)>;
+// Prepares an edit and returns all that holds it.
+using Prepare = std::function<std::shared_ptr<const void>(PreparedRegion&, const EditRegion&,
+                                                          const DeformOptions&)>;
 
 // A preparation that follows another one of the same region, of which the first is gone by then,
 // and what it made on threads of its own.
@@ -253,7 +255,7 @@ void measure_again(BenchRun& run, const Subject& subject, const BenchDevice& dev
   if (subject.vertices() > kMostForAgain) return;
   if (!run.wants(stage, kLapwing, device.name, subject)) return;
   PreparedRegion prepared(subject.mesh.topology());
-  std::unique_ptr<Deformer> again;
+  std::shared_ptr<const void> again;
   run.measure(
       stage, kLapwing, device, subject, [&] { again = prepare(prepared, region, options); },
       [&] {
@@ -283,10 +285,10 @@ void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice&
   measure_all_again(
       run, subject, device, "again",
       [&](PreparedRegion& prepared, const EditRegion& region, const DeformOptions& options) {
-        auto deformer = std::make_unique<Deformer>(prepared, subject.mesh.positions, region,
-                                                   options, *device.kernels);
-        uploaded(*deformer->response(), subject, device);
-        return deformer;
+        auto solver = std::make_shared<const DeformSolver>(prepared, subject.mesh.positions, region,
+                                                           options, *device.kernels);
+        uploaded(*solver->response(), subject, device);
+        return solver;
       });
   // Several threads allocate: no count.
   if (run.settings().only_counts) return;
@@ -297,7 +299,7 @@ void measure_all_again(BenchRun& run, const Subject& subject, const BenchDevice&
       });
 }
 
-// The mean of many iterations from rest, on what a Deformer would run them on.
+// The mean of many iterations from rest, on what a DeformSolver would run them on.
 void measure_settle_iteration(BenchRun& run, const Subject& subject, const BenchDevice& device) {
   if (!run.wants("settle iteration", kLapwing, device.name, subject)) return;
   const EditParts parts(subject);

@@ -143,7 +143,7 @@ void print_ratio(const char* name, const EditCost& run, const EditCost& of) {
 
 // What a window waits for: until the exact response of the handle in hand is there.
 double preparation_ms(const LeaningMesh& scene, std::size_t handles,
-                      const ConstraintsBench& settings, std::unique_ptr<Deformer>& kept,
+                      const ConstraintsBench& settings, std::unique_ptr<DeformSolver>& kept,
                       CpuKernels& kernels) {
   const DeformRequest request = scene.one_vertex_handles(handles);
   std::vector<HandleSpec> specs;
@@ -154,7 +154,7 @@ double preparation_ms(const LeaningMesh& scene, std::size_t handles,
                  [&] {
                    PreparedRegion prepared(scene.mesh.topology());
                    const DragPreview preview(prepared, scene.mesh.positions, region, {}, kInHand);
-                   kept = std::make_unique<Deformer>(preview, kernels);
+                   kept = std::make_unique<DeformSolver>(preview, kernels);
                    kept->response_of(kInHand);
                  })
       .median();
@@ -163,7 +163,7 @@ double preparation_ms(const LeaningMesh& scene, std::size_t handles,
 void measure_window(const ConstraintsBench& settings) {
   const LeaningMesh scene(read_mesh(settings.mesh));
   CpuKernels kernels;
-  std::unique_ptr<Deformer> deformer;
+  std::unique_ptr<DeformSolver> deformer;
   const double of_one = preparation_ms(scene, 1, settings, deformer, kernels);
   const double of_many =
       preparation_ms(scene, settings.window_handles, settings, deformer, kernels);

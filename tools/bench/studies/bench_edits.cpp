@@ -9,7 +9,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/deform_request.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/topology.h"
@@ -82,7 +82,7 @@ void carry_out(const Edit& edit, const Mesh& mesh, const DeformParameters& param
                EditTimes& times) {
   CpuKernels kernels;
   const Stopwatch watch;
-  const Deformer deformer(mesh.positions, mesh.topology(), edit.region, parameters, kernels);
+  const DeformSolver deformer(mesh.positions, mesh.topology(), edit.region, parameters, kernels);
   const double prepared_ms = watch.elapsed_ms();
   deformer.solve(std::array{edit.motion});
   times.whole.milliseconds.push_back(watch.elapsed_ms());

@@ -10,7 +10,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/deform_request.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/drag_session.h"
 #include "lapwing/deform/handle_motion.h"
 #include "lapwing/deform/prepared_region.h"
 #include "lapwing/deform/turn_tracker.h"
@@ -51,29 +51,30 @@ class FollowedEdit {
         diagonal_(bounds_of(mesh.positions).diagonal()),
         prepared_(mesh.topology()) {
     if (again) prepare_other(motion);
-    deformer_ = std::make_unique<Deformer>(prepared_, mesh.positions, region_, DeformParameters{},
-                                           kernels_);
+    solver_ = std::make_shared<const DeformSolver>(prepared_, mesh.positions, region_,
+                                                   DeformParameters{}, kernels_);
   }
 
-  void frame(double share, SettledPose& pose, const GoOn& go_on = {}) const {
-    const std::array motions{part(share)};
-    deformer_->follow(motions, pose, go_on);
+  Affine3d part(double share) const {
+    return partial_motion(ends_.map, shortest_turn(ends_.map), centroid_, share);
   }
   // By the columns alone.
   Positions linear(double share) const {
+    if (response_ == nullptr) response_ = solver_->response();
     Positions positions = mesh_.positions;
-    Drag(deformer_->response()).move(std::array{part(share)}, positions);
+    Drag(response_).move(std::array{part(share)}, positions);
     return positions;
   }
   // What settling comes to from a pose, in percent of the diagonal from there.
-  double off_percent(double share, const SettledPose& pose, Positions* settled = nullptr) const {
-    SettledPose end = pose;
-    end.settled = {};
-    const Deformer& other = reference();
-    other.begin_drag();
+  double off_percent(double share, const DragState& pose, Positions* settled = nullptr) const {
+    DragState start = pose;
+    start.settled = {};
+    DragSession& other = reference();
+    other.begin(std::move(start));
+    const DragState& end = other.state();
     const std::array motions{part(share)};
     for (int k = 0; k < kMostFrames && !end.settled.settled && !end.settled.exhausted; ++k) {
-      other.follow(motions, end);
+      other.step(motions);
     }
     if (settled != nullptr) *settled = displaced(end);
     return distance_percent(displaced(end), displaced(pose));
@@ -83,7 +84,7 @@ class FollowedEdit {
     for (std::size_t v = 0; v < a.size(); ++v) most = std::max(most, (a[v] - b[v]).norm());
     return 100.0 * most / diagonal_;
   }
-  const Deformer& deformer() const { return *deformer_; }
+  const std::shared_ptr<const DeformSolver>& solver() const { return solver_; }
 
  private:
   static constexpr int kMostFrames = 5;  // of 200 iterations each
@@ -91,25 +92,23 @@ class FollowedEdit {
   // What is left of a drag with another handle and another belt.
   void prepare_other(EndsMotion motion) {
     const EndsMotion other = motion == EndsMotion::lift ? EndsMotion::lean : EndsMotion::lift;
-    const Deformer before(
-        prepared_, mesh_.positions,
-        held_region(moved_ends(other, mesh_.positions), mesh_.positions, mesh_.topology()).region,
-        DeformParameters{}, kernels_);
-    before.prepare_to_follow();
+    DragSession(std::make_shared<const DeformSolver>(prepared_, mesh_.positions,
+                                                     held_region(moved_ends(other, mesh_.positions),
+                                                                 mesh_.positions, mesh_.topology())
+                                                         .region,
+                                                     DeformParameters{}, kernels_))
+        .wait_until_prepared();
   }
-  Affine3d part(double share) const {
-    return partial_motion(ends_.map, shortest_turn(ends_.map), centroid_, share);
-  }
-  Positions displaced(const SettledPose& pose) const {
+  Positions displaced(const DragState& pose) const {
     Positions positions = mesh_.positions;
     for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += pose.displacement[v];
     return positions;
   }
   // So that what is measured keeps what its frames have told.
-  const Deformer& reference() const {
+  DragSession& reference() const {
     if (reference_ == nullptr) {
-      reference_ = std::make_unique<Deformer>(mesh_.positions, mesh_.topology(), region_,
-                                              DeformParameters{}, kernels_);
+      reference_ = std::make_unique<DragSession>(std::make_shared<const DeformSolver>(
+          mesh_.positions, mesh_.topology(), region_, DeformParameters{}, kernels_));
     }
     return *reference_;
   }
@@ -121,8 +120,9 @@ class FollowedEdit {
   double diagonal_;
   mutable CpuKernels kernels_;
   PreparedRegion prepared_;
-  std::unique_ptr<Deformer> deformer_;
-  mutable std::unique_ptr<Deformer> reference_;
+  std::shared_ptr<const DeformSolver> solver_;
+  mutable std::shared_ptr<const DragResponse> response_;
+  mutable std::unique_ptr<DragSession> reference_;
 };
 
 void follow(const FollowBench& settings, const std::string& name, const Mesh& mesh,
@@ -131,22 +131,26 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
   const double budget =
       settings.budget_ms > 0.0 ? settings.budget_ms : frame_budget_ms(mesh.vertex_count());
   Samples frames;
-  SettledPose pose;
+  DragSession drag(edit.solver());
+  const DragState& pose = drag.state();
+  const auto frame = [&](double share, const GoOn& go_on) {
+    drag.step(std::array{edit.part(share)}, go_on);
+  };
   const Stopwatch preparing;
-  edit.deformer().prepare_to_follow();
+  drag.wait_until_prepared();
   const double ready_ms = preparing.elapsed_ms();
   if (!settings.at_once) std::this_thread::sleep_for(kBeforeDrag);
   const Stopwatch first;
-  edit.frame(0.0, pose);
+  frame(0.0, {});
   const double first_ms = first.elapsed_ms();
   int iterations = 0;
   // Looked at when all is over, since what is made beside the drag would have that time, too.
-  std::vector<std::pair<double, SettledPose>> checked;
+  std::vector<std::pair<double, DragState>> checked;
   for (int k = 1; k <= kFrames; ++k) {
     const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * k / kFrames);
     const auto next = std::chrono::steady_clock::now() + kFrameInterval;
     const Stopwatch watch;
-    edit.frame(share, pose, [&](double ms) { return watch.elapsed_ms() + ms < budget; });
+    frame(share, [&](double ms) { return watch.elapsed_ms() + ms < budget; });
     frames.milliseconds.push_back(watch.elapsed_ms());
     iterations += pose.settled.iterations;
     if (k % kFramesPerCheck == 0) checked.emplace_back(share, pose);
@@ -158,14 +162,13 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
   const auto rest_until = [&](double end_ms) {
     while (rest_ms < end_ms && !pose.settled.settled && !pose.settled.exhausted) {
       const Stopwatch watch;
-      edit.frame(1.0, pose,
-                 [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < kRestFrame_ms; });
+      frame(1.0, [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < kRestFrame_ms; });
       longest_ms = std::max(longest_ms, watch.elapsed_ms());
       rest_ms += watch.elapsed_ms();
     }
   };
   rest_until(kRest_ms);
-  const SettledPose rested = pose;
+  const DragState rested = pose;
   rest_until(kLongestRest_ms);
   const double rest_off = edit.off_percent(1.0, rested);
   double off = 0.0;

@@ -4,7 +4,7 @@
 #include <imgui.h>
 #include <memory>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/gpu/context.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/subdivide.h"
@@ -200,7 +200,7 @@ class DraggedMesh {
   const Topology& topology_;
   std::shared_ptr<gpu::Context> context_;
   VulkanKernels kernels_;
-  Deformer deformer_;
+  DeformSolver deformer_;
   Drag drag_;
   Surface surface_;
   std::shared_ptr<BlendResponse> blend_;

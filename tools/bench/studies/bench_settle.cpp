@@ -3,7 +3,7 @@
 #include <numbers>
 #include <optional>
 
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/shape_measures.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/session/run_recipe.h"
@@ -103,8 +103,8 @@ Row measured(const std::string& name, const Cylinder& cylinder, Positions positi
 
 Row solve_ours(const std::string& name, const Cylinder& cylinder, const Affine3d& motion,
                const DeformOptions& options, Kernels& kernels, int repeats) {
-  const Deformer deformer(cylinder.mesh.positions, cylinder.topology, cylinder.region, options,
-                          kernels);
+  const DeformSolver deformer(cylinder.mesh.positions, cylinder.topology, cylinder.region, options,
+                              kernels);
   DeformResult result;
   const Samples frame = measure(repeats, [&] { result = deformer.solve(std::array{motion}); });
   const Certificate& c = result.certificate;

@@ -7,7 +7,7 @@
 #include "lapwing/base/grouped.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/deform_request.h"
-#include "lapwing/deform/deformer.h"
+#include "lapwing/deform/deform_solver.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "report/number_text.h"
@@ -62,7 +62,8 @@ void measure_outcome(const RealEdit& edit, const Positions& positions, RealOutco
 void deform_by_ours(const RealEdit& edit, const DeformOptions& options, RealOutcome& outcome) {
   CpuKernels kernels;
   const Stopwatch preparing;
-  const Deformer deformer(edit.mesh.positions, edit.mesh.topology(), edit.region, options, kernels);
+  const DeformSolver deformer(edit.mesh.positions, edit.mesh.topology(), edit.region, options,
+                              kernels);
   outcome.prepare_ms = preparing.elapsed_ms();
   const Stopwatch solving;
   const DeformResult result = deformer.solve(std::array{edit.map});

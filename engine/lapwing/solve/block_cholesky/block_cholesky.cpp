@@ -1,6 +1,7 @@
 #include "lapwing/solve/block_cholesky/block_cholesky.h"
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 #include <string>
 #include <type_traits>
@@ -215,6 +216,7 @@ class BlockCholesky::Implementation {
   void solve(std::span<const double> B, std::span<double> X, std::size_t columns,
              std::span<const Index> places) {
     if (!factored_) throw SolverError("there is no factorization to solve with; call factor first");
+    const std::scoped_lock lock(solving_);  // all solves use the same scratch memory
     factorization_->solve(B, X, columns, places);
   }
 
@@ -294,6 +296,7 @@ class BlockCholesky::Implementation {
   SolverStatistics statistics_;
   std::shared_ptr<const Analysis> analysis_;
   std::unique_ptr<Factorization> factorization_;
+  std::mutex solving_;
   bool factored_ = false;
 };
 

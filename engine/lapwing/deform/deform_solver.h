@@ -1,0 +1,125 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/certificate.h"
+#include "lapwing/deform/deform_options.h"
+#include "lapwing/deform/drag.h"
+#include "lapwing/deform/drag_state.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/prepared_region.h"
+#include "lapwing/kernels/kernels.h"
+#include "lapwing/mesh/topology.h"
+#include "lapwing/region/edit_region.h"
+
+namespace lapwing {
+
+class DragPreview;
+struct DeformSolverState;
+struct EditSystem;
+
+struct DeformResult {
+  Positions positions;  ///< of the whole mesh; vertices that do not move keep their bits
+  Certificate certificate;
+  /// The S_i that the handles ask for (rest_stretch.h), per vertex of the mesh; empty for the
+  /// identity.
+  std::vector<Eigen::Matrix3d> rest_stretch = {};
+  /// The motions asked for. A handle with free orientation has the rotation that was found.
+  HandleMotions motions = {};
+};
+
+/// A region prepared for many solutions: detail-preserving deformation by affine motions of its
+/// handles (paper, sections 3 and 4; ENERGY.md section 3).
+///
+///     DeformSolver solver(mesh.positions, topology, region, {}, kernels);
+///     mesh.positions = solver.solve(motions).positions;
+///
+/// Does not change after construction: all members may be called from several threads. A
+/// DragSession moves the surface frame by frame. `topology` and `kernels` must outlive the solver;
+/// positions are copied. Memory is about 4 kB a vertex with settling, whose first minimization
+/// takes as much again, and 8 kB without.
+class DeformSolver {
+ public:
+  /// Prepares. With settling this factors the n x n system, by which motions are minimized; without
+  /// it also the 3n x 3n tangent of the energy, or the RSI system (LinearResponse). Stages reported
+  /// and timed: "pattern", "order", "laplacian"; without settling then "assemble", "analyze",
+  /// "normal_matrix", "factor"; at last "shares". Throws InputError for a region that does not fit
+  /// the mesh, SolverError if a component of the region is not anchored or a system exceeds the
+  /// memory limit, GpuError if the device fails, Cancelled.
+  DeformSolver(std::span<const Eigen::Vector3d> rest, const Topology& topology, EditRegion region,
+               const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
+
+  /// The same with what `prepared` keeps of earlier preparations: "constraints" comes in place of
+  /// "pattern" and "order", and of the others only what is to be done. Same bits.
+  DeformSolver(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
+               const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
+
+  /// Shares what `preview` has prepared; timings include its stages. May run on a thread of its own
+  /// while `preview` is dragged, if `kernels` are not those that the preview uses.
+  DeformSolver(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
+  ~DeformSolver();
+  DeformSolver(DeformSolver&&) noexcept;
+  DeformSolver& operator=(DeformSolver&&) noexcept;
+
+  /// The result in double precision, minimized if the options settle, with its certificate; stage
+  /// "settle". A motion that is the identity returns the rest positions bit for bit. Throws
+  /// InputError for another number of motions than handles and for motions that are too far,
+  /// SolverError if the certificate does not hold, Cancelled.
+  DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
+
+  /// The same for motions that tell their turns: a surface is wound the way that its handles went,
+  /// as far as it can hold that. Throws InputError for a handle whose orientation is free unless
+  /// the options settle with soft constraints.
+  DeformResult solve(const HandleMotions& motions, const Progress& progress = {}) const;
+
+  /// The same along a path: the surface is minimized at each motion of `path` in turn, from where
+  /// it was before, and then at `motions`. Far motions have several minima; the path decides which
+  /// one is found. Large regions follow it on their coarse proxy and are minimized at the end.
+  DeformResult solve_along(std::span<const HandleMotions> path, const HandleMotions& motions,
+                           const Progress& progress = {}) const;
+
+  /// The same from a pose of this region (DragSession::state): the minimum that the pose leads to,
+  /// so that a drag ends in what it has shown. From an empty pose, and without settling, the same
+  /// as `solve`.
+  DeformResult solve_from(const DragState& pose, const HandleMotions& motions,
+                          const Progress& progress = {}) const;
+
+  /// How the surface follows `handles` linearly, by which a Drag goes: 12 right-hand sides each of
+  /// the 3n x 3n system, which with settling is factored for this call; stage "response". If it
+  /// exceeds the memory limit and the options settle, the columns are a DragPreview's, and
+  /// DragResponse::why_not_exact says so.
+  std::shared_ptr<const DragResponse> response_of(std::span<const std::size_t> handles,
+                                                  const Progress& progress = {}) const;
+  /// The same for all handles.
+  std::shared_ptr<const DragResponse> response(const Progress& progress = {}) const;
+
+  /// The S_i that handles so moved ask for, as DeformResult has them; empty if no handle scales.
+  std::vector<Eigen::Matrix3d> rest_stretch(std::span<const Eigen::Affine3d> motions) const;
+
+  /// Whether another one made from all this would solve to the same bits.
+  bool is_of(std::span<const Eigen::Vector3d> rest, const Topology& topology,
+             const EditRegion& region, const DeformOptions& options, const Kernels& kernels) const;
+
+  const EditRegion& region() const;
+  const StageTimings& timings() const;
+  std::string_view solver_name() const;
+  std::size_t unknown_count() const;  ///< vertices solved for
+  std::size_t free_count() const;     ///< of those, neither handle nor belt
+
+ private:
+  friend class DragSession;
+  DeformSolver(std::shared_ptr<const EditSystem> edit, Kernels& kernels, const Progress& progress);
+  DeformResult solved(const DragState* pose, const HandleMotions& motions,
+                      const Progress& progress) const;
+
+  std::unique_ptr<const DeformSolverState> state_;
+};
+
+}  // namespace lapwing

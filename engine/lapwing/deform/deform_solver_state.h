@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include "lapwing/deform/deform_solver.h"
+#include "lapwing/deform/edit_system.h"
+#include "lapwing/deform/handle_shares.h"
+#include "lapwing/deform/motion_target.h"
+#include "lapwing/deform/pose_tangent.h"
+#include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/settle/settle.h"
+
+namespace lapwing {
+
+/// The memory that a minimization writes to. One thread at a time.
+struct MinimizerWorkspace {
+  MinimizerWorkspace(const EditSystem& edit, Kernels& kernels);
+  MinimizerWorkspace(const MinimizerWorkspace&) = delete;
+  MinimizerWorkspace& operator=(const MinimizerWorkspace&) = delete;
+
+  PoseTangent hessian;
+  Settler minimizer;
+};
+
+/// What a DeformSolver holds, and a DragSession uses.
+struct DeformSolverState {
+  std::shared_ptr<const EditSystem> edit;
+  Kernels* kernels = nullptr;
+  CpuKernels cpu;
+  Kernels* minimizer_kernels = nullptr;  ///< the one or the other
+  StageTimings timings;
+  std::unique_ptr<const HandleShares> weights;     ///< null if the edit takes no rest stretch
+  std::shared_ptr<const ResponseSystem> response;  ///< null if the edit settles
+
+  /// Takes a workspace out of those that are kept, or makes one. Thread-safe, like the next.
+  std::shared_ptr<MinimizerWorkspace> take_workspace() const;
+  /// Keeps `workspace` for the next minimization, unless another one is kept already.
+  void give_back(std::shared_ptr<MinimizerWorkspace> workspace) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<MinimizerWorkspace> unused_;
+};
+
+/// A workspace while one minimization uses it.
+class BorrowedWorkspace {
+ public:
+  explicit BorrowedWorkspace(const DeformSolverState& of)
+      : of_(of), workspace_(of.take_workspace()) {}
+  ~BorrowedWorkspace() { of_.give_back(std::move(workspace_)); }
+  BorrowedWorkspace(const BorrowedWorkspace&) = delete;
+  BorrowedWorkspace& operator=(const BorrowedWorkspace&) = delete;
+
+  MinimizerWorkspace* operator->() const { return workspace_.get(); }
+
+ private:
+  const DeformSolverState& of_;
+  std::shared_ptr<MinimizerWorkspace> workspace_;
+};
+
+/// Minimizes `u`, displacements of the whole mesh, for `target`, by the fine surface alone. Starts
+/// at `pose`, moved on by the linear response to what the handles have changed since, or if that is
+/// null at the handle weights. Sets the rotations of free handles in `target`.
+SettleResult minimize_from(const DragState* pose, const EditSystem& edit,
+                           const HandleShares& weights, Settler& minimizer, MotionTarget& target,
+                           std::span<Eigen::Vector3d> u, const Progress& progress);
+
+}  // namespace lapwing

@@ -1,0 +1,322 @@
+#include "lapwing/deform/drag_session.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "lapwing/base/cancellation.h"
+#include "lapwing/base/errors.h"
+#include "lapwing/base/parallel.h"
+#include "lapwing/base/stopwatch.h"
+#include "lapwing/deform/axis_response.h"
+#include "lapwing/deform/coarse_drag.h"
+#include "lapwing/deform/deform_solver_state.h"
+#include "lapwing/deform/made_aside.h"
+#include "lapwing/deform/motion_target.h"
+#include "lapwing/deform/recent_change.h"
+#include "lapwing/deform/turn_tracker.h"
+
+namespace lapwing {
+
+using Eigen::Vector3d;
+
+namespace {
+
+// A surface is smooth if its last step was no longer, in mean edges. A first iteration, which
+// removes what prolongation left, goes 0.01 to 0.1 of them, and 0.6 where details are steep: the
+// gradient there would have the coarse proxy crumple.
+constexpr double kSmoothStep = 0.05;
+// What a frame without the proxy takes at least, in iterations: its start is a solve, too.
+constexpr double kIterationsOfFineFrame = 2.0;
+// Frames at rest in which the proxy may still help.
+constexpr int kCoarseFramesAtRest = 20;
+// How much of the recent change a frame repeats: that change contains what its frames have left to
+// settle, too.
+constexpr double kRepeatedShare = 0.75;
+
+}  // namespace
+
+struct DragSession::State {
+  std::shared_ptr<const DeformSolver> solver;
+  const DeformSolverState& of_solver;
+  const EditSystem& edit = *of_solver.edit;
+  std::shared_ptr<MinimizerWorkspace> workspace;  // null while it is lent to the solver
+
+  DragState pose;
+  std::vector<double> parameters;     // of pose.motions
+  std::vector<Vector3d> wanted;       // by pose.motions
+  Positions next;                     // the displacement of the frame at hand; else unused memory
+  std::vector<Vector3d> next_wanted;  // unused memory between frames
+
+  // How parameters and displacement changed in the last frames, each counted by half of the next.
+  std::vector<double> recent_parameters;
+  Positions recent_displacement;
+
+  std::unique_ptr<CoarseDrag> coarse;  // null until it is built, and if the region needs none
+  bool coarse_is_at_pose = false;
+  bool lacks_time = false;        // whether a frame of this drag has not settled in its time
+  int coarse_frames_at_rest = 0;  // since the handles moved last
+  double iteration_ms = 0.0;      // of the fine surface
+  double ending_ms = 0.0;         // what follows the iterations in a frame
+  std::vector<Vector3d> pull;     // the gradient at the fine surface
+  MadeAside<std::unique_ptr<CoarseDrag>> coarse_task;  // last: it uses the solver
+
+  State(std::shared_ptr<const DeformSolver> of, const DeformSolverState& internals)
+      : solver(std::move(of)), of_solver(internals) {}
+  ~State() {
+    if (workspace != nullptr) of_solver.give_back(std::move(workspace));
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  Settler& minimizer() {
+    if (workspace == nullptr) {
+      workspace = of_solver.take_workspace();
+      workspace->minimizer.begin_drag();
+    }
+    return workspace->minimizer;
+  }
+
+  // Starts `next` with a displacement.
+  void copy_to_next(const Positions& displacement) {
+    constexpr std::size_t kVerticesPerTask = 4096;
+    if (next.empty()) next.assign(edit.rest->size(), Vector3d::Zero());
+    const std::vector<Index>& moving = edit.moving;
+    parallel_for(moving.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) next[moving[k]] = displacement[moving[k]];
+    });
+  }
+
+  // The share of the recent change that the handles repeat when their parameters change so.
+  double share_of_recent(std::span<const double> change) const {
+    if (recent_parameters.empty()) return 0.0;
+    const auto way_of = [&](std::size_t h, Index v, std::span<const double> of) {
+      return handle_displacement(
+          edit.frames[h], of.subspan(h * kMotionParameters, kMotionParameters), (*edit.rest)[v]);
+    };
+    ShareOfRecent again;
+    for (std::size_t h = 0; h < edit.frames.size(); ++h) {
+      for (const Index v : edit.region.handles[h]) {
+        again.add(way_of(h, v, change), way_of(h, v, recent_parameters));
+      }
+    }
+    return again.value();
+  }
+
+  // Sets `next` to where the surface is expected at other parameters.
+  void predict(std::span<const double> at) {
+    std::vector<double> change(at.begin(), at.end());
+    for (std::size_t k = 0; k < change.size(); ++k) change[k] -= parameters[k];
+    const double share = kRepeatedShare * share_of_recent(change);
+    if (share > 0.0) {
+      for (std::size_t k = 0; k < change.size(); ++k) change[k] -= share * recent_parameters[k];
+    }
+    const std::vector<Vector3d> response =
+        axis_displacement(edit, edit.wanted_displacement(change), Springs::rest);
+    copy_to_next(pose.displacement);
+    for (const Index v : edit.moving) {
+      next[v] += response[v];
+      if (share > 0.0) next[v] += share * recent_displacement[v];
+    }
+  }
+
+  // Sets `next` by the coarse proxy, in the time that is left.
+  void carry_by_coarse(MotionTarget& target, const GoOn& go_on) {
+    if (!coarse_is_at_pose) {
+      coarse->begin({wanted, target.stretch.of_vertices}, pose.displacement);
+    }
+    copy_to_next(pose.displacement);
+    const auto ask = [&](double ms) { return go_on(ms + ending_ms); };
+    coarse->move(target.settle_target(), go_on ? GoOn(ask) : GoOn(), iteration_ms, next);
+    const Stopwatch ending;
+    set_free_rotations(edit, coarse->handle_rotations(), target);
+    move_held(edit, wanted, target.wanted, pose.displacement, next);
+    ending_ms = ending.elapsed_ms();
+  }
+
+  // While the handles rest the proxy still finds the way, as long as the energy falls and the
+  // Hessian does not find it sooner. Returns whether `next` is set.
+  bool carry_at_rest(MotionTarget& target) {
+    if (!coarse_is_at_pose || coarse_frames_at_rest >= kCoarseFramesAtRest ||
+        minimizer().goes_by_tangent()) {
+      return false;
+    }
+    ++coarse_frames_at_rest;
+    const double before = minimizer().energy(target.settle_target(), pose.displacement);
+    carry_by_coarse(target, {});
+    return minimizer().energy(target.settle_target(), next) < before;
+  }
+
+  // Minimizes `next` as far as there is time, at least by one iteration if it `must`.
+  SettleResult minimize(MotionTarget& target, bool at_rest, bool must, const GoOn& go_on,
+                        const Progress& progress) {
+    if (!must && go_on && !go_on(iteration_ms)) {
+      minimizer().end_rest();
+      return {};
+    }
+    const Stopwatch watch;
+    bool is_first = must;
+    const auto ask = [&](double ms) { return go_on(std::exchange(is_first, false) ? 0.0 : ms); };
+    const GoOn goes_on = go_on ? GoOn(ask) : GoOn();
+    SettleResult result;
+    if (at_rest) {
+      result = minimizer().rest(target.settle_target(), next, goes_on, progress);
+    } else {
+      result = minimizer().follow(target.settle_target(), next, goes_on, progress);
+      iteration_ms = watch.elapsed_ms() / std::max(result.iterations, 1);
+    }
+    set_free_rotations(edit, minimizer().handle_rotations(), target);
+    return result;
+  }
+
+  // Tells the proxy what still pulls on the fine surface, once that is smooth.
+  void correct_coarse(const SettleResult& result) {
+    if (result.iterations == 0 || result.last_step > kSmoothStep) return;
+    pull.resize(next.size(), Vector3d::Zero());
+    minimizer().gradient(pull);
+    coarse->learn(next, pull);
+  }
+
+  // Makes `next` the pose.
+  void accept(MotionTarget target, const SettleResult& result, bool extends_recent) {
+    // What frames at rest change tells nothing of where the surface goes with the handles.
+    if (extends_recent && parameters != target.parameters) {
+      add_change(recent_parameters, parameters, target.parameters);
+      add_change(recent_displacement, pose.displacement, next, edit.moving);
+    }
+    std::swap(pose.displacement, next);
+    pose.motions = std::move(target.motions);
+    pose.settled = result;
+    parameters = std::move(target.parameters);
+    next_wanted = std::exchange(wanted, std::move(target.wanted));
+  }
+};
+
+DragSession::DragSession(std::shared_ptr<const DeformSolver> solver) {
+  const DeformSolverState& internals = *solver->state_;
+  if (!internals.edit->options.settle) {
+    throw InputError("a drag can be minimized only with \"settle\" in the deform options");
+  }
+  state_ = std::make_unique<State>(std::move(solver), internals);
+}
+
+DragSession::~DragSession() = default;
+DragSession::DragSession(DragSession&&) noexcept = default;
+DragSession& DragSession::operator=(DragSession&&) noexcept = default;
+
+void DragSession::begin(DragState start) {
+  State& s = *state_;
+  s.pose = std::move(start);
+  s.parameters.clear();
+  s.recent_parameters.clear();
+  s.recent_displacement.clear();
+  if (!s.pose.empty()) {
+    // The pose of another region may displace vertices that do not move here.
+    Positions own(s.edit.rest->size(), Vector3d::Zero());
+    for (const Index v : s.edit.moving) own[v] = s.pose.displacement[v];
+    s.pose.displacement = std::move(own);
+    s.parameters.resize(s.edit.column_count());
+    s.edit.set_parameters(s.pose.motions.maps, s.parameters);
+    s.edit.asked_displacement(s.parameters, s.wanted);
+  }
+  s.coarse_is_at_pose = false;
+  s.lacks_time = false;
+  if (s.workspace != nullptr) s.workspace->minimizer.begin_drag();
+}
+
+const DragState& DragSession::step(std::span<const Eigen::Affine3d> motions, const GoOn& go_on,
+                                   const Progress& progress) {
+  HandleMotions with_turns;
+  with_turns.maps.assign(motions.begin(), motions.end());
+  const std::vector<Eigen::AngleAxisd>& last = state_->pose.motions.turns;
+  for (std::size_t h = 0; h < motions.size(); ++h) {
+    TurnTracker tracker = h < last.size() ? TurnTracker(last[h]) : TurnTracker();
+    tracker.follow(motions[h]);
+    with_turns.turns.push_back(tracker.turn());
+  }
+  return step(with_turns, go_on, progress);
+}
+
+const DragState& DragSession::step(const HandleMotions& motions, const GoOn& go_on,
+                                   const Progress& progress) {
+  const ProgressScope scope(progress);
+  State& s = *state_;
+  const EditSystem& edit = s.edit;
+  const bool begins = s.pose.empty() || any_far_since(s.pose.motions, motions);
+  MotionTarget target = motion_target(
+      edit, begins ? motions : turned_as(motions, s.pose.motions, edit), std::move(s.next_wanted));
+  const bool at_rest = !begins && target.parameters == s.parameters;
+  if (at_rest && s.pose.settled.settled) {
+    s.next_wanted = std::move(target.wanted);
+    return s.pose;
+  }
+
+  bool by_coarse = false;
+  if (begins) {
+    s.minimizer().begin_drag();
+    s.lacks_time = false;
+    s.copy_to_next(start_by_handle_weights(edit, *s.of_solver.weights, target));
+  } else if (at_rest) {
+    by_coarse = s.carry_at_rest(target);
+    if (!by_coarse) s.copy_to_next(s.pose.displacement);
+  } else {
+    if (s.coarse_task.is_made()) s.coarse = s.coarse_task.take();
+    const bool is_short =
+        go_on && (s.lacks_time || !go_on(kIterationsOfFineFrame * s.iteration_ms));
+    by_coarse = is_short && s.coarse != nullptr;
+    if (by_coarse) {
+      s.coarse_frames_at_rest = 0;
+      s.carry_by_coarse(target, go_on);
+    } else {
+      s.predict(target.parameters);
+    }
+  }
+  s.coarse_is_at_pose = false;  // until this frame has succeeded
+
+  // While the proxy is being built, frames without time only predict.
+  const bool must = at_rest || !(by_coarse || (go_on && s.coarse_task.is_at_work()));
+  const SettleResult result = s.minimize(target, at_rest, must, go_on, progress);
+  if (!begins && !at_rest && !result.settled && !std::exchange(s.lacks_time, true)) prepare();
+  if (by_coarse) s.correct_coarse(result);
+
+  const Stopwatch ending;
+  edit.loose.carry(target.wanted, mean_scales(target.stretch.of_vertices), s.next);
+  Certificate certificate;
+  certificate.all_finite =
+      std::ranges::all_of(edit.moving, [&](Index v) { return s.next[v].allFinite(); });
+  require_valid(certificate);
+  s.accept(std::move(target), result, !begins && !by_coarse);
+  s.coarse_is_at_pose = by_coarse;
+  if (by_coarse) s.ending_ms += ending.elapsed_ms();
+  return s.pose;
+}
+
+const DragState& DragSession::state() const {
+  return state_->pose;
+}
+
+void DragSession::release_memory() {
+  if (state_->workspace != nullptr) state_->of_solver.give_back(std::move(state_->workspace));
+}
+
+void DragSession::prepare() {
+  State& s = *state_;
+  s.minimizer();
+  if (!s.edit.needs_coarse_surface()) return s.workspace->hessian.prepare();
+  s.coarse_task.begin([&edit = s.edit, workspace = s.workspace] {
+    std::unique_ptr<CoarseDrag> made = CoarseDrag::make(edit);
+    workspace->hessian.prepare();
+    return made;
+  });
+}
+
+void DragSession::wait_until_prepared(const Progress& progress) {
+  const ProgressScope scope(progress);
+  State& s = *state_;
+  prepare();
+  report_progress(progress, "coarse surface", 0.0);
+  if (s.coarse_task.is_at_work()) s.coarse = s.coarse_task.take();
+  report_progress(progress, "coarse surface", 1.0);
+}
+
+}  // namespace lapwing

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+
+#include <Eigen/Geometry>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/deform/deform_solver.h"
+#include "lapwing/deform/drag_state.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/settle/settle.h"
+
+namespace lapwing {
+
+/// Moves the surface of an edit frame by frame, each frame minimized as far as it has time:
+///
+///     DragSession drag(solver);
+///     drag.step(motions, go_on);  // every frame
+///     draw(drag.state());
+///     solver->solve_from(drag.state(), motions);  // when the hand lets go
+///
+/// A frame starts where the last frames lead: as far as the handles go on as they did, so does the
+/// surface; the rest of the way it follows the linear response of the n x n system. If that leaves
+/// too little time to minimize, a region of 6,500 vertices or more is carried along by its coarse
+/// proxy (CoarseDrag), whose frames take little time at any size, until the handles rest. Then the
+/// surface itself is minimized by the Hessian of its pose. Not thread-safe.
+class DragSession {
+ public:
+  /// Throws InputError unless the options of the solver settle.
+  explicit DragSession(std::shared_ptr<const DeformSolver> solver);
+  ~DragSession();
+  DragSession(DragSession&&) noexcept;
+  DragSession& operator=(DragSession&&) noexcept;
+
+  /// Starts another drag, at a pose of the solver's region or at rest.
+  void begin(DragState start = {});
+
+  /// Moves on to `motions`. The surface is as near to its minimum as `go_on` leaves time for
+  /// (Settler::follow); with the same motions again it goes on, and once settled nothing moves. The
+  /// first frame from rest starts at the handle weights, and so does a frame in which a handle has
+  /// turned by more than 90 degrees since the last. Throws InputError for motions that do not fit,
+  /// SolverError if the surface is not finite, Cancelled, each time with the state as it was.
+  const DragState& step(const HandleMotions& motions, const GoOn& go_on = {},
+                        const Progress& progress = {});
+  /// The same with turns that add up from frame to frame, as TurnTracker follows them.
+  const DragState& step(std::span<const Eigen::Affine3d> motions, const GoOn& go_on = {},
+                        const Progress& progress = {});
+
+  /// Where the surface is.
+  const DragState& state() const;
+
+  /// Lends its memory to the solver until the next frame: for a `solve_from` after the drag.
+  void release_memory();
+
+  /// Begins to build on another thread what frames without time need: the coarse proxy, and memory
+  /// for the Hessian of the first rest. It takes a third of a second at 26,000 vertices and some
+  /// seconds at a million. The first frame that lacks time begins it otherwise.
+  void prepare();
+  /// The same, and waits for the coarse proxy, so that no frame depends on how long that takes.
+  /// Throws Cancelled.
+  void wait_until_prepared(const Progress& progress = {});
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/mesh/mesh.h"
+#include "lapwing/settle/settle.h"
+
+namespace lapwing {
+
+/// Where the surface of an edit is in a drag, or after it. Empty at rest.
+struct DragState {
+  /// The handles' motions. A handle with free orientation has the rotation that was found.
+  HandleMotions motions;
+  Positions displacement;  ///< of the whole mesh, from rest
+  SettleResult settled;    ///< how the last frame ended
+
+  bool empty() const { return motions.maps.empty(); }
+};
+
+}  // namespace lapwing

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lapwing/deform/edit_system.h"
+#include "lapwing/deform/handle_motion.h"
+#include "lapwing/deform/handle_shares.h"
+#include "lapwing/deform/rest_stretch.h"
+#include "lapwing/settle/settle.h"
+
+namespace lapwing {
+
+/// What moved handles ask of the surface of an edit.
+struct MotionTarget {
+  HandleMotions motions;
+  std::vector<double> parameters;  ///< of `motions` (EditSystem::set_parameters)
+  RestStretch stretch;
+  std::vector<FreeHandle> free_handles;
+  std::vector<Eigen::Vector3d> wanted;  ///< displacements, per vertex of the mesh
+
+  SettleTarget settle_target() const { return {wanted, stretch.of_vertices, {}, free_handles}; }
+};
+
+/// Takes time that is that of the handles if `wanted` is the field of an earlier target of the same
+/// edit; an empty one is made as large as the mesh. Throws InputError for another number of motions
+/// than handles, for motions that are too far, and for free handles unless the edit settles with
+/// soft constraints.
+MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
+                           std::vector<Eigen::Vector3d> wanted = {});
+
+/// Turns the free handles of `target` to `rotations`, one for each of them.
+void set_free_rotations(const EditSystem& edit, std::span<const Eigen::Matrix3d> rotations,
+                        MotionTarget& target);
+
+/// `motions` with the free handles turned as they are in `pose`, the motions of a pose.
+HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const EditSystem& edit);
+
+/// Whether a handle has turned by more than 90 degrees. From there on the way round matters, which
+/// a linear response does not know.
+bool any_far(std::span<const Eigen::AngleAxisd> turns);
+/// The same for what has changed from `last` to `now`.
+bool any_far_since(const HandleMotions& last, const HandleMotions& now);
+
+/// Where minimizing starts without a pose: the displacement of every vertex by the handle weights,
+/// and by the targets of the edit.
+std::vector<Eigen::Vector3d> start_by_handle_weights(const EditSystem& edit,
+                                                     const HandleShares& weights,
+                                                     const MotionTarget& target);
+
+/// Moves belt and handles in `u` as they are held: the belt stays where it is in `last`, and
+/// handles go on from there by what `wanted` differs from `last_wanted`.
+void move_held(const EditSystem& edit, std::span<const Eigen::Vector3d> last_wanted,
+               std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> last,
+               std::span<Eigen::Vector3d> u);
+
+}  // namespace lapwing
