@@ -153,7 +153,9 @@ void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevi
         iterations += static_cast<std::uint64_t>(drag.step(handle.next()).settled.iterations);
         ++frames;
       });
-  if (row != nullptr) row->counts["iterations"] = iterations / frames;
+  // How many there are depends on the rounding of the processor: no count.
+  if (row == nullptr || run.settings().only_counts) return;
+  row->counts["iterations"] = iterations / frames;
 }
 
 // What a frame comes to depends on the time it takes: no count.
