@@ -3,8 +3,8 @@
 /// Lapwing's operations on meshes in memory, and its mesh files.
 #include "lapwing/coating/coat.h"
 #include "lapwing/coating/peel.h"
-#include "lapwing/deform/carried.h"
 #include "lapwing/deform/deform.h"
+#include "lapwing/deform/modifiers/attachments.h"
 #include "lapwing/deform/prepared_deform.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/parameterize/parameterize.h"

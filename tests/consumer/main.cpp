@@ -46,6 +46,10 @@ int main() {
   const Deformed lifted = deform(sheet, lift);
   expect(lifted.mesh.positions[312].z() == 0.3 && lifted.mesh.positions[0].z() == 0.0,
          "the middle of a sheet is lifted");
+  const Eigen::MatrixX3d V = vertex_matrix(sheet);
+  const Eigen::MatrixX3i F = triangle_matrix(sheet);
+  expect(vertex_matrix(deform(V, F, lift).mesh) == vertex_matrix(lifted.mesh),
+         "and so it is as two matrices");
 
   CoatRequest bumps;
   bumps.source = all_of_it();

@@ -1,5 +1,3 @@
-#include "lapwing/deform/carried.h"
-
 #include <algorithm>
 #include <numbers>
 #include <random>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/base/errors.h"
+#include "lapwing/deform/modifiers/attachments.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/transform.h"
 #include "support/error_message.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lapwing/deform/prepared_region.h"
+#include "lapwing/elastic/prepared_region.h"
 #include "support/rippled_cylinder.h"
 
 namespace lapwing {

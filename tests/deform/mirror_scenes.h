@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lapwing/deform/deform.h"
-#include "lapwing/deform/mirrored_request.h"
+#include "lapwing/deform/modifiers/mirrored_request.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/region/vertex_set.h"
 

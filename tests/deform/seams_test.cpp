@@ -6,7 +6,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/deform.h"
-#include "lapwing/deform/joined_request.h"
+#include "lapwing/deform/modifiers/joined_request.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/topology.h"

@@ -28,16 +28,22 @@ fs::path header_named(const std::string& name) {
   return {};
 }
 
+// The folder of a source. The modifiers of an operation are a part of it.
+fs::path folder_of(const fs::path& source) {
+  const fs::path folder = source.parent_path();
+  return folder.filename() == "modifiers" ? folder.parent_path() : folder;
+}
+
 void add_arrows(const fs::path& source, Arrows& arrows) {
-  const fs::path folder = source.parent_path().lexically_relative(kSources);
+  const fs::path folder = folder_of(source).lexically_relative(kSources);
   std::ifstream file(source);
   const std::string begin = "#include \"";
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with(begin)) continue;
     const std::string name = line.substr(begin.size(), line.rfind('"') - begin.size());
     const fs::path header = header_named(name);
-    if (header.empty() || header.parent_path() == folder) continue;
-    arrows[folder][header.parent_path()] = source.filename().string() + " includes " + name;
+    if (header.empty() || folder_of(header) == folder) continue;
+    arrows[folder][folder_of(header)] = source.filename().string() + " includes " + name;
   }
 }
 

@@ -137,7 +137,7 @@ class TangentOfASphere : public ::testing::Test {
     BlockRows G = rsi_rows(sample_.topology.rings, sample_.vertices);
     CpuKernels kernels;
     kernels.assemble_tangent(weighted.problem(), G.values);
-    const BlockMatrix H = pattern.normal().reduced_matrix(laplacian.unheld_matrix(), G);
+    const BlockMatrix H = pattern.normal().reduced_matrix(laplacian.unconstrained_matrix(), G);
     const auto n = static_cast<Eigen::Index>(3 * sample_.vertices.size());
     dense_ = MatrixXd::Zero(n, n);
     for (std::size_t c = 0; c < H.pattern->size(); ++c) {

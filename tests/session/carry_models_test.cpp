@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lapwing/closest/closest_point.h"
-#include "lapwing/deform/carried.h"
+#include "lapwing/deform/modifiers/attachments.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/mesh/shapes.h"
 #include "lapwing/mesh/transform.h"

@@ -10,7 +10,7 @@
 
 #include "lapwing/closest/closest_point.h"
 #include "lapwing/deform/deform.h"
-#include "lapwing/deform/mirrored_request.h"
+#include "lapwing/deform/modifiers/mirrored_request.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/topology.h"

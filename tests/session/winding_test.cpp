@@ -1,5 +1,5 @@
 // Turns of handles past 180 degrees: what a surface makes of them, and what is told about it.
-#include "lapwing/deform/winding.h"
+#include "lapwing/deform/modifiers/winding.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,10 +9,10 @@
 
 #include "io/temporary_folder.h"
 #include "lapwing/base/errors.h"
+#include "lapwing/elastic/energy_minimizer.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/session/run_recipe.h"
-#include "lapwing/settle/settle.h"
 #include "support/error_message.h"
 #include "support/rippled_cylinder.h"
 

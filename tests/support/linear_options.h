@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lapwing/deform/deform_options.h"
+#include "lapwing/elastic/deform_options.h"
 
 namespace lapwing::test {
 

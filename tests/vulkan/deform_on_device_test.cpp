@@ -4,7 +4,7 @@
 #include "kernels/moved_mesh.h"
 #include "kernels/twins.h"
 #include "lapwing/deform/deform_solver.h"
-#include "lapwing/settle/settle.h"
+#include "lapwing/elastic/energy_minimizer.h"
 #include "support/bent_tube.h"
 #include "support/linear_options.h"
 
@@ -93,7 +93,7 @@ TEST_P(SettleOnDevice, RingsSettleToTheSameShape) {
     const auto settled_on = [&](Kernels& on) {
       const SettleOptions options{.tolerance = 1e-9, .max_iterations = 2000};
       Positions u(mesh.vertex_count(), Vector3d::Zero());
-      EXPECT_TRUE(Settler(on, system, options).settle({wanted}, u).settled);
+      EXPECT_TRUE(EnergyMinimizer(on, system, options).settle({wanted}, u).settled);
       return u;
     };
     CpuKernels cpu;

@@ -3,10 +3,33 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lapwing)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine/lapwing DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.h"
-        # With JSON in them, which stays inside.
-        PATTERN "recipe/*write*.h" EXCLUDE PATTERN "*_json.h" EXCLUDE)
+# The public headers and all that they include; the others are internals.
+set(public_headers
+  lapwing/lapwing.h lapwing/base/cancellation.h lapwing/base/errors.h lapwing/base/limits.h
+  lapwing/batch/batch.h lapwing/deform/deform_solver.h lapwing/deform/drag_preview.h
+  lapwing/deform/drag_session.h lapwing/doctor/check.h lapwing/doctor/fix.h
+  lapwing/doctor/format.h lapwing/gpu/devices.h lapwing/kernels/cpu_kernels.h
+  lapwing/mesh/shapes.h lapwing/mesh/transform.h lapwing/parts/part_library.h
+  lapwing/recipe/recipe.h lapwing/render/render_image.h lapwing/render/surface.h
+  lapwing/session/run_recipe.h lapwing/session/session.h lapwing/vulkan/open_device.h
+  lapwing/vulkan/vulkan_kernels.h)
+set(unread ${public_headers})
+while(unread)
+  list(POP_FRONT unread header)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/engine/${header} includes REGEX "^#include \"lapwing/")
+  foreach(line ${includes})
+    string(REGEX REPLACE "^#include \"(.*)\".*" "\\1" included "${line}")
+    if(NOT included IN_LIST public_headers)
+      list(APPEND public_headers ${included})
+      list(APPEND unread ${included})
+    endif()
+  endforeach()
+endwhile()
+foreach(header ${public_headers})
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/engine/${header}
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
+endforeach()
 install(EXPORT lapwing FILE lapwingTargets.cmake NAMESPACE lapwing:: DESTINATION ${package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/lapwingConfig.cmake.in
   ${PROJECT_BINARY_DIR}/lapwingConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/deform/joined_request.h"
+#include "lapwing/deform/modifiers/joined_request.h"
 #include "lapwing/laplacian/rotation.h"
 
 namespace lapwing::viewer {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lapwing/deform/joined_request.h"
+#include "lapwing/deform/modifiers/joined_request.h"
 
 namespace lapwing::viewer {
 

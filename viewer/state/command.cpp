@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/mirror.h"
+#include "lapwing/deform/modifiers/mirror.h"
 #include "lapwing/region/joined_regions.h"
 #include "lapwing/step/step.h"
 #include "state/step_words.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "lapwing/deform/mirror.h"
+#include "lapwing/deform/modifiers/mirror.h"
 #include "lapwing/mesh/joined_surface.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/border_belt.h"

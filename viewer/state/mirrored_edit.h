@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "lapwing/deform/mirrored_request.h"
+#include "lapwing/deform/modifiers/mirrored_request.h"
 #include "state/edit_selection.h"
 
 namespace lapwing::viewer {

@@ -7,7 +7,7 @@
 
 #include <Eigen/LU>
 
-#include "lapwing/deform/commits.h"
+#include "lapwing/deform/modifiers/substeps.h"
 
 namespace lapwing::viewer {
 namespace {

@@ -11,7 +11,7 @@
 #include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/drag_session.h"
-#include "lapwing/deform/prepared_region.h"
+#include "lapwing/elastic/prepared_region.h"
 #include "state/app_state.h"
 #include "work/carry_contacts.h"
 #include "work/worker.h"

@@ -15,7 +15,7 @@ struct Certificate {
   /// Of the linear response, where nothing settles: |N u - b| / |b| of its equations (2-norms); 0
   /// when nothing moves, and of a settled surface.
   double relative_residual = 0.0;
-  /// Of a settled surface: SettleResult::relative_gradient, what of the energy's pull is not in
+  /// Of a settled surface: MinimizerResult::relative_gradient, what of the energy's pull is not in
   /// balance, over the force of the handles.
   double relative_gradient = 0.0;
   /// Largest distance between where a handle vertex is and where the motion wants it, mesh units.

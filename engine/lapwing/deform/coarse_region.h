@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "lapwing/deform/coarse_surfaces.h"
 #include "lapwing/deform/edit_system.h"
+#include "lapwing/elastic/coarse_surfaces.h"
 
 namespace lapwing {
 

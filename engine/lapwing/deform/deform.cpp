@@ -6,14 +6,14 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/base/stage.h"
-#include "lapwing/deform/bound_request.h"
-#include "lapwing/deform/commits.h"
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/deform/joined_request.h"
-#include "lapwing/deform/mirrored_request.h"
-#include "lapwing/deform/rest_stretch.h"
-#include "lapwing/deform/winding.h"
+#include "lapwing/deform/modifiers/bound_request.h"
+#include "lapwing/deform/modifiers/joined_request.h"
+#include "lapwing/deform/modifiers/mirrored_request.h"
+#include "lapwing/deform/modifiers/substeps.h"
+#include "lapwing/deform/modifiers/winding.h"
 #include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {
 namespace {
@@ -257,6 +257,11 @@ Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
   };
   if (joined == nullptr) return on_surface(request, std::move(mesh));
   return on_surface(joined_request(request, *joined), joined->surface);
+}
+
+Deformed deform(const Eigen::Ref<const Eigen::MatrixX3d>& V,
+                const Eigen::Ref<const Eigen::MatrixX3i>& F, const DeformRequest& request) {
+  return deform(mesh_of(V, F), request);
 }
 
 Deformed deform(Mesh mesh, const DeformRequest& request) {

@@ -10,10 +10,11 @@
 #include "lapwing/deform/certificate.h"
 #include "lapwing/deform/deform_request.h"
 #include "lapwing/deform/deform_solver.h"
-#include "lapwing/deform/prepared_region.h"
 #include "lapwing/deform/vertex_motion.h"
+#include "lapwing/elastic/prepared_region.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/mesh/joined_surface.h"
+#include "lapwing/mesh/matrices.h"
 #include "lapwing/mesh/mesh.h"
 #include "lapwing/region/edit_region.h"
 
@@ -53,6 +54,11 @@ struct Deformed : DeformReport {
 /// edits one region again and again keeps a DeformSolver. Throws InputError for a request that does
 /// not fit the mesh, and what DeformSolver throws.
 Deformed deform(Mesh mesh, const DeformRequest& request);
+
+/// The same for the triangles `F` (m x 3 vertex numbers) with positions `V` (n x 3). The result's
+/// positions are `vertex_matrix(result.mesh)`.
+Deformed deform(const Eigen::Ref<const Eigen::MatrixX3d>& V,
+                const Eigen::Ref<const Eigen::MatrixX3i>& F, const DeformRequest& request);
 
 /// What the regions of a request came to.
 struct ResolvedRegion {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lapwing/deform/deform_options.h"
-#include "lapwing/deform/mirror.h"
+#include "lapwing/deform/modifiers/mirror.h"
 #include "lapwing/deform/move.h"
+#include "lapwing/elastic/deform_options.h"
 #include "lapwing/region/border_belt.h"
 #include "lapwing/region/edit_region.h"
 #include "lapwing/region/region_spec.h"

@@ -8,7 +8,7 @@
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
 #include "lapwing/deform/axis_response.h"
-#include "lapwing/deform/coarse_drag.h"
+#include "lapwing/deform/coarse_proxy.h"
 #include "lapwing/deform/deform_solver_state.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/motion_target.h"
@@ -46,7 +46,7 @@ bool has_scale_forces(const EditSystem& edit) {
 }
 
 // What the scales that handles ask for and the springs pull the unknowns by; empty for nothing.
-Numbers linear_forces(const EditSystem& edit, const HandleShares* weights,
+Numbers linear_forces(const EditSystem& edit, const HandleWeights* weights,
                       std::span<const double> parameters) {
   Numbers forces = spring_forces(edit.laplacian->springs(), edit.constraints.unknowns);
   if (!has_scale_forces(edit)) return forces;
@@ -62,8 +62,9 @@ Numbers linear_forces(const EditSystem& edit, const HandleShares* weights,
 
 // Minimizes at each waypoint of a path in turn, on the coarse proxy if there is one.
 DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edit,
-                      const HandleShares& weights, Settler& minimizer, const Progress& progress) {
-  const std::unique_ptr<CoarseDrag> coarse = CoarseDrag::make(edit);
+                      const HandleWeights& weights, EnergyMinimizer& minimizer,
+                      const Progress& progress) {
+  const std::unique_ptr<CoarseProxy> coarse = CoarseProxy::make(edit);
   bool coarse_is_there = false;
   DragState pose;
   MotionTarget target;
@@ -113,9 +114,10 @@ void DeformSolverState::give_back(std::shared_ptr<MinimizerWorkspace> workspace)
   if (unused_ == nullptr) unused_ = std::move(workspace);
 }
 
-SettleResult minimize_from(const DragState* pose, const EditSystem& edit,
-                           const HandleShares& weights, Settler& minimizer, MotionTarget& target,
-                           std::span<Vector3d> u, const Progress& progress) {
+MinimizerResult minimize_from(const DragState* pose, const EditSystem& edit,
+                              const HandleWeights& weights, EnergyMinimizer& minimizer,
+                              MotionTarget& target, std::span<Vector3d> u,
+                              const Progress& progress) {
   if (pose == nullptr) {
     std::ranges::copy(start_by_handle_weights(edit, weights, target), u.begin());
   } else {
@@ -129,7 +131,7 @@ SettleResult minimize_from(const DragState* pose, const EditSystem& edit,
       for (const Index v : edit.moving) u[v] += response[v];
     }
   }
-  const SettleResult result = minimizer.settle(target.settle_target(), u, progress);
+  const MinimizerResult result = minimizer.settle(target.settle_target(), u, progress);
   set_free_rotations(edit, minimizer.handle_rotations(), target);
   return result;
 }
@@ -164,7 +166,7 @@ DeformSolver::DeformSolver(std::shared_ptr<const EditSystem> edit, Kernels& kern
   report_progress(progress, "shares", 0.0);
   const Stopwatch watch;
   if (state->edit->takes_rest_stretch()) {
-    state->weights = std::make_unique<const HandleShares>(*state->edit);
+    state->weights = std::make_unique<const HandleWeights>(*state->edit);
   }
   state->timings.add("shares", watch.elapsed_ms());
   report_progress(progress, "shares", 1.0);
@@ -220,7 +222,7 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
     certificate.relative_residual = state_->response->refine(target.wanted, forces, u);
   } else if (any_far(target.motions.turns) || !rests(edit, target.wanted)) {
     const BorrowedWorkspace workspace(*state_);
-    const SettleResult settled =
+    const MinimizerResult settled =
         minimize_from(pose, edit, *state_->weights, workspace->minimizer, target, u, progress);
     certificate.settle_iterations = settled.iterations;
     certificate.settled = settled.settled;
@@ -275,7 +277,7 @@ std::shared_ptr<const DragResponse> DeformSolver::response_of(std::span<const st
     const auto system =
         state_->response ? state_->response : edit.response(*state_->kernels, progress, untold);
     report_progress(progress, "response", 0.0);
-    const HandleShares* weights = has_scale_forces(edit) ? state_->weights.get() : nullptr;
+    const HandleWeights* weights = has_scale_forces(edit) ? state_->weights.get() : nullptr;
     Numbers columns = response_basis(edit, *system, dragged, weights, progress);
     return std::make_shared<const DragResponse>(state_->edit, std::move(dragged),
                                                 std::move(columns), false);

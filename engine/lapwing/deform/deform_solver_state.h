@@ -5,11 +5,11 @@
 
 #include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/edit_system.h"
-#include "lapwing/deform/handle_shares.h"
+#include "lapwing/deform/handle_weights.h"
 #include "lapwing/deform/motion_target.h"
-#include "lapwing/deform/pose_tangent.h"
+#include "lapwing/elastic/energy_minimizer.h"
+#include "lapwing/elastic/pose_hessian.h"
 #include "lapwing/kernels/cpu_kernels.h"
-#include "lapwing/settle/settle.h"
 
 namespace lapwing {
 
@@ -19,8 +19,8 @@ struct MinimizerWorkspace {
   MinimizerWorkspace(const MinimizerWorkspace&) = delete;
   MinimizerWorkspace& operator=(const MinimizerWorkspace&) = delete;
 
-  PoseTangent hessian;
-  Settler minimizer;
+  PoseHessian hessian;
+  EnergyMinimizer minimizer;
 };
 
 /// What a DeformSolver holds, and a DragSession uses.
@@ -30,7 +30,7 @@ struct DeformSolverState {
   CpuKernels cpu;
   Kernels* minimizer_kernels = nullptr;  ///< the one or the other
   StageTimings timings;
-  std::unique_ptr<const HandleShares> weights;     ///< null if the edit takes no rest stretch
+  std::unique_ptr<const HandleWeights> weights;    ///< null if the edit takes no rest stretch
   std::shared_ptr<const ResponseSystem> response;  ///< null if the edit settles
 
   /// Takes a workspace out of those that are kept, or makes one. Thread-safe, like the next.
@@ -62,8 +62,9 @@ class BorrowedWorkspace {
 /// Minimizes `u`, displacements of the whole mesh, for `target`, by the fine surface alone. Starts
 /// at `pose`, moved on by the linear response to what the handles have changed since, or if that is
 /// null at the handle weights. Sets the rotations of free handles in `target`.
-SettleResult minimize_from(const DragState* pose, const EditSystem& edit,
-                           const HandleShares& weights, Settler& minimizer, MotionTarget& target,
-                           std::span<Eigen::Vector3d> u, const Progress& progress);
+MinimizerResult minimize_from(const DragState* pose, const EditSystem& edit,
+                              const HandleWeights& weights, EnergyMinimizer& minimizer,
+                              MotionTarget& target, std::span<Eigen::Vector3d> u,
+                              const Progress& progress);
 
 }  // namespace lapwing

@@ -5,9 +5,9 @@
 
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/deform/deform_options.h"
 #include "lapwing/deform/drag.h"
-#include "lapwing/deform/prepared_region.h"
+#include "lapwing/elastic/deform_options.h"
+#include "lapwing/elastic/prepared_region.h"
 #include "lapwing/mesh/topology.h"
 #include "lapwing/region/edit_region.h"
 

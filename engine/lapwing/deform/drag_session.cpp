@@ -9,12 +9,12 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/stopwatch.h"
 #include "lapwing/deform/axis_response.h"
-#include "lapwing/deform/coarse_drag.h"
+#include "lapwing/deform/coarse_proxy.h"
 #include "lapwing/deform/deform_solver_state.h"
-#include "lapwing/deform/made_aside.h"
 #include "lapwing/deform/motion_target.h"
-#include "lapwing/deform/recent_change.h"
+#include "lapwing/deform/predictor.h"
 #include "lapwing/deform/turn_tracker.h"
+#include "lapwing/elastic/background_task.h"
 
 namespace lapwing {
 
@@ -30,9 +30,6 @@ constexpr double kSmoothStep = 0.05;
 constexpr double kIterationsOfFineFrame = 2.0;
 // Frames at rest in which the proxy may still help.
 constexpr int kCoarseFramesAtRest = 20;
-// How much of the recent change a frame repeats: that change contains what its frames have left to
-// settle, too.
-constexpr double kRepeatedShare = 0.75;
 
 }  // namespace
 
@@ -48,18 +45,15 @@ struct DragSession::State {
   Positions next;                     // the displacement of the frame at hand; else unused memory
   std::vector<Vector3d> next_wanted;  // unused memory between frames
 
-  // How parameters and displacement changed in the last frames, each counted by half of the next.
-  std::vector<double> recent_parameters;
-  Positions recent_displacement;
-
-  std::unique_ptr<CoarseDrag> coarse;  // null until it is built, and if the region needs none
+  Predictor predictor;
+  std::unique_ptr<CoarseProxy> coarse;  // null until it is built, and if the region needs none
   bool coarse_is_at_pose = false;
   bool lacks_time = false;        // whether a frame of this drag has not settled in its time
   int coarse_frames_at_rest = 0;  // since the handles moved last
   double iteration_ms = 0.0;      // of the fine surface
   double ending_ms = 0.0;         // what follows the iterations in a frame
   std::vector<Vector3d> pull;     // the gradient at the fine surface
-  MadeAside<std::unique_ptr<CoarseDrag>> coarse_task;  // last: it uses the solver
+  BackgroundTask<std::unique_ptr<CoarseProxy>> coarse_task;  // last: it uses the solver
 
   State(std::shared_ptr<const DeformSolver> of, const DeformSolverState& internals)
       : solver(std::move(of)), of_solver(internals) {}
@@ -69,7 +63,7 @@ struct DragSession::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  Settler& minimizer() {
+  EnergyMinimizer& minimizer() {
     if (workspace == nullptr) {
       workspace = of_solver.take_workspace();
       workspace->minimizer.begin_drag();
@@ -87,47 +81,15 @@ struct DragSession::State {
     });
   }
 
-  // The share of the recent change that the handles repeat when their parameters change so.
-  double share_of_recent(std::span<const double> change) const {
-    if (recent_parameters.empty()) return 0.0;
-    const auto way_of = [&](std::size_t h, Index v, std::span<const double> of) {
-      return handle_displacement(
-          edit.frames[h], of.subspan(h * kMotionParameters, kMotionParameters), (*edit.rest)[v]);
-    };
-    ShareOfRecent again;
-    for (std::size_t h = 0; h < edit.frames.size(); ++h) {
-      for (const Index v : edit.region.handles[h]) {
-        again.add(way_of(h, v, change), way_of(h, v, recent_parameters));
-      }
-    }
-    return again.value();
-  }
-
-  // Sets `next` to where the surface is expected at other parameters.
-  void predict(std::span<const double> at) {
-    std::vector<double> change(at.begin(), at.end());
-    for (std::size_t k = 0; k < change.size(); ++k) change[k] -= parameters[k];
-    const double share = kRepeatedShare * share_of_recent(change);
-    if (share > 0.0) {
-      for (std::size_t k = 0; k < change.size(); ++k) change[k] -= share * recent_parameters[k];
-    }
-    const std::vector<Vector3d> response =
-        axis_displacement(edit, edit.wanted_displacement(change), Springs::rest);
-    copy_to_next(pose.displacement);
-    for (const Index v : edit.moving) {
-      next[v] += response[v];
-      if (share > 0.0) next[v] += share * recent_displacement[v];
-    }
-  }
-
   // Sets `next` by the coarse proxy, in the time that is left.
-  void carry_by_coarse(MotionTarget& target, const GoOn& go_on) {
+  void carry_by_coarse(MotionTarget& target, const TimeBudget& budget) {
     if (!coarse_is_at_pose) {
       coarse->begin({wanted, target.stretch.of_vertices}, pose.displacement);
     }
     copy_to_next(pose.displacement);
-    const auto ask = [&](double ms) { return go_on(ms + ending_ms); };
-    coarse->move(target.settle_target(), go_on ? GoOn(ask) : GoOn(), iteration_ms, next);
+    const auto ask = [&](double ms) { return budget(ms + ending_ms); };
+    coarse->move(target.settle_target(), budget ? TimeBudget(ask) : TimeBudget(), iteration_ms,
+                 next);
     const Stopwatch ending;
     set_free_rotations(edit, coarse->handle_rotations(), target);
     move_held(edit, wanted, target.wanted, pose.displacement, next);
@@ -138,7 +100,7 @@ struct DragSession::State {
   // Hessian does not find it sooner. Returns whether `next` is set.
   bool carry_at_rest(MotionTarget& target) {
     if (!coarse_is_at_pose || coarse_frames_at_rest >= kCoarseFramesAtRest ||
-        minimizer().goes_by_tangent()) {
+        minimizer().uses_hessian()) {
       return false;
     }
     ++coarse_frames_at_rest;
@@ -148,17 +110,17 @@ struct DragSession::State {
   }
 
   // Minimizes `next` as far as there is time, at least by one iteration if it `must`.
-  SettleResult minimize(MotionTarget& target, bool at_rest, bool must, const GoOn& go_on,
-                        const Progress& progress) {
-    if (!must && go_on && !go_on(iteration_ms)) {
+  MinimizerResult minimize(MotionTarget& target, bool at_rest, bool must, const TimeBudget& budget,
+                           const Progress& progress) {
+    if (!must && budget && !budget(iteration_ms)) {
       minimizer().end_rest();
       return {};
     }
     const Stopwatch watch;
     bool is_first = must;
-    const auto ask = [&](double ms) { return go_on(std::exchange(is_first, false) ? 0.0 : ms); };
-    const GoOn goes_on = go_on ? GoOn(ask) : GoOn();
-    SettleResult result;
+    const auto ask = [&](double ms) { return budget(std::exchange(is_first, false) ? 0.0 : ms); };
+    const TimeBudget goes_on = budget ? TimeBudget(ask) : TimeBudget();
+    MinimizerResult result;
     if (at_rest) {
       result = minimizer().rest(target.settle_target(), next, goes_on, progress);
     } else {
@@ -170,7 +132,7 @@ struct DragSession::State {
   }
 
   // Tells the proxy what still pulls on the fine surface, once that is smooth.
-  void correct_coarse(const SettleResult& result) {
+  void correct_coarse(const MinimizerResult& result) {
     if (result.iterations == 0 || result.last_step > kSmoothStep) return;
     pull.resize(next.size(), Vector3d::Zero());
     minimizer().gradient(pull);
@@ -178,11 +140,9 @@ struct DragSession::State {
   }
 
   // Makes `next` the pose.
-  void accept(MotionTarget target, const SettleResult& result, bool extends_recent) {
-    // What frames at rest change tells nothing of where the surface goes with the handles.
-    if (extends_recent && parameters != target.parameters) {
-      add_change(recent_parameters, parameters, target.parameters);
-      add_change(recent_displacement, pose.displacement, next, edit.moving);
+  void accept(MotionTarget target, const MinimizerResult& result, bool tells_of_motion) {
+    if (tells_of_motion) {
+      predictor.add_frame(edit, wanted, target.wanted, pose.displacement, next);
     }
     std::swap(pose.displacement, next);
     pose.motions = std::move(target.motions);
@@ -208,8 +168,7 @@ void DragSession::begin(DragState start) {
   State& s = *state_;
   s.pose = std::move(start);
   s.parameters.clear();
-  s.recent_parameters.clear();
-  s.recent_displacement.clear();
+  s.predictor.clear();
   if (!s.pose.empty()) {
     // The pose of another region may displace vertices that do not move here.
     Positions own(s.edit.rest->size(), Vector3d::Zero());
@@ -224,8 +183,8 @@ void DragSession::begin(DragState start) {
   if (s.workspace != nullptr) s.workspace->minimizer.begin_drag();
 }
 
-const DragState& DragSession::step(std::span<const Eigen::Affine3d> motions, const GoOn& go_on,
-                                   const Progress& progress) {
+const DragState& DragSession::step(std::span<const Eigen::Affine3d> motions,
+                                   const TimeBudget& budget, const Progress& progress) {
   HandleMotions with_turns;
   with_turns.maps.assign(motions.begin(), motions.end());
   const std::vector<Eigen::AngleAxisd>& last = state_->pose.motions.turns;
@@ -234,10 +193,10 @@ const DragState& DragSession::step(std::span<const Eigen::Affine3d> motions, con
     tracker.follow(motions[h]);
     with_turns.turns.push_back(tracker.turn());
   }
-  return step(with_turns, go_on, progress);
+  return step(with_turns, budget, progress);
 }
 
-const DragState& DragSession::step(const HandleMotions& motions, const GoOn& go_on,
+const DragState& DragSession::step(const HandleMotions& motions, const TimeBudget& budget,
                                    const Progress& progress) {
   const ProgressScope scope(progress);
   State& s = *state_;
@@ -254,6 +213,7 @@ const DragState& DragSession::step(const HandleMotions& motions, const GoOn& go_
   bool by_coarse = false;
   if (begins) {
     s.minimizer().begin_drag();
+    s.predictor.clear();
     s.lacks_time = false;
     s.copy_to_next(start_by_handle_weights(edit, *s.of_solver.weights, target));
   } else if (at_rest) {
@@ -262,20 +222,20 @@ const DragState& DragSession::step(const HandleMotions& motions, const GoOn& go_
   } else {
     if (s.coarse_task.is_made()) s.coarse = s.coarse_task.take();
     const bool is_short =
-        go_on && (s.lacks_time || !go_on(kIterationsOfFineFrame * s.iteration_ms));
+        budget && (s.lacks_time || !budget(kIterationsOfFineFrame * s.iteration_ms));
     by_coarse = is_short && s.coarse != nullptr;
     if (by_coarse) {
       s.coarse_frames_at_rest = 0;
-      s.carry_by_coarse(target, go_on);
+      s.carry_by_coarse(target, budget);
     } else {
-      s.predict(target.parameters);
+      s.next = s.predictor.predict(edit, s.wanted, target.wanted, s.pose.displacement);
     }
   }
   s.coarse_is_at_pose = false;  // until this frame has succeeded
 
   // While the proxy is being built, frames without time only predict.
-  const bool must = at_rest || !(by_coarse || (go_on && s.coarse_task.is_at_work()));
-  const SettleResult result = s.minimize(target, at_rest, must, go_on, progress);
+  const bool must = at_rest || !(by_coarse || (budget && s.coarse_task.is_at_work()));
+  const MinimizerResult result = s.minimize(target, at_rest, must, budget, progress);
   if (!begins && !at_rest && !result.settled && !std::exchange(s.lacks_time, true)) prepare();
   if (by_coarse) s.correct_coarse(result);
 
@@ -285,7 +245,7 @@ const DragState& DragSession::step(const HandleMotions& motions, const GoOn& go_
   certificate.all_finite =
       std::ranges::all_of(edit.moving, [&](Index v) { return s.next[v].allFinite(); });
   require_valid(certificate);
-  s.accept(std::move(target), result, !begins && !by_coarse);
+  s.accept(std::move(target), result, !begins && !at_rest && !by_coarse);
   s.coarse_is_at_pose = by_coarse;
   if (by_coarse) s.ending_ms += ending.elapsed_ms();
   return s.pose;
@@ -304,7 +264,7 @@ void DragSession::prepare() {
   s.minimizer();
   if (!s.edit.needs_coarse_surface()) return s.workspace->hessian.prepare();
   s.coarse_task.begin([&edit = s.edit, workspace = s.workspace] {
-    std::unique_ptr<CoarseDrag> made = CoarseDrag::make(edit);
+    std::unique_ptr<CoarseProxy> made = CoarseProxy::make(edit);
     workspace->hessian.prepare();
     return made;
   });

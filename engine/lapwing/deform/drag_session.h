@@ -10,21 +10,21 @@
 #include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/drag_state.h"
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/settle/settle.h"
+#include "lapwing/elastic/minimizer_result.h"
 
 namespace lapwing {
 
 /// Moves the surface of an edit frame by frame, each frame minimized as far as it has time:
 ///
 ///     DragSession drag(solver);
-///     drag.step(motions, go_on);  // every frame
+///     drag.step(motions, budget);  // every frame
 ///     draw(drag.state());
 ///     solver->solve_from(drag.state(), motions);  // when the hand lets go
 ///
 /// A frame starts where the last frames lead: as far as the handles go on as they did, so does the
 /// surface; the rest of the way it follows the linear response of the n x n system. If that leaves
 /// too little time to minimize, a region of 6,500 vertices or more is carried along by its coarse
-/// proxy (CoarseDrag), whose frames take little time at any size, until the handles rest. Then the
+/// proxy (CoarseProxy), whose frames take little time at any size, until the handles rest. Then the
 /// surface itself is minimized by the Hessian of its pose. Not thread-safe.
 class DragSession {
  public:
@@ -37,15 +37,16 @@ class DragSession {
   /// Starts another drag, at a pose of the solver's region or at rest.
   void begin(DragState start = {});
 
-  /// Moves on to `motions`. The surface is as near to its minimum as `go_on` leaves time for
-  /// (Settler::follow); with the same motions again it goes on, and once settled nothing moves. The
-  /// first frame from rest starts at the handle weights, and so does a frame in which a handle has
-  /// turned by more than 90 degrees since the last. Throws InputError for motions that do not fit,
-  /// SolverError if the surface is not finite, Cancelled, each time with the state as it was.
-  const DragState& step(const HandleMotions& motions, const GoOn& go_on = {},
+  /// Moves on to `motions`. The surface is as near to its minimum as `budget` leaves time for
+  /// (EnergyMinimizer::follow); with the same motions again it goes on, and once settled nothing
+  /// moves. The first frame from rest starts at the handle weights, and so does a frame in which a
+  /// handle has turned by more than 90 degrees since the last. Throws InputError for motions that
+  /// do not fit, SolverError if the surface is not finite, Cancelled, each time with the state as
+  /// it was.
+  const DragState& step(const HandleMotions& motions, const TimeBudget& budget = {},
                         const Progress& progress = {});
   /// The same with turns that add up from frame to frame, as TurnTracker follows them.
-  const DragState& step(std::span<const Eigen::Affine3d> motions, const GoOn& go_on = {},
+  const DragState& step(std::span<const Eigen::Affine3d> motions, const TimeBudget& budget = {},
                         const Progress& progress = {});
 
   /// Where the surface is.

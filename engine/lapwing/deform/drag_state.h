@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lapwing/deform/handle_motion.h"
+#include "lapwing/elastic/minimizer_result.h"
 #include "lapwing/mesh/mesh.h"
-#include "lapwing/settle/settle.h"
 
 namespace lapwing {
 
@@ -11,7 +11,7 @@ struct DragState {
   /// The handles' motions. A handle with free orientation has the rotation that was found.
   HandleMotions motions;
   Positions displacement;  ///< of the whole mesh, from rest
-  SettleResult settled;    ///< how the last frame ended
+  MinimizerResult settled;  ///< how the last frame ended
 
   bool empty() const { return motions.maps.empty(); }
 };

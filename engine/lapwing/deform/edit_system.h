@@ -8,11 +8,11 @@
 
 #include "lapwing/base/progress.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/deform/deform_options.h"
-#include "lapwing/deform/factor_cache.h"
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/deform/loose_parts.h"
-#include "lapwing/deform/prepared_region.h"
+#include "lapwing/deform/modifiers/loose_parts.h"
+#include "lapwing/elastic/deform_options.h"
+#include "lapwing/elastic/factor_cache.h"
+#include "lapwing/elastic/prepared_region.h"
 #include "lapwing/laplacian/constraints.h"
 #include "lapwing/region/edit_region.h"
 

@@ -114,7 +114,7 @@ bool any_far_since(const HandleMotions& last, const HandleMotions& now) {
   return false;
 }
 
-std::vector<Vector3d> start_by_handle_weights(const EditSystem& edit, const HandleShares& weights,
+std::vector<Vector3d> start_by_handle_weights(const EditSystem& edit, const HandleWeights& weights,
                                               const MotionTarget& target) {
   const HandleMotions& motions = target.motions;
   std::vector<Vector3d> u = weights.turned(motions.maps, motions.turns, target.stretch);

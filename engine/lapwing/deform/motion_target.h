@@ -5,9 +5,9 @@
 
 #include "lapwing/deform/edit_system.h"
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/deform/handle_shares.h"
+#include "lapwing/deform/handle_weights.h"
 #include "lapwing/deform/rest_stretch.h"
-#include "lapwing/settle/settle.h"
+#include "lapwing/elastic/energy_minimizer.h"
 
 namespace lapwing {
 
@@ -19,7 +19,7 @@ struct MotionTarget {
   std::vector<FreeHandle> free_handles;
   std::vector<Eigen::Vector3d> wanted;  ///< displacements, per vertex of the mesh
 
-  SettleTarget settle_target() const { return {wanted, stretch.of_vertices, {}, free_handles}; }
+  MinimizerTarget settle_target() const { return {wanted, stretch.of_vertices, {}, free_handles}; }
 };
 
 /// Takes time that is that of the handles if `wanted` is the field of an earlier target of the same
@@ -45,7 +45,7 @@ bool any_far_since(const HandleMotions& last, const HandleMotions& now);
 /// Where minimizing starts without a pose: the displacement of every vertex by the handle weights,
 /// and by the targets of the edit.
 std::vector<Eigen::Vector3d> start_by_handle_weights(const EditSystem& edit,
-                                                     const HandleShares& weights,
+                                                     const HandleWeights& weights,
                                                      const MotionTarget& target);
 
 /// Moves belt and handles in `u` as they are held: the belt stays where it is in `last`, and

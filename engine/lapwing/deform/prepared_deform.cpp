@@ -14,8 +14,8 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/worker_pool.h"
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/deform/joined_request.h"
-#include "lapwing/deform/mirrored_request.h"
+#include "lapwing/deform/modifiers/joined_request.h"
+#include "lapwing/deform/modifiers/mirrored_request.h"
 
 namespace lapwing {
 

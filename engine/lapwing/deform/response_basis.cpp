@@ -66,7 +66,7 @@ std::vector<Vector3d> linear_displacement(const EditSystem& system, const Respon
 }
 
 Numbers response_basis(const EditSystem& system, const ResponseSystem& response,
-                       std::span<const std::size_t> handles, const HandleShares* shares,
+                       std::span<const std::size_t> handles, const HandleWeights* shares,
                        const Progress& progress) {
   const Unknowns& unknowns = system.constraints.unknowns;
   const std::size_t column = 3 * system.moving.size();

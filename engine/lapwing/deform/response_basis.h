@@ -5,7 +5,7 @@
 #include "lapwing/base/numbers.h"
 #include "lapwing/base/progress.h"
 #include "lapwing/deform/edit_system.h"
-#include "lapwing/deform/handle_shares.h"
+#include "lapwing/deform/handle_weights.h"
 
 namespace lapwing {
 
@@ -21,7 +21,7 @@ double growth_of(const HandleFrame& frame, std::span<const double> parameters);
 /// is the 3n x 3n system of `system`. `shares` null: no scale forces, as the RSI system has it.
 /// Stage "response" is reported, handle by handle.
 Numbers response_basis(const EditSystem& system, const ResponseSystem& response,
-                       std::span<const std::size_t> handles, const HandleShares* shares,
+                       std::span<const std::size_t> handles, const HandleWeights* shares,
                        const Progress& progress);
 
 /// The same for one motion, whose parameters ask for `wanted` and `forces` (empty for none): the

@@ -8,6 +8,7 @@
 
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/axis_response.h"
+#include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {
 namespace {
@@ -146,13 +147,6 @@ bool are_rigid(std::span<const Eigen::Affine3d> motions) {
   return std::ranges::all_of(motions, [](const Eigen::Affine3d& motion) {
     return are_equal(motion.linear().transpose() * motion.linear(), Matrix3d::Identity());
   });
-}
-
-Matrix3d polar_stretch(const Matrix3d& A) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> squares(A.transpose() * A);
-  const Vector3d stretches =
-      squares.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseMax(kLeastStretch);
-  return squares.eigenvectors() * stretches.asDiagonal() * squares.eigenvectors().transpose();
 }
 
 std::vector<double> mean_scales(std::span<const Matrix3d> stretches) {

@@ -36,11 +36,6 @@ RestStretch rest_stretch(const EditSystem& system, std::span<const Eigen::Affine
 /// size.
 bool are_rigid(std::span<const Eigen::Affine3d> motions);
 
-/// The stretch P of A = R P, R a rotation: the root of A'A. No direction becomes shorter than
-/// kLeastStretch, which keeps the rotation of what is flattened defined.
-Eigen::Matrix3d polar_stretch(const Eigen::Matrix3d& A);
-inline constexpr double kLeastStretch = 1e-3;
-
 /// By how much each stretch changes sizes: the cube root of its determinant.
 std::vector<double> mean_scales(std::span<const Eigen::Matrix3d> stretches);
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "lapwing/base/stopwatch.h"
+#include "lapwing/laplacian/constrained_factor.h"
 #include "lapwing/laplacian/constraints.h"
 #include "lapwing/laplacian/energy_weights.h"
-#include "lapwing/laplacian/held_factor.h"
 #include "lapwing/laplacian/region_rings.h"
 #include "lapwing/laplacian/rsi_system.h"
 #include "lapwing/laplacian/springs.h"
@@ -54,7 +54,7 @@ class LaplacianSystem {
   /// Likewise, none kStiff any more.
   std::span<const Spring> springs() const { return springs_; }
   /// L'Om L + K, without W.
-  BlockMatrix unheld_matrix() const { return factor_.unheld_matrix(); }
+  BlockMatrix unconstrained_matrix() const { return factor_.unconstrained_matrix(); }
   /// (L'Om L + K) u over the unknowns, u given for the whole mesh and 0 outside the region: 3
   /// numbers per unknown.
   void multiply(std::span<const Eigen::Vector3d> u, std::span<double> y) const;
@@ -113,7 +113,7 @@ class LaplacianSystem {
   mutable std::mutex building_rings_;
   mutable std::shared_ptr<const RegionRings> rings_;  ///< null until they are asked for
   std::vector<Index> places_;  ///< unknown -> where it stands in the order of elimination
-  HeldFactor factor_;
+  ConstrainedFactor factor_;
 };
 
 }  // namespace lapwing

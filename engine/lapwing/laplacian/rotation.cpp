@@ -122,4 +122,10 @@ Matrix3d least_rotation(const Vector3d& from, const Vector3d& to) {
   return turn.normalized().toRotationMatrix();
 }
 
+Matrix3d polar_stretch(const Matrix3d& A) {
+  const Eigenvectors3 squares = symmetric_eigenvectors(A.transpose() * A);
+  const Vector3d stretches = squares.values.cwiseMax(0.0).cwiseSqrt().cwiseMax(kLeastStretch);
+  return squares.vectors * stretches.asDiagonal() * squares.vectors.transpose();
+}
+
 }  // namespace lapwing

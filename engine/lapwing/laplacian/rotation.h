@@ -13,4 +13,9 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& H);
 /// opposite ones about an axis that depends on `from` alone.
 Eigen::Matrix3d least_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
+/// The stretch P of A = R P, R a rotation: the root of A'A. No direction becomes shorter than
+/// kLeastStretch, so that the rotation of a flattened shape stays defined.
+Eigen::Matrix3d polar_stretch(const Eigen::Matrix3d& A);
+inline constexpr double kLeastStretch = 1e-3;
+
 }  // namespace lapwing

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "lapwing/deform/carried.h"
+#include "lapwing/deform/modifiers/attachments.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/io/point_table.h"
 #include "lapwing/mesh/mesh.h"

@@ -5,7 +5,7 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/base/stage.h"
-#include "lapwing/deform/carried.h"
+#include "lapwing/deform/modifiers/attachments.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/io/number_table.h"
 #include "lapwing/step/key_visitor.h"

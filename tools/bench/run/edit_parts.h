@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "lapwing/deform/deform_options.h"
+#include "lapwing/elastic/deform_options.h"
 #include "lapwing/kernels/kernels.h"
 #include "lapwing/laplacian/constraints.h"
 #include "lapwing/laplacian/laplacian_system.h"

@@ -10,9 +10,9 @@
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/drag_session.h"
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/deform/prepared_region.h"
+#include "lapwing/elastic/energy_minimizer.h"
+#include "lapwing/elastic/prepared_region.h"
 #include "lapwing/render/surface.h"
-#include "lapwing/settle/settle.h"
 #include "run/edit_parts.h"
 #include "run/stages.h"
 
@@ -309,7 +309,7 @@ void measure_settle_iteration(BenchRun& run, const Subject& subject, const Bench
   SettleOptions options;
   options.max_iterations = kSettleIterations;
   options.tolerance = 1e-300;
-  Settler settler(*device.kernels, system, options);
+  EnergyMinimizer settler(*device.kernels, system, options);
   Positions wanted(subject.vertices(), Eigen::Vector3d::Zero());
   const Eigen::Affine3d motion = subject.motion(1.0);
   for (const Index v : subject.region.handles[0]) {

@@ -12,8 +12,8 @@
 #include "lapwing/deform/deform_request.h"
 #include "lapwing/deform/drag_session.h"
 #include "lapwing/deform/handle_motion.h"
-#include "lapwing/deform/prepared_region.h"
 #include "lapwing/deform/turn_tracker.h"
+#include "lapwing/elastic/prepared_region.h"
 #include "lapwing/io/mesh_file.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "lapwing/mesh/subdivide.h"
@@ -133,7 +133,7 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
   Samples frames;
   DragSession drag(edit.solver());
   const DragState& pose = drag.state();
-  const auto frame = [&](double share, const GoOn& go_on) {
+  const auto frame = [&](double share, const TimeBudget& go_on) {
     drag.step(std::array{edit.part(share)}, go_on);
   };
   const Stopwatch preparing;

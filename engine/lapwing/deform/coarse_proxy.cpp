@@ -1,0 +1,145 @@
+#include "lapwing/deform/coarse_proxy.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lapwing/base/stopwatch.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
+constexpr std::size_t kCoarseVertices = 3500;
+
+// Of the gathered forces: the coarse surface gives way to them a little more or less than the fine
+// one would.
+constexpr double kTrustInForces = 0.7;
+
+}  // namespace
+
+std::unique_ptr<CoarseProxy> CoarseProxy::make(const EditSystem& fine) {
+  if (!fine.needs_coarse_surface()) return nullptr;
+  std::unique_ptr<CoarseRegion> coarse = coarse_region(fine, kCoarseVertices);
+  if (coarse == nullptr) return nullptr;
+  return std::unique_ptr<CoarseProxy>(new CoarseProxy(fine, std::move(coarse)));
+}
+
+CoarseProxy::CoarseProxy(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse)
+    : coarse_(std::move(coarse)),
+      settler_(kernels_, *coarse_->edit->laplacian, *fine.options.settle),
+      energy_ratio_(static_cast<double>(coarse_->edit->region.roi.size()) /
+                    static_cast<double>(fine.region.roi.size())),
+      is_held_(surface().kept.size(), 1),
+      coarse_of_(places_in(surface().kept, fine.rest->size())) {
+  for (const Index c : coarse_->edit->region.roi) is_held_[c] = 0;
+  for (const Index c : coarse_->edit->region.belt) is_held_[c] = 1;
+  for (const VertexSet& handle : coarse_->edit->region.handles) {
+    for (const Index c : handle) is_held_[c] = 1;
+  }
+}
+
+std::vector<Vector3d> CoarseProxy::of_kept(std::span<const Vector3d> of_fine) const {
+  std::vector<Vector3d> own;
+  own.reserve(surface().kept.size());
+  for (const Index v : surface().kept) own.push_back(of_fine[v]);
+  return own;
+}
+
+MinimizerTarget CoarseProxy::target_of(const MinimizerTarget& fine) {
+  next_wanted_ = of_kept(fine.wanted);
+  stretch_.clear();
+  if (!fine.rest_stretch.empty()) {
+    for (const Index v : surface().kept) stretch_.push_back(fine.rest_stretch[v]);
+  }
+  const Unknowns& unknowns = coarse_->edit->constraints.unknowns;
+  free_handles_.clear();
+  for (const FreeHandle& handle : fine.free_handles) {
+    FreeHandle& own = free_handles_.emplace_back();
+    for (std::size_t k = 0; k < handle.vertices.size(); ++k) {
+      const Index c = coarse_of_[handle.vertices[k]];
+      if (c == kNoIndex || unknowns.of_vertex[c] == kNoIndex) continue;
+      own.vertices.push_back(c);
+      own.shape.push_back(handle.shape[k]);
+      own.to_centre.push_back(handle.to_centre[k]);
+    }
+  }
+  return {next_wanted_, stretch_, forces_, free_handles_};
+}
+
+// Of the surface that was settled or asked for its energy last.
+CoarseEmbedding::Pose CoarseProxy::pose_at(std::vector<Vector3d> displacement) {
+  const RegionRings& rings = coarse_->edit->laplacian->rings();
+  CoarseEmbedding::Pose pose{std::move(displacement),
+                             std::vector<Matrix3d>(surface().kept.size(), Matrix3d::Identity())};
+  const std::vector<Matrix3d> transforms = settler_.transforms();
+  for (std::size_t r = 0; r < rings.row_count(); ++r) {
+    pose.transforms[rings.vertices[r]] = transforms[r];
+  }
+  return pose;
+}
+
+void CoarseProxy::begin(const MinimizerTarget& target, std::span<const Vector3d> u) {
+  forces_.assign(surface().kept.size(), Vector3d::Zero());
+  predictor_.clear();
+  settler_.begin_drag();
+  std::vector<Vector3d> displacement = of_kept(u);
+  settler_.energy(target_of(target), displacement);
+  pose_ = pose_at(std::move(displacement));
+  wanted_ = next_wanted_;
+}
+
+std::vector<Vector3d> CoarseProxy::predicted() const {
+  if (wanted_ == next_wanted_) return pose_.displacement;
+  return predictor_.predict(*coarse_->edit, wanted_, next_wanted_, pose_.displacement);
+}
+
+void CoarseProxy::move(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
+                       std::span<Vector3d> u) {
+  const MinimizerTarget own = target_of(target);
+  std::vector<Vector3d> displacement = predicted();
+  int iterations = 0;
+  // One more takes no time that the caller has a use for.
+  const auto has_time = [&](double ms) {
+    if (iterations < kFewestIterations || !budget || budget(ms + carrying_ms_ + next_ms))
+      return true;
+    return !budget(carrying_ms_ + next_ms) && budget(ms + carrying_ms_);
+  };
+  settler_.follow(own, displacement, [&](double ms) {
+    return iterations < kMostIterations && has_time(ms) && ++iterations > 0;
+  });
+  const Stopwatch carrying;
+  carry_to(std::move(displacement), u);
+  carrying_ms_ = carrying.elapsed_ms();
+}
+
+void CoarseProxy::settle(const MinimizerTarget& target, const Progress& progress,
+                         std::span<Vector3d> u) {
+  const MinimizerTarget own = target_of(target);
+  std::vector<Vector3d> displacement = predicted();
+  settler_.settle(own, displacement, progress);
+  carry_to(std::move(displacement), u);
+}
+
+// The coarse surface is at `displacement`, for the next target: takes the fine one along.
+void CoarseProxy::carry_to(std::vector<Vector3d> displacement, std::span<Vector3d> u) {
+  CoarseEmbedding::Pose next = pose_at(std::move(displacement));
+  coarse_->level->embedding.carry(pose_, next, u);
+  if (wanted_ != next_wanted_) {
+    predictor_.add_frame(*coarse_->edit, wanted_, next_wanted_, pose_.displacement,
+                         next.displacement);
+  }
+  pose_ = std::move(next);
+  std::swap(wanted_, next_wanted_);
+}
+
+void CoarseProxy::learn(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {
+  const std::vector<Vector3d> gathered = coarse_->level->embedding.gather(gradient, u, pose_);
+  for (std::size_t c = 0; c < gathered.size(); ++c) {
+    if (is_held_[c] == 0) forces_[c] -= kTrustInForces * energy_ratio_ * gathered[c];
+  }
+}
+
+}  // namespace lapwing

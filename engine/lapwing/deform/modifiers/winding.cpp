@@ -1,0 +1,114 @@
+#include "lapwing/deform/modifiers/winding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "lapwing/deform/turn_tracker.h"
+#include "lapwing/laplacian/ring_fit.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSmallestMeasured = 90.0;
+// Down to this a smaller detail length keeps more winding, at little cost in details.
+constexpr double kSmallDetailLength = 0.045;
+
+// Whole degrees in equal parts below the limit, with room left at exact multiples of it.
+double suggested_commit_every(double degrees) {
+  return std::ceil(degrees / (std::floor(degrees / kLargestSettledTurnDegrees) + 1.0));
+}
+
+// The fewest edges from `vertex` through the region to a vertex that stays, that one first; empty
+// when none is reached.
+std::vector<Index> path_from_still(const EditRegion& region, const Topology& topology,
+                                   Index vertex) {
+  std::vector<char> moves(topology.vertex_count(), 0);
+  for (const Index v : region.roi) moves[v] = 1;
+  for (const Index v : region.belt) moves[v] = 0;
+  std::vector<Index> towards(topology.vertex_count(), kNoIndex);
+  std::vector<Index> queue{vertex};
+  towards[vertex] = vertex;
+  for (std::size_t at = 0; at < queue.size(); ++at) {
+    if (moves[queue[at]] == 0) {
+      std::vector<Index> path{queue[at]};
+      while (path.back() != vertex) path.push_back(towards[path.back()]);
+      return path;
+    }
+    for (const Index w : topology.rings[queue[at]]) {
+      if (towards[w] != kNoIndex) continue;
+      towards[w] = queue[at];
+      queue.push_back(w);
+    }
+  }
+  return {};
+}
+
+std::string advice(const DeformRequest& request, double degrees) {
+  std::ostringstream text;
+  if (!request.parameters.settle) text << "let the surface settle";
+  if (!request.parameters.commit_every) {
+    const double every = suggested_commit_every(degrees);
+    text << (request.parameters.settle ? "" : ", and ") << "add \"commit_every\": " << every
+         << " (or --commit-every " << every << ")";
+  } else if (request.parameters.settle && request.parameters.detail_length > kSmallDetailLength) {
+    const double less = std::max(kSmallDetailLength, 0.5 * request.parameters.detail_length);
+    text << "set \"detail_length\" to " << less << " (or --detail-length " << less << ")";
+  } else if (request.parameters.settle) {
+    text << "turn less, or give the turn a longer region";
+  }
+  return text.str();
+}
+
+}  // namespace
+
+LargestTurn largest_turn(const DeformRequest& request) {
+  LargestTurn largest;
+  for (std::size_t h = 0; h < request.handles.size(); ++h) {
+    if (request.handles[h].orientation == HandleOrientation::free) continue;
+    const AxisRotation turn = turn_of(request.handles[h].move);
+    if (turn.degrees > largest.turn.degrees) largest = {h, turn};
+  }
+  return largest;
+}
+
+std::optional<double> wound_degrees(const BoundRequest& bound, const LargestTurn& largest,
+                                    std::span<const Vector3d> start,
+                                    std::span<const Vector3d> end) {
+  if (largest.turn.degrees <= kSmallestMeasured) return std::nullopt;
+  const Index on_handle = bound.region.handles[largest.handle].front();
+  const auto path = path_from_still(bound.region, bound.topology, on_handle);
+  if (path.empty()) return std::nullopt;
+  double wound = 0.0;
+  for (const Index v : path) {
+    const Eigen::Quaterniond q(fit_rotation(v, bound.topology.rings[v], start, end));
+    // The turn about the axis alone: near whole turns a small tilt would lead the axis anywhere.
+    const double turn = 2.0 * std::atan2(q.vec().dot(largest.turn.axis), q.w());
+    wound += std::remainder(turn - wound, 2.0 * std::numbers::pi);
+  }
+  return wound * 180.0 / std::numbers::pi;
+}
+
+std::string winding_warning(const DeformRequest& request, const std::optional<double>& wound) {
+  const LargestTurn largest = largest_turn(request);
+  const double degrees = largest.turn.degrees;
+  const bool at_once = !request.parameters.settle && !request.parameters.commit_every &&
+                       degrees > kLargestSettledTurnDegrees;
+  const bool lost = wound && std::abs(*wound - degrees) > 180.0;
+  if (!at_once && !lost) return {};
+  std::ostringstream text;
+  text << "handle " << largest.handle + 1 << " turns by " << degrees << " degrees";
+  if (lost) {
+    text << ", but the surface came out wound by " << std::lround(*wound) << ": ";
+  } else {
+    text << " at once; beyond " << kLargestSettledTurnDegrees
+         << " a surface may unwind, and this one did not. To be sure: ";
+  }
+  text << advice(request, degrees);
+  return text.str();
+}
+
+}  // namespace lapwing

@@ -1,0 +1,70 @@
+#include "lapwing/deform/predictor.h"
+
+#include <algorithm>
+
+#include "lapwing/deform/axis_response.h"
+
+namespace lapwing {
+namespace {
+
+using Eigen::Vector3d;
+
+// How much of the recent change is repeated: less than all of it, because it contains what its
+// frames had left to minimize, too.
+constexpr double kTrust = 0.75;
+// By what a frame counts when the next one comes.
+constexpr double kShareOfOlder = 0.5;
+
+void add_change(std::vector<Vector3d>& recent, std::span<const Vector3d> from,
+                std::span<const Vector3d> to, std::span<const Index> where) {
+  if (recent.empty()) recent.assign(to.size(), Vector3d::Zero());
+  for (const Index v : where) recent[v] = kShareOfOlder * recent[v] + (to[v] - from[v]);
+}
+
+}  // namespace
+
+void Predictor::clear() {
+  recent_wanted_.clear();
+  recent_u_.clear();
+}
+
+// The share of the recent way of the handles' vertices that comes nearest to `change`, in least
+// squares.
+double Predictor::repeated_share(const EditSystem& edit, std::span<const Vector3d> change) const {
+  double along = 0.0;
+  double square = 0.0;
+  for (const VertexSet& handle : edit.region.handles) {
+    for (const Index v : handle) {
+      along += change[v].dot(recent_wanted_[v]);
+      square += recent_wanted_[v].squaredNorm();
+    }
+  }
+  return square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+}
+
+std::vector<Vector3d> Predictor::predict(const EditSystem& edit,
+                                         std::span<const Vector3d> last_wanted,
+                                         std::span<const Vector3d> wanted,
+                                         std::span<const Vector3d> u) const {
+  std::vector<Vector3d> change(wanted.size(), Vector3d::Zero());
+  for (const Index v : edit.moving) change[v] = wanted[v] - last_wanted[v];
+  const double share = recent_wanted_.empty() ? 0.0 : kTrust * repeated_share(edit, change);
+  if (share > 0.0) {
+    for (const Index v : edit.moving) change[v] -= share * recent_wanted_[v];
+  }
+  std::vector<Vector3d> predicted = axis_displacement(edit, change, Springs::rest);
+  for (const Index v : edit.moving) {
+    predicted[v] += u[v];
+    if (share > 0.0) predicted[v] += share * recent_u_[v];
+  }
+  return predicted;
+}
+
+void Predictor::add_frame(const EditSystem& edit, std::span<const Vector3d> last_wanted,
+                          std::span<const Vector3d> wanted, std::span<const Vector3d> last_u,
+                          std::span<const Vector3d> u) {
+  add_change(recent_wanted_, last_wanted, wanted, edit.moving);
+  add_change(recent_u_, last_u, u, edit.moving);
+}
+
+}  // namespace lapwing

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "lapwing/deform/edit_system.h"
+
+namespace lapwing {
+
+/// Predicts where the surface of an edit is when its handles move on. As far as they go on as they
+/// did in the last frames, so does the surface; the rest of the way it follows the linear response
+/// of the n x n system. All fields are per vertex of the edit's mesh.
+class Predictor {
+ public:
+  /// Forgets all frames.
+  void clear();
+
+  /// The displacement expected where handles want `wanted`, from the pose `u`, at which they wanted
+  /// `last_wanted`. One solve.
+  std::vector<Eigen::Vector3d> predict(const EditSystem& edit,
+                                       std::span<const Eigen::Vector3d> last_wanted,
+                                       std::span<const Eigen::Vector3d> wanted,
+                                       std::span<const Eigen::Vector3d> u) const;
+
+  /// Adds a frame from one pose to the next. Each frame counts twice the one before.
+  void add_frame(const EditSystem& edit, std::span<const Eigen::Vector3d> last_wanted,
+                 std::span<const Eigen::Vector3d> wanted, std::span<const Eigen::Vector3d> last_u,
+                 std::span<const Eigen::Vector3d> u);
+
+ private:
+  double repeated_share(const EditSystem& edit, std::span<const Eigen::Vector3d> change) const;
+
+  // The weighted sums of what the frames changed; empty without a frame.
+  std::vector<Eigen::Vector3d> recent_wanted_;
+  std::vector<Eigen::Vector3d> recent_u_;
+};
+
+}  // namespace lapwing

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "lapwing/base/cancellation.h"
+
+namespace lapwing {
+
+/// A result computed on a background thread. The owner calls from one thread at a time. The
+/// destructor tells the computation to stop and waits for it, so the task must be the owner's last
+/// member if it uses the others.
+template <typename T>
+class BackgroundTask {
+ public:
+  BackgroundTask() = default;
+  ~BackgroundTask() { stopped_ = true; }
+  BackgroundTask(const BackgroundTask&) = delete;
+  BackgroundTask& operator=(const BackgroundTask&) = delete;
+
+  /// Starts `make`, whose checks (check_cancelled) throw when it has to stop. Only the first call
+  /// has an effect.
+  template <typename Make>
+  void begin(Make make) {
+    if (std::exchange(has_begun_, true)) return;
+    auto run = [this, make = std::move(make)] {
+      const ProgressScope scope([this](std::string_view, double) { return !stopped_; });
+      return make();
+    };
+    try {
+      made_ = std::async(std::launch::async, run);
+    } catch (const std::system_error&) {
+      // Without another thread `take` computes it.
+      made_ = std::async(std::launch::deferred, run);
+    }
+  }
+  /// From `begin` until the result has been taken.
+  bool is_at_work() const { return made_.valid(); }
+  /// Whether the result can be taken without waiting.
+  bool is_made() const {
+    return is_at_work() && made_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
+  }
+  /// Waits for the result, and rethrows what the computation threw; after `begin`, once. Throws
+  /// Cancelled.
+  T take() {
+    while (made_.wait_for(kAskEvery) == std::future_status::timeout) check_cancelled();
+    return made_.get();
+  }
+
+ private:
+  bool has_begun_ = false;
+  std::atomic<bool> stopped_ = false;
+  std::future<T> made_;  // last: it uses the others
+};
+
+}  // namespace lapwing

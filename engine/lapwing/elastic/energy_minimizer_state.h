@@ -1,0 +1,146 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lapwing/base/parallel.h"
+#include "lapwing/elastic/energy_minimizer.h"
+#include "lapwing/elastic/free_rotation.h"
+#include "lapwing/elastic/lbfgs.h"
+
+namespace lapwing {
+
+/// When the preconditioner is factored, in iterations.
+struct HessianSchedule {
+  int before_hessian = 0;  ///< by the n x n factor, before the first factorization
+  int hessian_period = 0;  ///< from one factorization to the next
+  /// The first factorization waits until here while steps are long: it would soon belong to another
+  /// pose.
+  int most_before_hessian = 0;
+  /// Whether the minimizer may end by a step of the n x n factor, which may be far shorter than
+  /// what is left to go.
+  bool may_end_before_hessian = true;
+};
+
+/// What an EnergyMinimizer holds. Its iterations are in energy_minimizer.cpp, energy and gradient
+/// in energy_evaluation.cpp.
+struct EnergyMinimizer::State {
+  const LaplacianSystem& system;
+  const std::shared_ptr<const RegionRings> shared_rings;
+  const RegionRings& rings = *shared_rings;
+  SettleOptions options;
+  double mean_edge;
+  std::unique_ptr<RingRotations> rotations;
+  Preconditioner* const given_preconditioner;
+  Preconditioner* preconditioner = nullptr;  ///< null once it could not be factored
+  HessianSchedule schedule;
+  bool at_rest = false;        ///< whether `schedule` is that of frames whose target rests
+  int taken = 0;               ///< iterations of this schedule
+  bool by_hessian = false;     ///< whether directions come from the preconditioner
+  int next_factorization = 0;  ///< the iteration before which it comes
+  double iteration_ms = 0.0;   ///< of the last one, without a factorization
+  double last_step = 0.0;      ///< in mean edge lengths
+  bool is_placed = false;      ///< whether `at` was evaluated last
+  Lbfgs history;
+
+  // Vectors over the unknowns, which come in the order of elimination, hold x of all, then y, then
+  // z.
+  std::vector<Eigen::Vector3d> displacement;  ///< of RegionRings::vertices
+  std::vector<double> energies;               ///< per row
+  std::vector<Eigen::Matrix3d> stretch;       ///< per row; empty for the identity
+  std::vector<double> weights;                ///< W of each unknown
+  std::vector<Eigen::Vector3d> given;         ///< MinimizerTarget::wanted of RegionRings::vertices
+  std::vector<Eigen::Vector3d>
+      wanted;                  ///< `given`, replaced on free handles by the fitted positions
+  std::vector<double> forces;  ///< empty for none
+  std::vector<double> direction;
+
+  // A surface, E there, and half of its gradient.
+  struct Point {
+    std::vector<double> x;
+    std::vector<double> gradient;
+    double energy = 0.0;
+    double force = 0.0;  ///< |W (x - wanted)|
+  };
+  Point at;
+  Point next;
+
+  // A spring of the system, by rows and by places among the unknowns; kNoIndex for a given corner.
+  struct PlacedSpring {
+    Spring spring;
+    std::array<Index, 3> rows{};
+    std::array<Index, 3> places{};
+  };
+  std::vector<PlacedSpring> springs;
+  std::vector<FreeRotation> free_rotations;  ///< one per free handle
+
+  struct Sums {
+    double energy = 0.0;
+    double force = 0.0;
+    double slope = 0.0;
+    double gradient = 0.0;
+    double step = 0.0;  ///< the largest
+  };
+  std::vector<Sums> partial;  ///< per task
+
+  State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
+        Preconditioner* given);
+
+  void begin_anew();
+  void begin_schedule(const HessianSchedule& of);
+  bool has_stretch_of(const MinimizerTarget& target) const;
+  bool is_at(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u) const;
+  void place(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
+  void place_again();
+  void read_unknowns(std::span<const Eigen::Vector3d> u, std::vector<double>& x) const;
+  void finish(std::span<Eigen::Vector3d> u) const;
+  void place_springs();
+  void place_free_handles(const MinimizerTarget& target);
+  void evaluate(Point& point);
+  Sums pull_by_springs(Point& point) const;
+  bool is_hessian_due() const;
+  void factorize_hessian();
+  void leave_hessian();
+  void use_factor_for_turns();
+  Sums find_direction(bool accurate = false);
+  void go(double length);
+  bool step(double slope);
+  void go_farther(double share);
+  bool must_end_by_hessian() const;
+  void take_next();
+
+  Index vertex(std::size_t k) const { return rings.vertices[rings.unknown_rows[k]]; }
+  Eigen::Vector3d of_unknown(std::span<const double> numbers, std::size_t k) const {
+    const std::size_t n = system.size();
+    return {numbers[k], numbers[n + k], numbers[2 * n + k]};
+  }
+  static constexpr std::size_t kUnknownsPerTask = 1024;
+  // Adds up `add(k, sums)` of every unknown; task by task, so that the result does not depend on
+  // the number of threads.
+  template <typename Add>
+  Sums sum_over_unknowns(const Add& add) {
+    parallel_for(partial.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t task = begin; task < end; ++task) {
+        Sums sum;  // not in place: tasks beside each other would write to one line of the caches
+        const std::size_t last = std::min((task + 1) * kUnknownsPerTask, system.size());
+        for (std::size_t k = task * kUnknownsPerTask; k < last; ++k) add(k, sum);
+        partial[task] = sum;
+      }
+    });
+    Sums all;
+    for (const Sums& sum : partial) {
+      all.energy += sum.energy;
+      all.force += sum.force;
+      all.slope += sum.slope;
+      all.gradient += sum.gradient;
+      all.step = std::max(all.step, sum.step);
+    }
+    return all;
+  }
+};
+
+}  // namespace lapwing

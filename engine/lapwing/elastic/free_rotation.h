@@ -1,0 +1,90 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "lapwing/elastic/energy_minimizer.h"
+#include "lapwing/laplacian/laplacian_system.h"
+
+namespace lapwing {
+
+/// The rotation of one free handle while a surface settles. Unknowns come in the order of
+/// elimination, and vectors hold x of all, then y, then z.
+///
+/// A matrix P that holds the handle in place is far too stiff against a turn of it. With the
+/// rotation eliminated the matrix is P - U K^-1 U', where U = W B, column k of B is what a turn
+/// about axis k does to the handle, and K = tr(C) I - C, where C is the covariance of places
+/// and turned shape. Its inverse is
+///
+///     P^-1 + P^-1 U (K - U' P^-1 U)^-1 U' P^-1      (Sherman, Morrison, Woodbury).
+///
+/// K and U' P^-1 U differ by little, so K must be that of the pose: a handle under tension resists
+/// a turn. Under compression K is that of the unstrained handle, which keeps the matrix positive
+/// semidefinite.
+///
+/// A step that turns the handle by an angle of 0.05 along a straight line would swell it by a
+/// thousandth, which a handle that is held firmly does not allow. Steps therefore turn it along an
+/// arc (`begin_step`, `bend`).
+class FreeRotation {
+ public:
+  /// `rows` and `places` are those of the handle's vertices among RegionRings::vertices and among
+  /// the unknowns; `weights` is W of each unknown. Solves for P^-1 U by the n x n factor of
+  /// `system` unless the handle has the shape that it had.
+  void place(const FreeHandle& handle, std::vector<Index> rows, std::vector<Index> places,
+             std::span<const double> weights, const LaplacianSystem& system);
+
+  /// Fits the rotation to the unknowns `x`, and writes where the handle should go to `wanted`, per
+  /// row.
+  void fit(std::span<const double> x, std::span<Eigen::Vector3d> wanted);
+
+  /// Back to the n x n system, whose P^-1 U serves at any rotation: P is the same for x, y and z.
+  void respond_by_system();
+  /// P^-1 U for another P, at the rotation fitted last. `solve` replaces a right-hand side by its
+  /// solution.
+  void respond_by(const std::function<void(std::span<double>)>& solve);
+
+  /// P is that of the rotation at which it was made. Turns the handle's vectors of a right-hand
+  /// side back to that rotation, and those of its solution on again: then the handle is as stiff in
+  /// P as it is now. Does nothing for the n x n system.
+  void enter_frame(std::span<double> b) const;
+  void leave_frame(std::span<double> solution) const;
+
+  /// Turns P^-1 b into the solution of the matrix with the rotation eliminated, in place.
+  void add_turn(std::span<double> solution) const;
+
+  /// The step to come goes from where the rotation was fitted last along -`direction`.
+  void begin_step(std::span<const double> direction);
+  /// Adds to `x`, which is `length` of that step along the straight line, what an arc has besides.
+  void bend(double length, std::span<double> x) const;
+
+  const FreeHandle& handle() const { return handle_; }
+  const Eigen::Matrix3d& rotation() const { return rotation_; }
+
+ private:
+  void turn_handle(const Eigen::Matrix3d& by, std::span<double> field) const;
+  Eigen::Vector3d torque(std::span<const double> field, const Eigen::Matrix3d& R) const;
+  Eigen::Matrix3d unstrained_stiffness() const;
+  Eigen::Matrix3d inverse_stiffness(const Eigen::Matrix3d& of_response) const;
+
+  FreeHandle handle_;
+  std::vector<Index> rows_;
+  std::vector<Index> places_;
+  std::vector<double> held_;  ///< W of the handle's vertices
+  Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of places and turned shape
+  /// The n x n system's solution for W times the unturned shape: how the surface takes part in what
+  /// the handle does, whose own values are about its shape.
+  std::vector<double> response_;
+  Eigen::Matrix3d response_stiffness_ = Eigen::Matrix3d::Zero();  ///< U' P^-1 U of it, unturned
+  /// P^-1 U of another P, column by column; empty for the n x n system.
+  std::vector<double> columns_;
+  Eigen::Matrix3d columns_inverse_ = Eigen::Matrix3d::Zero();  ///< (K - U' P^-1 U)^-1 then
+  Eigen::Matrix3d at_columns_ = Eigen::Matrix3d::Identity();   ///< the rotation then
+  Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();             ///< of the step to come, radians
+  Eigen::Matrix3d at_step_ = Eigen::Matrix3d::Identity();      ///< the rotation where it begins
+};
+
+}  // namespace lapwing

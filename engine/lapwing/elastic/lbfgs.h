@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "lapwing/elastic/history_loops.h"
+
+namespace lapwing {
+
+/// What the last few steps of a minimization tell of its second derivatives, by limited-memory BFGS
+/// (Nocedal 1980): with the inverse of a first Hessian A, which the caller has,
+///     history.take_changes(g, p);    // p from the gradient g
+///     p = A^-1 p;
+///     history.add_steps(p);
+/// makes p the inverse of a better Hessian times g. Memory is taken once: 2 window vectors in
+/// single precision, which is enough for differences that are about as long as `length`, whatever
+/// that is, passed over on all threads. Same input, same bits.
+class Lbfgs {
+ public:
+  static constexpr int kLargestWindow = 24;
+
+  Lbfgs(std::size_t size, int window, double length = 1.0);
+
+  /// A step was made from `last_x` to `x`, and the gradient went from `last_g` to `g`. Left out
+  /// where the gradient did not grow along it. The oldest step is forgotten for it.
+  void add(std::span<const double> last_x, std::span<const double> x,
+           std::span<const double> last_g, std::span<const double> g);
+
+  void take_changes(std::span<const double> g, std::span<double> p);
+  void add_steps(std::span<double> p);
+
+  bool is_empty() const { return used_ == 0; }
+  void forget() { used_ = newest_ = 0; }
+
+ private:
+  // Of one chunk; of what is kept in each slot, with the newest.
+  struct Sums {
+    std::array<double, kLargestWindow> first{};
+    std::array<double, kLargestWindow> second{};
+    double step_square = 0.0;
+    double change_square = 0.0;
+
+    void operator+=(const Sums& other);
+  };
+
+  // The k-th of the steps kept, 0 the newest: where it lies.
+  std::size_t slot(int k) const {
+    return static_cast<std::size_t>((newest_ - k + window_) % window_);
+  }
+  float* at(std::vector<float>& columns, std::size_t slot) const {
+    return columns.data() + slot * size_;
+  }
+  Sums sum_of_chunks() const;
+  void combine(std::span<double> x, std::vector<float>& columns);
+
+  const HistoryLoops& loops_;
+  std::size_t size_;
+  int window_;
+  double scale_;  ///< of what is stored: a power of two, which rounds nothing
+  int used_ = 0;
+  int newest_ = 0;  ///< slot of the last one stored
+  std::vector<float> steps_;
+  std::vector<float> changes_;
+  std::array<std::array<double, kLargestWindow>, kLargestWindow> products_{};  ///< step . change
+  std::array<double, kLargestWindow> factors_{};  ///< of the changes, then of the steps; per slot
+  std::vector<Sums> partial_;                     ///< per chunk of the vectors
+};
+
+}  // namespace lapwing

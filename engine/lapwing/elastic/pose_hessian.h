@@ -1,0 +1,72 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+
+#include "lapwing/elastic/background_task.h"
+#include "lapwing/elastic/deform_options.h"
+#include "lapwing/elastic/energy_minimizer.h"
+#include "lapwing/laplacian/constrained_factor.h"
+#include "lapwing/laplacian/laplacian_system.h"
+
+namespace lapwing {
+
+/// The Hessian of the energy at a pose, A x I - beta G'G (ENERGY.md section 5). G_i = F_i^-1 a_i of
+/// a ring that has turned by R_i is that at rest with each block turned back by R_i, if the ring
+/// has kept its shape. Under tension F_i F_i' = K_i = tr(S) I - S is larger than at rest, C_i = R_i
+/// S: the rotation follows the surface less, and the ring resists bending. Directions of
+/// compression keep the K_i of rest, so that the matrix stays positive semidefinite at every pose.
+/// Its factor is held in floats, which do for a first Hessian (README.md), and in doubles for a
+/// pose at which rounding leaves it indefinite. Takes its memory, half that of another 3n x 3n
+/// factor, at the first factorization, or before.
+class PoseHessian final : public Preconditioner {
+ public:
+  /// Finds G at rest over the rings of a region (tangent_rows).
+  using AtRest = std::function<std::shared_ptr<const BlockRows>()>;
+
+  /// `topology`, `pattern` and `laplacian`, the n x n system, must outlive the object. `at_rest` is
+  /// called at the first factorization.
+  PoseHessian(const Topology& topology, std::span<const Index> roi, const SystemPattern& pattern,
+              const LaplacianSystem& laplacian, const DeformOptions& options, AtRest at_rest);
+
+  /// Begins to take that memory on another thread, for which the first factorization waits. May be
+  /// called while another thread factors; does nothing if that has taken it.
+  void prepare();
+
+  bool factorize(std::span<const Eigen::Matrix3d> transforms,
+                 std::span<const Eigen::Vector3d> displacement) override;
+  void solve_in_place(std::span<double> b) override;
+  void solve_accurately_in_place(std::span<double> b) override;
+
+ private:
+  std::unique_ptr<ConstrainedFactor> analyzed_factor() const;
+  bool fits(const ConstrainedFactor& factor) const;
+  bool take_memory();
+  ConstrainedFactor& in_use() { return doubles_ != nullptr ? *doubles_ : *factor_; }
+  bool is_factored(ConstrainedFactor& factor) const;
+  bool factor_in_doubles();
+  bool read(std::span<const double> b);
+  void write(std::span<double> b) const;
+  void refine();
+
+  const Topology& topology_;
+  const SystemPattern& pattern_;
+  const LaplacianSystem& laplacian_;
+  AtRest make_at_rest_;
+  std::size_t memory_limit_;
+  std::vector<Index> roi_;
+  std::vector<Index> row_of_;  ///< place in roi_ -> row of the rings
+  std::shared_ptr<const BlockRows> at_rest_;
+  BlockRows turned_;
+  std::unique_ptr<ConstrainedFactor> factor_;   ///< in floats
+  std::unique_ptr<ConstrainedFactor> doubles_;  ///< null unless the pose at hand needs it
+  std::vector<double> b_;  ///< in the order of the unknowns, x, y and z of each together
+  std::vector<double> x_;
+  bool is_solved_ = false;  ///< x_ is the factor's solution for b_
+  std::mutex taking_;       ///< held until factor_ is there, or prepared_ has begun
+  BackgroundTask<std::unique_ptr<ConstrainedFactor>> prepared_;  // last: it uses all the others
+};
+
+}  // namespace lapwing
