@@ -58,6 +58,7 @@ struct EnergyMinimizer::State {
       wanted;                  ///< `given`, replaced on free handles by the fitted positions
   std::vector<double> forces;  ///< empty for none
   std::vector<double> direction;
+  std::vector<double> correction;
 
   // A surface, E there, and half of its gradient.
   struct Point {
@@ -108,8 +109,8 @@ struct EnergyMinimizer::State {
   void use_factor_for_turns();
   Sums find_direction(bool accurate = false);
   void go(double length);
+  void correct();
   bool step(double slope);
-  void go_farther(double share);
   bool must_end_by_hessian() const;
   void take_next();
 
