@@ -266,7 +266,6 @@ TEST_F(DraggedFineCylinder, FramesThatOnlyTakeItAlongStayNearTheSolution) {
 // of the coarse one, and before smoothing; with time, before each of four iterations and smoothing.
 TEST_F(DraggedFineCylinder, AsksForTimeBeforeWhatAFrameCanDoWithout) {
   DragSession drag = prepared_drag();
-  const DragState& pose = drag.state();
   for (int degrees = 0; degrees <= 12; degrees += 3) {
     drag.step(twist(degrees), [](double ms) { return ms == 0.0; });
   }
@@ -487,7 +486,6 @@ TEST_F(DraggedCylinder, MotionThatIsNotFiniteLeavesThePoseAsItWas) {
 
 TEST_F(DraggedCylinder, WrongNumberOfMotionsIsRefused) {
   DragSession drag(solver_);
-  const DragState& pose = drag.state();
   EXPECT_THROW(drag.step(HandleMotions()), InputError);
   drag.step(twist(10.0));
   const std::vector<Affine3d> two(2, twist(10.0)[0]);

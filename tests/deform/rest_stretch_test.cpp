@@ -11,6 +11,7 @@
 #include "lapwing/deform/deform.h"
 #include "lapwing/deform/deform_solver.h"
 #include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/laplacian/rotation.h"
 #include "lapwing/mesh/shapes.h"
 #include "support/bent_tube.h"
 #include "support/largest_distance.h"

@@ -8,6 +8,7 @@
 
 #include "lapwing/deform/deform_solver.h"
 #include "lapwing/deform/shape_measures.h"
+#include "lapwing/elastic/energy_minimizer.h"
 #include "lapwing/kernels/cpu_kernels.h"
 #include "support/bent_tube.h"
 #include "support/linear_options.h"
