@@ -64,13 +64,13 @@ double mean_length(std::span<const Vector3d> edges) {
 }  // namespace
 
 EnergyMinimizer::State::State(Kernels& kernels, const LaplacianSystem& laplacian,
-                              const SettleOptions& o, Preconditioner* given)
+                              const SettleOptions& o, Preconditioner* hessian)
     : system(laplacian),
       shared_rings(laplacian.shared_rings()),
       options(o),
       mean_edge(mean_length(rings.edges)),
       rotations(kernels.make_ring_rotations(shared_rings)),
-      given_preconditioner(given),
+      given_preconditioner(hessian),
       history(3 * laplacian.size(), kHistoryLength, mean_edge),
       displacement(rings.vertices.size(), Vector3d::Zero()),
       energies(rings.row_count()),

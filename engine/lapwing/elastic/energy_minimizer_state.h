@@ -89,7 +89,7 @@ struct EnergyMinimizer::State {
   std::vector<Sums> partial;  ///< per task
 
   State(Kernels& kernels, const LaplacianSystem& laplacian, const SettleOptions& o,
-        Preconditioner* given);
+        Preconditioner* hessian);
 
   void begin_anew();
   void begin_schedule(const HessianSchedule& of);

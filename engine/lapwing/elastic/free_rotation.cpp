@@ -28,9 +28,9 @@ Vector3d at(std::span<const double> field, Index k) {
 
 // A shape that is turned back from where it was differs by rounding.
 bool are_equal(std::span<const Vector3d> a, std::span<const Vector3d> b) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kEqualShare = 1e-9;
   return std::ranges::equal(a, b, [](const Vector3d& p, const Vector3d& q) {
-    return (p - q).norm() <= kRounding * q.norm();
+    return (p - q).norm() <= kEqualShare * q.norm();
   });
 }
 
