@@ -57,14 +57,14 @@ TEST_F(CoarseCylinder, CarriesEveryVertexRigidlyWhereItMovesRigidly) {
     to.transforms[c] = turn;
   }
   std::vector<Vector3d> u(mesh_.vertex_count(), Vector3d::Zero());
-  embedding.carry(rest(), to, u);
+  embedding.prolongate(rest(), to, u);
   double off = 0.0;
   for (std::size_t v = 0; v < u.size(); ++v) {
     const Vector3d& at = mesh_.positions[v];
     off = std::max(off, (at + u[v] - turn * at - shift).norm());
   }
   EXPECT_LT(off, 1e-12);
-  embedding.carry(to, rest(), u);
+  embedding.prolongate(to, rest(), u);
   for (const Vector3d& back : u) EXPECT_LT(back.norm(), 1e-12);
 }
 
@@ -82,7 +82,7 @@ TEST_F(CoarseCylinder, GathersForcesWithTheirSumAndMoment) {
   for (std::size_t c = 0; c < surface().kept.size(); ++c) {
     pose.displacement[c] = Vector3d(0.1, 0.02 * std::sin(static_cast<double>(c)), 0.0);
   }
-  const std::vector<Vector3d> gathered = embedding.gather(forces, u, pose);
+  const std::vector<Vector3d> gathered = embedding.restrict_forces(forces, u, pose);
   Vector3d sum = Vector3d::Zero();
   Vector3d moment = Vector3d::Zero();
   for (std::size_t v = 0; v < forces.size(); ++v) {

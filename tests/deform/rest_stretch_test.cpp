@@ -130,6 +130,33 @@ TEST_F(ScaledTube, StaysStraightWhenItsEndIsScaledAlongOneAxis) {
   }
 }
 
+// Two caps hold a sphere alone and move alike, so that all of it is scaled and turned, in parts
+// that each turn the axes along which the next one scales.
+TEST(StretchInParts, OfAScaledTurnIsTheScale) {
+  const Mesh sphere = icosphere(3);
+  VertexSet top;
+  VertexSet bottom;
+  for (Index v = 0; v < sphere.vertex_count(); ++v) {
+    if (sphere.positions[v].z() > 0.8) top.push_back(v);
+    if (sphere.positions[v].z() < -0.8) bottom.push_back(v);
+  }
+  const SimilarityMove move{.rotate = {Vector3d::UnitX(), 260.0},
+                            .scale = Vector3d(1.0, 1.0, 2.0),
+                            .pivot = Vector3d::Zero()};
+  DeformRequest request;
+  request.roi = {AllVertices{}};
+  request.handles = {{{ListedVertices{top}}, move}, {{ListedVertices{bottom}}, move}};
+  const Deformed turned = deform(sphere, request);
+  ASSERT_GT(turned.commits, 1U);
+  const Matrix3d scale = move.scale.asDiagonal();
+  const Eigen::Affine3d map = to_affine(move, Vector3d::Zero());
+  for (Index v = 0; v < sphere.vertex_count(); ++v) {
+    EXPECT_LT((turned.mesh.positions[v] - map * sphere.positions[v]).norm(), 1e-3) << v;
+    EXPECT_LT((turned.rest_stretch[v] - scale).norm(), 1e-3) << v;
+  }
+  EXPECT_LT(turned.certificate.detail_error, 1e-3);
+}
+
 TEST(PolarStretch, IsTheSymmetricFactorWithoutTheRotation) {
   const Eigen::AngleAxisd tilt(0.4, Vector3d(3.0, 1.0, 2.0).normalized());
   const Matrix3d P = tilt * Vector3d(2.0, 0.5, 1.0).asDiagonal() * tilt.inverse();

@@ -108,7 +108,8 @@ TEST_F(ADenseViewer, ShowsTheGizmoAndThePinsAsLarge) {
                    {"region": {"box": {"min": [-1, -1, 5.4], "max": [1, 1, 7]}},
                     "move": {"translate": [2, 0, 0]}}]}]})";
     viewer.open(viewer.folder() / "bend.json");
-    viewer.wait_for([&] { return viewer.says("exact response ready"); }, "the edit is prepared");
+    viewer.wait_for([&] { return viewer.says("ready: settles as it is dragged"); },
+                    "the edit is prepared");
   });
 }
 

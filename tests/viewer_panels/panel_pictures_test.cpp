@@ -51,7 +51,7 @@ class Panels : public ::testing::TestWithParam<Look> {
   }
   void open_bent(int by = 9) {
     viewer_->open(bent(by));
-    viewer_->wait_for([&] { return viewer_->says("exact response ready"); },
+    viewer_->wait_for([&] { return viewer_->says("ready: settles as it is dragged"); },
                       "the edit is prepared");
   }
 

@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 // Vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
 constexpr std::size_t kCoarseVertices = 3500;
 
-// Of the gathered forces: the coarse surface gives way to them a little more or less than the fine
-// one would.
+// The share of the restricted forces that counts. The proxy gives way to them a little more or less
+// than the fine surface would.
 constexpr double kTrustInForces = 0.7;
 
 }  // namespace
@@ -29,7 +29,7 @@ std::unique_ptr<CoarseProxy> CoarseProxy::make(const EditSystem& fine) {
 
 CoarseProxy::CoarseProxy(const EditSystem& fine, std::unique_ptr<CoarseRegion> coarse)
     : coarse_(std::move(coarse)),
-      settler_(kernels_, *coarse_->edit->laplacian, *fine.options.settle),
+      minimizer_(kernels_, *coarse_->edit->laplacian, *fine.options.settle),
       energy_ratio_(static_cast<double>(coarse_->edit->region.roi.size()) /
                     static_cast<double>(fine.region.roi.size())),
       is_held_(surface().kept.size(), 1),
@@ -41,7 +41,7 @@ CoarseProxy::CoarseProxy(const EditSystem& fine, std::unique_ptr<CoarseRegion> c
   }
 }
 
-std::vector<Vector3d> CoarseProxy::of_kept(std::span<const Vector3d> of_fine) const {
+std::vector<Vector3d> CoarseProxy::restricted(std::span<const Vector3d> of_fine) const {
   std::vector<Vector3d> own;
   own.reserve(surface().kept.size());
   for (const Index v : surface().kept) own.push_back(of_fine[v]);
@@ -49,7 +49,7 @@ std::vector<Vector3d> CoarseProxy::of_kept(std::span<const Vector3d> of_fine) co
 }
 
 MinimizerTarget CoarseProxy::target_of(const MinimizerTarget& fine) {
-  next_wanted_ = of_kept(fine.wanted);
+  next_wanted_ = restricted(fine.wanted);
   stretch_.clear();
   if (!fine.rest_stretch.empty()) {
     for (const Index v : surface().kept) stretch_.push_back(fine.rest_stretch[v]);
@@ -69,12 +69,12 @@ MinimizerTarget CoarseProxy::target_of(const MinimizerTarget& fine) {
   return {next_wanted_, stretch_, forces_, free_handles_};
 }
 
-// Of the surface that was settled or asked for its energy last.
+// With the transforms of the surface that was evaluated last.
 CoarseEmbedding::Pose CoarseProxy::pose_at(std::vector<Vector3d> displacement) {
   const RegionRings& rings = coarse_->edit->laplacian->rings();
   CoarseEmbedding::Pose pose{std::move(displacement),
                              std::vector<Matrix3d>(surface().kept.size(), Matrix3d::Identity())};
-  const std::vector<Matrix3d> transforms = settler_.transforms();
+  const std::vector<Matrix3d> transforms = minimizer_.transforms();
   for (std::size_t r = 0; r < rings.row_count(); ++r) {
     pose.transforms[rings.vertices[r]] = transforms[r];
   }
@@ -84,9 +84,9 @@ CoarseEmbedding::Pose CoarseProxy::pose_at(std::vector<Vector3d> displacement) {
 void CoarseProxy::begin(const MinimizerTarget& target, std::span<const Vector3d> u) {
   forces_.assign(surface().kept.size(), Vector3d::Zero());
   predictor_.clear();
-  settler_.begin_drag();
-  std::vector<Vector3d> displacement = of_kept(u);
-  settler_.energy(target_of(target), displacement);
+  minimizer_.begin_drag();
+  std::vector<Vector3d> displacement = restricted(u);
+  minimizer_.energy(target_of(target), displacement);
   pose_ = pose_at(std::move(displacement));
   wanted_ = next_wanted_;
 }
@@ -101,32 +101,32 @@ void CoarseProxy::move(const MinimizerTarget& target, const TimeBudget& budget, 
   const MinimizerTarget own = target_of(target);
   std::vector<Vector3d> displacement = predicted();
   int iterations = 0;
-  // One more takes no time that the caller has a use for.
+  // Whether another iteration takes no time that the caller wants.
   const auto has_time = [&](double ms) {
-    if (iterations < kFewestIterations || !budget || budget(ms + carrying_ms_ + next_ms))
+    if (iterations < kFewestIterations || !budget || budget(ms + prolongation_ms_ + next_ms))
       return true;
-    return !budget(carrying_ms_ + next_ms) && budget(ms + carrying_ms_);
+    return !budget(prolongation_ms_ + next_ms) && budget(ms + prolongation_ms_);
   };
-  settler_.follow(own, displacement, [&](double ms) {
+  minimizer_.follow(own, displacement, [&](double ms) {
     return iterations < kMostIterations && has_time(ms) && ++iterations > 0;
   });
-  const Stopwatch carrying;
-  carry_to(std::move(displacement), u);
-  carrying_ms_ = carrying.elapsed_ms();
+  const Stopwatch watch;
+  prolongate_to(std::move(displacement), u);
+  prolongation_ms_ = watch.elapsed_ms();
 }
 
 void CoarseProxy::settle(const MinimizerTarget& target, const Progress& progress,
                          std::span<Vector3d> u) {
   const MinimizerTarget own = target_of(target);
   std::vector<Vector3d> displacement = predicted();
-  settler_.settle(own, displacement, progress);
-  carry_to(std::move(displacement), u);
+  minimizer_.settle(own, displacement, progress);
+  prolongate_to(std::move(displacement), u);
 }
 
-// The coarse surface is at `displacement`, for the next target: takes the fine one along.
-void CoarseProxy::carry_to(std::vector<Vector3d> displacement, std::span<Vector3d> u) {
+// Moves the proxy to `displacement`, for the next target, and prolongates.
+void CoarseProxy::prolongate_to(std::vector<Vector3d> displacement, std::span<Vector3d> u) {
   CoarseEmbedding::Pose next = pose_at(std::move(displacement));
-  coarse_->level->embedding.carry(pose_, next, u);
+  coarse_->level->embedding.prolongate(pose_, next, u);
   if (wanted_ != next_wanted_) {
     predictor_.add_frame(*coarse_->edit, wanted_, next_wanted_, pose_.displacement,
                          next.displacement);
@@ -135,10 +135,11 @@ void CoarseProxy::carry_to(std::vector<Vector3d> displacement, std::span<Vector3
   std::swap(wanted_, next_wanted_);
 }
 
-void CoarseProxy::learn(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {
-  const std::vector<Vector3d> gathered = coarse_->level->embedding.gather(gradient, u, pose_);
-  for (std::size_t c = 0; c < gathered.size(); ++c) {
-    if (is_held_[c] == 0) forces_[c] -= kTrustInForces * energy_ratio_ * gathered[c];
+void CoarseProxy::correct(std::span<const Vector3d> u, std::span<const Vector3d> gradient) {
+  const std::vector<Vector3d> restricted_forces =
+      coarse_->level->embedding.restrict_forces(gradient, u, pose_);
+  for (std::size_t c = 0; c < restricted_forces.size(); ++c) {
+    if (is_held_[c] == 0) forces_[c] -= kTrustInForces * energy_ratio_ * restricted_forces[c];
   }
 }
 

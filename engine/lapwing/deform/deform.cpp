@@ -13,6 +13,7 @@
 #include "lapwing/deform/modifiers/substeps.h"
 #include "lapwing/deform/modifiers/winding.h"
 #include "lapwing/kernels/cpu_kernels.h"
+#include "lapwing/laplacian/ring_fit.h"
 #include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {
@@ -28,6 +29,7 @@ struct Work {
   const Progress& progress;
   Deformed& result;
   const Positions& start;
+  std::vector<Eigen::Matrix3d> transforms = {};  // of the rings, by all parts so far
 
   // Targets are approached in parts, as handles are.
   EditRegion region_at(double to) const {
@@ -57,8 +59,20 @@ struct Work {
     return *solver;
   }
 
+  // Adds a part, which asks for the stretches `S` and takes the rings to `positions`, to the
+  // transforms of the parts before: T_i becomes R_i S_i T_i.
+  void add_transforms(std::span<const Eigen::Matrix3d> S, const Positions& positions) {
+    if (S.empty()) return;
+    const Positions& rest = result.mesh.positions;
+    if (transforms.empty()) transforms.assign(rest.size(), Eigen::Matrix3d::Identity());
+    for (const Index i : bound.region.roi) {
+      const Eigen::Matrix3d R = fit_rotation(i, bound.topology.rings[i], rest, positions, S[i]);
+      transforms[i] = R * S[i] * transforms[i];
+    }
+  }
+
   // From share `from` of the motions to share `to`.
-  Certificate carry_out(double from, double to) const {
+  Certificate carry_out(double from, double to) {
     const DeformSolver& solver = solver_of(region_at(to));
     const HandleMotions motions = bound.handle_motions(from, to);
     Certificate certificate;
@@ -66,25 +80,17 @@ struct Work {
       const std::vector<HandleMotions> path =
           to - from == 1.0 ? bound.path() : std::vector<HandleMotions>();
       DeformResult solved = solver.solve_along(path, motions, progress);
-      result.mesh.positions = std::move(solved.positions);
       certificate = std::move(solved.certificate);
-      if (result.rest_stretch.empty()) {
-        result.rest_stretch = std::move(solved.rest_stretch);
-      } else {
-        // Parts of a motion stretch one after the other.
-        std::ranges::transform(solved.rest_stretch, result.rest_stretch,
-                               result.rest_stretch.begin(),
-                               [](const Eigen::Matrix3d& next, const Eigen::Matrix3d& last) {
-                                 return polar_stretch(next * last);
-                               });
-      }
+      if (result.commits > 1) add_transforms(solved.rest_stretch, solved.positions);
+      result.rest_stretch = std::move(solved.rest_stretch);
+      result.mesh.positions = std::move(solved.positions);
     });
     result.free = solver.free_count();
     result.solver = solver.solver_name();
     return certificate;
   }
 
-  Certificate carry_out_in_parts() const {
+  Certificate carry_out_in_parts() {
     const auto share = [&](std::size_t parts) {
       return static_cast<double>(parts) / static_cast<double>(result.commits);
     };
@@ -93,6 +99,9 @@ struct Work {
       parts.push_back(carry_out(share(k), share(k + 1)));
     }
     Certificate certificate;
+    for (std::size_t v = 0; v < transforms.size(); ++v) {
+      result.rest_stretch[v] = polar_stretch(transforms[v]);
+    }
     stage("certify", result.timings, progress, [&] {
       certificate = certify(bound, start, result.mesh.positions, parts, result.rest_stretch);
     });
@@ -196,7 +205,7 @@ Deformed deform_surface(Mesh mesh, const DeformRequest& request, Kernels& kernel
     centroids.push_back(handle_frame(handle, start).centroid);
   }
   const BoundRequest bound{request, result.region, result.mesh.topology(), centroids};
-  const Work work{bound, kernels, workspace, progress, result, start};
+  Work work{bound, kernels, workspace, progress, result, start};
   result.certificate = result.commits == 1 ? work.carry_out(0.0, 1.0) : work.carry_out_in_parts();
   result.wound_degrees = wound_degrees(bound, largest, start, result.mesh.positions);
   return result;

@@ -71,6 +71,7 @@ DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edi
   for (const HandleMotions& motions : path) {
     const bool begins = pose.empty() || any_far_since(pose.motions, motions);
     const std::vector<Vector3d> last_wanted = target.wanted;
+    const std::vector<Eigen::Matrix3d> last_stretch = std::move(target.stretch.of_vertices);
     target = motion_target(edit, begins ? motions : turned_as(motions, pose.motions, edit),
                            std::move(target.wanted));
     DragState next;
@@ -81,7 +82,7 @@ DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edi
       coarse_is_there = false;
     } else {
       if (!std::exchange(coarse_is_there, true)) {
-        coarse->begin({last_wanted, target.stretch.of_vertices}, pose.displacement);
+        coarse->begin({last_wanted, last_stretch}, pose.displacement);
       }
       next.displacement = pose.displacement;
       coarse->settle(target.settle_target(), progress, next.displacement);

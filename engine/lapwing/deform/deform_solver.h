@@ -61,8 +61,8 @@ class DeformSolver {
   DeformSolver(PreparedRegion& prepared, std::span<const Eigen::Vector3d> rest, EditRegion region,
                const DeformOptions& options, Kernels& kernels, const Progress& progress = {});
 
-  /// Shares what `preview` has prepared; timings include its stages. May run on a thread of its own
-  /// while `preview` is dragged, if `kernels` are not those that the preview uses.
+  /// Shares what `preview` has prepared; timings include its stages. May run on another thread
+  /// while `preview` is dragged.
   DeformSolver(const DragPreview& preview, Kernels& kernels, const Progress& progress = {});
   ~DeformSolver();
   DeformSolver(DeformSolver&&) noexcept;
@@ -81,7 +81,8 @@ class DeformSolver {
 
   /// The same along a path: the surface is minimized at each motion of `path` in turn, from where
   /// it was before, and then at `motions`. Far motions have several minima; the path decides which
-  /// one is found. Large regions follow it on their coarse proxy and are minimized at the end.
+  /// one is found. Large regions follow it on their coarse proxy and are minimized at the end. If a
+  /// handle turns by more than 90 degrees from one motion to the next, the path starts anew there.
   DeformResult solve_along(std::span<const HandleMotions> path, const HandleMotions& motions,
                            const Progress& progress = {}) const;
 

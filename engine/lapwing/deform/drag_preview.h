@@ -20,7 +20,7 @@ struct EditSystem;
 /// (its coordinates x, y, z and 1) in place of the 3n x 3n one and twelve. Right for translations;
 /// details do not turn.
 ///
-///     DragPreview preview(mesh.positions, topology, region, options, kernels);
+///     DragPreview preview(mesh.positions, topology, region, options);
 ///     Drag drag(preview.response());       // drags while another thread makes
 ///     DeformSolver solver(preview, kernels);  // the exact one, which then takes over
 class DragPreview {

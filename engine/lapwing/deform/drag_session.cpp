@@ -42,6 +42,7 @@ struct DragSession::State {
   DragState pose;
   std::vector<double> parameters;     // of pose.motions
   std::vector<Vector3d> wanted;       // by pose.motions
+  std::vector<Eigen::Matrix3d> stretch;  // S_i of pose.motions; empty for the identity
   Positions next;                     // the displacement of the frame at hand; else unused memory
   std::vector<Vector3d> next_wanted;  // unused memory between frames
 
@@ -82,10 +83,8 @@ struct DragSession::State {
   }
 
   // Sets `next` by the coarse proxy, in the time that is left.
-  void carry_by_coarse(MotionTarget& target, const TimeBudget& budget) {
-    if (!coarse_is_at_pose) {
-      coarse->begin({wanted, target.stretch.of_vertices}, pose.displacement);
-    }
+  void carry_by_coarse(MotionTarget& target, bool is_at_pose, const TimeBudget& budget) {
+    if (!is_at_pose) coarse->begin({wanted, stretch}, pose.displacement);
     copy_to_next(pose.displacement);
     const auto ask = [&](double ms) { return budget(ms + ending_ms); };
     coarse->move(target.settle_target(), budget ? TimeBudget(ask) : TimeBudget(), iteration_ms,
@@ -98,14 +97,13 @@ struct DragSession::State {
 
   // While the handles rest the proxy still finds the way, as long as the energy falls and the
   // Hessian does not find it sooner. Returns whether `next` is set.
-  bool carry_at_rest(MotionTarget& target) {
-    if (!coarse_is_at_pose || coarse_frames_at_rest >= kCoarseFramesAtRest ||
-        minimizer().uses_hessian()) {
+  bool carry_at_rest(MotionTarget& target, bool is_at_pose) {
+    if (!is_at_pose || coarse_frames_at_rest >= kCoarseFramesAtRest || minimizer().uses_hessian()) {
       return false;
     }
     ++coarse_frames_at_rest;
     const double before = minimizer().energy(target.settle_target(), pose.displacement);
-    carry_by_coarse(target, {});
+    carry_by_coarse(target, is_at_pose, {});
     return minimizer().energy(target.settle_target(), next) < before;
   }
 
@@ -136,7 +134,7 @@ struct DragSession::State {
     if (result.iterations == 0 || result.last_step > kSmoothStep) return;
     pull.resize(next.size(), Vector3d::Zero());
     minimizer().gradient(pull);
-    coarse->learn(next, pull);
+    coarse->correct(next, pull);
   }
 
   // Makes `next` the pose.
@@ -148,6 +146,7 @@ struct DragSession::State {
     pose.motions = std::move(target.motions);
     pose.settled = result;
     parameters = std::move(target.parameters);
+    stretch = std::move(target.stretch.of_vertices);
     next_wanted = std::exchange(wanted, std::move(target.wanted));
   }
 };
@@ -177,6 +176,7 @@ void DragSession::begin(DragState start) {
     s.parameters.resize(s.edit.column_count());
     s.edit.set_parameters(s.pose.motions.maps, s.parameters);
     s.edit.asked_displacement(s.parameters, s.wanted);
+    s.stretch = rest_stretch(s.edit, s.pose.motions.maps).of_vertices;
   }
   s.coarse_is_at_pose = false;
   s.lacks_time = false;
@@ -210,6 +210,8 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
     return s.pose;
   }
 
+  // The proxy is elsewhere if this frame fails.
+  const bool coarse_was_there = std::exchange(s.coarse_is_at_pose, false);
   bool by_coarse = false;
   if (begins) {
     s.minimizer().begin_drag();
@@ -217,7 +219,7 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
     s.lacks_time = false;
     s.copy_to_next(start_by_handle_weights(edit, *s.of_solver.weights, target));
   } else if (at_rest) {
-    by_coarse = s.carry_at_rest(target);
+    by_coarse = s.carry_at_rest(target, coarse_was_there);
     if (!by_coarse) s.copy_to_next(s.pose.displacement);
   } else {
     if (s.coarse_task.is_made()) s.coarse = s.coarse_task.take();
@@ -226,13 +228,11 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
     by_coarse = is_short && s.coarse != nullptr;
     if (by_coarse) {
       s.coarse_frames_at_rest = 0;
-      s.carry_by_coarse(target, budget);
+      s.carry_by_coarse(target, coarse_was_there, budget);
     } else {
       s.next = s.predictor.predict(edit, s.wanted, target.wanted, s.pose.displacement);
     }
   }
-  s.coarse_is_at_pose = false;  // until this frame has succeeded
-
   // While the proxy is being built, frames without time only predict.
   const bool must = at_rest || !(by_coarse || (budget && s.coarse_task.is_at_work()));
   const MinimizerResult result = s.minimize(target, at_rest, must, budget, progress);

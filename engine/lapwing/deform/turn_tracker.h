@@ -8,7 +8,7 @@ namespace lapwing {
 /// handle went, since the energy is lower the other way round: how much winding it holds depends on
 /// its length and the detail length (a cylinder six diameters long holds 300 degrees with the
 /// default, and not with sixty times that). A larger turn without a path is made in parts, each the
-/// rest shape of the next (commits.h).
+/// rest shape of the next (modifiers/substeps.h).
 inline constexpr double kLargestSettledTurnDegrees = 180.0;
 
 /// How far one handle has turned in all over the motions of a drag, past 180 and 360 degrees too,
@@ -23,7 +23,7 @@ class TurnTracker {
   explicit TurnTracker(const Eigen::AngleAxisd& turn)
       : rotation_(turn), turn_(turn.angle() * turn.axis()) {}
 
-  /// The handle's next motion, from the rest position as `DeformSolver::drag` takes it. Of a linear
+  /// The handle's next motion, from the rest position as `DragSession::step` takes it. Of a linear
   /// part that stretches the rotation of the polar decomposition counts; one that mirrors or
   /// flattens (determinant not above 0) has none, and the turn stays.
   void follow(const Eigen::Affine3d& motion);

@@ -124,7 +124,7 @@ void CoarseEmbedding::bind(Index owner, std::span<const Index> owned) {
   }
 }
 
-void CoarseEmbedding::carry(const Pose& from, const Pose& to, std::span<Vector3d> u) const {
+void CoarseEmbedding::prolongate(const Pose& from, const Pose& to, std::span<Vector3d> u) const {
   std::vector<RowsOfMotion> motions(coarse_.kept.size());
   parallel_for(motions.size(), kMotionsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
@@ -144,8 +144,9 @@ void CoarseEmbedding::carry(const Pose& from, const Pose& to, std::span<Vector3d
   });
 }
 
-std::vector<Vector3d> CoarseEmbedding::gather(std::span<const Vector3d> forces,
-                                              std::span<const Vector3d> u, const Pose& pose) const {
+std::vector<Vector3d> CoarseEmbedding::restrict_forces(std::span<const Vector3d> forces,
+                                                       std::span<const Vector3d> u,
+                                                       const Pose& pose) const {
   const Adjacency& rings = coarse_.topology.rings;
   const Positions& fine_rest = *rest_;
   const Positions& rest = coarse_.rest;

@@ -21,28 +21,30 @@ struct CoarseSurface {
   Topology topology;
 };
 
-/// How the vertices of a fine region go along with those of a coarse one that are near them: each
-/// with up to eight rigidly, by weights that fall off smoothly (embedded deformation: Sumner,
-/// Schmid, Pauly, 2007). 96 bytes a vertex.
+/// Binds each vertex of a fine region to up to eight coarse vertices near it, which it follows
+/// rigidly, by weights that fall off smoothly (embedded deformation: Sumner, Schmid, Pauly, 2007).
+/// 96 bytes a vertex.
 class CoarseEmbedding {
  public:
   /// `rest` is that of the fine mesh; `coarse` must outlive the object.
   CoarseEmbedding(std::shared_ptr<const Positions> rest, const VertexSet& roi,
                   const CoarseSurface& coarse);
 
-  /// A pose of the coarse surface: per own vertex, its displacement and how its ring has turned.
+  /// A pose of the coarse surface: per coarse vertex, its displacement and the transform T of its
+  /// ring.
   struct Pose {
     std::vector<Eigen::Vector3d> displacement;
     std::vector<Eigen::Matrix3d> transforms;
   };
 
-  /// Moves the fine surface, at `u` from rest, as the coarse one goes from one pose to another.
-  void carry(const Pose& from, const Pose& to, std::span<Eigen::Vector3d> u) const;
+  /// Moves the fine surface, displaced by `u`, as the coarse one goes from one pose to another.
+  void prolongate(const Pose& from, const Pose& to, std::span<Eigen::Vector3d> u) const;
 
-  /// What forces on the fine vertices, at `u`, come to at the coarse ones in `pose`: as much for
-  /// every motion of the whole surface, its turns included. One vector for each own vertex.
-  std::vector<Eigen::Vector3d> gather(std::span<const Eigen::Vector3d> forces,
-                                      std::span<const Eigen::Vector3d> u, const Pose& pose) const;
+  /// Restricts forces on the fine vertices, displaced by `u`, to the coarse ones in `pose`. Total
+  /// force and moment are kept. Returns one vector per coarse vertex.
+  std::vector<Eigen::Vector3d> restrict_forces(std::span<const Eigen::Vector3d> forces,
+                                               std::span<const Eigen::Vector3d> u,
+                                               const Pose& pose) const;
 
  private:
   void bind(Index owner, std::span<const Index> owned);

@@ -307,7 +307,9 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
     while (!result.settled && has_time()) {
       report_progress(progress, "settle",
                       static_cast<double>(result.iterations) / s.options.max_iterations);
-      if (s.is_hessian_due()) {
+      // The last direction is only measured.
+      const bool is_last = result.iterations == s.options.max_iterations;
+      if (!is_last && s.is_hessian_due()) {
         // A factorization takes longer than a frame has; the next one begins with it.
         if (s.at_rest && budget && result.iterations > 0) break;
         s.factorize_hessian();
@@ -335,7 +337,7 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
         if (result.iterations > 0 && s.step(sums.slope)) s.take_next();
         break;
       }
-      if (result.iterations == s.options.max_iterations) break;
+      if (is_last) break;
 
       if (!s.step(sums.slope)) {
         if (!history.is_empty()) {

@@ -30,8 +30,8 @@ bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector
 /// next one takes its memory and recomputes only what the change reaches. Results are those of a
 /// full preparation bit for bit; frames of a drag by a coarse surface go by the one that is kept.
 /// An edit with another ROI, or other unknowns (hard constraints solve for the free vertices alone,
-/// which change with the handle), is prepared in full and replaces what is kept. A preparation that
-/// is cancelled or fails loses nothing that was kept before it.
+/// which change with the handle), is prepared in full and replaces what is kept. A preparation over
+/// the same unknowns that is cancelled or fails loses nothing that was kept before it.
 ///
 /// Earlier solvers keep their own factors and are not affected. One preparation at a time.
 class PreparedRegion {

@@ -289,7 +289,7 @@ Move along_mirror(const Move& move, const MirrorPlane& plane) {
   const Vector3d normal = plane.normal.normalized();
   along.translate = 0.5 * (along.translate + mirror_matrix(plane) * along.translate);
   along.rotate = {normal, along.rotate.degrees * along.rotate.axis.normalized().dot(normal)};
-  along.scale = mirrored_scale(along.scale, plane);
+  along.scale = 0.5 * (along.scale + mirrored_scale(along.scale, plane));
   if (along.pivot) along.pivot = onto(plane, *along.pivot);
   return along;
 }

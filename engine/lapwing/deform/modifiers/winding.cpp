@@ -5,6 +5,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "lapwing/deform/modifiers/substeps.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/laplacian/ring_fit.h"
 
@@ -17,9 +18,12 @@ constexpr double kSmallestMeasured = 90.0;
 // Down to this a smaller detail length keeps more winding, at little cost in details.
 constexpr double kSmallDetailLength = 0.045;
 
-// Whole degrees in equal parts below the limit, with room left at exact multiples of it.
-double suggested_commit_every(double degrees) {
-  return std::ceil(degrees / (std::floor(degrees / kLargestSettledTurnDegrees) + 1.0));
+// Whole degrees: equal parts below the limit, with room left at exact multiples of it, and at most
+// half of the parts that the turn was made in.
+double suggested_commit_every(const DeformRequest& request, double degrees) {
+  const double below_limit = degrees / (std::floor(degrees / kLargestSettledTurnDegrees) + 1.0);
+  const double half_part = 0.5 * degrees / static_cast<double>(commit_count(request));
+  return std::ceil(std::min(below_limit, half_part));
 }
 
 // The fewest edges from `vertex` through the region to a vertex that stays, that one first; empty
@@ -51,7 +55,7 @@ std::string advice(const DeformRequest& request, double degrees) {
   std::ostringstream text;
   if (!request.parameters.settle) text << "let the surface settle";
   if (!request.parameters.commit_every) {
-    const double every = suggested_commit_every(degrees);
+    const double every = suggested_commit_every(request, degrees);
     text << (request.parameters.settle ? "" : ", and ") << "add \"commit_every\": " << every
          << " (or --commit-every " << every << ")";
   } else if (request.parameters.settle && request.parameters.detail_length > kSmallDetailLength) {
@@ -104,8 +108,8 @@ std::string winding_warning(const DeformRequest& request, const std::optional<do
   if (lost) {
     text << ", but the surface came out wound by " << std::lround(*wound) << ": ";
   } else {
-    text << " at once; beyond " << kLargestSettledTurnDegrees
-         << " a surface may unwind, and this one did not. To be sure: ";
+    text << " at once; beyond " << kLargestSettledTurnDegrees << " a surface may unwind"
+         << (wound ? ", and this one did not" : "") << ". To be sure: ";
   }
   text << advice(request, degrees);
   return text.str();
