@@ -1,6 +1,5 @@
 #include "lapwing/elastic/factor_cache.h"
 
-#include <atomic>
 #include <string>
 #include <utility>
 
@@ -14,10 +13,10 @@ namespace {
 // Whether the cache alone holds `factor`, so that its memory may be used again.
 template <typename T>
 bool is_unused(const std::shared_ptr<T>& factor) {
-  if (factor.use_count() != 1) return false;
-  // Makes visible what the last other owner did before letting go.
-  std::atomic_thread_fence(std::memory_order_acquire);
-  return true;
+  // Copying changes the count, which orders this thread after the last other owner's release;
+  // reading the count alone would not.
+  const std::shared_ptr<T> copy = factor;
+  return copy.use_count() == 2;
 }
 
 }  // namespace
