@@ -81,14 +81,14 @@ struct EditSystem {
   /// What the handles' motions ask for, over the whole mesh; 0 off the handles and the anchors of
   /// loose parts.
   std::vector<Eigen::Vector3d> wanted_displacement(std::span<const double> parameters) const;
-  /// The same in memory that nobody else writes, in time that is that of the handles: `wanted` is
-  /// what it was the last time, or empty.
+  /// The same in place. O(handle vertices): `wanted` must be the output of an earlier call, or
+  /// empty.
   void wanted_displacement(std::span<const double> parameters,
                            std::vector<Eigen::Vector3d>& wanted) const;
 
   /// That and what hard targets ask for.
   std::vector<Eigen::Vector3d> asked_displacement(std::span<const double> parameters) const;
-  /// Likewise.
+  /// The same in place.
   void asked_displacement(std::span<const double> parameters,
                           std::vector<Eigen::Vector3d>& asked) const;
 

@@ -81,8 +81,9 @@ CoarseEmbedding::CoarseEmbedding(std::shared_ptr<const Positions> rest, const Ve
   bound_to_ = all_places_in(nodes, coarse.kept.size());
 }
 
-// To the nearest of the two rings around their owner, by (1 - d / D)^2, D how far the next one is:
-// as a vertex takes another's place it has no weight.
+// Binds to the nearest vertices of the two rings around the owner, by weights (1 - d / D)^2. D is
+// the distance of the first vertex that is not used, so that weights reach zero before the set
+// changes.
 void CoarseEmbedding::bind(Index owner, std::span<const Index> owned) {
   if (owned.empty()) return;
   // The nearest first as far as the rings tell, so that most of the others are seen to be too far.

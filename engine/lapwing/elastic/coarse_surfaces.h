@@ -27,29 +27,29 @@ struct CoarseLevel {
   std::mutex preparing;
 };
 
-/// The coarse surfaces of all edits with one ROI of one mesh. Where handles, belt and targets are
-/// those of the last edit, its surface serves the next one, whatever the weights; where they are
-/// others, merges of the first edit are made again but for those near new borders
-/// (decimate_again), unless many vertices that it kept one by one are free to go. So a surface
-/// depends on the first edit, too. Kept are about 190 bytes a vertex. May be used from several
-/// threads.
+/// The coarse surfaces of all edits with one ROI of one mesh. If handles, belt and targets are
+/// those of the last edit, its surface serves the next one, whatever the weights. Otherwise the
+/// merges of the first edit are repeated but for those near new borders (decimate_again), unless
+/// many vertices that it kept one by one have been released; so a surface depends on the first
+/// edit, too. Keeps about 190 bytes per vertex. Thread-safe.
 class CoarseSurfaces {
  public:
   CoarseSurfaces();
   ~CoarseSurfaces();
 
-  /// Begins the first of them, by what comes before a merge, which about 320 bytes a vertex hold
-  /// until `of` is asked: for this edit it goes on from there. Does nothing after the first.
+  /// Prepares the first decimation up to its first merge, for an edit that will call `of`. Keeps
+  /// about 320 bytes per vertex until then. Does nothing after the first.
   void begin(const EditRegion& region, const Topology& topology,
              const std::shared_ptr<const Positions>& rest);
 
-  /// With about `count` vertices in the region; `rest` is the same pointer for the same positions.
-  /// Null where that would leave more than half of them, since too many are held one by one.
+  /// The surface with about `count` vertices in the region; `rest` is the same pointer for the same
+  /// positions. Returns null if more than half of the vertices would remain, because too many are
+  /// held one by one.
   std::shared_ptr<CoarseLevel> of(const EditRegion& region, const Topology& topology,
                                   const std::shared_ptr<const Positions>& rest, std::size_t count);
 
  private:
-  // What a surface depends on, and that.
+  // The last surface and the inputs it was made from.
   struct Last {
     std::shared_ptr<const Positions> rest;
     std::size_t count = 0;

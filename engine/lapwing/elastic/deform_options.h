@@ -35,11 +35,12 @@ struct DeformOptions {
   double constraint_weight = 1.0;
   /// Handle and belt vertices go exactly where they should, rather than in the least squares.
   bool hard = false;
-  /// The 3n x 3n system may take this much memory; 0: what `allowed_memory` says when it is
-  /// prepared. Where it needs more, settling does without it, from where a DragPreview is.
+  /// The memory that the 3n x 3n system may take; 0 for what `allowed_memory` says when it is
+  /// prepared. If it needs more, an edit that settles runs without it, and its linear drags are a
+  /// DragPreview's.
   std::size_t memory_limit_bytes = 0;
-  /// Makes the energy of what `solve` returns least, so that details survive large rotations; none:
-  /// the linear response as it is, right for small angles only.
+  /// Minimizes the energy, so that details survive large rotations; none for the linear response,
+  /// which is right for small angles only.
   std::optional<SettleOptions> settle = SettleOptions{};
   bool operator==(const DeformOptions&) const = default;
 };

@@ -96,8 +96,8 @@ class EnergyMinimizer {
                          const TimeBudget& budget = {}, const Progress& progress = {});
 
   /// A frame whose `target` is still that of the last call, with `u` where that ended. After a few
-  /// iterations of such frames the preconditioner is factored at the pose. A call whose turn that
-  /// is begins with it, whatever `budget` says, and takes a factorization longer.
+  /// iterations of such frames the preconditioner is factored at the pose. When a factorization is
+  /// due, the call starts with it, whatever `budget` says, and takes that much longer.
   MinimizerResult rest(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                        const TimeBudget& budget = {}, const Progress& progress = {});
 

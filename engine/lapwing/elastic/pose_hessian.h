@@ -15,12 +15,12 @@ namespace lapwing {
 
 /// The Hessian of the energy at a pose, A x I - beta G'G (ENERGY.md section 5). G_i = F_i^-1 a_i of
 /// a ring that has turned by R_i is that at rest with each block turned back by R_i, if the ring
-/// has kept its shape. Under tension F_i F_i' = K_i = tr(S) I - S is larger than at rest, C_i = R_i
-/// S: the rotation follows the surface less, and the ring resists bending. Directions of
-/// compression keep the K_i of rest, so that the matrix stays positive semidefinite at every pose.
-/// Its factor is held in floats, which do for a first Hessian (README.md), and in doubles for a
-/// pose at which rounding leaves it indefinite. Takes its memory, half that of another 3n x 3n
-/// factor, at the first factorization, or before.
+/// has kept its shape. Under tension F_i F_i' = K_i is larger than at rest: the rotation follows
+/// the surface less, and the ring resists bending. Directions of compression keep the K_i of rest,
+/// so that the matrix stays positive semidefinite at every pose. Its factor is held in floats,
+/// which do for a first Hessian (README.md), and in doubles for a pose at which rounding leaves it
+/// indefinite. Takes its memory, half that of another 3n x 3n factor, at the first factorization,
+/// or before.
 class PoseHessian final : public Preconditioner {
  public:
   /// Finds G at rest over the rings of a region (tangent_rows).

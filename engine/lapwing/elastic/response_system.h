@@ -49,11 +49,11 @@ class ResponseSystem {
   /// takes is not known, and left out.
   std::size_t memory_bytes() const;
 
-  /// The rows and N, with the weights of the n x n system, which is assembled; beside it the
-  /// symbolic factorization where that is still to be done. A tangent that `turns_freely` has
-  /// components that may turn about a line: a little of A stays in it, by which they turn as little
-  /// as they can. `rows` are those of tangent_rows where they are there, else null. Stages
-  /// "assemble", "analyze" (what was left of that) and "normal_matrix".
+  /// The rows and N, with the weights of the n x n system. Runs the symbolic factorization in
+  /// parallel, if it is not done yet. A tangent that `turns_freely` has components that may turn
+  /// about a line: a little of A stays in it, so that they turn as little as they can. `rows` are
+  /// those of tangent_rows if they are known, else null. Stages "assemble", "analyze" and
+  /// "normal_matrix".
   void assemble(std::span<const Eigen::Vector3d> rest, bool turns_freely,
                 std::shared_ptr<const BlockRows> rows, Kernels& kernels, const Progress& progress,
                 StageTimings& timings);

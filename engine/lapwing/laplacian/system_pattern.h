@@ -31,8 +31,8 @@ class SystemPattern {
   const std::vector<int>& order() const;
   /// Whether it has been; not to be asked while another thread may be finding it.
   bool is_ordered() const { return order_.size() == blocks().size(); }
-  /// The order for M'M: the same, or by nested dissection where that saves more of the
-  /// factorization's 27 times as many operations than it takes; found likewise.
+  /// The order for M'M: the same, or that of nested dissection if its search costs less than it
+  /// saves in the factorization, which takes 27 times the operations. Found in the first call, too.
   const std::vector<int>& thorough_order() const;
   /// The symbolic factorization of M'M in that order, which all its factors share: found when it is
   /// asked for, and kept for as long as one of them has it.
