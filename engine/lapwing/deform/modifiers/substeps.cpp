@@ -53,11 +53,18 @@ Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
                     std::span<const Vector3d> end, std::span<const Certificate> parts,
                     std::span<const Eigen::Matrix3d> stretch) {
   Certificate certificate;
+  // Where a free handle should end is not known; each part has measured how far it was off.
+  const auto is_free = [](const MovedHandle& handle) {
+    return handle.orientation == HandleOrientation::free;
+  };
+  const bool any_free = std::ranges::any_of(bound.request.handles, is_free);
   for (const Certificate& part : parts) {
     certificate.relative_residual = std::max(certificate.relative_residual, part.relative_residual);
     certificate.relative_gradient = std::max(certificate.relative_gradient, part.relative_gradient);
     certificate.asked_motion += part.asked_motion;
-    certificate.handle_error = std::max(certificate.handle_error, part.handle_error);
+    if (any_free) {
+      certificate.handle_error = std::max(certificate.handle_error, part.handle_error);
+    }
     certificate.settle_iterations += part.settle_iterations;
     certificate.settled = certificate.settled && part.settled;
     certificate.settle_last_step = std::max(certificate.settle_last_step, part.settle_last_step);
@@ -65,8 +72,7 @@ Certificate certify(const BoundRequest& bound, std::span<const Vector3d> start,
   const EditRegion& region = bound.region;
   const std::vector<Affine3d> motions = bound.motions(0.0, 1.0);
   for (std::size_t h = 0; h < motions.size(); ++h) {
-    // A free handle goes to the rotation that was found; each part has measured its error.
-    if (bound.request.handles[h].orientation == HandleOrientation::free) continue;
+    if (is_free(bound.request.handles[h])) continue;
     for (const Index v : region.handles[h]) {
       const double error = (end[v] - motions[h] * start[v]).norm();
       certificate.handle_error = std::max(certificate.handle_error, error);
