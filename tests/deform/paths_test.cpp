@@ -74,13 +74,15 @@ TEST_P(APushedTube, ThatWasDraggedEndsWhereTheDragWas) {
   for (const double side : {-1.0, 1.0}) {
     const std::vector<HandleMotions> path = way_round(side);
     DragSession drag(solver_);
+    drag.wait_until_prepared();  // so that no frame depends on how long that takes
     for (const HandleMotions& frame : path) {
       int left = 6;
       drag.step(frame, [&left](double) { return left-- > 0; });
     }
     const DeformResult kept = solver_->solve_from(drag.state(), end);
     const DeformResult replayed = solver_->solve_along(path, end);
-    EXPECT_LT(largest_distance(kept.positions, replayed.positions), 2e-2) << side;
+    // On the other side it would be 0.4 away.
+    EXPECT_LT(largest_distance(kept.positions, replayed.positions), 5e-2) << side;
   }
 }
 
