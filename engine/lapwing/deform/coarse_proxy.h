@@ -62,7 +62,7 @@ class CoarseProxy {
   std::vector<char> is_held_;     ///< per coarse vertex: belt or handle
   std::vector<Index> coarse_of_;  ///< per vertex of the fine mesh, or kNoIndex
 
-  double prolongation_ms_ = 0.0;  ///< of the last call
+  double prolongation_ms_ = 0.0;  ///< time of the last prolongation
 
   CoarseEmbedding::Pose pose_;
   std::vector<Eigen::Vector3d> wanted_;  ///< in pose_

@@ -59,8 +59,8 @@ struct Work {
     return *solver;
   }
 
-  // Adds a part, which asks for the stretches `S` and takes the rings to `positions`, to the
-  // transforms of the parts before: T_i becomes R_i S_i T_i.
+  // Multiplies the transforms of the rings by those of one more part: T_i becomes R_i S_i T_i. `S`
+  // holds the rest stretch of the part, `positions` its result, to which R_i is fitted.
   void add_transforms(std::span<const Eigen::Matrix3d> S, const Positions& positions) {
     if (S.empty()) return;
     const Positions& rest = result.mesh.positions;

@@ -12,6 +12,7 @@
 #include "lapwing/deform/deform_solver_state.h"
 #include "lapwing/deform/drag_preview.h"
 #include "lapwing/deform/motion_target.h"
+#include "lapwing/deform/predictor.h"
 #include "lapwing/deform/response_basis.h"
 
 namespace lapwing {
@@ -122,14 +123,14 @@ MinimizerResult minimize_from(const DragState* pose, const EditSystem& edit,
   if (pose == nullptr) {
     std::ranges::copy(start_by_handle_weights(edit, weights, target), u.begin());
   } else {
-    std::ranges::copy(pose->displacement, u.begin());
-    std::vector<double> change(edit.column_count());
-    edit.set_parameters(pose->motions.maps, change);
-    if (change != target.parameters) {
-      for (std::size_t k = 0; k < change.size(); ++k) change[k] = target.parameters[k] - change[k];
-      const std::vector<Vector3d> response =
-          axis_displacement(edit, edit.wanted_displacement(change), Springs::rest);
-      for (const Index v : edit.moving) u[v] += response[v];
+    std::vector<double> parameters(edit.column_count());
+    edit.set_parameters(pose->motions.maps, parameters);
+    if (parameters == target.parameters) {
+      std::ranges::copy(pose->displacement, u.begin());
+    } else {
+      const std::vector<Vector3d> wanted = edit.asked_displacement(parameters);
+      std::ranges::copy(Predictor().predict(edit, wanted, target.wanted, pose->displacement),
+                        u.begin());
     }
   }
   const MinimizerResult result = minimizer.settle(target.settle_target(), u, progress);

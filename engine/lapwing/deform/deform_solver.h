@@ -68,15 +68,15 @@ class DeformSolver {
   DeformSolver(DeformSolver&&) noexcept;
   DeformSolver& operator=(DeformSolver&&) noexcept;
 
-  /// The result in double precision, minimized if the options settle, with its certificate; stage
-  /// "settle". A motion that is the identity returns the rest positions bit for bit. Throws
-  /// InputError for another number of motions than handles and for motions that are too far,
-  /// SolverError if the certificate does not hold, Cancelled.
+  /// Returns the surface for one motion per handle, in double precision, with its certificate. It
+  /// is minimized if the options settle; stage "settle". Identity motions return the rest positions
+  /// bit for bit. Throws InputError for another number of motions than handles and for motions that
+  /// are too far, SolverError if the certificate does not hold, Cancelled.
   DeformResult solve(std::span<const Eigen::Affine3d> motions, const Progress& progress = {}) const;
 
-  /// The same for motions that tell their turns: a surface is wound the way that its handles went,
-  /// as far as it can hold that. Throws InputError for a handle whose orientation is free unless
-  /// the options settle with soft constraints.
+  /// The same for motions with accumulated turns: the surface is wound the way that its handles
+  /// went, as far as it can hold that. Throws InputError for a handle whose orientation is free
+  /// unless the options settle with soft constraints.
   DeformResult solve(const HandleMotions& motions, const Progress& progress = {}) const;
 
   /// The same along a path: the surface is minimized at each motion of `path` in turn, from where
@@ -101,10 +101,10 @@ class DeformSolver {
   /// The same for all handles.
   std::shared_ptr<const DragResponse> response(const Progress& progress = {}) const;
 
-  /// The S_i that handles so moved ask for, as DeformResult has them; empty if no handle scales.
+  /// The rest stretch for these motions, as in DeformResult; empty if no handle scales.
   std::vector<Eigen::Matrix3d> rest_stretch(std::span<const Eigen::Affine3d> motions) const;
 
-  /// Whether another one made from all this would solve to the same bits.
+  /// Whether a solver constructed from these arguments would give the same bits.
   bool is_of(std::span<const Eigen::Vector3d> rest, const Topology& topology,
              const EditRegion& region, const DeformOptions& options, const Kernels& kernels) const;
 

@@ -33,7 +33,7 @@ struct DeformSolverState {
   std::unique_ptr<const HandleWeights> weights;    ///< null if the edit takes no rest stretch
   std::shared_ptr<const ResponseSystem> response;  ///< null if the edit settles
 
-  /// Takes a workspace out of those that are kept, or makes one. Thread-safe, like the next.
+  /// Takes the unused workspace, or makes one. Thread-safe, like `give_back`.
   std::shared_ptr<MinimizerWorkspace> take_workspace() const;
   /// Keeps `workspace` for the next minimization, unless another one is kept already.
   void give_back(std::shared_ptr<MinimizerWorkspace> workspace) const;
@@ -43,7 +43,7 @@ struct DeformSolverState {
   mutable std::shared_ptr<MinimizerWorkspace> unused_;
 };
 
-/// A workspace while one minimization uses it.
+/// Takes a workspace for one minimization and gives it back at the end.
 class BorrowedWorkspace {
  public:
   explicit BorrowedWorkspace(const DeformSolverState& of)

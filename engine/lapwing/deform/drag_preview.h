@@ -46,7 +46,7 @@ class DragPreview {
   const EditRegion& region() const;
   const StageTimings& timings() const { return timings_; }
 
-  /// What a DeformSolver made from this preview shares with it.
+  /// The edit that this preview shares with the DeformSolver made from it.
   const std::shared_ptr<const EditSystem>& system() const { return system_; }
 
  private:

@@ -121,7 +121,8 @@ bool EditSystem::needs_coarse_surface() const {
   return options.settle && region.roi.size() >= kSmallRegion;
 }
 
-// The least that settling takes, without the 3n x 3n system. An earlier edit has left its memory.
+// Checks the memory that settling needs at least, without the 3n x 3n system. Only a new cache
+// needs the check: an existing one already holds this memory.
 void EditSystem::require_memory_to_settle(std::size_t factor_bytes) const {
   if (!options.settle) return;
   require_memory(factor_bytes + kBytesToSettle * region.roi.size(),

@@ -36,7 +36,7 @@ struct EnergyMinimizer::State {
   double mean_edge;
   std::unique_ptr<RingRotations> rotations;
   Preconditioner* const given_preconditioner;
-  Preconditioner* preconditioner = nullptr;  ///< null once it could not be factored
+  Preconditioner* preconditioner = nullptr;  ///< null after a factorization has failed
   HessianSchedule schedule;
   bool at_rest = false;        ///< whether `schedule` is that of frames whose target rests
   int taken = 0;               ///< iterations of this schedule

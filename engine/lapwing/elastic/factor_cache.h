@@ -84,9 +84,9 @@ class FactorCache {
     return {*this, std::move(terms), W};
   }
 
-  /// The factored 3n x 3n system, of the kind and within the memory that `options` say; stages
-  /// "assemble", "analyze", "normal_matrix" and "factor" as far as they are to be done. `laplacian`
-  /// is the edit's n x n system. Throws DoesNotFit, for a large region before its memory is taken,
+  /// The factored 3n x 3n system. `options` give its kind and memory limit; `laplacian` is the
+  /// edit's n x n system. Reports the stages "assemble", "analyze", "normal_matrix" and "factor",
+  /// those that are not done yet. Throws DoesNotFit, for a large region before its memory is taken,
   /// and keeps nothing of the system then.
   std::shared_ptr<const ResponseSystem> response(const SystemTerms& terms,
                                                  std::shared_ptr<const LaplacianSystem> laplacian,

@@ -29,9 +29,10 @@ bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector
 /// another handle or belt changes what is near. If no solver uses the last factor any more, the
 /// next one takes its memory and recomputes only what the change reaches. Results are those of a
 /// full preparation bit for bit; frames of a drag by a coarse surface go by the one that is kept.
-/// An edit with another ROI, or other unknowns (hard constraints solve for the free vertices alone,
-/// which change with the handle), is prepared in full and replaces what is kept. A preparation over
-/// the same unknowns that is cancelled or fails loses nothing that was kept before it.
+/// An edit with another ROI or other unknowns is prepared in full and replaces what is kept. (With
+/// hard constraints the unknowns are the free vertices alone, which change with the handle.) A
+/// preparation over the same unknowns that is cancelled or fails loses nothing that was kept before
+/// it.
 ///
 /// Earlier solvers keep their own factors and are not affected. One preparation at a time.
 class PreparedRegion {

@@ -243,7 +243,7 @@ EditRegion with_other_belt(const Subject& subject) {
 }
 
 // Prepares an edit, and makes all that a drag of it needs.
-// Prepares an edit and returns all that holds it.
+// Prepares an edit and returns its owner, which is destroyed before the next preparation.
 using Prepare = std::function<std::shared_ptr<const void>(PreparedRegion&, const EditRegion&,
                                                           const DeformOptions&)>;
 
