@@ -4,7 +4,6 @@
 #include <string>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/mesh/topology.h"
 
 namespace lapwing {
 
@@ -28,26 +27,6 @@ Mesh mesh_of(const Eigen::Ref<const Eigen::MatrixX3d>& V,
     faces.add(corners);
   }
   return mesh;
-}
-
-Eigen::MatrixX3d vertex_matrix(const Mesh& mesh) {
-  Eigen::MatrixX3d V(static_cast<Eigen::Index>(mesh.vertex_count()), 3);
-  for (Eigen::Index v = 0; v < V.rows(); ++v) {
-    V.row(v) = mesh.positions[static_cast<std::size_t>(v)].transpose();
-  }
-  return V;
-}
-
-Eigen::MatrixX3i triangle_matrix(const Mesh& mesh) {
-  const std::vector<Triangle>& triangles = mesh.topology().triangles;
-  Eigen::MatrixX3i F(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (Eigen::Index t = 0; t < F.rows(); ++t) {
-    const Triangle& corners = triangles[static_cast<std::size_t>(t)];
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      F(t, c) = static_cast<int>(corners[static_cast<std::size_t>(c)]);
-    }
-  }
-  return F;
 }
 
 }  // namespace lapwing
