@@ -37,7 +37,8 @@ inline RealRun good_run(const std::string& mesh) {
           "",
           outcome(0, 1.5, 0.02),
           outcome(0, 2.0, 0.1),
-          outcome(0, 1.25, 0.03)};
+          outcome(0, 1.25, 0.03),
+          outcome(0, 1.5, 0.025)};
 }
 
 }  // namespace lapwing::bench

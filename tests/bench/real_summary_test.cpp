@@ -119,6 +119,18 @@ TEST(RealSummary, DetailErrorsWithinOneInAMillionAreTheSame) {
   EXPECT_EQ(summary_of(runs).figures[kDetails].count, 0u);
 }
 
+TEST(RealSummary, SaysWhereSmoothArapIsClearlyBetter) {
+  std::vector<RealRun> runs = good_runs(2);
+  EXPECT_TRUE(summary_of(runs).smooth_arap_better.empty());
+  runs[1].ours.flipped_triangles = 2;
+  runs[1].smooth_arap.detail_error = 0.0179;
+  runs[1].smooth_arap.largest_edge = 1.36;
+  const RealSummary summary = summary_of(runs);
+  ASSERT_EQ(summary.smooth_arap_better.size(), 1u);
+  EXPECT_EQ(summary.smooth_arap_better[0].values,
+            "flips 2, Smooth ARAP 0; detail error 0.0200, Smooth ARAP 0.0179");
+}
+
 TEST(RealSummary, TheLinearResponseIsHeldToMeasuresOfItsOwn) {
   std::vector<RealRun> runs = good_runs(50);
   runs[0].linear.flipped_triangles = 3;

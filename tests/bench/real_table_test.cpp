@@ -32,6 +32,8 @@ TEST(RealTable, SaysAtTheEndWhatIsNotThere) {
   EXPECT_THAT(line_of(run), HasSubstr(" 12* "));
   run.arap = failed("not a manifold");
   EXPECT_THAT(line_of(run), HasSubstr("CGAL: not a manifold\n"));
+  run.smooth_arap = failed("no memory");
+  EXPECT_THAT(line_of(run), HasSubstr("CGAL: not a manifold; Smooth ARAP: no memory\n"));
 }
 
 TEST(RealTable, NamesExceptionsBelowTheirFigure) {
@@ -59,8 +61,8 @@ TEST(RealTable, InMarkdownHasEveryRun) {
   report.runs[1].arap = failed("not finite");
   const std::string text = markdown_of(report);
   EXPECT_THAT(text, HasSubstr("| cow.off | lift | 2,904 | 7 | 12 | 0 | 1.50 | 0.0200 | 0 | 2.00 | "
-                              "0.1000 | 0 | 1.25 | 0.0300 |  |\n"));
-  EXPECT_THAT(text, HasSubstr("|  |  |  | CGAL: not finite |\n"));
+                              "0.1000 | 0 | 1.25 | 0.0300 | 0 | 1.50 | 0.0250 |  |\n"));
+  EXPECT_THAT(text, HasSubstr("|  |  |  | 0 | 1.50 | 0.0250 | CGAL: not finite |\n"));
 }
 
 }  // namespace

@@ -46,7 +46,11 @@ void read_jobs(Bytes bytes) {
 }
 
 void read_journal_lines(Bytes bytes) {
-  static_cast<void>(viewer::read_journal(file_of(bytes, "edit.journal")));
+  const auto path = file_of(bytes, "edit.journal");
+  const auto edit = viewer::read_journal(path);
+  if (!edit) return;
+  // Any bytes may be where results are looked for.
+  for (const auto& [key, where] : edit->results) viewer::read_result(path, where);
 }
 
 // The details of a part whose mesh is fine.
@@ -125,7 +129,9 @@ std::vector<std::string> journal_seeds() {
           R"([{"region": {"vertices": [1]}, "move": {"translate": [0, 0, 1]}}]}, "handles": 1, )"
           R"("settled": false})"
           "\n"
-          R"({"mesh": {"lapwing_journal": 2, "mesh": "/b.obj", "bytes": 1, "modified": 2}})"
+          R"({"result": 17, "start": 10, "vertices": 2})"
+          "\n"
+          R"({"mesh": {"lapwing_journal": 3, "mesh": "/b.obj", "bytes": 1, "modified": 2}})"
           "\n"};
 }
 std::vector<std::string> details_seeds() {

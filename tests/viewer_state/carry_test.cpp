@@ -17,6 +17,7 @@
 #include "support/split_meshes.h"
 #include "viewer_state/tube_edit.h"
 #include "work/edit_session.h"
+#include "work/settled_result.h"
 
 namespace lapwing::viewer::test {
 namespace {
@@ -185,7 +186,7 @@ TEST_F(CarriedInAWindow, IsRestoredAfterACrash) {
   const auto edits = find_interrupted(folder_ / "cache");
   ASSERT_EQ(edits.size(), 1U);
   const History history =
-      restore(open_state(read_mesh(tube_)), edits[0].draft, carry_out_with(kernels_));
+      restore(open_state(read_mesh(tube_)), edits[0].draft, carry_out_again(edits[0], kernels_));
   EXPECT_LT(largest_distance(carried_of(history.state()).at(0)->positions(), before), 1e-9);
 }
 

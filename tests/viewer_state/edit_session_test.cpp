@@ -11,6 +11,7 @@
 #include "lapwing/session/run_recipe.h"
 #include "viewer_state/tube_edit.h"
 #include "work/certificate_words.h"
+#include "work/settled_result.h"
 
 namespace lapwing::viewer::test {
 namespace {
@@ -61,12 +62,19 @@ class ASession : public ::testing::Test {
     const auto edits = find_interrupted(cache_);
     EXPECT_EQ(edits.size(), 1U);
     CpuKernels kernels;
-    session_.emplace(
-        edits[0],
-        restore(open_state(read_mesh(edits[0].mesh.path)), edits[0].draft, carry_out_with(kernels)),
-        cache_, [] { return std::make_unique<CpuKernels>(); });
+    session_.emplace(edits[0],
+                     restore(open_state(read_mesh(edits[0].mesh.path)), edits[0].draft,
+                             carry_out_again(edits[0], kernels)),
+                     cache_, [] { return std::make_unique<CpuKernels>(); });
     discard(edits[0]);
     return edits[0];
+  }
+  // Of the session, which runs.
+  std::filesystem::path journal() const {
+    for (const auto& entry : std::filesystem::directory_iterator(cache_)) {
+      if (entry.path().extension() == ".journal") return entry.path();
+    }
+    return {};
   }
   Positions positions() const { return positions_of(session_->state()); }
   Positions restored() {
@@ -74,8 +82,8 @@ class ASession : public ::testing::Test {
     const auto edits = find_interrupted(cache_);
     EXPECT_TRUE(edits.at(0).mesh_is_unchanged);
     CpuKernels kernels;
-    const History history =
-        restore(open_state(read_mesh(edits[0].mesh.path)), edits[0].draft, carry_out_with(kernels));
+    const History history = restore(open_state(read_mesh(edits[0].mesh.path)), edits[0].draft,
+                                    carry_out_again(edits[0], kernels));
     return positions_of(history.state());
   }
 
@@ -269,6 +277,39 @@ TEST_F(ASession, RestoredAfterACrashIsWhereItWas) {
   drag(twisted(200.0));
   const Positions before = positions();
   EXPECT_LT(largest_distance(restored(), before), 1e-9);
+}
+
+TEST_F(ASession, ADragIsRestoredToItsBits) {
+  // From another pose a minimization ends in other last bits.
+  const auto drag_from = [this](const Move& shown, const Move& move) {
+    const std::vector<HandleMove> moves{HandleMove(shown)};
+    wait_for(PreparationStatus::Phase::ready);
+    session_->settle_live(moves, nullptr);
+    wait_for(PreparationStatus::Phase::ready);
+    session_->perform(MoveHandle{0, move}, Joining::own_step,
+                      session_->take_live_result().value().pose);
+    wait_for_result();
+  };
+  drag_from(twisted(20.0), twisted(70.0));
+  session_->perform(Commit{});
+  const Positions committed = session_->state().rest->positions;
+  session_->perform(Choose{kHandle, box(2.8, 4.0)});
+  drag_from(twisted(-10.0), bent());
+  const Positions seen = positions();
+  const double turn = session_->certificate()->largest_rotation_degrees;
+  {
+    CpuKernels kernels;
+    const History by_its_moves = restore(open_state(read_mesh(mesh_)),
+                                         read_journal(journal())->draft, carry_out_with(kernels));
+    EXPECT_NE(positions_of(by_its_moves.state()), seen) << "nothing is shown";
+  }
+  for (const char* time : {"after a crash", "after another"}) {
+    crash_and_restore();
+    EXPECT_EQ(positions(), seen) << time;
+    EXPECT_EQ(session_->state().rest->positions, committed) << time;
+    EXPECT_NEAR(session_->certificate()->largest_rotation_degrees, turn, 1e-3) << time;
+    EXPECT_TRUE(session_->certificate()->settled);
+  }
 }
 
 TEST_F(ASession, RestoredAfterSavingOverItsMeshStartsFromTheOldOne) {

@@ -47,6 +47,11 @@ class AJournal : public ::testing::Test {
  protected:
   AJournal() { write_mesh(bumpy_tube(), mesh_); }
 
+  static AppState moved(const AppState& state) { return apply(state, MoveHandle{0, bent()}); }
+  static AppState settled_tube() {
+    const AppState state = moved(chosen_tube());
+    return apply(state, Settle{handles_alone(state)});
+  }
   std::vector<InterruptedEdit> interrupted() const { return find_interrupted(cache_); }
   MeshStamp stamp() const { return stamp_of(mesh_); }
 
@@ -89,10 +94,48 @@ TEST_F(AJournal, TellsAHandleWithoutVerticesFromNone) {
 
 TEST_F(AJournal, ClosedLeavesNothing) {
   Journal journal(cache_, stamp());
-  journal.record(chosen_tube());
+  journal.record(settled_tube());
   journal.close();
   EXPECT_TRUE(interrupted().empty());
   EXPECT_TRUE(std::filesystem::is_empty(cache_));
+}
+
+TEST_F(AJournal, KeepsWhatAStepSettledTo) {
+  const AppState settled = settled_tube();
+  const AppState committed = apply(settled, Commit{});
+  const AppState settled_again = apply(moved(committed), Settle{handles_alone(moved(committed))});
+  {
+    Journal journal(cache_, stamp());
+    for (const AppState& state : {settled, committed, settled_again}) journal.record(state);
+  }
+  const InterruptedEdit edit = interrupted().at(0);
+  EXPECT_EQ(kept_result(edit, moved(chosen_tube())), *settled.settled) << "of a step before";
+  EXPECT_EQ(kept_result(edit, moved(committed)), *settled_again.settled);
+  EXPECT_EQ(kept_result(edit, apply(chosen_tube(), MoveHandle{0, twisted(2.0)})), std::nullopt);
+  discard(edit);
+  EXPECT_TRUE(std::filesystem::is_empty(cache_));
+}
+
+TEST_F(AJournal, WhoseFileOfResultsIsDamagedStillHasTheSteps) {
+  std::filesystem::path results;
+  {
+    Journal journal(cache_, stamp());
+    journal.record(settled_tube());
+    results = journal.path();
+    results.replace_extension(".results");
+  }
+  const std::string whole = content_of(results);
+  const auto expect_none = [&](const char* what) {
+    const InterruptedEdit edit = interrupted().at(0);
+    EXPECT_EQ(edit.draft, draft_of(settled_tube())) << what;
+    EXPECT_EQ(kept_result(edit, moved(chosen_tube())), std::nullopt) << what;
+  };
+  std::ofstream(results, std::ios::binary) << whole.substr(0, whole.size() - 1);
+  expect_none("torn");
+  std::ofstream(results, std::ios::binary) << std::string(whole.size(), '\xff');
+  expect_none("of other bytes");
+  std::filesystem::remove(results);
+  expect_none("gone");
 }
 
 TEST_F(AJournal, OfARunningEditIsNotInterrupted) {

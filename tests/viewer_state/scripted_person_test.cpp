@@ -14,6 +14,7 @@
 #include "viewer_state/test_view.h"
 #include "viewer_state/tube_edit.h"
 #include "work/edit_session.h"
+#include "work/settled_result.h"
 
 namespace lapwing::viewer::test {
 namespace {
@@ -115,8 +116,8 @@ TEST(ScriptedPerson, BendsTheArmOfTheArmadillo) {
   ASSERT_EQ(edits.size(), 1U);
   EXPECT_EQ(edits[0].draft, draft);
   CpuKernels kernels;
-  const History restored =
-      restore(open_state(read_mesh(edits[0].mesh.path)), edits[0].draft, carry_out_with(kernels));
+  const History restored = restore(open_state(read_mesh(edits[0].mesh.path)), edits[0].draft,
+                                   carry_out_again(edits[0], kernels));
   EXPECT_LT(largest_distance(positions_of(restored.state()), edited), 1e-9);
 }
 

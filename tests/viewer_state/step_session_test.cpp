@@ -10,6 +10,7 @@
 #include "viewer_state/sheet_edit.h"
 #include "viewer_state/tube_edit.h"
 #include "work/edit_session.h"
+#include "work/settled_result.h"
 
 namespace lapwing::viewer::test {
 namespace {
@@ -207,8 +208,8 @@ TEST_F(AStepSession, ACrashLosesNoStep) {
   const auto edits = find_interrupted(cache());
   ASSERT_EQ(edits.size(), 1U);
   CpuKernels kernels;
-  const History restored =
-      restore(open_state(read_mesh(files_.sheet())), edits[0].draft, carry_out_with(kernels));
+  const History restored = restore(open_state(read_mesh(files_.sheet())), edits[0].draft,
+                                   carry_out_again(edits[0], kernels));
   EXPECT_TRUE(same_mesh(mesh_of(restored.state()), left));
 }
 

@@ -16,7 +16,9 @@
 
 #include "lapwing/base/errors.h"
 #include "lapwing/json/parse_json.h"
+#include "state/append_file.h"
 #include "state/user_folder.h"
+#include "state/waypoints.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -24,7 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr int kJournalVersion = 2;
+constexpr int kJournalVersion = 3;
+constexpr int kOldestVersion = 2;  // without results
 const char* const kExtension = ".journal";
 
 [[noreturn]] void fail(const fs::path& path, int error) {
@@ -96,7 +99,7 @@ Json json_of(const MeshStamp& mesh) {
 
 std::string line_of(const Json& json) {
   try {
-    return json.dump();
+    return json.dump() + '\n';
   } catch (const Json::type_error&) {
     throw InputError(
         "the name of the mesh or of another file is not UTF-8, which the journal is written in, so "
@@ -105,7 +108,8 @@ std::string line_of(const Json& json) {
 }
 
 MeshStamp stamp_from(const Json& json) {
-  if (json.at("lapwing_journal") != kJournalVersion) throw InputError("another version");
+  const auto version = whole_number<int>(json.at("lapwing_journal"));
+  if (version < kOldestVersion || version > kJournalVersion) throw InputError("another version");
   return {json.at("mesh").get<std::string>(), whole_number<std::uint64_t>(json.at("bytes")),
           whole_number<std::int64_t>(json.at("modified"))};
 }
@@ -128,6 +132,20 @@ fs::path copy_of_mesh(fs::path journal, const fs::path& mesh) {
   return journal.replace_extension(mesh.extension());
 }
 
+fs::path results_of(fs::path journal) {
+  return journal.replace_extension(".results");
+}
+
+Json json_of(std::uint64_t key, const KeptResult& where) {
+  return {{"result", key}, {"start", where.start}, {"vertices", where.vertices}};
+}
+
+// A step in parts, and one that does not settle, comes to the same bits again.
+bool wants_result(const AppState& state) {
+  return state.settled && state.parameters.settle &&
+         !goes_in_substeps(state.parameters, state.moves);
+}
+
 int create_locked(const fs::path& folder, fs::path& path) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -147,23 +165,6 @@ int create_locked(const fs::path& folder, fs::path& path) {
 bool is_locked(const fs::path& path) {
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   return !file.is_open() || ::flock(file.get(), LOCK_EX | LOCK_NB) != 0;
-}
-
-// False, with errno set, when not all of it could be written.
-bool write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t put = ::write(file, bytes.data(), bytes.size());
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(put));
-  }
-  return true;
-}
-
-// A file is found after a power cut only when its folder is on the disk, too.
-void flush_folder(const fs::path& folder) {
-  const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (file.is_open()) ::fsync(file.get());
 }
 
 }  // namespace
@@ -193,6 +194,33 @@ void Journal::record(const AppState& state) {
   if (draft == last_) return;
   append(line_of(difference(last_, draft)));
   last_ = std::move(draft);
+  if (wants_result(state)) keep_result(last_, *state.settled);
+}
+
+// A result that cannot be kept is no loss of the step, which is then carried out again.
+void Journal::keep_result(const Draft& draft, const MovedVertices& result) {
+  if (!open_results()) return;
+  const auto start = static_cast<std::uint64_t>(::lseek(results_.get(), 0, SEEK_END));
+  if (!viewer::append(results_, bytes_of(result))) return;
+  viewer::append(file_, line_of(json_of(result_key(draft), {start, result.vertices.size()})));
+}
+
+bool Journal::open_results() {
+  if (results_.is_open()) return true;
+  const fs::path path = results_of(path_);
+  results_.reset(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
+  if (results_.is_open()) flush_folder(path.parent_path());
+  return results_.is_open();
+}
+
+void Journal::keep_results_of(const InterruptedEdit& edit) {
+  if (edit.results.empty()) return;
+  std::error_code error;
+  fs::copy_file(results_of(edit.journal), results_of(path_), error);
+  if (error || !open_results() || ::fsync(results_.get()) != 0) return;
+  for (const auto& [key, where] : edit.results) {
+    viewer::append(file_, line_of(json_of(key, where)));
+  }
 }
 
 void Journal::keep_mesh(const fs::path& mesh) {
@@ -211,18 +239,14 @@ void Journal::close() {
   std::error_code ignored;
   fs::remove(path_, ignored);
   fs::remove(copy_of_mesh(path_, mesh_.path), ignored);
+  fs::remove(results_of(path_), ignored);
   file_.close();
+  results_.close();
 }
 
-void Journal::append(std::string line) {
-  line += '\n';
-  const off_t before = ::lseek(file_.get(), 0, SEEK_END);
-  if (write_all(file_.get(), line) && ::fsync(file_.get()) == 0) return;
-  const int error = errno;
-  // Half a line, or one that is not on the disk, would spoil those that follow. Where it cannot be
-  // taken back nothing may follow.
-  if (::ftruncate(file_.get(), before) != 0) file_.close();
-  fail(path_, error);
+void Journal::append(const std::string& line) {
+  // Half a line would spoil those that follow.
+  if (!viewer::append(file_, line)) fail(path_, errno);
 }
 
 std::size_t InterruptedEdit::step_count() const {
@@ -230,6 +254,18 @@ std::size_t InterruptedEdit::step_count() const {
       std::any_of(draft.open.handles.begin(), draft.open.handles.end(),
                   [](const MovedHandle& handle) { return handle.move != Move(SimilarityMove{}); });
   return draft.steps.size() + (is_moved ? 1 : 0);
+}
+
+std::optional<MovedVertices> kept_result(const InterruptedEdit& edit, const AppState& state) {
+  if (!state.parameters.settle) return std::nullopt;
+  const auto where = edit.results.find(result_key(draft_of(state)));
+  if (where == edit.results.end()) return std::nullopt;
+  auto result = read_result(results_of(edit.journal), where->second);
+  const std::size_t count = state.rest->vertex_count();
+  if (!result || (!result->vertices.empty() && result->vertices.back() >= count)) {
+    return std::nullopt;
+  }
+  return result;
 }
 
 std::optional<InterruptedEdit> read_journal(const fs::path& path) {
@@ -248,6 +284,12 @@ std::optional<InterruptedEdit> read_journal(const fs::path& path) {
       const Json line = Json::parse(lines[k]);
       if (line.contains("mesh")) {
         edit.mesh = stamp_from(line.at("mesh"));
+        continue;
+      }
+      if (line.contains("result")) {
+        edit.results[whole_number<std::uint64_t>(line.at("result"))] = {
+            whole_number<std::uint64_t>(line.at("start")),
+            whole_number<std::uint64_t>(line.at("vertices"))};
         continue;
       }
       Draft next = edit.draft;
@@ -284,6 +326,7 @@ void discard(const InterruptedEdit& edit) {
   std::error_code ignored;
   fs::remove(edit.journal, ignored);
   fs::remove(copy_of_mesh(edit.journal, edit.opened), ignored);
+  fs::remove(results_of(edit.journal), ignored);
 }
 
 }  // namespace lapwing::viewer

@@ -8,6 +8,7 @@
 
 #include "lapwing/io/file_descriptor.h"
 #include "state/draft.h"
+#include "state/kept_results.h"
 
 namespace lapwing::viewer {
 
@@ -26,8 +27,12 @@ MeshStamp stamp_of(const std::filesystem::path& mesh);
 /// Where journals are: lapwing/ in $XDG_CACHE_HOME, or in ~/.cache.
 std::filesystem::path journal_folder();
 
+struct InterruptedEdit;
+
 /// An append-only record of one edit, so that a crash loses no step. One JSON line each: first the
-/// mesh, then what every step changed of the draft. A step is on the disk when `record` returns.
+/// mesh, then what every step changed of the draft, and where in the file of results beside it the
+/// surface is that it settled to. A step is on the disk when `record` returns, its surface if there
+/// was room for it.
 class Journal {
  public:
   /// Starts a journal in `folder`, which is made if it is not there, and locks it while it is open.
@@ -41,6 +46,9 @@ class Journal {
   /// for a name of a file that is no UTF-8.
   void record(const AppState& state);
 
+  /// Takes over the results of an edit that is restored, before any step.
+  void keep_results_of(const InterruptedEdit& edit);
+
   /// The mesh file is about to be replaced by the result: a copy of it is kept beside the journal,
   /// since the steps start from there. Nothing after the first time. Throws IoError.
   void keep_mesh() { keep_mesh(mesh_.path); }
@@ -48,16 +56,19 @@ class Journal {
   /// likewise, and `mesh` may go. Throws IoError.
   void keep_mesh(const std::filesystem::path& mesh);
 
-  /// The edit is done with, saved or given up: the file goes, and the copy.
+  /// The edit is done with, saved or given up: the file goes, and those beside it.
   void close();
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  void append(std::string line);
+  void append(const std::string& line);
+  void keep_result(const Draft& draft, const MovedVertices& result);
+  bool open_results();
 
   std::filesystem::path path_;
   FileDescriptor file_;
+  FileDescriptor results_{-1};  ///< opened for the first one
   MeshStamp mesh_;
   bool mesh_is_kept_ = false;
   Draft last_;
@@ -70,6 +81,7 @@ struct InterruptedEdit {
   MeshStamp mesh;                             ///< what the steps start from: that, or a copy of it
   bool mesh_is_unchanged = false;             ///< still what it was
   Draft draft;                                ///< for `restore`
+  KeptResults results;                        ///< in the file of results
   std::filesystem::file_time_type last_step;  ///< when it was recorded
 
   bool is_empty() const { return draft.steps.empty() && draft.open == DeformRequest{}; }
@@ -78,6 +90,9 @@ struct InterruptedEdit {
   /// How many edits the recipe has: those committed, and the open one once a handle is moved.
   std::size_t step_count() const;
 };
+
+/// The result of the state's open step as it was seen, if it was kept.
+std::optional<MovedVertices> kept_result(const InterruptedEdit& edit, const AppState& state);
 
 /// What a journal says, also while its program runs; nothing where it cannot be read. A last line
 /// that was not written out counts as not written.

@@ -7,6 +7,7 @@
 #include "lapwing/recipe/recipe.h"
 #include "lapwing/render/closed_surface.h"
 #include "state/draft.h"
+#include "work/settled_result.h"
 
 namespace lapwing::viewer {
 namespace {
@@ -97,7 +98,8 @@ LoadedFile load_interrupted(const InterruptedEdit& edit, Kernels& kernels,
   }
   OpenedMesh opened = read(edit.mesh.path, progress);
   opened.name = edit.opened.filename().string();
-  History history = restore(open_state(opened.mesh), edit.draft, carry_out_with(kernels, progress));
+  History history =
+      restore(open_state(opened.mesh), edit.draft, carry_out_again(edit, kernels, progress));
   LoadedFile file = examined(std::move(opened), std::move(history), progress);
   file.restored = edit;
   return file;

@@ -90,7 +90,7 @@ EditSession::EditSession(History history, std::optional<MeshStamp> file, const f
       preparation_(make_kernels, wake, std::move(upload)),
       carrying_out_(make_kernels, wake),
       checking_recipe_(std::move(make_kernels), std::move(wake)) {
-  start_journal(journals, {});
+  start_journal(journals, nullptr);
   follow();
 }
 
@@ -102,7 +102,7 @@ EditSession::EditSession(const InterruptedEdit& edit, History history, const fs:
       preparation_(make_kernels, wake, std::move(upload)),
       carrying_out_(make_kernels, wake),
       checking_recipe_(std::move(make_kernels), std::move(wake)) {
-  start_journal(journals, edit.has_copy() ? std::optional(edit.mesh.path) : std::nullopt);
+  start_journal(journals, &edit);
   if (edit.has_copy()) {
     original_ = FileBytes::read(edit.mesh.path);
     // What was saved over the file cannot be told from the history.
@@ -111,11 +111,13 @@ EditSession::EditSession(const InterruptedEdit& edit, History history, const fs:
   follow();
 }
 
-void EditSession::start_journal(const fs::path& journals, const std::optional<fs::path>& copy) {
+void EditSession::start_journal(const fs::path& journals, const InterruptedEdit* restored) {
   if (!file_) return;
   try {
     journal_.emplace(journals, *file_);
-    if (copy) journal_->keep_mesh(*copy);
+    if (restored == nullptr) return;
+    if (restored->has_copy()) journal_->keep_mesh(restored->mesh.path);
+    journal_->keep_results_of(*restored);
   } catch (const Error& error) {
     // Steps that start from a mesh that nobody kept would be no help.
     if (journal_) journal_->close();

@@ -35,8 +35,8 @@ class EditSession {
               Preparation::Upload upload = {});
 
   /// Goes on with an interrupted edit: `history` is what `restore` made of it. Journals under the
-  /// name that the mesh was opened by, and keeps a copy of the mesh where the edit has one, so that
-  /// `discard(edit)` may follow unless there is a `warning`.
+  /// name that the mesh was opened by, and keeps the results of the edit and its copy of the mesh
+  /// where it has one, so that `discard(edit)` may follow unless there is a `warning`.
   EditSession(const InterruptedEdit& edit, History history, const std::filesystem::path& journals,
               Preparation::MakeKernels make_kernels, std::function<void()> wake = {},
               Preparation::Upload upload = {});
@@ -147,8 +147,7 @@ class EditSession {
   const std::string& warning() const { return warning_; }
 
  private:
-  void start_journal(const std::filesystem::path& journals,
-                     const std::optional<std::filesystem::path>& copy);
+  void start_journal(const std::filesystem::path& journals, const InterruptedEdit* restored);
   void follow(std::shared_ptr<const DragState> shown = nullptr);
   std::vector<CarriedFile> carried_for(const std::filesystem::path& path) const;
   void keep_original_of(const std::filesystem::path& path);

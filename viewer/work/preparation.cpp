@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "state/draft.h"
 #include "state/waypoints.h"
 
 namespace lapwing::viewer {
@@ -35,32 +34,6 @@ bool can_be_prepared(const AppState& state) {
 
 bool same_preparation(const AppState& a, const AppState& b) {
   return a.rest == b.rest && a.parameters == b.parameters && a.selection == b.selection;
-}
-
-// With commits on the way every part but the first prepares anew.
-SettledResult settled_result(const AppState& state, const DragState* from,
-                             const DeformSolver& exact, Kernels& kernels, CarryContacts& contacts,
-                             const Progress& progress) {
-  if (goes_in_substeps(state.parameters, state.moves)) {
-    return {state.moves, solve_open_step(state, kernels, progress)};
-  }
-  // Any other pose is of what was chosen before.
-  const bool goes_on = from != nullptr && from->displacement.size() == state.rest->vertex_count() &&
-                       from->motions.maps.size() == exact.region().handles.size();
-  DeformResult solved = goes_on ? exact.solve_from(*from, motions_of(state), progress)
-                                : exact.solve_along(path_of(state), motions_of(state), progress);
-  const JoinedSurface* joined = joined_seams(state);
-  if (joined != nullptr) joined->close(solved.positions);
-  const Mesh& rest = *state.rest;
-  MovedVertices moved = moved_vertices(rest.positions, solved.positions);
-  if (any_follows(state.carried)) {
-    const Deformed deformed = deformed_of(rest, joined, exact.region(), std::move(solved.positions),
-                                          std::move(solved.rest_stretch));
-    moved.carried =
-        files_of(state.carried, contacts.carry(state.carried, state.rest, deformed, progress));
-  }
-  moved.certificate = std::make_shared<const Certificate>(std::move(solved.certificate));
-  return {state.moves, std::make_shared<const MovedVertices>(std::move(moved))};
 }
 
 }  // namespace

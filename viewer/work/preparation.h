@@ -14,6 +14,7 @@
 #include "lapwing/elastic/prepared_region.h"
 #include "state/app_state.h"
 #include "work/carry_contacts.h"
+#include "work/settled_result.h"
 #include "work/worker.h"
 
 namespace lapwing {
@@ -36,12 +37,6 @@ struct PreparationStatus {
   std::string stage;      ///< a name of the engine's stages: "factor"
   double fraction = 0.0;  ///< of the whole preparation by stages, or of settling; 0 to 1
   std::string message;    ///< of the last failure, of settling too; empty without
-};
-
-/// What settling came to.
-struct SettledResult {
-  std::vector<HandleMove> moves;               ///< those of the state that asked
-  std::shared_ptr<const MovedVertices> moved;  ///< certified
 };
 
 /// Where a drag under way has been brought.

@@ -98,7 +98,7 @@ RealMesh run_apart(const MeshFile& file, const RealBench& settings) {
   }
   for (RealRun& run : mesh.runs) {
     if (!run.failure.empty()) continue;
-    for (RealOutcome* outcome : {&run.ours, &run.linear, &run.arap}) {
+    for (RealOutcome* outcome : {&run.ours, &run.linear, &run.arap, &run.smooth_arap}) {
       fail_what_is_missing(*outcome, failure);
     }
   }

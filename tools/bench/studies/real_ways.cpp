@@ -15,6 +15,7 @@
 #include "studies/real/edge_ratio.h"
 #include "studies/real/ends_motion.h"
 #include "studies/real/held_region.h"
+#include "studies/real/smooth_arap.h"
 
 namespace lapwing::bench {
 namespace {
@@ -24,7 +25,10 @@ using Eigen::Affine3d;
 constexpr std::size_t kLeastVertices = 100;
 
 // Change of the energy in an iteration, relative to itself.
-[[maybe_unused]] constexpr double kArapTolerance = 1e-6;
+constexpr double kArapTolerance = 1e-6;
+
+// As much of the edges as of the Laplacians.
+constexpr double kSmoothArapLambda = 0.5;
 
 // One motion of one mesh, ready to be done.
 struct RealEdit {
@@ -89,6 +93,18 @@ void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int 
 #else
   throw Error("not built with CGAL");
 #endif
+}
+
+void deform_by_smooth_arap(const RealEdit& edit, int most_iterations, RealOutcome& outcome) {
+  const Stopwatch preparing;
+  SmoothArap arap(edit.mesh, edit.region, kSmoothArapLambda);
+  outcome.prepare_ms = preparing.elapsed_ms();
+  const Stopwatch solving;
+  arap.move(std::array{edit.map});
+  outcome.iterations = arap.iterate(most_iterations, kArapTolerance);
+  outcome.solve_ms = solving.elapsed_ms();
+  outcome.settled = outcome.iterations < most_iterations;
+  measure_outcome(edit, arap.positions(), outcome);
 }
 
 // What is thrown becomes the outcome's failure.
@@ -178,6 +194,12 @@ void run_real_mesh(const std::filesystem::path& path, const std::string& name,
   for (const ReadyEdit& each : ready) {
     RealRun& run = all.runs[each.run];
     try_to([&] { deform_by_cgal(each.edit, limits.arap_iterations, run.arap); }, run.arap);
+    done(all);
+  }
+  for (const ReadyEdit& each : ready) {
+    RealRun& run = all.runs[each.run];
+    try_to([&] { deform_by_smooth_arap(each.edit, limits.arap_iterations, run.smooth_arap); },
+           run.smooth_arap);
     done(all);
   }
 }

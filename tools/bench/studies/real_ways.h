@@ -13,9 +13,9 @@ struct RealLimits {
   int arap_iterations = 300;
 };
 
-/// Does both motions of one mesh in every way, ours before CGAL's, and calls `done` with what there
-/// is after each; the last call has all. `name` is what the mesh is called in its runs. A mesh that
-/// cannot be read, has no triangles, fewer than 100 vertices or too many is passed over.
+/// Does both motions of one mesh in every way, ours before the others', and calls `done` with what
+/// there is after each; the last call has all. `name` is what the mesh is called in its runs. A
+/// mesh that cannot be read, has no triangles, fewer than 100 vertices or too many is passed over.
 void run_real_mesh(const std::filesystem::path& path, const std::string& name,
                    const RealLimits& limits, const std::function<void(const RealMesh&)>& done);
 

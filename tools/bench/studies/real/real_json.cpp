@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* const kRealFormat = "lapwing-bench real 1";
+const char* const kRealFormat = "lapwing-bench real 2";
 
 // Names of files and messages need not be UTF-8.
 std::string in_one_line(const Json& json) {
@@ -31,10 +31,11 @@ Json as_json(const RealOutcome& outcome) {
 }
 
 Json as_json(const RealRun& run) {
-  return {
-      {"mesh", run.mesh},           {"motion", run.motion},          {"vertices", run.vertices},
-      {"triangles", run.triangles}, {"left_out", run.left_out},      {"failure", run.failure},
-      {"ours", as_json(run.ours)},  {"linear", as_json(run.linear)}, {"arap", as_json(run.arap)}};
+  return {{"mesh", run.mesh},          {"motion", run.motion},
+          {"vertices", run.vertices},  {"triangles", run.triangles},
+          {"left_out", run.left_out},  {"failure", run.failure},
+          {"ours", as_json(run.ours)}, {"linear", as_json(run.linear)},
+          {"arap", as_json(run.arap)}, {"smooth_arap", as_json(run.smooth_arap)}};
 }
 
 Json as_json(const PassedOver& file) {
@@ -68,7 +69,9 @@ Json as_json(const RealSummary& summary) {
           {"figures", std::move(figures)},
           {"not_run", as_json(summary.not_run)},
           {"ours_failed", as_json(summary.ours_failed)},
-          {"arap_failed", as_json(summary.arap_failed)}};
+          {"arap_failed", as_json(summary.arap_failed)},
+          {"smooth_arap_better", as_json(summary.smooth_arap_better)},
+          {"smooth_arap_failed", as_json(summary.smooth_arap_failed)}};
 }
 
 template <class Item>
@@ -106,11 +109,13 @@ RealOutcome outcome_of(const JsonNode& node) {
 }
 
 RealRun run_of(const JsonNode& node) {
-  node.require_keys(
-      {"mesh", "motion", "vertices", "triangles", "left_out", "failure", "ours", "linear", "arap"});
-  return {node.at("mesh").string(),    node.at("motion").string(),    count_at(node, "vertices"),
-          count_at(node, "triangles"), count_at(node, "left_out"),    node.at("failure").string(),
-          outcome_of(node.at("ours")), outcome_of(node.at("linear")), outcome_of(node.at("arap"))};
+  node.require_keys({"mesh", "motion", "vertices", "triangles", "left_out", "failure", "ours",
+                     "linear", "arap", "smooth_arap"});
+  return {node.at("mesh").string(),    node.at("motion").string(),
+          count_at(node, "vertices"),  count_at(node, "triangles"),
+          count_at(node, "left_out"),  node.at("failure").string(),
+          outcome_of(node.at("ours")), outcome_of(node.at("linear")),
+          outcome_of(node.at("arap")), outcome_of(node.at("smooth_arap"))};
 }
 
 std::vector<RealRun> runs_of(const JsonNode& node) {

@@ -32,6 +32,7 @@ struct RealRun {
   RealOutcome ours;          ///< the recipe's defaults
   RealOutcome linear;        ///< the linear response alone
   RealOutcome arap;          ///< CGAL's as-rigid-as-possible deformation
+  RealOutcome smooth_arap;   ///< SmoothArap
 };
 
 /// What became of one file.

@@ -16,6 +16,8 @@ constexpr double kLargestDraggedEdge = 2.5;
 constexpr double kMostDraggedFlips = 0.02;
 // Detail errors closer than this are the same.
 constexpr double kSameDetail = 1e-6;
+// What is less than this share of ours is better than it.
+constexpr double kClearlyLess = 0.9;
 
 std::string full_name(const RealRun& run) {
   return run.mesh + " " + run.motion;
@@ -129,6 +131,30 @@ void note_failures(const RealRun& run, RealSummary& summary) {
     summary.ours_failed.push_back({name, "linear response: " + run.linear.failure});
   }
   if (!run.arap.failure.empty()) summary.arap_failed.push_back({name, run.arap.failure});
+  if (!run.smooth_arap.failure.empty()) {
+    summary.smooth_arap_failed.push_back({name, run.smooth_arap.failure});
+  }
+}
+
+void note_smooth_arap(const RealRun& run, RealSummary& summary) {
+  const RealOutcome& ours = run.ours;
+  const RealOutcome& theirs = run.smooth_arap;
+  if (!ours.measured || !theirs.measured) return;
+  std::string values;
+  const auto add = [&](const char* name, const std::string& of_ours, const std::string& of_theirs) {
+    values += std::string(values.empty() ? "" : "; ") + name + " " + of_ours + ", Smooth ARAP " +
+              of_theirs;
+  };
+  if (theirs.flipped_triangles < ours.flipped_triangles) {
+    add("flips", std::to_string(ours.flipped_triangles), std::to_string(theirs.flipped_triangles));
+  }
+  if (theirs.largest_edge < kClearlyLess * ours.largest_edge) {
+    add("largest edge", short_number(ours.largest_edge), short_number(theirs.largest_edge));
+  }
+  if (theirs.detail_error < kClearlyLess * ours.detail_error - kSameDetail) {
+    add("detail error", short_number(ours.detail_error), short_number(theirs.detail_error));
+  }
+  if (!values.empty()) summary.smooth_arap_better.push_back({full_name(run), values});
 }
 
 }  // namespace
@@ -153,6 +179,7 @@ RealSummary summary_of(const std::vector<RealRun>& runs) {
     if (run.arap.measured) ++summary.arap;
     if (both_measured(run)) ++summary.compared;
     note_failures(run, summary);
+    note_smooth_arap(run, summary);
   }
   summary.meshes = meshes.size();
   summary.runs = runs.size();

@@ -38,6 +38,10 @@ struct RealSummary {
   std::vector<NotedRun> not_run;      ///< nothing to deform
   std::vector<NotedRun> ours_failed;  ///< the default result or the linear response
   std::vector<NotedRun> arap_failed;
+  /// Where Smooth ARAP has fewer flips than ours, or a largest edge or detail error less by a
+  /// tenth.
+  std::vector<NotedRun> smooth_arap_better;
+  std::vector<NotedRun> smooth_arap_failed;
 };
 
 /// Results of ours against ARAP's are compared where both are there; detail errors are equal within

@@ -67,6 +67,7 @@ std::string reasons_of(const RealRun& run) {
   add("ours", run.ours.failure);
   add("linear", run.linear.failure);
   add("CGAL", run.arap.failure);
+  add("Smooth ARAP", run.smooth_arap.failure);
   return text;
 }
 
@@ -129,7 +130,8 @@ std::string markdown_row(const RealRun& run) {
   std::string text = "| " + run.mesh + " | " + run.motion + " | " + grouped(run.vertices) + " | " +
                      (run.left_out > 0 ? grouped(run.left_out) : "") + " ";
   text += "| " + (run.ours.measured ? iterations_of(run.ours) : "") + " " +
-          markdown_shape(run.ours) + markdown_shape(run.linear) + markdown_shape(run.arap);
+          markdown_shape(run.ours) + markdown_shape(run.linear) + markdown_shape(run.arap) +
+          markdown_shape(run.smooth_arap);
   return text + "| " + reasons_of(run) + " |\n";
 }
 
@@ -138,14 +140,14 @@ std::string markdown_row(const RealRun& run) {
 std::string real_heading() {
   const std::size_t names = kMesh + kMotion + 2 * kCount;
   std::string text = padded_right("", names) + "  " + padded_right("   ours", kSettledGroup) +
-                     "  " + padded_right("   linear alone", kLinearGroup) + "  " + "   ARAP\n";
+                     "  " + padded_right("   linear alone", kLinearGroup) + "  " +
+                     padded_right("   ARAP", kSettledGroup) + "  " + "   Smooth ARAP\n";
   text += padded_right("mesh", kMesh) + padded_right("motion", kMotion) + padded_left("n", kCount) +
           padded_left("out", kCount);
   const std::string settled = titles(kFlips, "flips");
-  text += "  " + padded_left("iter", kIterations) + settled + padded_left("ms", kTime);
-  text += "  " + settled;
-  text += "  " + padded_left("iter", kIterations) + settled + padded_left("ms", kTime);
-  return text + "\n";
+  const std::string whole =
+      "  " + padded_left("iter", kIterations) + settled + padded_left("ms", kTime);
+  return text + whole + "  " + settled + whole + whole + "\n";
 }
 
 std::string line_of(const RealRun& run) {
@@ -154,7 +156,7 @@ std::string line_of(const RealRun& run) {
                      padded_left(std::to_string(run.vertices), kCount) +
                      padded_left(std::to_string(run.left_out), kCount);
   text += "  " + settled_cells(run.ours) + "  " + linear_cells(run.linear) + "  " +
-          settled_cells(run.arap);
+          settled_cells(run.arap) + "  " + settled_cells(run.smooth_arap);
   const std::string reasons = reasons_of(run);
   return text + (reasons.empty() ? "" : "  " + reasons) + "\n";
 }
@@ -169,6 +171,8 @@ std::string text_of(const RealReport& report) {
   text += noted_block("nothing to deform", summary.not_run);
   text += noted_block("ours failed", summary.ours_failed);
   text += noted_block("CGAL failed", summary.arap_failed);
+  text += noted_block("Smooth ARAP failed", summary.smooth_arap_failed);
+  text += noted_block("Smooth ARAP is better than ours", summary.smooth_arap_better);
   return text + passed_over_lines(report.passed_over);
 }
 
@@ -181,8 +185,9 @@ std::string markdown_of(const RealReport& report) {
   }
   text +=
       "\n| mesh | motion | vertices | left out | iterations | flips | largest | detail "
-      "| linear: flips | largest | detail | ARAP: flips | largest | detail | not there |\n"
-      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
+      "| linear: flips | largest | detail | ARAP: flips | largest | detail "
+      "| Smooth ARAP: flips | largest | detail | not there |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
   for (const RealRun& run : report.runs) text += markdown_row(run);
   return text;
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lapwing/base/progress.h"
+#include "lapwing/deform/deform_solver.h"
+#include "lapwing/deform/drag_state.h"
+#include "lapwing/kernels/kernels.h"
+#include "state/draft.h"
+#include "state/journal.h"
+#include "work/carry_contacts.h"
+
+namespace lapwing::viewer {
+
+/// What settling came to.
+struct SettledResult {
+  std::vector<HandleMove> moves;               ///< those of the state that asked
+  std::shared_ptr<const MovedVertices> moved;  ///< certified
+};
+
+/// What the state's moves come to by `solver`, which was prepared for it: from the pose `from`, if
+/// that is one of the same region, and otherwise as a run of the recipe does it. Throws what those
+/// do.
+SettledResult settled_result(const AppState& state, const DragState* from,
+                             const DeformSolver& solver, Kernels& kernels, CarryContacts& contacts,
+                             const Progress& progress);
+
+/// How the steps of an interrupted edit are carried out: as it was seen where its result was kept,
+/// and otherwise as a run does it. All three must outlive it.
+CarryOut carry_out_again(const InterruptedEdit& edit, Kernels& kernels, Progress progress = {});
+
+}  // namespace lapwing::viewer
