@@ -45,7 +45,7 @@ TEST_F(DeformInMemory, IsWhatADeformerSolvesFor) {
   EXPECT_EQ(deformed.mesh.face_vertices(), mesh_.face_vertices());
   EXPECT_EQ(deformed.region.roi, region_.roi);
   EXPECT_EQ(deformed.region.handles, region_.handles);
-  EXPECT_EQ(deformed.free, deformer.free_count());
+  EXPECT_EQ(deformed.region.free_count(), deformer.region().free_count());
   EXPECT_TRUE(deformed.certificate.settled);
   EXPECT_THAT(deformed.warnings, IsEmpty());
 }

@@ -121,7 +121,8 @@ TEST_F(ASeam, IsNotSeenByAnyFormOfRegion) {
     EXPECT_LT(distance_from(whole.mesh.positions, split, deformed.mesh.positions), kRounding);
     EXPECT_TRUE(is_closed(split, deformed.mesh.positions));
     EXPECT_EQ(deformed.region.roi.size(), split.mesh.vertex_count());
-    EXPECT_EQ(deformed.free + deformed.region.belt.size() + deformed.region.handles[0].size(),
+    EXPECT_EQ(deformed.region.free_count() + deformed.region.belt.size() +
+                  deformed.region.handles[0].size(),
               split.mesh.vertex_count());
   }
   const auto by_loop = [&](const test::SplitMesh& split) {

@@ -30,36 +30,25 @@ class CoarseSurfacesOfACylinder : public ::testing::Test {
   EditRegion narrower_ = test::ends_of_cylinder(mesh_, 0.5, 5.5);
 };
 
-TEST_F(CoarseSurfacesOfACylinder, OneThatWasBegunIsTheSame) {
-  CoarseSurfaces at_once;
-  CoarseSurfaces in_two_steps;
-  in_two_steps.begin(region_, mesh_.topology(), rest_);
-  in_two_steps.begin(narrower_, mesh_.topology(), rest_);  // comes too late
-  expect_same(of(in_two_steps, region_), of(at_once, region_));
-  // The next one begins with the merges of the first.
-  expect_same(of(in_two_steps, narrower_), of(at_once, narrower_));
-}
-
-TEST_F(CoarseSurfacesOfACylinder, OneThatWasBegunForAnotherEditIsNotTaken) {
-  CoarseSurfaces asked;
-  CoarseSurfaces begun;
-  begun.begin(region_, mesh_.topology(), rest_);
-  expect_same(of(begun, narrower_), of(asked, narrower_));
-
-  Positions stretched = mesh_.positions;
-  for (Eigen::Vector3d& p : stretched) p.x() *= 4.0;
-  CoarseSurfaces of_other_positions;
-  of_other_positions.begin(region_, mesh_.topology(),
-                           std::make_shared<const Positions>(std::move(stretched)));
-  CoarseSurfaces at_once;
-  expect_same(of(of_other_positions, region_), of(at_once, region_));
-}
-
-TEST_F(CoarseSurfacesOfACylinder, NothingBeginsAfterTheFirst) {
+TEST_F(CoarseSurfacesOfACylinder, TheLastOneServesTheSameEditAgain) {
   CoarseSurfaces surfaces;
   const auto first = of(surfaces, region_);
-  surfaces.begin(narrower_, mesh_.topology(), rest_);
   EXPECT_EQ(of(surfaces, region_), first);
+  EXPECT_NE(of(surfaces, narrower_), first);
+}
+
+TEST_F(CoarseSurfacesOfACylinder, DependsOnNothingThatWasMadeBefore) {
+  CoarseSurfaces fresh;
+  CoarseSurfaces used;
+  of(used, region_);
+  expect_same(of(used, narrower_), of(fresh, narrower_));
+}
+
+TEST_F(CoarseSurfacesOfACylinder, IsNotThereWhereMostVerticesAreHeldOneByOne) {
+  EditRegion held = region_;
+  for (const Index v : held.roi) held.targets.push_back({.corners = {v, v, v}});
+  CoarseSurfaces surfaces;
+  EXPECT_EQ(of(surfaces, held), nullptr);
 }
 
 }  // namespace

@@ -6,18 +6,41 @@
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "lapwing/mesh/shapes.h"
-#include "mesh/decimated_surfaces.h"
 
 namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
-using test::characteristic;
+
+// A sphere of 2,562 vertices with bumps, of whose merges no two cost the same.
+Mesh bumpy_sphere() {
+  Mesh mesh = icosphere(4);
+  for (Eigen::Vector3d& p : mesh.positions) {
+    p *= 1.0 + 0.1 * std::sin(7.0 * p.x() + 1.0) * std::cos(5.0 * p.y() + 2.0 * p.z());
+  }
+  return mesh;
+}
+
+// Vertices - edges + triangles.
+long characteristic(const std::vector<Triangle>& triangles) {
+  std::set<Index> vertices;
+  std::set<std::pair<Index, Index>> edges;
+  for (const Triangle& t : triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      vertices.insert(t[c]);
+      edges.insert(std::minmax(t[c], t[(c + 1) % 3]));
+    }
+  }
+  return static_cast<long>(vertices.size()) - static_cast<long>(edges.size()) +
+         static_cast<long>(triangles.size());
+}
 
 Decimated decimated(const Mesh& mesh, std::size_t count) {
   return decimate(mesh.positions, mesh.topology().triangles,
@@ -162,7 +185,7 @@ TEST(Decimate, TriangleTurnedOverStaysOnItsSurface) {
 
 // But for costs that are the same up to rounding.
 TEST(Decimate, HowVerticesAreNumberedHardlyMatters) {
-  const Mesh given = test::bumpy_sphere();
+  const Mesh given = bumpy_sphere();
   const auto n = static_cast<Index>(given.vertex_count());
   constexpr Index kStep = 1003;  // no factor in common with n
   ASSERT_EQ(std::gcd(n, kStep), 1U);

@@ -85,7 +85,6 @@ struct Work {
       result.rest_stretch = std::move(solved.rest_stretch);
       result.mesh.positions = std::move(solved.positions);
     });
-    result.free = solver.free_count();
     result.solver = solver.solver_name();
     return certificate;
   }

@@ -40,8 +40,7 @@ struct Deformed : DeformReport {
   std::vector<std::string> warnings;
   /// For a person, too: what was done that the request does not say by itself. No cause for worry.
   std::vector<std::string> notes;
-  EditRegion region;     ///< the vertices that the request's regions chose
-  std::size_t free = 0;  ///< vertices that are neither handle nor belt
+  EditRegion region;  ///< the vertices that the request's regions chose
   /// The stretch S_i that scaling handles ask of the surface, per vertex: symmetric and positive
   /// definite, the identity outside the region. Empty if no handle changes its size.
   std::vector<Eigen::Matrix3d> rest_stretch;

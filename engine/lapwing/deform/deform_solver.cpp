@@ -319,11 +319,4 @@ std::size_t DeformSolver::unknown_count() const {
   return state_->edit->constraints.unknowns.size();
 }
 
-std::size_t DeformSolver::free_count() const {
-  const EditRegion& region = state_->edit->region;
-  std::size_t constrained = region.belt.size();
-  for (const auto& handle : region.handles) constrained += handle.size();
-  return region.roi.size() - constrained;
-}
-
 }  // namespace lapwing

@@ -112,7 +112,6 @@ class DeformSolver {
   const StageTimings& timings() const;
   std::string_view solver_name() const;
   std::size_t unknown_count() const;  ///< vertices solved for
-  std::size_t free_count() const;     ///< of those, neither handle nor belt
 
  private:
   friend class DragSession;

@@ -97,15 +97,7 @@ EditSystem::EditSystem(PreparedRegion& prepared, std::span<const Vector3d> rest_
   if (build.is_analyzed()) {
     assemble();  // on all threads
   } else {
-    parallel_invoke(
-        [&] {
-          assemble();
-          // While the other thread goes on alone.
-          if (is_previewed && needs_coarse_surface()) {
-            factors->coarse_surfaces().begin(region, topology, rest);
-          }
-        },
-        [&] { build.analyze(); });
+    parallel_invoke(assemble, [&] { build.analyze(); });
   }
   // Nobody waits for a preview here, and a 3n x 3n system comes next.
   if (!is_previewed) build.analyze_hessian();

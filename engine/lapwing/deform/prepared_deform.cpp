@@ -109,27 +109,6 @@ class HandleParameters {
   std::vector<HandleFrame> frames_;
 };
 
-// displacement += sum_k parameters[k] column_k.
-void add_response(const ResponseColumns& columns, std::span<const double> parameters,
-                  std::span<Vector3d> displacement) {
-  const std::size_t count = columns.moving.size();
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const double by = parameters[k];
-    if (by == 0.0) continue;
-    if (columns.along_axes) {
-      const auto axis = static_cast<Eigen::Index>(k % 12 / 4);
-      const double* column = columns.numbers.data() + (k / 12 * 4 + k % 4) * count;
-      for (const Index v : columns.moving) displacement[v][axis] += by * *column++;
-    } else {
-      const double* column = columns.numbers.data() + 3 * k * count;
-      for (const Index v : columns.moving) {
-        displacement[v] += by * Eigen::Map<const Vector3d>(column);
-        column += 3;
-      }
-    }
-  }
-}
-
 }  // namespace
 
 PreparedDeform::PreparedDeform(Mesh mesh, DeformRequest request, const Progress& progress)
@@ -216,7 +195,7 @@ SurfaceResponse PreparedDeform::response(std::span<const std::size_t> handles,
       motions.set_parameters(h, unit_motion(center, by, a, b), drag->handles(), parameters);
       for (double& parameter : parameters) parameter /= by;
       const std::span displacement(column, n);
-      add_response(drag->columns(), parameters, displacement);
+      blend_response(displacement, drag->columns(), parameters, displacement);
       if (joined == nullptr) continue;
       for (const Index v : joined->followers) displacement[v] = displacement[joined->leaders[v]];
     }

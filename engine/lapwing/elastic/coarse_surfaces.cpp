@@ -61,17 +61,6 @@ Near near_of(const VertexSet& roi, const Topology& topology, const Positions& re
   return near;
 }
 
-// Whether a surface made for `before` has many vertices that nothing asks for any more.
-bool are_many_released(std::span<const Index> before, std::span<const Index> now,
-                       std::size_t count) {
-  constexpr std::size_t kMany = 20;  // one in
-  std::size_t released = 0;
-  for (std::size_t v = 0; v < now.size(); ++v) {
-    if (before[v] == kKeptGroup && now[v] != kKeptGroup) ++released;
-  }
-  return kMany * released > count;
-}
-
 std::shared_ptr<CoarseLevel> level_of(const Near& near, Decimated left, const VertexSet& roi,
                                       const std::shared_ptr<const Positions>& rest) {
   if (left.kept.size() > near.outside + roi.size() / 2) return nullptr;
@@ -92,73 +81,18 @@ std::shared_ptr<CoarseLevel> level_of(const Near& near, Decimated left, const Ve
 
 }  // namespace
 
-struct CoarseSurfaces::Begun {
-  Begun(std::shared_ptr<const Positions> positions, std::vector<Index> group_of_vertex, Near of)
-      : rest(std::move(positions)),
-        groups(std::move(group_of_vertex)),
-        near(std::move(of)),
-        decimator(near.rest, near.surface.triangles, near.groups) {}
-
-  std::shared_ptr<const Positions> rest;
-  std::vector<Index> groups;
-  Near near;
-  Decimator decimator;
-};
-
-CoarseSurfaces::CoarseSurfaces() = default;
-CoarseSurfaces::~CoarseSurfaces() = default;
-
-void CoarseSurfaces::begin(const EditRegion& region, const Topology& topology,
-                           const std::shared_ptr<const Positions>& rest) {
-  {
-    const std::scoped_lock lock(mutex_);
-    if (first_.rest != nullptr || begun_ != nullptr) return;
-  }
-  std::vector<Index> groups = groups_of(region, rest->size());
-  Near near = near_of(region.roi, topology, *rest, groups);
-  auto begun = std::make_unique<Begun>(rest, std::move(groups), std::move(near));
-  const std::scoped_lock lock(mutex_);
-  begun_ = std::move(begun);
-}
-
-// Null unless it is for those. What is for others is of no use to anyone then.
-std::unique_ptr<CoarseSurfaces::Begun> CoarseSurfaces::take_begun(
-    const std::shared_ptr<const Positions>& rest, const std::vector<Index>& groups) {
-  std::unique_ptr<Begun> begun;
-  {
-    const std::scoped_lock lock(mutex_);
-    begun = std::move(begun_);
-  }
-  if (begun != nullptr && (begun->rest != rest || begun->groups != groups)) begun.reset();
-  return begun;
-}
-
 std::shared_ptr<CoarseLevel> CoarseSurfaces::of(const EditRegion& region, const Topology& topology,
                                                 const std::shared_ptr<const Positions>& rest,
                                                 std::size_t count) {
   std::vector<Index> groups = groups_of(region, rest->size());
-  First first;
   {
     const std::scoped_lock lock(mutex_);
     if (last_.rest == rest && last_.count == count && last_.groups == groups) return last_.level;
-    first = first_;
   }
-  const std::unique_ptr<Begun> begun = take_begun(rest, groups);
-  const Near near =
-      begun != nullptr ? std::move(begun->near) : near_of(region.roi, topology, *rest, groups);
-  const std::size_t vertices = count + near.outside;
-  std::optional<Decimated> left;
-  if (begun == nullptr && first.rest == rest && !are_many_released(first.groups, groups, count)) {
-    left = decimate_again(*first.merges, near.rest, near.surface.triangles, near.groups, vertices);
-  }
-  if (!left) {
-    left = begun != nullptr ? begun->decimator.decimate(vertices)
-                            : decimate(near.rest, near.surface.triangles, near.groups, vertices);
-    first = {rest, groups, std::make_shared<const MergeHistory>(std::move(left->history))};
-  }
-  const auto level = level_of(near, *std::move(left), region.roi, rest);
+  const Near near = near_of(region.roi, topology, *rest, groups);
+  Decimated left = decimate(near.rest, near.surface.triangles, near.groups, count + near.outside);
+  const auto level = level_of(near, std::move(left), region.roi, rest);
   const std::scoped_lock lock(mutex_);
-  first_ = std::move(first);
   last_ = {rest, count, std::move(groups), level};
   return level;
 }

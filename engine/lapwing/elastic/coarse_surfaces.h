@@ -27,21 +27,10 @@ struct CoarseLevel {
   std::mutex preparing;
 };
 
-/// The coarse surfaces of all edits with one ROI of one mesh. If handles, belt and targets are
-/// those of the last edit, its surface serves the next one, whatever the weights. Otherwise the
-/// merges of the first edit are repeated but for those near new borders (decimate_again), unless
-/// many vertices that it kept one by one have been released; so a surface depends on the first
-/// edit, too. Keeps about 190 bytes per vertex. Thread-safe.
+/// The coarse surfaces of edits with one ROI of one mesh. If handles, belt and targets are those of
+/// the last edit, its surface serves the next one, whatever the weights. Thread-safe.
 class CoarseSurfaces {
  public:
-  CoarseSurfaces();
-  ~CoarseSurfaces();
-
-  /// Prepares the first decimation up to its first merge, for an edit that will call `of`. Keeps
-  /// about 320 bytes per vertex until then. Does nothing after the first.
-  void begin(const EditRegion& region, const Topology& topology,
-             const std::shared_ptr<const Positions>& rest);
-
   /// The surface with about `count` vertices in the region; `rest` is the same pointer for the same
   /// positions. Returns null if more than half of the vertices would remain, because too many are
   /// held one by one.
@@ -56,19 +45,9 @@ class CoarseSurfaces {
     std::vector<Index> groups;  // per vertex of the mesh: what it may be merged with
     std::shared_ptr<CoarseLevel> level;
   };
-  struct First {
-    std::shared_ptr<const Positions> rest;
-    std::vector<Index> groups;
-    std::shared_ptr<const MergeHistory> merges;
-  };
-  struct Begun;
-  std::unique_ptr<Begun> take_begun(const std::shared_ptr<const Positions>& rest,
-                                    const std::vector<Index>& groups);
 
   std::mutex mutex_;  // not held while a surface is made
-  std::unique_ptr<Begun> begun_;
   Last last_;
-  First first_;
 };
 
 }  // namespace lapwing

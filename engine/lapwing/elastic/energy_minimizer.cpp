@@ -24,14 +24,15 @@ using Eigen::Vector3d;
 // L-BFGS history length, in steps.
 constexpr int kHistoryLength = 10;
 
-// Of a result. On 210 edits of 105 meshes a first factorization after three or five iterations, and
-// the next ones every third or fifth, take the same time within 5%.
-constexpr HessianSchedule kResultSchedule{
-    .before_hessian = 3, .hessian_period = 5, .may_end_before_hessian = false};
+// Iterations from one factorization of the Hessian to the next (elastic/README.md).
+constexpr int kHessianPeriod = 20;
+// Of a result. On 210 edits of 105 meshes a first factorization after three or five iterations
+// takes the same time within 5%.
+constexpr HessianSchedule kResultSchedule{.before_hessian = 3, .may_end_before_hessian = false};
 // Of a frame, whose history already describes the energy at the pose.
-constexpr HessianSchedule kFrameSchedule{50, 5};
+constexpr HessianSchedule kFrameSchedule{50};
 // Of frames in which the target rests, counted together.
-constexpr HessianSchedule kRestSchedule{4, 5, 12};
+constexpr HessianSchedule kRestSchedule{4, 12};
 
 // A step is long from here on, in mean edge lengths.
 constexpr double kLongStep = 0.03;
@@ -112,8 +113,7 @@ void EnergyMinimizer::State::factorize_hessian() {
   by_hessian = preconditioner->factorize(rotations->transforms(), displacement);
   if (!by_hessian) preconditioner = nullptr;
   use_factor_for_turns();
-  next_factorization =
-      taken + (free_rotations.empty() ? schedule.hessian_period : kIterationsOfFreeHandles);
+  next_factorization = taken + (free_rotations.empty() ? kHessianPeriod : kIterationsOfFreeHandles);
   if (by_hessian != had_hessian) history.forget();
 }
 
@@ -122,7 +122,7 @@ void EnergyMinimizer::State::leave_hessian() {
   by_hessian = false;
   use_factor_for_turns();
   schedule.may_end_before_hessian = true;
-  next_factorization = taken + std::max(schedule.before_hessian, schedule.hessian_period);
+  next_factorization = taken + std::max(schedule.before_hessian, kHessianPeriod);
   history.forget();
 }
 

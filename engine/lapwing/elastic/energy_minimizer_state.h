@@ -17,7 +17,6 @@ namespace lapwing {
 /// When the preconditioner is factored, in iterations.
 struct HessianSchedule {
   int before_hessian = 0;  ///< by the n x n factor, before the first factorization
-  int hessian_period = 0;  ///< from one factorization to the next
   /// The first factorization waits until here while steps are long: it would soon belong to another
   /// pose.
   int most_before_hessian = 0;

@@ -296,7 +296,6 @@ class Decimation {
   }
 
   void merge(Index from, Index into) {
-    remember(from, into);
     owners_[from] = into;
     quadrics_[into].add(quadrics_[from], positions_[into] - positions_[from]);
     for (const Index t : around_[from]) {
@@ -304,16 +303,6 @@ class Decimation {
         if (corner == from) corner = into;
       }
     }
-  }
-
-  void remember(Index from, Index into) {
-    history_.merges.push_back({from, into});
-    std::vector<Index>& beside = history_.beside.values;
-    for (const Index t : around_[from]) {
-      beside.push_back(next_corner(triangles_[t], from));
-      if (is_plain_[from] == 0) beside.push_back(last_corner(triangles_[t], from));
-    }
-    history_.beside.starts.push_back(static_cast<Index>(beside.size()));
   }
 
   // What a vertex costs changes with the quadrics of its neighbours, and which these are.
@@ -354,7 +343,6 @@ class Decimation {
       result.owners[v] = own[last];
     }
     result.kept = std::move(left_);
-    result.history = std::move(history_);
     result.triangles = std::move(triangles_);
     for (Triangle& t : result.triangles) {
       for (Index& corner : t) corner = own[corner];
@@ -374,7 +362,6 @@ class Decimation {
   std::vector<char> is_plain_;
   std::vector<ErrorQuadric> quadrics_;
   Adjacency around_;
-  MergeHistory history_;
 };
 
 // The surface renumbered so that neighbours are close in memory, where most of the time goes.
@@ -411,12 +398,6 @@ Renumbered renumbered(std::span<const Vector3d> positions, std::vector<Triangle>
 // In the numbers given: those of the vertices left, ascending.
 Decimated numbered_as_given(Decimated own, std::span<const Index> vertices) {
   Decimated result;
-  result.history = std::move(own.history);
-  for (auto& [from, into] : result.history.merges) {
-    from = vertices[from];
-    into = vertices[into];
-  }
-  for (Index& v : result.history.beside.values) v = vertices[v];
   for (const Index k : own.kept) result.kept.push_back(vertices[k]);
   std::sort(result.kept.begin(), result.kept.end());
   const std::vector<Index> places = places_in(result.kept, vertices.size());
@@ -433,28 +414,11 @@ Decimated numbered_as_given(Decimated own, std::span<const Index> vertices) {
 
 }  // namespace
 
-struct Decimator::State {
-  explicit State(Renumbered renumbered)
-      : own(std::move(renumbered)),
-        decimation(own.positions, std::move(own.triangles), own.groups) {}
-
-  Renumbered own;
-  Decimation decimation;
-};
-
-Decimator::Decimator(std::span<const Vector3d> positions, std::vector<Triangle> triangles,
-                     std::span<const Index> groups)
-    : state_(std::make_unique<State>(renumbered(positions, std::move(triangles), groups))) {}
-
-Decimator::~Decimator() = default;
-
-Decimated Decimator::decimate(std::size_t count) {
-  return numbered_as_given(state_->decimation.run(count), state_->own.vertices);
-}
-
 Decimated decimate(std::span<const Vector3d> positions, std::vector<Triangle> triangles,
                    std::span<const Index> groups, std::size_t count) {
-  return Decimator(positions, std::move(triangles), groups).decimate(count);
+  Renumbered own = renumbered(positions, std::move(triangles), groups);
+  Decimation decimation(own.positions, std::move(own.triangles), own.groups);
+  return numbered_as_given(decimation.run(count), own.vertices);
 }
 
 }  // namespace lapwing

@@ -110,6 +110,12 @@ void grade(std::span<const HandleSpec> handles, const Mesh& mesh, EditRegion& re
 
 }  // namespace
 
+std::size_t EditRegion::free_count() const {
+  std::size_t held = belt.size();
+  for (const VertexSet& handle : handles) held += handle.size();
+  return roi.size() - held;
+}
+
 EditRegion resolve_edit_region(const RegionSpec& roi, const BeltSpec& belt,
                                std::span<const HandleSpec> handles, const Mesh& mesh,
                                LoosePolicy policy, const TargetSpec& targets) {

@@ -49,6 +49,9 @@ struct EditRegion {
   /// could carry them. They turn as little as they can.
   bool turns_freely = false;
   bool operator==(const EditRegion&) const = default;
+
+  /// How many vertices of the ROI are in neither belt nor handle.
+  std::size_t free_count() const;
 };
 
 /// Binds what a person chose to a mesh. A belt by fraction leaves handles and targets out, a

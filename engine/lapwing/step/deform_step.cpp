@@ -229,7 +229,7 @@ StepReport run_step(const DeformRequest& step, const StepRun& on) {
 StepReport report_of(Deformed& done) {
   StepReport report;
   report.roi = done.region.roi.size();
-  report.free = done.free;
+  report.free = done.region.free_count();
   report.belt = done.region.belt.size();
   for (const VertexSet& handle : done.region.handles) report.handles.push_back(handle.size());
   report.timings = std::move(done.timings);

@@ -14,12 +14,6 @@ std::size_t joined_edges_in(const VertexSet& roi, const JoinedSurface& joined) {
       joined.edges, [&](const auto& ends) { return inside[ends[0]] && inside[ends[1]]; }));
 }
 
-std::size_t free_count(const EditRegion& region) {
-  std::size_t held = region.belt.size();
-  for (const VertexSet& handle : region.handles) held += handle.size();
-  return region.roi.size() - held;
-}
-
 // The joined surface has the triangles of the mesh but for those that lost their extent.
 std::vector<Index> triangles_of_mesh(const JoinedSurface& joined, const Topology& topology) {
   std::vector<Index> numbers;
@@ -50,9 +44,7 @@ void give_back_seams(const JoinedSurface& joined, Mesh mesh, const std::string& 
     result.notes.push_back(where + ": " + std::to_string(count) +
                            " seam edges of the roi are edited as one surface");
   }
-  const std::size_t free_leaders = free_count(result.region);
   result.region = with_followers(std::move(result.region), joined);
-  result.free += free_count(result.region) - free_leaders;
   if (std::vector<Index>& flipped = result.certificate.first_flipped_triangles; !flipped.empty()) {
     const std::vector<Index> numbers = triangles_of_mesh(joined, mesh.topology());
     for (Index& t : flipped) {
