@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lapwing/deform/coarse_region.h"
+#include "lapwing/deform/deform_solver_state.h"
 #include "lapwing/deform/predictor.h"
 #include "lapwing/elastic/energy_minimizer.h"
 #include "lapwing/kernels/cpu_kernels.h"
@@ -26,8 +27,9 @@ class CoarseProxy {
   /// Starts at the fine surface, displaced by `u` for `target`; both are of the fine mesh.
   void begin(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
-  /// Minimizes the proxy for `target` by four to eight iterations and prolongates to `u`. Makes
-  /// more than four if `budget` has time for another one, for the rest of this call, and for the
+  /// Minimizes the proxy for `target` by four to eight iterations and prolongates to `u`. If the
+  /// last call ended far from the minimum, the iterations go by the Hessian of the pose. Makes more
+  /// than four if `budget` has time for another one, for the rest of this call, and for the
   /// `next_ms` that the caller wants afterwards; or if there is not even time for the latter.
   void move(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
             std::span<Eigen::Vector3d> u);
@@ -57,7 +59,9 @@ class CoarseProxy {
 
   std::unique_ptr<CoarseRegion> coarse_;
   CpuKernels kernels_;
-  EnergyMinimizer minimizer_;
+  MinimizerWorkspace workspace_;
+  EnergyMinimizer& minimizer_ = workspace_.minimizer;
+  double last_step_ = 0.0;        ///< by which the last frame ended, in mean edge lengths
   double energy_ratio_;           ///< of the coarse energy to the fine one: both sum over vertices
   std::vector<char> is_held_;     ///< per coarse vertex: belt or handle
   std::vector<Index> coarse_of_;  ///< per vertex of the fine mesh, or kNoIndex

@@ -31,6 +31,8 @@ constexpr int kHessianPeriod = 20;
 constexpr HessianSchedule kResultSchedule{.before_hessian = 3, .may_end_before_hessian = false};
 // Of a frame, whose history already describes the energy at the pose.
 constexpr HessianSchedule kFrameSchedule{50};
+// Of a frame that the history does not serve.
+constexpr HessianSchedule kHessianFrameSchedule{0};
 // Of frames in which the target rests, counted together.
 constexpr HessianSchedule kRestSchedule{4, 12};
 
@@ -40,9 +42,6 @@ constexpr double kLongStep = 0.03;
 // than rounding shows.
 constexpr double kShareOfSlope = 1e-4;
 constexpr double kRounding = 1e-13;
-// Iterations between factorizations of the Hessian with free handles. L-BFGS keeps no history then,
-// since steps at one rotation do not describe the energy at another.
-constexpr int kIterationsOfFreeHandles = 3;
 // The line search gives up below this share of the full step.
 constexpr double kShortestStep = 1e-3;
 
@@ -113,7 +112,7 @@ void EnergyMinimizer::State::factorize_hessian() {
   by_hessian = preconditioner->factorize(rotations->transforms(), displacement);
   if (!by_hessian) preconditioner = nullptr;
   use_factor_for_turns();
-  next_factorization = taken + (free_rotations.empty() ? kHessianPeriod : kIterationsOfFreeHandles);
+  next_factorization = taken + kHessianPeriod;
   if (by_hessian != had_hessian) history.forget();
 }
 
@@ -248,6 +247,14 @@ MinimizerResult EnergyMinimizer::follow(const MinimizerTarget& target, std::span
   return iterate(u, budget, progress);
 }
 
+MinimizerResult EnergyMinimizer::follow_by_hessian(const MinimizerTarget& target,
+                                                   std::span<Vector3d> u, const TimeBudget& budget,
+                                                   const Progress& progress) {
+  state_->begin_schedule(kHessianFrameSchedule);
+  state_->place(target, u);
+  return iterate(u, budget, progress);
+}
+
 MinimizerResult EnergyMinimizer::rest(const MinimizerTarget& target, std::span<Vector3d> u,
                                       const TimeBudget& budget, const Progress& progress) {
   if (!state_->at_rest) state_->begin_schedule(kRestSchedule);
@@ -350,6 +357,8 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
         }
         continue;
       }
+      // By the Hessian, steps at one rotation of a free handle do not describe the energy at
+      // another.
       if (!s.by_hessian || s.free_rotations.empty()) {
         history.add(s.at.x, s.next.x, s.at.gradient, s.next.gradient);
       }
