@@ -7,11 +7,12 @@
 
 namespace lapwing::viewer {
 
-/// Appends `bytes`, which are on the disk on return. False, with errno set, when they are not: then
-/// the file is as it was, or, where what was written of them cannot be taken back, closed.
+/// Appends `bytes` and flushes them to the disk. On failure returns false, with errno set, and
+/// restores the file's length; closes the file if that fails, too.
 bool append(FileDescriptor& file, std::string_view bytes);
 
-/// Has the names of the files in `folder` on the disk: a file is found after a power cut only then.
+/// Flushes the names of the files in `folder` to the disk. Without that a power cut may lose a new
+/// file.
 void flush_folder(const std::filesystem::path& folder);
 
 }  // namespace lapwing::viewer

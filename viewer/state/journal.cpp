@@ -140,7 +140,7 @@ Json json_of(std::uint64_t key, const KeptResult& where) {
   return {{"result", key}, {"start", where.start}, {"vertices", where.vertices}};
 }
 
-// A step in parts, and one that does not settle, comes to the same bits again.
+// A step made in parts, and one without settling, gives the same bits when it is carried out again.
 bool wants_result(const AppState& state) {
   return state.settled && state.parameters.settle &&
          !goes_in_substeps(state.parameters, state.moves);
@@ -197,7 +197,7 @@ void Journal::record(const AppState& state) {
   if (wants_result(state)) keep_result(last_, *state.settled);
 }
 
-// A result that cannot be kept is no loss of the step, which is then carried out again.
+// Without its result a step is still restored, by carrying it out again.
 void Journal::keep_result(const Draft& draft, const MovedVertices& result) {
   if (!open_results()) return;
   const auto start = static_cast<std::uint64_t>(::lseek(results_.get(), 0, SEEK_END));

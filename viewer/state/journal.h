@@ -30,9 +30,9 @@ std::filesystem::path journal_folder();
 struct InterruptedEdit;
 
 /// An append-only record of one edit, so that a crash loses no step. One JSON line each: first the
-/// mesh, then what every step changed of the draft, and where in the file of results beside it the
-/// surface is that it settled to. A step is on the disk when `record` returns, its surface if there
-/// was room for it.
+/// mesh, then what every step changed of the draft, and the place of its settled surface in the
+/// results file (kept_results.h). A step is on the disk when `record` returns; its surface is, too,
+/// unless it could not be written.
 class Journal {
  public:
   /// Starts a journal in `folder`, which is made if it is not there, and locks it while it is open.
@@ -46,7 +46,7 @@ class Journal {
   /// for a name of a file that is no UTF-8.
   void record(const AppState& state);
 
-  /// Takes over the results of an edit that is restored, before any step.
+  /// Copies the results of an edit that is restored. Call before the first `record`.
   void keep_results_of(const InterruptedEdit& edit);
 
   /// The mesh file is about to be replaced by the result: a copy of it is kept beside the journal,
@@ -68,7 +68,7 @@ class Journal {
 
   std::filesystem::path path_;
   FileDescriptor file_;
-  FileDescriptor results_{-1};  ///< opened for the first one
+  FileDescriptor results_{-1};  ///< opened for the first result
   MeshStamp mesh_;
   bool mesh_is_kept_ = false;
   Draft last_;
@@ -81,7 +81,7 @@ struct InterruptedEdit {
   MeshStamp mesh;                             ///< what the steps start from: that, or a copy of it
   bool mesh_is_unchanged = false;             ///< still what it was
   Draft draft;                                ///< for `restore`
-  KeptResults results;                        ///< in the file of results
+  KeptResults results;                        ///< in the results file
   std::filesystem::file_time_type last_step;  ///< when it was recorded
 
   bool is_empty() const { return draft.steps.empty() && draft.open == DeformRequest{}; }
@@ -91,7 +91,7 @@ struct InterruptedEdit {
   std::size_t step_count() const;
 };
 
-/// The result of the state's open step as it was seen, if it was kept.
+/// The kept result of the state's open step; nothing if none was kept.
 std::optional<MovedVertices> kept_result(const InterruptedEdit& edit, const AppState& state);
 
 /// What a journal says, also while its program runs; nothing where it cannot be read. A last line

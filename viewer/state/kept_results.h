@@ -10,25 +10,25 @@
 
 namespace lapwing::viewer {
 
-/// The surfaces that the steps of a journal came to are in a file beside it: a drag that is carried
-/// out again along its path ends in the same minimum, but not in the same bits.
+// Beside a journal, a results file holds the surfaces that its deforms settled to. Carrying a drag
+// out again along its path ends in the same minimum, but not in the same bits.
 
-/// Where in that file one of them is.
+/// The place of one result in the results file.
 struct KeptResult {
   std::uint64_t start = 0;     ///< bytes
-  std::uint64_t vertices = 0;  ///< how many it moves
+  std::uint64_t vertices = 0;  ///< number of vertices that it moves
 };
 
 /// By `result_key`.
 using KeptResults = std::map<std::uint64_t, KeptResult>;
 
-/// A hash of the steps that lead to a result, the open one included.
+/// Identifies a result: a hash of the steps that lead to it, including the open one.
 std::uint64_t result_key(const Draft& draft);
 
-/// The vertices and positions of a result, 28 bytes a vertex.
+/// The vertices and positions of a result as bytes, 28 per vertex.
 std::string bytes_of(const MovedVertices& moved);
 
-/// The result at `where` in the file `path`; nothing where that is damaged or gone.
+/// Reads a result. Returns nothing if the file is damaged or missing.
 std::optional<MovedVertices> read_result(const std::filesystem::path& path,
                                          const KeptResult& where);
 

@@ -8,7 +8,7 @@
 namespace lapwing::viewer {
 namespace {
 
-// `solved` as the result of the state, and what is carried along with it.
+// Makes `solved` the result of the state, and carries along what follows the surface.
 std::shared_ptr<const MovedVertices> result_of(const AppState& state, const DeformSolver& solver,
                                                DeformResult solved, CarryContacts& contacts,
                                                const Progress& progress) {
@@ -37,7 +37,7 @@ DragState pose_at(AppState state, const MovedVertices& moved, const Positions& p
   return pose;
 }
 
-// `kept`, to its bits, with the certificate of the minimum that it leads to, which it is.
+// Returns `kept`, bit for bit. Its certificate is that of the minimum found from there.
 std::shared_ptr<const MovedVertices> result_again(const AppState& state, const MovedVertices& kept,
                                                   Kernels& kernels, const Progress& progress) {
   Positions positions = state.rest->positions;

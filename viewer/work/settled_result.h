@@ -26,8 +26,9 @@ SettledResult settled_result(const AppState& state, const DragState* from,
                              const DeformSolver& solver, Kernels& kernels, CarryContacts& contacts,
                              const Progress& progress);
 
-/// How the steps of an interrupted edit are carried out: as it was seen where its result was kept,
-/// and otherwise as a run does it. All three must outlive it.
+/// Restores the steps of an interrupted edit: a deform whose result was kept has the same bits
+/// again, everything else is carried out as in a run. `edit` and `kernels` must outlive the
+/// returned object.
 CarryOut carry_out_again(const InterruptedEdit& edit, Kernels& kernels, Progress progress = {});
 
 }  // namespace lapwing::viewer

@@ -77,19 +77,26 @@ void deform_by_ours(const RealEdit& edit, const DeformOptions& options, RealOutc
   measure_outcome(edit, result.positions, outcome);
 }
 
-void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int most_iterations,
-                    [[maybe_unused]] RealOutcome& outcome) {
-#ifdef LAPWING_HAVE_CGAL
-  const Stopwatch preparing;
-  CgalArap arap(edit.mesh, edit.region, ArapVariant::original);
-  arap.prepare();
-  outcome.prepare_ms = preparing.elapsed_ms();
+// From rest, by alternating steps of `arap`, which took so long to prepare.
+template <class Arap>
+void iterate(Arap& arap, double prepare_ms, const RealEdit& edit, int most_iterations,
+             RealOutcome& outcome) {
+  outcome.prepare_ms = prepare_ms;
   const Stopwatch solving;
   arap.move(std::array{edit.map});
   outcome.iterations = arap.iterate(most_iterations, kArapTolerance);
   outcome.solve_ms = solving.elapsed_ms();
   outcome.settled = outcome.iterations < most_iterations;
   measure_outcome(edit, arap.positions(), outcome);
+}
+
+void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int most_iterations,
+                    [[maybe_unused]] RealOutcome& outcome) {
+#ifdef LAPWING_HAVE_CGAL
+  const Stopwatch preparing;
+  CgalArap arap(edit.mesh, edit.region, ArapVariant::original);
+  arap.prepare();
+  iterate(arap, preparing.elapsed_ms(), edit, most_iterations, outcome);
 #else
   throw Error("not built with CGAL");
 #endif
@@ -98,13 +105,7 @@ void deform_by_cgal([[maybe_unused]] const RealEdit& edit, [[maybe_unused]] int 
 void deform_by_smooth_arap(const RealEdit& edit, int most_iterations, RealOutcome& outcome) {
   const Stopwatch preparing;
   SmoothArap arap(edit.mesh, edit.region, kSmoothArapLambda);
-  outcome.prepare_ms = preparing.elapsed_ms();
-  const Stopwatch solving;
-  arap.move(std::array{edit.map});
-  outcome.iterations = arap.iterate(most_iterations, kArapTolerance);
-  outcome.solve_ms = solving.elapsed_ms();
-  outcome.settled = outcome.iterations < most_iterations;
-  measure_outcome(edit, arap.positions(), outcome);
+  iterate(arap, preparing.elapsed_ms(), edit, most_iterations, outcome);
 }
 
 // What is thrown becomes the outcome's failure.
