@@ -18,8 +18,8 @@ constexpr std::size_t kCoarseVertices = 3500;
 // than the fine surface would.
 constexpr double kTrustInForces = 0.7;
 
-// A frame that ends by a longer step, in mean edges, lags behind its minimum. Frames of leaning and
-// lifted meshes end by 0.0003 to 0.02, those in which limbs cross or twist by up to 3 (README).
+// In mean edges. If the last step of a frame is longer, the proxy lags behind its minimum. The last
+// steps are 0.0003 to 0.02 when a mesh leans or is lifted, and up to 3 when limbs cross or twist.
 constexpr double kLaggingStep = 0.05;
 
 }  // namespace

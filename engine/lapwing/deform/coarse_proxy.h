@@ -28,7 +28,7 @@ class CoarseProxy {
   void begin(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);
 
   /// Minimizes the proxy for `target` by four to eight iterations and prolongates to `u`. If the
-  /// last call ended far from the minimum, the iterations go by the Hessian of the pose. Makes more
+  /// last call ended far from the minimum, the iterations use the Hessian of the pose. Makes more
   /// than four if `budget` has time for another one, for the rest of this call, and for the
   /// `next_ms` that the caller wants afterwards; or if there is not even time for the latter.
   void move(const MinimizerTarget& target, const TimeBudget& budget, double next_ms,
@@ -61,7 +61,7 @@ class CoarseProxy {
   CpuKernels kernels_;
   MinimizerWorkspace workspace_;
   EnergyMinimizer& minimizer_ = workspace_.minimizer;
-  double last_step_ = 0.0;        ///< by which the last frame ended, in mean edge lengths
+  double last_step_ = 0.0;        ///< the last step of the last frame, in mean edge lengths
   double energy_ratio_;           ///< of the coarse energy to the fine one: both sum over vertices
   std::vector<char> is_held_;     ///< per coarse vertex: belt or handle
   std::vector<Index> coarse_of_;  ///< per vertex of the fine mesh, or kNoIndex
@@ -72,7 +72,7 @@ class CoarseProxy {
   std::vector<Eigen::Vector3d> wanted_;  ///< in pose_
   Predictor predictor_;
   std::vector<Eigen::Vector3d> forces_;
-  // What the target of the proxy refers to.
+  // Storage for the spans of the proxy's target.
   std::vector<Eigen::Vector3d> next_wanted_;
   std::vector<Eigen::Matrix3d> stretch_;
   std::vector<FreeHandle> free_handles_;

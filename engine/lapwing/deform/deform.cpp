@@ -29,7 +29,7 @@ struct Work {
   const Progress& progress;
   Deformed& result;
   const Positions& start;
-  std::vector<Eigen::Matrix3d> transforms = {};  // of the rings, by all parts so far
+  std::vector<Eigen::Matrix3d> transforms = {};  // of each ring, product over the parts so far
 
   // Targets are approached in parts, as handles are.
   EditRegion region_at(double to) const {

@@ -210,7 +210,7 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
     return s.pose;
   }
 
-  // The proxy is elsewhere if this frame fails.
+  // If this frame fails, the proxy is left at a pose that is not the session's.
   const bool coarse_was_there = std::exchange(s.coarse_is_at_pose, false);
   bool by_coarse = false;
   if (begins) {

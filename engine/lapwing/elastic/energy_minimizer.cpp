@@ -31,7 +31,7 @@ constexpr int kHessianPeriod = 20;
 constexpr HessianSchedule kResultSchedule{.before_hessian = 3, .may_end_before_hessian = false};
 // Of a frame, whose history already describes the energy at the pose.
 constexpr HessianSchedule kFrameSchedule{50};
-// Of a frame that the history does not serve.
+// Of a frame far from its minimum: the Hessian is factored at once.
 constexpr HessianSchedule kHessianFrameSchedule{0};
 // Of frames in which the target rests, counted together.
 constexpr HessianSchedule kRestSchedule{4, 12};

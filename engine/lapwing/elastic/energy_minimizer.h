@@ -95,8 +95,8 @@ class EnergyMinimizer {
   MinimizerResult follow(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                          const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// The same by the preconditioner, factored at `u`. Takes little of a frame on a surface of a few
-  /// thousand vertices.
+  /// The same with the preconditioner, which is factored at `u` first. Meant for surfaces of a few
+  /// thousand vertices, where that fits into a frame.
   MinimizerResult follow_by_hessian(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                     const TimeBudget& budget = {}, const Progress& progress = {});
 

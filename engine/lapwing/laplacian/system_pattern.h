@@ -32,7 +32,7 @@ class SystemPattern {
   /// Whether it has been; not to be asked while another thread may be finding it.
   bool is_ordered() const { return order_.size() == blocks().size(); }
   /// The order for M'M: the same, or that of nested dissection if its search costs less than it
-  /// saves in the factorization, which takes 27 times the operations. Found in the first call, too.
+  /// saves in the factorization, which takes 27 times the operations. The first call finds it.
   const std::vector<int>& thorough_order() const;
   /// The symbolic factorization of M'M in that order, which all its factors share: found when it is
   /// asked for, and kept for as long as one of them has it.

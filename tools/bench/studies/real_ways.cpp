@@ -27,7 +27,7 @@ constexpr std::size_t kLeastVertices = 100;
 // Change of the energy in an iteration, relative to itself.
 constexpr double kArapTolerance = 1e-6;
 
-// As much of the edges as of the Laplacians.
+// Edges and Laplacians count alike.
 constexpr double kSmoothArapLambda = 0.5;
 
 // One motion of one mesh, ready to be done.
@@ -77,7 +77,7 @@ void deform_by_ours(const RealEdit& edit, const DeformOptions& options, RealOutc
   measure_outcome(edit, result.positions, outcome);
 }
 
-// From rest, by alternating steps of `arap`, which took so long to prepare.
+// Deforms from rest by `arap`, whose preparation took `prepare_ms`.
 template <class Arap>
 void iterate(Arap& arap, double prepare_ms, const RealEdit& edit, int most_iterations,
              RealOutcome& outcome) {

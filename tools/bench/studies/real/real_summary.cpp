@@ -16,7 +16,7 @@ constexpr double kLargestDraggedEdge = 2.5;
 constexpr double kMostDraggedFlips = 0.02;
 // Detail errors closer than this are the same.
 constexpr double kSameDetail = 1e-6;
-// What is less than this share of ours is better than it.
+// A measure below this share of ours counts as better.
 constexpr double kClearlyLess = 0.9;
 
 std::string full_name(const RealRun& run) {

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include <Eigen/SVD>
-
 #include "lapwing/base/errors.h"
+#include "lapwing/laplacian/rotation.h"
 #include "lapwing/mesh/topology.h"
 
 namespace lapwing::bench {
@@ -16,7 +15,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-// cot alpha + cot beta, halved, per edge (i, j) with i < j.
+// (cot alpha + cot beta) / 2 per edge (i, j) with i < j.
 std::map<std::pair<Index, Index>, double> cotangents(const Mesh& mesh) {
   std::map<std::pair<Index, Index>, double> weights;
   const Positions& p = mesh.positions;
@@ -31,13 +30,6 @@ std::map<std::pair<Index, Index>, double> cotangents(const Mesh& mesh) {
     }
   }
   return weights;
-}
-
-Matrix3d rotation_of(const Matrix3d& covariance) {
-  const Eigen::JacobiSVD<Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Matrix3d U = svd.matrixU();
-  if ((U * svd.matrixV().transpose()).determinant() < 0.0) U.col(2) = -U.col(2);
-  return U * svd.matrixV().transpose();
 }
 
 }  // namespace
@@ -58,14 +50,13 @@ SmoothArap::SmoothArap(const Mesh& mesh, const EditRegion& region, double lambda
     all[edge.second].push_back({edge.first, weight});
   }
 
-  Eigen::Index count = 0;
-  for (const Index v : region.roi) unknown_[v] = count++;
+  for (const Index v : region.roi) unknown_[v] = 0;
   const auto hold = [this](const VertexSet& vertices) {
     for (const Index v : vertices) unknown_[v] = -1;
   };
   hold(region.belt);
   for (const VertexSet& handle : region.handles) hold(handle);
-  count = 0;
+  Eigen::Index count = 0;
   for (const Index v : region.roi) {
     if (unknown_[v] >= 0) unknown_[v] = count++;
   }
@@ -126,7 +117,7 @@ void SmoothArap::fit_rotations() {
       covariance += edge.weight * (positions_[i] - positions_[edge.to]) *
                     (rest[i] - rest[edge.to]).transpose();
     }
-    rotations_[k] = rotation_of(covariance);
+    rotations_[k] = nearest_rotation(covariance);
   }
 }
 

@@ -11,25 +11,26 @@
 
 namespace lapwing::bench {
 
-/// Smooth ARAP (Oehri, Herholz, Sorkine-Hornung 2025, arXiv 2501.10335), of a region whose belt and
-/// handles are where they should be exactly:
+/// Smooth ARAP (Oehri, Herholz, Sorkine-Hornung 2025, arXiv 2501.10335) with hard constraints: belt
+/// and handles go exactly where they should. Minimizes
 ///
 ///     E = (1 - lambda) sum_i sum_j w_ij |p'_i - p'_j - R_i (p_i - p_j)|^2
 ///         + lambda sum_i |L p'_i - R_i L p_i|^2,     L p_i = sum_j w_ij (p_i - p_j)
 ///
-/// w_ij are cotangents, those below zero taken as zero. By turns the rotations are fitted to edges
-/// alone and the positions minimize E. `lambda` is 0 for ARAP; the authors leave the choice to the
-/// user, and say that it depends on the mesh.
+/// by alternating steps: the rotations are fitted to edges alone, then the positions minimize E.
+/// The energy and the rotations are the paper's. The weights of L, the cotangents w_ij (0 if
+/// negative) as in the first sum, and the values of `lambda` are our choice. With `lambda` 0 it is
+/// ARAP.
 class SmoothArap {
  public:
-  /// Weights, assembly and factorization. `mesh` and `region` must outlive it. Throws SolverError
-  /// when the factorization fails.
+  /// Computes the weights, assembles and factors. `mesh` and `region` must outlive it. Throws
+  /// SolverError when the factorization fails.
   SmoothArap(const Mesh& mesh, const EditRegion& region, double lambda);
 
-  /// What the handles are moved by from rest; the other vertices start where they are.
+  /// Moves the handles from rest by `motions`. All other vertices start at rest.
   void move(std::span<const Eigen::Affine3d> motions);
-  /// From where the surface is, until E changes by less than `tolerance` of itself. Returns how
-  /// many iterations it took.
+  /// Iterates until E changes by less than `tolerance` times itself. Returns the number of
+  /// iterations.
   int iterate(int most_iterations, double tolerance);
 
   double energy() const;  ///< with the rotations of the last iteration
