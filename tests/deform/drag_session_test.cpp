@@ -85,7 +85,7 @@ TEST_F(DraggedCylinder, TurnOf260DegreesInFramesKeepsItsWinding) {
   const DragState& pose = drag.state();
   for (int degrees = 10; degrees <= 260; degrees += 10) {
     drag.step(twist(degrees));
-    EXPECT_TRUE(pose.settled.settled) << degrees << " degrees";
+    EXPECT_TRUE(pose.last_result.settled) << degrees << " degrees";
   }
   EXPECT_NEAR(pose.motions.turns[0].angle() * 180.0 / std::numbers::pi, 260.0, 1e-6);
   EXPECT_LT(distance_from_solution(pose, 260.0), 1e-3);
@@ -132,7 +132,7 @@ TEST_F(DraggedCylinder, TheSameMotionAgainMovesNothing) {
   DragSession drag(solver_);
   const DragState& pose = drag.state();
   drag.step(twist(40.0));
-  ASSERT_TRUE(pose.settled.settled);
+  ASSERT_TRUE(pose.last_result.settled);
   const DragState before = pose;
   drag.step(twist(40.0));
   EXPECT_TRUE(same(pose, before));
@@ -145,7 +145,7 @@ TEST_F(DraggedCylinder, FramesWithoutTimeEndWhereSettlingDoes) {
   do {
     int left = 3;
     drag.step(twist(30.0), [&left](double) { return left-- > 0; });
-  } while (!pose.settled.settled && ++frames < 100);
+  } while (!pose.last_result.settled && ++frames < 100);
   EXPECT_GT(frames, 1);
   EXPECT_LT(distance_from_solution(pose, 30.0), 1e-3);
 }
@@ -158,7 +158,7 @@ TEST_F(DraggedCylinder, AFrameBeginsNearWhereAHandleThatGoesOnTakesTheSurface) {
   for (double degrees = 0.0; degrees <= 40.0; degrees += 2.0) {
     drag.step(twist(degrees));
   }
-  ASSERT_TRUE(pose.settled.settled);
+  ASSERT_TRUE(pose.last_result.settled);
   const auto moved_from = [&](DragSession& from, double degrees) {
     return distance_from_solution(from.step(twist(degrees), no_time), degrees);
   };
@@ -230,11 +230,11 @@ class DraggedFineCylinder : public ::testing::Test {
   // By three iterations a frame.
   static void settle(DragSession& drag, double degrees) {
     const DragState& pose = drag.state();
-    for (int frame = 0; frame < 400 && !pose.settled.settled; ++frame) {
+    for (int frame = 0; frame < 400 && !pose.last_result.settled; ++frame) {
       int left = 3;
       drag.step(twist(degrees), [&left](double) { return left-- > 0; });
     }
-    EXPECT_TRUE(pose.settled.settled);
+    EXPECT_TRUE(pose.last_result.settled);
   }
   double off(const DragState& pose, double degrees) const {
     const Positions solved = solver_->solve(turned(degrees)).positions;
@@ -259,7 +259,7 @@ TEST_F(DraggedFineCylinder, FramesThatOnlyTakeItAlongStayNearTheSolution) {
   const DragState& pose = drag.state();
   for (int degrees = 0; degrees <= 60; degrees += 3) {
     drag.step(twist(degrees), [](double ms) { return ms == 0.0; });
-    EXPECT_LE(pose.settled.iterations, degrees == 0 ? 1 : 0);
+    EXPECT_LE(pose.last_result.iterations, degrees == 0 ? 1 : 0);
   }
   EXPECT_LT(off(pose, 60.0), 2e-3);
 }
@@ -312,7 +312,7 @@ TEST_F(DraggedFineCylinder, FramesGoOnWhileTheCoarseSurfaceIsMade) {
   const DragState& pose = drag.state();
   for (int degrees = 0; degrees <= 60; degrees += 3) {
     drag.step(twist(degrees), [](double ms) { return ms == 0.0; });
-    EXPECT_LE(pose.settled.iterations, 1);
+    EXPECT_LE(pose.last_result.iterations, 1);
   }
   settle(drag, 60.0);
   EXPECT_LT(off(pose, 60.0), 1e-3);
@@ -365,13 +365,13 @@ TEST_F(DraggedFineCylinder, SettlesAtRestByTheTangentOfItsPose) {
     drag.step(twist(degrees), [](double ms) { return ms == 0.0; });
   }
   int iterations = 0;
-  for (int frame = 0; frame < 100 && !pose.settled.settled; ++frame) {
+  for (int frame = 0; frame < 100 && !pose.last_result.settled; ++frame) {
     int left = 3;
     drag.step(twist(60.0), [&left](double) { return left-- > 0; });
-    EXPECT_LE(pose.settled.iterations, 3);
-    iterations += pose.settled.iterations;
+    EXPECT_LE(pose.last_result.iterations, 3);
+    iterations += pose.last_result.iterations;
   }
-  EXPECT_TRUE(pose.settled.settled);
+  EXPECT_TRUE(pose.last_result.settled);
   EXPECT_LT(iterations, 12);
   EXPECT_LT(off(pose, 60.0), 1e-3);
 }
@@ -384,14 +384,14 @@ TEST_F(DraggedFineCylinder, MovesOnWhereItWasSettlingAtRest) {
     drag.step(twist(degrees), no_time);
   }
   for (int frame = 0; frame < 6; ++frame) drag.step(twist(30.0), no_time);
-  EXPECT_FALSE(pose.settled.settled);
+  EXPECT_FALSE(pose.last_result.settled);
   for (int degrees = 33; degrees <= 45; degrees += 3) {
     drag.step(twist(degrees), no_time);
   }
   EXPECT_LT(off(pose, 45.0), 2e-3);
   // The tangent of where it rested before would be of little use here.
   int frames = 0;
-  for (; frames < 100 && !pose.settled.settled; ++frames) {
+  for (; frames < 100 && !pose.last_result.settled; ++frames) {
     drag.step(twist(45.0), no_time);
   }
   EXPECT_LT(frames, 12);

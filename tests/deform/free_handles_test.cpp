@@ -90,10 +90,10 @@ TEST_P(AFreeHandle, DraggedFrameByFrameEndsWhereTheSolutionIs) {
     int left = 4;
     drag.step(freely(shift(0.1 * frame, 0.0, 0.0)), [&left](double) { return left-- > 0; });
   }
-  for (int frame = 0; frame < 200 && !pose.settled.settled; ++frame) {
+  for (int frame = 0; frame < 200 && !pose.last_result.settled; ++frame) {
     drag.step(freely(shift(2.0, 0.0, 0.0)), [](double ms) { return ms < 1e9; });
   }
-  ASSERT_TRUE(pose.settled.settled);
+  ASSERT_TRUE(pose.last_result.settled);
   const Positions solved = solver_->solve(freely(shift(2.0, 0.0, 0.0))).positions;
   EXPECT_LT(largest_distance(moved(pose), solved), 2e-3);
 }

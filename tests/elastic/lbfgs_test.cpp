@@ -42,8 +42,8 @@ int minimize(const Quadratic& f, VectorXd& x, int window, int most) {
   for (int k = 0; k < most; ++k) {
     if (g.norm() < 1e-6) return k;
     VectorXd p(x.size());
-    history.take_changes(view(std::as_const(g)), view(p));
-    history.add_steps(view(p));
+    history.first_loop(view(std::as_const(g)), view(p));
+    history.second_loop(view(p));
     const VectorXd next = x - g.dot(p) / p.dot(f.H * p) * p;
     const VectorXd next_g = f.gradient(next);
     history.add(view(std::as_const(x)), view(next), view(std::as_const(g)), view(next_g));
@@ -57,8 +57,8 @@ TEST(Lbfgs, WithoutAPastTheDirectionIsThatOfTheFirstHessian) {
   Lbfgs history(5, 3);
   const VectorXd g = VectorXd::LinSpaced(5, -1.0, 2.0);
   VectorXd p(5);
-  history.take_changes(view(g), view(p));
-  history.add_steps(view(p));
+  history.first_loop(view(g), view(p));
+  history.second_loop(view(p));
   EXPECT_EQ(p, g);
 }
 
@@ -76,8 +76,8 @@ TEST(Lbfgs, RemembersStepsOfAnyLength) {
     const VectorXd now = length * next_g;
     history.add(view(x), view(next), view(last), view(now));
     VectorXd p(20);
-    history.take_changes(view(now), view(p));
-    history.add_steps(view(p));
+    history.first_loop(view(now), view(p));
+    history.second_loop(view(p));
     return VectorXd(p / length);
   };
   const VectorXd expected = direction(1.0);
@@ -109,8 +109,8 @@ TEST(Lbfgs, TheLastStepIsWhatTheLastChangeAsksFor) {
     history.add(view(std::as_const(x)), view(next), view(g), view(next_g));
     const VectorXd change = next_g - g;
     VectorXd p(30);
-    history.take_changes(view(change), view(p));
-    history.add_steps(view(p));
+    history.first_loop(view(change), view(p));
+    history.second_loop(view(p));
     EXPECT_LT((p - (next - x)).norm(), 1e-5 * (next - x).norm()) << "step " << k;
     x = next;
   }
@@ -137,8 +137,8 @@ TEST(Lbfgs, AForgottenPastIsNone) {
   EXPECT_FALSE(history.is_empty());
   history.forget();
   VectorXd p(10);
-  history.take_changes(view(g), view(p));
-  history.add_steps(view(p));
+  history.first_loop(view(g), view(p));
+  history.second_loop(view(p));
   EXPECT_EQ(p, g);
 }
 

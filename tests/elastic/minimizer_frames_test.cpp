@@ -194,8 +194,8 @@ TEST(Follow, FramesAtRestEndWhereOneOfAllTheirIterationsDoes) {
     const std::vector<Vector3d> wanted = drag.wanted(drag.edit().motion);
     for (int done = 0; done < kIterations; done += iterations_a_frame) {
       int left = iterations_a_frame;
-      const MinimizerResult frame = drag.settler().rest({wanted}, drag.displacement(),
-                                                        [&left](double) { return left-- > 0; });
+      const MinimizerResult frame = drag.settler().follow_at_rest(
+          {wanted}, drag.displacement(), [&left](double) { return left-- > 0; });
       EXPECT_EQ(frame.iterations, iterations_a_frame);
     }
     return drag.displacement();

@@ -63,11 +63,11 @@ double off_while_lifted(const Mesh& mesh, int iterations_a_frame) {
     drag.step(lifted(frame), [&asks](double) { return asks-- > 0; });
     if (frame != 2 * kFrames / 3 && frame != kFrames) continue;
     DragState start = pose;
-    start.settled = {};
+    start.last_result = {};
     reference.begin(std::move(start));
     const DragState& settled = reference.state();
-    for (int k = 0; k < 5 && !settled.settled.settled; ++k) reference.step(lifted(frame));
-    EXPECT_TRUE(settled.settled.settled);
+    for (int k = 0; k < 5 && !settled.last_result.settled; ++k) reference.step(lifted(frame));
+    EXPECT_TRUE(settled.last_result.settled);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
       most = std::max(most, (settled.displacement[v] - pose.displacement[v]).norm());
     }

@@ -349,7 +349,7 @@ TEST(Preparation, LiveResultThatRestsSettlesToWhatLettingGoComesTo) {
   for (const double degrees : {20.0, 45.0, 80.0}) {
     const AppState dragged = apply(still, MoveHandle{0, twisted(degrees)});
     pose = follow_to_the_end(preparation, dragged, pose);
-    EXPECT_TRUE(pose->settled.settled);
+    EXPECT_TRUE(pose->last_result.settled);
     EXPECT_LT(largest_distance(positions_at(dragged, *pose), solved(dragged)), kSettled)
         << degrees << " degrees";
   }

@@ -267,7 +267,7 @@ std::shared_ptr<const DragState> EditSession::pose() const {
   auto pose = std::make_shared<DragState>(
       preview->response()->pose_at(positions_of(state()), motions_of(state())));
   // Where nothing moves the handles nothing is to move.
-  pose->settled.settled = true;
+  pose->last_result.settled = true;
   return pose;
 }
 

@@ -390,7 +390,7 @@ LiveResult Preparation::follow_drag(const Request& request, DragSession& drag,
   const double budget = request.rests ? kRestBudgetMs : kLiveBudgetMs;
   const auto go_on = [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < budget; };
   const DragState& pose = drag.step(motions_of(request.state), go_on, progress);
-  const bool is_done = pose.settled.settled || pose.settled.exhausted;
+  const bool is_done = pose.last_result.settled || pose.last_result.exhausted;
   last_live_ = std::make_shared<const DragState>(pose);
   return {request.state.moves, last_live_, is_done};
 }

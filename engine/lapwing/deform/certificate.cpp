@@ -14,6 +14,7 @@
 #include "lapwing/base/parallel.h"
 #include "lapwing/deform/inversion.h"
 #include "lapwing/deform/shape_measures.h"
+#include "lapwing/deform/turn_tracker.h"
 #include "lapwing/laplacian/ring_fit.h"
 
 namespace lapwing {
@@ -132,8 +133,7 @@ std::vector<Matrix3d> measured_rotations(std::span<const Index> roi, const Topol
   certificate.first_flipped_triangles.assign(
       flipped.begin(), flipped.begin() + std::min(flipped.size(), kListedTriangles));
   // Only what has turned far can be inside out.
-  constexpr double kFarTurn = 90.0;
-  if (!flipped.empty() || certificate.largest_rotation_degrees > kFarTurn) {
+  if (!flipped.empty() || certificate.largest_rotation_degrees > kFarTurnDegrees) {
     const Inversion inversion = measure_inversion(roi, topology, rest, current);
     certificate.inside_out_share = inversion.share;
     certificate.inside_out_vertex = inversion.vertex;

@@ -14,14 +14,6 @@ using Eigen::Vector3d;
 // Vertices of the coarse region. Fewer follow limbs worse; more take longer (README).
 constexpr std::size_t kCoarseVertices = 3500;
 
-// The share of the restricted forces that counts. The proxy gives way to them a little more or less
-// than the fine surface would.
-constexpr double kTrustInForces = 0.7;
-
-// In mean edges. If the last step of a frame is longer, the proxy lags behind its minimum. The last
-// steps are 0.0003 to 0.02 when a mesh leans or is lifted, and up to 3 when limbs cross or twist.
-constexpr double kLaggingStep = 0.05;
-
 }  // namespace
 
 std::unique_ptr<CoarseProxy> CoarseProxy::make(const EditSystem& fine) {
@@ -117,7 +109,7 @@ void CoarseProxy::move(const MinimizerTarget& target, const TimeBudget& budget, 
   const auto goes_on = [&](double ms) {
     return iterations < kMostIterations && has_time(ms) && ++iterations > 0;
   };
-  const MinimizerResult result = last_step_ > kLaggingStep
+  const MinimizerResult result = last_step_ > kLongStep
                                      ? minimizer_.follow_by_hessian(own, displacement, goes_on)
                                      : minimizer_.follow(own, displacement, goes_on);
   last_step_ = result.last_step;
@@ -150,7 +142,7 @@ void CoarseProxy::correct(std::span<const Vector3d> u, std::span<const Vector3d>
   const std::vector<Vector3d> restricted_forces =
       coarse_->level->embedding.restrict_forces(gradient, u, pose_);
   for (std::size_t c = 0; c < restricted_forces.size(); ++c) {
-    if (is_held_[c] == 0) forces_[c] -= kTrustInForces * energy_ratio_ * restricted_forces[c];
+    if (is_held_[c] == 0) forces_[c] -= energy_ratio_ * restricted_forces[c];
   }
 }
 

@@ -47,11 +47,10 @@ struct Deformed : DeformReport {
   StageTimings timings;  ///< of all parts together
 };
 
-/// Carries `request` out on `mesh`, whatever its faces. Seams are joined for it, as the request
-/// says: a vertex on one stands for all that are one with it, which come out where it does, and the
-/// polygons are those of `mesh`. The processor computes it; one call prepares anew, so that whoever
-/// edits one region again and again keeps a DeformSolver. Throws InputError for a request that does
-/// not fit the mesh, and what DeformSolver throws.
+/// Carries out `request` on a mesh with any polygons, on the CPU. Coincident seam vertices are
+/// joined unless the request says otherwise, and move together; the result has the polygons of
+/// `mesh`. Each call prepares from scratch: use DeformSolver for repeated edits of one region.
+/// Throws InputError for a request that does not fit the mesh, and what DeformSolver throws.
 Deformed deform(Mesh mesh, const DeformRequest& request);
 
 /// The same for the triangles `F` (m x 3 vertex numbers) with positions `V` (n x 3). The result's
@@ -59,14 +58,14 @@ Deformed deform(Mesh mesh, const DeformRequest& request);
 Deformed deform(const Eigen::Ref<const Eigen::MatrixX3d>& V,
                 const Eigen::Ref<const Eigen::MatrixX3i>& F, const DeformRequest& request);
 
-/// What the regions of a request came to.
+/// The resolved regions of a request.
 struct ResolvedRegion {
   DeformRequest request;  ///< its handles unmoved
   Positions rest;
   EditRegion region;
 };
 
-/// What one request leaves for another on the same mesh.
+/// What one request prepares for the next one on the same mesh.
 struct DeformWorkspace {
   std::optional<ResolvedRegion> resolved = {};    ///< for the same regions
   std::unique_ptr<PreparedRegion> prepared = {};  ///< for the same ROI
@@ -74,9 +73,9 @@ struct DeformWorkspace {
   std::optional<JoinedSurface> joined = {};       ///< once seams were looked for
 };
 
-/// The same on any device. `kernels` and a mesh that shares the faces of `mesh` (the result is
-/// one) must outlive `workspace`. Stages reported: "mirror" where there is one, "region", those of
-/// DeformSolver, "solve", with several parts "certify".
+/// The same on any device. `kernels` must outlive `workspace`, and so must one mesh that shares the
+/// topology of `mesh`; the result is such a mesh. Stages reported: "mirror" if the request has one,
+/// "region", those of DeformSolver, "solve", and "certify" if there are several parts.
 Deformed deform(Mesh mesh, const DeformRequest& request, Kernels& kernels,
                 DeformWorkspace& workspace, const Progress& progress = {});
 

@@ -42,10 +42,11 @@ struct MovedHandle {
   Move move;
   Grading grading = {};
   HandleOrientation orientation = HandleOrientation::kept;
-  /// Moves that the handle went through before `move`, each from the rest position; those at one
-  /// place in the lists of all handles belong together. Far moves have several results; the one
-  /// that this path leads to is taken. All handles that have a path have as many; a handle without
-  /// one goes by equal shares of its move.
+  /// Moves that the handle went through before `move`, each from the rest position. Moves at the
+  /// same place in the lists of all handles belong together. Far moves have several results; the
+  /// result is the one that this path leads to. All paths have the same length; a handle without
+  /// one goes by equal shares of its move. A request that is carried out in several parts ignores
+  /// the paths.
   std::vector<Move> path = {};
   bool operator==(const MovedHandle&) const = default;
 };
@@ -59,7 +60,8 @@ struct DeformRequest {
   DeformParameters parameters;
   /// All of the above is done on both sides of a plane (`mirrored_request`).
   std::optional<MirrorSpec> mirror = {};
-  /// What follows the surface. Steps of recipes read and write it; `deform` opens no file.
+  /// Files that follow the surface. Steps of recipes carry them; `deform` itself throws InputError
+  /// if there are any.
   std::vector<CarrySpec> carry = {};
   std::string where = "deform";  ///< as in RegionSpec; no part of the value
   bool operator==(const DeformRequest& other) const {

@@ -7,10 +7,10 @@
 
 #include "lapwing/base/cancellation.h"
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/coarse_proxy.h"
 #include "lapwing/deform/deform_solver_state.h"
 #include "lapwing/deform/drag_preview.h"
+#include "lapwing/deform/laplacian_response.h"
 #include "lapwing/deform/motion_target.h"
 #include "lapwing/deform/predictor.h"
 #include "lapwing/deform/response_basis.h"
@@ -70,7 +70,7 @@ DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edi
   DragState pose;
   MotionTarget target;
   for (const HandleMotions& motions : path) {
-    const bool begins = pose.empty() || any_far_since(pose.motions, motions);
+    const bool begins = pose.empty() || any_turned_far_since(pose.motions, motions);
     const std::vector<Vector3d> last_wanted = target.wanted;
     const std::vector<Eigen::Matrix3d> last_stretch = std::move(target.stretch.of_vertices);
     target = motion_target(edit, begins ? motions : turned_as(motions, pose.motions, edit),
@@ -78,8 +78,8 @@ DragState follow_path(std::span<const HandleMotions> path, const EditSystem& edi
     DragState next;
     if (begins || coarse == nullptr) {
       next.displacement.assign(edit.rest->size(), Vector3d::Zero());
-      next.settled = minimize_from(begins ? nullptr : &pose, edit, weights, minimizer, target,
-                                   next.displacement, progress);
+      next.last_result = minimize_from(begins ? nullptr : &pose, edit, weights, minimizer, target,
+                                       next.displacement, progress);
       coarse_is_there = false;
     } else {
       if (!std::exchange(coarse_is_there, true)) {
@@ -212,7 +212,7 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
   const ProgressScope scope(progress);
   const EditSystem& edit = *state_->edit;
   const bool settles = edit.options.settle.has_value();
-  if (!settles || (pose != nullptr && any_far_since(pose->motions, motions))) pose = nullptr;
+  if (!settles || (pose != nullptr && any_turned_far_since(pose->motions, motions))) pose = nullptr;
   MotionTarget target =
       motion_target(edit, pose != nullptr ? turned_as(motions, pose->motions, edit) : motions);
   DeformResult result;
@@ -222,7 +222,7 @@ DeformResult DeformSolver::solved(const DragState* pose, const HandleMotions& mo
     const Numbers forces = linear_forces(edit, state_->weights.get(), target.parameters);
     u = linear_displacement(edit, *state_->response, target.wanted, forces);
     certificate.relative_residual = state_->response->refine(target.wanted, forces, u);
-  } else if (any_far(target.motions.turns) || !rests(edit, target.wanted)) {
+  } else if (any_turned_far(target.motions.turns) || !rests(edit, target.wanted)) {
     const BorrowedWorkspace workspace(*state_);
     const MinimizerResult settled =
         minimize_from(pose, edit, *state_->weights, workspace->minimizer, target, u, progress);
@@ -285,7 +285,7 @@ std::shared_ptr<const DragResponse> DeformSolver::response_of(std::span<const st
                                                 std::move(columns), false);
   } catch (const DoesNotFit& reason) {
     if (!edit.options.settle) throw;
-    Numbers columns = axis_response(edit, dragged);
+    Numbers columns = laplacian_response(edit, dragged);
     return std::make_shared<const DragResponse>(state_->edit, std::move(dragged),
                                                 std::move(columns), true, reason.need());
   }

@@ -47,8 +47,8 @@ struct DeformResult {
 /// takes as much again, and 8 kB without.
 class DeformSolver {
  public:
-  /// Prepares. With settling this factors the n x n system, by which motions are minimized; without
-  /// it also the 3n x 3n tangent of the energy, or the RSI system (LinearResponse). Stages reported
+  /// Prepares: factors the n x n system, which the minimizer uses, and without settling also the
+  /// 3n x 3n tangent of the energy or the RSI system (LinearResponse). Stages reported
   /// and timed: "pattern", "order", "laplacian"; without settling then "assemble", "analyze",
   /// "normal_matrix", "factor"; at last "shares". Throws InputError for a region that does not fit
   /// the mesh, SolverError if a component of the region is not anchored or a system exceeds the
@@ -81,14 +81,15 @@ class DeformSolver {
 
   /// The same along a path: the surface is minimized at each motion of `path` in turn, from where
   /// it was before, and then at `motions`. Far motions have several minima; the path decides which
-  /// one is found. Large regions follow it on their coarse proxy and are minimized at the end. If a
-  /// handle turns by more than 90 degrees from one motion to the next, the path starts anew there.
+  /// one is found. Large regions follow the path on their coarse proxy; only its first motion, and
+  /// each one to which a handle turns by more than 90 degrees, are minimized on the surface itself.
+  /// Such a turn starts from rest again.
   DeformResult solve_along(std::span<const HandleMotions> path, const HandleMotions& motions,
                            const Progress& progress = {}) const;
 
   /// The same from a pose of this region (DragSession::state): the minimum that the pose leads to,
-  /// so that a drag ends in what it has shown. From an empty pose, and without settling, the same
-  /// as `solve`.
+  /// so that a drag ends in what it has shown. The pose is ignored if it is empty, if the options
+  /// do not settle, or if a handle has since turned by more than 90 degrees.
   DeformResult solve_from(const DragState& pose, const HandleMotions& motions,
                           const Progress& progress = {}) const;
 

@@ -34,8 +34,8 @@ class DragResponse {
   /// another number of motions. Allocates nothing.
   void set_parameters(std::span<const Eigen::Affine3d> motions, std::span<double> parameters) const;
 
-  /// What the 3n x 3n system would need, and may take, in words, if these are the columns of the n
-  /// x n one in its place; else empty.
+  /// If the 3n x 3n system did not fit in memory and these columns replace its own: what it needs
+  /// and what it may take, in words. Otherwise empty, also for a DragPreview's.
   const std::string& why_not_exact() const { return why_not_exact_; }
 
   /// A pose of this region: the surface at `positions`, of the whole mesh, for handles moved by

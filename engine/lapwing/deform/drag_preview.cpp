@@ -1,8 +1,8 @@
 #include "lapwing/deform/drag_preview.h"
 
 #include "lapwing/base/cancellation.h"
-#include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/edit_system.h"
+#include "lapwing/deform/laplacian_response.h"
 
 namespace lapwing {
 
@@ -43,7 +43,7 @@ DragPreview::DragPreview(std::shared_ptr<const EditSystem> system,
 std::shared_ptr<const DragResponse> DragPreview::response_of(
     std::span<const std::size_t> handles) const {
   std::vector<std::size_t> dragged = in_order(handles);
-  Numbers columns = axis_response(*system_, dragged);
+  Numbers columns = laplacian_response(*system_, dragged);
   return std::make_shared<const DragResponse>(system_, std::move(dragged), std::move(columns),
                                               true);
 }

@@ -15,10 +15,10 @@ namespace lapwing {
 
 struct EditSystem;
 
-/// A drag that is ready long before the exact one: Laplacian coordinates are kept as they are, not
-/// turned with the handle, which takes the n x n system (L'L + W) u = W d and four columns a handle
-/// (its coordinates x, y, z and 1) in place of the 3n x 3n one and twelve. Right for translations;
-/// details do not turn.
+/// A linear drag that is ready long before the exact one. Laplacian coordinates and edges keep
+/// their rest directions, so it needs only the n x n system (L'Om L + K + W) u = W d and four
+/// columns per handle (its coordinates x, y, z and 1), not the 3n x 3n system and twelve. Exact for
+/// translations; details do not rotate.
 ///
 ///     DragPreview preview(mesh.positions, topology, region, options);
 ///     Drag drag(preview.response());       // drags while another thread makes

@@ -8,9 +8,9 @@
 #include "lapwing/base/errors.h"
 #include "lapwing/base/parallel.h"
 #include "lapwing/base/stopwatch.h"
-#include "lapwing/deform/axis_response.h"
 #include "lapwing/deform/coarse_proxy.h"
 #include "lapwing/deform/deform_solver_state.h"
+#include "lapwing/deform/laplacian_response.h"
 #include "lapwing/deform/motion_target.h"
 #include "lapwing/deform/predictor.h"
 #include "lapwing/deform/turn_tracker.h"
@@ -19,19 +19,6 @@
 namespace lapwing {
 
 using Eigen::Vector3d;
-
-namespace {
-
-// A surface is smooth if its last step was no longer, in mean edges. A first iteration, which
-// removes what prolongation left, goes 0.01 to 0.1 of them, and 0.6 where details are steep: the
-// gradient there would have the coarse proxy crumple.
-constexpr double kSmoothStep = 0.05;
-// What a frame without the proxy takes at least, in iterations: its start is a solve, too.
-constexpr double kIterationsOfFineFrame = 2.0;
-// Frames at rest in which the proxy may still help.
-constexpr int kCoarseFramesAtRest = 20;
-
-}  // namespace
 
 struct DragSession::State {
   std::shared_ptr<const DeformSolver> solver;
@@ -50,7 +37,6 @@ struct DragSession::State {
   std::unique_ptr<CoarseProxy> coarse;  // null until it is built, and if the region needs none
   bool coarse_is_at_pose = false;
   bool lacks_time = false;        // whether a frame of this drag has not settled in its time
-  int coarse_frames_at_rest = 0;  // since the handles moved last
   double iteration_ms = 0.0;      // of the fine surface
   double ending_ms = 0.0;         // what follows the iterations in a frame
   std::vector<Vector3d> pull;     // the gradient at the fine surface
@@ -95,13 +81,10 @@ struct DragSession::State {
     ending_ms = ending.elapsed_ms();
   }
 
-  // While the handles rest the proxy still finds the way, as long as the energy falls and the
-  // Hessian does not find it sooner. Returns whether `next` is set.
+  // Lets the proxy move a surface whose handles rest, unless the Hessian is in use, which finds the
+  // minimum sooner. Returns true if this lowered the energy of `next`.
   bool carry_at_rest(MotionTarget& target, bool is_at_pose) {
-    if (!is_at_pose || coarse_frames_at_rest >= kCoarseFramesAtRest || minimizer().uses_hessian()) {
-      return false;
-    }
-    ++coarse_frames_at_rest;
+    if (!is_at_pose || minimizer().uses_hessian()) return false;
     const double before = minimizer().energy(target.settle_target(), pose.displacement);
     carry_by_coarse(target, is_at_pose, {});
     return minimizer().energy(target.settle_target(), next) < before;
@@ -120,7 +103,7 @@ struct DragSession::State {
     const TimeBudget goes_on = budget ? TimeBudget(ask) : TimeBudget();
     MinimizerResult result;
     if (at_rest) {
-      result = minimizer().rest(target.settle_target(), next, goes_on, progress);
+      result = minimizer().follow_at_rest(target.settle_target(), next, goes_on, progress);
     } else {
       result = minimizer().follow(target.settle_target(), next, goes_on, progress);
       iteration_ms = watch.elapsed_ms() / std::max(result.iterations, 1);
@@ -129,9 +112,10 @@ struct DragSession::State {
     return result;
   }
 
-  // Tells the proxy what still pulls on the fine surface, once that is smooth.
+  // Gives the proxy the gradient that remains on the fine surface, if that is smooth. The gradient
+  // of a rough surface would crumple the proxy.
   void correct_coarse(const MinimizerResult& result) {
-    if (result.iterations == 0 || result.last_step > kSmoothStep) return;
+    if (result.iterations == 0 || result.last_step > kLongStep) return;
     pull.resize(next.size(), Vector3d::Zero());
     minimizer().gradient(pull);
     coarse->correct(next, pull);
@@ -144,7 +128,7 @@ struct DragSession::State {
     }
     std::swap(pose.displacement, next);
     pose.motions = std::move(target.motions);
-    pose.settled = result;
+    pose.last_result = result;
     parameters = std::move(target.parameters);
     stretch = std::move(target.stretch.of_vertices);
     next_wanted = std::exchange(wanted, std::move(target.wanted));
@@ -201,11 +185,11 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
   const ProgressScope scope(progress);
   State& s = *state_;
   const EditSystem& edit = s.edit;
-  const bool begins = s.pose.empty() || any_far_since(s.pose.motions, motions);
+  const bool begins = s.pose.empty() || any_turned_far_since(s.pose.motions, motions);
   MotionTarget target = motion_target(
       edit, begins ? motions : turned_as(motions, s.pose.motions, edit), std::move(s.next_wanted));
   const bool at_rest = !begins && target.parameters == s.parameters;
-  if (at_rest && s.pose.settled.settled) {
+  if (at_rest && s.pose.last_result.settled) {
     s.next_wanted = std::move(target.wanted);
     return s.pose;
   }
@@ -223,18 +207,16 @@ const DragState& DragSession::step(const HandleMotions& motions, const TimeBudge
     if (!by_coarse) s.copy_to_next(s.pose.displacement);
   } else {
     if (s.coarse_task.is_made()) s.coarse = s.coarse_task.take();
-    const bool is_short =
-        budget && (s.lacks_time || !budget(kIterationsOfFineFrame * s.iteration_ms));
+    const bool is_short = budget && (s.lacks_time || !budget(s.iteration_ms));
     by_coarse = is_short && s.coarse != nullptr;
     if (by_coarse) {
-      s.coarse_frames_at_rest = 0;
       s.carry_by_coarse(target, coarse_was_there, budget);
     } else {
       s.next = s.predictor.predict(edit, s.wanted, target.wanted, s.pose.displacement);
     }
   }
   // While the proxy is being built, frames without time only predict.
-  const bool must = at_rest || !(by_coarse || (budget && s.coarse_task.is_at_work()));
+  const bool must = at_rest || !(by_coarse || (budget && s.coarse_task.is_pending()));
   const MinimizerResult result = s.minimize(target, at_rest, must, budget, progress);
   if (!begins && !at_rest && !result.settled && !std::exchange(s.lacks_time, true)) prepare();
   if (by_coarse) s.correct_coarse(result);
@@ -275,7 +257,7 @@ void DragSession::wait_until_prepared(const Progress& progress) {
   State& s = *state_;
   prepare();
   report_progress(progress, "coarse surface", 0.0);
-  if (s.coarse_task.is_at_work()) s.coarse = s.coarse_task.take();
+  if (s.coarse_task.is_pending()) s.coarse = s.coarse_task.take();
   report_progress(progress, "coarse surface", 1.0);
 }
 

@@ -21,11 +21,10 @@ namespace lapwing {
 ///     draw(drag.state());
 ///     solver->solve_from(drag.state(), motions);  // when the hand lets go
 ///
-/// A frame starts where the last frames lead: as far as the handles go on as they did, so does the
-/// surface; the rest of the way it follows the linear response of the n x n system. If that leaves
-/// too little time to minimize, a region of 6,500 vertices or more is carried along by its coarse
-/// proxy (CoarseProxy), whose frames take little time at any size, until the handles rest. Then the
-/// surface itself is minimized by the Hessian of its pose. Not thread-safe.
+/// A frame starts at a prediction (Predictor). If that leaves too little time to minimize, a region
+/// of 6,500 vertices or more is carried along by its coarse proxy (CoarseProxy), whose frames take
+/// little time at any size. While the handles rest, the surface itself is minimized, at first with
+/// the proxy's help and after three iterations by the Hessian of its pose. Not thread-safe.
 class DragSession {
  public:
   /// Throws InputError unless the options of the solver settle.
@@ -52,12 +51,13 @@ class DragSession {
   /// Where the surface is.
   const DragState& state() const;
 
-  /// Lends its memory to the solver until the next frame: for a `solve_from` after the drag.
+  /// Gives the minimizer's memory to the solver until the next frame, so that a `solve_from` after
+  /// the drag need not allocate its own.
   void release_memory();
 
-  /// Begins to build on another thread what frames without time need: the coarse proxy, and memory
-  /// for the Hessian of the first rest. It takes a third of a second at 26,000 vertices and some
-  /// seconds at a million. The first frame that lacks time begins it otherwise.
+  /// Starts to build the coarse proxy and to allocate the Hessian on another thread. It takes a
+  /// third of a second at 26,000 vertices and some seconds at a million. Without this call, the
+  /// first frame that does not settle in its time starts it.
   void prepare();
   /// The same, and waits for the coarse proxy, so that no frame depends on how long that takes.
   /// Throws Cancelled.

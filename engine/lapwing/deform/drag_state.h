@@ -11,7 +11,7 @@ struct DragState {
   /// The handles' motions. A handle with free orientation has the rotation that was found.
   HandleMotions motions;
   Positions displacement;  ///< of the whole mesh, from rest
-  MinimizerResult settled;  ///< how the last frame ended
+  MinimizerResult last_result;  ///< of the last frame's minimization
 
   bool empty() const { return motions.maps.empty(); }
 };

@@ -44,8 +44,8 @@ struct EditSystem {
   std::shared_ptr<FactorCache> factors;                ///< of all edits over these unknowns
   std::shared_ptr<const LaplacianSystem> laplacian;    ///< factored
   LooseParts loose;                                    ///< of the region
-  /// The vertices that any motion can displace: all of the region but vertices without a ring
-  /// outside the handles and, with hard constraints, the belt; and the loose parts.
+  /// The vertices that a motion can displace: the unknowns, handle vertices, vertex targets and
+  /// loose parts.
   std::vector<Index> moving;
 
   /// G at rest (FactorCache::tangent_rows).

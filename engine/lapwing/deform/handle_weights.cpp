@@ -105,9 +105,9 @@ std::vector<double> HandleWeights::of_handle(std::size_t handle) const {
       .front();
 }
 
-std::vector<Vector3d> HandleWeights::turned(std::span<const Affine3d> motions,
-                                            std::span<const AngleAxisd> turns,
-                                            const RestStretch& rest_stretch) const {
+std::vector<Vector3d> HandleWeights::displacement(std::span<const Affine3d> motions,
+                                                  std::span<const AngleAxisd> turns,
+                                                  const RestStretch& rest_stretch) const {
   const EditSystem& s = system_;
   const VertexSet& roi = s.region.roi;
   // Of each handle: its turn, its centroid, and how that moves.

@@ -11,30 +11,28 @@
 
 namespace lapwing {
 
-/// How far every vertex goes along with each handle: 1 on it, 0 on the belt, smoothly between; in
-/// all at most 1, and 1 where nothing but handles holds the region. Large rotations
-/// start from them. What is spread over
-/// the surface by its shares costs one column of the n x n system, however many handles there are.
+/// The weight of each handle at each vertex: about 1 on the handle, about 0 on the belt, smooth
+/// between. The weights of a vertex sum to at most 1, and to 1 if only handles hold the region.
+/// Large rotations start from them. Interpolating a value by them costs one n x n solve, however
+/// many handles there are.
 class HandleWeights {
  public:
-  /// Solves for the shares of all handles together. `system` holds the n x n system, as for every
-  /// call, and must outlive the object.
+  /// Solves for the sum of all weights. `system` must outlive the object.
   explicit HandleWeights(const EditSystem& system);
 
-  /// sum_h share_h value_h per vertex of the region, in the order of EditRegion::roi. Solves
-  /// nothing where the values of all handles are the same but for rounding.
+  /// Returns sum_h weight_h value_h per vertex of the region, in the order of EditRegion::roi.
+  /// Solves nothing if the values of all handles are equal but for rounding.
   std::vector<double> spread(std::span<const double> values) const;
 
-  /// Of one handle, per vertex of the region.
+  /// The weights of one handle, per vertex of the region.
   std::vector<double> of_handle(std::size_t handle) const;
 
-  /// The displacement of every vertex where each makes a share of the handles' motions, and with it
-  /// of their whole turns, whose rotations came about by `turns`: the surface is wound the way the
-  /// handles went. A linear response knows a handle's rotation but not its turn.
-  /// The surface is first stretched by the smooth map of `stretch`.
-  std::vector<Eigen::Vector3d> turned(std::span<const Eigen::Affine3d> motions,
-                                      std::span<const Eigen::AngleAxisd> turns,
-                                      const RestStretch& stretch) const;
+  /// Returns displacements in which each vertex is stretched by the smooth map of `stretch`, then
+  /// rotated and translated by its weighted share of the handles' motions. Rotations are shares of
+  /// `turns`, whole turns included, so that the surface is wound the way the handles went.
+  std::vector<Eigen::Vector3d> displacement(std::span<const Eigen::Affine3d> motions,
+                                            std::span<const Eigen::AngleAxisd> turns,
+                                            const RestStretch& stretch) const;
 
  private:
   // Fields over the region, one for each number of a value: `spread_columns(3, f)[c]` for

@@ -14,10 +14,11 @@ struct Inversion {
   Index vertex = kNoIndex;  ///< one in the middle of it; kNoIndex if the share is 0
 };
 
-/// At rest a ray from a vertex into the solid meets the opposite side of the surface. Where that
-/// point lies outside of the vertex after the deformation, the surface between is inside out.
-/// Flipped triangles tell a fold; a limb that is inside out has few, at its two ends alone. Looks
-/// at up to 4,096 vertices of `roi` and at the triangles that touch it. O(n log n).
+/// At rest a ray from a vertex into the solid meets the opposite side of the surface. If that point
+/// lies on the outer side of the vertex's tangent plane after the deformation, the vertex counts as
+/// inside out. Flipped triangles show a fold; a limb that is inside out has few of them, only at
+/// its two ends. Measures up to 4,096 vertices of `roi` and the triangles that touch it.
+/// O(n log n).
 Inversion measure_inversion(std::span<const Index> roi, const Topology& topology,
                             std::span<const Eigen::Vector3d> rest,
                             std::span<const Eigen::Vector3d> current);

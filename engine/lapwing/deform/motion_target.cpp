@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lapwing/base/errors.h"
-#include "lapwing/deform/axis_response.h"
+#include "lapwing/deform/laplacian_response.h"
 #include "lapwing/deform/turn_tracker.h"
 #include "lapwing/laplacian/rotation.h"
 
@@ -13,8 +13,6 @@ namespace lapwing {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kFarTurnDegrees = 90.0;
 
 // `turn` is an axis times an angle.
 bool is_far(const Vector3d& turn) {
@@ -101,12 +99,12 @@ HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const 
   return motions;
 }
 
-bool any_far(std::span<const Eigen::AngleAxisd> turns) {
+bool any_turned_far(std::span<const Eigen::AngleAxisd> turns) {
   return std::any_of(turns.begin(), turns.end(),
                      [](const Eigen::AngleAxisd& turn) { return is_far(vector_of(turn)); });
 }
 
-bool any_far_since(const HandleMotions& last, const HandleMotions& now) {
+bool any_turned_far_since(const HandleMotions& last, const HandleMotions& now) {
   for (std::size_t h = 0; h < last.turns.size() && h < now.turns.size(); ++h) {
     if (now.is_free_handle(h)) continue;
     if (is_far(vector_of(now.turns[h]) - vector_of(last.turns[h]))) return true;
@@ -117,10 +115,11 @@ bool any_far_since(const HandleMotions& last, const HandleMotions& now) {
 std::vector<Vector3d> start_by_handle_weights(const EditSystem& edit, const HandleWeights& weights,
                                               const MotionTarget& target) {
   const HandleMotions& motions = target.motions;
-  std::vector<Vector3d> u = weights.turned(motions.maps, motions.turns, target.stretch);
+  std::vector<Vector3d> u = weights.displacement(motions.maps, motions.turns, target.stretch);
   if (!edit.region.targets.empty()) {
     const std::vector<double> still(edit.column_count(), 0.0);
-    const std::vector<Vector3d> drawn = axis_displacement(edit, edit.asked_displacement(still));
+    const std::vector<Vector3d> drawn =
+        laplacian_displacement(edit, edit.asked_displacement(still));
     for (const Index v : edit.moving) u[v] += drawn[v];
   }
   return u;

@@ -22,10 +22,10 @@ struct MotionTarget {
   MinimizerTarget settle_target() const { return {wanted, stretch.of_vertices, {}, free_handles}; }
 };
 
-/// Takes time that is that of the handles if `wanted` is the field of an earlier target of the same
-/// edit; an empty one is made as large as the mesh. Throws InputError for another number of motions
-/// than handles, for motions that are too far, and for free handles unless the edit settles with
-/// soft constraints.
+/// Returns the target for `motions`. `wanted` is memory: the field of an earlier target of the same
+/// edit, which makes the cost O(handle vertices), or empty. Throws InputError for another number of
+/// motions than handles, for motions that are too far, and for free handles unless the edit settles
+/// with soft constraints.
 MotionTarget motion_target(const EditSystem& edit, HandleMotions motions,
                            std::vector<Eigen::Vector3d> wanted = {});
 
@@ -36,11 +36,11 @@ void set_free_rotations(const EditSystem& edit, std::span<const Eigen::Matrix3d>
 /// `motions` with the free handles turned as they are in `pose`, the motions of a pose.
 HandleMotions turned_as(HandleMotions motions, const HandleMotions& pose, const EditSystem& edit);
 
-/// Whether a handle has turned by more than 90 degrees. From there on the way round matters, which
-/// a linear response does not know.
-bool any_far(std::span<const Eigen::AngleAxisd> turns);
+/// Whether a handle has turned by more than kFarTurnDegrees. Beyond that the direction of the turn
+/// matters, and a linear response cannot represent it.
+bool any_turned_far(std::span<const Eigen::AngleAxisd> turns);
 /// The same for what has changed from `last` to `now`.
-bool any_far_since(const HandleMotions& last, const HandleMotions& now);
+bool any_turned_far_since(const HandleMotions& last, const HandleMotions& now);
 
 /// Where minimizing starts without a pose: the displacement of every vertex by the handle weights,
 /// and by the targets of the edit.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lapwing/deform/axis_response.h"
+#include "lapwing/deform/laplacian_response.h"
 
 namespace lapwing {
 namespace {
@@ -52,7 +52,7 @@ std::vector<Vector3d> Predictor::predict(const EditSystem& edit,
   if (share > 0.0) {
     for (const Index v : edit.moving) change[v] -= share * recent_wanted_[v];
   }
-  std::vector<Vector3d> predicted = axis_displacement(edit, change, Springs::rest);
+  std::vector<Vector3d> predicted = laplacian_displacement(edit, change, Springs::ignored);
   for (const Index v : edit.moving) {
     predicted[v] += u[v];
     if (share > 0.0) predicted[v] += share * recent_u_[v];

@@ -9,9 +9,9 @@
 
 namespace lapwing {
 
-/// Predicts where the surface of an edit is when its handles move on. As far as they go on as they
-/// did in the last frames, so does the surface; the rest of the way it follows the linear response
-/// of the n x n system. All fields are per vertex of the edit's mesh.
+/// Predicts the surface of an edit when its handles move on. It extrapolates the recent change of
+/// the surface by the share of the recent handle motion that continues. The remainder follows the
+/// linear response of the n x n system. All fields are per vertex of the edit's mesh.
 class Predictor {
  public:
   /// Forgets all frames.

@@ -9,12 +9,12 @@
 
 namespace lapwing {
 
-/// What pulls at the unknowns at rest where the surface is asked to have another scale, s_i = 1 +
-/// `growth` per vertex of the region, to first order (ENERGY.md section 3): the forces f of
-/// ResponseSystem for the tangent, 3 numbers per unknown.
+/// Returns the forces on the unknowns at rest, to first order, if ring i grows by the factor 1 +
+/// `growth`_i, per vertex of the region: f of ResponseSystem for the tangent, 3 numbers per
+/// unknown.
 Numbers scale_forces(const EditSystem& system, std::span<const double> growth);
 
-/// By how much the parameters of a handle's motion scale it to first order, less 1.
+/// Returns the mean scale of a handle's motion to first order, minus 1.
 double growth_of(const HandleFrame& frame, std::span<const double> parameters);
 
 /// How the surface answers each parameter of `handles`: columns as in ResponseColumns. `response`

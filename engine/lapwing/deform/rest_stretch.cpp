@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 
 #include "lapwing/base/parallel.h"
-#include "lapwing/deform/axis_response.h"
+#include "lapwing/deform/laplacian_response.h"
 #include "lapwing/laplacian/rotation.h"
 
 namespace lapwing {
@@ -51,7 +51,7 @@ std::vector<Vector3d> smooth_map(const EditSystem& system, std::span<const Matri
   }
   std::vector<double> parameters(system.column_count());
   system.set_parameters(stretching, parameters);
-  return axis_displacement(system, system.wanted_displacement(parameters), Springs::rest);
+  return laplacian_displacement(system, system.wanted_displacement(parameters), Springs::ignored);
 }
 
 class RingStretch {

@@ -11,6 +11,11 @@ namespace lapwing {
 /// rest shape of the next (modifiers/substeps.h).
 inline constexpr double kLargestSettledTurnDegrees = 180.0;
 
+/// Beyond this turn the direction of a rotation matters: linear responses are of no use, windings
+/// are measured, and surfaces can be inside out. A turn that is made in parts is made in parts of
+/// this size: a bar six widths long keeps 720 degrees so.
+inline constexpr double kFarTurnDegrees = 90.0;
+
 /// How far one handle has turned in all over the motions of a drag, past 180 and 360 degrees too,
 /// where the motion alone no longer tells. Of the rotation vectors (angle times axis) that stand
 /// for a motion's rotation it keeps the one nearest to the last. Steps of less than 180 degrees

@@ -32,8 +32,8 @@ VertexMotion vertex_motion(std::span<const Eigen::Vector3d> rest,
 VertexMotion vertex_motion(std::span<const Index> rows, std::span<const Eigen::Vector3d> rest,
                            std::span<const Eigen::Vector3d> current, const Topology& topology);
 
-/// The quaternion of a rotation that has w >= 0; of half a turn, w = 0, that whose first of x, y, z
-/// that is not 0 is above 0. An angle of `rotation_angle` radians is 2 acos(w).
+/// Returns the quaternion of R with w >= 0. If w = 0, half a turn, its first non-zero component is
+/// positive. `rotation_angle` is 2 acos(w), in radians.
 Eigen::Quaterniond unit_quaternion(const Eigen::Matrix3d& R);
 
 /// `fit_rotation` of ring i, and exactly the identity where nothing of it moved.

@@ -38,11 +38,11 @@ class BackgroundTask {
       made_ = std::async(std::launch::deferred, run);
     }
   }
-  /// From `begin` until the result has been taken.
-  bool is_at_work() const { return made_.valid(); }
+  /// True from `begin` until the result is taken, even if the computation has ended.
+  bool is_pending() const { return made_.valid(); }
   /// Whether the result can be taken without waiting.
   bool is_made() const {
-    return is_at_work() && made_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
+    return is_pending() && made_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
   }
   /// Waits for the result, and rethrows what the computation threw; after `begin`, once. Throws
   /// Cancelled.

@@ -153,8 +153,8 @@ std::vector<Vector3d> CoarseEmbedding::restrict_forces(std::span<const Vector3d>
   const Positions& rest = coarse_.rest;
   const std::size_t count = coarse_.kept.size();
   const auto place = [&](std::size_t c) -> Vector3d { return rest[c] + pose.displacement[c]; };
-  // What turns a vertex pulls its ring around it: w x e_k at neighbour k, with sum_k e_k x (w x
-  // e_k) the moment.
+  // A moment at a coarse vertex acts as forces w x e_k on its ring, where sum_k e_k x (w x e_k) is
+  // the moment.
   std::vector<Vector3d> pulls(count, Vector3d::Zero());
   std::vector<Vector3d> turns(count, Vector3d::Zero());
   constexpr std::size_t kCoarsePerTask = 64;

@@ -1,4 +1,4 @@
-// The inner loop of CoarseEmbedding (deform/coarse_embedding.cpp). Included by
+// The inner loop of CoarseEmbedding (elastic/coarse_embedding.cpp). Included by
 // embedding_loops_*.cpp inside an unnamed namespace. Calls nothing that has external linkage: the
 // linker would be free to take another instruction set's copy.
 

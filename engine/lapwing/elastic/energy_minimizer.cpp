@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,20 +25,13 @@ using Eigen::Vector3d;
 // L-BFGS history length, in steps.
 constexpr int kHistoryLength = 10;
 
-// Iterations from one factorization of the Hessian to the next (elastic/README.md).
+// Iterations before the first factorization of the Hessian, and from one to the next
+// (elastic/README.md). On 210 edits of 105 meshes a first factorization after three or five
+// iterations takes the same time within 5%.
+constexpr int kBeforeHessian = 3;
 constexpr int kHessianPeriod = 20;
-// Of a result. On 210 edits of 105 meshes a first factorization after three or five iterations
-// takes the same time within 5%.
-constexpr HessianSchedule kResultSchedule{.before_hessian = 3, .may_end_before_hessian = false};
-// Of a frame, whose history already describes the energy at the pose.
-constexpr HessianSchedule kFrameSchedule{50};
-// Of a frame far from its minimum: the Hessian is factored at once.
-constexpr HessianSchedule kHessianFrameSchedule{0};
-// Of frames in which the target rests, counted together.
-constexpr HessianSchedule kRestSchedule{4, 12};
+constexpr int kNever = std::numeric_limits<int>::max();
 
-// A step is long from here on, in mean edge lengths.
-constexpr double kLongStep = 0.03;
 // A step is accepted if E falls by this share of what its slope promises (Armijo 1966), or by less
 // than rounding shows.
 constexpr double kShareOfSlope = 1e-4;
@@ -89,19 +83,19 @@ void EnergyMinimizer::State::begin_anew() {
   at_rest = false;
 }
 
-void EnergyMinimizer::State::begin_schedule(const HessianSchedule& of) {
-  schedule = of;
+// Directions come from the n x n factor until `before_hessian` iterations are done.
+void EnergyMinimizer::State::begin_schedule(int before_hessian) {
   at_rest = false;
   taken = 0;
-  next_factorization = schedule.before_hessian;
+  next_factorization = before_hessian;
+  may_end_by_factor = before_hessian == kNever;
   if (!std::exchange(by_hessian, false)) return;
   history.forget();
   use_factor_for_turns();
 }
 
 bool EnergyMinimizer::State::is_hessian_due() const {
-  if (preconditioner == nullptr || taken < next_factorization) return false;
-  return by_hessian || taken >= schedule.most_before_hessian || last_step <= kLongStep;
+  return preconditioner != nullptr && taken >= next_factorization;
 }
 
 // At `at`, where the rotations were fitted last. The history is kept from one Hessian of a pose to
@@ -120,8 +114,8 @@ void EnergyMinimizer::State::factorize_hessian() {
 void EnergyMinimizer::State::leave_hessian() {
   by_hessian = false;
   use_factor_for_turns();
-  schedule.may_end_before_hessian = true;
-  next_factorization = taken + std::max(schedule.before_hessian, kHessianPeriod);
+  may_end_by_factor = true;
+  next_factorization = taken + kHessianPeriod;
   history.forget();
 }
 
@@ -140,8 +134,8 @@ void EnergyMinimizer::State::use_factor_for_turns() {
 // Steps go along -direction. `slope` is half that of E, `step` in mean edge lengths. `accurate`
 // stands for Preconditioner::solve_accurately_in_place.
 EnergyMinimizer::State::Sums EnergyMinimizer::State::find_direction(bool accurate) {
-  history.take_changes(at.gradient, direction);
-  for (const FreeRotation& rotation : free_rotations) rotation.enter_frame(direction);
+  history.first_loop(at.gradient, direction);
+  for (const FreeRotation& rotation : free_rotations) rotation.rotate_to_factor(direction);
   if (by_hessian && accurate) {
     preconditioner->solve_accurately_in_place(direction);
   } else if (by_hessian) {
@@ -150,8 +144,8 @@ EnergyMinimizer::State::Sums EnergyMinimizer::State::find_direction(bool accurat
     system.solve_in_elimination_order(direction, 3);
   }
   for (const FreeRotation& rotation : free_rotations) rotation.add_turn(direction);
-  for (const FreeRotation& rotation : free_rotations) rotation.leave_frame(direction);
-  history.add_steps(direction);
+  for (const FreeRotation& rotation : free_rotations) rotation.rotate_from_factor(direction);
+  history.second_loop(direction);
   Sums sums = sum_over_unknowns([&](std::size_t k, Sums& sum) {
     const Vector3d g = of_unknown(at.gradient, k);
     const Vector3d p = of_unknown(direction, k);
@@ -213,7 +207,7 @@ void EnergyMinimizer::State::take_next() {
 // long limbs have left to bend. It may end by a step that is next to nothing.
 bool EnergyMinimizer::State::must_end_by_hessian() const {
   constexpr double kNextToNothing = 1e-4;
-  return !schedule.may_end_before_hessian && !by_hessian && preconditioner != nullptr &&
+  return !may_end_by_factor && !by_hessian && preconditioner != nullptr &&
          last_step > kNextToNothing * options.tolerance;
 }
 
@@ -235,14 +229,14 @@ double EnergyMinimizer::energy(const MinimizerTarget& target, std::span<const Ve
 MinimizerResult EnergyMinimizer::settle(const MinimizerTarget& target, std::span<Vector3d> u,
                                         const Progress& progress) {
   state_->begin_anew();
-  state_->begin_schedule(kResultSchedule);
+  state_->begin_schedule(kBeforeHessian);
   state_->place(target, u);
   return iterate(u, {}, progress);
 }
 
 MinimizerResult EnergyMinimizer::follow(const MinimizerTarget& target, std::span<Vector3d> u,
                                         const TimeBudget& budget, const Progress& progress) {
-  state_->begin_schedule(kFrameSchedule);
+  state_->begin_schedule(budget ? kNever : kBeforeHessian);
   state_->place(target, u);
   return iterate(u, budget, progress);
 }
@@ -250,21 +244,22 @@ MinimizerResult EnergyMinimizer::follow(const MinimizerTarget& target, std::span
 MinimizerResult EnergyMinimizer::follow_by_hessian(const MinimizerTarget& target,
                                                    std::span<Vector3d> u, const TimeBudget& budget,
                                                    const Progress& progress) {
-  state_->begin_schedule(kHessianFrameSchedule);
+  state_->begin_schedule(0);
   state_->place(target, u);
   return iterate(u, budget, progress);
 }
 
-MinimizerResult EnergyMinimizer::rest(const MinimizerTarget& target, std::span<Vector3d> u,
-                                      const TimeBudget& budget, const Progress& progress) {
-  if (!state_->at_rest) state_->begin_schedule(kRestSchedule);
+MinimizerResult EnergyMinimizer::follow_at_rest(const MinimizerTarget& target,
+                                                std::span<Vector3d> u, const TimeBudget& budget,
+                                                const Progress& progress) {
+  if (!state_->at_rest) state_->begin_schedule(kBeforeHessian);
   state_->at_rest = true;
   state_->place(target, u);
   return iterate(u, budget, progress);
 }
 
 void EnergyMinimizer::end_rest() {
-  state_->begin_schedule(kFrameSchedule);
+  state_->begin_schedule(kNever);
 }
 
 void EnergyMinimizer::begin_drag() {

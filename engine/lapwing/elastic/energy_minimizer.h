@@ -39,9 +39,9 @@ struct MinimizerTarget {
   std::span<const FreeHandle> free_handles = {};
 };
 
-/// A first Hessian for L-BFGS that is better than the n x n matrix at the pose reached: that one
-/// resists every ring that turns, and long limbs bend slowly by it. Each factorization is that of a
-/// 3n x 3n matrix and saves most of the iterations that many would take.
+/// A preconditioner for L-BFGS at a pose. The n x n matrix resists every rotation of a ring, so
+/// long limbs bend slowly with it. A factorization of a 3n x 3n matrix saves most of these
+/// iterations.
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
@@ -66,10 +66,11 @@ class Preconditioner {
 ///                                + sum_j k_ij |(v'_i - v'_j) - R_i S_i (v_i - v_j)|^2
 ///          + sum_held w^2 |u - d|^2 + the springs of the system - 2 sum f . u,
 ///
-/// by L-BFGS. Each iteration fits the rotations (kernel fit_rotations), takes the gradient (kernel
-/// energy_gradient) and solves once, at first with the n x n factor, then with the preconditioner.
-/// E falls with every step, so the surface is usable whenever the budget ends the loop. One object
-/// serves one thread at a time.
+/// by L-BFGS. Each iteration solves once for a direction, at first with the n x n factor, then with
+/// the preconditioner, and searches along it. Each trial point costs a fit of the rotations (kernel
+/// fit_rotations) and a gradient (kernel energy_gradient). A trial point by the preconditioner is
+/// corrected by one more solve with the n x n factor. E falls with every step, so the surface is
+/// usable whenever the budget ends the loop. One object serves one thread at a time.
 class EnergyMinimizer {
  public:
   /// `system` must outlive the object and have been assembled with a detail length; so must
@@ -100,14 +101,14 @@ class EnergyMinimizer {
   MinimizerResult follow_by_hessian(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
                                     const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// A frame whose `target` is still that of the last call, with `u` where that ended. After a few
-  /// iterations of such frames the preconditioner is factored at the pose. When a factorization is
-  /// due, the call starts with it, whatever `budget` says, and takes that much longer.
-  MinimizerResult rest(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
-                       const TimeBudget& budget = {}, const Progress& progress = {});
+  /// A frame whose `target` is still that of the last call, with `u` where that ended. After three
+  /// iterations of such frames the preconditioner is factored at the pose. A factorization starts
+  /// a call: `budget` is asked for the iteration, not for the factorization before it.
+  MinimizerResult follow_at_rest(const MinimizerTarget& target, std::span<Eigen::Vector3d> u,
+                                 const TimeBudget& budget = {}, const Progress& progress = {});
 
-  /// Says that the target moves on in a frame without time for `follow`: what `rest` has counted
-  /// and factored belongs to another pose.
+  /// Says that the target moves on in a frame without time for `follow`: what `follow_at_rest` has
+  /// counted and factored belongs to another pose.
   void end_rest();
 
   /// Clears the history of the frames: the next one is the first of another drag.

@@ -14,17 +14,6 @@
 
 namespace lapwing {
 
-/// When the preconditioner is factored, in iterations.
-struct HessianSchedule {
-  int before_hessian = 0;  ///< by the n x n factor, before the first factorization
-  /// The first factorization waits until here while steps are long: it would soon belong to another
-  /// pose.
-  int most_before_hessian = 0;
-  /// Whether the minimizer may end by a step of the n x n factor, which may be far shorter than
-  /// what is left to go.
-  bool may_end_before_hessian = true;
-};
-
 /// What an EnergyMinimizer holds. Its iterations are in energy_minimizer.cpp, energy and gradient
 /// in energy_evaluation.cpp.
 struct EnergyMinimizer::State {
@@ -36,11 +25,13 @@ struct EnergyMinimizer::State {
   std::unique_ptr<RingRotations> rotations;
   Preconditioner* const given_preconditioner;
   Preconditioner* preconditioner = nullptr;  ///< null after a factorization has failed
-  HessianSchedule schedule;
-  bool at_rest = false;        ///< whether `schedule` is that of frames whose target rests
-  int taken = 0;               ///< iterations of this schedule
-  bool by_hessian = false;     ///< whether directions come from the preconditioner
-  int next_factorization = 0;  ///< the iteration before which it comes
+  bool at_rest = false;                      ///< whether the last call was `follow_at_rest`
+  int taken = 0;                             ///< iterations since `begin_schedule`
+  bool by_hessian = false;                   ///< whether directions come from the preconditioner
+  int next_factorization = 0;                ///< the iteration before which it comes
+  /// Whether the minimizer may end by a step of the n x n factor, which may be far shorter than
+  /// what is left to go.
+  bool may_end_by_factor = false;
   double iteration_ms = 0.0;   ///< of the last one, without a factorization
   double last_step = 0.0;      ///< in mean edge lengths
   bool is_placed = false;      ///< whether `at` was evaluated last
@@ -64,7 +55,7 @@ struct EnergyMinimizer::State {
     std::vector<double> x;
     std::vector<double> gradient;
     double energy = 0.0;
-    double force = 0.0;  ///< |W (x - wanted)|
+    double force = 0.0;  ///< norm of the forces of constraints and springs
   };
   Point at;
   Point next;
@@ -91,7 +82,7 @@ struct EnergyMinimizer::State {
         Preconditioner* hessian);
 
   void begin_anew();
-  void begin_schedule(const HessianSchedule& of);
+  void begin_schedule(int before_hessian);
   bool has_stretch_of(const MinimizerTarget& target) const;
   bool is_at(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u) const;
   void place(const MinimizerTarget& target, std::span<const Eigen::Vector3d> u);

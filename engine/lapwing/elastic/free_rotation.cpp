@@ -159,11 +159,11 @@ void FreeRotation::turn_handle(const Matrix3d& by, std::span<double> field) cons
   }
 }
 
-void FreeRotation::enter_frame(std::span<double> b) const {
+void FreeRotation::rotate_to_factor(std::span<double> b) const {
   if (!columns_.empty()) turn_handle(at_columns_ * rotation_.transpose(), b);
 }
 
-void FreeRotation::leave_frame(std::span<double> solution) const {
+void FreeRotation::rotate_from_factor(std::span<double> solution) const {
   if (!columns_.empty()) turn_handle(rotation_ * at_columns_.transpose(), solution);
 }
 

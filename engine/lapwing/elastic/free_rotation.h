@@ -46,18 +46,18 @@ class FreeRotation {
   /// solution.
   void respond_by(const std::function<void(std::span<double>)>& solve);
 
-  /// P is that of the rotation at which it was made. Turns the handle's vectors of a right-hand
-  /// side back to that rotation, and those of its solution on again: then the handle is as stiff in
-  /// P as it is now. Does nothing for the n x n system.
-  void enter_frame(std::span<double> b) const;
-  void leave_frame(std::span<double> solution) const;
+  /// P was factored at an earlier rotation. Rotates the handle's vectors of a right-hand side to
+  /// that rotation, and those of the solution back. Does nothing for the n x n system.
+  void rotate_to_factor(std::span<double> b) const;
+  void rotate_from_factor(std::span<double> solution) const;
 
   /// Turns P^-1 b into the solution of the matrix with the rotation eliminated, in place.
   void add_turn(std::span<double> solution) const;
 
   /// The step to come goes from where the rotation was fitted last along -`direction`.
   void begin_step(std::span<const double> direction);
-  /// Adds to `x`, which is `length` of that step along the straight line, what an arc has besides.
+  /// Adds to `x`, a point at `length` along the straight step, the difference between the arc and
+  /// the straight line.
   void bend(double length, std::span<double> x) const;
 
   const FreeHandle& handle() const { return handle_; }
@@ -75,8 +75,8 @@ class FreeRotation {
   std::vector<double> held_;  ///< W of the handle's vertices
   Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of places and turned shape
-  /// The n x n system's solution for W times the unturned shape: how the surface takes part in what
-  /// the handle does, whose own values are about its shape.
+  /// The n x n solution for the right-hand side W times the unrotated shape. On the handle it is
+  /// close to the shape itself.
   std::vector<double> response_;
   Eigen::Matrix3d response_stiffness_ = Eigen::Matrix3d::Zero();  ///< U' P^-1 U of it, unturned
   /// P^-1 U of another P, column by column; empty for the n x n system.

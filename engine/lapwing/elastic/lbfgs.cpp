@@ -119,7 +119,7 @@ void Lbfgs::combine(std::span<double> x, std::vector<float>& columns) {
 }
 
 // The factors alpha of the changes: alpha_i = s_i . (g - those of newer ones) / s_i . y_i.
-void Lbfgs::take_changes(std::span<const double> g, std::span<double> p) {
+void Lbfgs::first_loop(std::span<const double> g, std::span<double> p) {
   for_chunks(size_, [&](std::size_t chunk, std::size_t from, std::size_t count) {
     partial_[chunk] = {};
     for (int k = 0; k < used_; ++k) {
@@ -142,7 +142,7 @@ void Lbfgs::take_changes(std::span<const double> g, std::span<double> p) {
 
 // p + sum of the steps, each times alpha_i - beta_i, beta_i = y_i . (p and those of older ones) /
 // s_i . y_i.
-void Lbfgs::add_steps(std::span<double> p) {
+void Lbfgs::second_loop(std::span<double> p) {
   for_chunks(size_, [&](std::size_t chunk, std::size_t from, std::size_t count) {
     partial_[chunk] = {};
     for (int k = 0; k < used_; ++k) {

@@ -8,27 +8,29 @@
 
 namespace lapwing {
 
-/// What the last few steps of a minimization tell of its second derivatives, by limited-memory BFGS
-/// (Nocedal 1980): with the inverse of a first Hessian A, which the caller has,
-///     history.take_changes(g, p);    // p from the gradient g
+/// The history of limited-memory BFGS (Nocedal 1980). With A the first Hessian, whose factor the
+/// caller has,
+///     history.first_loop(g, p);  // p from the gradient g
 ///     p = A^-1 p;
-///     history.add_steps(p);
-/// makes p the inverse of a better Hessian times g. Memory is taken once: 2 window vectors in
-/// single precision, which is enough for differences that are about as long as `length`, whatever
-/// that is, passed over on all threads. Same input, same bits.
+///     history.second_loop(p);
+/// sets p to the inverse of a better Hessian times g. Stores 2 `window` vectors in single
+/// precision, scaled by `length`, about that of a step, to keep them in range. Results do not
+/// depend on the number of threads.
 class Lbfgs {
  public:
   static constexpr int kLargestWindow = 24;
 
   Lbfgs(std::size_t size, int window, double length = 1.0);
 
-  /// A step was made from `last_x` to `x`, and the gradient went from `last_g` to `g`. Left out
-  /// where the gradient did not grow along it. The oldest step is forgotten for it.
+  /// Adds the step from `last_x` to `x`, along which the gradient went from `last_g` to `g`, in
+  /// place of the oldest one. A step along which the gradient did not grow is left out.
   void add(std::span<const double> last_x, std::span<const double> x,
            std::span<const double> last_g, std::span<const double> g);
 
-  void take_changes(std::span<const double> g, std::span<double> p);
-  void add_steps(std::span<double> p);
+  /// The first half of the two-loop recursion: p is g without its parts along gradient changes.
+  void first_loop(std::span<const double> g, std::span<double> p);
+  /// The second half: adds the steps.
+  void second_loop(std::span<double> p);
 
   bool is_empty() const { return used_ == 0; }
   void forget() { used_ = newest_ = 0; }

@@ -6,8 +6,10 @@ namespace lapwing {
 
 /// How a minimization of the energy ended.
 struct MinimizerResult {
-  int iterations = 0;      ///< steps taken, each by one solve
-  double last_step = 0.0;  ///< of the vertex that moved farthest, in mean edge lengths
+  int iterations = 0;  ///< steps taken, except the final one of a settled surface
+  /// The length of the last full step, before the line search, at the vertex that it moves
+  /// farthest; in mean edge lengths.
+  double last_step = 0.0;
   bool settled = false;    ///< last_step is within the tolerance
   bool exhausted = false;  ///< no step lowers E by more than rounding
   double energy = 0.0;     ///< E of the result, in squared mesh units
@@ -17,7 +19,8 @@ struct MinimizerResult {
 };
 
 /// Asked before each iteration, which takes about `ms`, whether there is time for it. `ms` is 0 if
-/// the time is not known, and for an iteration that a frame cannot do without.
+/// the duration is unknown, and for the first iteration of a frame that must make one: the answer
+/// should then be true.
 using TimeBudget = std::function<bool(double ms)>;
 
 }  // namespace lapwing

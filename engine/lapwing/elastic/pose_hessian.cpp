@@ -21,9 +21,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// beta: at least this share of A stays, so that no step is longer than its inverse times that of
-// the n x n factor. Compressed rings resist next to nothing.
-const double kRootOfShare = std::sqrt(1.0 - 1e-3);
+// The square root of beta. A share of 0.001 of A remains in the Hessian, so a step is at most 1000
+// times that of the n x n factor. Without it compressed rings would resist next to nothing.
+const double kRootOfBeta = std::sqrt(1.0 - 1e-3);
 
 Matrix3d rotation_stiffness(const Matrix3d& S) {
   return S.trace() * Matrix3d::Identity() - S;
@@ -70,7 +70,7 @@ BlockFactors pose_factors(const RegionRings& rings, std::size_t r, const Matrix3
   const Vector3d inverse_roots = ratio.eigenvalues().cwiseMax(1.0).cwiseSqrt().cwiseInverse();
   BlockFactors factors{
       ratio.eigenvectors() * inverse_roots.asDiagonal() * ratio.eigenvectors().transpose(),
-      kRootOfShare * inverse_S * R.transpose()};
+      kRootOfBeta * inverse_S * R.transpose()};
   if (is_stretched) {
     // A direction in which nothing turns is a row of zeros in G_i at rest: any inverse does there.
     const Matrix3d F = inverse_cholesky_factor(rotation_stiffness(at_rest))
@@ -128,7 +128,7 @@ bool PoseHessian::take_memory() {
   if (factor_ != nullptr) return true;
   const std::scoped_lock lock(taking_);
   std::unique_ptr<ConstrainedFactor> factor =
-      prepared_.is_at_work() ? prepared_.take() : analyzed_factor();
+      prepared_.is_pending() ? prepared_.take() : analyzed_factor();
   if (factor == nullptr) return false;
   const RegionRings& rings = laplacian_.rings();
   const std::vector<Index> row_of_vertex =
@@ -160,7 +160,7 @@ bool PoseHessian::factorize(std::span<const Matrix3d> transforms,
   });
   is_solved_ = false;
   doubles_.reset();
-  factor_->set_matrix(tangent_matrix(pattern_, laplacian_, turned_, factor_->take_memory()));
+  factor_->set_matrix(energy_hessian(pattern_, laplacian_, turned_, factor_->take_memory()));
   return is_factored(*factor_) || factor_in_doubles();
 }
 

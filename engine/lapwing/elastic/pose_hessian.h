@@ -13,14 +13,13 @@
 
 namespace lapwing {
 
-/// The Hessian of the energy at a pose, A x I - beta G'G (ENERGY.md section 5). G_i = F_i^-1 a_i of
-/// a ring that has turned by R_i is that at rest with each block turned back by R_i, if the ring
-/// has kept its shape. Under tension F_i F_i' = K_i is larger than at rest: the rotation follows
-/// the surface less, and the ring resists bending. Directions of compression keep the K_i of rest,
-/// so that the matrix stays positive semidefinite at every pose. Its factor is held in floats,
-/// which do for a first Hessian (README.md), and in doubles for a pose at which rounding leaves it
-/// indefinite. Takes its memory, half that of another 3n x 3n factor, at the first factorization,
-/// or before.
+/// The Hessian of the energy at a pose, A x I - beta G'G (ENERGY.md section 5), as a
+/// preconditioner. If a ring only rotates, its G_i = F_i^-1 a_i is the row at rest times R_i'.
+/// Tension enlarges F_i F_i' = K_i: the rotation follows the surface less, and the ring resists
+/// bending. Under compression K_i stays that of the stretched rest, so that the matrix is positive
+/// semidefinite at every pose. The factor is in single precision (README.md), and in double
+/// precision for a pose at which rounding leaves it indefinite. The object allocates its memory,
+/// half that of a 3n x 3n factor in doubles, in `prepare` or at the first factorization.
 class PoseHessian final : public Preconditioner {
  public:
   /// Finds G at rest over the rings of a region (tangent_rows).

@@ -24,15 +24,13 @@ bool same_bits(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector
 ///     region.handles = {another};
 ///     DeformSolver next(prepared, mesh.positions, region, options, kernels);  // half the time
 ///
-/// It keeps pattern, order and both symbolic factorizations; for the same positions and Laplacian
-/// weights the rows of M and M'M; for the same positions the coarse surface of drags, of which
-/// another handle or belt changes what is near. If no solver uses the last factor any more, the
-/// next one takes its memory and recomputes only what the change reaches. Results are those of a
-/// full preparation bit for bit; frames of a drag by a coarse surface go by the one that is kept.
-/// An edit with another ROI or other unknowns is prepared in full and replaces what is kept. (With
-/// hard constraints the unknowns are the free vertices alone, which change with the handle.) A
-/// preparation over the same unknowns that is cancelled or fails loses nothing that was kept before
-/// it.
+/// It keeps pattern, order and both symbolic factorizations. For the same positions and Laplacian
+/// weights it keeps the rows of M and M'M, and if handles, belt and targets are the same as well,
+/// the coarse surface of drags. If no solver uses the last factor any more, the next one takes its
+/// memory and recomputes only what the change reaches. Results are those of a full preparation bit
+/// for bit. An edit with another ROI or other unknowns is prepared in full and replaces what is
+/// kept. (With hard constraints only the free vertices are unknowns, and they change with the
+/// handle.) A preparation over the same unknowns that is cancelled or fails loses nothing.
 ///
 /// Earlier solvers keep their own factors and are not affected. One preparation at a time.
 class PreparedRegion {

@@ -52,7 +52,7 @@ void brace(BlockMatrix& N) {
 
 }  // namespace
 
-BlockMatrix tangent_matrix(const SystemPattern& pattern, const LaplacianSystem& laplacian,
+BlockMatrix energy_hessian(const SystemPattern& pattern, const LaplacianSystem& laplacian,
                            const BlockRows& G, Numbers memory) {
   BlockMatrix N =
       pattern.normal().reduced_matrix(laplacian.unconstrained_matrix(), G, std::move(memory));
@@ -136,7 +136,7 @@ void ResponseSystem::assemble(std::span<const Vector3d> rest, bool turns_freely,
   report_progress(progress, "normal_matrix", 0.0);
   Numbers memory = factor_.take_memory();
   if (kind_ == LinearResponse::tangent) {
-    factor_.set_matrix(tangent_matrix(pattern_, *laplacian_, *rows_, std::move(memory)));
+    factor_.set_matrix(energy_hessian(pattern_, *laplacian_, *rows_, std::move(memory)));
   } else {
     BlockMatrix N = pattern_.normal().normal_matrix(*rows_, {}, std::move(memory));
     add_springs(laplacian_->springs(), constraints_.unknowns, N);

@@ -18,7 +18,7 @@ namespace lapwing {
 
 /// A x I - G'G, and as much on the diagonal as rounding may take from it. `memory` as in
 /// NormalPattern::reduced_matrix.
-BlockMatrix tangent_matrix(const SystemPattern& pattern, const LaplacianSystem& laplacian,
+BlockMatrix energy_hessian(const SystemPattern& pattern, const LaplacianSystem& laplacian,
                            const BlockRows& G, Numbers memory = {});
 
 /// G at rest, over the region's rows.
@@ -27,7 +27,7 @@ std::shared_ptr<BlockRows> tangent_rows(const Topology& topology, std::span<cons
                                         std::span<const Eigen::Vector3d> rest, Kernels& kernels);
 
 /// The factored 3n x 3n system N of one region from which drags take their response: the energy's
-/// tangent at rest, A x I - G'G with A = L'Om L + K (ENERGY.md section 3), or the paper's M'M. Soft
+/// tangent at rest, (L'Om L + K) x I - G'G (ENERGY.md section 5), or the paper's M'M. Soft
 /// constraints: (N + W) u = W d + f over the region's vertices, f forces on them. Hard ones:
 /// N u = f - N d over the free vertices, d given on handle and belt.
 class ResponseSystem {

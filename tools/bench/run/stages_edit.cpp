@@ -150,7 +150,7 @@ void measure_settle_frame(BenchRun& run, const Subject& subject, const BenchDevi
   std::uint64_t frames = 0;
   Measurement* const row =
       run.measure(stage, kLapwing, device, subject, frames_there_and_back, [&] {
-        iterations += static_cast<std::uint64_t>(drag.step(handle.next()).settled.iterations);
+        iterations += static_cast<std::uint64_t>(drag.step(handle.next()).last_result.iterations);
         ++frames;
       });
   // How many there are depends on the rounding of the processor: no count.

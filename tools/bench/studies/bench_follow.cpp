@@ -68,12 +68,13 @@ class FollowedEdit {
   // What settling comes to from a pose, in percent of the diagonal from there.
   double off_percent(double share, const DragState& pose, Positions* settled = nullptr) const {
     DragState start = pose;
-    start.settled = {};
+    start.last_result = {};
     DragSession& other = reference();
     other.begin(std::move(start));
     const DragState& end = other.state();
     const std::array motions{part(share)};
-    for (int k = 0; k < kMostFrames && !end.settled.settled && !end.settled.exhausted; ++k) {
+    for (int k = 0; k < kMostFrames && !end.last_result.settled && !end.last_result.exhausted;
+         ++k) {
       other.step(motions);
     }
     if (settled != nullptr) *settled = displaced(end);
@@ -152,7 +153,7 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
     const Stopwatch watch;
     frame(share, [&](double ms) { return watch.elapsed_ms() + ms < budget; });
     frames.milliseconds.push_back(watch.elapsed_ms());
-    iterations += pose.settled.iterations;
+    iterations += pose.last_result.iterations;
     if (k % kFramesPerCheck == 0) checked.emplace_back(share, pose);
     // What is made beside the drag has the rest of a sixtieth of a second.
     std::this_thread::sleep_until(next);
@@ -160,7 +161,7 @@ void follow(const FollowBench& settings, const std::string& name, const Mesh& me
   double rest_ms = 0.0;
   double longest_ms = 0.0;
   const auto rest_until = [&](double end_ms) {
-    while (rest_ms < end_ms && !pose.settled.settled && !pose.settled.exhausted) {
+    while (rest_ms < end_ms && !pose.last_result.settled && !pose.last_result.exhausted) {
       const Stopwatch watch;
       frame(1.0, [&](double ms) { return ms == 0.0 || watch.elapsed_ms() + ms < kRestFrame_ms; });
       longest_ms = std::max(longest_ms, watch.elapsed_ms());

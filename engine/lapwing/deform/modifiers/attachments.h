@@ -67,15 +67,15 @@ class SurfaceContacts {
   ClosestPoint surface_;
 };
 
-/// Carries points of space along with the surface that `deform` moved: a hat, a point cloud. With
-/// x, x', R and s the means over what a point p follows (SurfaceContacts) of place before and
-/// after, rotation (VertexMotion) and the scale that the handles ask for,
+/// Carries points of space along with the surface that `deform` moved: a hat, a point cloud. Let x,
+/// x', R and S be the weighted means of rest position, new position, rotation (VertexMotion) and
+/// rest stretch over the contacts of a point p (SurfaceContacts). Then
 ///
-///     p' = x' + s R (p - x)
+///     p' = x' + R S (p - x)
 ///
-/// So a point on the surface stays on it, what moves rigidly carries rigidly, and p' depends on p
-/// continuously, also half way between two parts of the surface. Points whose contacts did not move
-/// keep their bits.
+/// A point on the surface stays on it. Where the surface moves rigidly, so do the points. p' is a
+/// continuous function of p, also half way between two parts of the surface. Points whose contacts
+/// did not move keep their bits.
 class SurfaceCarrier {
  public:
   /// `rest` are the positions before `deformed`; both must outlive the object. O(n log n). Throws

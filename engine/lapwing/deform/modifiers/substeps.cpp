@@ -17,9 +17,6 @@ using Eigen::Vector3d;
 // 0.3 degrees in parts of 0.1 are three, though the quotient is rounded to a little more.
 constexpr double kRoundingOfQuotient = 1e-9;
 
-// A bar six widths long keeps 720 degrees in parts of 90. Parts of 180 would do, but the way round
-// is not certain there.
-constexpr double kSubstepDegrees = 90.0;
 // A half turn that was computed.
 constexpr double kRoundingDegrees = 1e-6;
 
@@ -29,7 +26,7 @@ std::optional<double> substep_degrees(const DeformParameters& parameters, double
                                       bool has_path) {
   if (parameters.commit_every) return parameters.commit_every;
   const bool is_far = turn_degrees > kLargestSettledTurnDegrees + kRoundingDegrees;
-  return parameters.settle && is_far && !has_path ? std::optional(kSubstepDegrees) : std::nullopt;
+  return parameters.settle && is_far && !has_path ? std::optional(kFarTurnDegrees) : std::nullopt;
 }
 
 std::size_t commit_count(const DeformRequest& request) {

@@ -14,7 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSmallestMeasured = 90.0;
 // Down to this a smaller detail length keeps more winding, at little cost in details.
 constexpr double kSmallDetailLength = 0.045;
 
@@ -82,7 +81,7 @@ LargestTurn largest_turn(const DeformRequest& request) {
 std::optional<double> wound_degrees(const BoundRequest& bound, const LargestTurn& largest,
                                     std::span<const Vector3d> start,
                                     std::span<const Vector3d> end) {
-  if (largest.turn.degrees <= kSmallestMeasured) return std::nullopt;
+  if (largest.turn.degrees <= kFarTurnDegrees) return std::nullopt;
   const Index on_handle = bound.region.handles[largest.handle].front();
   const auto path = path_from_still(bound.region, bound.topology, on_handle);
   if (path.empty()) return std::nullopt;

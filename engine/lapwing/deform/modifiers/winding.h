@@ -14,18 +14,18 @@ struct LargestTurn {
 };
 LargestTurn largest_turn(const DeformRequest& request);
 
-/// How far the surface `end` is wound about the axis of `largest`, from what stays to that handle,
-/// beside `start`, the surface before the request: the turn of rings about that axis followed from
-/// one ring to the next, whole turns included. Where the surface came out as written this is the
-/// handle's turn, otherwise it is whole turns away. Nothing without a path from what stays, or for
-/// turns up to 90 degrees, which nothing winds another way.
+/// Returns the accumulated rotation of the rings about the axis of `largest`, from `start`, the
+/// surface before the request, to `end`. It is summed along a shortest edge path from a vertex that
+/// stays to that handle, whole turns included. If the surface came out as written, it is the
+/// handle's turn; otherwise it differs by whole turns. Returns nothing if no path leads from what
+/// stays, and for turns up to 90 degrees, which have only one direction.
 std::optional<double> wound_degrees(const BoundRequest& bound, const LargestTurn& largest,
                                     std::span<const Eigen::Vector3d> start,
                                     std::span<const Eigen::Vector3d> end);
 
-/// What to tell about `request` where it turns a handle by more than kLargestSettledTurnDegrees and
-/// commits nothing on the way, or where it came out `wound` otherwise than written: which handle,
-/// what happened, what to change. Empty when all is well.
+/// Returns a warning that names the handle, what happened and what to change, if `request` neither
+/// settles nor commits and turns a handle by more than kLargestSettledTurnDegrees, or if `wound`
+/// differs from the turn by more than 180 degrees. Otherwise empty.
 std::string winding_warning(const DeformRequest& request, const std::optional<double>& wound);
 
 }  // namespace lapwing

@@ -1,4 +1,4 @@
-#include "lapwing/deform/axis_response.h"
+#include "lapwing/deform/laplacian_response.h"
 
 #include <string>
 
@@ -57,7 +57,7 @@ void add_columns(const EditSystem& system, std::size_t h, std::span<double> colu
 
 }  // namespace
 
-Numbers axis_response(const EditSystem& system, std::span<const std::size_t> handles) {
+Numbers laplacian_response(const EditSystem& system, std::span<const std::size_t> handles) {
   const std::size_t of_handle = system.moving.size() * kCoordinates;
   require_memory(sizeof(double) * of_handle * handles.size(),
                  "the response of " + std::to_string(system.moving.size()) + " vertices to " +
@@ -70,8 +70,8 @@ Numbers axis_response(const EditSystem& system, std::span<const std::size_t> han
   return columns;
 }
 
-std::vector<Vector3d> axis_displacement(const EditSystem& system, std::span<const Vector3d> wanted,
-                                        Springs springs) {
+std::vector<Vector3d> laplacian_displacement(const EditSystem& system,
+                                             std::span<const Vector3d> wanted, Springs springs) {
   const LaplacianSystem& laplacian = *system.laplacian;
   const std::size_t n = laplacian.size();
   std::vector<double> x(3 * n);
