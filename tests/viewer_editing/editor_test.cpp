@@ -463,6 +463,18 @@ TEST_F(AnEditor, ADragNeverShowsAWorseSurfaceThanWhatItComesTo) {
   EXPECT_LT(worst, 1.1 * stretch());
 }
 
+// The camera's near and far planes hold the bounds: what is outside would be cut off.
+TEST_F(AnEditor, TheBoundsHoldWhatADragShows) {
+  begin_drag({0.0, 0.0});
+  for (const InputEvent& event : {key('Z'), typed('-'), typed('1')}) send(event);
+  wait_until_drag_is_settled();
+  const Bounds shown = bounds_of(on_screen());
+  const Bounds held = editor_->bounds();
+  EXPECT_GT((bounds_of(rest()).min - shown.min).head<2>().maxCoeff(), 0.1) << "the tube bulges";
+  EXPECT_LT((united(held, shown).max - held.max).norm(), kVisible);
+  EXPECT_LT((united(held, shown).min - held.min).norm(), kVisible);
+}
+
 TEST_F(AnEditor, WithoutSettlingADragIsTheLinearResponse) {
   editor_->perform(SetParameters{{{.settle = std::nullopt}}});
   wait_until_ready();

@@ -225,6 +225,7 @@ std::size_t Editor::count(const Part& part) const {
 
 Bounds Editor::bounds() const {
   Bounds all = carried_.united_with(shown_.bounds());
+  if (live_ && live_->pose) all = united(all, live_->bounds);
   const auto& followed = shown_.followed();
   for (std::size_t h = 0; h < std::min(followed.size(), handle_count()); ++h) {
     for (const Index v : state().selection.handles[h].vertices) {

@@ -28,6 +28,13 @@ bool settles_frames(const AppState& state) {
   return state.parameters.settle && !goes_in_substeps(state.parameters, state.moves);
 }
 
+Bounds bounds_at(const DragState& pose, std::span<const Index> vertices, const Positions& rest) {
+  Positions places;
+  places.reserve(vertices.size());
+  for (const Index v : vertices) places.push_back(rest[v] + pose.displacement[v]);
+  return bounds_of(places);
+}
+
 bool can_be_prepared(const AppState& state) {
   return !state.selection.roi.vertices.empty() && !state.selection.handles.empty();
 }
@@ -356,6 +363,10 @@ void Preparation::settle_now(const Request& request, const Ready& ready) {
     message = error.what();
     // Asked for again it would fail again.
     if (request.is_live) live = LiveResult{state.moves, request.from, true};
+  }
+  if (live && live->pose) {
+    live->bounds =
+        bounds_at(*live->pose, ready.drag_by.response->columns().moving, state.rest->positions);
   }
   const std::lock_guard lock(worker_.mutex());
   if (ready_.exact != ready.exact) return;  // another preparation has begun

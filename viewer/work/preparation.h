@@ -46,6 +46,7 @@ struct LiveResult {
   /// nothing could be computed from there.
   std::shared_ptr<const DragState> pose;
   bool is_done = false;  ///< asked for again, nothing would move
+  Bounds bounds = {};    ///< of the vertices that move, at `pose`
 };
 
 /// What a live result may take, but for what it cannot do without: of the 16.7 ms of a frame what
