@@ -352,11 +352,7 @@ MinimizerResult EnergyMinimizer::iterate(std::span<Vector3d> u, const TimeBudget
         }
         continue;
       }
-      // By the Hessian, steps at one rotation of a free handle do not describe the energy at
-      // another.
-      if (!s.by_hessian || s.free_rotations.empty()) {
-        history.add(s.at.x, s.next.x, s.at.gradient, s.next.gradient);
-      }
+      history.add(s.at.x, s.next.x, s.at.gradient, s.next.gradient);
       s.take_next();
       ++result.iterations;
       ++s.taken;
